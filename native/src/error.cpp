@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The documented meaning and remedy of every error code.
+#include "wirewarp/error.h"
+
+#include <cstddef>
+
+namespace wirewarp {
+namespace {
+
+struct Entry {
+  ErrorCode code;
+  ErrorDescription description;
+};
+
+// In declaration order of ErrorCode.
+constexpr Entry kEntries[] = {
+    {ErrorCode::invalid_shape,
+     {"invalid_shape", "An array has the wrong number of rows or columns.",
+      "Pass vertices as n by 3, faces as m by 3, seams as k by 2 and corner coordinates as m by 3 by 2."}},
+    {ErrorCode::invalid_type,
+     {"invalid_type", "A value is of the wrong type.",
+      "Pass numbers for coordinates, whole numbers for indices and Wire objects for wires."}},
+    {ErrorCode::invalid_option,
+     {"invalid_option", "An option has a value that is not known or is out of range.",
+      "Use one of the values that the message lists."}},
+    {ErrorCode::empty_mesh,
+     {"empty_mesh", "The mesh has no vertices or no faces, so there is nothing to flatten.",
+      "Pass a mesh with at least one triangle."}},
+    {ErrorCode::vertex_out_of_range,
+     {"vertex_out_of_range", "A face, seam or wire names a vertex that the mesh does not have.",
+      "Number the vertices from 0 to one less than their count."}},
+    {ErrorCode::non_finite_coordinates,
+     {"non_finite_coordinates", "A vertex has a coordinate that is infinite, not a number or far too large.",
+      "Move the named vertices back into the scene or delete them."}},
+    {ErrorCode::seam_not_an_edge,
+     {"seam_not_an_edge", "A seam joins two vertices that no edge of the mesh joins.",
+      "Mark seams along edges of the mesh; after editing the mesh, mark them again."}},
+    {ErrorCode::wire_not_an_edge,
+     {"wire_not_an_edge", "A wire steps between two vertices that no edge of the mesh joins.",
+      "Let every wire run along edges of the mesh; after editing the mesh, mark it again."}},
+    {ErrorCode::wire_too_short,
+     {"wire_too_short", "A wire has fewer than two vertices, so it has no length.",
+      "Give the wire at least one edge, or remove it."}},
+    {ErrorCode::edge_in_two_wires,
+     {"edge_in_two_wires", "One edge belongs to two wires, or twice to the same one.",
+      "Let every edge belong to one wire only: clear the shared edges from all wires but one."}},
+    {ErrorCode::invalid_tolerance,
+     {"invalid_tolerance", "A wire's tolerance is negative or not a number.",
+      "Use 0 for a rigid wire, a fraction such as 0.03 for an elastic one, infinity for one that stretches freely."}},
+    {ErrorCode::repeated_vertex_in_face,
+     {"repeated_vertex_in_face", "A face uses the same vertex twice.", "Delete the named faces."}},
+    {ErrorCode::repeated_face,
+     {"repeated_face", "Two faces have the same three vertices.", "Delete all but one of the named faces."}},
+    {ErrorCode::zero_area_face,
+     {"zero_area_face", "A face has no area, so its shape cannot be measured.",
+      "Dissolve the named faces or move their vertices apart."}},
+    {ErrorCode::non_manifold_edge,
+     {"non_manifold_edge", "Three or more faces meet at an edge that is not a seam.",
+      "Mark the named edges as seams, or delete the extra faces."}},
+    {ErrorCode::non_manifold_vertex,
+     {"non_manifold_vertex", "Parts of a piece touch in a single vertex, with no edge between them.",
+      "Split the named vertices, or join the parts along an edge."}},
+    {ErrorCode::inconsistent_orientation,
+     {"inconsistent_orientation", "Neighboring faces look to opposite sides of the surface.",
+      "Make all faces of the piece look to the same side (recalculate the normals)."}},
+    {ErrorCode::closed_chart,
+     {"closed_chart", "A piece has no outline: it closes on itself like a ball.",
+      "Mark a seam along which the surface can be opened."}},
+    {ErrorCode::handles,
+     {"handles", "A piece has a handle, like a ring or the handle of a cup, so it cannot lie flat.",
+      "Mark a seam around the handle and one along it."}},
+    {ErrorCode::hinged_wire,
+     {"hinged_wire", "A wire ends in the middle of a piece, so the same region lies on both its sides.",
+      "Lengthen the wire until both its ends meet another wire or the outline, or remove it."}},
+    {ErrorCode::separate_loops,
+     {"separate_loops", "A wire or the outline of a hole is connected to nothing else in its piece.",
+      "Mark wires that connect it to the outline or to other wires, in two places at least."}},
+    {ErrorCode::infeasible_lengths,
+     {"infeasible_lengths", "No flat shape has all the lengths that were asked for.",
+      "Give the named wires a tolerance, or cut the piece with a seam."}},
+    {ErrorCode::not_converged,
+     {"not_converged", "The solver stopped before it reached a shape that keeps all lengths.",
+      "Cut the piece with a seam where it curves most, or remove some of its wires."}},
+    {ErrorCode::cancelled, {"cancelled", "The flattening was cancelled before the piece was done.", "Run it again."}},
+    {ErrorCode::uv_discontinuous,
+     {"uv_discontinuous", "The flattening is torn: corners that share a vertex inside a piece lie at different places.",
+      "Mark the named edges as seams, or flatten again with the same seams."}},
+    {ErrorCode::no_layout,
+     {"no_layout", "Some faces have no flat coordinates.", "Flatten the named faces first, then measure."}},
+    {ErrorCode::lengths_not_kept,
+     {"lengths_not_kept", "An edge of the outline or of a wire is longer or shorter in the flat piece than it may be.",
+      "Do not cut this piece as it is: add a seam where it curves most, or give its wires a tolerance."}},
+    {ErrorCode::flipped_faces,
+     {"flipped_faces", "Some faces are turned over in the flat piece: the cloth would have to fold there.",
+      "Add a seam or a dart near the named faces, or remove or loosen a wire there."}},
+    {ErrorCode::overlapping_faces,
+     {"overlapping_faces", "The flat piece covers itself, so it cannot be cut from one layer.",
+      "Cut the piece in two with a seam, or add a dart near the named faces."}},
+};
+
+constexpr std::size_t kCount = sizeof(kEntries) / sizeof(kEntries[0]);
+
+constexpr bool in_declaration_order() {
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (static_cast<std::size_t>(kEntries[i].code) != i) return false;
+  }
+  return true;
+}
+
+static_assert(in_declaration_order() && static_cast<std::size_t>(ErrorCode::overlapping_faces) + 1 == kCount,
+              "every ErrorCode needs one entry, in declaration order");
+
+}  // namespace
+
+const ErrorDescription& describe(ErrorCode code) { return kEntries[static_cast<std::size_t>(code)].description; }
+
+const std::vector<ErrorCode>& all_error_codes() {
+  static const std::vector<ErrorCode> codes = [] {
+    std::vector<ErrorCode> result;
+    for (const Entry& entry : kEntries) result.push_back(entry.code);
+    return result;
+  }();
+  return codes;
+}
+
+}  // namespace wirewarp
