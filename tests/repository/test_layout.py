@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The layers of the code: includes and imports point one way, and every source file names its license."""
+
+import ast
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+SOURCE_FOLDERS = ("addon", "bench", "blend_samples", "native", "python", "tests", "tools")
+
+# Each folder of native/src may include from itself and from those before it.
+LAYERS = ["mesh", "check_input", "charts", "topology", "inner", "outer", "refine", "metrics", "packing"]
+
+
+def listed(*patterns: str) -> list[Path]:
+    """The files that match, in order; none that Python has cached."""
+    return sorted(p for pattern in patterns for p in ROOT.glob(pattern) if p.is_file() and p.suffix != ".pyc")
+
+
+def sources() -> list[Path]:
+    """All C++ and Python sources."""
+    return listed(*(f"{folder}/**/*.{kind}" for folder in SOURCE_FOLDERS for kind in ("py", "h", "cpp")), "dev")
+
+
+def includes(file: Path) -> list[str]:
+    return re.findall(r'^\s*#include\s+[<"]([^">]+)[">]', file.read_text(), re.MULTILINE)
+
+
+def imports(file: Path) -> Iterator[str]:
+    """Top-level names of all absolute imports, those inside functions too."""
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.Import):
+            yield from (alias.name.split(".")[0] for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
+            yield node.module.split(".")[0]
+
+
+def offenders(files: list[Path], is_bad: Callable[[Path], bool]) -> list[str]:
+    assert files, "the pattern finds no file: the layout has changed"
+    return [str(file.relative_to(ROOT)) for file in files if is_bad(file)]
+
+
+def test_every_source_file_begins_with_its_license() -> None:
+    others = listed("dev", ".ci/run", "CMakeLists.txt", "pyproject.toml")
+    mark = "SPDX-License-Identifier: GPL-3.0-or-later"
+    assert offenders(sources() + others, lambda file: mark not in "".join(file.read_text().splitlines()[:2])) == []
+
+
+def test_no_source_file_is_longer_than_400_lines() -> None:
+    assert offenders(sources(), lambda file: len(file.read_text().splitlines()) > 400) == []
+
+
+@pytest.mark.parametrize("folder", sorted({file.parent.name for file in listed("native/src/*/*")}))
+def test_native_includes_point_one_way(folder: str) -> None:
+    allowed = {"wirewarp", *LAYERS[: LAYERS.index(folder) + 1]}
+    ours = {"wirewarp", *LAYERS}
+
+    def includes_upward(file: Path) -> bool:
+        return any(name.split("/")[0] in ours - allowed for name in includes(file))
+
+    assert offenders(listed(f"native/src/{folder}/*"), includes_upward) == []
+
+
+def test_the_core_knows_no_python() -> None:
+    core = listed("native/src/**/*", "native/include/**/*", "native/bench/**/*", "tests/native/**/*")
+    assert (
+        offenders(core, lambda file: any(re.match(r"pybind11|Python\.h|numpy", name) for name in includes(file))) == []
+    )
+
+
+def test_bindings_and_public_headers_see_the_public_api_only() -> None:
+    def includes_private(file: Path) -> bool:
+        return any(name.split("/")[0] in {*LAYERS, "OpenMesh"} for name in includes(file))
+
+    assert offenders(listed("native/bindings/**/*", "native/include/**/*"), includes_private) == []
+
+
+def test_bpy_is_imported_in_the_add_on_only() -> None:
+    elsewhere = listed("python/**/*.py", "tests/bindings/**/*.py", "tools/**/*.py", "bench/**/*.py", "dev")
+    blender = {"bpy", "bmesh", "bl_ui", "mathutils", "gpu", "blf"}
+    assert offenders(elsewhere, lambda file: not blender.isdisjoint(imports(file))) == []
+
+
+def test_one_module_of_the_add_on_imports_the_core() -> None:
+    assert offenders(listed("addon/**/*.py"), lambda file: "wirewarp" in imports(file)) == ["addon/wirewarp/core.py"]

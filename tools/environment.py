@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What every command of `dev` stands on: a clean environment, apt packages, Pythons, venvs and stamps.
+
+Nothing here depends on the caller's PATH or HOME, and everything made lies under build/.
+"""
+
+import hashlib
+import os
+import pwd
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+BUILD = ROOT / "build"
+SYSTEM_PATH = "/usr/local/sbin:/usr/sbin:/sbin:/usr/bin:/bin"  # dpkg needs the sbin folders
+CALLERS_PATH = os.environ.get("PATH", "")
+
+
+class StepError(Exception):
+    """A step could not be done; the message is one sentence for the user."""
+
+
+def say(text: str) -> None:
+    print(f"dev: {text}", flush=True)
+
+
+def clean_environment(**more: str) -> dict[str, str]:
+    """The caller's variables without other Pythons' paths, the system's PATH and settings for reproducible builds."""
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "VIRTUAL_ENV", "PYENV"))}
+    settings = {
+        "PATH": SYSTEM_PATH,
+        "DEBIAN_FRONTEND": "noninteractive",
+        "PIP_DISABLE_PIP_VERSION_CHECK": "1",
+        "PIP_ROOT_USER_ACTION": "ignore",
+        "PYTHONNOUSERSITE": "1",
+        "PYTHONDONTWRITEBYTECODE": "1",
+        "CCACHE_DIR": str(BUILD / "ccache"),
+        "CMAKE_CXX_COMPILER_LAUNCHER": "ccache",
+    }
+    return kept | settings | more
+
+
+def run(command: Sequence[str | Path], **more: str) -> None:
+    """Runs a command in the repository and shows its output; `more` are environment variables."""
+    done = subprocess.run([str(c) for c in command], cwd=ROOT, env=clean_environment(**more))
+    if done.returncode:
+        raise StepError(f"exit code {done.returncode} from: {' '.join(map(str, command))}")
+
+
+def run_quietly(what: str, command: Sequence[str | Path], **more: str) -> None:
+    """Runs a command, says what it does in a line, and shows its output only if it fails."""
+    begin = time.monotonic()
+    say(what)
+    done = subprocess.run(
+        [str(c) for c in command],
+        cwd=ROOT,
+        env=clean_environment(**more),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+    )
+    if done.returncode:
+        print("\n".join(done.stdout.splitlines()[-60:]), flush=True)
+        raise StepError(f"exit code {done.returncode} from: {' '.join(map(str, command))}")
+    say(f"  done in {time.monotonic() - begin:.0f} s")
+
+
+def fingerprint(paths: Iterable[Path], *more: str) -> str:
+    """A hash of the files (folders: all files in them) and of `more`."""
+    digest = hashlib.sha256("\0".join(more).encode())
+    for path in paths:
+        files = sorted(p for p in path.rglob("*") if p.is_file()) if path.is_dir() else [path]
+        for file in files:
+            if "__pycache__" not in file.parts:
+                digest.update(str(file.relative_to(ROOT)).encode() + b"\0" + file.read_bytes())
+    return digest.hexdigest()
+
+
+def is_current(stamp: str, key: str) -> bool:
+    """Whether the work named `stamp` was last done with this key."""
+    file = BUILD / "stamps" / stamp
+    return file.is_file() and file.read_text() == key
+
+
+def set_current(stamp: str, key: str) -> None:
+    file = BUILD / "stamps" / stamp
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(key)
+
+
+def require_apt(*names: str) -> None:
+    """Installs the missing ones of these Debian packages; without the right to, prints the command and stops."""
+    if not shutil.which("dpkg-query", path=SYSTEM_PATH):
+        raise StepError("this is not Debian; install by hand what its packages hold: " + " ".join(names))
+    query = ["dpkg-query", "-W", "-f", "${Package} ${db:Status-Status}\n", *names]
+    listed = subprocess.run(query, capture_output=True, text=True, env=clean_environment()).stdout.splitlines()
+    installed = {line.split()[0] for line in listed if line.endswith(" installed")}
+    missing = [name for name in names if name not in installed]
+    if not missing:
+        return
+    install = ["apt-get", "install", "-y", "--no-install-recommends", *missing]
+    sudo = [] if os.geteuid() == 0 else ["sudo"]
+    if sudo and not may_use_sudo():
+        raise StepError("run this first, as root, then try again:\n    apt-get update && " + " ".join(install))
+    run_quietly("apt-get update", [*sudo, "apt-get", "update", "-q"])
+    run_quietly("apt-get install " + " ".join(missing), [*sudo, "env", "DEBIAN_FRONTEND=noninteractive", *install])
+
+
+def may_use_sudo() -> bool:
+    """True where sudo asks for no password, or somebody is there to type it."""
+    if not shutil.which("sudo", path=SYSTEM_PATH):
+        return False
+    return sys.stdin.isatty() or subprocess.run(["sudo", "-n", "true"], capture_output=True).returncode == 0
+
+
+def find_python(version: str) -> Path | None:
+    """A CPython of this version: Debian's, else one on the caller's PATH or in a pyenv. None if there is none."""
+    name = f"python{version}"
+    homes = {Path(pwd.getpwuid(os.getuid()).pw_dir), Path(os.environ.get("HOME") or "/"), Path("/root")}
+    pyenvs = [Path(os.environ["PYENV_ROOT"])] if "PYENV_ROOT" in os.environ else []
+    pyenvs += [home / ".pyenv" for home in sorted(homes)]
+    candidates = [Path("/usr/bin") / name]
+    candidates += [Path(folder) / name for folder in CALLERS_PATH.split(":") if folder]
+    candidates += [Path("/usr/local/bin") / name]
+    for pyenv in pyenvs:
+        if os.access(pyenv / "versions", os.R_OK):
+            candidates += sorted((pyenv / "versions").glob(f"{version}*/bin/{name}"), reverse=True)
+    return next((c for c in candidates if os.access(c, os.X_OK) and is_python(c, version)), None)
+
+
+def is_python(candidate: Path, version: str) -> bool:
+    """Asks the program itself: a pyenv shim of the name may lead nowhere, and headers may be missing."""
+    question = (
+        "import pathlib, sys, sysconfig; print('%d.%d' % sys.version_info[:2], sys.implementation.name,"
+        " pathlib.Path(sysconfig.get_path('include'), 'Python.h').exists())"
+    )
+    answer = subprocess.run([candidate, "-c", question], capture_output=True, text=True, env=clean_environment())
+    return answer.stdout.split() == [version, "cpython", "True"]
+
+
+def venv(name: str, python: Path, *requirements: str) -> Path:
+    """The Python of the venv build/venvs/NAME with these packages, made anew when they change."""
+    folder = BUILD / "venvs" / name
+    interpreter = folder / "bin" / "python"
+    key = fingerprint([], str(python), str(folder), *requirements)
+    if not (interpreter.exists() and is_current(f"venv-{name}", key)):
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        run_quietly(f"venv build/venvs/{name}", [python, "-m", "venv", folder])
+        pip_install(interpreter, f"pip install {' '.join(requirements)}", *requirements)
+        set_current(f"venv-{name}", key)
+    return interpreter
+
+
+def pip_install(interpreter: Path, what: str, *arguments: str | Path) -> None:
+    run_quietly(what, [interpreter, "-m", "pip", "install", "--quiet", "--prefer-binary", *arguments])
