@@ -78,9 +78,6 @@ constexpr Entry kEntries[] = {
     {ErrorCode::infeasible_lengths,
      {"infeasible_lengths", "No flat shape has all the lengths that were asked for.",
       "Give the named wires a tolerance, or cut the piece with a seam."}},
-    {ErrorCode::not_converged,
-     {"not_converged", "The solver stopped before it reached a shape that keeps all lengths.",
-      "Cut the piece with a seam where it curves most, or remove some of its wires."}},
     {ErrorCode::cancelled, {"cancelled", "The flattening was cancelled before the piece was done.", "Run it again."}},
     {ErrorCode::uv_discontinuous,
      {"uv_discontinuous", "The flattening is torn: corners that share a vertex inside a piece lie at different places.",
@@ -112,7 +109,9 @@ static_assert(in_declaration_order() && static_cast<std::size_t>(ErrorCode::over
 
 }  // namespace
 
-const ErrorDescription& describe(ErrorCode code) { return kEntries[static_cast<std::size_t>(code)].description; }
+const ErrorDescription& describe(ErrorCode code) {
+  return kEntries[static_cast<std::size_t>(code)].description;
+}
 
 const std::vector<ErrorCode>& all_error_codes() {
   static const std::vector<ErrorCode> codes = [] {

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One error type for everything a user can get wrong and everything that cannot be flattened.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wirewarp/types.h"
+
+namespace wirewarp {
+
+/// What went wrong. describe(code) gives the meaning and the remedy of each.
+enum class ErrorCode {
+  // Raised: the input is not a mesh with seams and wires, nothing can be returned.
+  invalid_shape,
+  invalid_type,
+  invalid_option,
+  empty_mesh,
+  vertex_out_of_range,
+  non_finite_coordinates,
+  seam_not_an_edge,
+  wire_not_an_edge,
+  wire_too_short,
+  edge_in_two_wires,
+  invalid_tolerance,
+  // Carried by the piece: this chart fails, the others do not.
+  repeated_vertex_in_face,
+  repeated_face,
+  zero_area_face,
+  non_manifold_edge,
+  non_manifold_vertex,
+  inconsistent_orientation,
+  closed_chart,
+  handles,
+  hinged_wire,
+  separate_loops,
+  infeasible_lengths,
+  cancelled,
+  uv_discontinuous,
+  no_layout,
+  lengths_not_kept,
+  flipped_faces,
+  overlapping_faces,
+};
+
+struct ErrorDescription {
+  const char* name;     // the code as Python and JSON write it: "zero_area_face"
+  const char* meaning;  // one sentence
+  const char* remedy;   // one sentence: what the user can do
+};
+
+/// The documented meaning and remedy of a code.
+const ErrorDescription& describe(ErrorCode code);
+
+/// Every code, in declaration order.
+const std::vector<ErrorCode>& all_error_codes();
+
+/// The elements an error speaks of; all indices are of the input mesh.
+struct ErrorElements {
+  std::vector<int> vertices;
+  std::vector<VertexPair> edges;  // vertex pairs
+  std::vector<int> faces;
+};
+
+/// One plain sentence that names the elements and the remedy, the code, and the elements themselves.
+class FlattenError : public std::runtime_error {
+ public:
+  FlattenError(ErrorCode error_code, const std::string& message, ErrorElements named = {}, bool with_layout = false)
+      : std::runtime_error(message), code(error_code), elements(std::move(named)), has_layout(with_layout) {}
+
+  ErrorCode code;
+  ErrorElements elements;
+  bool has_layout;  // true: the piece has coordinates to look at although a promise is broken
+};
+
+}  // namespace wirewarp

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole public API: flatten() makes flat pieces, measure() judges any flattening by the same code.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "wirewarp/options.h"
+#include "wirewarp/result.h"
+
+namespace wirewarp {
+
+/// A line that matters: a chain of mesh edges with a length tolerance.
+struct Wire {
+  std::vector<int> vertices;  // consecutive ones joined by an edge; a closed wire repeats its first vertex
+  double tolerance = 0;       // 0 rigid; finite: |h| <= tolerance; infinity: super-elastic
+  std::string name;
+};
+
+/// A triangle mesh, the seams that cut it and the wires on it.
+struct FlattenInput {
+  Positions3 vertices;
+  Triangles faces;
+  VertexPairs seams;  // edges along which the surface is cut
+  std::vector<Wire> wires;
+};
+
+/// Called with the stage ("charts", "wires", "lengths", "interior", "measure") and the fraction of the whole run in
+/// [0, 1]; returning false cancels.
+using Progress = std::function<bool(const std::string& stage, double fraction)>;
+
+/// Flattens every chart of the input; pieces packed near-square without overlap, front faces with positive area.
+/// Throws FlattenError if the input is not a mesh with seams and wires or an option is out of range; a chart that
+/// cannot be flattened carries its FlattenError in its Piece and spares the others. Safe to call from several threads.
+FlattenResult flatten(const FlattenInput& input, const Options& options = {}, const Progress& progress = {});
+
+/// The measures and the guarantee of flatten() for a flattening made elsewhere, in scene units. No packing, no scaling:
+/// corner_uv is returned as given.
+FlattenResult measure(const FlattenInput& input, const CornerUv& corner_uv);
+
+}  // namespace wirewarp

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "charts/build_chart_mesh.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// One chart vertex per fan of corners, in the order of the input's vertices.
+std::vector<VertexHandle> add_vertices(const FlattenInput& input, const SurfaceCut& cut, Chart& chart) {
+  struct Corner {
+    int vertex, fan, position;
+  };
+  std::vector<Corner> corners;
+  corners.reserve(3 * chart.source_face.size());
+  for (int f : chart.source_face) {
+    for (int k = 0; k < 3; ++k) {
+      corners.push_back({input.faces(f, k), cut.fan_of_corner[at(3 * f + k)], static_cast<int>(corners.size())});
+    }
+  }
+  std::vector<VertexHandle> vertex_of_corner(corners.size());
+  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
+    return std::tie(a.vertex, a.fan, a.position) < std::tie(b.vertex, b.fan, b.position);
+  });
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (i == 0 || corners[i].fan != corners[i - 1].fan) {
+      const auto p = input.vertices.row(corners[i].vertex);
+      chart.mesh.add_vertex({p[0], p[1], p[2]});
+      chart.source_vertex.push_back(corners[i].vertex);
+    }
+    vertex_of_corner[at(corners[i].position)] = VertexHandle(static_cast<int>(chart.source_vertex.size()) - 1);
+  }
+  return vertex_of_corner;
+}
+
+/// Edges and faces without add_face: the sides are matched already, so nothing depends on the order of the faces.
+void add_faces(const EdgeTable& edges, const SurfaceCut& cut, const std::vector<VertexHandle>& vertex_of_corner,
+               Chart& chart, std::vector<HalfedgeHandle>& half_edge_of_side) {
+  HalfEdgeMesh& mesh = chart.mesh;
+  for (std::size_t i = 0; i < chart.source_face.size(); ++i) {
+    const FaceHandle face = mesh.new_face();
+    std::array<HalfedgeHandle, 3> loop;
+    for (int k = 0; k < 3; ++k) {
+      const int side = 3 * chart.source_face[i] + k;
+      HalfedgeHandle& h = half_edge_of_side[at(side)];
+      if (!h.is_valid()) {
+        h = mesh.new_edge(vertex_of_corner[3 * i + at(k)], vertex_of_corner[3 * i + at((k + 1) % 3)]);
+        const int edge = edges.edge_of_side(side);
+        if (!cut.is_outline(edges, edge)) {
+          const int mate = edges.side(edge, edges.side(edge, 0) == side ? 1 : 0);
+          half_edge_of_side[at(mate)] = mesh.opposite_halfedge_handle(h);
+        }
+      }
+      loop[at(k)] = h;
+      mesh.set_face_handle(h, face);
+      mesh.set_halfedge_handle(mesh.from_vertex_handle(h), h);
+    }
+    for (int k = 0; k < 3; ++k) mesh.set_next_halfedge_handle(loop[at(k)], loop[at((k + 1) % 3)]);
+    mesh.set_halfedge_handle(face, loop[0]);
+  }
+}
+
+/// Links the half-edges without a face; at a boundary vertex the outgoing one stands first, as OpenMesh wants it.
+std::vector<HalfedgeHandle> link_boundary(HalfEdgeMesh& mesh) {
+  std::vector<HalfedgeHandle> boundary;
+  for (const HalfedgeHandle h : mesh.halfedges()) {
+    if (!mesh.is_boundary(h)) continue;
+    boundary.push_back(h);
+    mesh.set_halfedge_handle(mesh.from_vertex_handle(h), h);
+  }
+  for (const HalfedgeHandle h : boundary) {
+    mesh.set_next_halfedge_handle(h, mesh.halfedge_handle(mesh.to_vertex_handle(h)));
+  }
+  return boundary;
+}
+
+/// Sum of pi - surface angle along a boundary loop: 2 pi for the outline of a flat disk, -2 pi for a hole in it.
+double total_turning(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
+  double turning = 0;
+  for (const HalfedgeHandle leaving : loop) {
+    turning += kPi;
+    for (HalfedgeHandle h = leaving; !mesh.is_boundary(h); h = next_counterclockwise(mesh, h)) {
+      turning -= corner_angle(mesh, h);
+    }
+  }
+  return turning;
+}
+
+double total_length(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
+  return std::accumulate(loop.begin(), loop.end(), 0.0,
+                         [&](double sum, HalfedgeHandle h) { return sum + edge_length(mesh, h); });
+}
+
+/// The outer loop is the one that turns most to the left: exact on anything developable. Loops that turn alike (the
+/// two ends of a tube) are told apart by length.
+std::size_t find_outer_loop(const HalfEdgeMesh& mesh, const std::vector<HalfEdgeChain>& loops) {
+  constexpr double kSameTurning = 1e-6;
+  std::size_t outer = 0;
+  double outer_turning = -1e300;
+  double outer_length = 0;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const double turning = total_turning(mesh, loops[i]);
+    const double length = total_length(mesh, loops[i]);
+    const bool turns_alike = std::abs(turning - outer_turning) < kSameTurning;
+    if (turns_alike ? length > outer_length : turning > outer_turning) {
+      outer = i;
+      outer_turning = turning;
+      outer_length = length;
+    }
+  }
+  return outer;
+}
+
+std::vector<HalfEdgeChain> find_boundary_loops(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& boundary) {
+  std::vector<HalfEdgeChain> loops;
+  std::vector<char> is_seen(mesh.n_halfedges(), 0);
+  for (const HalfedgeHandle start : boundary) {
+    if (is_seen[at(start.idx())]) continue;
+    HalfEdgeChain loop;
+    for (HalfedgeHandle h = start; !is_seen[at(h.idx())]; h = mesh.next_halfedge_handle(h)) {
+      is_seen[at(h.idx())] = 1;
+      loop.push_back(mesh.opposite_halfedge_handle(h));
+    }
+    std::reverse(loop.begin(), loop.end());
+    loops.push_back(std::move(loop));
+  }
+  if (loops.size() > 1) std::swap(loops[0], loops[find_outer_loop(mesh, loops)]);
+  return loops;
+}
+
+}  // namespace
+
+void build_chart_mesh(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut, Chart& chart,
+                      std::vector<HalfedgeHandle>& half_edge_of_side) {
+  const std::size_t num_faces = chart.source_face.size();
+  chart.mesh.reserve(num_faces / 2 + 2, 3 * num_faces / 2 + 3, num_faces);
+  const std::vector<VertexHandle> vertex_of_corner = add_vertices(input, cut, chart);
+  add_faces(edges, cut, vertex_of_corner, chart, half_edge_of_side);
+  chart.boundary_loops = find_boundary_loops(chart.mesh, link_boundary(chart.mesh));
+}
+
+}  // namespace wirewarp

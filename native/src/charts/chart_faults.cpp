@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "charts/chart_faults.h"
+
+#include <algorithm>
+
+#include "check_input/sentence.h"
+
+namespace wirewarp {
+namespace {
+
+/// A triangle whose height over its longest side is below this fraction of that side has no area to speak of.
+constexpr double kFlatness = 1e-12;
+
+struct Faults {
+  std::vector<int> repeated_vertex;     // faces
+  std::vector<int> repeated_face;       // faces
+  std::vector<int> zero_area;           // faces
+  std::vector<VertexPair> non_manifold; // edges
+  std::vector<VertexPair> turned;       // edges
+  std::vector<int> pinched;             // vertices
+};
+
+bool repeats_vertex(const Triangles& faces, int f) {
+  return faces(f, 0) == faces(f, 1) || faces(f, 1) == faces(f, 2) || faces(f, 2) == faces(f, 0);
+}
+
+bool has_no_area(const FlattenInput& input, int f) {
+  const Eigen::Vector3d a = input.vertices.row(input.faces(f, 0));
+  const Eigen::Vector3d b = input.vertices.row(input.faces(f, 1));
+  const Eigen::Vector3d c = input.vertices.row(input.faces(f, 2));
+  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+  return longest == 0 || ((b - a) / longest).cross((c - a) / longest).norm() <= kFlatness;
+}
+
+int opposite_vertex(const Triangles& faces, int side) { return faces(side / 3, (side + 2) % 3); }
+
+void find_face_faults(const FlattenInput& input, const SurfaceCut& cut, std::vector<Faults>& faults) {
+  for (int f = 0; f < input.faces.rows(); ++f) {
+    Faults& chart = faults[static_cast<std::size_t>(cut.chart_of_face[static_cast<std::size_t>(f)])];
+    if (repeats_vertex(input.faces, f)) {
+      chart.repeated_vertex.push_back(f);
+    } else if (has_no_area(input, f)) {
+      chart.zero_area.push_back(f);
+    }
+  }
+}
+
+void find_edge_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
+                      std::vector<Faults>& faults) {
+  const auto chart_of_side = [&](int side) -> Faults& {
+    return faults[static_cast<std::size_t>(cut.chart_of_face[static_cast<std::size_t>(side / 3)])];
+  };
+  for (int e = 0; e < edges.num_edges(); ++e) {
+    const int num_sides = edges.num_sides(e);
+    if (num_sides < 2) continue;
+    // Two faces on the same three vertices share three edges: look at the one between the two smallest only.
+    for (int j = 1; j < num_sides; ++j) {
+      const int third = opposite_vertex(input.faces, edges.side(e, j));
+      if (third < edges.vertices(e)[1]) continue;
+      for (int i = 0; i < j; ++i) {
+        if (opposite_vertex(input.faces, edges.side(e, i)) != third) continue;
+        chart_of_side(edges.side(e, j)).repeated_face.push_back(edges.side(e, j) / 3);
+        break;
+      }
+    }
+    if (cut.is_seam[static_cast<std::size_t>(e)]) continue;
+    if (num_sides > 2) {
+      chart_of_side(edges.side(e, 0)).non_manifold.push_back(edges.vertices(e));
+    } else if (edges.from(edges.side(e, 0)) == edges.from(edges.side(e, 1))) {
+      chart_of_side(edges.side(e, 0)).turned.push_back(edges.vertices(e));
+    }
+  }
+}
+
+void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
+                        std::vector<Faults>& faults) {
+  const std::vector<int> fan = fans_of_uncut_surface(input.faces, edges);
+  std::vector<int> first_fan(static_cast<std::size_t>(input.vertices.rows()), -1);
+  std::vector<char> is_pinched(static_cast<std::size_t>(input.vertices.rows()), 0);
+  for (std::size_t corner = 0; corner < fan.size(); ++corner) {
+    const auto v = static_cast<std::size_t>(input.faces.data()[corner]);
+    if (first_fan[v] < 0) first_fan[v] = fan[corner];
+    if (fan[corner] != first_fan[v]) is_pinched[v] = 1;
+  }
+  for (std::size_t corner = 0; corner < fan.size(); ++corner) {
+    const int v = input.faces.data()[corner];
+    if (!is_pinched[static_cast<std::size_t>(v)]) continue;
+    std::vector<int>& pinched = faults[static_cast<std::size_t>(cut.chart_of_face[corner / 3])].pinched;
+    if (std::find(pinched.begin(), pinched.end(), v) == pinched.end()) pinched.push_back(v);
+  }
+}
+
+std::string name_piece(const Chart& chart) {
+  return "The piece around face " + std::to_string(chart.source_face.front()) + " (" +
+         std::to_string(chart.source_face.size()) + " faces)";
+}
+
+std::optional<FlattenError> first_fault(const Faults& faults) {
+  using Code = ErrorCode;
+  if (!faults.repeated_vertex.empty()) {
+    return FlattenError(Code::repeated_vertex_in_face,
+                        "The same vertex stands twice in " + name_elements("face", faults.repeated_vertex) +
+                            ": delete such faces.",
+                        {{}, {}, faults.repeated_vertex});
+  }
+  if (!faults.repeated_face.empty()) {
+    return FlattenError(Code::repeated_face,
+                        "The vertices of " + name_elements("face", faults.repeated_face) +
+                            " are those of another face: delete the copies.",
+                        {{}, {}, faults.repeated_face});
+  }
+  if (!faults.zero_area.empty()) {
+    return FlattenError(Code::zero_area_face,
+                        "There is no area in " + name_elements("face", faults.zero_area) +
+                            ": dissolve such faces or move their vertices.",
+                        {{}, {}, faults.zero_area});
+  }
+  if (!faults.non_manifold.empty()) {
+    return FlattenError(Code::non_manifold_edge,
+                        "Three faces or more meet at " + name_elements("edge", faults.non_manifold) +
+                            ": mark such edges as seams or delete the extra faces.",
+                        {{}, faults.non_manifold, {}});
+  }
+  if (!faults.turned.empty()) {
+    return FlattenError(Code::inconsistent_orientation,
+                        "The faces at " + name_elements("edge", faults.turned) +
+                            " look to opposite sides: recalculate the normals, or mark the edges as seams.",
+                        {{}, faults.turned, {}});
+  }
+  if (!faults.pinched.empty()) {
+    return FlattenError(Code::non_manifold_vertex,
+                        "Faces touch at " + name_elements("vertex", faults.pinched) +
+                            " without sharing an edge: split such vertices.",
+                        {faults.pinched, {}, {}});
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
+                                                           const SurfaceCut& cut) {
+  std::vector<Faults> faults(static_cast<std::size_t>(cut.num_charts));
+  find_face_faults(input, cut, faults);
+  find_edge_faults(input, edges, cut, faults);
+  find_vertex_faults(input, edges, cut, faults);
+  std::vector<std::optional<FlattenError>> errors;
+  errors.reserve(faults.size());
+  for (const Faults& chart : faults) errors.push_back(first_fault(chart));
+  return errors;
+}
+
+std::optional<FlattenError> find_topology_fault(const Chart& chart) {
+  const auto num_loops = static_cast<long>(chart.boundary_loops.size());
+  if (num_loops == 0) {
+    return FlattenError(ErrorCode::closed_chart,
+                        name_piece(chart) + " is closed: mark a seam that opens it.",
+                        {{}, {}, chart.source_face});
+  }
+  // Euler: V - E + F = 2 - 2 handles - loops.
+  const long euler = static_cast<long>(chart.mesh.n_vertices()) - static_cast<long>(chart.mesh.n_edges()) +
+                     static_cast<long>(chart.mesh.n_faces());
+  const long handles = (2 - num_loops - euler) / 2;
+  if (handles == 0) return std::nullopt;
+  return FlattenError(ErrorCode::handles,
+                      name_piece(chart) + " has " + std::to_string(handles) + (handles == 1 ? " handle" : " handles") +
+                          " like a torus: mark seams that cut each of them.",
+                      {{}, {}, chart.source_face});
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faults of the mesh that spoil one chart and spare the others.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "charts/chart.h"
+#include "charts/surface_cut.h"
+
+namespace wirewarp {
+
+/// For each chart the first fault that keeps it from being an oriented manifold with faces of positive area.
+std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
+                                                           const SurfaceCut& cut);
+
+/// A fault of a chart whose mesh and boundary loops are built: closed_chart or handles.
+std::optional<FlattenError> find_topology_fault(const Chart& chart);
+
+}  // namespace wirewarp

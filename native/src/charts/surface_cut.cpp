@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "charts/surface_cut.h"
+
+#include <numeric>
+
+namespace wirewarp {
+namespace {
+
+/// Disjoint sets with path halving; the smaller index is the root.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  int find(int i) {
+    while (parent(i) != i) i = parent(i) = parent(parent(i));
+    return i;
+  }
+  void unite(int i, int j) {
+    i = find(i);
+    j = find(j);
+    parent(std::max(i, j)) = std::min(i, j);
+  }
+  /// Sets numbered in the order of their smallest member.
+  std::vector<int> number(int& count) {
+    std::vector<int> label(parent_.size());
+    count = 0;
+    for (int i = 0; i < static_cast<int>(parent_.size()); ++i) {
+      const int root = find(i);
+      label[static_cast<std::size_t>(i)] = root == i ? count++ : label[static_cast<std::size_t>(root)];
+    }
+    return label;
+  }
+
+ private:
+  int& parent(int i) { return parent_[static_cast<std::size_t>(i)]; }
+  std::vector<int> parent_;
+};
+
+/// The corner of a side's face at a vertex that is one of the side's ends.
+int corner_at(const EdgeTable& edges, int side, int vertex) {
+  return edges.from(side) == vertex ? side : side - side % 3 + (side + 1) % 3;
+}
+
+/// Joins the corners at both ends of an edge over all faces that meet there.
+void join_corners(const EdgeTable& edges, int edge, DisjointSets& corners) {
+  for (int j = 1; j < edges.num_sides(edge); ++j) {
+    for (int vertex : edges.vertices(edge)) {
+      corners.unite(corner_at(edges, edges.side(edge, 0), vertex), corner_at(edges, edges.side(edge, j), vertex));
+    }
+  }
+}
+
+}  // namespace
+
+SurfaceCut cut_along_seams(const Triangles& faces, const EdgeTable& edges, const VertexPairs& seams) {
+  SurfaceCut cut;
+  cut.is_seam.assign(static_cast<std::size_t>(edges.num_edges()), 0);
+  for (int i = 0; i < seams.rows(); ++i) {
+    const int edge = edges.find(seams(i, 0), seams(i, 1));
+    if (edges.num_sides(edge) > 1) cut.is_seam[static_cast<std::size_t>(edge)] = 1;
+  }
+  const auto num_faces = static_cast<std::size_t>(faces.rows());
+  DisjointSets charts(num_faces);
+  DisjointSets corners(3 * num_faces);
+  for (int e = 0; e < edges.num_edges(); ++e) {
+    if (cut.is_seam[static_cast<std::size_t>(e)]) continue;
+    join_corners(edges, e, corners);
+    for (int j = 1; j < edges.num_sides(e); ++j) charts.unite(edges.side(e, 0) / 3, edges.side(e, j) / 3);
+  }
+  cut.chart_of_face = charts.number(cut.num_charts);
+  cut.fan_of_corner = corners.number(cut.num_fans);
+  return cut;
+}
+
+std::vector<int> fans_of_uncut_surface(const Triangles& faces, const EdgeTable& edges) {
+  DisjointSets corners(3 * static_cast<std::size_t>(faces.rows()));
+  for (int e = 0; e < edges.num_edges(); ++e) join_corners(edges, e, corners);
+  int count = 0;
+  return corners.number(count);
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check_input/check_input.h"
+
+#include <cmath>
+
+#include "check_input/sentence.h"
+
+namespace wirewarp {
+namespace {
+
+std::string wire_label(const std::vector<Wire>& wires, std::size_t w) {
+  const std::string& name = wires[w].name;
+  return "wire " + std::to_string(w) + (name.empty() ? "" : " (" + name + ")");
+}
+
+void check_vertices_in_range(const std::vector<int>& vertices, long num_vertices, const std::string& owner) {
+  std::vector<int> bad;
+  for (int v : vertices) {
+    if (v < 0 || v >= num_vertices) bad.push_back(v);
+  }
+  if (bad.empty()) return;
+  throw FlattenError(ErrorCode::vertex_out_of_range,
+                     owner + " names " + name_elements("vertex", bad) + ", but the mesh has vertices 0 to " +
+                         std::to_string(num_vertices - 1) + ": use indices of this mesh.",
+                     {bad, {}, {}});
+}
+
+void check_seams(const FlattenInput& input, const EdgeTable& edges) {
+  const std::vector<int> ends(input.seams.data(), input.seams.data() + input.seams.size());
+  check_vertices_in_range(ends, input.vertices.rows(), "The list of seams");
+  std::vector<VertexPair> bad;
+  for (int i = 0; i < input.seams.rows(); ++i) {
+    const VertexPair pair{input.seams(i, 0), input.seams(i, 1)};
+    if (edges.find(pair[0], pair[1]) < 0) bad.push_back(pair);
+  }
+  if (bad.empty()) return;
+  throw FlattenError(ErrorCode::seam_not_an_edge,
+                     "Seam " + name_elements("edge", bad) + " is not an edge of the mesh: mark seams on existing edges.",
+                     {{}, bad, {}});
+}
+
+void check_wire(const FlattenInput& input, const EdgeTable& edges, std::size_t w, std::vector<int>& wire_of_edge) {
+  const Wire& wire = input.wires[w];
+  const std::string label = wire_label(input.wires, w);
+  if (wire.vertices.size() < 2) {
+    throw FlattenError(ErrorCode::wire_too_short,
+                       "The " + label + " has fewer than two vertices: give it at least one edge.",
+                       {wire.vertices, {}, {}});
+  }
+  check_vertices_in_range(wire.vertices, input.vertices.rows(), "The " + label);
+  if (!(wire.tolerance >= 0)) {
+    throw FlattenError(ErrorCode::invalid_tolerance,
+                       "The " + label + " has a tolerance of " + std::to_string(wire.tolerance) +
+                           ": use 0 (rigid), a positive fraction such as 0.03 (3 %), or infinity (free).",
+                       {wire.vertices, {}, {}});
+  }
+  std::vector<VertexPair> missing;
+  for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
+    const VertexPair pair{wire.vertices[i], wire.vertices[i + 1]};
+    const int edge = edges.find(pair[0], pair[1]);
+    if (edge < 0) {
+      missing.push_back(pair);
+      continue;
+    }
+    int& owner = wire_of_edge[static_cast<std::size_t>(edge)];
+    if (owner >= 0) {
+      throw FlattenError(ErrorCode::edge_in_two_wires,
+                         "The " + name_elements("edge", std::vector<VertexPair>{pair}) + " is in " +
+                             wire_label(input.wires, static_cast<std::size_t>(owner)) +
+                             (static_cast<std::size_t>(owner) == w ? " twice" : " and in " + label) +
+                             ": an edge has one length, so leave it in one wire only.",
+                         {{pair[0], pair[1]}, {pair}, {}});
+    }
+    owner = static_cast<int>(w);
+  }
+  if (!missing.empty()) {
+    throw FlattenError(ErrorCode::wire_not_an_edge,
+                       "The " + label + " runs along " + name_elements("edge", missing) +
+                           ", not an edge of the mesh: consecutive vertices of a wire must share an edge.",
+                       {{}, missing, {}});
+  }
+}
+
+}  // namespace
+
+void check_options(const Options& options) {
+  if (options.gap >= 0 && options.gap <= 1) return;
+  throw FlattenError(ErrorCode::invalid_option,
+                     "The option gap is " + std::to_string(options.gap) + ": it must lie between 0 and 1.");
+}
+
+void check_mesh(const FlattenInput& input) {
+  if (input.faces.rows() == 0) {
+    throw FlattenError(ErrorCode::empty_mesh, "The mesh has no faces: there is nothing to flatten.");
+  }
+  std::vector<int> bad_vertices;
+  std::vector<int> bad_faces;
+  for (int f = 0; f < input.faces.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const int v = input.faces(f, k);
+      if (v >= 0 && v < input.vertices.rows()) continue;
+      bad_vertices.push_back(v);
+      if (bad_faces.empty() || bad_faces.back() != f) bad_faces.push_back(f);
+    }
+  }
+  if (!bad_faces.empty()) {
+    throw FlattenError(ErrorCode::vertex_out_of_range,
+                       "In " + name_elements("face", bad_faces) + " stands " + name_elements("vertex", bad_vertices) +
+                           ", but the mesh has " + std::to_string(input.vertices.rows()) +
+                           " vertices: use indices of this mesh.",
+                       {bad_vertices, {}, bad_faces});
+  }
+  std::vector<int> not_finite;
+  for (int v = 0; v < input.vertices.rows(); ++v) {
+    // Squares of larger numbers overflow.
+    if (!input.vertices.row(v).allFinite() || input.vertices.row(v).cwiseAbs().maxCoeff() > 1e100) {
+      not_finite.push_back(v);
+    }
+  }
+  if (!not_finite.empty()) {
+    throw FlattenError(ErrorCode::non_finite_coordinates,
+                       "The coordinates of " + name_elements("vertex", not_finite) +
+                           " are not finite numbers below 1e100: move or delete them.",
+                       {not_finite, {}, {}});
+  }
+}
+
+void check_seams_and_wires(const FlattenInput& input, const EdgeTable& edges) {
+  check_seams(input, edges);
+  std::vector<int> wire_of_edge(static_cast<std::size_t>(edges.num_edges()), -1);
+  for (std::size_t w = 0; w < input.wires.size(); ++w) check_wire(input, edges, w, wire_of_edge);
+}
+
+}  // namespace wirewarp

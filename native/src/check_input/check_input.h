@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What makes the whole input unusable. Faults of single charts are found where the chart is cut out.
+#pragma once
+
+#include "mesh/edge_table.h"
+#include "wirewarp/flatten.h"
+
+namespace wirewarp {
+
+/// Throws invalid_option unless every option is in its documented range.
+void check_options(const Options& options);
+
+/// Throws empty_mesh, vertex_out_of_range or non_finite_coordinates.
+void check_mesh(const FlattenInput& input);
+
+/// Throws seam_not_an_edge, wire_too_short, wire_not_an_edge, edge_in_two_wires or invalid_tolerance.
+void check_seams_and_wires(const FlattenInput& input, const EdgeTable& edges);
+
+}  // namespace wirewarp

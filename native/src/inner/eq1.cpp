@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "inner/eq1.h"
+
+#include "inner/linear_angle_constraints.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Weight 1/ℓ turns the sum of Eq. (1) into ∫ Δκ² ds, whatever the vertices. Scaled so that the mean weight is about 1.
+Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight) {
+  const auto num_nodes = static_cast<Eigen::Index>(network.nodes.size());
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(num_nodes);
+  if (node_weight == NodeWeight::uniform) return weights;
+  double total_length = 0;
+  for (const WireNode& node : network.nodes) total_length += node.length;
+  const double mean_length = total_length / static_cast<double>(num_nodes);
+  for (Eigen::Index i = 0; i < num_nodes; ++i) {
+    weights[i] = mean_length / network.nodes[static_cast<std::size_t>(i)].length;
+  }
+  return weights;
+}
+
+/// Headings that enclose the given angles: from one edge to the next the heading turns by π − θ, and an edge walked
+/// backwards heads the other way.
+Eigen::VectorXd lay_out_headings(const WireNetwork& network, const Eigen::VectorXd& angles) {
+  std::vector<std::vector<int>> nodes_of_edge(network.edges.size());
+  for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) {
+    nodes_of_edge[at(network.nodes[at(i)].in.edge)].push_back(i);
+    nodes_of_edge[at(network.nodes[at(i)].out.edge)].push_back(i);
+  }
+  const auto flip = [](WireHalfEdge h) { return h.reversed ? kPi : 0.0; };
+  Eigen::VectorXd headings(static_cast<Eigen::Index>(network.edges.size()));
+  std::vector<char> is_known(network.edges.size(), 0);
+  std::vector<int> queue{0};
+  headings[0] = 0;
+  is_known[0] = 1;
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const int edge = queue[next];
+    for (int i : nodes_of_edge[at(edge)]) {
+      const WireNode& node = network.nodes[at(i)];
+      const double turn = kPi - angles[i] + flip(node.in) - flip(node.out);
+      const int other = node.in.edge == edge ? node.out.edge : node.in.edge;
+      if (is_known[at(other)]) continue;
+      headings[other] = node.in.edge == edge ? headings[edge] + turn : headings[edge] - turn;
+      is_known[at(other)] = 1;
+      queue.push_back(other);
+    }
+  }
+  return headings;
+}
+
+}  // namespace
+
+Eq1::Eq1(const WireNetwork& network, NodeWeight node_weight) {
+  const Eigen::VectorXd weights = node_weights(network, node_weight);
+  const Eigen::VectorXd angles = project_on_angle_sums(network, weights);
+  base_headings_ = lay_out_headings(network, angles);
+  for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) {
+    const WireNode& node = network.nodes[at(i)];
+    nodes_.push_back({node.in.edge, node.out.edge, angles[i], node.surface_angle, weights[i]});
+  }
+
+  const auto start_loop = [&] { loops_.push_back({}); };
+  const auto add_half_edge = [&](WireHalfEdge h) {
+    loops_.back().edges.push_back(h.edge);
+    loops_.back().signs.push_back(h.reversed ? -1.0 : 1.0);
+  };
+  for (const WirePatch& patch : network.patches) {
+    start_loop();
+    for (const WirePatch::Step& step : patch.loops[0]) add_half_edge(step.half_edge);
+  }
+  for (const std::vector<WireHalfEdge>& hole : network.holes) {
+    start_loop();
+    for (const WireHalfEdge& h : hole) add_half_edge(h);
+  }
+  for (Loop& loop : loops_) {
+    double length = 0;
+    for (int e : loop.edges) length += network.edges[at(e)].length;
+    for (double& sign : loop.signs) sign /= length;
+  }
+
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Node& node : nodes_) {
+    entries.emplace_back(node.in, node.in, node.weight);
+    entries.emplace_back(node.out, node.out, node.weight);
+    entries.emplace_back(node.in, node.out, -node.weight);
+    entries.emplace_back(node.out, node.in, -node.weight);
+  }
+  laplacian_.resize(num_edges(), num_edges());
+  laplacian_.setFromTriplets(entries.begin(), entries.end());
+}
+
+Eigen::VectorXd Eq1::planar_angles(const Eigen::VectorXd& psi) const {
+  Eigen::VectorXd angles(num_nodes());
+  for (int i = 0; i < num_nodes(); ++i) {
+    const Node& node = nodes_[at(i)];
+    angles[i] = node.base - (psi[node.out] - psi[node.in]);
+  }
+  return angles;
+}
+
+double Eq1::angle_variation(const Eigen::VectorXd& psi) const {
+  double sum = 0;
+  for (const Node& node : nodes_) {
+    const double deviation = node.base - (psi[node.out] - psi[node.in]) - node.target;
+    sum += node.weight * deviation * deviation;
+  }
+  return sum / 2;
+}
+
+Eigen::VectorXd Eq1::gradient(const Eigen::VectorXd& psi) const {
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(num_edges());
+  for (const Node& node : nodes_) {
+    const double force = node.weight * (node.base - (psi[node.out] - psi[node.in]) - node.target);
+    gradient[node.in] += force;
+    gradient[node.out] -= force;
+  }
+  return gradient;
+}
+
+Eigen::VectorXd Eq1::closure(const Eigen::VectorXd& psi, const Eigen::VectorXd& lengths) const {
+  const Eigen::VectorXd phi = headings(psi);
+  const Eigen::ArrayXd x = lengths.array() * phi.array().cos();
+  const Eigen::ArrayXd y = lengths.array() * phi.array().sin();
+  Eigen::VectorXd closure = Eigen::VectorXd::Zero(num_closures());
+  for (int p = 0; p < static_cast<int>(loops_.size()); ++p) {
+    const Loop& loop = loops_[at(p)];
+    for (std::size_t b = 0; b < loop.edges.size(); ++b) {
+      closure[2 * p] += loop.signs[b] * x[loop.edges[b]];
+      closure[2 * p + 1] += loop.signs[b] * y[loop.edges[b]];
+    }
+  }
+  return closure;
+}
+
+Eigen::SparseMatrix<double> Eq1::closure_jacobian(const Eigen::VectorXd& psi, const Eigen::VectorXd& lengths) const {
+  const Eigen::VectorXd phi = headings(psi);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int p = 0; p < static_cast<int>(loops_.size()); ++p) {
+    const Loop& loop = loops_[at(p)];
+    for (std::size_t b = 0; b < loop.edges.size(); ++b) {
+      const int e = loop.edges[b];
+      entries.emplace_back(2 * p, e, -loop.signs[b] * lengths[e] * std::sin(phi[e]));
+      entries.emplace_back(2 * p + 1, e, loop.signs[b] * lengths[e] * std::cos(phi[e]));
+    }
+  }
+  Eigen::SparseMatrix<double> jacobian(num_closures(), num_edges());
+  jacobian.setFromTriplets(entries.begin(), entries.end());
+  return jacobian;
+}
+
+Eigen::VectorXd Eq1::closure_hessian(const Eigen::VectorXd& psi, const Eigen::VectorXd& lengths,
+                                     const Eigen::VectorXd& multipliers) const {
+  const Eigen::VectorXd phi = headings(psi);
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(num_edges());
+  for (int p = 0; p < static_cast<int>(loops_.size()); ++p) {
+    const Loop& loop = loops_[at(p)];
+    for (std::size_t b = 0; b < loop.edges.size(); ++b) {
+      const int e = loop.edges[b];
+      diagonal[e] -= loop.signs[b] * lengths[e] *
+                     (multipliers[2 * p] * std::cos(phi[e]) + multipliers[2 * p + 1] * std::sin(phi[e]));
+    }
+  }
+  return diagonal;
+}
+
+}  // namespace wirewarp

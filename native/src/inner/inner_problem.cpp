@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "inner/inner_problem.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kClosed = 1e-12;      // a loop closes: gap / length of the loop
+constexpr double kRounding = 2e-15;    // no better can be had in double precision
+constexpr double kStationary = 1e-10;  // projected gradient
+constexpr int kMaxSteps = 100;
+constexpr double kSmallestStep = 1e-6;
+
+double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
+
+}  // namespace
+
+InnerSolution InnerProblem::solve(const Eigen::VectorXd& lengths, Inner inner) {
+  const int solves_before = kkt_.num_factorizations();
+  Eigen::VectorXd psi = Eigen::VectorXd::Zero(eq1_.num_edges());
+  InnerSolution solution;
+  solution.is_feasible = close_loops(lengths, psi);
+  if (solution.is_feasible) {
+    solution.is_minimum = inner == Inner::least_norm || minimize(lengths, psi, solution.projected_gradient);
+  }
+  solution.headings = eq1_.headings(psi);
+  solution.angle_variation = eq1_.angle_variation(psi);
+  solution.closure_residual = largest(eq1_.closure(psi, lengths));
+  solution.num_solves = kkt_.num_factorizations() - solves_before;
+  return solution;
+}
+
+/// The paper's least-norm steps: the smallest weighted change of the current angles that closes the linearized loops,
+/// shortened where the gap would not shrink.
+bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) {
+  const Eigen::VectorXd no_diagonal = Eigen::VectorXd::Zero(eq1_.num_edges());
+  Eigen::VectorXd gap = eq1_.closure(psi, lengths);
+  for (int i = 0; i < kMaxSteps && largest(gap) > kRounding; ++i) {
+    kkt_.factor(eq1_.laplacian(), no_diagonal, eq1_.closure_jacobian(psi, lengths));
+    const Eigen::VectorXd step = kkt_.solve(no_diagonal, -gap).step;
+    double t = 1;
+    Eigen::VectorXd trial_gap = eq1_.closure(psi + step, lengths);
+    while (!(trial_gap.norm() < (1 - 1e-3 * t) * gap.norm()) && t > kSmallestStep) {
+      t /= 2;
+      trial_gap = eq1_.closure(psi + t * step, lengths);
+    }
+    if (t <= kSmallestStep) break;
+    psi += t * step;
+    gap = trial_gap;
+  }
+  return largest(gap) < kClosed;
+}
+
+/// Closes the loops again after a step along them, with the factor at hand.
+bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const {
+  constexpr int kMaxRestorations = 10;
+  const Eigen::VectorXd no_gradient = Eigen::VectorXd::Zero(eq1_.num_edges());
+  Eigen::VectorXd gap = eq1_.closure(psi, lengths);
+  for (int i = 0; i < kMaxRestorations && largest(gap) > kRounding; ++i) {
+    const Eigen::VectorXd trial = psi + kkt_.solve(no_gradient, -gap).step;
+    const Eigen::VectorXd trial_gap = eq1_.closure(trial, lengths);
+    if (!(trial_gap.norm() < gap.norm() / 2)) break;
+    psi = trial;
+    gap = trial_gap;
+  }
+  return largest(gap) < kClosed;
+}
+
+/// Factors with as much of the closures' curvature as leaves the step leading downhill; none always does.
+void InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian,
+                                   const Eigen::SparseMatrix<double>& jacobian) {
+  for (const double share : {1.0, 0.5, 0.25, 0.0}) {
+    if (kkt_.factor(eq1_.laplacian(), share * closure_hessian, jacobian)) return;
+  }
+}
+
+/// Feasible sequential quadratic programming with the exact Hessian of the Lagrangian: every iterate closes.
+bool InnerProblem::minimize(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi, double& projected_gradient) {
+  const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
+  Eigen::VectorXd multipliers;
+  double value = eq1_.angle_variation(psi);
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const Eigen::VectorXd gradient = eq1_.gradient(psi);
+    const Eigen::SparseMatrix<double> jacobian = eq1_.closure_jacobian(psi, lengths);
+    if (i == 0) {
+      if (kkt_.num_factorizations() == 0) factor_downhill(Eigen::VectorXd::Zero(eq1_.num_edges()), jacobian);
+      multipliers = kkt_.solve(-gradient, no_gap).multipliers;
+    }
+    projected_gradient = largest(gradient + jacobian.transpose() * multipliers);
+    if (projected_gradient < kStationary) return true;
+
+    factor_downhill(eq1_.closure_hessian(psi, lengths, multipliers), jacobian);
+    const KktSystem::Solution direction = kkt_.solve(-gradient, no_gap);
+    const double slope = gradient.dot(direction.step);
+    double t = 1;
+    for (; t > kSmallestStep; t /= 2) {
+      Eigen::VectorXd trial = psi + t * direction.step;
+      if (!restore(lengths, trial)) continue;
+      const double trial_value = eq1_.angle_variation(trial);
+      if (trial_value > value + 1e-4 * t * slope + 1e-14 * value) continue;
+      psi = trial;
+      value = trial_value;
+      break;
+    }
+    if (t <= kSmallestStep) return false;
+    multipliers = direction.multipliers;
+  }
+  return false;
+}
+
+}  // namespace wirewarp

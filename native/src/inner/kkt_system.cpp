@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "inner/kkt_system.h"
+
+#include <Eigen/OrderingMethods>
+
+namespace wirewarp {
+namespace {
+
+constexpr double kRegularization = 1e-13;
+
+}  // namespace
+
+// Edges first, in minimum degree order of the Laplacian alone, then the closures: by then every closure row has its
+// pivot. (An order that may take a closure first would divide by δ.)
+KktSystem::KktSystem(const Eq1& eq1) : num_edges_(eq1.num_edges()), num_closures_(eq1.num_closures()) {
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> edge_order;
+  Eigen::AMDOrdering<int>()(eq1.laplacian(), edge_order);  // position -> edge
+  order_.resize(num_edges_ + num_closures_);               // row -> position
+  for (int i = 0; i < num_edges_; ++i) order_.indices()[edge_order.indices()[i]] = i;
+  for (int i = num_edges_; i < num_edges_ + num_closures_; ++i) order_.indices()[i] = i;
+}
+
+bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& diagonal,
+                       const Eigen::SparseMatrix<double>& jacobian) {
+  using Iterator = Eigen::SparseMatrix<double>::InnerIterator;
+  const double mean_diagonal = laplacian.diagonal().mean();
+  const Eigen::VectorXi& position = order_.indices();
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(laplacian.nonZeros() + jacobian.nonZeros() + num_closures_));
+  for (int e = 0; e < num_edges_; ++e) {
+    const int column = position[e];
+    for (Iterator it(laplacian, e); it; ++it) {
+      const int row = position[it.row()];
+      if (row < column) entries.emplace_back(row, column, it.value());
+      if (row == column) entries.emplace_back(row, row, it.value() + diagonal[e] + (e == 0 ? mean_diagonal : 0));
+    }
+    for (Iterator it(jacobian, e); it; ++it) {
+      entries.emplace_back(column, num_edges_ + static_cast<int>(it.row()), it.value());
+    }
+  }
+  for (int i = num_edges_; i < num_edges_ + num_closures_; ++i) entries.emplace_back(i, i, 0.0);
+  matrix_.resize(num_edges_ + num_closures_, num_edges_ + num_closures_);
+  matrix_.setFromTriplets(entries.begin(), entries.end());
+
+  Eigen::SparseMatrix<double> regularized = matrix_;
+  for (int i = num_edges_; i < num_edges_ + num_closures_; ++i) {
+    regularized.coeffRef(i, i) = -kRegularization / mean_diagonal;
+  }
+  if (num_factorizations_ == 0) factor_.analyzePattern(regularized);
+  factor_.factorize(regularized);
+  ++num_factorizations_;
+  return factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0).count() == num_edges_;
+}
+
+KktSystem::Solution KktSystem::solve(const Eigen::VectorXd& r1, const Eigen::VectorXd& r2) const {
+  constexpr int kRefinements = 2;  // against δ = 0
+  Eigen::VectorXd right(num_edges_ + num_closures_);
+  right << r1, r2;
+  right = order_ * right;
+  Eigen::VectorXd solution = factor_.solve(right);
+  for (int i = 0; i < kRefinements; ++i) {
+    solution += factor_.solve(right - matrix_.selfadjointView<Eigen::Upper>() * solution);
+  }
+  solution = order_.transpose() * solution;
+  return {solution.head(num_edges_), solution.tail(num_closures_)};
+}
+
+}  // namespace wirewarp

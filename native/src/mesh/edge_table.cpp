@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/edge_table.h"
+
+#include <algorithm>
+
+namespace wirewarp {
+
+EdgeTable::EdgeTable(const Triangles& faces, int num_vertices) : faces_(faces) {
+  const int num_sides = static_cast<int>(faces.rows()) * 3;
+
+  // Sides in buckets by smaller end, each bucket sorted by larger end, then by side.
+  std::vector<int> bucket(at(num_vertices) + 1, 0);
+  for (int s = 0; s < num_sides; ++s) ++bucket[at(std::min(from(s), to(s)) + 1)];
+  for (int v = 0; v < num_vertices; ++v) bucket[at(v + 1)] += bucket[at(v)];
+  sides_.resize(at(num_sides));
+  std::vector<int> next = bucket;
+  for (int s = 0; s < num_sides; ++s) sides_[at(next[at(std::min(from(s), to(s)))]++)] = s;
+
+  edge_begin_.resize(at(num_vertices) + 1);
+  edge_of_side_.resize(at(num_sides));
+  for (int v = 0; v < num_vertices; ++v) {
+    edge_begin_[at(v)] = num_edges();
+    const auto begin = sides_.begin() + bucket[at(v)];
+    const auto end = sides_.begin() + bucket[at(v + 1)];
+    const auto larger_end = [&](int s) { return std::max(from(s), to(s)); };
+    std::sort(begin, end, [&](int s, int t) { return std::pair(larger_end(s), s) < std::pair(larger_end(t), t); });
+    for (auto it = begin; it != end; ++it) {
+      if (it == begin || larger_end(*it) != larger_end(*(it - 1))) {
+        side_begin_.push_back(static_cast<int>(it - sides_.begin()));
+        vertices_.push_back({v, larger_end(*it)});
+      }
+      edge_of_side_[at(*it)] = num_edges() - 1;
+    }
+  }
+  edge_begin_[at(num_vertices)] = num_edges();
+  side_begin_.push_back(num_sides);
+}
+
+int EdgeTable::find(int a, int b) const {
+  const int smaller = std::min(a, b);
+  const int larger = std::max(a, b);
+  for (int e = edge_begin_[at(smaller)]; e < edge_begin_[at(smaller + 1)]; ++e) {
+    if (vertices(e)[1] == larger) return e;
+  }
+  return -1;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The undirected edges of a triangle list and the face sides that meet at each: any number of them, so that seams may
+// be non-manifold. Side 3 f + k of face f runs from its corner k to corner k + 1.
+#pragma once
+
+#include <vector>
+
+#include "wirewarp/types.h"
+
+namespace wirewarp {
+
+class EdgeTable {
+ public:
+  /// faces: vertex indices in [0, num_vertices).
+  EdgeTable(const Triangles& faces, int num_vertices);
+
+  int num_edges() const { return static_cast<int>(vertices_.size()); }
+  int num_sides(int edge) const { return side_begin_[at(edge + 1)] - side_begin_[at(edge)]; }
+
+  /// The j-th side of an edge, by ascending face.
+  int side(int edge, int j) const { return sides_[at(side_begin_[at(edge)] + j)]; }
+  int edge_of_side(int side) const { return edge_of_side_[at(side)]; }
+
+  /// The two ends, the smaller index first.
+  const VertexPair& vertices(int edge) const { return vertices_[at(edge)]; }
+
+  /// The edge between two vertices, -1 if there is none.
+  int find(int a, int b) const;
+
+  /// Where a side starts and ends.
+  int from(int side) const { return faces_(side / 3, side % 3); }
+  int to(int side) const { return faces_(side / 3, (side + 1) % 3); }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  const Triangles& faces_;
+  std::vector<VertexPair> vertices_;
+  std::vector<int> edge_begin_;  // of each vertex: the edges whose smaller end it is
+  std::vector<int> side_begin_;
+  std::vector<int> sides_;
+  std::vector<int> edge_of_side_;
+};
+
+}  // namespace wirewarp

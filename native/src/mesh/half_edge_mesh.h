@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The half-edge mesh of a chart: OpenMesh in double precision.
+#pragma once
+
+// GCC 12 takes the points that OpenMesh grows its arrays with for uninitialized.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#pragma GCC diagnostic pop
+#include <OpenMesh/Core/Mesh/Traits.hh>
+
+namespace wirewarp {
+
+struct HalfEdgeTraits : OpenMesh::DefaultTraits {
+  using Point = OpenMesh::Vec3d;
+  VertexAttributes(OpenMesh::Attributes::None);
+  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
+  EdgeAttributes(OpenMesh::Attributes::None);
+  FaceAttributes(OpenMesh::Attributes::None);
+};
+
+using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<HalfEdgeTraits>;
+
+using OpenMesh::EdgeHandle;
+using OpenMesh::FaceHandle;
+using OpenMesh::HalfedgeHandle;
+using OpenMesh::VertexHandle;
+
+}  // namespace wirewarp

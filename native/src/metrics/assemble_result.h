@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From layouts to the result: pieces measured, promises checked, seams and wires reported.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "topology/wire_network.h"
+
+namespace wirewarp {
+
+/// A chart's planar shape and how it came about.
+struct Layout {
+  std::optional<WireNetwork> network;  // set where uv is
+  Positions2 uv;                       // one row per chart vertex, scene units, as seen from outside; no rows: no layout
+  std::vector<double> variation;       // h, one per wire part
+  PieceReport report;
+  std::optional<FlattenError> error;   // why there is no layout
+};
+
+/// Measures every layout. mirror: the layouts are handed over mirrored, and measured as seen from outside.
+FlattenResult assemble_result(const FlattenInput& input, const Charts& charts, std::vector<Layout> layouts,
+                              bool mirror);
+
+}  // namespace wirewarp

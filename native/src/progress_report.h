@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Progress, cancelling and the time of each stage of a run.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <string>
+
+#include "wirewarp/flatten.h"
+
+namespace wirewarp {
+
+/// Passes progress on, and remembers that the caller cancelled.
+class ProgressReport {
+ public:
+  explicit ProgressReport(const Progress& progress) : progress_(progress) {}
+
+  /// False once the caller has cancelled.
+  bool go_on(const std::string& stage, double fraction) {
+    if (!is_cancelled_ && progress_) is_cancelled_ = !progress_(stage, fraction);
+    return !is_cancelled_;
+  }
+
+ private:
+  const Progress& progress_;
+  bool is_cancelled_ = false;
+};
+
+/// Adds the time from its construction to its destruction to seconds[stage].
+class StageTimer {
+ public:
+  StageTimer(std::map<std::string, double>& seconds, std::string stage)
+      : seconds_(seconds), stage_(std::move(stage)), start_(Clock::now()) {}
+  ~StageTimer() { seconds_[stage_] += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::map<std::string, double>& seconds_;
+  std::string stage_;
+  Clock::time_point start_;
+};
+
+}  // namespace wirewarp
