@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arrays.h"
+
+#include <pybind11/numpy.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+#include "wirewarp/error.h"
+
+namespace wirewarp::bindings {
+namespace {
+
+constexpr int kPlain = py::array::c_style | py::array::forcecast;
+
+std::string text(py::handle value) {
+  return py::str(value);
+}
+
+std::string shape_text(const py::array& array) {
+  return text(array.attr("shape"));
+}
+
+py::array as_array(py::handle value, const std::string& name) {
+  try {
+    return py::module_::import("numpy").attr("asarray")(value);
+  } catch (py::error_already_set& error) {
+    const std::string message = name + " cannot be read as an array: " + text(error.value());
+    if (error.matches(PyExc_ValueError)) throw FlattenError(ErrorCode::invalid_shape, message);
+    if (error.matches(PyExc_TypeError)) throw FlattenError(ErrorCode::invalid_type, message);
+    throw;
+  }
+}
+
+/// kinds: numpy's letters of the accepted dtypes ("f" floating, "i" signed, "u" unsigned).
+void check_kind(const py::array& array, py::handle value, const std::string& name, const std::string& kinds,
+                const char* wanted) {
+  if (kinds.find(array.dtype().kind()) != std::string::npos) return;
+  const std::string found = array.ndim() == 0 ? type_name(value) : text(array.dtype());
+  throw FlattenError(ErrorCode::invalid_type, name + " must hold " + wanted + ", not " + found + ".");
+}
+
+/// Rows of the given shape; an empty list has none. Throws invalid_shape.
+void check_rows(const py::array& array, const std::string& name, const std::vector<py::ssize_t>& row) {
+  if (array.ndim() == 1 && array.size() == 0) return;
+  if (array.ndim() == static_cast<py::ssize_t>(row.size()) + 1 &&
+      std::equal(row.begin(), row.end(), array.shape() + 1)) {
+    return;
+  }
+  std::string wanted;
+  for (const py::ssize_t n : row) wanted += ", " + std::to_string(n);
+  throw FlattenError(ErrorCode::invalid_shape,
+                     name + " has the shape " + shape_text(array) + "; it must be (n" + wanted + ").");
+}
+
+template <class Matrix>
+Matrix read_reals(py::handle value, const std::string& name, const std::vector<py::ssize_t>& row) {
+  const py::array array = as_array(value, name);
+  check_kind(array, value, name, "fiu", "real numbers");
+  check_rows(array, name, row);
+  const py::array_t<double, kPlain> values(array);
+  return Eigen::Map<const Matrix>(values.data(), values.size() / Matrix::ColsAtCompileTime, Matrix::ColsAtCompileTime);
+}
+
+struct TooLarge {
+  py::ssize_t index;
+  std::string value;
+};
+
+/// Copies into 32-bit indices; the first value that does not fit stops it.
+template <class Integer>
+std::optional<TooLarge> narrow(const py::array& array, int* out) {
+  const py::array_t<Integer, kPlain> values(array);
+  for (py::ssize_t i = 0; i < values.size(); ++i) {
+    const Integer v = values.data()[i];
+    bool fits = v <= static_cast<Integer>(std::numeric_limits<int>::max());
+    if constexpr (std::is_signed_v<Integer>) fits = fits && v >= std::numeric_limits<int>::min();
+    if (!fits) return TooLarge{i, std::to_string(v)};
+    out[i] = static_cast<int>(v);
+  }
+  return std::nullopt;
+}
+
+std::optional<TooLarge> narrow(const py::array& array, int* out) {
+  const bool is_unsigned = array.dtype().kind() == 'u';
+  return is_unsigned ? narrow<std::uint64_t>(array, out) : narrow<std::int64_t>(array, out);
+}
+
+[[noreturn]] void throw_too_large(const std::string& element, const TooLarge& found, ErrorElements elements) {
+  throw FlattenError(ErrorCode::vertex_out_of_range,
+                     element + " names vertex " + found.value + ", which the mesh does not have.", std::move(elements));
+}
+
+template <class Matrix>
+Matrix read_indices(py::handle value, const std::string& name, const std::string& element) {
+  constexpr int kColumns = Matrix::ColsAtCompileTime;
+  const py::array array = as_array(value, name);
+  const bool is_empty = array.size() == 0;  // numpy gives an empty list a floating dtype
+  check_kind(array, value, name, is_empty ? "iuf" : "iu", "whole numbers");
+  check_rows(array, name, {kColumns});
+  Matrix result(array.size() / kColumns, kColumns);
+  if (const auto found = narrow(array, result.data())) {
+    const int row = static_cast<int>(found->index / kColumns);
+    ErrorElements elements;
+    if (element == "Face") elements.faces = {row};
+    throw_too_large(element + " " + std::to_string(row), *found, elements);
+  }
+  return result;
+}
+
+/// A sequence that is no array: numpy would turn True among whole numbers into 1 and huge ones into objects.
+std::vector<int> read_sequence(py::handle value) {
+  std::vector<int> result;
+  for (const py::handle item : value) {
+    const std::string element = "Wire vertex " + std::to_string(result.size());
+    if (!PyIndex_Check(item.ptr()) || PyBool_Check(item.ptr())) {
+      throw FlattenError(ErrorCode::invalid_type, element + " must be a whole number, not " + type_name(item) + ".");
+    }
+    const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(item.ptr()));
+    if (!number) throw py::error_already_set();
+    int overflow = 0;
+    const long long v = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
+    if (overflow != 0 || v != static_cast<int>(v)) throw_too_large(element, {0, text(number)}, {});
+    result.push_back(static_cast<int>(v));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string type_name(py::handle value) {
+  return text(py::type::handle_of(value).attr("__name__"));
+}
+
+Positions3 read_vertices(py::handle value) {
+  return read_reals<Positions3>(value, "vertices", {3});
+}
+
+Triangles read_faces(py::handle value) {
+  return read_indices<Triangles>(value, "faces", "Face");
+}
+
+VertexPairs read_seams(py::handle value) {
+  if (value.is_none()) return VertexPairs(0, 2);
+  return read_indices<VertexPairs>(value, "seams", "Seam edge");
+}
+
+CornerUv read_corner_uv(py::handle value, Eigen::Index face_count) {
+  CornerUv result = read_reals<CornerUv>(value, "corner_uv", {3, 2});
+  if (result.rows() == face_count) return result;
+  throw FlattenError(ErrorCode::invalid_shape, "corner_uv has " + std::to_string(result.rows()) + " rows for " +
+                                                   std::to_string(face_count) + " faces; it needs one per face.");
+}
+
+std::vector<int> read_chain(py::handle value) {
+  const std::string name = "Wire vertices";
+  if (!py::isinstance<py::array>(value)) {
+    if (PySequence_Check(value.ptr()) && !py::isinstance<py::str>(value)) return read_sequence(value);
+    throw FlattenError(ErrorCode::invalid_type,
+                       name + " must be a sequence of whole numbers, not " + type_name(value) + ".");
+  }
+  const auto array = py::reinterpret_borrow<py::array>(value);
+  check_kind(array, value, name, "iu", "whole numbers");
+  if (array.ndim() != 1) {
+    throw FlattenError(ErrorCode::invalid_shape,
+                       name + " have the shape " + shape_text(array) + "; they must be one row.");
+  }
+  std::vector<int> result(static_cast<std::size_t>(array.size()));
+  if (const auto found = narrow(array, result.data())) {
+    throw_too_large("Wire vertex " + std::to_string(found->index), *found, {});
+  }
+  return result;
+}
+
+double read_number(py::handle value, const std::string& name) {
+  const py::array array = as_array(value, name);
+  if (array.ndim() != 0 || std::string("fiu").find(array.dtype().kind()) == std::string::npos) {
+    throw FlattenError(ErrorCode::invalid_type, name + " must be a number, not " + type_name(value) + ".");
+  }
+  return array.attr("item")().cast<double>();
+}
+
+}  // namespace wirewarp::bindings

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What users pass, checked and copied into the types of the public API. Any dtype, strides, byte order or nested list
+// of the right kind of numbers; everything else throws FlattenError. A copy, so that the caller may change or free its
+// arrays while the core runs without the GIL.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <vector>
+
+#include "wirewarp/types.h"
+
+namespace wirewarp::bindings {
+
+namespace py = pybind11;
+
+/// vertices (n, 3), real numbers.
+Positions3 read_vertices(py::handle value);
+
+/// faces (m, 3), whole numbers.
+Triangles read_faces(py::handle value);
+
+/// seams (k, 2), whole numbers; None or an empty list for none.
+VertexPairs read_seams(py::handle value);
+
+/// corner_uv (m, 3, 2), real numbers, one row per face.
+CornerUv read_corner_uv(py::handle value, Eigen::Index face_count);
+
+/// A wire's vertices: any sequence or one-dimensional array of whole numbers.
+std::vector<int> read_chain(py::handle value);
+
+/// One real number; throws invalid_type, calling it `name`.
+double read_number(py::handle value, const std::string& name);
+
+/// The name of the type of a value, for messages.
+std::string type_name(py::handle value);
+
+}  // namespace wirewarp::bindings

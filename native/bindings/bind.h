@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of the Python module, one file each.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace wirewarp::bindings {
+
+namespace py = pybind11;
+
+void bind_options(py::module_& module);
+void bind_wire(py::module_& module);
+void bind_results(py::module_& module);
+void bind_flatten(py::module_& module);
+
+}  // namespace wirewarp::bindings

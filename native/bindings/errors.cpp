@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "errors.h"
+
+#include <pybind11/stl.h>
+
+#include <exception>
+
+#include "wirewarp/options.h"
+
+namespace wirewarp::bindings {
+namespace {
+
+py::tuple pairs(const std::vector<VertexPair>& edges) {
+  py::tuple result(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) result[i] = py::make_tuple(edges[i][0], edges[i][1]);
+  return result;
+}
+
+void raise_flatten_error(std::exception_ptr pointer) {
+  try {
+    if (pointer) std::rethrow_exception(pointer);
+  } catch (const FlattenError& error) {
+    const py::object instance = to_python_error(error);
+    PyErr_SetObject(py::type::handle_of(instance).ptr(), instance.ptr());
+  }
+}
+
+}  // namespace
+
+std::string package_name() {
+  return py::str(py::type::of<Options>().attr("__module__"));
+}
+
+py::object to_python_error(const FlattenError& error) {
+  const py::object type = py::module_::import(package_name().c_str()).attr("FlattenError");
+  return type(describe(error.code).name, error.what(), error.elements.vertices, pairs(error.elements.edges),
+              error.elements.faces, error.has_layout);
+}
+
+void bind_errors(py::module_& module) {
+  module.def(
+      "error_descriptions",
+      [] {
+        py::dict result;
+        for (const ErrorCode code : all_error_codes()) {
+          const ErrorDescription& description = describe(code);
+          result[description.name] = py::make_tuple(description.meaning, description.remedy);
+        }
+        return result;
+      },
+      "Name of every error code -> (meaning, remedy), in declaration order.");
+  py::register_local_exception_translator(raise_flatten_error);
+}
+
+}  // namespace wirewarp::bindings

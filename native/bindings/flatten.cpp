@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// wirewarp.flatten and wirewarp.measure: read the arrays, leave the GIL, run the core.
+#include "wirewarp/flatten.h"
+
+#include "arrays.h"
+#include "bind.h"
+#include "errors.h"
+#include "progress.h"
+
+namespace wirewarp::bindings {
+namespace {
+
+std::vector<Wire> read_wires(py::handle value) {
+  if (py::isinstance<Wire>(value) || !py::hasattr(value, "__iter__")) {
+    throw FlattenError(ErrorCode::invalid_type, "wires must be a list of Wire, not " + type_name(value) + ".");
+  }
+  std::vector<Wire> wires;
+  for (const py::handle item : value) {
+    if (!py::isinstance<Wire>(item)) {
+      throw FlattenError(ErrorCode::invalid_type,
+                         "wires[" + std::to_string(wires.size()) + "] must be a Wire, not " + type_name(item) + ".");
+    }
+    wires.push_back(item.cast<const Wire&>());
+  }
+  return wires;
+}
+
+Options read_options(py::handle value) {
+  if (value.is_none()) return {};
+  if (py::isinstance<Options>(value)) return value.cast<const Options&>();
+  throw FlattenError(ErrorCode::invalid_type, "options must be Options or None, not " + type_name(value) + ".");
+}
+
+FlattenInput read_input(py::handle vertices, py::handle faces, py::handle seams, py::handle wires) {
+  return {read_vertices(vertices), read_faces(faces), read_seams(seams), read_wires(wires)};
+}
+
+FlattenResult run_flatten(const py::object& vertices, const py::object& faces, const py::object& seams,
+                          const py::object& wires, const py::object& options, const py::object& progress) {
+  const FlattenInput input = read_input(vertices, faces, seams, wires);
+  const Options checked_options = read_options(options);
+  PythonProgress python_progress(progress);
+  FlattenResult result;
+  try {
+    const py::gil_scoped_release no_gil;
+    result = flatten(input, checked_options, [&](const std::string& stage, double fraction) {
+      return python_progress.report(stage, fraction);
+    });
+  } catch (const FlattenError&) {
+    python_progress.rethrow();
+    throw;
+  }
+  python_progress.rethrow();
+  return result;
+}
+
+FlattenResult run_measure(const py::object& vertices, const py::object& faces, const py::object& corner_uv,
+                          const py::object& seams, const py::object& wires) {
+  const FlattenInput input = read_input(vertices, faces, seams, wires);
+  const CornerUv corners = read_corner_uv(corner_uv, input.faces.rows());
+  const py::gil_scoped_release no_gil;
+  return measure(input, corners);
+}
+
+constexpr const char* kFlattenDoc =
+    R"(Flattens every region between seams into a piece with the exact lengths of its outline and wires.
+
+vertices: (n, 3) real numbers, scene units.
+faces: (m, 3) whole numbers, triangles.
+seams: (k, 2) vertex pairs along which the surface is cut.
+wires: Wire objects.
+options: Options; None for the defaults.
+progress: called as progress(stage, fraction); returning False cancels, an exception cancels and is raised again.
+
+Raises FlattenError if the input is not a mesh with seams and wires. A region that cannot be flattened carries its
+FlattenError in Piece.error and spares the others.)";
+
+constexpr const char* kMeasureDoc =
+    R"(Judges a flattening made elsewhere by the measures and promises of flatten().
+
+corner_uv: (m, 3, 2) flat position of each corner of each face, scene units; returned as given.
+The other arguments are those of flatten().)";
+
+}  // namespace
+
+void bind_flatten(py::module_& module) {
+  module.def("flatten", &run_flatten, py::arg("vertices"), py::arg("faces"), py::kw_only(),
+             py::arg("seams") = py::none(), py::arg("wires") = py::tuple(), py::arg("options") = py::none(),
+             py::arg("progress") = py::none(), kFlattenDoc);
+  module.def("measure", &run_measure, py::arg("vertices"), py::arg("faces"), py::arg("corner_uv"),
+             py::arg("seams") = py::none(), py::arg("wires") = py::tuple(), kMeasureDoc);
+}
+
+}  // namespace wirewarp::bindings

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "progress.h"
+
+#include <utility>
+
+#include "arrays.h"
+#include "wirewarp/error.h"
+
+namespace wirewarp::bindings {
+
+PythonProgress::PythonProgress(py::object callback) : callback_(std::move(callback)) {
+  if (!callback_.is_none() && PyCallable_Check(callback_.ptr()) == 0) {
+    throw FlattenError(ErrorCode::invalid_type,
+                       "progress must be a function of a stage and a fraction, not " + type_name(callback_) + ".");
+  }
+}
+
+bool PythonProgress::report(const std::string& stage, double fraction) {
+  const py::gil_scoped_acquire gil;
+  if (raised_) return false;
+  try {
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (callback_.is_none()) return true;
+    const py::object answer = callback_(stage, fraction);
+    if (answer.is_none()) return true;  // a callback that only shows progress
+    return static_cast<bool>(py::bool_(answer));
+  } catch (const py::error_already_set&) {
+    raised_ = std::current_exception();
+    return false;
+  }
+}
+
+void PythonProgress::rethrow() const {
+  if (raised_) std::rethrow_exception(raised_);
+}
+
+}  // namespace wirewarp::bindings

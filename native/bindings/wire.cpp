@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// wirewarp.Wire: checked when it is made, unchangeable afterwards.
+#include <cmath>
+
+#include "arrays.h"
+#include "bind.h"
+#include "record.h"
+#include "wirewarp/flatten.h"
+
+namespace wirewarp::bindings {
+namespace {
+
+Wire make_wire(const py::object& vertices, const py::object& tolerance, const py::object& name) {
+  Wire wire;
+  wire.vertices = read_chain(vertices);
+  if (wire.vertices.size() < 2) {
+    throw FlattenError(ErrorCode::wire_too_short,
+                       "A wire needs at least two vertices, this one has " + std::to_string(wire.vertices.size()) + ".",
+                       {wire.vertices, {}, {}});
+  }
+  wire.tolerance = read_number(tolerance, "Wire tolerance");
+  if (!(wire.tolerance >= 0)) {
+    throw FlattenError(ErrorCode::invalid_tolerance,
+                       "Wire tolerance is " + std::string(py::repr(tolerance)) +
+                           "; it must be 0 (rigid), a fraction such as 0.03 (elastic) or infinity (stretches freely).");
+  }
+  if (!py::isinstance<py::str>(name)) {
+    throw FlattenError(ErrorCode::invalid_type, "Wire name must be a string, not " + type_name(name) + ".");
+  }
+  wire.name = name.cast<std::string>();
+  return wire;
+}
+
+}  // namespace
+
+void bind_wire(py::module_& module) {
+  Record<Wire> record(module, "Wire", "A line that matters: a chain of mesh edges with a length tolerance.");
+  record.def(py::init(&make_wire), py::arg("vertices"), py::arg("tolerance") = 0.0, py::arg("name") = "",
+             "vertices: any sequence or array of whole numbers, consecutive ones joined by an edge; a closed wire "
+             "repeats its first. tolerance: 0 rigid, finite elastic, math.inf super-elastic.");
+  record
+      .field(
+          "vertices",
+          [](const Wire& wire, py::handle owner) {
+            py::object vertices = to_python(wire.vertices, owner);
+            vertices.attr("setflags")(py::arg("write") = false);  // a checked wire stays as it was checked
+            return vertices;
+          },
+          "(n,) int, read-only.")
+      .field("tolerance", &Wire::tolerance, "Dimensionless: the length may vary by this fraction.")
+      .field("name", &Wire::name, "For reports.");
+}
+
+}  // namespace wirewarp::bindings

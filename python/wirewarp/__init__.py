@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flat pattern pieces whose outlines and wires keep exactly their lengths on the surface."""
+
+from ._errors import ErrorCode, FlattenError
+from ._wirewarp import (
+    BoundaryReport,
+    FlattenResult,
+    Metrics,
+    Options,
+    Piece,
+    PieceReport,
+    SeamReport,
+    Wire,
+    WireReport,
+    __version__,
+    flatten,
+    measure,
+)
+
+__all__ = [
+    "BoundaryReport",
+    "ErrorCode",
+    "FlattenError",
+    "FlattenResult",
+    "Metrics",
+    "Options",
+    "Piece",
+    "PieceReport",
+    "SeamReport",
+    "Wire",
+    "WireReport",
+    "__version__",
+    "flatten",
+    "measure",
+]
