@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which of many planar boxes meet a given one: a tree of bounding boxes, indifferent to how the sizes vary.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+namespace wirewarp {
+
+using Box2 = Eigen::AlignedBox2d;
+
+class BoxTree {
+ public:
+  /// Items are indices into boxes, which is not kept.
+  explicit BoxTree(const std::vector<Box2>& boxes);
+
+  /// Calls visit(item) for every item whose box meets the query, touching included.
+  template <typename Visit>
+  void for_each_meeting(const Box2& query, Visit&& visit) const {
+    if (!items_.empty()) descend(0, 0, static_cast<int>(items_.size()), query, visit);
+  }
+
+ private:
+  static constexpr int kLeafSize = 4;
+
+  void build(const std::vector<Box2>& boxes, int node, int first, int last);
+
+  // A node holds items [first, last); its children are nodes 2n+1 and 2n+2 with the two halves.
+  template <typename Visit>
+  void descend(int node, int first, int last, const Box2& query, Visit& visit) const {
+    const Box2& box = node_boxes_[static_cast<std::size_t>(node)];
+    if (!box.intersects(query)) return;
+    if (last - first <= kLeafSize) {
+      for (int i = first; i < last; ++i) {
+        if (item_boxes_[static_cast<std::size_t>(i)].intersects(query)) visit(items_[static_cast<std::size_t>(i)]);
+      }
+      return;
+    }
+    const int middle = first + (last - first) / 2;
+    descend(2 * node + 1, first, middle, query, visit);
+    descend(2 * node + 2, middle, last, query, visit);
+  }
+
+  std::vector<Box2> node_boxes_;
+  std::vector<int> items_;
+  std::vector<Box2> item_boxes_;  // in the order of items_
+};
+
+}  // namespace wirewarp

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "metrics/guarantee.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "check_input/sentence.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kRelativeLengthError = 1e-9;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// A wire edge whose planar length is not the promised one.
+struct WrongEdge {
+  VertexPair vertices;  // input
+  int part;             // index into chart.wire_parts, -1 boundary
+  double difference;    // (l2 - (1+h) l) / l
+};
+
+std::vector<WrongEdge> find_wrong_edges(const Chart& chart, const WireNetwork& network, const Positions2& uv,
+                                        const std::vector<double>& variation) {
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() * uv.cwiseAbs().maxCoeff();
+  std::vector<WrongEdge> wrong;
+  for (const WireEdge& edge : network.edges) {
+    const int part = edge.is_boundary ? -1 : edge.part;
+    if (part >= 0 && chart.wire_parts[at(part)].kind == WireKind::super_elastic) continue;
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
+    const int from = chart.mesh.from_vertex_handle(h).idx();
+    const int to = chart.mesh.to_vertex_handle(h).idx();
+    const double promised = (1 + (part >= 0 ? variation[at(part)] : 0)) * edge.length;
+    const double difference = (uv.row(to) - uv.row(from)).norm() - promised;
+    if (std::abs(difference) <= kRelativeLengthError * edge.length + rounding) continue;
+    wrong.push_back({{chart.source_vertex[at(from)], chart.source_vertex[at(to)]}, part, difference / edge.length});
+  }
+  // The worst first, so that a message that names a few names these.
+  std::stable_sort(wrong.begin(), wrong.end(), [](const WrongEdge& a, const WrongEdge& b) {
+    return std::abs(a.difference) > std::abs(b.difference);
+  });
+  return wrong;
+}
+
+std::vector<int> parts_beyond_tolerance(const Chart& chart, const std::vector<double>& variation) {
+  std::vector<int> parts;
+  for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
+    const WirePart& part = chart.wire_parts[i];
+    if (part.kind == WireKind::elastic && !(std::abs(variation[i]) <= part.tolerance)) {
+      parts.push_back(static_cast<int>(i));
+    }
+  }
+  return parts;
+}
+
+std::string percent(double fraction) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%", 100 * std::abs(fraction));
+  return text;
+}
+
+std::string name_part(const Chart& chart, const std::vector<Wire>& wires, int part) {
+  if (part < 0) return "the outline";
+  const int wire = chart.wire_parts[at(part)].wire_index;
+  const std::string& name = wires[at(wire)].name;
+  return "wire " + std::to_string(wire) + (name.empty() ? "" : " (" + name + ")");
+}
+
+/// ", has 3 flipped faces" and the like, for the promises that the error is not about.
+std::string also(std::size_t flipped, std::size_t overlapping) {
+  std::string text;
+  if (flipped > 0) text += ", has " + std::to_string(flipped) + " flipped faces";
+  if (overlapping > 0) text += ", overlaps itself at " + std::to_string(overlapping) + " faces";
+  return text;
+}
+
+FlattenError wrong_lengths(const Chart& chart, const std::vector<Wire>& wires, const std::vector<WrongEdge>& wrong,
+                           const std::vector<int>& beyond, const Metrics& metrics) {
+  ErrorElements elements;
+  for (const WrongEdge& edge : wrong) elements.edges.push_back(edge.vertices);
+  for (const int part : beyond) {
+    for (const HalfedgeHandle h : chart.wire_parts[at(part)].half_edges) {
+      elements.edges.push_back({chart.source_vertex[at(chart.mesh.from_vertex_handle(h).idx())],
+                                chart.source_vertex[at(chart.mesh.to_vertex_handle(h).idx())]});
+    }
+  }
+  std::string what;
+  if (!wrong.empty()) {
+    const WrongEdge& worst = wrong.front();
+    what = "The piece does not keep the length of " + name_elements("edge", elements.edges) + " (the first, on " +
+           name_part(chart, wires, worst.part) + ", is " + percent(worst.difference) + " too " +
+           (worst.difference > 0 ? "long)" : "short)");
+  } else {
+    const int part = beyond.front();
+    what = "The piece stretches " + name_part(chart, wires, part) + " beyond its tolerance of " +
+           percent(chart.wire_parts[at(part)].tolerance);
+  }
+  what += also(metrics.flipped_faces.size(), metrics.overlapping_faces.size());
+  return FlattenError(ErrorCode::lengths_not_kept,
+                      what + ": add a seam where the piece curves most, or give its wires more tolerance.",
+                      std::move(elements), true);
+}
+
+}  // namespace
+
+std::optional<FlattenError> check_guarantee(const Chart& chart, const WireNetwork& network,
+                                            const std::vector<Wire>& wires, const Positions2& uv,
+                                            const std::vector<double>& variation, const Metrics& metrics) {
+  const std::vector<WrongEdge> wrong = find_wrong_edges(chart, network, uv, variation);
+  const std::vector<int> beyond = parts_beyond_tolerance(chart, variation);
+  if (!wrong.empty() || !beyond.empty()) return wrong_lengths(chart, wires, wrong, beyond, metrics);
+
+  if (!metrics.flipped_faces.empty()) {
+    return FlattenError(ErrorCode::flipped_faces,
+                        "The piece is turned over at " + name_elements("face", metrics.flipped_faces) +
+                            also(0, metrics.overlapping_faces.size()) +
+                            ": add a seam or a dart there, or remove or loosen a wire nearby.",
+                        {{}, {}, metrics.flipped_faces}, true);
+  }
+  if (!metrics.overlapping_faces.empty()) {
+    return FlattenError(ErrorCode::overlapping_faces,
+                        "The piece covers itself at " + name_elements("face", metrics.overlapping_faces) +
+                            ": cut it in two with a seam, or add a dart there.",
+                        {{}, {}, metrics.overlapping_faces}, true);
+  }
+  return std::nullopt;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every promise about a flat piece, checked: exact lengths, no flipped face, no overlap with itself.
+#pragma once
+
+#include <optional>
+
+#include "topology/wire_network.h"
+
+namespace wirewarp {
+
+/// The first broken promise, or nothing if all are kept:
+///   lengths_not_kept   |l2 - (1+h) l| > 1e-9 l + 8 machine epsilon max|uv| on a boundary, rigid or elastic edge, or
+///                      |h| > tolerance on an elastic part
+///   flipped_faces      metrics.flipped_faces is not empty
+///   overlapping_faces  metrics.overlapping_faces is not empty
+/// The message mentions the others too; has_layout is true. uv, variation (h per wire part) and metrics belong to the
+/// layout as it is handed to the user. wires: the input's, for the names.
+std::optional<FlattenError> check_guarantee(const Chart& chart, const WireNetwork& network,
+                                            const std::vector<Wire>& wires, const Positions2& uv,
+                                            const std::vector<double>& variation, const Metrics& metrics);
+
+}  // namespace wirewarp

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "metrics/lengths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double planar_length(const Chart& chart, HalfedgeHandle h, const Positions2& uv) {
+  return (uv.row(chart.mesh.to_vertex_handle(h).idx()) - uv.row(chart.mesh.from_vertex_handle(h).idx())).norm();
+}
+
+struct ChainLength {
+  double length_3d = 0;
+  double length_2d = 0;
+  double max_edge_error = 0;
+};
+
+/// h: the length variation that the edges should have.
+ChainLength measure_chain(const Chart& chart, const HalfEdgeChain& chain, const Positions2& uv, double h) {
+  ChainLength result;
+  for (const HalfedgeHandle half_edge : chain) {
+    const double length = edge_length(chart.mesh, half_edge);
+    const double planar = planar_length(chart, half_edge, uv);
+    result.length_3d += length;
+    result.length_2d += planar;
+    result.max_edge_error = std::max(result.max_edge_error, std::abs(planar - (1 + h) * length) / length);
+  }
+  return result;
+}
+
+WireKind kind_of(double tolerance) {
+  if (tolerance == 0) return WireKind::rigid;
+  return std::isinf(tolerance) ? WireKind::super_elastic : WireKind::elastic;
+}
+
+VertexPair sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+double distance(const Positions3& vertices, int a, int b) { return (vertices.row(a) - vertices.row(b)).norm(); }
+
+/// What the pieces know of the edges of one wire.
+struct WireEdges {
+  struct Edge {
+    double length_2d;
+    double intended;  // (1 + h) l
+  };
+  std::map<VertexPair, Edge> edges;  // by input vertices, from the first piece that has the edge
+  double max_edge_error = 0;
+};
+
+void collect_part(const Chart& chart, const WirePart& part, const WireReport& report, const Positions2& uv,
+                  WireEdges& wire) {
+  for (const HalfedgeHandle h : part.half_edges) {
+    const VertexPair key = sorted(chart.source_vertex[at(chart.mesh.from_vertex_handle(h).idx())],
+                                  chart.source_vertex[at(chart.mesh.to_vertex_handle(h).idx())]);
+    wire.edges.insert({key, {planar_length(chart, h, uv), (1 + report.variation) * edge_length(chart.mesh, h)}});
+  }
+  wire.max_edge_error = std::max(wire.max_edge_error, report.max_edge_error);
+}
+
+WireReport measure_whole_wire(const Wire& wire, const WireEdges& known, const Positions3& vertices) {
+  WireReport report;
+  report.name = wire.name;
+  report.tolerance = wire.tolerance;
+  report.kind = kind_of(wire.tolerance);
+  double intended = 0;
+  for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
+    const int a = wire.vertices[i];
+    const int b = wire.vertices[i + 1];
+    report.length_3d += distance(vertices, a, b);
+    const auto edge = known.edges.find(sorted(a, b));
+    report.length_2d += edge == known.edges.end() ? kNaN : edge->second.length_2d;
+    intended += edge == known.edges.end() ? kNaN : edge->second.intended;
+  }
+  report.variation = intended / report.length_3d - 1;
+  report.max_edge_error = std::isnan(intended) ? kNaN : known.max_edge_error;
+  return report;
+}
+
+bool has_layout(const Piece& piece) { return !piece.boundaries.empty(); }
+
+}  // namespace
+
+std::vector<WireReport> measure_wire_parts(const Chart& chart, const std::vector<Wire>& wires, const Positions2& uv,
+                                           const std::vector<double>& variation) {
+  std::vector<WireReport> reports;
+  for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
+    const WirePart& part = chart.wire_parts[i];
+    const ChainLength chain = measure_chain(chart, part.half_edges, uv, variation[i]);
+    reports.push_back({wires[at(part.wire_index)].name, part.wire_index, part.part, part.kind, part.tolerance,
+                       chain.length_3d, chain.length_2d, variation[i], chain.max_edge_error});
+  }
+  return reports;
+}
+
+std::vector<BoundaryReport> measure_boundaries(const Chart& chart, const Positions2& uv) {
+  std::vector<BoundaryReport> reports;
+  for (const BoundaryChain& boundary : chart.boundary_chains) {
+    const ChainLength chain = measure_chain(chart, boundary.half_edges, uv, 0);
+    BoundaryReport report;
+    report.vertices.push_back(
+        chart.source_vertex[at(chart.mesh.from_vertex_handle(boundary.half_edges.front()).idx())]);
+    for (const HalfedgeHandle h : boundary.half_edges) {
+      report.vertices.push_back(chart.source_vertex[at(chart.mesh.to_vertex_handle(h).idx())]);
+    }
+    report.length_3d = chain.length_3d;
+    report.length_2d = chain.length_2d;
+    report.max_edge_error = chain.max_edge_error;
+    if (boundary.seam >= 0) report.seam = boundary.seam;
+    reports.push_back(std::move(report));
+  }
+  return reports;
+}
+
+std::vector<SeamReport> measure_seams(const Charts& charts, const std::vector<Piece>& pieces,
+                                      const Positions3& vertices) {
+  std::vector<SeamReport> reports;
+  for (const Seam& seam : charts.seams) {
+    SeamReport report;
+    report.edges = seam.edges;
+    for (const VertexPair& edge : seam.edges) report.length_3d += distance(vertices, edge[0], edge[1]);
+    double shortest = std::numeric_limits<double>::infinity();
+    double longest = 0;
+    for (const Seam::Side& side : seam.sides) {
+      const Piece& piece = pieces[at(side.chart)];
+      report.pieces.push_back(side.chart);
+      report.length_2d.push_back(has_layout(piece) ? piece.boundaries[at(side.boundary_chain)].length_2d : kNaN);
+      if (!has_layout(piece)) continue;
+      shortest = std::min(shortest, report.length_2d.back());
+      longest = std::max(longest, report.length_2d.back());
+    }
+    report.mismatch = std::max(0.0, longest - shortest);
+    reports.push_back(std::move(report));
+  }
+  return reports;
+}
+
+std::vector<WireReport> measure_whole_wires(const FlattenInput& input, const Charts& charts,
+                                            const std::vector<Piece>& pieces) {
+  std::vector<WireEdges> known(input.wires.size());
+  for (std::size_t c = 0; c < charts.charts.size(); ++c) {
+    const Chart& chart = charts.charts[c];
+    if (!has_layout(pieces[c])) continue;
+    for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
+      collect_part(chart, chart.wire_parts[i], pieces[c].wires[i], pieces[c].vertices,
+                   known[at(chart.wire_parts[i].wire_index)]);
+    }
+  }
+  std::vector<WireReport> reports;
+  for (std::size_t w = 0; w < input.wires.size(); ++w) {
+    reports.push_back(measure_whole_wire(input.wires[w], known[w], input.vertices));
+    reports.back().wire_index = static_cast<int>(w);
+  }
+  return reports;
+}
+
+std::vector<double> fit_variation(const Chart& chart, const Positions2& uv) {
+  std::vector<double> variation;
+  for (const WirePart& part : chart.wire_parts) {
+    const bool is_fixed = part.kind == WireKind::rigid || part.kind == WireKind::boundary;
+    const ChainLength chain = measure_chain(chart, part.half_edges, uv, 0);
+    variation.push_back(is_fixed ? 0
+                                 : std::clamp(chain.length_2d / chain.length_3d - 1, -part.tolerance, part.tolerance));
+  }
+  return variation;
+}
+
+}  // namespace wirewarp

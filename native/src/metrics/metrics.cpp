@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "metrics/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/arap.h"
+#include "metrics/overlap.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+HalfedgeHandle half_edge(const Chart& chart, const WireNetwork& network, const WireHalfEdge& h) {
+  return chart.mesh.halfedge_handle(network.edges[at(h.edge)].edge, h.reversed ? 1 : 0);
+}
+
+Triangles faces_of(const HalfEdgeMesh& mesh) {
+  Triangles faces(static_cast<Eigen::Index>(mesh.n_faces()), 3);
+  for (const FaceHandle f : mesh.faces()) {
+    HalfedgeHandle h = mesh.halfedge_handle(f);
+    for (int k = 0; k < 3; ++k, h = mesh.next_halfedge_handle(h)) faces(f.idx(), k) = mesh.from_vertex_handle(h).idx();
+  }
+  return faces;
+}
+
+std::vector<bool> faces_on_boundary(const Chart& chart) {
+  std::vector<bool> flags(chart.mesh.n_faces(), false);
+  for (const HalfEdgeChain& loop : chart.boundary_loops) {
+    for (const HalfedgeHandle h : loop) flags[at(chart.mesh.face_handle(h).idx())] = true;
+  }
+  return flags;
+}
+
+Eigen::Vector3d position(const HalfEdgeMesh& mesh, int vertex) {
+  const HalfEdgeMesh::Point& p = mesh.point(VertexHandle(vertex));
+  return {p[0], p[1], p[2]};
+}
+
+void measure_faces(const Chart& chart, const Triangles& faces, const Positions2& uv, Metrics& metrics) {
+  metrics.face_arap.resize(faces.rows());
+  metrics.face_aspect_ratio.resize(faces.rows());
+  for (int f = 0; f < faces.rows(); ++f) {
+    const int a = faces(f, 0);
+    const int b = faces(f, 1);
+    const int c = faces(f, 2);
+    const TriangleDistortion t = measure_triangle(position(chart.mesh, a), position(chart.mesh, b),
+                                                  position(chart.mesh, c), uv.row(a), uv.row(b), uv.row(c));
+    metrics.face_arap[f] = t.arap_energy;
+    metrics.face_aspect_ratio[f] = t.aspect_ratio();
+    metrics.area_3d += t.area_3d;
+    metrics.area_2d += t.area_2d;
+    if (!(t.area_2d > 0)) metrics.flipped_faces.push_back(chart.source_face[at(f)]);
+  }
+  metrics.arap_energy = metrics.face_arap.sum() / metrics.area_3d;
+}
+
+/// E_L of Eq. (5): the edges on wires first, then the rest of the boundary.
+void measure_wire_edges(const Chart& chart, const WireNetwork& network, const Positions2& uv, Metrics& metrics) {
+  std::vector<const WireEdge*> edges;
+  for (const WireEdge& edge : network.edges) edges.push_back(&edge);
+  std::stable_partition(edges.begin(), edges.end(), [](const WireEdge* edge) { return edge->part >= 0; });
+
+  metrics.edge_length_variation.resize(static_cast<Eigen::Index>(edges.size()));
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(edges[i]->edge, 0);
+    const int from = chart.mesh.from_vertex_handle(h).idx();
+    const int to = chart.mesh.to_vertex_handle(h).idx();
+    metrics.wire_edges.push_back({chart.source_vertex[at(from)], chart.source_vertex[at(to)]});
+    metrics.edge_length_variation[static_cast<Eigen::Index>(i)] =
+        std::abs(edges[i]->length - (uv.row(to) - uv.row(from)).norm()) / edges[i]->length;
+  }
+}
+
+/// θ − α at every node but tails, which have no angle of their own.
+void measure_angles(const Chart& chart, const WireNetwork& network, const Positions2& uv, Metrics& metrics) {
+  double sum_of_squares = 0;
+  int count = 0;
+  for (const WireNode& node : network.nodes) {
+    if (node.is_tail) continue;
+    const double deviation = planar_angle(chart, network, node, uv) - node.surface_angle;
+    sum_of_squares += deviation * deviation;
+    metrics.angle_deviation_max = std::max(metrics.angle_deviation_max, std::abs(deviation));
+    ++count;
+  }
+  if (count > 0) metrics.angle_deviation_rms = std::sqrt(sum_of_squares / count);
+}
+
+}  // namespace
+
+double planar_angle(const Chart& chart, const WireNetwork& network, const WireNode& node, const Positions2& uv) {
+  const HalfedgeHandle in = half_edge(chart, network, node.in);
+  const HalfedgeHandle out = half_edge(chart, network, node.out);
+  const Eigen::RowVector2d vertex = uv.row(node.vertex.idx());
+  const Eigen::RowVector2d back = uv.row(chart.mesh.from_vertex_handle(in).idx()) - vertex;
+  const Eigen::RowVector2d ahead = uv.row(chart.mesh.to_vertex_handle(out).idx()) - vertex;
+  // The sector lies to the left of both edges: counter-clockwise from the way ahead to the way back.
+  const double angle = std::atan2(ahead.x() * back.y() - ahead.y() * back.x(), ahead.dot(back));
+  return angle + kTwoPi * std::round((node.surface_angle - angle) / kTwoPi);
+}
+
+Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Positions2& uv) {
+  Metrics metrics;
+  const Triangles faces = faces_of(chart.mesh);
+  measure_faces(chart, faces, uv, metrics);
+  measure_wire_edges(chart, network, uv, metrics);
+  measure_angles(chart, network, uv, metrics);
+  for (const int f : find_overlapping_faces(faces, faces_on_boundary(chart), uv)) {
+    metrics.overlapping_faces.push_back(chart.source_face[at(f)]);
+  }
+  return metrics;
+}
+
+}  // namespace wirewarp

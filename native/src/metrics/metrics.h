@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Distortion of one flat piece (paper IV-A).
+#pragma once
+
+#include "topology/wire_network.h"
+#include "wirewarp/result.h"
+
+namespace wirewarp {
+
+/// Everything in Metrics. uv: one finite row per chart vertex, scene units, front faces counter-clockwise.
+Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Positions2& uv);
+
+/// The planar angle θ of a wire-node's sector, radians, on the branch nearest to its surface angle.
+double planar_angle(const Chart& chart, const WireNetwork& network, const WireNode& node, const Positions2& uv);
+
+}  // namespace wirewarp

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "metrics/overlap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "metrics/box_tree.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kRelativeDepth = 1e-9;
+
+using Corners = std::array<Eigen::Vector2d, 3>;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+Corners corners_of(const Triangles& faces, const Positions2& uv, int face) {
+  return {uv.row(faces(face, 0)), uv.row(faces(face, 1)), uv.row(faces(face, 2))};
+}
+
+/// The same triangle, counter-clockwise.
+Corners counter_clockwise(Corners t) {
+  if (cross(t[1] - t[0], t[2] - t[0]) < 0) std::swap(t[1], t[2]);
+  return t;
+}
+
+Box2 box_of(const Corners& t) {
+  Box2 box(t[0]);
+  box.extend(t[1]);
+  box.extend(t[2]);
+  return box;
+}
+
+/// True if b reaches more than depth behind every edge of a. Both counter-clockwise.
+bool reaches_behind_every_edge(const Corners& a, const Corners& b, double depth) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector2d edge = a[(i + 1) % 3] - a[i];
+    const double reach = std::max({cross(edge, b[0] - a[i]), cross(edge, b[1] - a[i]), cross(edge, b[2] - a[i])});
+    if (reach <= depth * edge.norm()) return false;
+  }
+  return true;
+}
+
+/// Separating axes: two convex polygons penetrate by the least overlap along the normals of their edges.
+bool penetrate(const Corners& a, const Corners& b, double depth) {
+  return reaches_behind_every_edge(a, b, depth) && reaches_behind_every_edge(b, a, depth);
+}
+
+/// Marks the pairs (candidate, any face) that overlap.
+std::vector<bool> overlaps_with(const std::vector<int>& candidates, const Triangles& faces, const Positions2& uv,
+                                double depth) {
+  std::vector<Box2> boxes;
+  boxes.reserve(candidates.size());
+  for (const int face : candidates) boxes.push_back(box_of(corners_of(faces, uv, face)));
+  const BoxTree tree(boxes);
+
+  std::vector<bool> overlaps(static_cast<std::size_t>(faces.rows()), false);
+  for (int face = 0; face < faces.rows(); ++face) {
+    const Corners triangle = corners_of(faces, uv, face);
+    tree.for_each_meeting(box_of(triangle), [&](int item) {
+      const int other = candidates[static_cast<std::size_t>(item)];
+      if (other == face) return;
+      if (penetrate(counter_clockwise(triangle), counter_clockwise(corners_of(faces, uv, other)), depth)) {
+        overlaps[static_cast<std::size_t>(face)] = true;
+        overlaps[static_cast<std::size_t>(other)] = true;
+      }
+    });
+  }
+  return overlaps;
+}
+
+bool any_not_positive(const Triangles& faces, const Positions2& uv) {
+  for (int face = 0; face < faces.rows(); ++face) {
+    const Corners t = corners_of(faces, uv, face);
+    if (!(cross(t[1] - t[0], t[2] - t[0]) > 0)) return true;
+  }
+  return false;
+}
+
+bool any(const std::vector<bool>& flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); }
+
+std::vector<int> indices_of(const std::vector<bool>& flags) {
+  std::vector<int> indices;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    if (flags[i]) indices.push_back(static_cast<int>(i));
+  }
+  return indices;
+}
+
+}  // namespace
+
+std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vector<bool>& on_boundary,
+                                        const Positions2& uv) {
+  if (faces.rows() == 0) return {};
+  const double size = (uv.colwise().maxCoeff() - uv.colwise().minCoeff()).norm();
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() * uv.cwiseAbs().maxCoeff();
+  const double depth = kRelativeDepth * size + rounding;
+
+  // Without flips the number of faces over a point changes only across boundary edges, and grows to their left. Where
+  // a part of the plane that is covered twice ends, some boundary edge ends it, and the face left of that edge lies
+  // there over another one: if no boundary face overlaps any face, nothing does. That costs one look at every face.
+  if (!any_not_positive(faces, uv) && !any(overlaps_with(indices_of(on_boundary), faces, uv, depth))) return {};
+
+  std::vector<int> all(static_cast<std::size_t>(faces.rows()));
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  return indices_of(overlaps_with(all, faces, uv, depth));
+}
+
+}  // namespace wirewarp

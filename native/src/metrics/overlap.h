@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Does a flat piece cover a part of the plane twice?
+#pragma once
+
+#include <vector>
+
+#include "wirewarp/types.h"
+
+namespace wirewarp {
+
+/// Faces that overlap another face of the same piece by positive area, in increasing order.
+///
+/// faces: m by 3, rows of uv, consistently oriented. on_boundary: one flag per face, true if it has a boundary edge.
+/// uv: n by 2, finite, scene units.
+///
+/// Two faces overlap if they penetrate each other by more than 1e-9 times the diagonal of the piece (plus rounding of
+/// the coordinates): faces that touch, and the two sides of a slit or dart that closes exactly flat, do not.
+std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vector<bool>& on_boundary,
+                                        const Positions2& uv);
+
+}  // namespace wirewarp

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wirewarp/types.h"
+
+namespace wirewarp {
+
+/// Places axis-parallel boxes near-square without overlap. sizes: n by 2, width and height, not negative. gap: space
+/// between boxes. Returns their lower-left corners, n by 2; the lowest and leftmost are 0. Deterministic, and the same
+/// for sizes that differ by rounding only.
+Positions2 pack_boxes(const Positions2& sizes, double gap);
+
+}  // namespace wirewarp

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "packing/pack_pieces.h"
+
+#include <cmath>
+
+#include "packing/pack_boxes.h"
+#include "packing/upright_direction.h"
+
+namespace wirewarp {
+namespace {
+
+/// The area inside the outline, holes left out.
+double outline_area(const Chart& chart, const Positions2& uv) {
+  double twice_area = 0;
+  for (const HalfEdgeChain& loop : chart.boundary_loops) {
+    for (const HalfedgeHandle h : loop) {
+      const auto a = uv.row(chart.mesh.from_vertex_handle(h).idx());
+      const auto b = uv.row(chart.mesh.to_vertex_handle(h).idx());
+      twice_area += a.x() * b.y() - a.y() * b.x();
+    }
+  }
+  return std::abs(twice_area) / 2;
+}
+
+/// The layout turned so that up becomes +y, with its lower-left corner at the origin.
+Positions2 stand_upright(const Positions2& uv, const Eigen::Vector2d& up) {
+  const Eigen::RowVector2d center = (uv.colwise().minCoeff() + uv.colwise().maxCoeff()) / 2;
+  Positions2 turned = uv.rowwise() - center;  // small numbers round less
+  if (up.norm() > 0) {
+    const Eigen::Vector2d y = up.normalized();
+    Eigen::Matrix2d transposed_rotation;
+    transposed_rotation << y.y(), y.x(), -y.x(), y.y();
+    turned *= transposed_rotation;
+  }
+  return turned.rowwise() - Eigen::RowVector2d(turned.colwise().minCoeff());
+}
+
+}  // namespace
+
+Positions2 mirror_image(const Positions2& uv) {
+  Positions2 mirrored = uv;
+  mirrored.col(0) *= -1;
+  return mirrored;
+}
+
+std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, const std::vector<Positions2>& layouts, double gap,
+                                    bool mirror) {
+  std::vector<Positions2> packed(layouts.size());
+  std::vector<std::size_t> pieces;  // those with a layout
+  double area = 0;
+  for (std::size_t i = 0; i < layouts.size(); ++i) {
+    if (layouts[i].rows() == 0) continue;
+    pieces.push_back(i);
+    area += outline_area(charts[i], layouts[i]);
+    const Eigen::Vector2d up = upright_direction(charts[i], layouts[i]);
+    packed[i] = mirror ? stand_upright(mirror_image(layouts[i]), {-up.x(), up.y()}) : stand_upright(layouts[i], up);
+  }
+
+  Positions2 sizes(static_cast<Eigen::Index>(pieces.size()), 2);
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    sizes.row(static_cast<Eigen::Index>(k)) = packed[pieces[k]].colwise().maxCoeff();
+  }
+  const Positions2 corners = pack_boxes(sizes, gap * std::sqrt(area));
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    packed[pieces[k]].rowwise() += corners.row(static_cast<Eigen::Index>(k));
+  }
+  return packed;
+}
+
+}  // namespace wirewarp

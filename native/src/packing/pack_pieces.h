@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Turns each piece upright and lays all of them side by side.
+#pragma once
+
+#include "charts/chart.h"
+
+namespace wirewarp {
+
+/// Turns each layout (rotation only) so that its upright_direction() is +y, mirrors it if asked, and packs the pieces'
+/// bounding boxes near-square without overlap, the lower-left corner at the origin.
+///
+/// layouts: one per chart, one row per chart vertex, scene units; no rows: no layout, skipped. gap: see Options::gap.
+/// Rotation and translation move each coordinate by a few units of rounding.
+std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, const std::vector<Positions2>& layouts, double gap,
+                                    bool mirror);
+
+/// The same layout seen from the other side, exactly: x negated.
+Positions2 mirror_image(const Positions2& uv);
+
+}  // namespace wirewarp

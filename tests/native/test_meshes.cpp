@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "test_meshes.h"
+
+#include <cmath>
+
+#include "charts/cut_into_charts.h"
+
+namespace wirewarp::test {
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Quads of a grid with num_columns vertices in a row, cut into triangles; a closed grid wraps around.
+Triangles grid_faces(int nx, int ny, int num_columns) {
+  Triangles faces(2 * nx * ny, 3);
+  int f = 0;
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i < nx; ++i) {
+      const int next = (i + 1) % num_columns;
+      const int a = i + num_columns * j;
+      const int b = next + num_columns * j;
+      const int c = next + num_columns * (j + 1);
+      const int d = i + num_columns * (j + 1);
+      faces.row(f++) << a, b, c;
+      faces.row(f++) << a, c, d;
+    }
+  }
+  return faces;
+}
+
+FlattenInput make_mesh(int nx, int ny, int num_columns, const Surface& surface) {
+  FlattenInput input;
+  input.vertices.resize(num_columns * (ny + 1), 3);
+  for (int j = 0; j <= ny; ++j) {
+    for (int i = 0; i < num_columns; ++i) {
+      input.vertices.row(i + num_columns * j) = surface(static_cast<double>(i) / nx, static_cast<double>(j) / ny);
+    }
+  }
+  input.faces = grid_faces(nx, ny, num_columns);
+  return input;
+}
+
+Eigen::Vector3d on_sphere(double longitude, double latitude) {
+  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude)};
+}
+
+}  // namespace
+
+FlattenInput make_grid(int nx, int ny, const Surface& surface) { return make_mesh(nx, ny, nx + 1, surface); }
+
+FlattenInput make_tube(int nx, int ny, const Surface& surface) { return make_mesh(nx, ny, nx, surface); }
+
+std::vector<int> grid_row(int nx, int j) {
+  std::vector<int> chain;
+  for (int i = 0; i <= nx; ++i) chain.push_back(i + (nx + 1) * j);
+  return chain;
+}
+
+std::vector<int> grid_column(int nx, int ny, int i) {
+  std::vector<int> chain;
+  for (int j = 0; j <= ny; ++j) chain.push_back(i + (nx + 1) * j);
+  return chain;
+}
+
+std::vector<int> tube_ring(int nx, int j) {
+  std::vector<int> chain;
+  for (int i = 0; i <= nx; ++i) chain.push_back(i % nx + nx * j);
+  return chain;
+}
+
+std::vector<int> tube_line(int nx, int ny, int i) {
+  std::vector<int> chain;
+  for (int j = 0; j <= ny; ++j) chain.push_back(i + nx * j);
+  return chain;
+}
+
+void add_seam(FlattenInput& input, const std::vector<int>& chain) {
+  const Eigen::Index old = input.seams.rows();
+  const auto added = static_cast<Eigen::Index>(chain.size()) - 1;
+  input.seams.conservativeResize(old + added, 2);
+  for (Eigen::Index i = 0; i < added; ++i) {
+    input.seams.row(old + i) << chain[static_cast<std::size_t>(i)], chain[static_cast<std::size_t>(i + 1)];
+  }
+}
+
+void add_wire(FlattenInput& input, const std::vector<int>& chain, double tolerance, const std::string& name) {
+  input.wires.push_back({chain, tolerance, name});
+}
+
+FlattenInput keep_faces(const FlattenInput& input, const std::function<bool(const Eigen::Vector3d&)>& keep) {
+  std::vector<int> kept;
+  std::vector<int> new_index(at(static_cast<int>(input.vertices.rows())), -1);
+  for (int f = 0; f < input.faces.rows(); ++f) {
+    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k) centroid += input.vertices.row(input.faces(f, k)) / 3;
+    if (!keep(centroid)) continue;
+    kept.push_back(f);
+    for (int k = 0; k < 3; ++k) new_index[at(input.faces(f, k))] = 0;
+  }
+  int count = 0;
+  for (int& index : new_index) {
+    if (index == 0) index = count++;
+  }
+  FlattenInput result;
+  result.vertices.resize(count, 3);
+  for (int v = 0; v < input.vertices.rows(); ++v) {
+    if (new_index[at(v)] >= 0) result.vertices.row(new_index[at(v)]) = input.vertices.row(v);
+  }
+  result.faces.resize(static_cast<Eigen::Index>(kept.size()), 3);
+  for (int f = 0; f < result.faces.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) result.faces(f, k) = new_index[at(input.faces(kept[at(f)], k))];
+  }
+  return result;
+}
+
+int nearest_vertex(const FlattenInput& input, const Eigen::Vector3d& point) {
+  Eigen::Index nearest = 0;
+  (input.vertices.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+  return static_cast<int>(nearest);
+}
+
+FlattenInput flat_rectangle(int nx, int ny, double width, double height) {
+  return make_grid(nx, ny, [&](double s, double t) { return Eigen::Vector3d(width * s, height * t, 0); });
+}
+
+FlattenInput flat_annulus(int around, int across, double inner_radius, double outer_radius) {
+  // Outwards is the grid's t, so around runs clockwise to keep +z in front.
+  return make_tube(around, across, [&](double s, double t) {
+    const double radius = inner_radius + (outer_radius - inner_radius) * t;
+    return Eigen::Vector3d(radius * std::cos(-2 * kPi * s), radius * std::sin(-2 * kPi * s), 0);
+  });
+}
+
+FlattenInput flat_plate_with_two_holes(int n) {
+  return keep_faces(flat_rectangle(3 * n, 2 * n, 3, 2), [](const Eigen::Vector3d& p) {
+    const auto in_hole = [&](double x) { return std::abs(p.x() - x) < 0.25 && std::abs(p.y() - 1) < 0.25; };
+    return !in_hole(0.75) && !in_hole(2.25);
+  });
+}
+
+FlattenInput cylinder_patch(int nx, int ny, double radius, double angle, double height) {
+  return make_grid(nx, ny, [&](double s, double t) {
+    return Eigen::Vector3d(radius * std::cos(angle * s), radius * std::sin(angle * s), height * t);
+  });
+}
+
+FlattenInput cone_patch(int nx, int ny, double near, double far, double half_angle, double angle) {
+  return make_grid(nx, ny, [&](double s, double t) {
+    const double slant = far + (near - far) * t;  // upwards, to the apex
+    return Eigen::Vector3d(slant * std::sin(half_angle) * std::cos(angle * s),
+                           slant * std::sin(half_angle) * std::sin(angle * s), -slant * std::cos(half_angle));
+  });
+}
+
+FlattenInput cylinder_tube(int nx, int ny, double radius, double height) {
+  return make_tube(nx, ny, [&](double s, double t) {
+    return Eigen::Vector3d(radius * std::cos(2 * kPi * s), radius * std::sin(2 * kPi * s), height * t);
+  });
+}
+
+FlattenInput quarter_sphere(int n) {
+  FlattenInput input = make_grid(2 * n, n, [](double s, double t) { return on_sphere(kPi * s, t * kPi * 75 / 180); });
+  add_wire(input, grid_column(2 * n, n, n), 0, "meridian");
+  add_wire(input, grid_row(2 * n, n / 2), 0, "parallel");
+  return input;
+}
+
+FlattenInput saddle(int n, double bend) {
+  return make_grid(n, n, [&](double s, double t) {
+    const double x = 2 * s - 1;
+    const double y = 2 * t - 1;
+    return Eigen::Vector3d(x, y, bend * (x * x - y * y));
+  });
+}
+
+FlattenInput sphere_band(int nx, int ny, double latitude) {
+  return make_tube(nx, ny, [&](double s, double t) { return on_sphere(2 * kPi * s, latitude * (2 * t - 1)); });
+}
+
+FlattenInput sphere_of_gores(int gores, int n, int rings) {
+  const int nx = gores * n;
+  // The rings between the poles, then a pole and a fan of triangles at either end.
+  FlattenInput input = make_tube(nx, rings - 2, [&](double s, double t) {
+    return on_sphere(2 * kPi * s, kPi * ((1 + t * (rings - 2)) / rings - 0.5));
+  });
+  const auto south = static_cast<int>(input.vertices.rows());
+  const int north = south + 1;
+  input.vertices.conservativeResize(south + 2, 3);
+  input.vertices.row(south) << 0, 0, -1;
+  input.vertices.row(north) << 0, 0, 1;
+  auto f = static_cast<int>(input.faces.rows());
+  input.faces.conservativeResize(f + 2 * nx, 3);
+  const int top = nx * (rings - 2);
+  for (int i = 0; i < nx; ++i) {
+    const int next = (i + 1) % nx;
+    input.faces.row(f++) << south, next, i;
+    input.faces.row(f++) << north, top + i, top + next;
+  }
+  for (int g = 0; g < gores; ++g) {
+    std::vector<int> chain = tube_line(nx, rings - 2, g * n);
+    chain.insert(chain.begin(), south);
+    chain.push_back(north);
+    add_seam(input, chain);
+  }
+  return input;
+}
+
+FlattenInput book(int num_flaps, int n) {
+  FlattenInput input;
+  const int flap_vertices = n * (n + 1);  // without those on the spine
+  input.vertices.resize(n + 1 + num_flaps * flap_vertices, 3);
+  input.faces.resize(num_flaps * 2 * n * n, 3);
+  for (int j = 0; j <= n; ++j) input.vertices.row(j) << 0, 0, static_cast<double>(j) / n;
+  for (int flap = 0; flap < num_flaps; ++flap) {
+    const double angle = 2 * kPi * flap / num_flaps;
+    const auto vertex = [&](int i, int j) { return i == 0 ? j : n + 1 + flap * flap_vertices + (i - 1) + n * j; };
+    for (int j = 0; j <= n; ++j) {
+      for (int i = 1; i <= n; ++i) {
+        input.vertices.row(vertex(i, j)) << std::cos(angle) * i / n, std::sin(angle) * i / n,
+            static_cast<double>(j) / n;
+      }
+    }
+    int f = flap * 2 * n * n;
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        input.faces.row(f++) << vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1);
+        input.faces.row(f++) << vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1);
+      }
+    }
+  }
+  std::vector<int> spine;
+  for (int j = 0; j <= n; ++j) spine.push_back(j);
+  add_seam(input, spine);
+  return input;
+}
+
+Positions2 planar_positions(const Chart& chart) {
+  Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
+  for (const VertexHandle v : chart.mesh.vertices()) {
+    uv.row(v.idx()) << chart.mesh.point(v)[0], chart.mesh.point(v)[1];
+  }
+  return uv;
+}
+
+Charts charts_of(const FlattenInput& input) {
+  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+  return cut_into_charts(input, edges);
+}
+
+}  // namespace wirewarp::test

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "metrics/overlap.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+using test::charts_of;
+using test::planar_positions;
+
+constexpr double kPi = 3.141592653589793;
+
+/// The chart's faces and which of them have a boundary edge.
+struct Faces {
+  Triangles corners;
+  std::vector<bool> on_boundary;
+};
+
+Faces faces_of(const Chart& chart) {
+  Faces faces{Triangles(static_cast<Eigen::Index>(chart.mesh.n_faces()), 3), {}};
+  for (const FaceHandle f : chart.mesh.faces()) {
+    int k = 0;
+    for (const VertexHandle v : chart.mesh.fv_ccw_range(f)) faces.corners(f.idx(), k++) = v.idx();
+    bool on_boundary = false;
+    for (const HalfedgeHandle h : chart.mesh.fh_range(f)) {
+      on_boundary |= chart.mesh.is_boundary(chart.mesh.opposite_halfedge_handle(h));
+    }
+    faces.on_boundary.push_back(on_boundary);
+  }
+  return faces;
+}
+
+std::vector<int> overlapping_faces(const Chart& chart, const Positions2& uv) {
+  const Faces faces = faces_of(chart);
+  return find_overlapping_faces(faces.corners, faces.on_boundary, uv);
+}
+
+/// A square of side 2 with a slit from the middle of its lower side to its center.
+FlattenInput slit_square(int n) {
+  FlattenInput input = test::flat_rectangle(2 * n, 2 * n, 2, 2);
+  std::vector<int> slit = test::grid_column(2 * n, 2 * n, n);
+  slit.resize(static_cast<std::size_t>(n + 1));
+  test::add_seam(input, slit);
+  return input;
+}
+
+/// A closed strip between radii 1 and 2, cut open and bent to the given angle.
+Positions2 bent_strip(const Chart& chart, int nx, double angle) {
+  Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
+  for (int v = 0; v < uv.rows(); ++v) {
+    const double turn = -angle * (v % (nx + 1)) / nx;
+    const double radius = 1 + v / (nx + 1);
+    uv.row(v) << radius * std::cos(turn), radius * std::sin(turn);
+  }
+  return uv;
+}
+
+TEST(Overlap, FlatSheetHasNone) {
+  const Charts charts = charts_of(test::flat_plate_with_two_holes(8));
+  EXPECT_TRUE(overlapping_faces(charts.charts[0], planar_positions(charts.charts[0])).empty());
+}
+
+TEST(Overlap, SlitThatClosesExactlyIsNone) {
+  const Charts charts = charts_of(slit_square(8));
+  const Chart& chart = charts.charts[0];
+  Positions2 uv = planar_positions(chart);
+  EXPECT_TRUE(overlapping_faces(chart, uv).empty());
+
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> noise(-1e-14, 1e-14);
+  for (double& x : uv.reshaped()) x += noise(random);
+  EXPECT_TRUE(overlapping_faces(chart, uv).empty());
+  // Far away, where rounding is a thousand times coarser.
+  uv.rowwise() += Eigen::RowVector2d(2e3, -1e3);
+  EXPECT_TRUE(overlapping_faces(chart, uv).empty());
+}
+
+TEST(Overlap, SlitWhoseSidesPassEachOtherByALittleIsFound) {
+  const int n = 8;
+  const Charts charts = charts_of(slit_square(n));
+  const Chart& chart = charts.charts[0];
+  // Both halves of the lower side lean over the slit, by a depth of 1e-6 at the mouth and 0 at the center.
+  Positions2 uv = planar_positions(chart);
+  std::vector<bool> is_left(chart.mesh.n_vertices(), false);
+  for (const FaceHandle f : chart.mesh.faces()) {
+    for (const VertexHandle v : chart.mesh.fv_range(f)) {
+      if (chart.mesh.calc_face_centroid(f)[0] < 1) is_left[static_cast<std::size_t>(v.idx())] = true;
+    }
+  }
+  for (int v = 0; v < uv.rows(); ++v) {
+    const bool is_slit = uv(v, 0) == 1 && uv(v, 1) < 1;
+    if (is_slit && is_left[static_cast<std::size_t>(v)]) uv(v, 0) += 1e-6 * (1 - uv(v, 1));
+  }
+  const std::vector<int> found = overlapping_faces(chart, uv);
+  // On either side of the slit n triangles have an edge on it; the left ones reach over the right ones.
+  EXPECT_GE(found.size(), 2 * static_cast<std::size_t>(n));
+  for (const int f : found) {
+    EXPECT_NEAR(chart.mesh.calc_face_centroid(chart.mesh.face_handle(static_cast<unsigned>(f)))[0], 1, 1.0 / n);
+  }
+}
+
+TEST(Overlap, StripBentPastAFullTurnCoversItsBeginning) {
+  const int nx = 40;
+  const Charts charts = charts_of(test::flat_rectangle(nx, 1, 10, 1));
+  const Chart& chart = charts.charts[0];
+  EXPECT_TRUE(overlapping_faces(chart, bent_strip(chart, nx, 2 * kPi)).empty());
+
+  // Each quad spans 1/40 of 2.2π; what lies past 2π covers the first 40 (0.2 / 2.2) = 3.6 of them and is as many.
+  const std::vector<int> found = overlapping_faces(chart, bent_strip(chart, nx, 2.2 * kPi));
+  std::vector<int> expected;
+  for (const int quad : {0, 1, 2, 3, 36, 37, 38, 39}) {
+    expected.push_back(2 * quad);
+    expected.push_back(2 * quad + 1);
+  }
+  EXPECT_EQ(found, expected);
+}
+
+TEST(Overlap, RingWoundTwiceCoversItselfEverywhereWithoutAnyCrossing) {
+  const int nx = 24;
+  const Charts charts = charts_of(test::flat_annulus(nx, 2, 1, 2));
+  const Chart& chart = charts.charts[0];
+  Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
+  for (int v = 0; v < uv.rows(); ++v) {
+    const double turn = -4 * kPi * (v % nx) / nx;
+    const double radius = 1 + 0.5 * (v / nx);
+    uv.row(v) << radius * std::cos(turn), radius * std::sin(turn);
+  }
+  EXPECT_EQ(overlapping_faces(chart, uv).size(), chart.mesh.n_faces());
+}
+
+TEST(Overlap, FoldedCornerOverlapsItsNeighbors) {
+  const Charts charts = charts_of(test::flat_rectangle(4, 4, 4, 4));
+  const Chart& chart = charts.charts[0];
+  Positions2 uv = planar_positions(chart);
+  uv.row(0) << 1.5, 1.25;  // the corner (0, 0), folded over the diagonal of its quad into the next one
+  const std::vector<int> found = overlapping_faces(chart, uv);
+  EXPECT_FALSE(found.empty());
+  // Nothing reaches beyond x = 2 or y = 2: quads 0, 1, 4, 5 of a row of four.
+  for (const int f : found) EXPECT_TRUE((f / 2) % 4 < 2 && f / 8 < 2) << f;
+}
+
+/// Area of the intersection of two triangles, by clipping one with the other's edges.
+double common_area(const Triangles& faces, const Positions2& uv, int a, int b) {
+  const auto corner = [&](int f, int k) -> Eigen::Vector2d { return uv.row(faces(f, k)); };
+  const auto cross = [](const Eigen::Vector2d& p, const Eigen::Vector2d& q) { return p.x() * q.y() - p.y() * q.x(); };
+  std::vector<Eigen::Vector2d> polygon = {corner(a, 0), corner(a, 1), corner(a, 2)};
+  const double turn = cross(corner(b, 1) - corner(b, 0), corner(b, 2) - corner(b, 0)) < 0 ? -1 : 1;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector2d p = corner(b, k);
+    const Eigen::Vector2d edge = turn * (corner(b, (k + 1) % 3) - p);
+    std::vector<Eigen::Vector2d> clipped;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Eigen::Vector2d& from = polygon[i];
+      const Eigen::Vector2d& to = polygon[(i + 1) % polygon.size()];
+      const double s = cross(edge, from - p);
+      const double t = cross(edge, to - p);
+      if (s >= 0) clipped.push_back(from);
+      if ((s > 0 && t < 0) || (s < 0 && t > 0)) clipped.push_back(from + (to - from) * (s / (s - t)));
+    }
+    polygon = clipped;
+  }
+  double area = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) area += cross(polygon[i], polygon[(i + 1) % polygon.size()]) / 2;
+  return std::abs(area);
+}
+
+TEST(Overlap, AgreesWithTheAreaOfEveryPairOfFaces) {
+  const Charts charts = charts_of(test::flat_rectangle(7, 7, 7, 7));
+  const Faces faces = faces_of(charts.charts[0]);
+  std::mt19937 random(5);
+  for (const double spread : {0.3, 0.6, 1.5}) {
+    Positions2 uv = planar_positions(charts.charts[0]);
+    std::uniform_real_distribution<double> noise(-spread, spread);
+    for (double& x : uv.reshaped()) x += noise(random);
+    std::vector<bool> overlaps(static_cast<std::size_t>(faces.corners.rows()), false);
+    for (int a = 0; a < faces.corners.rows(); ++a) {
+      for (int b = 0; b < a; ++b) {
+        if (common_area(faces.corners, uv, a, b) < 1e-12) continue;
+        overlaps[static_cast<std::size_t>(a)] = overlaps[static_cast<std::size_t>(b)] = true;
+      }
+    }
+    std::vector<int> expected;
+    for (std::size_t f = 0; f < overlaps.size(); ++f) {
+      if (overlaps[f]) expected.push_back(static_cast<int>(f));
+    }
+    EXPECT_EQ(find_overlapping_faces(faces.corners, faces.on_boundary, uv), expected) << spread;
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp
