@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The flat pieces as one mesh. No Blender in here.
+
+The flat mesh has the source's own faces, quads and n-gons included, so that its edges are the source's edges and
+nothing else. Measures taken per triangle are put together per face: energies add up, of ratios the worst counts.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .flatten_job import has_layout
+from .mesh_to_arrays import MeshArrays
+
+
+@dataclass(frozen=True)
+class FlatMesh:
+    """Only what has a layout."""
+
+    vertices: np.ndarray  # (p,2) float64, Blender units
+    source_vertex: np.ndarray  # (p,) int32
+    loop_vertices: np.ndarray  # (l,) int32
+    polygon_starts: np.ndarray  # (f,) int32
+    polygon_sizes: np.ndarray  # (f,) int32
+    piece: np.ndarray  # (f,) int32, piece of each face
+    arap_energy: np.ndarray  # (f,) float32, Eq. (6)
+    energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
+    aspect_ratio: np.ndarray  # (f,) float32
+
+
+def flat_mesh(result: Any, arrays: MeshArrays) -> FlatMesh:  # noqa: ANN401
+    """The pieces of a FlattenResult side by side, as packed."""
+    vertices, source_vertex, flat_triangles, piece_of_triangle, energy, ratio = _join_pieces(result, arrays)
+    placed = has_layout(result.corner_uv)
+    polygon_count = len(arrays.polygon_starts)
+    kept = np.zeros(polygon_count, dtype=bool)
+    kept[arrays.triangle_polygons[placed]] = True
+
+    vertex_of_loop = np.full(len(arrays.loop_vertices), -1, dtype=np.int32)
+    vertex_of_loop[arrays.triangle_loops[placed]] = flat_triangles[placed]
+    loops = _loops_of(arrays, kept)
+    used, loop_vertices = np.unique(vertex_of_loop[loops], return_inverse=True)
+    sizes = arrays.polygon_sizes[kept]
+
+    by_polygon = arrays.triangle_polygons
+    face_energy = np.bincount(by_polygon, np.where(placed, energy, 0), polygon_count)
+    face_area = np.bincount(by_polygon, _areas(arrays.vertices, arrays.triangles), polygon_count)
+    face_ratio = np.ones(polygon_count)
+    np.maximum.at(face_ratio, by_polygon[placed], ratio[placed])
+    face_piece = np.zeros(polygon_count, dtype=np.int32)
+    face_piece[by_polygon] = piece_of_triangle
+    return FlatMesh(
+        vertices=vertices[used],
+        source_vertex=source_vertex[used],
+        loop_vertices=loop_vertices.astype(np.int32).ravel(),
+        polygon_starts=(np.cumsum(sizes) - sizes).astype(np.int32),
+        polygon_sizes=sizes,
+        piece=face_piece[kept],
+        arap_energy=face_energy[kept].astype(np.float32),
+        energy_density=(face_energy[kept] / face_area[kept]).astype(np.float32),
+        aspect_ratio=face_ratio[kept].astype(np.float32),
+    )
+
+
+def edge_length_variation(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> np.ndarray:
+    """|l2 - l3| / l3 (Eq. 5) of each flat edge (k,2), float32."""
+    a, b = flat_edges.T
+    flat_length = np.linalg.norm(flat.vertices[a] - flat.vertices[b], axis=1)
+    sources = arrays.vertices[flat.source_vertex]
+    length = np.linalg.norm(sources[a] - sources[b], axis=1)
+    return (np.abs(flat_length - length) / length).astype(np.float32)
+
+
+def _join_pieces(result: Any, arrays: MeshArrays) -> tuple[np.ndarray, ...]:  # noqa: ANN401
+    """All pieces' vertices in one numbering, and per input triangle: its corners, piece, energy and aspect ratio."""
+    count = len(arrays.triangles)
+    flat_triangles = np.full((count, 3), -1, dtype=np.int32)
+    piece_of_triangle = np.zeros(count, dtype=np.int32)
+    energy, ratio = np.zeros(count), np.ones(count)
+    vertices, source_vertex, offset = [np.empty((0, 2))], [np.empty(0, dtype=np.int32)], 0
+    for index, piece in enumerate(result.pieces):
+        piece_of_triangle[piece.source_face] = index
+        if len(piece.vertices) == 0 or not np.isfinite(piece.vertices).all():
+            continue
+        flat_triangles[piece.source_face] = piece.faces + offset
+        energy[piece.source_face] = piece.metrics.face_arap
+        ratio[piece.source_face] = piece.metrics.face_aspect_ratio
+        vertices.append(piece.vertices)
+        source_vertex.append(piece.source_vertex)
+        offset += len(piece.vertices)
+    return (
+        np.concatenate(vertices),
+        np.concatenate(source_vertex).astype(np.int32),
+        flat_triangles,
+        piece_of_triangle,
+        energy,
+        ratio,
+    )
+
+
+def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
+    """The loops of the kept polygons, one polygon after the other; backwards where the object is mirrored."""
+    sizes = arrays.polygon_sizes[kept]
+    starts = np.repeat(arrays.polygon_starts[kept], sizes)
+    step = np.arange(sizes.sum()) - np.repeat(np.cumsum(sizes) - sizes, sizes)
+    return starts + (np.repeat(sizes, sizes) - 1 - step if arrays.mirrored else step)
+
+
+def _areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    a, b, c = (vertices[triangles[:, corner]] for corner in range(3))
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flatten as a whole: everything is computed before anything is written."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
+
+import bpy
+
+from .flat_mesh import flat_mesh
+from .flatten_job import FlattenChoices, Progress, flatten_arrays, has_layout
+from .issues import ObjectError
+from .mesh_to_arrays import MeshArrays, element_counts, object_to_arrays
+from .report import failure_report, object_report
+from .report_store import remember, store
+from .targets import check_target
+from .unit_text import meters_per_blender_unit
+from .wire_names import update_names
+from .write_flat_object import write_flat_object
+from .write_uv import UV_LAYER, write_uv
+
+
+@dataclass
+class Outcome:
+    """What became of one object; without arrays and result it could not be flattened at all."""
+
+    source: bpy.types.Object
+    report: dict
+    arrays: MeshArrays | None = None
+    result: Any = None
+
+    @property
+    def has_layout(self) -> bool:
+        return self.result is not None and bool(has_layout(self.result.corner_uv).any())
+
+
+def compute(
+    context: bpy.types.Context,
+    library: ModuleType,
+    sources: list[bpy.types.Object],
+    choices: FlattenChoices,
+    use_modifiers: bool,
+    progress: Callable[[float], None],
+) -> list[Outcome]:
+    """Flattens every object, in Object Mode; writes nothing."""
+    context.view_layer.update()
+    depsgraph = context.evaluated_depsgraph_get() if use_modifiers else None
+    meters = meters_per_blender_unit(context.scene)
+    outcomes = []
+    for index, source in enumerate(sources):
+        try:
+            check_target(source, writes_uv=not use_modifiers)
+            arrays = object_to_arrays(source, depsgraph)
+            result = flatten_arrays(library, arrays, choices, _share(progress, index, len(sources)))
+        except ObjectError as error:
+            outcome = Outcome(source, failure_report(error.issue))
+        else:
+            outcome = Outcome(source, object_report(result, arrays, meters), arrays, result)
+        outcome.report = _identify(outcome.report, source, use_modifiers)
+        outcomes.append(outcome)
+    return outcomes
+
+
+def write(context: bpy.types.Context, outcomes: list[Outcome], use_modifiers: bool) -> None:
+    """Writes UV layer, flat object and report of every object that has a layout."""
+    for outcome in outcomes:
+        if not outcome.has_layout:
+            remember(outcome.source, outcome.report)
+            continue
+        if not use_modifiers:
+            scale = write_uv(outcome.source.data, outcome.result.corner_uv, outcome.arrays)
+            outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": scale}
+        if outcome.source.data.library is None:
+            update_names(outcome.source.data, [wire.chain.wire_id for wire in outcome.arrays.wires])
+        flat = write_flat_object(
+            context.scene, outcome.source, flat_mesh(outcome.result, outcome.arrays), outcome.arrays
+        )
+        outcome.report["flat_object"] = flat.name
+        store(outcome.source, outcome.report)
+        context.view_layer.update()
+
+
+def _share(progress: Callable[[float], None], index: int, count: int) -> Progress:
+    """The library's progress of one object as a part of the whole; never cancels."""
+
+    def report(_stage: str, fraction: float) -> bool:
+        progress((index + fraction) / count)
+        return True
+
+    return report
+
+
+def _identify(report: dict, source: bpy.types.Object, use_modifiers: bool) -> dict:
+    """The report with the object's names in front."""
+    if source.modifiers and not use_modifiers:
+        report["notes"].append(
+            "Modifiers are left out: the base mesh was flattened. Tick With Modifiers to flatten what they make."
+        )
+    names = {"object": source.name, "mesh": source.data.name, "with_modifiers": use_modifiers}
+    return names | {"counts": element_counts(source.data)} | report

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What went wrong, in one sentence, and the elements of the source mesh it speaks of."""
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Issue:
+    """code is the core library's error code or one of the add-on's own; all indices are of the source mesh."""
+
+    code: str
+    sentence: str
+    piece: int | None = None
+    vertices: list[int] = field(default_factory=list)
+    edges: list[tuple[int, int]] = field(default_factory=list)  # vertex pairs
+    faces: list[int] = field(default_factory=list)  # polygons
+
+
+class ObjectError(Exception):
+    """One object cannot be flattened or written; the others can."""
+
+    def __init__(self, issue: Issue) -> None:
+        super().__init__(issue.sentence)
+        self.issue = issue
+
+
+def object_error(code: str, sentence: str) -> ObjectError:
+    return ObjectError(Issue(code, sentence))

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An object in Object Mode to plain arrays in world scale."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+from .foreach import read
+from .issues import object_error
+from .wire_attributes import read_marks
+from .wire_chains import WireChain, chains_of_marks
+from .wire_names import display_name
+
+
+@dataclass(frozen=True)
+class NamedWire:
+    name: str
+    chain: WireChain
+
+
+@dataclass(frozen=True)
+class MeshArrays:
+    """Indices are Blender's. Triangles are wound so that the surface is seen from outside, mirrored objects' too."""
+
+    vertices: np.ndarray  # (n,3) float64, Blender units, the object's rotation, scale and shear applied
+    triangles: np.ndarray  # (m,3) int32, as Blender shows the faces
+    triangle_loops: np.ndarray  # (m,3) int32, the loop at each corner
+    triangle_polygons: np.ndarray  # (m,) int32
+    loop_vertices: np.ndarray  # (l,) int32
+    polygon_starts: np.ndarray  # (f,) int32, first loop of each polygon
+    polygon_sizes: np.ndarray  # (f,) int32
+    edges: np.ndarray  # (e,2) int32
+    seams: np.ndarray  # (k,2) int32
+    wires: list[NamedWire]
+    mirrored: bool
+
+
+def object_to_arrays(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None) -> MeshArrays:
+    """The object's base mesh, or with a depsgraph the mesh that its modifiers make. Raises ObjectError."""
+    linear = linear_part(source)
+    if depsgraph is None:
+        return _mesh_to_arrays(source.data, source.data, linear)
+    with _evaluated_mesh(source, depsgraph) as mesh:
+        return _mesh_to_arrays(mesh, source.data, linear)
+
+
+def linear_part(source: bpy.types.Object) -> np.ndarray:
+    """Rotation, scale and shear of the object, (3,3). Raises ObjectError if it squashes the mesh flat."""
+    linear = np.array(source.matrix_world, dtype=np.float64)[:3, :3]
+    lengths = np.linalg.norm(linear, axis=0)
+    if not np.isfinite(linear).all() or lengths.min() == 0 or abs(np.linalg.det(linear / lengths)) < 1e-6:
+        raise object_error(
+            "zero_scale",
+            f'"{source.name}" is scaled to zero along an axis, so its faces have no true size: '
+            "set its scale (N panel > Item) to something else.",
+        )
+    return linear
+
+
+def element_counts(mesh: bpy.types.Mesh) -> dict[str, int]:
+    """By which a report sees that its mesh has changed since."""
+    return {"vertices": len(mesh.vertices), "edges": len(mesh.edges), "faces": len(mesh.polygons)}
+
+
+@contextmanager
+def _evaluated_mesh(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[bpy.types.Mesh]:
+    evaluated = source.evaluated_get(depsgraph)
+    try:
+        yield evaluated.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)
+    finally:
+        evaluated.to_mesh_clear()
+
+
+def _mesh_to_arrays(mesh: bpy.types.Mesh, named: bpy.types.Mesh, linear: np.ndarray) -> MeshArrays:
+    mirrored = bool(np.linalg.det(linear) < 0)
+    mesh.calc_loop_triangles()
+    # A mirrored object's faces still look outward in Blender, but their corners run the other way round.
+    order = [2, 1, 0] if mirrored else [0, 1, 2]
+    corners = np.ascontiguousarray(read(mesh.loop_triangles, "vertices", np.int32, 3)[:, order])
+    loops = np.ascontiguousarray(read(mesh.loop_triangles, "loops", np.int32, 3)[:, order])
+    vertices = read(mesh.vertices, "co", np.float32, 3).astype(np.float64) @ linear.T
+    edges = read(mesh.edges, "vertices", np.int32, 2)
+    loop_edges = read(mesh.loops, "edge_index", np.int32)
+    return MeshArrays(
+        vertices=vertices,
+        triangles=corners,
+        triangle_loops=loops,
+        triangle_polygons=read(mesh.loop_triangles, "polygon_index", np.int32),
+        loop_vertices=read(mesh.loops, "vertex_index", np.int32),
+        polygon_starts=read(mesh.polygons, "loop_start", np.int32),
+        polygon_sizes=read(mesh.polygons, "loop_total", np.int32),
+        edges=edges,
+        seams=edges[_seam_mask(mesh, loop_edges)],
+        wires=_read_wires(mesh, named, edges, vertices),
+        mirrored=mirrored,
+    )
+
+
+def _seam_mask(mesh: bpy.types.Mesh, loop_edges: np.ndarray) -> np.ndarray:
+    """Seam edges that belong to a face; a loose edge cuts nothing."""
+    return read(mesh.edges, "use_seam", bool) & (np.bincount(loop_edges, minlength=len(mesh.edges)) > 0)
+
+
+def _read_wires(
+    mesh: bpy.types.Mesh, named: bpy.types.Mesh, edges: np.ndarray, vertices: np.ndarray
+) -> list[NamedWire]:
+    marks = read_marks(mesh)
+    wires: list[NamedWire] = []
+    count: dict[str, int] = {}
+    for chain in chains_of_marks(edges, marks.wire_ids, marks.tolerances, vertices):
+        name = display_name(named, chain.wire_id)
+        count[name] = count.get(name, 0) + 1
+        wires.append(NamedWire(name if count[name] == 1 else f"{name} ({count[name]})", chain))
+    return wires

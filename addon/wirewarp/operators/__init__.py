@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The operators: thin, each over its work module."""
+
+from .clear import MESH_OT_wirewarp_clear
+from .flatten import OBJECT_OT_wirewarp_flatten
+from .mark import MESH_OT_wirewarp_mark
+from .select_issues import MESH_OT_wirewarp_select_issues
+from .select_wire import MESH_OT_wirewarp_select_wire
+
+CLASSES = (
+    MESH_OT_wirewarp_mark,
+    MESH_OT_wirewarp_clear,
+    MESH_OT_wirewarp_select_wire,
+    MESH_OT_wirewarp_select_issues,
+    OBJECT_OT_wirewarp_flatten,
+)

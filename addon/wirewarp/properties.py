@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Settings kept with the scene, wire names kept with the mesh, and the link from a flat object to its source."""
+
+import bpy
+from bpy.props import (
+    BoolProperty,
+    CollectionProperty,
+    EnumProperty,
+    FloatProperty,
+    IntProperty,
+    PointerProperty,
+)
+
+METHODS = [
+    (
+        "WIREWARPING",
+        "WireWarping",
+        "Planar angles closest to the surface angles (paper II-A). Every wire is kept rigid, whatever its tolerance",
+    ),
+]
+
+
+class FlattenSettings:
+    """What Flatten asks for: shared by the scene's settings and the operator."""
+
+    method: EnumProperty(
+        name="Method",
+        description="How the flat shape is found. Seams and outlines always keep their exact length",
+        items=METHODS,
+        default="WIREWARPING",
+    )
+    node_weight: EnumProperty(
+        name="Angle Weight",
+        description="How strongly each vertex of a seam or wire holds its surface angle",
+        items=[
+            ("LENGTH", "By Length", "A property of the curve: the same shape wherever the mesh has its vertices"),
+            ("UNIFORM", "Uniform", "The paper's choice: densely meshed stretches of a curve weigh more"),
+        ],
+        default="LENGTH",
+    )
+    gap: FloatProperty(
+        name="Gap",
+        description="Space between the pieces, as a fraction of the side of a square with the area of all pieces",
+        min=0.0,
+        max=1.0,
+        soft_max=0.2,
+        default=0.03,
+        precision=3,
+    )
+    mirror: BoolProperty(
+        name="Seen from Inside",
+        description="Mirror the pieces: draw them as seen from behind the faces instead of from outside",
+        default=False,
+    )
+    use_modifiers: BoolProperty(
+        name="With Modifiers",
+        description="Flatten the mesh as the modifiers leave it. The result goes to the flat object only, "
+        "because the base mesh has no place for its UVs",
+        default=False,
+    )
+
+
+class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
+    tolerance_percent: FloatProperty(
+        name="Tolerance ±%",
+        description="How much an elastic wire may become longer or shorter: a bound on the total length of each part "
+        "between seams, shared evenly by its edges",
+        subtype="PERCENTAGE",
+        min=0.01,
+        max=99.0,
+        soft_max=20.0,
+        default=3.0,
+        precision=2,
+    )
+    show_all: BoolProperty(name="Show All", description="Show every line of the report, not only the worst")
+
+
+class WIREWARP_PG_wire_name(bpy.types.PropertyGroup):
+    """The name (PropertyGroup.name) of the wire with this id."""
+
+    wire_id: IntProperty(name="Wire Id", options={"HIDDEN"})
+
+
+CLASSES = (WIREWARP_PG_settings, WIREWARP_PG_wire_name)
+
+
+def attach() -> None:
+    bpy.types.Scene.wirewarp = PointerProperty(type=WIREWARP_PG_settings)
+    bpy.types.Mesh.wirewarp_names = CollectionProperty(type=WIREWARP_PG_wire_name)
+    bpy.types.Object.wirewarp_source = PointerProperty(
+        name="Flattened From",
+        description="The object these flat pieces were made from",
+        type=bpy.types.Object,
+    )
+
+
+def detach() -> None:
+    del bpy.types.Object.wirewarp_source
+    del bpy.types.Mesh.wirewarp_names
+    del bpy.types.Scene.wirewarp

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A flattening as a JSON-able dict. No Blender in here.
+
+Every length stands twice: in Blender units under its name and in metres under its name + "_m"; areas likewise with
+"_m2". What JSON cannot say becomes null (no layout: no 2D length) or "inf" (the tolerance of a super-elastic wire).
+"""
+
+import math
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+
+from .flatten_job import issue_of_error
+from .issues import Issue
+from .mesh_to_arrays import MeshArrays
+
+SCHEMA = "wirewarp-report-1"
+# Chains add up the rounding of their edges; the library itself checks every edge to 1e-9.
+LENGTH_LIMIT = 1e-8
+METHOD_NAMES = {"wirewarping": "WireWarping, every wire rigid"}
+
+
+def object_report(result: Any, arrays: MeshArrays, meters: float) -> dict:  # noqa: ANN401
+    """The report of one object; meters: metres in a Blender unit."""
+    issues = [
+        issue_of_error(piece.error, arrays, index)
+        for index, piece in enumerate(result.pieces)
+        if piece.error is not None
+    ]
+    failed = {issue.piece for issue in issues}
+    method = result.report["method"]
+    return {
+        "ok": not issues,
+        "method": method,
+        "method_name": METHOD_NAMES[method],
+        "pieces": [_piece(index, piece, meters) for index, piece in enumerate(result.pieces)],
+        "seams": [_seam(index, seam, failed, meters) for index, seam in enumerate(result.seams)],
+        "wires": [_wire(wire, meters) for wire in result.wires],
+        "issues": [asdict(issue) for issue in issues],
+        "notes": _notes(method, arrays),
+        "seconds": dict(result.report["seconds"]),
+    }
+
+
+def failure_report(issue: Issue) -> dict:
+    """The report of an object that could not be flattened at all."""
+    return {"ok": False, "pieces": [], "seams": [], "wires": [], "issues": [asdict(issue)], "notes": []}
+
+
+def _piece(index: int, piece: Any, meters: float) -> dict:  # noqa: ANN401
+    metrics = piece.metrics
+    aspect = metrics.face_aspect_ratio
+    return {
+        "index": index,
+        "ok": piece.error is None,
+        "has_layout": bool(np.isfinite(piece.vertices).all() and len(piece.vertices)),
+        "faces": len(piece.source_face),
+        "area_3d": number(metrics.area_3d),
+        "area_3d_m2": number(metrics.area_3d * meters**2),
+        "area_2d": number(metrics.area_2d),
+        "area_2d_m2": number(metrics.area_2d * meters**2),
+        "arap_energy": number(metrics.arap_energy),
+        "aspect_ratio_max": number(np.max(aspect)) if len(aspect) else None,
+        "angle_deviation_rms": number(metrics.angle_deviation_rms),
+        "angle_deviation_max": number(metrics.angle_deviation_max),
+        "flipped_faces": len(metrics.flipped_faces),
+        "overlapping_faces": len(metrics.overlapping_faces),
+        "wires": [_wire(wire, meters) for wire in piece.wires],
+        "outline": [_outline(chain, meters) for chain in piece.boundaries],
+        "termination": str(piece.report.termination),
+        "message": piece.report.message,
+        "warnings": list(piece.report.warnings),
+        "inner_solves": piece.report.inner_solves,
+        "constraint_residual": number(piece.report.constraint_residual),
+    }
+
+
+def _wire(wire: Any, meters: float) -> dict:  # noqa: ANN401
+    kept = wire.max_edge_error <= LENGTH_LIMIT and abs(wire.variation) <= wire.tolerance + LENGTH_LIMIT
+    return {
+        "name": wire.name,
+        "wire": wire.wire_index,
+        "part": wire.part if wire.part >= 0 else None,
+        "kind": str(wire.kind),
+        "tolerance": "inf" if math.isinf(wire.tolerance) else wire.tolerance,
+        **lengths(wire.length_3d, [wire.length_2d], meters),
+        "ok": bool(kept),
+    }
+
+
+def _outline(chain: Any, meters: float) -> dict:  # noqa: ANN401
+    return {
+        "seam": chain.seam,
+        "edges": len(chain.vertices) - 1,
+        **lengths(chain.length_3d, [chain.length_2d], meters),
+        "ok": bool(chain.max_edge_error <= LENGTH_LIMIT),
+    }
+
+
+def _seam(index: int, seam: Any, failed: set, meters: float) -> dict:  # noqa: ANN401
+    sides = lengths(seam.length_3d, seam.length_2d, meters)
+    within = all(percent is not None and abs(percent) <= 100 * LENGTH_LIMIT for percent in sides["percent"])
+    return {
+        "index": index,
+        "pieces": [int(piece) for piece in seam.pieces],
+        "edges": len(seam.edges),
+        **sides,
+        "mismatch": number(seam.mismatch),
+        "mismatch_m": number(seam.mismatch * meters),
+        "ok": within and not failed.intersection(seam.pieces),
+    }
+
+
+def lengths(length_3d: float, lengths_2d: Any, meters: float) -> dict:  # noqa: ANN401
+    """The 3D length and, one per side, the 2D length, the difference (2D less 3D) and the percentage."""
+    flat = [float(length) for length in lengths_2d]
+    differences = [length - length_3d for length in flat]
+    return {
+        "length_3d": number(length_3d),
+        "length_3d_m": number(length_3d * meters),
+        "length_2d": [number(length) for length in flat],
+        "length_2d_m": [number(length * meters) for length in flat],
+        "difference": [number(difference) for difference in differences],
+        "difference_m": [number(difference * meters) for difference in differences],
+        "percent": [number(100 * difference / length_3d) if length_3d else None for difference in differences],
+    }
+
+
+def number(value: float) -> float | None:
+    return float(value) if math.isfinite(value) else None
+
+
+def _notes(method: str, arrays: MeshArrays) -> list[str]:
+    loose = [wire.name for wire in arrays.wires if wire.chain.tolerance > 0]
+    if method == "wirewarping" and loose:
+        return [f"WireWarping keeps every wire rigid: the tolerance of {', '.join(loose)} is not used."]
+    return []

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The reports of one run as one JSON file, and as the sentences Blender shows. No Blender in here."""
+
+import json
+from pathlib import Path
+
+from .report import SCHEMA
+
+SHOWN_SENTENCES = 4
+
+
+def run_report(version: str, units: dict, reports: list[dict]) -> dict:
+    return {
+        "schema": SCHEMA,
+        "wirewarp": version,
+        "units": units,
+        "ok": all(report["ok"] for report in reports),
+        "objects": reports,
+    }
+
+
+def write_json(path: Path, report: dict) -> None:
+    path.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+
+
+def failure_text(reports: list[dict]) -> str:
+    """What failed, one line each."""
+    lines = [
+        f"{report['object']}{_piece_name(issue)}: {issue['sentence']}"
+        for report in reports
+        for issue in report["issues"]
+    ]
+    hidden = len(lines) - SHOWN_SENTENCES
+    more = [f"And {hidden} more: see the report in the sidebar."] if hidden > 0 else []
+    return "\n".join(lines[:SHOWN_SENTENCES] + more)
+
+
+def success_text(reports: list[dict]) -> str:
+    pieces = sum(len(report["pieces"]) for report in reports)
+    count = f"{pieces} flat piece{'s' if pieces != 1 else ''}"
+    return f"{count}, every length kept ({reports[0]['method_name']})"
+
+
+def _piece_name(issue: dict) -> str:
+    return "" if issue["piece"] is None else f", piece {issue['piece'] + 1}"

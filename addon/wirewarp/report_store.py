@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The last report of each object, for the panel and for Select Issues.
+
+A run that wrote something leaves its report on the object, so that it is saved with it. A run that wrote nothing must
+leave the file alone: its report is kept here until the next run, undo or file.
+"""
+
+import json
+
+import bpy
+from bpy.app.handlers import persistent
+
+REPORT = "wirewarp_report"
+_unwritten: dict[str, dict] = {}
+_parsed: dict[str, tuple[str, dict]] = {}  # text and what it says, so that drawing the panel need not parse it
+
+
+def store(source: bpy.types.Object, report: dict) -> None:
+    """Keeps the report of a run that wrote results."""
+    _unwritten.pop(source.name_full, None)
+    source[REPORT] = json.dumps(report)
+
+
+def remember(source: bpy.types.Object, report: dict) -> None:
+    """Keeps the report of a run that wrote nothing for this object."""
+    _unwritten[source.name_full] = report
+
+
+def last_report(source: bpy.types.Object) -> dict | None:
+    if source.name_full in _unwritten:
+        return _unwritten[source.name_full]
+    text = source.get(REPORT)
+    if not isinstance(text, str):
+        return None
+    if _parsed.get(source.name_full, ("", {}))[0] != text:
+        _parsed[source.name_full] = (text, json.loads(text))
+    return _parsed[source.name_full][1]
+
+
+@persistent
+def _forget(*_: object) -> None:
+    _unwritten.clear()
+    _parsed.clear()
+
+
+def attach() -> None:
+    bpy.app.handlers.undo_post.append(_forget)
+    bpy.app.handlers.redo_post.append(_forget)
+    bpy.app.handlers.load_post.append(_forget)
+
+
+def detach() -> None:
+    bpy.app.handlers.undo_post.remove(_forget)
+    bpy.app.handlers.redo_post.remove(_forget)
+    bpy.app.handlers.load_post.remove(_forget)
+    _forget()

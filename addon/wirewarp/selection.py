@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Selecting given elements of a mesh in Edit Mode."""
+
+from collections.abc import Sequence
+
+import bpy
+import numpy as np
+
+from .foreach import read
+
+
+def select_elements(
+    context: bpy.types.Context,
+    target: bpy.types.Object,
+    vertices: Sequence[int] = (),
+    edges: Sequence[tuple[int, int]] = (),
+    faces: Sequence[int] = (),
+) -> None:
+    """Makes `target` the active object and enters its Edit Mode with these elements selected, and no others.
+
+    edges are vertex pairs; a pair that is no edge of the mesh (the diagonal of a quad) selects its two vertices. The
+    selection mode is the coarsest that can show everything.
+    """
+    if context.mode == "EDIT_MESH":
+        bpy.ops.object.mode_set(mode="OBJECT")
+    context.view_layer.objects.active = target
+    for other in context.selected_objects:
+        other.select_set(other == target)
+    target.select_set(True)
+    target.hide_set(False)
+
+    mesh = target.data
+    edge_mask, loose_vertices = _find_edges(mesh, edges)
+    face_mask = _mask(len(mesh.polygons), faces)
+    vertex_mask = _mask(len(mesh.vertices), [*vertices, *loose_vertices])
+    mode = (vertex_mask.any(), not vertex_mask.any() and edge_mask.any(), False)
+    context.tool_settings.mesh_select_mode = mode if any(mode) else (False, False, True)
+
+    loops = _loop_faces(mesh)
+    loop_edges = read(mesh.loops, "edge_index", np.int32)
+    edge_mask[loop_edges[face_mask[loops]]] = True
+    vertex_mask[read(mesh.edges, "vertices", np.int32, 2)[edge_mask].ravel()] = True
+    for elements, mask in ((mesh.vertices, vertex_mask), (mesh.edges, edge_mask), (mesh.polygons, face_mask)):
+        elements.foreach_set("select", mask)
+        hidden = read(elements, "hide", bool)
+        elements.foreach_set("hide", hidden & ~mask)
+    bpy.ops.object.mode_set(mode="EDIT")
+
+
+def _find_edges(mesh: bpy.types.Mesh, pairs: Sequence[tuple[int, int]]) -> tuple[np.ndarray, list[int]]:
+    """A mask of the mesh's edges, and the vertices of the pairs that are none."""
+    mask = np.zeros(len(mesh.edges), dtype=bool)
+    if not len(pairs):
+        return mask, []
+    count = len(mesh.vertices)
+    keys = np.sort(read(mesh.edges, "vertices", np.int32, 2).astype(np.int64), axis=1) @ (count, 1)
+    wanted = np.sort(np.asarray(pairs, dtype=np.int64), axis=1)
+    mask[np.isin(keys, wanted @ (count, 1))] = True
+    missing = wanted[~np.isin(wanted @ (count, 1), keys)]
+    return mask, missing.ravel().tolist()
+
+
+def _loop_faces(mesh: bpy.types.Mesh) -> np.ndarray:
+    """The polygon of each loop."""
+    sizes = read(mesh.polygons, "loop_total", np.int32)
+    return np.repeat(np.arange(len(sizes)), sizes)
+
+
+def _mask(count: int, indices: Sequence[int]) -> np.ndarray:
+    mask = np.zeros(count, dtype=bool)
+    mask[np.asarray(indices, dtype=np.int64)] = True
+    return mask

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which objects a command works on, and whether their data may be written."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import bpy
+import numpy as np
+
+from .issues import Issue, ObjectError, object_error
+from .mesh_to_arrays import linear_part
+from .wire_attributes import check_attributes
+from .write_uv import check_uv_room
+
+
+def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
+    """Every selected mesh and every mesh in Edit Mode, flat pieces of ours left out."""
+    edited = list(context.objects_in_mode) if context.mode == "EDIT_MESH" else []
+    objects = dict.fromkeys([*edited, *context.selected_objects])
+    return [target for target in objects if target.type == "MESH" and target.wirewarp_source is None]
+
+
+def check_target(target: bpy.types.Object, writes_uv: bool) -> None:
+    """Raises ObjectError if the results cannot be written. writes_uv: the base mesh gets them too."""
+    linear_part(target)
+    if target.library is not None or (writes_uv and target.data.library is not None):
+        raise object_error(
+            "linked_data",
+            f'"{target.name}" is linked from another file, so nothing can be written to it: '
+            "make it local with Object > Relations > Make Local > Selected Objects and Data.",
+        )
+    check_attributes(target.data)
+    if writes_uv:
+        check_uv_room(target.data)
+        _check_users(target)
+
+
+def _check_users(target: bpy.types.Object) -> None:
+    """One UV layer cannot be true for objects of different scale."""
+    own = _metric(target)
+    for other in bpy.data.objects:
+        if other.data == target.data and not np.allclose(_metric(other), own, rtol=1e-5, atol=1e-5 * np.abs(own).max()):
+            sentence = (
+                f'"{target.name}" and "{other.name}" share the mesh "{target.data.name}" but differ in scale, and one '
+                "UV map cannot be true for both: use Object > Relations > Make Single User > Object & Data."
+            )
+            raise ObjectError(Issue("multi_user_scale", sentence))
+
+
+def _metric(target: bpy.types.Object) -> np.ndarray:
+    """What the object's matrix does to lengths, and whether it mirrors: the same for all rotations."""
+    linear = np.array(target.matrix_world, dtype=np.float64)[:3, :3]
+    return np.append((linear.T @ linear).ravel(), np.linalg.det(linear))
+
+
+@contextmanager
+def in_object_mode(context: bpy.types.Context) -> Iterator[None]:
+    """Leaves Edit Mode, so that mesh data is current and can be written, and returns to it at the end."""
+    if context.mode != "EDIT_MESH":
+        yield
+        return
+    edited = list(context.objects_in_mode)
+    selected = list(context.selected_objects)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    try:
+        yield
+    finally:
+        _select_only(context, edited)
+        bpy.ops.object.mode_set(mode="EDIT")
+        _select_only(context, selected)
+
+
+def _select_only(context: bpy.types.Context, objects: list[bpy.types.Object]) -> None:
+    for other in context.view_layer.objects:
+        other.select_set(other in objects)

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The sidebar tab and the menu entries."""
+
+from .menus import draw_context_menu, draw_edge_menu
+from .panel import VIEW3D_PT_wirewarp_flatten, VIEW3D_PT_wirewarp_mark
+from .report import (
+    VIEW3D_PT_wirewarp_report,
+    VIEW3D_PT_wirewarp_report_outlines,
+    VIEW3D_PT_wirewarp_report_pieces,
+    VIEW3D_PT_wirewarp_report_seams,
+    VIEW3D_PT_wirewarp_report_wires,
+)
+from .wire_list import VIEW3D_PT_wirewarp_wires
+
+CLASSES = (
+    VIEW3D_PT_wirewarp_mark,
+    VIEW3D_PT_wirewarp_wires,
+    VIEW3D_PT_wirewarp_flatten,
+    VIEW3D_PT_wirewarp_report,
+    VIEW3D_PT_wirewarp_report_seams,
+    VIEW3D_PT_wirewarp_report_wires,
+    VIEW3D_PT_wirewarp_report_outlines,
+    VIEW3D_PT_wirewarp_report_pieces,
+)
+
+__all__ = ["CLASSES", "draw_context_menu", "draw_edge_menu"]

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Marking and flattening."""
+
+import bpy
+
+from .. import core
+from ..issues import ObjectError
+from ..wire_summary import wires_of
+from .text import draw_sentence
+
+
+class SidebarPanel:
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "WireWarp"
+
+
+class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
+    bl_label = "Mark"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout = self.layout
+        if core.problem():
+            draw_sentence(context, layout, core.problem(), "ERROR")
+            return
+        active = context.active_object
+        if active is None or active.type != "MESH":
+            draw_sentence(context, layout, "Select a mesh to mark seams and wires on it.", "INFO")
+            return
+        if context.mode != "EDIT_MESH":
+            layout.operator("object.mode_set", text="Mark in Edit Mode", icon="EDITMODE_HLT").mode = "EDIT"
+            return
+        self._draw_buttons(context, layout)
+
+    def _draw_buttons(self, context: bpy.types.Context, layout: bpy.types.UILayout) -> None:
+        layout.label(text="Seams: where the pieces are cut")
+        row = layout.row(align=True)
+        row.operator("mesh.mark_seam", text="Mark Seam").clear = False
+        row.operator("mesh.mark_seam", text="Clear Seam").clear = True
+
+        layout.label(text="Wires: lines that keep their length")
+        column = layout.column(align=True)
+        column.operator("mesh.wirewarp_mark", text="Rigid").kind = "RIGID"
+        row = column.row(align=True)
+        row.operator("mesh.wirewarp_mark", text="Elastic").kind = "ELASTIC"
+        row.prop(context.scene.wirewarp, "tolerance_percent", text="±")
+        column.operator("mesh.wirewarp_mark", text="Free").kind = "SUPER_ELASTIC"
+        column.operator("mesh.wirewarp_clear", text="Clear Wire")
+
+
+class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
+    bl_label = "Flatten"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return not core.problem()
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout = self.layout
+        settings = context.scene.wirewarp
+        button = layout.column()
+        button.scale_y = 1.5
+        button.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
+
+        column = layout.column()
+        column.use_property_split = True
+        column.use_property_decorate = False
+        column.prop(settings, "method")
+        column.prop(settings, "node_weight")
+        column.prop(settings, "gap")
+        column.prop(settings, "mirror")
+        column.prop(settings, "use_modifiers")
+        if _has_loose_wires(context):
+            draw_sentence(context, layout, "WireWarping keeps every wire rigid, elastic and free ones too.", "INFO")
+
+
+def _has_loose_wires(context: bpy.types.Context) -> bool:
+    active = context.active_object
+    if active is None or active.type != "MESH":
+        return False
+    try:
+        return any(wire.tolerance > 0 for wire in wires_of(active))
+    except ObjectError:
+        return False  # the list of wires says what is wrong

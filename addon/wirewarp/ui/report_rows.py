@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The stored report as rows of a table, worst first. No Blender in here."""
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Side:
+    label: str
+    length_3d: float
+    length_2d: float | None  # None: no layout
+    difference: float | None
+    percent: float | None
+
+
+@dataclass(frozen=True)
+class ReportRow:
+    name: str
+    ok: bool
+    sides: list[Side]
+
+    @property
+    def badness(self) -> float:
+        """Failures first, then the largest difference in percent."""
+        worst = max((abs(side.percent) if side.percent is not None else math.inf) for side in self.sides)
+        return math.inf if not self.ok else worst
+
+
+def seam_rows(report: dict) -> list[ReportRow]:
+    rows = []
+    for seam in report["seams"]:
+        pieces = [piece + 1 for piece in seam["pieces"]]
+        between = "in piece" if len(set(pieces)) == 1 else "pieces"
+        name = f"Seam {seam['index'] + 1}, {between} {_list(list(dict.fromkeys(pieces)))}"
+        rows.append(ReportRow(name, seam["ok"], _sides(seam, [f"{piece}:" for piece in pieces])))
+    return _worst_first(rows)
+
+
+def wire_rows(report: dict) -> list[ReportRow]:
+    """Whole wires, and under each the pieces its parts lie in."""
+    rows = []
+    for wire in report["wires"]:
+        parts = [
+            (piece["index"], part)
+            for piece in report["pieces"]
+            for part in piece["wires"]
+            if part["wire"] == wire["wire"]
+        ]
+        places = list(dict.fromkeys(index + 1 for index, _ in parts))
+        name = f"{wire['name']}, piece{'s' if len(places) > 1 else ''} {_list(places)}" if places else wire["name"]
+        rows.append(ReportRow(name, wire["ok"], _sides(wire, [""])))
+    return _worst_first(rows)
+
+
+def outline_rows(report: dict) -> list[ReportRow]:
+    """Stretches of outline that are no seam's side: hems, necklines, armholes."""
+    rows = []
+    for piece in report["pieces"]:
+        free = [chain for chain in piece["outline"] if chain["seam"] is None]
+        for number, chain in enumerate(free, start=1):
+            name = f"Piece {piece['index'] + 1}, open edge {number}"
+            rows.append(ReportRow(name, chain["ok"], _sides(chain, [""])))
+    return _worst_first(rows)
+
+
+def piece_rows(report: dict) -> list[tuple[bool, list[str]]]:
+    """(ok, lines) of each piece."""
+    rows = []
+    for piece in sorted(report["pieces"], key=lambda piece: piece["ok"]):
+        lines = [f"Piece {piece['index'] + 1}, {piece['faces']} triangles"]
+        if piece["has_layout"]:
+            lines.append(f"Distortion energy {piece['arap_energy']:.4f}")
+            lines.append(f"Worst stretch ratio {piece['aspect_ratio_max']:.3f}")
+            deviation = math.degrees(piece["angle_deviation_max"])
+            lines.append(f"Largest angle change {deviation:.1f}°")
+        rows.append((piece["ok"], lines))
+    return rows
+
+
+def _sides(entry: dict, labels: list[str]) -> list[Side]:
+    values = zip(labels, entry["length_2d"], entry["difference"], entry["percent"], strict=True)
+    return [Side(label, entry["length_3d"], *rest) for label, *rest in values]
+
+
+def _worst_first(rows: list[ReportRow]) -> list[ReportRow]:
+    return sorted(rows, key=lambda row: -row.badness)
+
+
+def _list(numbers: list[int]) -> str:
+    if len(numbers) == 1:
+        return str(numbers[0])
+    return ", ".join(map(str, numbers[:-1])) + f" and {numbers[-1]}"

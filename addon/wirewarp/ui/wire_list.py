@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The list of wires: name, kind, length; a click selects."""
+
+import math
+
+import bpy
+import numpy as np
+
+from ..issues import ObjectError
+from ..unit_text import length_text
+from ..wire_names import find_name
+from ..wire_summary import WireSummary, wires_of
+from .panel import SidebarPanel
+from .text import draw_sentence
+
+
+class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
+    bl_label = "Wires"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        return active is not None and active.type == "MESH" and active.wirewarp_source is None
+
+    def draw(self, context: bpy.types.Context) -> None:
+        target = context.active_object
+        try:
+            wires = wires_of(target)
+        except ObjectError as error:
+            draw_sentence(context, self.layout, str(error), "ERROR")
+            return
+        if not wires:
+            self.layout.label(text="No wires yet")
+            return
+        linear = np.array(target.matrix_world, dtype=np.float64)[:3, :3]
+        text = length_text(context.scene)
+        column = self.layout.column(align=True)
+        for number, wire in enumerate(wires, start=1):
+            self._draw_wire(column.row(align=True), target.data, wire, number, text(wire.length(linear)))
+        total = sum(wire.length(linear) for wire in wires)
+        self.layout.label(text=f"{len(wires)} wire{'s' if len(wires) != 1 else ''}, {text(total)} in all")
+
+    def _draw_wire(
+        self, row: bpy.types.UILayout, mesh: bpy.types.Mesh, wire: WireSummary, number: int, length: str
+    ) -> None:
+        button = row.operator("mesh.wirewarp_select_wire", text="", icon="RESTRICT_SELECT_OFF")
+        button.wire_id = wire.wire_id
+        button.tolerance = min(wire.tolerance, float(np.finfo(np.float32).max))
+        columns = row.split(factor=0.42, align=True)
+        named = find_name(mesh, wire.wire_id)
+        if named:
+            columns.prop(named, "name", text="")
+        else:
+            columns.label(text=f"Wire {number}")
+        right = columns.split(factor=0.4)
+        right.label(text=kind_text(wire.tolerance))
+        right.label(text=length)
+
+
+def kind_text(tolerance: float) -> str:
+    if tolerance == 0:
+        return "rigid"
+    return "free" if math.isinf(tolerance) else f"±{100 * tolerance:.3g} %"

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lengths as text in the scene's units. Unit Scale changes the text, never the numbers behind it."""
+
+from dataclasses import dataclass
+
+import bpy
+
+_UNITS = {
+    "KILOMETERS": "km",
+    "METERS": "m",
+    "CENTIMETERS": "cm",
+    "MILLIMETERS": "mm",
+    "MICROMETERS": "um",
+    "MILES": "mi",
+    "FEET": "ft",
+    "INCHES": "in",
+    "THOU": "thou",
+}
+# Cutters work in these; metres only where the scene asks for them.
+_ADAPTIVE = {"METRIC": "mm", "IMPERIAL": "in"}
+_DECIMALS = {"mm": 2, "cm": 3, "m": 5, "in": 3}
+
+
+@dataclass(frozen=True)
+class LengthText:
+    """Writes lengths given in Blender units; all in one unit, so that a column of numbers can be compared."""
+
+    unit: str
+    per_blender_unit: float
+
+    def __call__(self, length: float) -> str:
+        return f"{self.number(length)} {self.unit}".rstrip()
+
+    def number(self, length: float) -> str:
+        return f"{length * self.per_blender_unit:.{_DECIMALS.get(self.unit, 4)}f}"
+
+    def difference(self, length: float) -> str:
+        """A signed difference; what rounds to nothing has no sign."""
+        text = self.number(length)
+        return text.removeprefix("-") if float(text) == 0 else f"{float(text):+.{_DECIMALS.get(self.unit, 4)}f}"
+
+
+def length_text(scene: bpy.types.Scene) -> LengthText:
+    settings = scene.unit_settings
+    if settings.system == "NONE":
+        return LengthText("", 1.0)
+    unit = _UNITS.get(settings.length_unit) or _ADAPTIVE[settings.system]
+    meters = bpy.utils.units.to_value(settings.system, "LENGTH", f"1{unit}")
+    return LengthText(unit, settings.scale_length / meters)
+
+
+def meters_per_blender_unit(scene: bpy.types.Scene) -> float:
+    """What the JSON report states metres by; with no unit system one Blender unit is one metre."""
+    return scene.unit_settings.scale_length if scene.unit_settings.system != "NONE" else 1.0

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The two edge attributes that say which edges are wires. They are the only truth about wires.
+
+wirewarp_wire INT: random 31-bit id of the wire, 0 on edges that are no wire.
+wirewarp_tolerance FLOAT: 0 rigid, finite elastic, inf super-elastic.
+"""
+
+import random
+from dataclasses import dataclass
+
+import bmesh
+import bpy
+import numpy as np
+
+from .issues import object_error
+
+WIRE = "wirewarp_wire"
+TOLERANCE = "wirewarp_tolerance"
+_EXPECTED = {WIRE: "INT", TOLERANCE: "FLOAT"}
+
+
+@dataclass(frozen=True)
+class EdgeMarks:
+    """One entry per edge of the mesh."""
+
+    wire_ids: np.ndarray  # (e,) int32
+    tolerances: np.ndarray  # (e,) float32
+
+
+def new_wire_id() -> int:
+    """Random, so that joined and appended meshes keep their wires apart."""
+    return random.randint(1, 2**31 - 1)
+
+
+def check_attributes(mesh: bpy.types.Mesh) -> None:
+    """Raises ObjectError if an attribute of our name has another type or domain."""
+    for name, data_type in _EXPECTED.items():
+        attribute = mesh.attributes.get(name)
+        if attribute and (attribute.domain, attribute.data_type) != ("EDGE", data_type):
+            raise object_error(
+                "attribute_type",
+                f'The attribute "{name}" of mesh "{mesh.name}" is not of type {data_type} on edges: '
+                "rename or delete it under Object Data > Attributes.",
+            )
+
+
+def read_marks(mesh: bpy.types.Mesh) -> EdgeMarks:
+    """The marks of a mesh that is not in Edit Mode."""
+    check_attributes(mesh)
+    marks = EdgeMarks(np.zeros(len(mesh.edges), np.int32), np.zeros(len(mesh.edges), np.float32))
+    if WIRE in mesh.attributes:
+        mesh.attributes[WIRE].data.foreach_get("value", marks.wire_ids)
+    if TOLERANCE in mesh.attributes:
+        mesh.attributes[TOLERANCE].data.foreach_get("value", marks.tolerances)
+    return marks
+
+
+def edit_layers(mesh: bpy.types.Mesh) -> tuple:
+    """(bmesh, wire layer, tolerance layer) of a mesh in Edit Mode; missing layers are made.
+
+    Making a layer invalidates every edge reference taken before.
+    """
+    check_attributes(mesh)
+    edit = bmesh.from_edit_mesh(mesh)
+    layers = edit.edges.layers
+    if WIRE not in layers.int:
+        layers.int.new(WIRE)
+    if TOLERANCE not in layers.float:
+        layers.float.new(TOLERANCE)
+    return edit, layers.int[WIRE], layers.float[TOLERANCE]

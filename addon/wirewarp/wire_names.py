@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Names of wires, kept in a list on the mesh. A wire without an entry (a joined mesh's) gets one when it is needed."""
+
+from collections.abc import Iterable
+
+import bpy
+
+
+def find_name(mesh: bpy.types.Mesh, wire_id: int) -> bpy.types.PropertyGroup | None:
+    return next((entry for entry in mesh.wirewarp_names if entry.wire_id == wire_id), None)
+
+
+def display_name(mesh: bpy.types.Mesh, wire_id: int) -> str:
+    entry = find_name(mesh, wire_id)
+    return entry.name if entry else f"Wire {wire_id}"
+
+
+def update_names(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> None:
+    """One entry for each of the ids that are on the mesh, in their order; entries of vanished wires go."""
+    present = dict.fromkeys(wire_ids)
+    for index in reversed(range(len(mesh.wirewarp_names))):
+        if mesh.wirewarp_names[index].wire_id not in present:
+            mesh.wirewarp_names.remove(index)
+    known = {entry.wire_id for entry in mesh.wirewarp_names}
+    taken = {entry.name for entry in mesh.wirewarp_names}
+    for wire_id in present:
+        if wire_id not in known:
+            entry = mesh.wirewarp_names.add()
+            entry.wire_id = wire_id
+            entry.name = _free_name(taken)
+            taken.add(entry.name)
+
+
+def _free_name(taken: set[str]) -> str:
+    number = 1
+    while f"Wire {number}" in taken:
+        number += 1
+    return f"Wire {number}"

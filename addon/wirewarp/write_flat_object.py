@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pieces as the object "<name> Flat" in the collection "WireWarp"."""
+
+import bpy
+import numpy as np
+from mathutils import Vector
+
+from .color_maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION
+from .flat_mesh import FlatMesh, edge_length_variation
+from .mesh_to_arrays import MeshArrays
+
+COLLECTION = "WireWarp"
+
+
+def write_flat_object(
+    scene: bpy.types.Scene, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays
+) -> bpy.types.Object:
+    """Makes the flat object of `source`, or replaces the data of the one it has. True scale, in its own z = 0 plane."""
+    target = find_flat_object(source)
+    if target is None:
+        target = bpy.data.objects.new(f"{source.name} Flat", bpy.data.meshes.new(f"{source.name} Flat"))
+        target.wirewarp_source = source
+        target.location = _free_place(scene, source)
+    if scene.objects.get(target.name) != target:
+        _collection(scene).objects.link(target)
+    _write_mesh(target.data, flat, arrays)
+    return target
+
+
+def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
+    """The object that remembers `source`: the one with our name first, should the user have copied it."""
+    ours = [candidate for candidate in bpy.data.objects if candidate.wirewarp_source == source]
+    named = [candidate for candidate in ours if candidate.name == f"{source.name} Flat"]
+    return next(iter(named + ours), None)
+
+
+def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
+    mesh.clear_geometry()
+    coordinates = np.zeros((len(flat.vertices), 3), dtype=np.float32)
+    coordinates[:, :2] = flat.vertices
+    mesh.vertices.add(len(flat.vertices))
+    mesh.vertices.foreach_set("co", coordinates.ravel())
+    mesh.loops.add(len(flat.loop_vertices))
+    mesh.loops.foreach_set("vertex_index", flat.loop_vertices)
+    mesh.polygons.add(len(flat.polygon_starts))
+    mesh.polygons.foreach_set("loop_start", flat.polygon_starts)
+    if bpy.app.version < (4, 0, 0):  # later versions know the sizes from the starts
+        mesh.polygons.foreach_set("loop_total", flat.polygon_sizes)
+    mesh.update(calc_edges=True)
+    _write_attributes(mesh, flat, arrays)
+
+
+def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
+    edges = np.empty(2 * len(mesh.edges), dtype=np.int32)
+    mesh.edges.foreach_get("vertices", edges)
+    edges = edges.reshape(-1, 2)
+    variation = edge_length_variation(flat, edges, arrays)
+    _add(mesh, "source_vertex", "INT", "POINT", flat.source_vertex)
+    _add(mesh, "piece", "INT", "FACE", flat.piece)
+    _add(mesh, "arap_energy", "FLOAT", "FACE", flat.arap_energy)
+    _add(mesh, "aspect_ratio", "FLOAT", "FACE", flat.aspect_ratio)
+    _add(mesh, "length_variation", "FLOAT", "EDGE", variation)
+
+    worst_at_vertex = np.zeros(len(flat.vertices), dtype=np.float32)
+    np.maximum.at(worst_at_vertex, edges.ravel(), np.repeat(variation, 2))
+    corner_face = np.repeat(np.arange(len(flat.polygon_sizes)), flat.polygon_sizes)
+    _add_color(mesh, ASPECT_RATIO.attribute, "CORNER", ASPECT_RATIO.colors(flat.aspect_ratio)[corner_face])
+    _add_color(mesh, ARAP_ENERGY.attribute, "CORNER", ARAP_ENERGY.colors(flat.energy_density)[corner_face])
+    _add_color(mesh, LENGTH_VARIATION.attribute, "POINT", LENGTH_VARIATION.colors(worst_at_vertex))
+    shown = mesh.color_attributes.find(COLOR_MAPS[0].attribute)
+    mesh.color_attributes.active_color_index = shown
+    mesh.color_attributes.render_color_index = shown
+
+
+def _add(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str, values: np.ndarray) -> None:
+    mesh.attributes.new(name, data_type, domain).data.foreach_set("value", values)
+
+
+def _add_color(mesh: bpy.types.Mesh, name: str, domain: str, colors: np.ndarray) -> None:
+    mesh.color_attributes.new(name, "BYTE_COLOR", domain).data.foreach_set("color", colors.ravel())
+
+
+def _collection(scene: bpy.types.Scene) -> bpy.types.Collection:
+    """The scene's collection for flat pieces."""
+    for collection in scene.collection.children_recursive:
+        if collection.name == COLLECTION:
+            return collection
+    collection = bpy.data.collections.new(COLLECTION)
+    scene.collection.children.link(collection)
+    return collection
+
+
+def _free_place(scene: bpy.types.Scene, source: bpy.types.Object) -> Vector:
+    """Right of the source and of all flat pieces there are, on the level of the source's lowest point."""
+    corners = [source.matrix_world @ Vector(corner) for corner in source.bound_box]
+    right = max(corner.x for corner in corners)
+    gap = 0.1 * max(source.dimensions)
+    for other in scene.objects:
+        if other.wirewarp_source:
+            right = max(right, *((other.matrix_world @ Vector(corner)).x for corner in other.bound_box))
+    return Vector((right + gap, min(corner.y for corner in corners), min(corner.z for corner in corners)))

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pieces as the UV layer "WireWarp" of the source mesh."""
+
+import bpy
+import numpy as np
+
+from .flatten_job import has_layout
+from .issues import object_error
+from .mesh_to_arrays import MeshArrays
+
+UV_LAYER = "WireWarp"
+UV_SCALE = "wirewarp_uv_scale"
+MAX_UV_LAYERS = 8
+
+
+def check_uv_room(mesh: bpy.types.Mesh) -> None:
+    """Raises ObjectError where there is no room for our layer."""
+    if UV_LAYER not in mesh.uv_layers and len(mesh.uv_layers) >= MAX_UV_LAYERS:
+        raise object_error(
+            "no_uv_room",
+            f'Mesh "{mesh.name}" already has {MAX_UV_LAYERS} UV maps, and Blender allows no more: '
+            "delete one under Object Data > UV Maps.",
+        )
+
+
+def write_uv(mesh: bpy.types.Mesh, corner_uv: np.ndarray, arrays: MeshArrays) -> float:
+    """Writes corner_uv (m,3,2) in Blender units into the unit square; returns the Blender units in one UV unit.
+
+    The same factor for all pieces, kept on the mesh as wirewarp_uv_scale. Faces without a layout go to (0,0).
+    """
+    loop_uv, scale = loop_coordinates(corner_uv, arrays)
+    if UV_LAYER not in mesh.uv_layers:
+        mesh.uv_layers.new(name=UV_LAYER, do_init=False)
+    layer = mesh.uv_layers[UV_LAYER]
+    if hasattr(layer, "uv"):  # Blender 3.5 and later
+        layer.uv.foreach_set("vector", loop_uv.ravel())
+    else:
+        layer.data.foreach_set("uv", loop_uv.ravel())
+    mesh.uv_layers.active = layer
+    mesh[UV_SCALE] = scale
+    return scale
+
+
+def loop_coordinates(corner_uv: np.ndarray, arrays: MeshArrays) -> tuple[np.ndarray, float]:
+    """UVs (l,2) float32 of all loops in the unit square, and the scale."""
+    placed = has_layout(corner_uv)
+    low = corner_uv[placed].min(axis=(0, 1))
+    scale = float((corner_uv[placed].max(axis=(0, 1)) - low).max())
+    loop_uv = np.zeros((len(arrays.loop_vertices), 2), dtype=np.float32)
+    # The corners that triangles of one quad share lie in one piece, so they write the same numbers.
+    loop_uv[arrays.triangle_loops[placed]] = np.clip((corner_uv[placed] - low) / scale, 0, 1)
+    return loop_uv, scale
