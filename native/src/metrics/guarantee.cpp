@@ -15,6 +15,13 @@ constexpr double kRelativeLengthError = 1e-9;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// The ends of an edge in the input, the smaller index first.
+VertexPair source_edge(const Chart& chart, HalfedgeHandle h) {
+  const int a = chart.source_vertex[at(chart.mesh.from_vertex_handle(h).idx())];
+  const int b = chart.source_vertex[at(chart.mesh.to_vertex_handle(h).idx())];
+  return {std::min(a, b), std::max(a, b)};
+}
+
 /// A wire edge whose planar length is not the promised one.
 struct WrongEdge {
   VertexPair vertices;  // input
@@ -35,7 +42,7 @@ std::vector<WrongEdge> find_wrong_edges(const Chart& chart, const WireNetwork& n
     const double promised = (1 + (part >= 0 ? variation[at(part)] : 0)) * edge.length;
     const double difference = (uv.row(to) - uv.row(from)).norm() - promised;
     if (std::abs(difference) <= kRelativeLengthError * edge.length + rounding) continue;
-    wrong.push_back({{chart.source_vertex[at(from)], chart.source_vertex[at(to)]}, part, difference / edge.length});
+    wrong.push_back({source_edge(chart, h), part, difference / edge.length});
   }
   // The worst first, so that a message that names a few names these.
   std::stable_sort(wrong.begin(), wrong.end(), [](const WrongEdge& a, const WrongEdge& b) {
@@ -81,10 +88,7 @@ FlattenError wrong_lengths(const Chart& chart, const std::vector<Wire>& wires, c
   ErrorElements elements;
   for (const WrongEdge& edge : wrong) elements.edges.push_back(edge.vertices);
   for (const int part : beyond) {
-    for (const HalfedgeHandle h : chart.wire_parts[at(part)].half_edges) {
-      elements.edges.push_back({chart.source_vertex[at(chart.mesh.from_vertex_handle(h).idx())],
-                                chart.source_vertex[at(chart.mesh.to_vertex_handle(h).idx())]});
-    }
+    for (const HalfedgeHandle h : chart.wire_parts[at(part)].half_edges) elements.edges.push_back(source_edge(chart, h));
   }
   std::string what;
   if (!wrong.empty()) {

@@ -69,7 +69,8 @@ void measure_wire_edges(const Chart& chart, const WireNetwork& network, const Po
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edges[i]->edge, 0);
     const int from = chart.mesh.from_vertex_handle(h).idx();
     const int to = chart.mesh.to_vertex_handle(h).idx();
-    metrics.wire_edges.push_back({chart.source_vertex[at(from)], chart.source_vertex[at(to)]});
+    const auto [first, last] = std::minmax(chart.source_vertex[at(from)], chart.source_vertex[at(to)]);
+    metrics.wire_edges.push_back({first, last});
     metrics.edge_length_variation[static_cast<Eigen::Index>(i)] =
         std::abs(edges[i]->length - (uv.row(to) - uv.row(from)).norm()) / edges[i]->length;
   }

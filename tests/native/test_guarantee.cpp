@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "metrics/guarantee.h"
+#include "metrics/metrics.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+using test::charts_of;
+using test::planar_positions;
+
+/// A unit square with one wire across, at half height, between vertices 10 and 14; vertex 12 is its middle.
+struct Sheet {
+  FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
+  Charts charts;
+  WireNetwork network;
+  Positions2 uv;
+  std::vector<double> variation;
+
+  explicit Sheet(double tolerance) {
+    test::add_wire(input, test::grid_row(4, 2), tolerance, "waist");
+    charts = charts_of(input);
+    network = build_wire_network(chart());
+    uv = planar_positions(chart());
+    variation.assign(chart().wire_parts.size(), 0);
+  }
+
+  const Chart& chart() const { return charts.charts[0]; }
+
+  std::optional<FlattenError> check() const {
+    return check_guarantee(chart(), network, input.wires, uv, variation, measure_metrics(chart(), network, uv));
+  }
+};
+
+bool names(const FlattenError& error, const std::string& text) {
+  return std::string(error.what()).find(text) != std::string::npos;
+}
+
+TEST(Guarantee, FlatSheetKeepsEveryPromise) { EXPECT_FALSE(Sheet(0).check()); }
+
+TEST(Guarantee, LengthsCountFromOnePartInABillion) {
+  Sheet sheet(0);
+  sheet.uv(12, 0) += 0.25 * 0.9e-9;  // edges are 0.25 long
+  EXPECT_FALSE(sheet.check());
+  sheet.uv(12, 0) += 0.25 * 0.3e-9;
+  const std::optional<FlattenError> error = sheet.check();
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->code, ErrorCode::lengths_not_kept);
+  EXPECT_TRUE(error->has_layout);
+  EXPECT_EQ(error->elements.edges, (std::vector<VertexPair>{{11, 12}, {12, 13}}));
+  EXPECT_TRUE(names(*error, "11-12")) << error->what();
+  EXPECT_TRUE(names(*error, "waist")) << error->what();
+}
+
+TEST(Guarantee, RoundingOfFarAwayCoordinatesIsNoError) {
+  Sheet sheet(0);
+  sheet.uv.array() += 1e8;  // rounds to 1.5e-8
+  EXPECT_FALSE(sheet.check());
+}
+
+TEST(Guarantee, OutlineIsRigid) {
+  Sheet sheet(std::numeric_limits<double>::infinity());
+  sheet.uv(0, 0) -= 0.01;
+  const std::optional<FlattenError> error = sheet.check();
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->code, ErrorCode::lengths_not_kept);
+  EXPECT_TRUE(names(*error, "outline")) << error->what();
+  EXPECT_EQ(error->elements.edges.size(), 2u);
+}
+
+TEST(Guarantee, ElasticEdgesFollowTheirVariation) {
+  Sheet sheet(0.05);
+  const double h = 0.01;
+  // A zigzag between the wire's fixed ends, every edge longer by h.
+  const double rise = 0.25 * std::sqrt((1 + h) * (1 + h) - 1);
+  sheet.uv(11, 1) += rise;
+  sheet.uv(13, 1) += rise;
+  const std::optional<FlattenError> error = sheet.check();
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->elements.edges.size(), 4u);
+  sheet.variation[0] = h;
+  EXPECT_FALSE(sheet.check());
+}
+
+TEST(Guarantee, VariationBeyondTheToleranceIsAnErrorOfItsOwn) {
+  Sheet sheet(0.05);
+  sheet.variation[0] = 0.06;
+  for (int i = 0; i <= 4; ++i) sheet.uv(10 + i, 0) *= 1.06;
+  const std::optional<FlattenError> error = sheet.check();
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->code, ErrorCode::lengths_not_kept);
+  for (int i = 0; i < 4; ++i) {
+    const VertexPair edge = {10 + i, 11 + i};
+    EXPECT_NE(std::find(error->elements.edges.begin(), error->elements.edges.end(), edge), error->elements.edges.end());
+  }
+}
+
+TEST(Guarantee, FreeWiresAreNotChecked) {
+  Sheet sheet(std::numeric_limits<double>::infinity());
+  sheet.uv(12, 0) += 0.1;
+  EXPECT_FALSE(sheet.check());
+}
+
+TEST(Guarantee, FlippedFacesAreNamed) {
+  Sheet sheet(std::numeric_limits<double>::infinity());
+  sheet.uv.row(6) << 0.6, 0.3;  // an inner vertex, off the wire, past its right neighbor
+  const std::optional<FlattenError> error = sheet.check();
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->code, ErrorCode::flipped_faces);
+  EXPECT_TRUE(error->has_layout);
+  EXPECT_FALSE(error->elements.faces.empty());
+  EXPECT_TRUE(names(*error, std::to_string(error->elements.faces[0]))) << error->what();
+}
+
+TEST(Guarantee, OverlapOfAnIsometricSpiralIsFound) {
+  // A flat ring cut open has every length; closed past a full turn it cannot be cut out.
+  const int n = 30;
+  FlattenInput input = test::make_grid(n, 1, [](double s, double t) {
+    const double angle = -2.4 * 3.141592653589793 * s;
+    return Eigen::Vector3d((1 + t) * std::cos(angle), (1 + t) * std::sin(angle), 0);
+  });
+  const Charts charts = charts_of(input);
+  const Chart& chart = charts.charts[0];
+  const WireNetwork network = build_wire_network(chart);
+  const Positions2 uv = planar_positions(chart);
+  const Metrics metrics = measure_metrics(chart, network, uv);
+  const std::optional<FlattenError> error = check_guarantee(chart, network, {}, uv, {}, metrics);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->code, ErrorCode::overlapping_faces);
+  EXPECT_EQ(error->elements.faces, metrics.overlapping_faces);
+  EXPECT_TRUE(error->has_layout);
+}
+
+TEST(Guarantee, LengthsComeFirstAndTheRestIsMentioned) {
+  Sheet sheet(0);
+  sheet.uv.row(12) << 0.9, 0.9;
+  const std::optional<FlattenError> error = sheet.check();
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->code, ErrorCode::lengths_not_kept);
+  EXPECT_TRUE(names(*error, "flipped")) << error->what();
+  EXPECT_TRUE(names(*error, "overlaps")) << error->what();
+}
+
+}  // namespace
+}  // namespace wirewarp
