@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "charts/chart_faults.h"
 
+#include <Eigen/Geometry>
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "check_input/sentence.h"

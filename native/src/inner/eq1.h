@@ -34,6 +34,9 @@ class Eq1 {
   int num_nodes() const { return static_cast<int>(nodes_.size()); }
   int num_closures() const { return 2 * static_cast<int>(loops_.size()); }
 
+  /// The wire edges of closure rows 2 loop and 2 loop + 1.
+  const std::vector<int>& loop_edges(int loop) const { return loops_[static_cast<std::size_t>(loop)].edges; }
+
   /// φ: radians, one per wire edge, of its half-edge 0. #edges.
   Eigen::VectorXd headings(const Eigen::VectorXd& psi) const { return base_headings_ + psi; }
 

@@ -20,7 +20,8 @@ struct InnerSolution {
 /// Solves Eq. (1) on one network for as many lengths as wanted; factors what does not depend on them once.
 class InnerProblem {
  public:
-  InnerProblem(const WireNetwork& network, NodeWeight node_weight) : eq1_(network, node_weight), kkt_(eq1_) {}
+  InnerProblem(const WireNetwork& network, NodeWeight node_weight)
+      : eq1_(network, node_weight), kkt_(eq1_, network) {}
 
   /// The local minimum of Eq. (1) reached from the surface angles (Inner::minimum), or the first point where every
   /// loop closes (Inner::least_norm). lengths: positive, scene units, #wire edges.

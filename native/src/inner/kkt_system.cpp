@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inner/kkt_system.h"
 
-#include <Eigen/OrderingMethods>
+#include "inner/elimination_order.h"
 
 namespace wirewarp {
 namespace {
@@ -10,14 +10,10 @@ constexpr double kRegularization = 1e-13;
 
 }  // namespace
 
-// Edges first, in minimum degree order of the Laplacian alone, then the closures: by then every closure row has its
-// pivot. (An order that may take a closure first would divide by δ.)
-KktSystem::KktSystem(const Eq1& eq1) : num_edges_(eq1.num_edges()), num_closures_(eq1.num_closures()) {
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> edge_order;
-  Eigen::AMDOrdering<int>()(eq1.laplacian(), edge_order);  // position -> edge
-  order_.resize(num_edges_ + num_closures_);               // row -> position
-  for (int i = 0; i < num_edges_; ++i) order_.indices()[edge_order.indices()[i]] = i;
-  for (int i = num_edges_; i < num_edges_ + num_closures_; ++i) order_.indices()[i] = i;
+KktSystem::KktSystem(const Eq1& eq1, const WireNetwork& network)
+    : num_edges_(eq1.num_edges()), num_closures_(eq1.num_closures()), order_(num_edges_ + num_closures_) {
+  const std::vector<int> order = order_elimination(eq1, network);
+  for (int i = 0; i < num_edges_ + num_closures_; ++i) order_.indices()[order[static_cast<std::size_t>(i)]] = i;
 }
 
 bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& diagonal,
@@ -34,17 +30,18 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
       if (row < column) entries.emplace_back(row, column, it.value());
       if (row == column) entries.emplace_back(row, row, it.value() + diagonal[e] + (e == 0 ? mean_diagonal : 0));
     }
+    // A closure comes after its edges.
     for (Iterator it(jacobian, e); it; ++it) {
-      entries.emplace_back(column, num_edges_ + static_cast<int>(it.row()), it.value());
+      entries.emplace_back(column, position[num_edges_ + static_cast<int>(it.row())], it.value());
     }
   }
-  for (int i = num_edges_; i < num_edges_ + num_closures_; ++i) entries.emplace_back(i, i, 0.0);
+  for (int i = 0; i < num_closures_; ++i) entries.emplace_back(position[num_edges_ + i], position[num_edges_ + i], 0.0);
   matrix_.resize(num_edges_ + num_closures_, num_edges_ + num_closures_);
   matrix_.setFromTriplets(entries.begin(), entries.end());
 
   Eigen::SparseMatrix<double> regularized = matrix_;
-  for (int i = num_edges_; i < num_edges_ + num_closures_; ++i) {
-    regularized.coeffRef(i, i) = -kRegularization / mean_diagonal;
+  for (int i = 0; i < num_closures_; ++i) {
+    regularized.coeffRef(position[num_edges_ + i], position[num_edges_ + i]) = -kRegularization / mean_diagonal;
   }
   if (num_factorizations_ == 0) factor_.analyzePattern(regularized);
   factor_.factorize(regularized);

@@ -4,7 +4,7 @@
 //   [ L + D   Jᵀ ] [ d ]   [ r₁ ]       L  Laplacian of the angles, D diagonal, J closure Jacobian
 //   [ J      −δ  ] [ λ ] = [ r₂ ]       δ  1e-13 of the edges' mean diagonal: closures may depend on one another
 //
-// factored as LDLᵀ without pivoting. One edge carries an extra diagonal that keeps the piece from turning as a whole.
+// factored as LDLᵀ without pivoting, in the order of elimination_order.h. One edge carries an extra diagonal that keeps the piece from turning as a whole.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -15,7 +15,7 @@ namespace wirewarp {
 
 class KktSystem {
  public:
-  explicit KktSystem(const Eq1& eq1);
+  KktSystem(const Eq1& eq1, const WireNetwork& network);
 
   /// False if L + D is not positive definite on the closures' null space (the inertia is wrong): the step would not
   /// lead downhill. Counted in num_factorizations.
@@ -34,7 +34,7 @@ class KktSystem {
   int num_edges_;
   int num_closures_;
   int num_factorizations_ = 0;
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order_;
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order_;  // unknown -> place in the elimination
   Eigen::SparseMatrix<double> matrix_;  // upper triangle in elimination order, δ left out
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>> factor_;
 };

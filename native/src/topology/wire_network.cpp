@@ -15,7 +15,8 @@ void add_wire_edges(const Chart& chart, WireNetwork& network) {
   const auto add = [&](HalfedgeHandle h, int part, bool is_boundary) {
     const EdgeHandle edge = mesh.edge_handle(h);
     network.wire_edge_of_edge[at(edge.idx())] = static_cast<int>(network.edges.size());
-    network.edges.push_back({edge, part, is_boundary, edge_length(mesh, h)});
+    const auto middle = (mesh.point(mesh.from_vertex_handle(h)) + mesh.point(mesh.to_vertex_handle(h))) / 2;
+    network.edges.push_back({edge, part, is_boundary, edge_length(mesh, h), {middle[0], middle[1], middle[2]}});
   };
   for (int part = 0; part < static_cast<int>(chart.wire_parts.size()); ++part) {
     if (chart.wire_parts[at(part)].kind == WireKind::boundary) continue;

@@ -22,6 +22,7 @@ struct WireEdge {
   int part = -1;      // index into Chart::wire_parts, -1: no wire, only boundary
   bool is_boundary = false;
   double length = 0;  // 3D, scene units
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // 3D, where it lies on the surface
 };
 
 /// A wire edge walked in one direction.
