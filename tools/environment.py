@@ -38,6 +38,7 @@ def clean_environment(**more: str) -> dict[str, str]:
         "PIP_ROOT_USER_ACTION": "ignore",
         "PYTHONNOUSERSITE": "1",
         "PYTHONDONTWRITEBYTECODE": "1",
+        "CXX": "/usr/bin/g++",  # one name for all builds, so that ccache knows them as the same
         "CCACHE_DIR": str(BUILD / "ccache"),
         "CMAKE_CXX_COMPILER_LAUNCHER": "ccache",
     }
