@@ -28,11 +28,13 @@ Corners counter_clockwise(Corners t) {
   return t;
 }
 
-Box2 box_of(const Corners& t) {
-  Box2 box(t[0]);
-  box.extend(t[1]);
-  box.extend(t[2]);
-  return box;
+/// The bounding box, smaller by depth on every side, but not empty: triangles that penetrate each other by twice as much
+/// have boxes that do.
+Box2 inner_box(const Corners& t, double depth) {
+  const Eigen::Vector2d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]);
+  const Eigen::Vector2d high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
+  const Eigen::Vector2d inset = Eigen::Vector2d::Constant(depth).cwiseMin((high - low) / 2);
+  return Box2(low + inset, high - inset);
 }
 
 /// True if b reaches more than depth behind every edge of a. Both counter-clockwise.
@@ -50,20 +52,25 @@ bool penetrate(const Corners& a, const Corners& b, double depth) {
   return reaches_behind_every_edge(a, b, depth) && reaches_behind_every_edge(b, a, depth);
 }
 
-/// Marks the pairs (candidate, any face) that overlap.
+/// Flags the faces of all pairs (candidate, any face) that overlap.
 std::vector<bool> overlaps_with(const std::vector<int>& candidates, const Triangles& faces, const Positions2& uv,
                                 double depth) {
   std::vector<Box2> boxes;
   boxes.reserve(candidates.size());
-  for (const int face : candidates) boxes.push_back(box_of(corners_of(faces, uv, face)));
+  std::vector<bool> is_candidate(static_cast<std::size_t>(faces.rows()), false);
+  for (const int face : candidates) {
+    boxes.push_back(inner_box(corners_of(faces, uv, face), depth / 2));
+    is_candidate[static_cast<std::size_t>(face)] = true;
+  }
   const BoxTree tree(boxes);
 
   std::vector<bool> overlaps(static_cast<std::size_t>(faces.rows()), false);
   for (int face = 0; face < faces.rows(); ++face) {
     const Corners triangle = corners_of(faces, uv, face);
-    tree.for_each_meeting(box_of(triangle), [&](int item) {
+    const bool is_both = is_candidate[static_cast<std::size_t>(face)];
+    tree.for_each_meeting(inner_box(triangle, depth / 2), [&](int item) {
       const int other = candidates[static_cast<std::size_t>(item)];
-      if (other == face) return;
+      if (is_both && other <= face) return;  // itself, or a pair seen from the other side
       if (penetrate(counter_clockwise(triangle), counter_clockwise(corners_of(faces, uv, other)), depth)) {
         overlaps[static_cast<std::size_t>(face)] = true;
         overlaps[static_cast<std::size_t>(other)] = true;
