@@ -2,7 +2,8 @@
 // The strings that stand for the enums of the public API in Python.
 #pragma once
 
-#include <iterator>
+#include <cstddef>
+#include <stdexcept>
 
 #include "wirewarp/options.h"
 #include "wirewarp/result.h"
@@ -21,23 +22,43 @@ inline constexpr Named<NodeWeight> kNodeWeights[] = {{NodeWeight::length, "lengt
 
 inline constexpr Named<Inner> kInners[] = {{Inner::minimum, "minimum"}, {Inner::least_norm, "least-norm"}};
 
-inline constexpr Named<WireKind> kWireKinds[] = {{WireKind::boundary, "boundary"},
-                                                 {WireKind::rigid, "rigid"},
-                                                 {WireKind::elastic, "elastic"},
-                                                 {WireKind::super_elastic, "super_elastic"}};
-
-inline constexpr Named<Termination> kTerminations[] = {{Termination::converged, "converged"},
-                                                       {Termination::failed, "failed"},
-                                                       {Termination::cancelled, "cancelled"},
-                                                       {Termination::measured, "measured"}};
-
-/// The string of a value; every value of an enum is in its table.
+/// The string of a value that its table holds.
 template <class Enum, std::size_t N>
 const char* name_of(Enum value, const Named<Enum> (&names)[N]) {
   for (const Named<Enum>& entry : names) {
     if (entry.value == value) return entry.name;
   }
-  throw std::logic_error("an enum value has no name");
+  throw std::logic_error("an option has no name");
+}
+
+constexpr const char* name_of(WireKind kind) {
+  switch (kind) {
+    case WireKind::boundary:
+      return "boundary";
+    case WireKind::rigid:
+      return "rigid";
+    case WireKind::elastic:
+      return "elastic";
+    case WireKind::super_elastic:
+      return "super_elastic";
+  }
+  throw std::logic_error("not a WireKind");
+}
+
+constexpr const char* name_of(Termination termination) {
+  switch (termination) {
+    case Termination::converged:
+      return "converged";
+    case Termination::stalled:
+      return "stalled";
+    case Termination::failed:
+      return "failed";
+    case Termination::cancelled:
+      return "cancelled";
+    case Termination::measured:
+      return "measured";
+  }
+  throw std::logic_error("not a Termination");
 }
 
 }  // namespace wirewarp::bindings

@@ -38,7 +38,7 @@ void bind_lengths(py::module_& module) {
       .field("wire_index", &WireReport::wire_index, "Index into the wires that were passed.")
       .field("part", &WireReport::part, "Counted along the wire; -1: the whole wire.")
       .field(
-          "kind", [](const WireReport& wire, py::handle) { return py::str(name_of(wire.kind, kWireKinds)); },
+          "kind", [](const WireReport& wire, py::handle) { return py::str(name_of(wire.kind)); },
           "'boundary', 'rigid', 'elastic' or 'super_elastic'.")
       .field("tolerance", &WireReport::tolerance, "Dimensionless; 0 on the boundary.")
       .field("length_3d", &WireReport::length_3d, "Scene units.")
@@ -82,9 +82,9 @@ void bind_piece_parts(py::module_& module) {
 
   Record<PieceReport>(module, "PieceReport", "What the solver did for one piece.")
       .field(
-          "termination",
-          [](const PieceReport& report, py::handle) { return py::str(name_of(report.termination, kTerminations)); },
-          "'converged', 'failed', 'cancelled' or 'measured'.")
+          "termination", [](const PieceReport& report, py::handle) { return py::str(name_of(report.termination)); },
+          "'converged', 'stalled' (short of the method's criterion: see warnings), 'failed', 'cancelled' or "
+          "'measured'.")
       .field("message", &PieceReport::message, "One sentence.")
       .field("warnings", &PieceReport::warnings, "Sentences.")
       .field("inner_solves", &PieceReport::inner_solves, "Factorizations of the inner problem.")

@@ -26,7 +26,6 @@ class ErrorCode(StrEnum):
     hinged_wire = "hinged_wire"
     separate_loops = "separate_loops"
     infeasible_lengths = "infeasible_lengths"
-    not_converged = "not_converged"
     cancelled = "cancelled"
     uv_discontinuous = "uv_discontinuous"
     no_layout = "no_layout"

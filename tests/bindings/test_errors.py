@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One exception type, one enum of codes, with a meaning and a remedy each."""
+
+import copy
+import json
+import pickle
+from enum import Enum
+
+import numpy as np
+import pytest
+from surfaces import half_cylinder, tetrahedron
+from wirewarp import ErrorCode, FlattenError, flatten
+
+EXAMPLE = FlattenError("hinged_wire", "Wire 2 ends inside.", [4, 5], [(4, 5)], [7], True)
+
+
+def test_every_code_is_a_string_with_a_meaning_and_a_remedy():
+    assert issubclass(ErrorCode, str)
+    assert issubclass(ErrorCode, Enum)
+    assert ErrorCode.zero_area_face == "zero_area_face"
+    for code in ErrorCode:
+        assert code.name == code.value
+        for sentence in (code.meaning, code.remedy):
+            assert sentence[0].isupper(), code
+            assert sentence[-1] == ".", code
+
+
+def test_codes_do_not_share_meanings():
+    assert len({code.meaning for code in ErrorCode}) == len(ErrorCode)
+
+
+def test_an_error_is_a_value_error_that_reads_as_its_sentence():
+    assert isinstance(EXAMPLE, ValueError)
+    assert str(EXAMPLE) == EXAMPLE.message == "Wire 2 ends inside."
+    assert EXAMPLE.code is ErrorCode.hinged_wire
+    assert (EXAMPLE.vertices, EXAMPLE.edges, EXAMPLE.faces) == ((4, 5), ((4, 5),), (7,))
+    assert EXAMPLE.has_layout
+
+
+def test_an_error_needs_a_known_code():
+    with pytest.raises(ValueError, match="bad_luck"):
+        FlattenError("bad_luck", "Something went wrong.")
+
+
+@pytest.mark.parametrize("clone", [copy.copy, copy.deepcopy, lambda error: pickle.loads(pickle.dumps(error))])
+def test_an_error_survives_copying_and_pickling(clone):
+    twin = clone(EXAMPLE)
+    assert type(twin) is FlattenError
+    assert twin.to_dict() == EXAMPLE.to_dict()
+    assert str(twin) == str(EXAMPLE)
+
+
+def test_an_error_as_plain_values():
+    assert json.loads(json.dumps(EXAMPLE.to_dict())) == {
+        "code": "hinged_wire",
+        "message": "Wire 2 ends inside.",
+        "vertices": [4, 5],
+        "edges": [[4, 5]],
+        "faces": [7],
+        "has_layout": True,
+    }
+
+
+def test_a_raised_error_carries_its_elements():
+    vertices, faces = half_cylinder()
+    with pytest.raises(FlattenError) as caught:
+        flatten(vertices, faces, seams=[[0, 1], [0, 40]])
+    assert caught.value.code is ErrorCode.seam_not_an_edge
+    assert caught.value.edges == ((0, 40),)
+    assert not caught.value.has_layout
+
+
+def test_a_bad_chart_carries_its_error_and_spares_the_others():
+    vertices, faces = half_cylinder()
+    ball_vertices, ball_faces = tetrahedron()
+    result = flatten(np.vstack([vertices, ball_vertices + 5]), np.vstack([faces, ball_faces + len(vertices)]))
+    good, bad = sorted(result.pieces, key=lambda piece: -len(piece.source_face))
+    assert good.error is None
+    assert isinstance(bad.error, FlattenError)
+    assert bad.error.code is ErrorCode.closed_chart
+    assert bad.report.termination == "failed"
+    assert np.isnan(result.corner_uv[len(faces) :]).all()
+    assert np.isfinite(result.corner_uv[: len(faces)]).all()
+    assert result.report["pieces"] == 2
+    assert result.report["failed_pieces"] == 1

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Progress, cancelling, and several threads."""
+
+import signal
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+import wirewarp
+from surfaces import chain_edges, column_chain, half_cylinder, spherical_patch
+
+
+def test_progress_goes_from_nothing_to_everything():
+    calls = []
+    vertices, faces = half_cylinder()
+    wirewarp.flatten(
+        vertices, faces, seams=chain_edges(column_chain(8, 4, 4)), progress=lambda *call: calls.append(call)
+    )
+    stages, fractions = zip(*calls, strict=True)
+    assert all(isinstance(stage, str) for stage in stages)
+    assert list(fractions) == sorted(fractions)
+    assert (fractions[0], fractions[-1]) == (0, 1)
+
+
+@pytest.mark.parametrize("answer", [False, np.False_, 0])
+def test_a_false_answer_cancels(answer):
+    calls = []
+
+    def progress(stage, fraction):
+        calls.append(stage)
+        return answer
+
+    result = wirewarp.flatten(*half_cylinder(), progress=progress)
+    assert len(calls) == 1
+    assert [piece.error.code for piece in result.pieces] == [wirewarp.ErrorCode.cancelled]
+    assert result.pieces[0].report.termination == "cancelled"
+    assert np.isnan(result.corner_uv).all()
+
+
+@pytest.mark.parametrize("answer", [True, None, 1])
+def test_any_other_answer_goes_on(answer):
+    result = wirewarp.flatten(*half_cylinder(), progress=lambda stage, fraction: answer)
+    assert result.pieces[0].error is None
+
+
+def test_an_exception_in_progress_stops_the_run_and_arrives():
+    error = RuntimeError("no more")
+    calls = []
+
+    def progress(stage, fraction):
+        calls.append(stage)
+        raise error
+
+    with pytest.raises(RuntimeError) as caught:
+        wirewarp.flatten(*half_cylinder(), progress=progress)
+    assert caught.value is error
+    assert len(calls) == 1
+
+
+def test_an_answer_that_cannot_be_judged_is_an_exception():
+    with pytest.raises(ValueError, match="ambiguous"):
+        wirewarp.flatten(*half_cylinder(), progress=lambda stage, fraction: np.zeros(2))
+
+
+def test_ctrl_c_stops_the_run():
+    with pytest.raises(KeyboardInterrupt):
+        wirewarp.flatten(*half_cylinder(), progress=lambda stage, fraction: signal.raise_signal(signal.SIGINT))
+
+
+@pytest.fixture
+def no_forced_switches():
+    """Threads change only where one lets go of the GIL by itself."""
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1000)
+    yield
+    sys.setswitchinterval(interval)
+
+
+@pytest.mark.parametrize("measuring", [False, True], ids=["flatten", "measure"])
+def test_other_threads_run_meanwhile(no_forced_switches, measuring):
+    vertices, faces = spherical_patch(columns=60, rows=60)
+    uv = wirewarp.flatten(vertices, faces).corner_uv if measuring else None
+    ticks = 0
+    stop = threading.Event()
+
+    def tick():
+        nonlocal ticks
+        while not stop.is_set():
+            ticks += 1
+            time.sleep(0)  # offers the GIL
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    before = ticks
+    if measuring:
+        wirewarp.measure(vertices, faces, uv)
+    else:
+        wirewarp.flatten(vertices, faces)
+    after = ticks
+    stop.set()
+    thread.join()
+    assert after > before
+
+
+def test_two_threads_flatten_as_each_would_alone():
+    meshes = [half_cylinder(20, 20), spherical_patch(20, 20)] * 2
+    alone = [wirewarp.flatten(*mesh).corner_uv for mesh in meshes]
+    reported = [[] for _ in meshes]
+
+    def run(index):
+        return wirewarp.flatten(
+            *meshes[index], progress=lambda stage, fraction: reported[index].append(stage)
+        ).corner_uv
+
+    with ThreadPoolExecutor(len(meshes)) as pool:
+        together = list(pool.map(run, range(len(meshes))))
+    for one, other in zip(alone, together, strict=True):
+        assert np.array_equal(one, other)
+    assert all(reported)

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Wire and Options are right once they exist."""
+
+import array
+import json
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from wirewarp import ErrorCode, FlattenError, Options, Wire
+
+
+@pytest.mark.parametrize(
+    "vertices",
+    [
+        [3, 1, 2],
+        (3, 1, 2),
+        array.array("i", [3, 1, 2]),
+        np.array([3, 1, 2], np.uint8),
+        np.array([3, 9, 1, 9, 2, 9], np.int64)[::2],
+        [np.int64(3), np.uint8(1), 2],
+        range(3, 0, -1),
+    ],
+    ids=repr,
+)
+def test_any_sequence_of_whole_numbers_makes_a_wire(vertices):
+    assert Wire(vertices).vertices.tolist() == [int(v) for v in vertices]
+
+
+def test_a_wire_keeps_what_it_was_given():
+    wire = Wire([0, 1], math.inf, "bust")
+    assert (wire.tolerance, wire.name) == (math.inf, "bust")
+    assert (Wire([0, 1]).tolerance, Wire([0, 1]).name) == (0.0, "")
+    assert Wire([0, 1], tolerance=np.float32(0.25)).tolerance == 0.25
+
+
+def test_a_checked_wire_cannot_be_changed():
+    wire = Wire([0, 1])
+    with pytest.raises(ValueError, match="read-only"):
+        wire.vertices[0] = -5
+    with pytest.raises(AttributeError):
+        wire.tolerance = -1.0
+
+
+@pytest.mark.parametrize(
+    ("vertices", "code"),
+    [
+        ([0, True], ErrorCode.invalid_type),
+        (np.array([True, False]), ErrorCode.invalid_type),
+        ([0, 1.0], ErrorCode.invalid_type),
+        (np.array([0.0, 1.0]), ErrorCode.invalid_type),
+        ([0, None], ErrorCode.invalid_type),
+        ("01", ErrorCode.invalid_type),
+        ({0, 1}, ErrorCode.invalid_type),
+        (None, ErrorCode.invalid_type),
+        (7, ErrorCode.invalid_type),
+        (np.array([[0, 1]]), ErrorCode.invalid_shape),
+        ([], ErrorCode.wire_too_short),
+        ([4], ErrorCode.wire_too_short),
+        (np.array([4]), ErrorCode.wire_too_short),
+        ([0, 2**31], ErrorCode.vertex_out_of_range),
+        ([0, -(2**80)], ErrorCode.vertex_out_of_range),
+        (np.array([0, 2**40]), ErrorCode.vertex_out_of_range),
+        (np.array([0, 2**64 - 1], np.uint64), ErrorCode.vertex_out_of_range),
+    ],
+    ids=repr,
+)
+def test_what_is_no_chain_is_refused(vertices, code):
+    with pytest.raises(FlattenError) as caught:
+        Wire(vertices)
+    assert caught.value.code is code
+
+
+@pytest.mark.parametrize(
+    ("tolerance", "code"),
+    [
+        (-0.01, ErrorCode.invalid_tolerance),
+        (-math.inf, ErrorCode.invalid_tolerance),
+        (math.nan, ErrorCode.invalid_tolerance),
+        ("0.1", ErrorCode.invalid_type),
+        (None, ErrorCode.invalid_type),
+        (True, ErrorCode.invalid_type),
+        (np.True_, ErrorCode.invalid_type),
+        ([0.1], ErrorCode.invalid_type),
+        (0.1 + 0j, ErrorCode.invalid_type),
+        (Fraction(1, 10), ErrorCode.invalid_type),
+    ],
+    ids=repr,
+)
+def test_what_is_no_tolerance_is_refused(tolerance, code):
+    with pytest.raises(FlattenError) as caught:
+        Wire([0, 1], tolerance)
+    assert caught.value.code is code
+
+
+def test_a_wire_name_is_a_string():
+    with pytest.raises(FlattenError, match="int") as caught:
+        Wire([0, 1], name=3)
+    assert caught.value.code is ErrorCode.invalid_type
+
+
+def test_what_a_number_raises_is_not_swallowed():
+    class Broken:
+        def __index__(self):
+            raise OSError("the disk is gone")
+
+    with pytest.raises(OSError, match="the disk is gone"):
+        Wire([0, Broken()])
+
+
+CHANGED = {"node_weight": "uniform", "inner": "least-norm", "gap": 0.5, "mirror": True}
+
+
+@pytest.mark.parametrize(("name", "value"), CHANGED.items())
+def test_an_option_is_the_same_however_it_is_set(name, value):
+    later = Options()
+    assert getattr(later, name) != value
+    setattr(later, name, value)
+    assert getattr(later, name) == getattr(Options(**{name: value}), name) == value
+    assert later.to_dict() == Options().to_dict() | {name: value}
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "allowed"),
+    [
+        ("method", "magic", "'wirewarping'"),
+        ("method", 3, "'wirewarping'"),
+        ("method", None, "'wirewarping'"),
+        ("node_weight", "Length", "'length' or 'uniform'"),
+        ("inner", "least_norm", "'minimum' or 'least-norm'"),
+        ("gap", -0.1, "0 to 1"),
+        ("gap", 1.5, "0 to 1"),
+        ("gap", math.nan, "0 to 1"),
+        ("gap", math.inf, "0 to 1"),
+        ("mirror", 1, "True or False"),
+        ("mirror", "yes", "True or False"),
+    ],
+)
+def test_an_unknown_value_is_named_with_the_allowed_ones(name, value, allowed):
+    options = Options()
+    for attempt in (lambda: Options(**{name: value}), lambda: setattr(options, name, value)):
+        with pytest.raises(FlattenError) as caught:
+            attempt()
+        assert caught.value.code is ErrorCode.invalid_option
+        assert name in str(caught.value)
+        assert repr(value) in str(caught.value)
+        assert allowed in str(caught.value)
+    assert options.to_dict() == Options().to_dict()
+
+
+@pytest.mark.parametrize("gap", ["0.1", None, True])
+def test_a_gap_is_a_number(gap):
+    with pytest.raises(FlattenError) as caught:
+        Options(gap=gap)
+    assert caught.value.code is ErrorCode.invalid_type
+
+
+def test_an_option_that_does_not_exist_is_an_error():
+    with pytest.raises(TypeError, match="wrinkles"):
+        Options(wrinkles=3)
+
+
+def test_options_and_wires_as_plain_values():
+    assert json.loads(json.dumps(Wire([0, 1], math.inf, "bust").to_dict(), allow_nan=False)) == {
+        "vertices": [0, 1],
+        "tolerance": None,
+        "name": "bust",
+    }
+    assert repr(Wire(np.arange(5), 0.25, "hem")) == "Wire(vertices=array(5,), tolerance=0.25, name='hem')"
+    assert "gap=0.5" in repr(Options(gap=0.5))
