@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whole runs at 10k, 100k and 1M triangles with 2 and 8 wires: the time of each stage and the peak memory.
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <string>
+
+#include "bumpy_sheet.h"
+#include "peak_memory.h"
+
+namespace wirewarp {
+namespace {
+
+void flatten_sheet(benchmark::State& state) {
+  const FlattenInput input = bumpy_sheet(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  reset_peak_memory();
+  std::map<std::string, double> seconds;
+  for (auto _ : state) {
+    const FlattenResult result = flatten(input);
+    if (result.pieces.at(0).error) state.SkipWithError(result.pieces.at(0).error->what());
+    for (const auto& [stage, time] : result.seconds) seconds[stage] += time;
+  }
+  for (const auto& [stage, time] : seconds) {
+    state.counters[stage + "_ms"] = benchmark::Counter(1e3 * time, benchmark::Counter::kAvgIterations);
+  }
+  state.counters["peak_MB"] = peak_memory_mb();
+}
+BENCHMARK(flatten_sheet)
+    ->ArgNames({"triangles", "wires"})
+    ->ArgsProduct({{10'000, 100'000, 1'000'000}, {2, 8}})
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace wirewarp
+
+BENCHMARK_MAIN();

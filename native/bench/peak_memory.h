@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace wirewarp {
+
+/// Starts a new measurement of the peak of this process's resident memory (Linux).
+void reset_peak_memory();
+
+/// The peak since then, megabytes.
+double peak_memory_mb();
+
+}  // namespace wirewarp
