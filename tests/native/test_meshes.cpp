@@ -50,6 +50,19 @@ Eigen::Vector3d on_sphere(double longitude, double latitude) {
 
 FlattenInput make_grid(int nx, int ny, const Surface& surface) { return make_mesh(nx, ny, nx + 1, surface); }
 
+void alternate_diagonals(FlattenInput& grid, int nx) {
+  for (int f = 0; f < grid.faces.rows(); f += 2) {
+    const int quad = f / 2;
+    if ((quad % nx + quad / nx) % 2 == 0) continue;
+    const int a = grid.faces(f, 0);
+    const int b = grid.faces(f, 1);
+    const int c = grid.faces(f, 2);
+    const int d = grid.faces(f + 1, 2);
+    grid.faces.row(f) << a, b, d;
+    grid.faces.row(f + 1) << b, c, d;
+  }
+}
+
 FlattenInput make_tube(int nx, int ny, const Surface& surface) { return make_mesh(nx, ny, nx, surface); }
 
 std::vector<int> grid_row(int nx, int j) {
@@ -161,9 +174,11 @@ FlattenInput cylinder_tube(int nx, int ny, double radius, double height) {
 }
 
 FlattenInput quarter_sphere(int n) {
-  FlattenInput input = make_grid(2 * n, n, [](double s, double t) { return on_sphere(kPi * s, t * kPi * 75 / 180); });
-  add_wire(input, grid_column(2 * n, n, n), 0, "meridian");
-  add_wire(input, grid_row(2 * n, n / 2), 0, "parallel");
+  FlattenInput input = make_grid(
+      n, 2 * n, [](double s, double t) { return on_sphere(kPi / 2 * s, kPi * 75 / 180 * (2 * t - 1)); });
+  alternate_diagonals(input, n);
+  add_wire(input, grid_column(n, 2 * n, n / 2), 0, "meridian");
+  add_wire(input, grid_row(n, n), 0, "equator");
   return input;
 }
 

@@ -16,7 +16,10 @@ using Surface = std::function<Eigen::Vector3d(double s, double t)>;
 /// nx by ny quads over the unit square, each cut from its lower left to its upper right corner; vertex i + (nx+1) j.
 FlattenInput make_grid(int nx, int ny, const Surface& surface);
 
-/// The same closed in s: surface(0, t) = surface(1, t). Vertex i + nx j.
+/// Cuts every second quad of a grid, as on a checkerboard, from its lower right to its upper left corner instead.
+void alternate_diagonals(FlattenInput& grid, int nx);
+
+/// A grid closed in s: surface(0, t) = surface(1, t). Vertex i + nx j.
 FlattenInput make_tube(int nx, int ny, const Surface& surface);
 
 /// Vertices of row j from left to right, of column i from bottom to top.
@@ -55,8 +58,8 @@ FlattenInput cone_patch(int nx, int ny, double near, double far, double half_ang
 FlattenInput cylinder_tube(int nx, int ny, double radius, double height);
 
 // Doubly curved.
-/// Half way around the unit sphere and 75 degrees up from the equator, 2n by n quads, with rigid wires on the middle
-/// meridian and the middle parallel (the shape of the paper's Fig. 1).
+/// A quarter of the unit sphere from 75 degrees south to 75 degrees north, n by 2n quads with alternating diagonals, and
+/// rigid wires along the middle meridian and the equator (the shape of the paper's Fig. 1).
 FlattenInput quarter_sphere(int n);
 /// z = bend (x² − y²) over the square of side 2.
 FlattenInput saddle(int n, double bend);
