@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from .element_names import name_elements
 from .issues import Issue, ObjectError
 from .mesh_to_arrays import MeshArrays
 
@@ -46,14 +47,14 @@ def flatten_arrays(library: ModuleType, arrays: MeshArrays, choices: FlattenChoi
 
 def issue_of_error(error: Any, arrays: MeshArrays, piece: int | None = None) -> Issue:  # noqa: ANN401
     """The library's error, its triangles named as the polygons they are part of."""
-    triangles = np.asarray(error.faces, dtype=np.int64)
+    faces = np.unique(arrays.triangle_polygons[list(error.faces)]).tolist() if error.faces else []
     return Issue(
         code=str(error.code),
-        sentence=str(error),
+        sentence=name_elements(str(error), arrays.triangle_polygons, faces, [wire.name for wire in arrays.wires]),
         piece=piece,
         vertices=[int(vertex) for vertex in error.vertices],
         edges=[(int(a), int(b)) for a, b in error.edges],
-        faces=np.unique(arrays.triangle_polygons[triangles]).tolist() if len(triangles) else [],
+        faces=faces,
     )
 
 

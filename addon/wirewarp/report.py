@@ -104,7 +104,7 @@ def _seam(index: int, seam: Any, failed: set, meters: float) -> dict:  # noqa: A
     return {
         "index": index,
         "pieces": [int(piece) for piece in seam.pieces],
-        "edges": len(seam.edges),
+        "edges": np.asarray(seam.edges).tolist(),
         **sides,
         "mismatch": number(seam.mismatch),
         "mismatch_m": number(seam.mismatch * meters),

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The library's sentences number triangles and wires; people know Blender's faces and the wires' names. No Blender."""
+
+import re
+from collections.abc import Sequence
+
+import numpy as np
+
+_LISTED = re.compile(r"\b(face|wire)s? (\d+(?:, \d+)*(?: and \d+)?)( more)?")
+
+
+def name_elements(sentence: str, triangle_polygons: np.ndarray, faces: Sequence[int], wire_names: list[str]) -> str:
+    """The sentence with "face(s) 3, 4 and 12 more" in polygons instead of triangles, and wires by their names.
+
+    faces: all polygons the sentence is about, from which "12 more" is counted anew.
+    """
+
+    def translate(match: re.Match) -> str:
+        noun, listed, more = match.groups()
+        numbers = [int(number) for number in re.findall(r"\d+", listed)]
+        hidden = numbers.pop() if more else 0
+        if noun == "wire":
+            names = [f'"{wire_names[number]}"' for number in numbers]
+        else:
+            polygons = list(dict.fromkeys(int(triangle_polygons[number]) for number in numbers))
+            hidden = len(set(faces) - set(polygons)) if more else 0
+            names = [str(polygon) for polygon in polygons]
+        return _list(noun, names + ([f"{hidden} more"] if hidden else []))
+
+    return _LISTED.sub(translate, sentence)
+
+
+def _list(noun: str, names: list[str]) -> str:
+    if len(names) == 1:
+        return f"{noun} {names[0]}"
+    return f"{noun}s {', '.join(names[:-1])} and {names[-1]}"

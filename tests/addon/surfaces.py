@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Small surfaces to flatten, and the ways to select and measure their edges."""
+
+import math
+from collections.abc import Callable
+
+import bmesh
+import bpy
+import numpy as np
+
+
+def make_object(name: str, vertices: list, faces: list) -> bpy.types.Object:
+    """A new mesh object in the scene, active and the only one selected."""
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata(vertices, [], faces)
+    target = bpy.data.objects.new(name, mesh)
+    bpy.context.scene.collection.objects.link(target)
+    select_only(target)
+    return target
+
+
+def select_only(*targets: bpy.types.Object) -> None:
+    bpy.context.view_layer.update()  # a new object can be selected only once the view layer knows it
+    for other in bpy.context.view_layer.objects:
+        other.select_set(other in targets)
+    bpy.context.view_layer.objects.active = targets[0]
+    bpy.context.view_layer.update()
+
+
+def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads") -> bpy.types.Object:
+    """shape(x, y) over the square from -1 to 1 with size by size cells of quads, triangles or n-gons.
+
+    The n-gons are pairs of cells; on the outline their corners must not be in line, or a triangle has no area.
+    """
+    steps = [2 * i / size - 1 for i in range(size + 1)]
+    vertices = [shape(x, y) for y in steps for x in steps]
+    row = size + 1
+    cells = {
+        "quads": lambda i: [[i, i + 1, i + row + 1, i + row]],
+        "triangles": lambda i: [[i, i + 1, i + row + 1], [i, i + row + 1, i + row]],
+        "ngons": lambda i: [[i, i + 1, i + 2, i + row + 2, i + row + 1, i + row]] if i % row % 2 == 0 else [],
+    }[faces]
+    polygons = [face for y in range(size) for x in range(size) for face in cells(y * row + x)]
+    return make_object(name, vertices, polygons)
+
+
+def bump(x: float, y: float) -> tuple[float, float, float]:
+    """A shallow dome over the square."""
+    return (x, y, 0.4 * (1 - x * x) * (1 - y * y))
+
+
+def round_bump(x: float, y: float) -> tuple[float, float, float]:
+    """The bump over a square with bulging sides: no three vertices of its outline are in line."""
+    return (x * (1.3 - 0.3 * y * y), y * (1.3 - 0.3 * x * x), 0.4 * (1 - x * x) * (1 - y * y))
+
+
+def half_cylinder(x: float, y: float) -> tuple[float, float, float]:
+    """Radius 1, axis along y: developable."""
+    angle = math.pi * x / 2
+    return (math.sin(angle), y, math.cos(angle))
+
+
+def on_line(axis: int, value: float) -> Callable:
+    """For edges of which both ends have this coordinate."""
+    return lambda a, b: abs(a[axis] - value) < 1e-6 and abs(b[axis] - value) < 1e-6
+
+
+def select_edges(target: bpy.types.Object, *lines: Callable) -> None:
+    """Enters Edit Mode with the edges selected for which one of `lines` is true of their ends."""
+    select_only(target)
+    if target.mode != "EDIT":
+        bpy.ops.object.mode_set(mode="EDIT")
+    bpy.context.tool_settings.mesh_select_mode = (False, True, False)
+    bpy.ops.mesh.select_all(action="DESELECT")
+    edit = bmesh.from_edit_mesh(target.data)
+    for edge in edit.edges:
+        if any(line(*(vertex.co for vertex in edge.verts)) for line in lines):
+            edge.select_set(True)
+    bmesh.update_edit_mesh(target.data)
+
+
+def mark(target: bpy.types.Object, *lines: Callable, **settings: object) -> None:
+    """Marks the edges as wires, and back to Object Mode."""
+    select_edges(target, *lines)
+    bpy.ops.mesh.wirewarp_mark(**settings)
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def mark_seam(target: bpy.types.Object, line: Callable) -> None:
+    select_edges(target, line)
+    bpy.ops.mesh.mark_seam(clear=False)
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def wire_marks(mesh: bpy.types.Mesh) -> dict[tuple[int, float], int]:
+    """How many edges carry each id and tolerance."""
+    if "wirewarp_wire" not in mesh.attributes:
+        return {}
+    ids = read(mesh.attributes["wirewarp_wire"].data, "value", np.int32)
+    tolerances = read(mesh.attributes["wirewarp_tolerance"].data, "value", np.float32)
+    keys, counts = np.unique(np.column_stack([ids, tolerances.astype(float)])[ids != 0], axis=0, return_counts=True)
+    return {(int(wire), float(tolerance)): int(count) for (wire, tolerance), count in zip(keys, counts, strict=True)}
+
+
+def flat_of(source: bpy.types.Object) -> bpy.types.Object:
+    return bpy.data.objects[f"{source.name} Flat"]
+
+
+def edge_lengths(target: bpy.types.Object) -> np.ndarray:
+    """Of every edge, in world space, from the float32 coordinates in double precision."""
+    mesh = target.data
+    linear = np.array(target.matrix_world, dtype=np.float64)[:3, :3]
+    positions = read(mesh.vertices, "co", np.float32, 3).astype(np.float64) @ linear.T
+    a, b = edge_vertices(mesh).T
+    return np.linalg.norm(positions[a] - positions[b], axis=1)
+
+
+def edge_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
+    return read(mesh.edges, "vertices", np.int32, 2)
+
+
+def uv_of(mesh: bpy.types.Mesh, layer: str = "WireWarp") -> np.ndarray:
+    return read(mesh.uv_layers[layer].data, "uv", np.float32, 2)
+
+
+def read(collection: object, name: str, dtype: type, columns: int = 1) -> np.ndarray:
+    values = np.empty(len(collection) * columns, dtype=dtype)
+    collection.foreach_get(name, values)
+    return values.reshape(-1, columns) if columns > 1 else values

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Marks are mesh attributes: they go where the mesh goes."""
+
+import bpy
+import pytest
+from surfaces import bump, grid, mark, mark_seam, on_line, select_only, wire_marks
+
+
+@pytest.fixture
+def marked():
+    target = grid("Bump", bump)
+    mark(target, on_line(1, 0.0), kind="ELASTIC", tolerance=0.05)
+    mark(target, on_line(0, 0.0), kind="SUPER_ELASTIC")
+    mark_seam(target, on_line(0, 0.5))
+    return target
+
+
+def test_save_and_load(marked, tmp_path):
+    marked.data.wirewarp_names[0].name = "Bust"
+    before = wire_marks(marked.data)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "marked.blend"))
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "marked.blend"))
+    loaded = bpy.data.objects["Bump"]
+    assert wire_marks(loaded.data) == before
+    assert loaded.data.wirewarp_names[0].name == "Bust"
+
+
+def test_duplicate(marked):
+    before = wire_marks(marked.data)
+    bpy.ops.object.duplicate()
+    assert bpy.context.active_object is not marked
+    assert wire_marks(bpy.context.active_object.data) == before
+
+
+def test_append(marked, tmp_path):
+    before = wire_marks(marked.data)
+    path = str(tmp_path / "marked.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    with bpy.data.libraries.load(path) as (_, wanted):
+        wanted.objects = ["Bump"]
+    assert wire_marks(wanted.objects[0].data) == before
+
+
+def test_join_keeps_both_objects_wires(marked):
+    other = grid("Other", bump)
+    mark(other, on_line(1, 0.25))
+    both = wire_marks(marked.data) | wire_marks(other.data)
+    select_only(marked, other)
+    bpy.ops.object.join()
+    assert wire_marks(marked.data) == both
+
+
+def test_subdividing_keeps_the_wires_on_their_lines(marked):
+    before = wire_marks(marked.data)
+    select_only(marked)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.subdivide()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert wire_marks(marked.data) == {key: 2 * count for key, count in before.items()}

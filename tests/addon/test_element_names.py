@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Triangles become faces and wire numbers become names in the library's sentences."""
+
+import numpy as np
+import pytest
+
+TWO_TRIANGLES_A_FACE = np.arange(40) // 2
+
+
+@pytest.mark.parametrize(
+    ("sentence", "faces", "expected"),
+    [
+        (
+            "There is no area in faces 6 and 9: dissolve them.",
+            [3, 4],
+            "There is no area in faces 3 and 4: dissolve them.",
+        ),
+        ("There is no area in faces 6 and 7.", [3], "There is no area in face 3."),
+        ("At faces 0, 1, 2, 3, 4 and 3 more.", [0, 1, 2, 9], "At faces 0, 1, 2 and 1 more."),
+        ("At faces 0, 2, 4, 6, 8 and 1 more.", [0, 1, 2, 3, 4], "At faces 0, 1, 2, 3 and 4."),
+        (
+            "The outline and wire 1 around face 30 of 3 faces.",
+            [],
+            'The outline and wire "Hip" around face 15 of 3 faces.',
+        ),
+        ("Wires: wires 0 and 1 at vertex 7.", [], 'Wires: wires "Bust" and "Hip" at vertex 7.'),
+    ],
+)
+def test_names(addon, sentence, faces, expected):
+    assert addon.element_names.name_elements(sentence, TWO_TRIANGLES_A_FACE, faces, ["Bust", "Hip"]) == expected

@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flatten: what it writes and that the lengths are true."""
+
+import math
+
+import bpy
+import numpy as np
+import pytest
+from surfaces import (
+    bump,
+    edge_lengths,
+    edge_vertices,
+    flat_of,
+    grid,
+    half_cylinder,
+    mark,
+    mark_seam,
+    on_line,
+    read,
+    round_bump,
+    select_edges,
+    select_only,
+    uv_of,
+)
+
+FLOAT32 = 2e-6  # relative: coordinates of about 1 and edges of about 0.2 in single precision
+
+
+def flat_sources(source):
+    """The source vertex of each flat vertex."""
+    return read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32)
+
+
+def lengths_by_source(source):
+    """(flat length, 3D length) of every edge of the flat object."""
+    flat = flat_of(source).data
+    pairs = np.sort(flat_sources(source)[edge_vertices(flat)], axis=1)
+    known = {
+        tuple(pair): length
+        for pair, length in zip(np.sort(edge_vertices(source.data)).tolist(), edge_lengths(source), strict=True)
+    }
+    return edge_lengths(flat_of(source)), np.array([known[tuple(pair)] for pair in pairs.tolist()])
+
+
+def rigid_mask(source, *lines):
+    """Edges of the flat object that lie on its outline or on one of the lines of the source."""
+    flat = flat_of(source).data
+    use = np.bincount(read(flat.loops, "edge_index", np.int32), minlength=len(flat.edges))
+    places = read(source.data.vertices, "co", np.float32, 3)[flat_sources(source)][edge_vertices(flat)]
+    on_wire = [any(line(a, b) for line in lines) for a, b in places]
+    return (use == 1) | np.array(on_wire)
+
+
+def assert_true_lengths(source, *lines, tolerance=FLOAT32):
+    flat, space = lengths_by_source(source)
+    mask = rigid_mask(source, *lines)
+    assert mask.sum() >= 4
+    assert flat[mask] == pytest.approx(space[mask], rel=tolerance)
+
+
+@pytest.mark.parametrize("faces", ["quads", "triangles", "ngons"])
+def test_outline_and_wire_keep_their_lengths(faces):
+    source = grid("Bump", round_bump, faces=faces)
+    wire = on_line(1, 0.0)
+    mark(source, wire)
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    assert_true_lengths(source, wire)
+    assert len(flat_of(source).data.polygons) == len(source.data.polygons)
+    assert len(flat_of(source).data.edges) == len(source.data.edges)
+
+
+def test_a_seam_cuts_and_both_its_sides_match():
+    source = grid("Bump", bump)
+    mark_seam(source, on_line(0, 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    assert_true_lengths(source)
+    sources = flat_sources(source)
+    assert len(sources) == len(source.data.vertices) + 9  # the nine vertices of the seam twice
+    assert sorted(set(read(flat_of(source).data.attributes["piece"].data, "value", np.int32))) == [0, 1]
+
+
+def test_a_developable_surface_comes_out_isometric():
+    source = grid("Half Cylinder", half_cylinder, size=16)
+    bpy.ops.object.wirewarp_flatten()
+    flat, space = lengths_by_source(source)
+    assert flat == pytest.approx(space, rel=FLOAT32)
+    ratio = read(flat_of(source).data.attributes["aspect_ratio"].data, "value", np.float32)
+    assert ratio == pytest.approx(1, abs=1e-5)
+
+
+def test_the_uv_map_is_active_in_the_unit_square_and_true_by_its_scale():
+    source = grid("Bump", bump)
+    source.data.uv_layers.new(name="Mine")
+    mark_seam(source, on_line(0, 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    assert source.data.uv_layers.active.name == "WireWarp"
+    uv = uv_of(source.data)
+    assert uv.min() == 0
+    assert uv.max() == 1
+    loops = read(flat_of(source).data.loops, "vertex_index", np.int32)
+    flat = read(flat_of(source).data.vertices, "co", np.float32, 3)[loops][:, :2]
+    scale = source.data["wirewarp_uv_scale"]
+    assert uv * scale == pytest.approx(flat - flat.min(axis=0), abs=1e-6 * scale)
+
+
+def test_faces_of_one_piece_agree_at_their_common_corners():
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    uv, vertices = uv_of(source.data), read(source.data.loops, "vertex_index", np.int32)
+    for vertex in range(len(source.data.vertices)):
+        assert len(np.unique(uv[vertices == vertex], axis=0)) == 1
+
+
+def test_the_flat_object_lies_in_its_own_plane_in_the_collection_and_faces_up():
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    flat = flat_of(source)
+    assert [collection.name for collection in flat.users_collection] == ["WireWarp"]
+    assert np.all(read(flat.data.vertices, "co", np.float32, 3)[:, 2] == 0)
+    assert np.all(read(flat.data.polygons, "normal", np.float32, 3)[:, 2] > 0.99)
+    assert tuple(flat.scale) == (1, 1, 1)
+    assert not flat.data.validate()
+
+
+def test_attributes_of_the_flat_object():
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    flat = flat_of(source).data
+    kinds = {a.name: (a.domain, a.data_type) for a in flat.attributes if not a.name.startswith(".")}
+    assert kinds["source_vertex"] == ("POINT", "INT")
+    assert kinds["arap_energy"] == kinds["aspect_ratio"] == ("FACE", "FLOAT")
+    assert kinds["length_variation"] == ("EDGE", "FLOAT")
+    for name in ("arap_energy_color", "aspect_ratio_color", "length_variation_color"):
+        assert name in flat.color_attributes
+    flat_length, space = lengths_by_source(source)
+    variation = read(flat.attributes["length_variation"].data, "value", np.float32)
+    assert variation == pytest.approx(np.abs(flat_length - space) / space, abs=1e-5)
+    assert variation.max() > 0.01
+
+
+def test_unapplied_scale_counts():
+    source = grid("Bump", bump)
+    source.scale = (3, 2, 0.5)
+    source.rotation_euler = (0.3, 0.4, 0.5)
+    bpy.ops.object.wirewarp_flatten()
+    assert_true_lengths(source, tolerance=2 * FLOAT32)
+    plain = grid("Plain", lambda x, y: tuple(np.array(bump(x, y)) * (3, 2, 0.5)))
+    bpy.ops.object.wirewarp_flatten()
+    areas = [sum(face.area for face in flat_of(target).data.polygons) for target in (source, plain)]
+    assert areas[0] == pytest.approx(areas[1], rel=1e-4)
+
+
+def corner(x, y):
+    """A half cylinder with one corner cut, to tell left from right: seen from outside the cut is at +x, +y."""
+    return half_cylinder(x, y * (1 if x < 0.9 or y < 0 else 0.5))
+
+
+@pytest.mark.parametrize("scale", [(1, 1, 1), (-1, 1, 1), (1, 1, -1), (-1, -1, -1)])
+def test_pieces_come_out_as_seen_from_outside(scale):
+    """The signed area of source corners taken counterclockwise from outside is positive in the flat piece."""
+    source = grid("Corner", corner)
+    source.scale = scale
+    bpy.ops.object.wirewarp_flatten()
+    flat = flat_of(source).data
+    assert np.all(read(flat.polygons, "normal", np.float32, 3)[:, 2] > 0.99)
+    to_flat = {int(s): i for i, s in enumerate(flat_sources(source))}
+    a, b, c = (np.array(flat.vertices[to_flat[i]].co) for i in (0, 8, 80))
+    mirrored = math.prod(scale) < 0
+    assert (np.cross(b - a, c - a)[2] < 0) == mirrored
+
+
+def test_seen_from_inside_is_the_mirror_image():
+    source = grid("Corner", corner)
+    bpy.ops.object.wirewarp_flatten(mirror=True)
+    assert np.all(read(flat_of(source).data.polygons, "normal", np.float32, 3)[:, 2] < -0.99)
+
+
+def test_twice_replaces():
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    flat, mesh = flat_of(source), flat_of(source).data
+    flat.name, flat.location = "My Pattern", (5, 6, 7)
+    before = len(bpy.data.objects), len(bpy.data.meshes), len(source.data.uv_layers)
+    mark_seam(source, on_line(0, 0.0))
+    select_only(source)
+    bpy.ops.object.wirewarp_flatten()
+    assert (len(bpy.data.objects), len(bpy.data.meshes), len(source.data.uv_layers)) == before
+    assert flat.data == mesh
+    assert tuple(flat.location) == (5, 6, 7)
+    assert len(mesh.vertices) == len(source.data.vertices) + 9
+    assert len(mesh.attributes["source_vertex"].data) == len(mesh.vertices)
+
+
+def test_a_copy_of_the_source_gets_pieces_of_its_own():
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    select_only(source)
+    bpy.ops.object.duplicate()
+    copy = bpy.context.active_object
+    bpy.ops.object.wirewarp_flatten()
+    assert flat_of(copy) != flat_of(source)
+
+
+def test_several_objects_and_what_is_not_flattened():
+    first, second = grid("First", bump), grid("Second", half_cylinder)
+    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    bpy.context.scene.collection.objects.link(camera)
+    bpy.ops.object.select_all(action="SELECT")
+    bpy.ops.object.wirewarp_flatten()
+    bpy.ops.object.select_all(action="SELECT")  # the flat objects too
+    bpy.ops.object.wirewarp_flatten()
+    assert sorted(o.name for o in bpy.data.objects if o.name.endswith("Flat")) == ["First Flat", "Second Flat"]
+    boxes = [[(flat_of(o).matrix_world @ v.co).x for v in flat_of(o).data.vertices] for o in (first, second)]
+    assert max(boxes[0]) < min(boxes[1]) or max(boxes[1]) < min(boxes[0])
+
+
+def test_edit_mode_is_left_and_entered_again_with_the_edits_in():
+    source = grid("Bump", bump)
+    select_edges(source, on_line(1, 0.0))
+    bpy.ops.mesh.wirewarp_mark()
+    bpy.ops.mesh.mark_seam(clear=False)
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    assert bpy.context.mode == "EDIT_MESH"
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert len(flat_of(source).data.vertices) == len(source.data.vertices) + 9
+    assert sum(read(source.data.edges, "select", bool)) == 8
+
+
+def test_modifiers_go_to_the_flat_object_only():
+    source = grid("Bump", bump)
+    mark(source, on_line(1, 0.0))
+    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    assert len(flat_of(source).data.polygons) == 4 * len(source.data.polygons)
+    assert "WireWarp" not in source.data.uv_layers
+    bpy.ops.object.wirewarp_flatten(use_modifiers=False)
+    assert len(flat_of(source).data.polygons) == len(source.data.polygons)
+
+
+def test_the_source_keeps_its_shape_and_selection():
+    source = grid("Bump", bump)
+    before = read(source.data.vertices, "co", np.float32, 3)
+    bpy.ops.object.wirewarp_flatten()
+    assert np.array_equal(read(source.data.vertices, "co", np.float32, 3), before)
+    assert bpy.context.active_object == source
+    assert bpy.context.selected_objects == [source]

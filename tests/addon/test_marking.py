@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Marking and clearing in Edit Mode."""
+
+import math
+
+import bpy
+import pytest
+from surfaces import bump, grid, mark, mark_seam, on_line, select_edges, wire_marks
+
+EAST_WEST, NORTH_SOUTH = on_line(1, 0.0), on_line(0, 0.0)
+
+
+def names(target):
+    return [entry.name for entry in target.data.wirewarp_names]
+
+
+def test_a_line_becomes_one_rigid_wire():
+    target = grid("Bump", bump)
+    mark(target, EAST_WEST)
+    ((wire, tolerance),) = wire_marks(target.data)
+    assert (tolerance, wire_marks(target.data)[wire, tolerance]) == (0, 8)
+    assert 0 < wire < 2**31
+
+
+@pytest.mark.parametrize("at_once", [True, False])
+def test_crossing_lines_are_two_wires_however_they_are_marked(at_once):
+    target = grid("Bump", bump)
+    for lines in [(EAST_WEST, NORTH_SOUTH)] if at_once else [(EAST_WEST,), (NORTH_SOUTH,)]:
+        mark(target, *lines)
+    assert list(wire_marks(target.data).values()) == [8, 8]
+    assert names(target) == ["Wire 1", "Wire 2"]
+
+
+@pytest.mark.parametrize(("kind", "tolerance"), [("RIGID", 0), ("ELASTIC", 0.05), ("SUPER_ELASTIC", math.inf)])
+def test_kinds(kind, tolerance):
+    target = grid("Bump", bump)
+    mark(target, EAST_WEST, kind=kind, tolerance=0.05)
+    ((_, found),) = wire_marks(target.data)
+    assert found == pytest.approx(tolerance, rel=1e-6)
+
+
+def test_marking_a_whole_wire_again_changes_its_kind_and_keeps_its_id_and_name():
+    target = grid("Bump", bump)
+    mark(target, EAST_WEST, NORTH_SOUTH)
+    target.data.wirewarp_names[0].name = "Bust"
+    before = {wire for wire, _ in wire_marks(target.data)}
+    mark(target, EAST_WEST, NORTH_SOUTH, kind="SUPER_ELASTIC")
+    assert {wire for wire, _ in wire_marks(target.data)} == before
+    assert sorted(names(target)) == ["Bust", "Wire 2"]
+
+
+def test_marking_a_part_of_a_wire_makes_a_wire_of_its_own():
+    target = grid("Bump", bump)
+    mark(target, EAST_WEST)
+    mark(target, lambda a, b: EAST_WEST(a, b) and a.x + b.x > 0, kind="ELASTIC")
+    assert sorted(wire_marks(target.data).values()) == [4, 4]
+    assert len({wire for wire, _ in wire_marks(target.data)}) == 2
+
+
+def test_clear_takes_the_marks_and_the_name_away():
+    target = grid("Bump", bump)
+    mark(target, EAST_WEST, NORTH_SOUTH)
+    select_edges(target, EAST_WEST)
+    assert bpy.ops.mesh.wirewarp_clear() == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert list(wire_marks(target.data).values()) == [8]
+    assert len(names(target)) == 1
+
+
+def test_clear_without_a_wire_selected_does_nothing():
+    target = grid("Bump", bump)
+    mark(target, EAST_WEST)
+    select_edges(target, on_line(1, 0.5))
+    assert bpy.ops.mesh.wirewarp_clear() == {"CANCELLED"}
+
+
+def test_several_objects_in_edit_mode():
+    first, second = grid("First", bump), grid("Second", bump)
+    for target in (first, second):
+        select_edges(target, EAST_WEST)
+        bpy.ops.object.mode_set(mode="OBJECT")
+    first.select_set(True)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.wirewarp_mark()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert [list(wire_marks(target.data).values()) for target in (first, second)] == [[8], [8]]
+    assert set(wire_marks(first.data)) != set(wire_marks(second.data))
+
+
+def test_nothing_selected():
+    target = grid("Bump", bump)
+    select_edges(target)
+    with pytest.raises(RuntimeError, match="select the edges of the wire first"):
+        bpy.ops.mesh.wirewarp_mark()
+
+
+def test_elastic_without_a_tolerance():
+    target = grid("Bump", bump)
+    select_edges(target, EAST_WEST)
+    with pytest.raises(RuntimeError, match="needs a tolerance above 0"):
+        bpy.ops.mesh.wirewarp_mark(kind="ELASTIC", tolerance=0.0)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert wire_marks(target.data) == {}
+
+
+@pytest.mark.parametrize("kind", ["ELASTIC", "SUPER_ELASTIC"])
+@pytest.mark.parametrize("place", ["seam", "outline"])
+def test_no_tolerance_on_seams_and_outlines(kind, place):
+    target = grid("Bump", bump)
+    mark_seam(target, EAST_WEST)
+    select_edges(target, EAST_WEST if place == "seam" else on_line(1, 1.0))
+    with pytest.raises(RuntimeError, match='8 selected edges lie on a seam or outline of "Bump".*rigid'):
+        bpy.ops.mesh.wirewarp_mark(kind=kind)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert wire_marks(target.data) == {}
+
+
+def test_rigid_on_an_outline_is_as_good_as_said():
+    target = grid("Bump", bump)
+    mark(target, on_line(1, 1.0))
+    assert list(wire_marks(target.data).values()) == [8]
+
+
+def test_an_attribute_of_our_name_that_is_not_ours():
+    target = grid("Bump", bump)
+    target.data.attributes.new("wirewarp_wire", "FLOAT", "POINT")
+    select_edges(target, EAST_WEST)
+    with pytest.raises(RuntimeError, match='attribute "wirewarp_wire" of mesh "Bump" is not of type INT on edges'):
+        bpy.ops.mesh.wirewarp_mark()
+
+
+def test_the_list_of_wires_follows_the_mesh(addon):
+    target = grid("Bump", bump)
+    mark(target, EAST_WEST)
+    (wire,) = addon.wire_summary.wires_of(target)
+    identity = addon.mesh_to_arrays.linear_part(target)
+    before = wire.length(identity)
+    target.data.vertices.foreach_set("co", [c for vertex in target.data.vertices for c in (vertex.co * 2)])
+    target.data.update()
+    bpy.context.view_layer.update()
+    (wire,) = addon.wire_summary.wires_of(target)
+    assert wire.length(identity) == pytest.approx(2 * before, rel=1e-6)

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The JSON report and what is kept for the panel."""
+
+import json
+
+import bpy
+import pytest
+from surfaces import bump, edge_lengths, edge_vertices, grid, mark, mark_seam, on_line, read
+
+WIRE, SEAM = on_line(1, 0.0), on_line(0, 0.0)
+
+
+def flatten_with_report(tmp_path, **settings):
+    path = tmp_path / "report.json"
+    bpy.ops.object.wirewarp_flatten(report_path=str(path), **settings)
+    return json.loads(path.read_text(), parse_constant=lambda name: pytest.fail(f"{name} is not JSON"))
+
+
+@pytest.fixture
+def source():
+    target = grid("Bump", bump)
+    mark_seam(target, SEAM)
+    mark(target, WIRE)
+    return target
+
+
+def length_on(target, line):
+    places = [vertex.co for vertex in target.data.vertices]
+    mask = [line(places[a], places[b]) for a, b in edge_vertices(target.data)]
+    return edge_lengths(target)[mask].sum()
+
+
+def test_the_report_states_every_length_in_blender_units_and_metres(source, tmp_path):
+    bpy.context.scene.unit_settings.scale_length = 0.001
+    report = flatten_with_report(tmp_path)
+    assert report["units"]["meters_per_blender_unit"] == pytest.approx(0.001)
+    (entry,) = report["objects"]
+    assert (report["ok"], entry["ok"], entry["object"], entry["method"]) == (True, True, "Bump", "wirewarping")
+    (seam,) = entry["seams"]
+    expected = length_on(source, SEAM)
+    assert seam["length_3d"] == pytest.approx(expected, rel=1e-6)
+    assert seam["length_3d_m"] == pytest.approx(0.001 * expected, rel=1e-6)
+    assert sorted(seam["pieces"]) == [0, 1]
+    assert seam["length_2d"] == pytest.approx([seam["length_3d"]] * 2, rel=1e-9)
+    assert seam["mismatch"] < 1e-9
+    (wire,) = entry["wires"]
+    assert wire["name"] == "Wire 1"
+    assert wire["length_2d"][0] == pytest.approx(length_on(source, WIRE), rel=1e-6)
+    assert [len(piece["wires"]) for piece in entry["pieces"]] == [1, 1]
+    # Every piece's outline: its side of the seam and one open stretch.
+    assert [sorted(chain["seam"] is None for chain in piece["outline"]) for piece in entry["pieces"]] == [
+        [False, True],
+        [False, True],
+    ]
+
+
+def test_tolerances_that_the_method_does_not_use_are_said(source, tmp_path):
+    mark(source, WIRE, kind="SUPER_ELASTIC")
+    (entry,) = flatten_with_report(tmp_path)["objects"]
+    assert entry["notes"] == ["WireWarping keeps every wire rigid: the tolerance of Wire 1 is not used."]
+    assert entry["wires"][0]["length_2d"][0] == pytest.approx(entry["wires"][0]["length_3d"], rel=1e-9)
+
+
+def test_the_method_and_the_settings_reach_the_core(source, tmp_path):
+    even = flatten_with_report(tmp_path, node_weight="UNIFORM")["objects"][0]["pieces"][0]["arap_energy"]
+    by_length = flatten_with_report(tmp_path, node_weight="LENGTH")["objects"][0]["pieces"][0]["arap_energy"]
+    assert even != by_length
+
+
+def test_the_report_is_saved_with_the_object(source, addon, tmp_path):
+    bpy.ops.object.wirewarp_flatten()
+    before = addon.report_store.last_report(source)
+    assert before["ok"]
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "flat.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "flat.blend"))
+    assert addon.report_store.last_report(bpy.data.objects["Bump"]) == before
+    assert bpy.data.objects["Bump Flat"].wirewarp_source == bpy.data.objects["Bump"]
+
+
+def test_rows_are_worst_first(addon):
+    def seam(index, percent, ok=True):
+        lengths = {"length_3d": 1.0, "length_2d": [1.0], "difference": [0.0], "percent": [percent]}
+        return {"index": index, "pieces": [0], "ok": ok, **lengths}
+
+    report = {"seams": [seam(0, 0.1), seam(1, -0.5), seam(2, None, ok=False), seam(3, 0.0)]}
+    rows = addon.ui.report_rows.seam_rows(report)
+    assert [row.name for row in rows] == [f"Seam {k}, in piece 1" for k in (3, 2, 1, 4)]
+
+
+@pytest.mark.parametrize(
+    ("system", "unit", "scale", "expected"),
+    [
+        ("METRIC", "MILLIMETERS", 1.0, "571.23 mm"),
+        ("METRIC", "CENTIMETERS", 0.1, "5.712 cm"),
+        ("IMPERIAL", "INCHES", 1.0, "22.489 in"),
+        ("NONE", None, 1.0, "0.5712"),
+    ],
+)
+def test_lengths_are_shown_in_the_scenes_units(addon, system, unit, scale, expected):
+    settings = bpy.context.scene.unit_settings
+    settings.system, settings.scale_length = system, scale
+    if unit:
+        settings.length_unit = unit
+    assert addon.unit_text.length_text(bpy.context.scene)(0.57123) == expected
+
+
+def test_without_a_report_file_nothing_is_written_to_disk(source, tmp_path):
+    bpy.ops.object.wirewarp_flatten()
+    assert list(tmp_path.iterdir()) == []
+    assert sum(read(source.data.edges, "use_seam", bool)) == 8

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Edges to chains, without a mesh."""
+
+import math
+
+import numpy as np
+import pytest
+
+
+@pytest.fixture
+def chains(addon):
+    return addon.wire_chains
+
+
+def vertices_of(chains, edges, positions):
+    found = chains.split_into_chains(np.array(edges), np.array(positions, dtype=float))
+    return sorted(min(chain.vertices, chain.vertices[::-1]) for chain in found)
+
+
+def star(*degrees):
+    """Vertex 0 and one vertex in each direction."""
+    return [(0, 0, 0), *((math.cos(math.radians(d)), math.sin(math.radians(d)), 0) for d in degrees)]
+
+
+def spokes(count):
+    return [(0, k) for k in range(1, count + 1)]
+
+
+def test_shuffled_edges_of_a_path_are_put_in_order(chains):
+    assert vertices_of(chains, [(3, 2), (0, 1), (2, 1)], np.eye(4, 3)) == [[0, 1, 2, 3]]
+
+
+def test_a_ring_repeats_its_first_vertex(chains):
+    (chain,) = chains.split_into_chains(np.array([(0, 1), (2, 1), (2, 0)]), np.eye(3))
+    assert chain.vertices[0] == chain.vertices[-1]
+    assert len(chain.vertices) == 4
+
+
+def test_a_ring_with_a_tail_ends_where_three_edges_meet(chains):
+    square = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (-1, -1, 0)]
+    found = vertices_of(chains, [(0, 1), (1, 2), (2, 3), (3, 0), (0, 4)], square)
+    assert found == [[0, 1, 2, 3, 0], [0, 4]] or found == [[0, 3, 2, 1, 0], [0, 4]]
+
+
+def test_crossing_lines_go_straight_on(chains):
+    assert vertices_of(chains, spokes(4), star(0, 80, 180, 260)) == [[1, 0, 3], [2, 0, 4]]
+
+
+def test_lines_that_cross_at_a_small_angle_go_straight_on(chains):
+    assert vertices_of(chains, spokes(4), star(0, 10, 180, 190)) == [[1, 0, 3], [2, 0, 4]]
+
+
+def test_three_lines_through_one_point(chains):
+    assert vertices_of(chains, spokes(6), star(0, 60, 120, 180, 240, 300)) == [[1, 0, 4], [2, 0, 5], [3, 0, 6]]
+
+
+def test_a_line_that_meets_another_ends_there(chains):
+    assert vertices_of(chains, spokes(3), star(0, 90, 180)) == [[0, 2], [1, 0, 3]]
+
+
+def test_where_three_lines_meet_evenly_all_end(chains):
+    assert vertices_of(chains, spokes(3), star(0, 120, 240)) == [[0, 1], [0, 2], [0, 3]]
+
+
+def test_the_fifth_line_ends(chains):
+    assert vertices_of(chains, spokes(5), star(0, 90, 180, 270, 45)) == [[0, 5], [1, 0, 3], [2, 0, 4]]
+
+
+def test_marks_of_one_id_with_two_tolerances_are_two_wires(chains):
+    edges = np.array([(0, 1), (1, 2), (2, 3)])
+    ids, tolerances = np.array([7, 7, 7]), np.array([0, 0.03, 0.03], dtype=np.float32)
+    wires = chains.chains_of_marks(edges, ids, tolerances, np.eye(4, 3))
+    assert [(wire.wire_id, wire.tolerance, wire.vertices) for wire in wires] == [(7, 0, [0, 1]), (7, 0.03, [1, 2, 3])]
+
+
+def test_one_id_in_two_places_is_two_wires_and_unmarked_edges_are_none(chains):
+    edges = np.array([(0, 1), (1, 2), (2, 3)])
+    wires = chains.chains_of_marks(edges, np.array([9, 0, 9]), np.full(3, np.inf, np.float32), np.eye(4, 3))
+    assert [(wire.tolerance, wire.vertices) for wire in wires] == [(math.inf, [0, 1]), (math.inf, [2, 3])]
