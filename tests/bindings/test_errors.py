@@ -2,12 +2,16 @@
 """One exception type, one enum of codes, with a meaning and a remedy each."""
 
 import copy
+import importlib
 import json
 import pickle
+import shutil
 from enum import Enum
+from pathlib import Path
 
 import numpy as np
 import pytest
+import wirewarp
 from surfaces import half_cylinder, tetrahedron
 from wirewarp import ErrorCode, FlattenError, flatten
 
@@ -83,3 +87,15 @@ def test_a_bad_chart_carries_its_error_and_spares_the_others():
     assert np.isfinite(result.corner_uv[: len(faces)]).all()
     assert result.report["pieces"] == 2
     assert result.report["failed_pieces"] == 1
+
+
+def test_the_package_can_be_carried_inside_another(tmp_path, monkeypatch):
+    """An add-on may hold the package; its errors are its own."""
+    shutil.copytree(Path(wirewarp.__file__).parent, tmp_path / "carrier" / "wirewarp")
+    monkeypatch.syspath_prepend(tmp_path)
+    inner = importlib.import_module("carrier.wirewarp")
+    with pytest.raises(inner.FlattenError) as caught:
+        inner.Wire([0])
+    assert caught.value.code is inner.ErrorCode.wire_too_short
+    assert not isinstance(caught.value, FlattenError)
+    assert inner.flatten(*half_cylinder()).pieces[0].error is None
