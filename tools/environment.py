@@ -49,7 +49,7 @@ def run(command: Sequence[str | Path], **more: str) -> None:
     """Runs a command in the repository and shows its output; `more` are environment variables."""
     done = subprocess.run([str(c) for c in command], cwd=ROOT, env=clean_environment(**more))
     if done.returncode:
-        raise StepError(f"exit code {done.returncode} from: {' '.join(map(str, command))}")
+        raise StepError(failure(command, done.returncode))
 
 
 def run_quietly(what: str, command: Sequence[str | Path], **more: str) -> None:
@@ -67,8 +67,13 @@ def run_quietly(what: str, command: Sequence[str | Path], **more: str) -> None:
     )
     if done.returncode:
         print("\n".join(done.stdout.splitlines()[-60:]), flush=True)
-        raise StepError(f"exit code {done.returncode} from: {' '.join(map(str, command))}")
+        raise StepError(failure(command, done.returncode))
     say(f"  done in {time.monotonic() - begin:.0f} s")
+
+
+def failure(command: Sequence[str | Path], code: int) -> str:
+    words = [str(c) for c in command]
+    return f"exit code {code} from: {' '.join(words[:6])}{' ...' if len(words) > 6 else ''}"
 
 
 def fingerprint(paths: Iterable[Path], *more: str) -> str:
