@@ -6,8 +6,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-_LISTED = re.compile(r"\b(face|wire)s? (\d+(?:, \d+)*(?: and \d+)?)( more)?")
-
 
 def name_elements(sentence: str, triangle_polygons: np.ndarray, faces: Sequence[int], wire_names: list[str]) -> str:
     """The sentence with "face(s) 3, 4 and 12 more" in polygons instead of triangles, and wires by their names.
@@ -19,7 +17,7 @@ def name_elements(sentence: str, triangle_polygons: np.ndarray, faces: Sequence[
         noun, listed, more = match.groups()
         numbers = [int(number) for number in re.findall(r"\d+", listed)]
         hidden = numbers.pop() if more else 0
-        if noun == "wire":
+        if noun.lower() == "wire":
             names = [f'"{wire_names[number]}"' for number in numbers]
         else:
             polygons = list(dict.fromkeys(int(triangle_polygons[number]) for number in numbers))
@@ -27,7 +25,11 @@ def name_elements(sentence: str, triangle_polygons: np.ndarray, faces: Sequence[
             names = [str(polygon) for polygon in polygons]
         return _list(noun, names + ([f"{hidden} more"] if hidden else []))
 
-    return _LISTED.sub(translate, sentence)
+    # The library adds some wires' names itself, in brackets; they are swallowed, and never read as numbers.
+    names = "|".join(map(re.escape, sorted(wire_names, key=len, reverse=True)))
+    return re.sub(
+        rf"\b([Ff]ace|[Ww]ire)s? (\d+(?:, \d+)*(?: and \d+)?)( more)?(?: \((?:{names})\))?", translate, sentence
+    )
 
 
 def _list(noun: str, names: list[str]) -> str:

@@ -60,6 +60,13 @@ class FlattenSettings:
     )
 
 
+def take_settings(operator: bpy.types.Operator, settings: FlattenSettings) -> None:
+    """What the caller left out is taken from the scene's settings."""
+    for name in FlattenSettings.__annotations__:
+        if not operator.properties.is_property_set(name):
+            setattr(operator, name, getattr(settings, name))
+
+
 class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
     tolerance_percent: FloatProperty(
         name="Tolerance ±%",

@@ -33,8 +33,8 @@ def select_elements(
     edge_mask, loose_vertices = _find_edges(mesh, edges)
     face_mask = _mask(len(mesh.polygons), faces)
     vertex_mask = _mask(len(mesh.vertices), [*vertices, *loose_vertices])
-    mode = (vertex_mask.any(), not vertex_mask.any() and edge_mask.any(), False)
-    context.tool_settings.mesh_select_mode = mode if any(mode) else (False, False, True)
+    level = 0 if vertex_mask.any() else 1 if edge_mask.any() else 2
+    context.tool_settings.mesh_select_mode = tuple(level == each for each in range(3))
 
     loops = _loop_faces(mesh)
     loop_edges = read(mesh.loops, "edge_index", np.int32)

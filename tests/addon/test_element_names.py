@@ -23,8 +23,12 @@ TWO_TRIANGLES_A_FACE = np.arange(40) // 2
             [],
             'The outline and wire "Hip" around face 15 of 3 faces.',
         ),
+        ("Wire 0 (Bust) ends at vertex 7.", [], 'Wire "Bust" ends at vertex 7.'),
+        ("Wire 2 (Wire 1) ends at vertex 7.", [], 'Wire "Wire 1" ends at vertex 7.'),
         ("Wires: wires 0 and 1 at vertex 7.", [], 'Wires: wires "Bust" and "Hip" at vertex 7.'),
     ],
 )
 def test_names(addon, sentence, faces, expected):
-    assert addon.element_names.name_elements(sentence, TWO_TRIANGLES_A_FACE, faces, ["Bust", "Hip"]) == expected
+    assert (
+        addon.element_names.name_elements(sentence, TWO_TRIANGLES_A_FACE, faces, ["Bust", "Hip", "Wire 1"]) == expected
+    )

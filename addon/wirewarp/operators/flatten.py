@@ -7,7 +7,7 @@ from bpy.props import StringProperty
 from .. import core
 from ..flatten_job import FlattenChoices
 from ..flatten_objects import compute, write
-from ..properties import FlattenSettings
+from ..properties import FlattenSettings, take_settings
 from ..report_file import failure_text, run_report, success_text, write_json
 from ..targets import in_object_mode, mesh_targets
 from ..unit_text import meters_per_blender_unit
@@ -35,9 +35,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
         return False
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
-        for name in FlattenSettings.__annotations__:
-            if not self.properties.is_property_set(name):
-                setattr(self, name, getattr(context.scene.wirewarp, name))
+        take_settings(self, context.scene.wirewarp)
         return self.execute(context)
 
     def execute(self, context: bpy.types.Context) -> set[str]:

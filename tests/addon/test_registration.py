@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The add-on comes and goes, and says plainly when its library is missing."""
+
+import inspect
+import sys
+from types import SimpleNamespace
+
+import bpy
+import pytest
+from surfaces import bump, grid
+
+
+def test_register_and_unregister_twice(addon):
+    handlers = [len(bpy.app.handlers.undo_post), len(bpy.app.handlers.depsgraph_update_post)]
+    for _ in range(2):
+        addon.unregister()
+        assert not hasattr(bpy.types.Scene, "wirewarp")
+        assert not hasattr(bpy.types, "OBJECT_OT_wirewarp_flatten")
+        addon.register()
+    assert hasattr(bpy.types, "OBJECT_OT_wirewarp_flatten")
+    assert [len(bpy.app.handlers.undo_post), len(bpy.app.handlers.depsgraph_update_post)] == handlers
+
+
+def test_every_class_of_the_add_on_is_registered(addon):
+    bases = (bpy.types.Operator, bpy.types.Panel, bpy.types.PropertyGroup)
+    modules = [module for name, module in sys.modules.items() if name.startswith(f"{addon.__name__}.")]
+    found = {
+        cls
+        for module in modules
+        for _, cls in inspect.getmembers(module, inspect.isclass)
+        if issubclass(cls, bases) and cls.__module__ == module.__name__
+    }
+    assert found == set(addon.registration.CLASSES)
+
+
+def test_every_operator_and_its_properties_have_tooltips(addon):
+    for cls in addon.registration.CLASSES:
+        if not issubclass(cls, bpy.types.Operator):
+            continue
+        assert cls.__doc__
+        own = {name for base in cls.__mro__ for name in base.__dict__.get("__annotations__", {})}
+        group, name = cls.bl_idname.split(".")
+        properties = getattr(getattr(bpy.ops, group), name).get_rna_type().properties
+        assert own <= set(properties.keys())
+        for name in own:
+            assert properties[name].description, f"{cls.__name__}.{name}"
+
+
+@pytest.fixture
+def reload_core(addon):
+    yield
+    addon.core.load(addon.VERSION)
+
+
+def test_a_missing_library_is_a_sentence(addon, monkeypatch, reload_core):
+    def fail(*_):
+        raise ImportError("no such file")
+
+    monkeypatch.setattr(addon.core.importlib, "import_module", fail)
+    addon.core.load(addon.VERSION)
+    grid("Bump", bump)
+    expected = r"library does not load in this Blender \(Python 3.*no such file.*Install the WireWarp zip made for"
+    with pytest.raises(RuntimeError, match=expected):
+        bpy.ops.object.wirewarp_flatten()
+    with pytest.raises(addon.core.LibraryError, match=expected):
+        addon.core.library()
+
+
+def test_a_library_of_another_version_is_a_sentence(addon, reload_core):
+    addon.core.load("99.0.0")
+    grid("Bump", bump)
+    with pytest.raises(RuntimeError, match=r"add-on is WireWarp 99\.0\.0 but the library found is .*install the zip"):
+        bpy.ops.object.wirewarp_flatten()
+
+
+def test_what_the_caller_leaves_out_is_taken_from_the_scene(addon):
+    settings = bpy.context.scene.wirewarp
+    settings.mirror, settings.gap = True, 0.5
+    given = SimpleNamespace(is_property_set=lambda name: name == "gap")
+    operator = SimpleNamespace(properties=given, gap=0.25)
+    addon.properties.take_settings(operator, settings)
+    assert (operator.mirror, operator.gap, operator.method) == (True, 0.25, "WIREWARPING")
+    grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()  # a script's call uses its own properties only
+    assert bpy.data.objects["Bump Flat"].data.polygons[0].normal.z > 0
