@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the sample .blend files beside this script; needs no add-on:
+
+blender --background --factory-startup --python-exit-code 1 --python blend_samples/make_samples.py
+
+Run it in Blender 3.4, so that every later version opens the files. Two runs write the same geometry and marks.
+"""
+
+from __future__ import annotations
+
+import sys
+import zlib
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+FOLDER = Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER))
+
+from shapes import Shape, all_shapes  # noqa: E402 (the folder must be on the path first)
+
+
+def wire_id(name: str) -> int:
+    """The 31-bit id that the add-on draws at random, here the same in every run."""
+    return zlib.crc32(name.encode()) & 0x7FFFFFFF
+
+
+def add_mesh(shape: Shape) -> bpy.types.Mesh:
+    """The shape as a smooth mesh with Blender's seams and the add-on's wire attributes."""
+    corners = np.concatenate(shape.faces).astype(np.int32)
+    sizes = np.array([len(face) for face in shape.faces], dtype=np.int32)
+    following = np.concatenate([np.roll(face, -1) for face in shape.faces])
+    # Edges of wires come first, in the order of the wires: the add-on lists wires by their first edges.
+    edge_of: dict[frozenset[int], int] = {}
+    for chain in [wire.vertices for wire in shape.wires]:
+        for pair in zip(chain[:-1], chain[1:], strict=True):
+            edge_of.setdefault(frozenset(pair), len(edge_of))
+    for pair in zip(corners.tolist(), following.tolist(), strict=True):
+        edge_of.setdefault(frozenset(pair), len(edge_of))
+    edge_of_corner = [edge_of[frozenset(pair)] for pair in zip(corners.tolist(), following.tolist(), strict=True)]
+
+    mesh = bpy.data.meshes.new(shape.name)
+    mesh.vertices.add(len(shape.vertices))
+    mesh.vertices.foreach_set("co", shape.vertices.astype(np.float32).ravel())
+    mesh.edges.add(len(edge_of))
+    mesh.edges.foreach_set("vertices", np.array([sorted(pair) for pair in edge_of], dtype=np.int32).ravel())
+    mesh.loops.add(len(corners))
+    mesh.loops.foreach_set("vertex_index", corners)
+    mesh.loops.foreach_set("edge_index", np.array(edge_of_corner, dtype=np.int32))
+    mesh.polygons.add(len(sizes))
+    mesh.polygons.foreach_set("loop_start", (np.cumsum(sizes) - sizes).astype(np.int32))
+    mesh.polygons.foreach_set("loop_total", sizes)
+    mesh.polygons.foreach_set("use_smooth", np.ones(len(sizes), dtype=bool))
+    if mesh.validate(verbose=True):
+        raise ValueError(f"{shape.name}: Blender had to repair the mesh")
+    mesh.update()
+
+    seam = np.zeros(len(mesh.edges), dtype=bool)
+    seam[[edge_of[frozenset(pair)] for pair in shape.seams.tolist()]] = True
+    mesh.edges.foreach_set("use_seam", seam)
+
+    wires = np.zeros(len(mesh.edges), dtype=np.int32)
+    tolerances = np.zeros(len(mesh.edges), dtype=np.float32)
+    for wire in shape.wires:
+        edges = [edge_of[frozenset(pair)] for pair in zip(wire.vertices[:-1], wire.vertices[1:], strict=True)]
+        wires[edges] = wire_id(wire.name)
+        tolerances[edges] = wire.tolerance
+    mesh.attributes.new("wirewarp_wire", "INT", "EDGE").data.foreach_set("value", wires)
+    mesh.attributes.new("wirewarp_tolerance", "FLOAT", "EDGE").data.foreach_set("value", tolerances)
+    # The add-on keeps the names of wires in a collection property of this name.
+    mesh["wirewarp_names"] = [{"name": wire.name, "wire_id": wire_id(wire.name)} for wire in shape.wires]
+    return mesh
+
+
+def write_sample(shape: Shape) -> Path:
+    """One file with one object, in millimeters on the screen."""
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    units = bpy.context.scene.unit_settings
+    units.system, units.length_unit = "METRIC", "MILLIMETERS"
+    model = bpy.data.objects.new(shape.name, add_mesh(shape))
+    bpy.context.scene.collection.objects.link(model)
+    bpy.context.view_layer.objects.active = model
+    model.select_set(True)
+    path = FOLDER / f"{shape.name.lower().replace(' ', '_')}.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(path), compress=True, check_existing=False)
+    return path
+
+
+bpy.context.preferences.filepaths.save_version = 0  # no .blend1 beside a file that is written again
+for sample in all_shapes():
+    written = write_sample(sample)
+    print(f"{written.name}: {len(sample.triangles())} triangles, {written.stat().st_size / 1000:.0f} kB")

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The line at the foot of a picture: what the lines mean, how long 100 mm are, what the colors mean."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .drawing import Sheet
+from .palette import FAINT_INK, INK, SEAM, WIRE, stretch_colors
+
+TEXT, SMALL_TEXT = 0.17, 0.16
+
+
+def draw_line_key(sheet: Sheet, x: float, y: float, width: float) -> None:
+    for name, color in (("seam or edge", SEAM), ("wire", WIRE)):
+        sheet.add_lines([_line((x, y + 0.06), (x + 0.45, y + 0.06))], width, color)
+        sheet.add_text(name, x + 0.57, y, TEXT, INK)
+        x += 2.3
+
+
+def draw_length_scale(sheet: Sheet, x: float, y: float, inches_per_meter: float) -> None:
+    """The longest of a few round lengths that fits in two inches."""
+    meters = next(step for step in (0.5, 0.2, 0.1, 0.05, 0.02, 0.01) if step * inches_per_meter < 2)
+    end = x + meters * inches_per_meter
+    ticks = [_line((at, y - 0.02), (at, y + 0.14)) for at in (x, end)]
+    sheet.add_lines([_line((x, y + 0.06), (end, y + 0.06)), *ticks], 0.025, INK)
+    sheet.add_text(f"{1000 * meters:.0f} mm", end + 0.12, y, TEXT, INK)
+
+
+def draw_color_scale(sheet: Sheet, begin: float, end: float, y: float, limit: float, largest: float) -> None:
+    """The colors from -limit to limit, numbered; largest is the largest value in the picture."""
+    steps = 128
+    edges = np.linspace(begin, end, steps + 1)
+    low, high = np.full(steps, y - 0.02), np.full(steps, y + 0.18)
+    a, b = edges[:-1], edges[1:]
+    corners = np.stack([[a, low], [b, low], [b, high], [a, low], [b, high], [a, high]]).transpose(2, 0, 1)
+    corners = np.concatenate([corners, np.zeros((steps, 6, 1))], axis=-1).reshape(-1, 3, 3)
+    colors = stretch_colors(limit * (2 * (np.arange(steps) + 0.5) / steps - 1), limit)
+    sheet.add_triangles(corners, np.repeat(colors, 6, axis=0).reshape(-1, 3, 4))
+    for share in (-1, -0.5, 0, 0.5, 1):
+        x = (begin + end + share * (end - begin)) / 2
+        beyond = {-1: "≤ ", 1: "≥ "}.get(share, "") if largest > limit else ""
+        number = f"{100 * share * limit:+.4g} %".replace("-", "\N{MINUS SIGN}") if share else "0"
+        sheet.add_text(beyond + number, x, y - 0.24, SMALL_TEXT, INK, "CENTER")
+    sheet.add_text("cloth eased in", begin, y + 0.26, SMALL_TEXT, FAINT_INK)
+    sheet.add_text("cloth stretched", end, y + 0.26, SMALL_TEXT, FAINT_INK, "RIGHT")
+
+
+def _line(*points: tuple[float, float]) -> np.ndarray:
+    return np.array([(x, y, 0.0) for x, y in points])

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One picture of a sample: the model with seams and wires beside its flat pieces, both at one scale."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+from .drawing import Box, Sheet
+from .labels import inside_point, seam_labels
+from .legend import draw_color_scale, draw_length_scale, draw_line_key
+from .measure import chains, cloth_stretch
+from .palette import FAINT_INK, INK, INSIDE, MODEL, SEAM, WIRE, lit, round_limit, stretch_colors
+from .surfaces import Flat, Model, read_flat, read_model
+
+WIDTH, HEIGHT = 14.0, 7.9
+MODEL_BOX = Box(-6.65, -2.0, -0.75, 2.85)  # inches
+FLAT_BOX = Box(-1.15, 6.65, -2.7, 3.6)
+TABLE_Y, TABLE_STEP, TABLE_TEXT = -1.12, 0.22, 0.165
+LEGEND_Y = -3.5
+LINE_WIDTH = 0.04
+
+
+def draw_sample(
+    model: bpy.types.Object, flat: bpy.types.Object, view: tuple[float, float], report: dict, path: Path
+) -> None:
+    """Renders the picture from the two objects and the object's part of the JSON report.
+
+    view is (yaw, pitch) in degrees: how far the model is turned to the left and tipped toward the viewer.
+    """
+    sheet = Sheet(WIDTH, HEIGHT)
+    body = read_model(model)
+    pieces = read_flat(flat, body)
+    turned, normals = body.vertices @ _view(*view).T, body.normals @ _view(*view).T
+    scale = min(MODEL_BOX.fit(turned), FLAT_BOX.fit(pieces.vertices))
+
+    _draw_model(sheet, body, MODEL_BOX.center(turned, scale) + [0, 0, -10], normals)
+    placed = FLAT_BOX.center(pieces.vertices, scale)
+    stretch = cloth_stretch(pieces.vertices[:, :2], body.vertices[pieces.source_vertex], pieces.triangles)
+    limit = round_limit(stretch)
+    _draw_pieces(sheet, pieces, placed, stretch_colors(stretch, limit))
+    _draw_numbers(sheet, pieces, placed, report)
+
+    sheet.add_text(report["object"], MODEL_BOX.left, 3.3, 0.38, INK)
+    _draw_lengths(sheet, report)
+    draw_line_key(sheet, MODEL_BOX.left, LEGEND_Y, LINE_WIDTH)
+    draw_length_scale(sheet, FLAT_BOX.left, LEGEND_Y, scale)
+    draw_color_scale(sheet, FLAT_BOX.right - 4.2, FLAT_BOX.right, LEGEND_Y, limit, np.abs(stretch).max())
+    sheet.render(path)
+
+
+def _draw_model(sheet: Sheet, body: Model, points: np.ndarray, normals: np.ndarray) -> None:
+    """The surface under soft light, its inside darker, with its lines."""
+    corners = points[body.triangles]
+    away = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])[:, 2] < 0
+    colors = lit(normals[body.triangles], MODEL)
+    colors[away] = lit(-normals[body.triangles[away]], INSIDE)
+    sheet.add_triangles(corners, colors)
+    for edges, color in ((body.seams, SEAM), (body.outline, SEAM), (body.wires, WIRE)):
+        sheet.add_lines([points[chain] for chain in chains(edges)], LINE_WIDTH, color)
+
+
+def _draw_pieces(sheet: Sheet, pieces: Flat, points: np.ndarray, colors: np.ndarray) -> None:
+    sheet.add_triangles(points[pieces.triangles], colors[pieces.triangles])
+    for edges, color in ((pieces.outline, SEAM), (pieces.wires, WIRE)):
+        sheet.add_lines([points[chain] for chain in chains(edges)], LINE_WIDTH, color)
+
+
+def _draw_numbers(sheet: Sheet, pieces: Flat, points: np.ndarray, report: dict) -> None:
+    """A large number in each piece, a small one on both sides of each seam, as the printed tables count them."""
+    labels = seam_labels(pieces, points, report["seams"], 0.16)
+    for number, place in labels:
+        sheet.add_text(str(number), place[0], place[1] - 0.06, 0.165, INK, "CENTER")
+    taken = [points[np.unique(np.concatenate([pieces.outline, pieces.wires]))], *(place[None] for _, place in labels)]
+    for piece in np.unique(pieces.piece):
+        centers = points[pieces.triangles[pieces.piece == piece]].mean(axis=1)
+        x, y, _ = inside_point(centers, np.concatenate(taken))
+        sheet.add_text(str(piece + 1), x, y - 0.12, 0.34, INK, "CENTER")
+
+
+def _draw_lengths(sheet: Sheet, report: dict) -> None:
+    """Each wire's length on the model and flat, and how well the seams match."""
+    columns = (MODEL_BOX.left, MODEL_BOX.left + 3.5, MODEL_BOX.left + 4.65)
+    rows = [("Length in mm", "on the model", "flat")]
+    for wire in report["wires"]:
+        rows.append((wire["name"], *(f"{1000 * m:.2f}" for m in (wire["length_3d_m"], wire["length_2d_m"][0]))))
+    for row, cells in enumerate(rows):
+        for x, cell, align in zip(columns, cells, ("LEFT", "RIGHT", "RIGHT"), strict=True):
+            color = FAINT_INK if row == 0 else INK
+            sheet.add_text(cell, x, TABLE_Y - TABLE_STEP * row, TABLE_TEXT, color, align)
+    if report["seams"]:
+        worst = 1000 * max(seam["mismatch_m"] for seam in report["seams"])
+        text = f"The sides of every seam differ by less than {max(math.ceil(1e4 * worst), 1) / 1e4:.4f} mm"
+        sheet.add_text(text, MODEL_BOX.left, TABLE_Y - TABLE_STEP * len(rows), TABLE_TEXT, FAINT_INK)
+
+
+def _view(yaw: float, pitch: float) -> np.ndarray:
+    """From the model (z up, its front toward -y) to the sheet (y up, z toward the viewer)."""
+    upright = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
+    a, b = np.radians([yaw, pitch])
+    turn = np.array([[np.cos(a), -np.sin(a), 0], [np.sin(a), np.cos(a), 0], [0, 0, 1]])
+    tip = np.array([[1, 0, 0], [0, np.cos(b), -np.sin(b)], [0, np.sin(b), np.cos(b)]])
+    return tip @ upright @ turn

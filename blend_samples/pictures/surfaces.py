@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a picture needs of a model and of its flat pieces, as arrays read from Blender meshes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Model:
+    """A sample as modeled; edges are vertex pairs."""
+
+    vertices: np.ndarray  # (n, 3), Blender units
+    normals: np.ndarray  # (n, 3), unit
+    triangles: np.ndarray  # (m, 3), quads and n-gons cut from their first corner
+    seams: np.ndarray  # (k, 2)
+    outline: np.ndarray  # (k, 2), edges of one face
+    wires: np.ndarray  # (k, 2)
+
+
+@dataclass(frozen=True)
+class Flat:
+    """Its flat pieces; their outline includes their sides of the seams."""
+
+    vertices: np.ndarray  # (p, 3), Blender units, z 0
+    source_vertex: np.ndarray  # (p,) the model's vertex of each
+    triangles: np.ndarray  # (m, 3), cut as the model's
+    piece: np.ndarray  # (m,) number of the piece, from 0
+    outline: np.ndarray  # (k, 2)
+    wires: np.ndarray  # (k, 2)
+
+
+def read_model(thing: bpy.types.Object) -> Model:
+    """A mesh with Blender's seams and the add-on's wires."""
+    mesh = thing.data
+    seam = np.empty(len(mesh.edges), dtype=bool)
+    mesh.edges.foreach_get("use_seam", seam)
+    wire = _attribute(mesh, "wirewarp_wire") != 0
+    edges = _edges(mesh)
+    return Model(
+        vertices=_vectors(mesh, "co"),
+        normals=_vectors(mesh, "normal"),
+        triangles=_triangles(mesh)[0],
+        seams=edges[seam],
+        outline=edges[_face_counts(mesh) == 1],
+        wires=edges[wire],
+    )
+
+
+def read_flat(thing: bpy.types.Object, model: Model) -> Flat:
+    """The object that the add-on made of the model."""
+    mesh = thing.data
+    source = _attribute(mesh, "source_vertex")
+    triangles, polygon = _triangles(mesh)
+    edges = _edges(mesh)
+    marked = {frozenset(pair) for pair in model.wires.tolist()}
+    wire = np.array([frozenset(pair) in marked for pair in source[edges].tolist()])
+    return Flat(
+        vertices=_vectors(mesh, "co"),
+        source_vertex=source,
+        triangles=triangles,
+        piece=_attribute(mesh, "piece")[polygon],
+        outline=edges[_face_counts(mesh) == 1],
+        wires=edges[wire],
+    )
+
+
+def _attribute(mesh: bpy.types.Mesh, name: str) -> np.ndarray:
+    data = mesh.attributes[name].data
+    values = np.empty(len(data), dtype=np.int32)
+    data.foreach_get("value", values)
+    return values
+
+
+def _vectors(mesh: bpy.types.Mesh, name: str) -> np.ndarray:
+    values = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+    mesh.vertices.foreach_get(name, values)
+    return values.reshape(-1, 3).astype(float)
+
+
+def _edges(mesh: bpy.types.Mesh) -> np.ndarray:
+    pairs = np.empty(2 * len(mesh.edges), dtype=np.int32)
+    mesh.edges.foreach_get("vertices", pairs)
+    return pairs.reshape(-1, 2)
+
+
+def _face_counts(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(e,) the number of faces at each edge."""
+    edge_of_corner = np.empty(len(mesh.loops), dtype=np.int32)
+    mesh.loops.foreach_get("edge_index", edge_of_corner)
+    return np.bincount(edge_of_corner, minlength=len(mesh.edges))
+
+
+def _triangles(mesh: bpy.types.Mesh) -> tuple[np.ndarray, np.ndarray]:
+    """(m, 3) corners, and the polygon of each triangle."""
+    cut = [
+        (polygon.index, face[0], face[k], face[k + 1])
+        for polygon in mesh.polygons
+        for face in [polygon.vertices]
+        for k in range(1, len(face) - 1)
+    ]
+    table = np.array(cut)
+    return table[:, 1:], table[:, 0]

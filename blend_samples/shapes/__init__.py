@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The sample surfaces as plain arrays: needs numpy alone, so that tests can use them without Blender."""
+
+from __future__ import annotations
+
+from .cushion import cushion
+from .developable import half_cylinder, lampshade
+from .hat import hat
+from .mask import mask
+from .shape import Shape, ShapeBuilder, Wire
+from .spheres import ball, quarter_sphere
+from .top import fitted_top
+
+__all__ = [
+    "Shape", "ShapeBuilder", "Wire", "all_shapes", "ball", "cushion", "fitted_top", "half_cylinder", "hat",
+    "lampshade", "mask", "quarter_sphere",
+]  # fmt: skip
+
+
+def all_shapes() -> list[Shape]:
+    """Every sample, in the order in which the demo shows them."""
+    return [fitted_top(), quarter_sphere(), ball(), half_cylinder(), lampshade(), cushion(), hat(), mask()]

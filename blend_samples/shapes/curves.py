@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Smooth curves through a few points, and even spacing along them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+
+def cubic_spline(knots: np.ndarray, values: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:
+    """The natural cubic spline through values (n, ...) at increasing knots (n,)."""
+    knots = np.asarray(knots, dtype=float)
+    values = np.asarray(values, dtype=float)
+    step = np.diff(knots)
+    slope = np.diff(values, axis=0) / _column(step, values)
+    matrix = np.eye(len(knots))
+    right = np.zeros_like(values)
+    for k in range(1, len(knots) - 1):
+        matrix[k, k - 1 : k + 2] = step[k - 1], 2 * (step[k - 1] + step[k]), step[k]
+        right[k] = 6 * (slope[k] - slope[k - 1])
+    bend = np.linalg.solve(matrix, right.reshape(len(knots), -1)).reshape(values.shape)  # second derivatives
+
+    def evaluate(at: np.ndarray) -> np.ndarray:
+        at = np.asarray(at, dtype=float)
+        k = np.clip(np.searchsorted(knots, at, side="right") - 1, 0, len(step) - 1)
+        h = _column(step[k], values)
+        x = _column(at - knots[k], values)
+        first = slope[k] - h * (2 * bend[k] + bend[k + 1]) / 6
+        return values[k] + x * (first + x * (bend[k] / 2 + x * (bend[k + 1] - bend[k]) / (6 * h)))
+
+    return evaluate
+
+
+def chord_lengths(points: np.ndarray) -> np.ndarray:
+    """Length along a polyline (n, d) up to each of its points, from 0 to 1."""
+    lengths = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    return lengths / lengths[-1]
+
+
+def even_parameters(curve: Callable[[np.ndarray], np.ndarray], begin: float, end: float, count: int) -> np.ndarray:
+    """Parameters of count + 1 points at equal distances along curve(t), begin <= t <= end."""
+    t = np.linspace(begin, end, 2001)
+    return np.interp(np.linspace(0, 1, count + 1), chord_lengths(curve(t)), t)
+
+
+def _column(numbers: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """numbers shaped so that they multiply the rows of values."""
+    return np.reshape(numbers, np.shape(numbers) + (1,) * (values.ndim - 1))

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An upholstered box cushion: crowned top and bottom, and a boxing strip in four lengths around them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .shape import Shape, ShapeBuilder
+
+HALF_WIDTH = 0.25
+CORNER_RADIUS = 0.06
+CORNER_DENSITY = 2.0  # points along the round corners against the straight sides
+CROWN = 0.035  # rise of the top over its seam
+STRIP_HEIGHT = 0.08
+STRIP_BULGE = 0.006
+
+
+def cushion(core: int = 20, rings: int = 7, strip_rows: int = 6) -> Shape:
+    """The cushion with a middle line all round it, and a second one across it."""
+    builder = ShapeBuilder()
+    x, y = _panel(core, rings)
+    crown = _inflate(x, y, core, rings)
+    tops = {}
+    for side in (1, -1):
+        height = side * (STRIP_HEIGHT / 2 + CROWN * crown)
+        points = builder.add_points(np.stack([x, y, height], axis=-1))
+        for quad in _panel_quads(core, rings):
+            builder.add_face(tuple(points[quad]), flip=side < 0)
+        tops[side] = points
+    outline = _spokes(core, rings)[:, -1]  # counter-clockwise, from a corner, closed
+    strip = builder.add_points(_strip(x[outline], y[outline], strip_rows))
+    for lower, upper in zip(strip[:-1], strip[1:], strict=True):
+        for corners in zip(lower[:-1], lower[1:], upper[1:], upper[:-1], strict=True):
+            builder.add_face(corners)
+    builder.add_seam(strip[0])
+    builder.add_seam(strip[-1])
+    for corner in range(4):
+        builder.add_seam(strip[:, corner * core])
+    builder.add_wire(_line_around(tops, strip, core, rings, first=0), "Line, front to back")
+    builder.add_wire(_line_around(tops, strip, core, rings, first=1), "Line, side to side")
+    return builder.build("Cushion")
+
+
+def _line_around(tops: dict[int, np.ndarray], strip: np.ndarray, core: int, rings: int, first: int) -> np.ndarray:
+    """The closed chain over the top, down the strip, under the bottom and up: it begins in the middle of side first."""
+    begin, end = (side * core + core // 2 for side in (first, first + 2))
+    spokes = _spokes(core, rings)
+    across = [*spokes[begin][::-1], *_core_line(core, first)[1:-1], *spokes[end]]
+    return np.concatenate(
+        [tops[1][across], strip[-2:0:-1, end], tops[-1][across[::-1]], strip[1:-1, begin], tops[1][across[:1]]]
+    )
+
+
+# The plane panel: a square core of (core+1)^2 points, row by row, then rings of 4*core points each around it.
+
+
+def _panel(core: int, rings: int) -> tuple[np.ndarray, np.ndarray]:
+    side = np.linspace(-1, 1, core + 1)
+    inner = 0.45 * HALF_WIDTH
+    # The core bulges a little towards a disk, so that its corners do not crowd the rings there.
+    bulge = 1 + 0.22 * (1 - side**2)
+    core_x = inner * side[None, :] * bulge[:, None]
+    core_y = inner * side[:, None] * bulge[None, :]
+    points = [np.stack([core_x.ravel(), core_y.ravel()], axis=-1)]
+    border = points[0][_core_border(core)]
+    outer = _rounded_square(core)
+    for ring in range(1, rings + 1):
+        points.append(border + (outer - border) * ring / rings)
+    x, y = np.concatenate(points).T
+    return x, y
+
+
+def _rounded_square(core: int) -> np.ndarray:
+    """4*core points, counter-clockwise, from the middle of the corner (-, -)."""
+    straight = HALF_WIDTH - CORNER_RADIUS
+    t = np.linspace(0, np.pi / 2, 200)
+    corner = np.stack([straight + CORNER_RADIUS * np.cos(t), straight + CORNER_RADIUS * np.sin(t)], axis=-1)
+    first = np.concatenate([corner[len(corner) // 2 :], (corner * [-1, 1])[::-1][: len(corner) // 2]])  # top side
+    steps = np.linalg.norm(np.diff(first, axis=0), axis=1)
+    steps[first[:-1, 1] < HALF_WIDTH - 1e-9] *= CORNER_DENSITY
+    lengths = np.concatenate([[0], np.cumsum(steps)])
+    even = np.linspace(0, lengths[-1], core + 1)[:-1]
+    x, y = (np.interp(even, lengths, first[:, k]) for k in range(2))
+    quarter = np.stack([x, y], axis=-1)  # from corner (+, +) to corner (-, +)
+    turn = np.array([[0.0, 1.0], [-1.0, 0.0]])  # row vectors, counter-clockwise by 90 degrees
+    sides = [quarter @ np.linalg.matrix_power(turn, k) for k in (2, 3, 0, 1)]
+    return np.concatenate(sides)
+
+
+def _core_border(core: int) -> np.ndarray:
+    """Indices of the 4*core border points of the core, counter-clockwise from its corner (-, -)."""
+    grid = np.arange((core + 1) ** 2).reshape(core + 1, core + 1)
+    return np.concatenate([grid[0, :-1], grid[:-1, -1], grid[-1, :0:-1], grid[:0:-1, 0]])
+
+
+def _core_line(core: int, first: int) -> np.ndarray:
+    """The middle line of the core, from the middle of side first (0 the front, -y; 1 the right, +x) to the other."""
+    grid = np.arange((core + 1) ** 2).reshape(core + 1, core + 1)
+    return grid[:, core // 2] if first == 0 else grid[core // 2, ::-1]
+
+
+def _spokes(core: int, rings: int) -> np.ndarray:
+    """(4*core + 1, rings + 1) indices of the lines from the core's border to the outline; the last is the first."""
+    ring_points = (core + 1) ** 2 + np.arange(rings * 4 * core).reshape(rings, 4 * core)
+    spokes = np.concatenate([_core_border(core)[None], ring_points]).T
+    return np.concatenate([spokes, spokes[:1]])
+
+
+def _panel_quads(core: int, rings: int) -> np.ndarray:
+    """(k, 4) indices, counter-clockwise seen from above."""
+    grid = np.arange((core + 1) ** 2).reshape(core + 1, core + 1)
+    spokes = _spokes(core, rings)
+    quads = [
+        np.stack([g[:-1, :-1], g[1:, :-1], g[1:, 1:], g[:-1, 1:]], axis=-1).reshape(-1, 4) for g in (grid.T, spokes.T)
+    ]
+    return np.concatenate(quads)
+
+
+def _inflate(x: np.ndarray, y: np.ndarray, core: int, rings: int) -> np.ndarray:
+    """The membrane under even pressure with its outline held (Poisson's equation, linear elements), 1 at the top."""
+    quads = _panel_quads(core, rings)
+    triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    stiffness = np.zeros((len(x), len(x)))
+    load = np.zeros(len(x))
+    for triangle in triangles:
+        px, py = x[triangle], y[triangle]
+        gx, gy = np.roll(py, -1) - np.roll(py, 1), np.roll(px, 1) - np.roll(px, -1)  # edge normals
+        double_area = abs(gx @ px)
+        stiffness[np.ix_(triangle, triangle)] += (np.outer(gx, gx) + np.outer(gy, gy)) / (2 * double_area)
+        load[triangle] += double_area / 6
+    free = np.setdiff1d(np.arange(len(x)), _spokes(core, rings)[:, -1])
+    height = np.zeros(len(x))
+    height[free] = np.linalg.solve(stiffness[np.ix_(free, free)], load[free])
+    return height / height.max()
+
+
+def _strip(x: np.ndarray, y: np.ndarray, rows: int) -> np.ndarray:
+    """(rows + 1, c, 3) points of the strip over the closed outline, bottom row first, bulging outward."""
+    outline = np.stack([x, y], axis=-1)
+    along = np.roll(outline[:-1], -1, axis=0) - np.roll(outline[:-1], 1, axis=0)
+    normal = np.stack([along[:, 1], -along[:, 0]], axis=-1) / np.linalg.norm(along, axis=1, keepdims=True)
+    normal = np.concatenate([normal, normal[:1]])
+    up = np.linspace(-1, 1, rows + 1)
+    plane = outline[None] + STRIP_BULGE * (1 - up**2)[:, None, None] * normal[None]
+    height = np.broadcast_to(STRIP_HEIGHT / 2 * up[:, None, None], (*plane.shape[:2], 1))
+    return np.concatenate([plane, height], axis=-1)

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A sample surface with its seams and wires, and the builder that welds it together from patches."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+WELD_DISTANCE = 1e-7  # meters; patches of one sample meet in equal points to about 1e-15
+
+
+@dataclass
+class Wire:
+    """A line whose length matters: a chain of vertices joined by edges; a closed one repeats its first vertex."""
+
+    vertices: list[int]
+    name: str
+    tolerance: float = 0.0
+
+
+@dataclass
+class Shape:
+    """A surface in meters, quads and triangles seen from outside counter-clockwise."""
+
+    name: str
+    vertices: np.ndarray  # (n, 3)
+    faces: list[tuple[int, ...]]
+    seams: np.ndarray  # (k, 2) vertex pairs
+    wires: list[Wire] = field(default_factory=list)
+
+    def triangles(self) -> np.ndarray:
+        """(m, 3) triangles; quads are cut from their first to their third corner, as Blender cuts them."""
+        return np.array([(face[0], face[k], face[k + 1]) for face in self.faces for k in range(1, len(face) - 1)])
+
+
+class ShapeBuilder:
+    """Collects patches; points closer than WELD_DISTANCE become one vertex."""
+
+    def __init__(self) -> None:
+        self._points: list[np.ndarray] = []
+        self._index_of: dict[tuple[int, ...], int] = {}
+        self._faces: list[tuple[int, ...]] = []
+        self._seams: set[tuple[int, int]] = set()
+        self._wires: list[Wire] = []
+
+    def add_points(self, points: np.ndarray) -> np.ndarray:
+        """Vertex indices of an array of points (..., 3), in an array of shape (...)."""
+        flat = points.reshape(-1, 3)
+        # The offset keeps round coordinates (0, 0.05, ...) off the borders of the welding cells.
+        cells = np.floor((flat + 0.3183 * WELD_DISTANCE) / WELD_DISTANCE).astype(np.int64)
+        indices = []
+        for point, cell in zip(flat, cells, strict=True):
+            index = self._index_of.setdefault(tuple(cell), len(self._points))
+            if index == len(self._points):
+                self._points.append(point)
+            indices.append(index)
+        return np.array(indices).reshape(points.shape[:-1])
+
+    def add_grid(self, points: np.ndarray, flip: bool = False) -> np.ndarray:
+        """Quads between the rows of (r, c, 3) points, seen with rows upward and columns to the right unless flipped."""
+        grid = self.add_points(points)
+        for lower, upper in zip(grid[:-1], grid[1:], strict=True):
+            for corners in zip(lower[:-1], lower[1:], upper[1:], upper[:-1], strict=True):
+                self.add_face(corners, flip)
+        return grid
+
+    def add_face(self, corners: tuple[int, ...], flip: bool = False) -> None:
+        """One triangle or quad; a quad begins at an end of its shorter diagonal, along which it will be cut."""
+        corners = tuple(int(c) for c in (corners[::-1] if flip else corners))
+        if len(corners) == 4:
+            a, b, c, d = (self._points[v] for v in corners)
+            if np.linalg.norm(b - d) < (1 - 1e-9) * np.linalg.norm(a - c):
+                corners = corners[1:] + corners[:1]
+        self._faces.append(corners)
+
+    def add_seam(self, chain: np.ndarray) -> None:
+        """Cuts the surface along a chain of vertices."""
+        self._seams.update((int(min(a, b)), int(max(a, b))) for a, b in zip(chain[:-1], chain[1:], strict=True))
+
+    def add_wire(self, chain: np.ndarray, name: str) -> None:
+        """Marks a rigid wire along a chain of vertices."""
+        self._wires.append(Wire([int(v) for v in chain], name))
+
+    def build(self, name: str) -> Shape:
+        """The finished surface."""
+        seams = np.array(sorted(self._seams), dtype=np.int64).reshape(-1, 2)
+        return Shape(name, np.array(self._points), self._faces, seams, self._wires)

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The JSON report of a flattening as tables in millimeters. Needs nothing but Python."""
+
+from __future__ import annotations
+
+
+def object_tables(report: dict) -> str:
+    """Every piece's lines and every seam of one object of the report, with their lengths on the model and flat."""
+    blocks = [_piece_table(piece) for piece in report["pieces"]]
+    if report["seams"]:
+        blocks.append(_seam_table(report["seams"]))
+    if report["wires"]:
+        blocks.append(_table("whole wires", [_row(wire["name"], wire) for wire in report["wires"]]))
+    blocks += [issue["sentence"] for issue in report["issues"]]
+    return "\n\n".join(blocks)
+
+
+def _piece_table(piece: dict) -> str:
+    title = (
+        f"piece {piece['index'] + 1}: {_area(piece['area_3d_m2'])} on the model, {_area(piece['area_2d_m2'])} flat, "
+        f"E {piece['arap_energy']:.5f}, aspect ratio up to {piece['aspect_ratio_max']:.3f}, "
+        f"{piece['flipped_faces']} flipped, {piece['overlapping_faces']} overlapping"
+    )
+    outline = [
+        _row("open edge" if line["seam"] is None else f"seam {line['seam'] + 1}", line) for line in piece["outline"]
+    ]
+    return _table(title, [_row(wire["name"], wire) for wire in piece["wires"]] + outline)
+
+
+def _seam_table(seams: list[dict]) -> str:
+    rows = []
+    for seam in seams:
+        pieces = " and ".join(str(piece + 1) for piece in seam["pieces"])
+        rows.append([*_row(f"seam {seam['index'] + 1}, pieces {pieces}", seam), f"{1000 * seam['mismatch_m']:.4f}"])
+    return _table("seams, both sides", rows, "mismatch")
+
+
+def _row(name: str, line: dict) -> list[str]:
+    """Name, model length, flat length of each side, largest difference."""
+    flat = " | ".join("none" if length is None else f"{1000 * length:.3f}" for length in line["length_2d_m"])
+    differences = [abs(length) for length in line["difference_m"] if length is not None]
+    worst = f"{1000 * max(differences):.4f}" if differences else "none"
+    return [name, f"{1000 * line['length_3d_m']:.3f}", flat, worst]
+
+
+def _table(title: str, rows: list[list[str]], *more: str) -> str:
+    rows = [["mm", "model", "flat", "difference", *more], *rows]
+    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
+    lines = [f"  {title}"]
+    for row in rows:
+        cells = [cell.rjust(width) for cell, width in zip(row, widths, strict=True)]
+        lines.append("    " + "  ".join([row[0].ljust(widths[0]), *cells[1:]]))
+    return "\n".join(lines)
+
+
+def _area(square_meters: float | None) -> str:
+    return "no area" if square_meters is None else f"{1e4 * square_meters:.1f} cm²"
