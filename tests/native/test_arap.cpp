@@ -17,9 +17,9 @@ using Spatial = std::array<Eigen::Vector3d, 3>;
 
 /// p put into space by a rigid motion, mapped to u.
 TriangleDistortion measure(const Planar& p, const Planar& u) {
-  const Eigen::Matrix3d rotation =
-      (Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()) * Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitX()))
-          .toRotationMatrix();
+  const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()) *
+                                    Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitX()))
+                                       .toRotationMatrix();
   Spatial q;
   for (std::size_t i = 0; i < 3; ++i) {
     q[i] = rotation * Eigen::Vector3d(p[i].x(), p[i].y(), 0) + Eigen::Vector3d(3, -1, 2);
@@ -72,7 +72,8 @@ TEST(Arap, EqualsTheCotangentFormulaOfThePaper) {
 }
 
 TEST(Arap, SingularValuesOfAStretchTurnedBothWays) {
-  const Eigen::Matrix2d map = Eigen::Rotation2Dd(0.7) * Eigen::Vector2d(1.25, 0.8).asDiagonal() * Eigen::Rotation2Dd(2.0);
+  const Eigen::Matrix2d map =
+      Eigen::Rotation2Dd(0.7) * Eigen::Vector2d(1.25, 0.8).asDiagonal() * Eigen::Rotation2Dd(2.0);
   const TriangleDistortion t = measure(kTriangle, transformed(kTriangle, map));
   EXPECT_NEAR(t.sigma_1, 1.25, 1e-14);
   EXPECT_NEAR(t.sigma_2, 0.8, 1e-14);

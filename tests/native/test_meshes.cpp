@@ -174,8 +174,8 @@ FlattenInput cylinder_tube(int nx, int ny, double radius, double height) {
 }
 
 FlattenInput quarter_sphere(int n) {
-  FlattenInput input = make_grid(
-      n, 2 * n, [](double s, double t) { return on_sphere(kPi / 2 * s, kPi * 75 / 180 * (2 * t - 1)); });
+  FlattenInput input =
+      make_grid(n, 2 * n, [](double s, double t) { return on_sphere(kPi / 2 * s, kPi * 75 / 180 * (2 * t - 1)); });
   alternate_diagonals(input, n);
   add_wire(input, grid_column(n, 2 * n, n / 2), 0, "meridian");
   add_wire(input, grid_row(n, n), 0, "equator");

@@ -58,8 +58,8 @@ FlattenInput cone_patch(int nx, int ny, double near, double far, double half_ang
 FlattenInput cylinder_tube(int nx, int ny, double radius, double height);
 
 // Doubly curved.
-/// A quarter of the unit sphere from 75 degrees south to 75 degrees north, n by 2n quads with alternating diagonals, and
-/// rigid wires along the middle meridian and the equator (the shape of the paper's Fig. 1).
+/// A quarter of the unit sphere from 75 degrees south to 75 degrees north, n by 2n quads with alternating diagonals,
+/// and rigid wires along the middle meridian and the equator (the shape of the paper's Fig. 1).
 FlattenInput quarter_sphere(int n);
 /// z = bend (x² − y²) over the square of side 2.
 FlattenInput saddle(int n, double bend);

@@ -37,8 +37,8 @@ TEST(PackBoxes, NoTwoOverlapAndTheGapIsKept) {
         for (int b = 0; b < a; ++b) {
           double apart = -1;
           for (int k = 0; k < 2; ++k) {
-            apart = std::max({apart, corners(a, k) - corners(b, k) - sizes(b, k),
-                              corners(b, k) - corners(a, k) - sizes(a, k)});
+            apart = std::max(
+                {apart, corners(a, k) - corners(b, k) - sizes(b, k), corners(b, k) - corners(a, k) - sizes(a, k)});
           }
           EXPECT_GE(apart, gap == 0 ? -1e-14 : gap - 1e-4) << a << " and " << b << " of " << count;
         }
@@ -144,8 +144,10 @@ TEST(PackPieces, LengthsSurviveAndPiecesAreApart) {
     EXPECT_GE(packed[c].minCoeff(), 0);
     for (std::size_t d = 0; d < c; ++d) {
       if (d == 2) continue;
-      const Eigen::AlignedBox2d c_box(packed[c].colwise().minCoeff().transpose(), packed[c].colwise().maxCoeff().transpose());
-      const Eigen::AlignedBox2d d_box(packed[d].colwise().minCoeff().transpose(), packed[d].colwise().maxCoeff().transpose());
+      const Eigen::AlignedBox2d c_box(packed[c].colwise().minCoeff().transpose(),
+                                      packed[c].colwise().maxCoeff().transpose());
+      const Eigen::AlignedBox2d d_box(packed[d].colwise().minCoeff().transpose(),
+                                      packed[d].colwise().maxCoeff().transpose());
       EXPECT_TRUE(c_box.intersection(d_box).isEmpty()) << c << " and " << d;
     }
   }

@@ -88,7 +88,9 @@ FlattenError wrong_lengths(const Chart& chart, const std::vector<Wire>& wires, c
   ErrorElements elements;
   for (const WrongEdge& edge : wrong) elements.edges.push_back(edge.vertices);
   for (const int part : beyond) {
-    for (const HalfedgeHandle h : chart.wire_parts[at(part)].half_edges) elements.edges.push_back(source_edge(chart, h));
+    for (const HalfedgeHandle h : chart.wire_parts[at(part)].half_edges) {
+      elements.edges.push_back(source_edge(chart, h));
+    }
   }
   std::string what;
   if (!wrong.empty()) {

@@ -28,8 +28,8 @@ Corners counter_clockwise(Corners t) {
   return t;
 }
 
-/// The bounding box, smaller by depth on every side, but not empty: triangles that penetrate each other by twice as much
-/// have boxes that do.
+/// The bounding box, smaller by depth on every side, but not empty: triangles that penetrate each other by twice as
+/// much have boxes that do.
 Box2 inner_box(const Corners& t, double depth) {
   const Eigen::Vector2d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]);
   const Eigen::Vector2d high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);

@@ -86,8 +86,7 @@ Positions2 pack_boxes(const Positions2& sizes, double gap) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(sizes.rows()));
   std::iota(order.begin(), order.end(), 0);
   const auto height = [&](Eigen::Index box) { return slack > 0 ? std::round(sizes(box, 1) / slack) : 0.0; };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Eigen::Index a, Eigen::Index b) { return height(a) > height(b); });
+  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return height(a) > height(b); });
 
   // Of several strip widths the one that comes nearest to a square.
   constexpr int kStrips = 16;

@@ -43,8 +43,8 @@ Positions2 mirror_image(const Positions2& uv) {
   return mirrored;
 }
 
-std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, const std::vector<Positions2>& layouts, double gap,
-                                    bool mirror) {
+std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, const std::vector<Positions2>& layouts,
+                                    double gap, bool mirror) {
   std::vector<Positions2> packed(layouts.size());
   std::vector<std::size_t> pieces;  // those with a layout
   double area = 0;

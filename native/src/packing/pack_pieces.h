@@ -11,8 +11,8 @@ namespace wirewarp {
 ///
 /// layouts: one per chart, one row per chart vertex, scene units; no rows: no layout, skipped. gap: see Options::gap.
 /// Rotation and translation move each coordinate by a few units of rounding.
-std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, const std::vector<Positions2>& layouts, double gap,
-                                    bool mirror);
+std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, const std::vector<Positions2>& layouts,
+                                    double gap, bool mirror);
 
 /// The same layout seen from the other side, exactly: x negated.
 Positions2 mirror_image(const Positions2& uv);
