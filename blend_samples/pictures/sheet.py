@@ -17,7 +17,7 @@ from .palette import FAINT_INK, INK, INSIDE, MODEL, SEAM, WIRE, lit, round_limit
 from .surfaces import Flat, Model, read_flat, read_model
 
 WIDTH, HEIGHT = 14.0, 7.9
-MODEL_BOX = Box(-6.65, -2.0, -0.75, 2.85)  # inches
+MODEL_BOX = Box(-6.65, -2.0, -0.75, 2.75)  # inches
 FLAT_BOX = Box(-1.15, 6.65, -2.7, 3.6)
 TABLE_Y, TABLE_STEP, TABLE_TEXT = -1.12, 0.22, 0.165
 LEGEND_Y = -3.5
@@ -45,6 +45,8 @@ def draw_sample(
     _draw_numbers(sheet, pieces, placed, report)
 
     sheet.add_text(report["object"], MODEL_BOX.left, 3.3, 0.38, INK)
+    key = "Large numbers: pieces" + (", small numbers: seams" if report["seams"] else "")
+    sheet.add_text(key, MODEL_BOX.left, 3.0, TABLE_TEXT, FAINT_INK)
     _draw_lengths(sheet, report)
     draw_line_key(sheet, MODEL_BOX.left, LEGEND_Y, LINE_WIDTH)
     draw_length_scale(sheet, FLAT_BOX.left, LEGEND_Y, scale)
