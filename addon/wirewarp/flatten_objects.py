@@ -17,7 +17,7 @@ from .report_store import remember, store
 from .targets import check_target
 from .unit_text import meters_per_blender_unit
 from .wire_names import update_names
-from .write_flat_object import write_flat_object
+from .write_flat_object import find_flat_object, write_flat_object
 from .write_uv import UV_LAYER, write_uv
 
 
@@ -66,6 +66,8 @@ def write(context: bpy.types.Context, outcomes: list[Outcome], use_modifiers: bo
     """Writes UV layer, flat object and report of every object that has a layout."""
     for outcome in outcomes:
         if not outcome.has_layout:
+            if find_flat_object(outcome.source):
+                outcome.report["notes"].append("Nothing was written: the flat pieces are those of an earlier run.")
             remember(outcome.source, outcome.report)
             continue
         if not use_modifiers:
@@ -95,7 +97,7 @@ def _identify(report: dict, source: bpy.types.Object, use_modifiers: bool) -> di
     """The report with the object's names in front."""
     if source.modifiers and not use_modifiers:
         report["notes"].append(
-            "Modifiers are left out: the base mesh was flattened. Tick With Modifiers to flatten what they make."
+            "Modifiers are left out: the base mesh was flattened. Tick Modifiers to flatten what they make."
         )
     names = {"object": source.name, "mesh": source.data.name, "with_modifiers": use_modifiers}
     return names | {"counts": element_counts(source.data)} | report

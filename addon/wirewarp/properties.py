@@ -30,7 +30,7 @@ class FlattenSettings:
         default="WIREWARPING",
     )
     node_weight: EnumProperty(
-        name="Angle Weight",
+        name="Weight",
         description="How strongly each vertex of a seam or wire holds its surface angle",
         items=[
             ("LENGTH", "By Length", "A property of the curve: the same shape wherever the mesh has its vertices"),
@@ -48,12 +48,12 @@ class FlattenSettings:
         precision=3,
     )
     mirror: BoolProperty(
-        name="Seen from Inside",
-        description="Mirror the pieces: draw them as seen from behind the faces instead of from outside",
+        name="Mirrored",
+        description="Draw the pieces as seen from inside, from behind the faces, instead of from outside",
         default=False,
     )
     use_modifiers: BoolProperty(
-        name="With Modifiers",
+        name="Modifiers",
         description="Flatten the mesh as the modifiers leave it. The result goes to the flat object only, "
         "because the base mesh has no place for its UVs",
         default=False,

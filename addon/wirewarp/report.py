@@ -134,5 +134,5 @@ def number(value: float) -> float | None:
 def _notes(method: str, arrays: MeshArrays) -> list[str]:
     loose = [wire.name for wire in arrays.wires if wire.chain.tolerance > 0]
     if method == "wirewarping" and loose:
-        return [f"WireWarping keeps every wire rigid: the tolerance of {', '.join(loose)} is not used."]
+        return [f"Kept rigid by this method, tolerance not used: {', '.join(loose)}."]
     return []

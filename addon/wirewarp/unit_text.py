@@ -18,7 +18,7 @@ _UNITS = {
 }
 # Cutters work in these; metres only where the scene asks for them.
 _ADAPTIVE = {"METRIC": "mm", "IMPERIAL": "in"}
-_DECIMALS = {"mm": 2, "cm": 3, "m": 5, "in": 3}
+_DECIMALS = {"mm": 2, "cm": 3, "m": 4, "in": 3}
 
 
 @dataclass(frozen=True)

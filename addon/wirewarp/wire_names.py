@@ -10,6 +10,12 @@ def find_name(mesh: bpy.types.Mesh, wire_id: int) -> bpy.types.PropertyGroup | N
     return next((entry for entry in mesh.wirewarp_names if entry.wire_id == wire_id), None)
 
 
+def list_position(mesh: bpy.types.Mesh, wire_id: int) -> int:
+    """For sorting: the place in the list, unnamed wires last."""
+    ids = [entry.wire_id for entry in mesh.wirewarp_names]
+    return ids.index(wire_id) if wire_id in ids else len(ids)
+
+
 def display_name(mesh: bpy.types.Mesh, wire_id: int) -> str:
     entry = find_name(mesh, wire_id)
     return entry.name if entry else f"Wire {wire_id}"
@@ -32,7 +38,7 @@ def update_names(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> None:
 
 
 def _free_name(taken: set[str]) -> str:
-    number = 1
+    number = len(taken) + 1
     while f"Wire {number}" in taken:
         number += 1
     return f"Wire {number}"

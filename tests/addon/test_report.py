@@ -57,7 +57,7 @@ def test_the_report_states_every_length_in_blender_units_and_metres(source, tmp_
 def test_tolerances_that_the_method_does_not_use_are_said(source, tmp_path):
     mark(source, WIRE, kind="SUPER_ELASTIC")
     (entry,) = flatten_with_report(tmp_path)["objects"]
-    assert entry["notes"] == ["WireWarping keeps every wire rigid: the tolerance of Wire 1 is not used."]
+    assert entry["notes"] == ["Kept rigid by this method, tolerance not used: Wire 1."]
     assert entry["wires"][0]["length_2d"][0] == pytest.approx(entry["wires"][0]["length_3d"], rel=1e-9)
 
 

@@ -49,6 +49,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
             outcomes = self._compute(context, sources)
             anything = any(outcome.has_layout for outcome in outcomes)
             write(context, outcomes, self.use_modifiers)
+        _redraw_sidebars(context)
         reports = [outcome.report for outcome in outcomes]
         if report_file:
             units = {
@@ -86,3 +87,11 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
         layout.use_property_split = True
         for name in FlattenSettings.__annotations__:
             layout.prop(self, name)
+
+
+def _redraw_sidebars(context: bpy.types.Context) -> None:
+    """Blender redraws by itself after a run that changed data, but not after one that only failed."""
+    for window in context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "VIEW_3D":
+                area.tag_redraw()

@@ -33,12 +33,12 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         self._draw_buttons(context, layout)
 
     def _draw_buttons(self, context: bpy.types.Context, layout: bpy.types.UILayout) -> None:
-        layout.label(text="Seams: where the pieces are cut")
+        layout.label(text="Seams cut the pieces")
         row = layout.row(align=True)
         row.operator("mesh.mark_seam", text="Mark Seam").clear = False
         row.operator("mesh.mark_seam", text="Clear Seam").clear = True
 
-        layout.label(text="Wires: lines that keep their length")
+        layout.label(text="Wires keep their length")
         column = layout.column(align=True)
         column.operator("mesh.wirewarp_mark", text="Rigid").kind = "RIGID"
         row = column.row(align=True)
@@ -71,7 +71,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         column.prop(settings, "mirror")
         column.prop(settings, "use_modifiers")
         if _has_loose_wires(context):
-            draw_sentence(context, layout, "WireWarping keeps every wire rigid, elastic and free ones too.", "INFO")
+            draw_sentence(context, layout, "This method keeps elastic and free wires rigid too.", "INFO")
 
 
 def _has_loose_wires(context: bpy.types.Context) -> bool:

@@ -33,7 +33,7 @@ def seam_rows(report: dict) -> list[ReportRow]:
         pieces = [piece + 1 for piece in seam["pieces"]]
         between = "in piece" if len(set(pieces)) == 1 else "pieces"
         name = f"Seam {seam['index'] + 1}, {between} {_list(list(dict.fromkeys(pieces)))}"
-        rows.append(ReportRow(name, seam["ok"], _sides(seam, [f"{piece}:" for piece in pieces])))
+        rows.append(ReportRow(name, seam["ok"], _sides(seam, [f"Piece {piece}" for piece in pieces])))
     return _worst_first(rows)
 
 

@@ -5,6 +5,26 @@ import textwrap
 
 import bpy
 
+WIDE = 330  # in Blender's own pixels; the sidebar starts at half of it
+
+
+def is_wide(context: bpy.types.Context) -> bool:
+    """Whether a table of four columns fits the region."""
+    return context.region.width / context.preferences.system.ui_scale >= WIDE
+
+
+def draw_cells(layout: bpy.types.UILayout, label: str, cells: list[str], label_share: float) -> None:
+    """A line of a table: a label, and numbers in columns of equal width."""
+    row = layout.row()
+    row.scale_y = 0.8
+    split = row.split(factor=label_share)
+    split.label(text=label)
+    columns = split.grid_flow(columns=len(cells), even_columns=True, row_major=True)
+    for cell in cells:
+        part = columns.row()
+        part.alignment = "RIGHT"
+        part.label(text=cell)
+
 
 def draw_sentence(context: bpy.types.Context, layout: bpy.types.UILayout, text: str, icon: str = "NONE") -> None:
     """Blender cuts long labels off, so the sentence is broken into lines that fit the region."""

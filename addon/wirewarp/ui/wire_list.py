@@ -8,7 +8,7 @@ import numpy as np
 
 from ..issues import ObjectError
 from ..unit_text import length_text
-from ..wire_names import find_name
+from ..wire_names import find_name, list_position
 from ..wire_summary import WireSummary, wires_of
 from .panel import SidebarPanel
 from .text import draw_sentence
@@ -25,7 +25,7 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         target = context.active_object
         try:
-            wires = wires_of(target)
+            wires = sorted(wires_of(target), key=lambda wire: list_position(target.data, wire.wire_id))
         except ObjectError as error:
             draw_sentence(context, self.layout, str(error), "ERROR")
             return
@@ -36,7 +36,7 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
         text = length_text(context.scene)
         column = self.layout.column(align=True)
         for number, wire in enumerate(wires, start=1):
-            self._draw_wire(column.row(align=True), target.data, wire, number, text(wire.length(linear)))
+            self._draw_wire(column.row(align=True), target.data, wire, number, text.number(wire.length(linear)))
         total = sum(wire.length(linear) for wire in wires)
         self.layout.label(text=f"{len(wires)} wire{'s' if len(wires) != 1 else ''}, {text(total)} in all")
 
@@ -46,18 +46,20 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
         button = row.operator("mesh.wirewarp_select_wire", text="", icon="RESTRICT_SELECT_OFF")
         button.wire_id = wire.wire_id
         button.tolerance = min(wire.tolerance, float(np.finfo(np.float32).max))
-        columns = row.split(factor=0.42, align=True)
+        columns = row.split(factor=0.45, align=True)
         named = find_name(mesh, wire.wire_id)
         if named:
             columns.prop(named, "name", text="")
         else:
             columns.label(text=f"Wire {number}")
-        right = columns.split(factor=0.4)
+        right = columns.split(factor=0.45)
         right.label(text=kind_text(wire.tolerance))
-        right.label(text=length)
+        last = right.row()
+        last.alignment = "RIGHT"
+        last.label(text=length)
 
 
 def kind_text(tolerance: float) -> str:
     if tolerance == 0:
         return "rigid"
-    return "free" if math.isinf(tolerance) else f"±{100 * tolerance:.3g} %"
+    return "free" if math.isinf(tolerance) else f"±{100 * tolerance:.3g}%"

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A table of lengths: four columns where the sidebar is wide, one number a line where it is narrow."""
+
+import bpy
+
+from ..unit_text import LengthText, length_text
+from .report_rows import ReportRow, Side
+from .text import draw_cells, is_wide
+
+SHOWN_ROWS = 8
+
+
+def draw_table(context: bpy.types.Context, layout: bpy.types.UILayout, rows: list[ReportRow]) -> None:
+    text = length_text(context.scene)
+    column = layout.column(align=True)
+    wide = is_wide(context)
+    if wide:
+        draw_cells(column, "", [f"3D {text.unit}", f"Flat {text.unit}", "Diff.", "%"], 0.2)
+    for row in rows if context.scene.wirewarp.show_all else rows[:SHOWN_ROWS]:
+        column.label(text=row.name, icon="CHECKMARK" if row.ok else "CANCEL")
+        (_draw_wide if wide else _draw_narrow)(column, row, text)
+        column.separator(factor=0.7)
+    if len(rows) > SHOWN_ROWS:
+        layout.prop(context.scene.wirewarp, "show_all", text=f"Show All {len(rows)}")
+
+
+def _draw_wide(column: bpy.types.UILayout, row: ReportRow, text: LengthText) -> None:
+    for side in row.sides:
+        flat, difference, percent = _flat_numbers(side, text)
+        draw_cells(column, side.label, [text.number(side.length_3d), flat, difference, percent], 0.2)
+
+
+def _draw_narrow(column: bpy.types.UILayout, row: ReportRow, text: LengthText) -> None:
+    draw_cells(column, "3D", [text(row.sides[0].length_3d)], 0.4)
+    for side in row.sides:
+        flat, difference, percent = _flat_numbers(side, text)
+        draw_cells(column, side.label or "Flat", [f"{flat} {text.unit}"], 0.4)
+        if percent:
+            draw_cells(column, "   diff.", [f"{difference}  {percent}%"], 0.25)
+
+
+def _flat_numbers(side: Side, text: LengthText) -> tuple[str, str, str]:
+    """Flat length, difference and percent; no percent without a layout."""
+    if side.length_2d is None:
+        return "no layout", "", ""
+    percent = f"{abs(side.percent):.3f}" if abs(side.percent) < 5e-4 else f"{side.percent:+.3f}"
+    return text.number(side.length_2d), text.difference(side.difference), percent
