@@ -6,29 +6,72 @@
 //   d_k          pivot k
 //   y_j, z_j     a_kj and a_jk less what pivots before j eliminate from them; at the end y_j = l_kj d_j, z_j = d_j u_jk
 //
-//   y_i -= y_j u_ji,   z_i -= l_ij z_j   for every i in column j of L,   d_k = a_kk - Σ y_j z_j / d_j
+//   y_i -= Σ y_j u_ji,   z_i -= Σ l_ij z_j,   d_k = a_kk - Σ y_j z_j / d_j
 //
-// The j that take part in step k are the nodes of the elimination tree on the paths from the entries of row and column
-// k of A up to k (T. A. Davis, Direct Methods for Sparse Linear Systems, SIAM 2006, chapter 4).
+// The j that take part in step k are those on the paths of the elimination tree from the entries of row and column k
+// of A up to k (T. A. Davis, Direct Methods for Sparse Linear Systems, SIAM 2006, chapter 4). Of a supernode all pivots
+// take part or none: the sums run over a whole supernode, and its rows are walked once instead of once per pivot.
 #include "inner/sparse_lu.h"
 
 #include <Eigen/OrderingMethods>
+#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace wirewarp {
+
+/// What the factorization knows before it meets a number, besides the size of each supernode.
+struct SparseLu::Analysis {
+  std::vector<int> pivot_of_row;  // Pᵀ
+  std::vector<int> supernode_of_pivot;
+  std::vector<int> parent;  // of each supernode in the elimination tree, -1 at a root
+};
+
 namespace {
 
-/// Two numbers worked on side by side: (y, z) of the elimination, (x, y) of a position.
-using Pair = Eigen::Array2d;
+using ConstVector = Eigen::Map<const Eigen::VectorXd>;
+
+/// The nodes of a tree met on the way up from several nodes to one that they all descend from.
+class Reach {
+ public:
+  explicit Reach(const std::vector<int>& parent)
+      : parent_(parent), step_of_(parent.size(), -1), nodes_(parent.size()), path_(parent.size()) {}
+
+  void start(int step, int top) {
+    step_ = step;
+    first_ = nodes_.size();
+    step_of_[top] = step;
+    nodes_[--first_] = top;
+  }
+  void climb_from(int node) {
+    std::size_t length = 0;
+    for (; step_of_[node] != step_; node = parent_[node]) {
+      step_of_[node] = step_;
+      path_[length++] = node;
+    }
+    while (length > 0) nodes_[--first_] = path_[--length];
+  }
+  /// From begin to end each node comes before its ancestors.
+  auto begin() const { return nodes_.begin() + static_cast<std::ptrdiff_t>(first_); }
+  auto end() const { return nodes_.end(); }
+
+ private:
+  const std::vector<int>& parent_;
+  std::vector<int> step_of_;  // the last step that met a node
+  std::vector<int> nodes_;    // filled from the back
+  std::vector<int> path_;
+  std::size_t first_ = 0;
+  int step_ = -1;
+};
 
 }  // namespace
 
 SparseLu::SparseLu(const Matrix& a) : size_(static_cast<int>(a.rows())) {
   const Columns a_by_columns = a;
   order(a_by_columns);
-  analyze(a, a_by_columns);
-  factor(a, a_by_columns);
+  factor(a, a_by_columns, analyze(a, a_by_columns));
 }
 
 /// P: approximate minimum degree on the pattern of A + Aᵀ.
@@ -36,82 +79,102 @@ void SparseLu::order(const Columns& a) {
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
   Eigen::AMDOrdering<int>()(a, order);
   row_of_pivot_.assign(order.indices().begin(), order.indices().end());
-  pivot_of_row_.resize(row_of_pivot_.size());
-  for (int k = 0; k < size_; ++k) pivot_of_row_[row_of_pivot_[k]] = k;
 }
 
-/// The elimination tree and the room each column of L needs.
-void SparseLu::analyze(const Matrix& a, const Columns& a_by_columns) {
-  parent_.assign(size_, -1);
-  column_start_.assign(size_ + 1, 0);
-  std::vector<int> visited_in_step(size_, -1);
+/// The elimination tree, the entries below the diagonal of each column of L, and from them the supernodes.
+SparseLu::Analysis SparseLu::analyze(const Matrix& a, const Columns& a_by_columns) {
+  std::vector<int> pivot_of_row(size_);
+  for (int k = 0; k < size_; ++k) pivot_of_row[row_of_pivot_[k]] = k;
+  std::vector<int> parent(size_, -1), count(size_, 0), step_of(size_, -1);
   const auto climb = [&](int i, int k) {
-    for (; visited_in_step[i] != k; i = parent_[i]) {
-      visited_in_step[i] = k;
-      ++column_start_[i + 1];
-      if (parent_[i] < 0) parent_[i] = k;
+    for (; step_of[i] != k; i = parent[i]) {
+      step_of[i] = k;
+      ++count[i];
+      if (parent[i] < 0) parent[i] = k;
     }
   };
   for (int k = 0; k < size_; ++k) {
-    visited_in_step[k] = k;
-    const int row = row_of_pivot_[k];
-    for (Matrix::InnerIterator it(a, row); it; ++it)
-      if (const int i = pivot_of_row_[it.col()]; i < k) climb(i, k);
-    for (Columns::InnerIterator it(a_by_columns, row); it; ++it)
-      if (const int i = pivot_of_row_[it.row()]; i < k) climb(i, k);
-  }
-  for (int k = 0; k < size_; ++k) column_start_[k + 1] += column_start_[k];
-}
-
-void SparseLu::factor(const Matrix& a, const Columns& a_by_columns) {
-  row_of_entry_.resize(column_start_[size_]);
-  lower_.resize(row_of_entry_.size());
-  upper_.resize(row_of_entry_.size());
-  diagonal_.resize(size_);
-  std::vector<std::size_t> column_end(column_start_.begin(), column_start_.end() - 1);  // filled up to here
-  std::vector<Pair> yz(size_, Pair::Zero());
-  std::vector<int> visited_in_step(size_, -1), reach(size_), path(size_);
-
-  for (int k = 0; k < size_; ++k) {
-    // reach[first..]: the pivots of this step, each before its ancestors.
-    int first = size_;
-    visited_in_step[k] = k;
-    const auto climb = [&](int i) {
-      int length = 0;
-      for (; visited_in_step[i] != k; i = parent_[i]) {
-        visited_in_step[i] = k;
-        path[length++] = i;
-      }
-      while (length > 0) reach[--first] = path[--length];
-    };
+    step_of[k] = k;
     const int row = row_of_pivot_[k];
     for (Matrix::InnerIterator it(a, row); it; ++it) {
-      const int i = pivot_of_row_[it.col()];
-      if (i > k) continue;
-      climb(i);
-      yz[i][0] = it.value();
+      if (const int i = pivot_of_row[it.col()]; i < k) climb(i, k);
     }
     for (Columns::InnerIterator it(a_by_columns, row); it; ++it) {
-      const int i = pivot_of_row_[it.row()];
+      if (const int i = pivot_of_row[it.row()]; i < k) climb(i, k);
+    }
+  }
+
+  Analysis analysis{std::move(pivot_of_row), std::vector<int>(size_), {}};
+  Supernode next{0, 0, 0};
+  for (int k = 0; k < size_; ++k) {
+    fill_ += count[k];
+    analysis.supernode_of_pivot[k] = static_cast<int>(supernodes_.size());
+    if (parent[k] == k + 1 && count[k] == count[k + 1] + 1) continue;  // pivot k + 1 belongs to the same supernode
+    supernodes_.push_back(next);
+    analysis.parent.push_back(parent[k]);
+    const std::size_t columns = k + 1 - next.pivot, rows = columns + count[k];
+    next = {k + 1, next.row + rows, next.entry + rows * columns};
+  }
+  supernodes_.push_back(next);
+  for (int& node : analysis.parent) {
+    if (node >= 0) node = analysis.supernode_of_pivot[node];
+  }
+  return analysis;
+}
+
+void SparseLu::factor(const Matrix& a, const Columns& a_by_columns, const Analysis& analysis) {
+  rows_.resize(supernodes_.back().row);
+  lower_.resize(supernodes_.back().entry);
+  upper_.resize(supernodes_.back().entry);
+  diagonal_.resize(size_);
+  std::vector<double> y(size_, 0.0), z(size_, 0.0);
+  std::vector<int> filled_rows(analysis.parent.size(), 0);
+  Reach reach(analysis.parent);
+
+  for (int k = 0; k < size_; ++k) {
+    reach.start(k, analysis.supernode_of_pivot[k]);
+    const int row = row_of_pivot_[k];
+    for (Matrix::InnerIterator it(a, row); it; ++it) {
+      const int i = analysis.pivot_of_row[it.col()];
+      if (i > k) continue;
+      reach.climb_from(analysis.supernode_of_pivot[i]);
+      y[i] = it.value();
+    }
+    for (Columns::InnerIterator it(a_by_columns, row); it; ++it) {
+      const int i = analysis.pivot_of_row[it.row()];
       if (i >= k) continue;
-      climb(i);
-      yz[i][1] = it.value();
+      reach.climb_from(analysis.supernode_of_pivot[i]);
+      z[i] = it.value();
     }
 
-    double pivot = yz[k][0];
-    yz[k].setZero();
-    for (int step = first; step < size_; ++step) {
-      const int j = reach[step];
-      const Pair yz_j = yz[j];
-      yz[j].setZero();
-      for (std::size_t p = column_start_[j]; p < column_end[j]; ++p)
-        yz[row_of_entry_[p]] -= yz_j * Pair(upper_[p], lower_[p]);
-      const Pair lu = yz_j / diagonal_[j];
-      pivot -= yz_j[0] * lu[1];
-      const std::size_t p = column_end[j]++;
-      row_of_entry_[p] = k;
-      lower_[p] = lu[0];
-      upper_[p] = lu[1];
+    double pivot = y[k];
+    y[k] = 0;
+    for (const int s : reach) {
+      const Supernode& node = supernodes_[s];
+      const int stride = width(s);
+      const int row_k = filled_rows[s]++;
+      const int columns = std::min(row_k, stride);  // fewer than all where k is a pivot of s itself
+      double* lower = &lower_[node.entry];
+      double* upper = &upper_[node.entry];
+      double* y_s = &y[node.pivot];
+      double* z_s = &z[node.pivot];
+      for (int r = 1; r < row_k; ++r) {
+        const int i = rows_[node.row + r];
+        const int before_i = std::min(r, columns);
+        const std::size_t entry = static_cast<std::size_t>(r) * stride;
+        y[i] -= ConstVector(y_s, before_i).dot(ConstVector(upper + entry, before_i));
+        z[i] -= ConstVector(z_s, before_i).dot(ConstVector(lower + entry, before_i));
+      }
+      rows_[node.row + row_k] = k;
+      lower += static_cast<std::size_t>(row_k) * stride;
+      upper += static_cast<std::size_t>(row_k) * stride;
+      for (int j = 0; j < columns; ++j) {
+        const double d = diagonal_[node.pivot + j];
+        lower[j] = y_s[j] / d;
+        upper[j] = z_s[j] / d;
+        pivot -= y_s[j] * upper[j];
+        y_s[j] = z_s[j] = 0;
+      }
     }
     if (!(pivot > 0)) throw std::domain_error("SparseLu: pivot " + std::to_string(k) + " is not positive");
     diagonal_[k] = pivot;
@@ -128,13 +191,27 @@ void SparseLu::solve_transposed(Positions2& b) const {
 }
 
 void SparseLu::substitute(const std::vector<double>& lower, const std::vector<double>& upper, Positions2& b) const {
+  using Pair = Eigen::Array2d;  // x and y of a position
   std::vector<Pair> x(size_);
   for (int k = 0; k < size_; ++k) x[k] = b.row(row_of_pivot_[k]).transpose();
-  for (int j = 0; j < size_; ++j)
-    for (std::size_t p = column_start_[j]; p < column_start_[j + 1]; ++p) x[row_of_entry_[p]] -= lower[p] * x[j];
-  for (int j = size_ - 1; j >= 0; --j) {
-    x[j] /= diagonal_[j];
-    for (std::size_t p = column_start_[j]; p < column_start_[j + 1]; ++p) x[j] -= upper[p] * x[row_of_entry_[p]];
+  const std::size_t num_supernodes = supernodes_.size() - 1;
+  for (std::size_t s = 0; s < num_supernodes; ++s) {
+    const Supernode& node = supernodes_[s];
+    for (int r = 1; r < height(s); ++r) {
+      const double* l = &lower[node.entry + static_cast<std::size_t>(r) * width(s)];
+      Pair sum = Pair::Zero();
+      for (int j = 0; j < std::min(r, width(s)); ++j) sum += l[j] * x[node.pivot + j];
+      x[rows_[node.row + r]] -= sum;
+    }
+  }
+  for (std::size_t s = num_supernodes; s-- > 0;) {
+    const Supernode& node = supernodes_[s];
+    for (int j = 0; j < width(s); ++j) x[node.pivot + j] /= diagonal_[node.pivot + j];
+    for (int r = height(s) - 1; r > 0; --r) {
+      const double* u = &upper[node.entry + static_cast<std::size_t>(r) * width(s)];
+      const Pair x_r = x[rows_[node.row + r]];
+      for (int j = 0; j < std::min(r, width(s)); ++j) x[node.pivot + j] -= u[j] * x_r;
+    }
   }
   for (int k = 0; k < size_; ++k) b.row(row_of_pivot_[k]) = x[k].transpose();
 }

@@ -31,25 +31,37 @@ class SparseLu {
   void solve_transposed(Positions2& b) const;
 
   /// Entries of L below its diagonal.
-  std::size_t fill() const { return row_of_entry_.size(); }
+  std::size_t fill() const { return fill_; }
 
  private:
   using Columns = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
+  /// Where the pivots, the rows and the entries of a supernode begin; they end where the next one's begin. A supernode
+  /// is a run of pivots whose columns of L have the same rows below the run. Its rows are its own pivots, then those
+  /// below; each row has an entry for each of its pivots.
+  struct Supernode {
+    int pivot;
+    std::size_t row;
+    std::size_t entry;
+  };
+  struct Analysis;
+
+  int width(std::size_t s) const { return supernodes_[s + 1].pivot - supernodes_[s].pivot; }
+  int height(std::size_t s) const { return static_cast<int>(supernodes_[s + 1].row - supernodes_[s].row); }
+
   void order(const Columns& a);
-  void analyze(const Matrix& a, const Columns& a_by_columns);
-  void factor(const Matrix& a, const Columns& a_by_columns);
+  Analysis analyze(const Matrix& a, const Columns& a_by_columns);
+  void factor(const Matrix& a, const Columns& a_by_columns, const Analysis& analysis);
   void substitute(const std::vector<double>& lower, const std::vector<double>& upper, Positions2& b) const;
 
   int size_;
-  std::vector<int> row_of_pivot_;          // P: pivot k is row and column row_of_pivot_[k] of A
-  std::vector<int> pivot_of_row_;          // its inverse
-  std::vector<int> parent_;                // elimination tree of P (A + Aᵀ) Pᵀ, -1 at a root
-  std::vector<std::size_t> column_start_;  // column j of L and row j of U: entries column_start_[j] to [j + 1]
-  std::vector<int> row_of_entry_;          // row in L, column in U; ascending along each column of L
-  std::vector<double> lower_;              // L
-  std::vector<double> upper_;              // U
-  std::vector<double> diagonal_;           // D
+  std::size_t fill_ = 0;
+  std::vector<int> row_of_pivot_;      // P: pivot k is row and column row_of_pivot_[k] of A
+  std::vector<Supernode> supernodes_;  // and one past the last
+  std::vector<int> rows_;              // of all supernodes, ascending in each
+  std::vector<double> lower_;          // L, row by row of each supernode; 0 on and above the diagonal
+  std::vector<double> upper_;          // Uᵀ, the same
+  std::vector<double> diagonal_;       // D
 };
 
 }  // namespace wirewarp
