@@ -39,27 +39,21 @@ def flat_mesh(result: Any, arrays: MeshArrays) -> FlatMesh:  # noqa: ANN401
 
     vertex_of_loop = np.full(len(arrays.loop_vertices), -1, dtype=np.int32)
     vertex_of_loop[arrays.triangle_loops[placed]] = flat_triangles[placed]
-    loops = _loops_of(arrays, kept)
-    used, loop_vertices = np.unique(vertex_of_loop[loops], return_inverse=True)
     sizes = arrays.polygon_sizes[kept]
 
-    by_polygon = arrays.triangle_polygons
-    face_energy = np.bincount(by_polygon, np.where(placed, energy, 0), polygon_count)
-    face_area = np.bincount(by_polygon, _areas(arrays.vertices, arrays.triangles), polygon_count)
-    face_ratio = np.ones(polygon_count)
-    np.maximum.at(face_ratio, by_polygon[placed], ratio[placed])
-    face_piece = np.zeros(polygon_count, dtype=np.int32)
-    face_piece[by_polygon] = piece_of_triangle
+    first_triangle = np.searchsorted(arrays.triangle_polygons, np.arange(polygon_count))
+    face_energy = np.add.reduceat(energy, first_triangle)[kept]
+    face_area = np.add.reduceat(_areas(arrays.vertices, arrays.triangles), first_triangle)[kept]
     return FlatMesh(
-        vertices=vertices[used],
-        source_vertex=source_vertex[used],
-        loop_vertices=loop_vertices.astype(np.int32).ravel(),
+        vertices=vertices,
+        source_vertex=source_vertex,
+        loop_vertices=vertex_of_loop[_loops_of(arrays, kept)],
         polygon_starts=(np.cumsum(sizes) - sizes).astype(np.int32),
         polygon_sizes=sizes,
-        piece=face_piece[kept],
-        arap_energy=face_energy[kept].astype(np.float32),
-        energy_density=(face_energy[kept] / face_area[kept]).astype(np.float32),
-        aspect_ratio=face_ratio[kept].astype(np.float32),
+        piece=piece_of_triangle[first_triangle][kept],
+        arap_energy=face_energy.astype(np.float32),
+        energy_density=(face_energy / face_area).astype(np.float32),
+        aspect_ratio=np.maximum.reduceat(ratio, first_triangle)[kept].astype(np.float32),
     )
 
 
@@ -108,5 +102,7 @@ def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
 
 
 def _areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    a, b, c = (vertices[triangles[:, corner]] for corner in range(3))
-    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    x, y, z = (np.ascontiguousarray(column)[triangles] for column in vertices.T)  # (m,3), one per corner
+    ux, uy, uz = (each[:, 1] - each[:, 0] for each in (x, y, z))
+    vx, vy, vz = (each[:, 2] - each[:, 0] for each in (x, y, z))
+    return np.sqrt((uy * vz - uz * vy) ** 2 + (uz * vx - ux * vz) ** 2 + (ux * vy - uy * vx) ** 2) / 2

@@ -28,7 +28,7 @@ class MeshArrays:
     vertices: np.ndarray  # (n,3) float64, Blender units, the object's rotation, scale and shear applied
     triangles: np.ndarray  # (m,3) int32, as Blender shows the faces
     triangle_loops: np.ndarray  # (m,3) int32, the loop at each corner
-    triangle_polygons: np.ndarray  # (m,) int32
+    triangle_polygons: np.ndarray  # (m,) int32, ascending
     loop_vertices: np.ndarray  # (l,) int32
     polygon_starts: np.ndarray  # (f,) int32, first loop of each polygon
     polygon_sizes: np.ndarray  # (f,) int32
@@ -79,29 +79,33 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, named: bpy.types.Mesh, linear: np.ndar
     mesh.calc_loop_triangles()
     # A mirrored object's faces still look outward in Blender, but their corners run the other way round.
     order = [2, 1, 0] if mirrored else [0, 1, 2]
-    corners = np.ascontiguousarray(read(mesh.loop_triangles, "vertices", np.int32, 3)[:, order])
     loops = np.ascontiguousarray(read(mesh.loop_triangles, "loops", np.int32, 3)[:, order])
+    loop_vertices = read(mesh.loops, "vertex_index", np.int32)
     vertices = read(mesh.vertices, "co", np.float32, 3).astype(np.float64) @ linear.T
     edges = read(mesh.edges, "vertices", np.int32, 2)
-    loop_edges = read(mesh.loops, "edge_index", np.int32)
+    sizes = read(mesh.polygons, "loop_total", np.int32)
     return MeshArrays(
         vertices=vertices,
-        triangles=corners,
+        triangles=loop_vertices[loops],
         triangle_loops=loops,
-        triangle_polygons=read(mesh.loop_triangles, "polygon_index", np.int32),
-        loop_vertices=read(mesh.loops, "vertex_index", np.int32),
+        # Blender keeps the triangles in the order of their polygons: n - 2 of each.
+        triangle_polygons=np.repeat(np.arange(len(sizes), dtype=np.int32), sizes - 2),
+        loop_vertices=loop_vertices,
         polygon_starts=read(mesh.polygons, "loop_start", np.int32),
-        polygon_sizes=read(mesh.polygons, "loop_total", np.int32),
+        polygon_sizes=sizes,
         edges=edges,
-        seams=edges[_seam_mask(mesh, loop_edges)],
+        seams=_read_seams(mesh, edges),
         wires=_read_wires(mesh, named, edges, vertices),
         mirrored=mirrored,
     )
 
 
-def _seam_mask(mesh: bpy.types.Mesh, loop_edges: np.ndarray) -> np.ndarray:
+def _read_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> np.ndarray:
     """Seam edges that belong to a face; a loose edge cuts nothing."""
-    return read(mesh.edges, "use_seam", bool) & (np.bincount(loop_edges, minlength=len(mesh.edges)) > 0)
+    marked = read(mesh.edges, "use_seam", bool)
+    if marked.any():
+        marked &= np.bincount(read(mesh.loops, "edge_index", np.int32), minlength=len(edges)) > 0
+    return edges[marked]
 
 
 def _read_wires(

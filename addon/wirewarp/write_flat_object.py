@@ -61,12 +61,12 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) 
     _add(mesh, "aspect_ratio", "FLOAT", "FACE", flat.aspect_ratio)
     _add(mesh, "length_variation", "FLOAT", "EDGE", variation)
 
-    worst_at_vertex = np.zeros(len(flat.vertices), dtype=np.float32)
-    np.maximum.at(worst_at_vertex, edges.ravel(), np.repeat(variation, 2))
+    ends = edges.ravel()
+    at_vertex = np.bincount(ends, np.repeat(variation, 2)) / np.bincount(ends)  # the mean of its edges
     corner_face = np.repeat(np.arange(len(flat.polygon_sizes)), flat.polygon_sizes)
     _add_color(mesh, ASPECT_RATIO.attribute, "CORNER", ASPECT_RATIO.colors(flat.aspect_ratio)[corner_face])
     _add_color(mesh, ARAP_ENERGY.attribute, "CORNER", ARAP_ENERGY.colors(flat.energy_density)[corner_face])
-    _add_color(mesh, LENGTH_VARIATION.attribute, "POINT", LENGTH_VARIATION.colors(worst_at_vertex))
+    _add_color(mesh, LENGTH_VARIATION.attribute, "POINT", LENGTH_VARIATION.colors(at_vertex))
     shown = mesh.color_attributes.find(COLOR_MAPS[0].attribute)
     mesh.color_attributes.active_color_index = shown
     mesh.color_attributes.render_color_index = shown
@@ -77,7 +77,7 @@ def _add(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str, values: n
 
 
 def _add_color(mesh: bpy.types.Mesh, name: str, domain: str, colors: np.ndarray) -> None:
-    mesh.color_attributes.new(name, "BYTE_COLOR", domain).data.foreach_set("color", colors.ravel())
+    mesh.color_attributes.new(name, "FLOAT_COLOR", domain).data.foreach_set("color", colors.ravel())
 
 
 def _collection(scene: bpy.types.Scene) -> bpy.types.Collection:

@@ -44,9 +44,10 @@ def write_uv(mesh: bpy.types.Mesh, corner_uv: np.ndarray, arrays: MeshArrays) ->
 def loop_coordinates(corner_uv: np.ndarray, arrays: MeshArrays) -> tuple[np.ndarray, float]:
     """UVs (l,2) float32 of all loops in the unit square, and the scale."""
     placed = has_layout(corner_uv)
-    low = corner_uv[placed].min(axis=(0, 1))
-    scale = float((corner_uv[placed].max(axis=(0, 1)) - low).max())
+    uv = corner_uv if placed.all() else corner_uv[placed]
+    low = np.array([uv[..., 0].min(), uv[..., 1].min()])
+    scale = float(max(uv[..., 0].max() - low[0], uv[..., 1].max() - low[1]))
     loop_uv = np.zeros((len(arrays.loop_vertices), 2), dtype=np.float32)
     # The corners that triangles of one quad share lie in one piece, so they write the same numbers.
-    loop_uv[arrays.triangle_loops[placed]] = np.clip((corner_uv[placed] - low) / scale, 0, 1)
+    loop_uv[arrays.triangle_loops[placed]] = np.clip((uv - low) / scale, 0, 1)
     return loop_uv, scale

@@ -14,6 +14,9 @@ from .panel import SidebarPanel
 from .text import draw_sentence
 
 
+SHOWN_WIRES = 40  # more make Blender slow to draw
+
+
 class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
     bl_label = "Wires"
 
@@ -35,8 +38,10 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
         linear = np.array(target.matrix_world, dtype=np.float64)[:3, :3]
         text = length_text(context.scene)
         column = self.layout.column(align=True)
-        for number, wire in enumerate(wires, start=1):
+        for number, wire in enumerate(wires[:SHOWN_WIRES], start=1):
             self._draw_wire(column.row(align=True), target.data, wire, number, text.number(wire.length(linear)))
+        if len(wires) > SHOWN_WIRES:
+            self.layout.label(text=f"and {len(wires) - SHOWN_WIRES} more")
         total = sum(wire.length(linear) for wire in wires)
         self.layout.label(text=f"{len(wires)} wire{'s' if len(wires) != 1 else ''}, {text(total)} in all")
 
