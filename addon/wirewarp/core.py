@@ -6,6 +6,7 @@ The legacy add-on carries it inside (_core/wirewarp); for the extension Blender 
 
 import importlib
 import sys
+from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 from types import ModuleType
 
@@ -22,15 +23,12 @@ def load(addon_version: str) -> None:
     """Looks for the library once, when the add-on registers. What is wrong is kept for problem()."""
     global _library, _problem
     _library, _problem = None, ""
-    inside = (Path(__file__).parent / _INSIDE / "wirewarp").is_dir()
+    inside = Path(__file__).parent / _INSIDE / "wirewarp"
+    name, package = (f".{_INSIDE}.wirewarp", __package__) if inside.is_dir() else ("wirewarp", None)
     try:
-        found = importlib.import_module(f".{_INSIDE}.wirewarp", __package__) if inside else _import_wheel()
+        found = importlib.import_module(name, package)
     except ImportError as error:
-        python = f"{sys.version_info.major}.{sys.version_info.minor}"
-        _problem = (
-            f"The WireWarp library does not load in this Blender (Python {python}, {sys.platform}): {error}. "
-            "Install the WireWarp zip made for this version of Blender and this system."
-        )
+        _problem = _loading_problem(error, inside)
         return
     if found.__version__ != addon_version:
         _problem = (
@@ -41,8 +39,17 @@ def load(addon_version: str) -> None:
     _library = found
 
 
-def _import_wheel() -> ModuleType:
-    return importlib.import_module("wirewarp")
+def _loading_problem(error: ImportError, inside: Path) -> str:
+    here = f"Python {sys.version_info.major}.{sys.version_info.minor} on {sys.platform}"
+    suffixes = {path.name.removeprefix("_wirewarp") for path in inside.glob("_wirewarp.*.*")}
+    if suffixes and not suffixes.intersection(EXTENSION_SUFFIXES):
+        reason = f"it is made for {', '.join(sorted(suffixes))}"
+    else:
+        reason = str(error)
+    return (
+        f"The WireWarp library does not load in this Blender ({here}): {reason}. "
+        "Install the WireWarp zip made for this version of Blender and this system."
+    )
 
 
 def problem() -> str:

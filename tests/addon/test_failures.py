@@ -163,6 +163,12 @@ def test_a_report_file_in_no_folder(tmp_path):
     assert nothing_written(source)
 
 
+def test_a_report_file_that_cannot_be_written(tmp_path):
+    source = grid("Bump", bump)
+    flatten_fails("The report cannot be written: .*directory", report_path=str(tmp_path))
+    assert len(flat_of(source).data.polygons) == 64
+
+
 def test_a_tolerance_that_is_no_number_names_the_wire():
     source = grid("Bump", bump)
     mark(source, on_line(1, 0.0))

@@ -52,11 +52,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
         _redraw_sidebars(context)
         reports = [outcome.report for outcome in outcomes]
         if report_file:
-            units = {
-                "meters_per_blender_unit": meters_per_blender_unit(context.scene),
-                "system": context.scene.unit_settings.system,
-            }
-            write_json(report_file, run_report(core.library().__version__, units, reports))
+            self._write_report(context, report_file, reports)
         if all(report["ok"] for report in reports):
             self.report({"INFO"}, success_text(reports))
         else:
@@ -70,6 +66,16 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
         if report_file and not report_file.parent.is_dir():
             return f'The report cannot be written: there is no folder "{report_file.parent}".'
         return ""
+
+    def _write_report(self, context: bpy.types.Context, path: Path, reports: list[dict]) -> None:
+        units = {
+            "meters_per_blender_unit": meters_per_blender_unit(context.scene),
+            "system": context.scene.unit_settings.system,
+        }
+        try:
+            write_json(path, run_report(core.library().__version__, units, reports))
+        except OSError as error:
+            self.report({"ERROR"}, f"The report cannot be written: {error}.")
 
     def _compute(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> list:
         choices = FlattenChoices(

@@ -13,7 +13,6 @@ from ..wire_summary import WireSummary, wires_of
 from .panel import SidebarPanel
 from .text import draw_sentence
 
-
 SHOWN_WIRES = 40  # more make Blender slow to draw
 
 
