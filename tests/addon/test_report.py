@@ -82,9 +82,9 @@ def test_rows_are_worst_first(addon):
         lengths = {"length_3d": 1.0, "length_2d": [1.0], "difference": [0.0], "percent": [percent]}
         return {"index": index, "pieces": [0], "ok": ok, **lengths}
 
-    report = {"seams": [seam(0, 0.1), seam(1, -0.5), seam(2, None, ok=False), seam(3, 0.0)]}
+    report = {"seams": [seam(0, 0.1), seam(1, -0.5), seam(2, None, ok=False), seam(3, 1e-12), seam(4, 2e-12)]}
     rows = addon.ui.report_rows.seam_rows(report)
-    assert [row.name for row in rows] == [f"Seam {k}, in piece 1" for k in (3, 2, 1, 4)]
+    assert [row.name for row in rows] == [f"Seam {k}, in piece 1" for k in (3, 2, 1, 4, 5)]
 
 
 @pytest.mark.parametrize(

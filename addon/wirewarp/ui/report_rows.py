@@ -24,7 +24,7 @@ class ReportRow:
     def badness(self) -> float:
         """Failures first, then the largest difference in percent."""
         worst = max((abs(side.percent) if side.percent is not None else math.inf) for side in self.sides)
-        return math.inf if not self.ok else worst
+        return math.inf if not self.ok else round(worst, 6)  # rounding errors do not make an order
 
 
 def seam_rows(report: dict) -> list[ReportRow]:
