@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""WireWarp: flat pieces with exact seam and wire lengths."""
+"""WireWarp: flat pieces with exact seam and wire lengths.
+
+Marking:    operators/mark -> edit_marks -> marking, wire_chains; the marks are edge attributes (wire_attributes).
+Flattening: operators/flatten -> flatten_objects: targets (may it be written?) -> mesh_to_arrays -> flatten_job (the
+            core library) -> report, write_uv, flat_mesh, write_flat_object. All is computed before anything is written.
+Showing:    ui/, from wire_summary and report_store.
+"""
 
 from . import core, properties, registration
 

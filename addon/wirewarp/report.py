@@ -31,6 +31,7 @@ def object_report(result: Any, arrays: MeshArrays, meters: float) -> dict:  # no
     failed = {issue.piece for issue in issues}
     method = result.report["method"]
     return {
+        "schema": SCHEMA,
         "ok": not issues,
         "method": method,
         "method_name": METHOD_NAMES[method],
@@ -45,7 +46,15 @@ def object_report(result: Any, arrays: MeshArrays, meters: float) -> dict:  # no
 
 def failure_report(issue: Issue) -> dict:
     """The report of an object that could not be flattened at all."""
-    return {"ok": False, "pieces": [], "seams": [], "wires": [], "issues": [asdict(issue)], "notes": []}
+    return {
+        "schema": SCHEMA,
+        "ok": False,
+        "pieces": [],
+        "seams": [],
+        "wires": [],
+        "issues": [asdict(issue)],
+        "notes": [],
+    }
 
 
 def _piece(index: int, piece: Any, meters: float) -> dict:  # noqa: ANN401

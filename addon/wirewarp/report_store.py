@@ -10,6 +10,9 @@ import json
 import bpy
 from bpy.app.handlers import persistent
 
+from .issues import Issue
+from .report import SCHEMA, failure_report
+
 REPORT = "wirewarp_report"
 _unwritten: dict[str, dict] = {}
 _parsed: dict[str, tuple[str, dict]] = {}  # text and what it says, so that drawing the panel need not parse it
@@ -27,14 +30,27 @@ def remember(source: bpy.types.Object, report: dict) -> None:
 
 
 def last_report(source: bpy.types.Object) -> dict | None:
+    """The report of the last run, None if there was none."""
     if source.name_full in _unwritten:
         return _unwritten[source.name_full]
     text = source.get(REPORT)
-    if not isinstance(text, str):
+    if text is None:
         return None
     if _parsed.get(source.name_full, ("", {}))[0] != text:
-        _parsed[source.name_full] = (text, json.loads(text))
+        _parsed[source.name_full] = (text, _parse(text))
     return _parsed[source.name_full][1]
+
+
+def _parse(text: object) -> dict:
+    try:
+        report = json.loads(text) if isinstance(text, str) else None
+    except json.JSONDecodeError:
+        report = None
+    if isinstance(report, dict) and report.get("schema") == SCHEMA:
+        return report
+    return failure_report(
+        Issue("unreadable_report", "The stored report is not one of this version of WireWarp: flatten again.")
+    )
 
 
 @persistent

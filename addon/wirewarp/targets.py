@@ -39,7 +39,8 @@ def _check_users(target: bpy.types.Object) -> None:
     """One UV layer cannot be true for objects of different scale."""
     own = _metric(target)
     for other in bpy.data.objects:
-        if other.data == target.data and not np.allclose(_metric(other), own, rtol=1e-5, atol=1e-5 * np.abs(own).max()):
+        shares = other.data == target.data and other.users_scene  # what is in no scene has no true scale
+        if shares and not np.allclose(_metric(other), own, rtol=1e-5, atol=1e-5 * np.abs(own).max()):
             sentence = (
                 f'"{target.name}" and "{other.name}" share the mesh "{target.data.name}" but differ in scale, and one '
                 "UV map cannot be true for both: use Object > Relations > Make Single User > Object & Data."

@@ -77,6 +77,15 @@ def test_the_report_is_saved_with_the_object(source, addon, tmp_path):
     assert bpy.data.objects["Bump Flat"].wirewarp_source == bpy.data.objects["Bump"]
 
 
+@pytest.mark.parametrize("stored", ["{", "[]", '{"schema": "older"}', 7])
+def test_a_stored_report_that_cannot_be_read_is_a_sentence(source, addon, stored):
+    source["wirewarp_report"] = stored
+    report = addon.report_store.last_report(source)
+    assert not report["ok"]
+    assert "flatten again" in report["issues"][0]["sentence"]
+    assert bpy.ops.mesh.wirewarp_select_issues() == {"CANCELLED"}
+
+
 def test_rows_are_worst_first(addon):
     def seam(index, percent, ok=True):
         lengths = {"length_3d": 1.0, "length_2d": [1.0], "difference": [0.0], "percent": [percent]}

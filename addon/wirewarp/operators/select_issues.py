@@ -40,10 +40,10 @@ class MESH_OT_wirewarp_select_issues(bpy.types.Operator):
             return f'"{target.name}" has not been flattened yet.'
         if target.library is not None or target.data.library is not None:
             return f'"{target.name}" is linked from another file and has no Edit Mode here: make it local.'
-        if report["with_modifiers"] and report["issues"]:
+        if report.get("with_modifiers") and report["issues"]:
             return "The issues lie on the mesh with modifiers: apply the modifiers, flatten again and select."
         if target.mode == "EDIT":
             target.update_from_editmode()
-        if report["counts"] != element_counts(target.data):
+        if "counts" in report and report["counts"] != element_counts(target.data):
             return f'"{target.name}" has changed since it was flattened: flatten it again.'
         return ""

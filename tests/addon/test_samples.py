@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The sample files: they are what their script makes, and Flatten keeps every length on them."""
+
+import json
+import sys
+import zlib
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+from surfaces import edge_vertices, read
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
+
+import shapes
+
+FOLDER = Path(shapes.__file__).resolve().parents[1]
+SAMPLES = {shape.name.lower().replace(" ", "_"): shape for shape in shapes.all_shapes()}
+
+
+def open_sample(name):
+    bpy.ops.wm.open_mainfile(filepath=str(FOLDER / f"{name}.blend"))
+    return bpy.context.view_layer.objects.active
+
+
+def pairs(edges):
+    return {tuple(sorted(pair)) for pair in edges.tolist()}
+
+
+def test_there_is_one_file_for_each_shape():
+    assert {path.stem for path in FOLDER.glob("*.blend")} == set(SAMPLES)
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_the_file_holds_what_the_script_makes(name):
+    shape, mesh = SAMPLES[name], open_sample(name).data
+    assert read(mesh.vertices, "co", np.float32, 3) == pytest.approx(shape.vertices, abs=1e-7)
+    assert [tuple(polygon.vertices) for polygon in mesh.polygons] == shape.faces
+    edges = edge_vertices(mesh)
+    assert pairs(edges[read(mesh.edges, "use_seam", bool)]) == pairs(shape.seams)
+    ids = read(mesh.attributes["wirewarp_wire"].data, "value", np.int32)
+    assert (read(mesh.attributes["wirewarp_tolerance"].data, "value", np.float32) == 0).all()
+    for wire in shape.wires:
+        chain = np.column_stack([wire.vertices[:-1], wire.vertices[1:]])
+        assert pairs(edges[ids == zlib.crc32(wire.name.encode()) & 0x7FFFFFFF]) == pairs(chain)
+    assert {entry.name for entry in mesh.wirewarp_names} == {wire.name for wire in shape.wires}
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_flatten_keeps_every_length(name, tmp_path):
+    open_sample(name)
+    assert bpy.ops.object.wirewarp_flatten(report_path=str(tmp_path / "report.json")) == {"FINISHED"}
+    (report,) = json.loads((tmp_path / "report.json").read_text())["objects"]
+    assert report["ok"]
+    assert [wire["name"] for wire in report["wires"]] == [wire.name for wire in SAMPLES[name].wires]
