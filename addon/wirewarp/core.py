@@ -24,9 +24,11 @@ def load(addon_version: str) -> None:
     global _library, _problem
     _library, _problem = None, ""
     inside = Path(__file__).parent / _INSIDE / "wirewarp"
-    name, package = (f".{_INSIDE}.wirewarp", __package__) if inside.is_dir() else ("wirewarp", None)
     try:
-        found = importlib.import_module(name, package)
+        if inside.is_dir():
+            found = importlib.import_module(f".{_INSIDE}.wirewarp", __package__)
+        else:
+            found = importlib.import_module("wirewarp")
     except ImportError as error:
         _problem = _loading_problem(error, inside)
         return
