@@ -56,11 +56,11 @@ def wire_error(wire: object) -> float:
     return abs(wire.length_2d - wire.length_3d)
 
 
-print(f"{'mm':20}{'method':14}{'seam sides differ by':>22}{'wire longer or shorter by':>30}")
+print(f"{'mm':20}{'method':14}{'seam sides differ by':>22}{'wire longer or shorter by':>40}")
 for sample in all_shapes():
     for unwrap_method in ("ANGLE_BASED", "CONFORMAL"):
         result = measure_true_size(core.library(), sample, unwrap(sample, unwrap_method))
         mismatch = max((seam.mismatch for seam in result.seams), default=0.0)
         worst = max(result.wires, key=wire_error)
         wire_text = f"{1000 * wire_error(worst):.2f} ({worst.name})"
-        print(f"{sample.name:20}{unwrap_method:14}{1000 * mismatch:22.2f}{wire_text:>30}")
+        print(f"{sample.name:20}{unwrap_method:14}{1000 * mismatch:22.2f}{wire_text:>40}")

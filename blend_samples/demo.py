@@ -13,14 +13,15 @@ import json
 import os
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import TextIO
 
 import bpy
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER))
-
-os.environ["EGL_LOG_LEVEL"] = "fatal"  # Mesa warns before it falls back to drawing without a screen
 
 from pictures.sheet import draw_sample  # noqa: E402 (the folder must be on the path first)
 from tables import object_tables  # noqa: E402
@@ -38,8 +39,8 @@ VIEWS = {
 }
 
 
-def flatten_sample(name: str, output: Path) -> bool:
-    """Writes the files of one sample; False if a promise was broken."""
+def flatten_sample(name: str, output: Path, terminal: TextIO) -> bool:
+    """Writes the files of one sample and prints its lengths; False if a promise was broken."""
     bpy.ops.wm.open_mainfile(filepath=str(FOLDER / f"{name}.blend"))
     model = bpy.context.view_layer.objects.active
     report_path = output / f"{name}.json"
@@ -51,8 +52,10 @@ def flatten_sample(name: str, output: Path) -> bool:
         problem = str(error)
     seconds = time.monotonic() - begin
     report = json.loads(report_path.read_text())["objects"][0]
-    print(f"\n{model.name}: {len(report['pieces'])} pieces by {report['method_name']}, {seconds:.2f} s in all")
-    print(object_tables(report))
+    count = len(report["pieces"])
+    pieces = "1 piece" if count == 1 else f"{count} pieces"
+    print(f"\n{model.name}: {pieces}, {report['method_name']}, {seconds:.2f} s", file=terminal)
+    print(object_tables(report), file=terminal)
 
     bpy.ops.wm.save_as_mainfile(filepath=str(output / f"{name}.blend"), compress=True, check_existing=False)
     flat = bpy.data.objects[f"{model.name} Flat"]
@@ -60,15 +63,35 @@ def flatten_sample(name: str, output: Path) -> bool:
     return not problem
 
 
+@contextmanager
+def log_of_blender(path: Path) -> Iterator[TextIO]:
+    """Sends all that Blender says while it loads, saves and draws to a file; yields the terminal.
+
+    After an error the terminal is back, for Blender to show it; otherwise what Blender still says goes to the file.
+    """
+    terminal = os.fdopen(os.dup(1), "w", buffering=1)
+    errors = os.dup(2)
+    with path.open("w") as file:
+        os.dup2(file.fileno(), 1)
+        os.dup2(file.fileno(), 2)
+        try:
+            yield terminal
+        except BaseException:
+            os.dup2(terminal.fileno(), 1)
+            os.dup2(errors, 2)
+            raise
+
+
 def main() -> int:
     arguments = sys.argv[sys.argv.index("--") + 1 :]
     output = Path(arguments[0]).resolve()
     output.mkdir(parents=True, exist_ok=True)
     bpy.context.preferences.filepaths.save_version = 0  # no .blend1 beside a file that is written again
-    failed = [name for name in arguments[1:] or VIEWS if not flatten_sample(name, output)]
-    print(f"\nPictures, .blend files and reports: {output}")
-    if failed:
-        print(f"Not every promise was kept: {', '.join(failed)}")
+    with log_of_blender(output / "blender.log") as terminal:
+        failed = [name for name in arguments[1:] or VIEWS if not flatten_sample(name, output, terminal)]
+        print(f"\nPictures, .blend files with the pieces and reports: {output}", file=terminal)
+        if failed:
+            print(f"Not every promise was kept: {', '.join(failed)}", file=terminal)
     return 1 if failed else 0
 
 

@@ -18,7 +18,7 @@ def object_tables(report: dict) -> str:
 def _piece_table(piece: dict) -> str:
     title = (
         f"piece {piece['index'] + 1}: {_area(piece['area_3d_m2'])} on the model, {_area(piece['area_2d_m2'])} flat, "
-        f"E {piece['arap_energy']:.5f}, aspect ratio up to {piece['aspect_ratio_max']:.3f}, "
+        f"energy {piece['arap_energy']:.5f}, aspect ratio up to {piece['aspect_ratio_max']:.3f}, "
         f"{piece['flipped_faces']} flipped, {piece['overlapping_faces']} overlapping"
     )
     outline = [

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The samples keep every promise: lengths, seams, wires across pieces and darts, no distortion where none is needed."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import wirewarp
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
+
+import shapes
+
+SAMPLES = {shape.name: shape for shape in shapes.all_shapes()}
+
+
+@pytest.fixture(scope="module")
+def results():
+    return {
+        name: wirewarp.flatten(
+            shape.vertices,
+            shape.triangles(),
+            seams=shape.seams,
+            wires=[wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires],
+        )
+        for name, shape in SAMPLES.items()
+    }
+
+
+def edges_with_use(faces):
+    """Vertex pairs (k, 2), the smaller first, and the number of faces of each."""
+    sides = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    return np.unique(sides, axis=0, return_counts=True)
+
+
+def lengths(points, edges):
+    return np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_outline_and_wire_edges_keep_their_length(results, name):
+    shape = SAMPLES[name]
+    marked = {tuple(sorted(pair)) for wire in shape.wires for pair in zip(wire.vertices, wire.vertices[1:])}  # noqa: B905
+    checked = set()
+    for piece in results[name].pieces:
+        assert piece.error is None
+        edges, use = edges_with_use(piece.faces)
+        source = np.sort(piece.source_vertex[edges], axis=1)
+        kept = (use == 1) | [tuple(pair) in marked for pair in source.tolist()]
+        assert lengths(piece.vertices, edges[kept]) == pytest.approx(lengths(shape.vertices, source[kept]), rel=1e-9)
+        checked |= set(map(tuple, source[kept].tolist()))
+    assert marked <= checked
+    assert {tuple(sorted(pair)) for pair in shape.seams.tolist()} <= checked
+
+
+@pytest.mark.parametrize("name", [name for name, shape in SAMPLES.items() if len(shape.seams)])
+def test_the_sides_of_every_seam_are_equal(results, name):
+    shape = SAMPLES[name]
+    seams = results[name].seams
+    assert sum(len(seam.edges) for seam in seams) == len(shape.seams)
+    for seam in seams:
+        assert len(seam.length_2d) == len(seam.pieces) == 2
+        assert seam.length_2d[0] == pytest.approx(seam.length_2d[1], rel=1e-12)
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_pieces_close(results, name):
+    assert max(piece.report.constraint_residual for piece in results[name].pieces) < 1e-12
+
+
+def parts(result, name):
+    """(piece, length) of each part of a wire."""
+    found = [(i, wire.length_2d) for i, piece in enumerate(result.pieces) for wire in piece.wires if wire.name == name]
+    (whole,) = [wire for wire in result.wires if wire.name == name]
+    assert sum(length for _, length in found) == pytest.approx(whole.length_3d, rel=1e-12)
+    return found
+
+
+def test_a_closed_wire_runs_through_two_pieces(results):
+    assert len({piece for piece, _ in parts(results["Fitted top"], "Bust line")}) == 2
+
+
+def test_a_closed_wire_runs_through_six_pieces(results):
+    equator = parts(results["Ball of six gores"], "Equator")
+    assert len({piece for piece, _ in equator}) == 6
+    assert [length for _, length in equator] == pytest.approx([equator[0][1]] * 6, rel=1e-12)
+
+
+def test_a_wire_runs_across_a_dart_in_each_half_of_the_hat(results):
+    head_line = [piece for piece, _ in parts(results["Hat"], "Head line")]
+    assert sorted(head_line.count(piece) for piece in set(head_line)) == [2, 2]
+    darts = [seam for seam in results["Hat"].seams if seam.pieces[0] == seam.pieces[1]]
+    assert len(darts) == 2 + 1  # and the brim's seam
+
+
+@pytest.mark.parametrize("name", ["Half cylinder", "Lampshade"])
+def test_developable_samples_come_out_isometric(results, name):
+    (piece,) = results[name].pieces
+    assert piece.metrics.face_aspect_ratio == pytest.approx(1, abs=1e-9)
+    assert piece.metrics.arap_energy < 1e-18
+    assert piece.metrics.area_2d == pytest.approx(piece.metrics.area_3d, rel=1e-12)
+
+
+def test_the_helix_unrolls_to_a_straight_line(results):
+    (piece,) = results["Half cylinder"].pieces
+    (helix,) = [wire for wire in SAMPLES["Half cylinder"].wires if wire.name == "Helix"]
+    place = dict(zip(piece.source_vertex.tolist(), piece.vertices, strict=True))
+    points = np.array([place[vertex] for vertex in helix.vertices])
+    assert np.linalg.norm(points[-1] - points[0]) == pytest.approx(lengths(points, path(len(points))).sum(), rel=1e-12)
+
+
+def path(count):
+    return np.column_stack([np.arange(count - 1), np.arange(1, count)])
+
+
+def test_the_mask_is_one_piece_with_two_holes(results):
+    (piece,) = results["Carnival mask"].pieces
+    edges, _ = edges_with_use(piece.faces)
+    assert len(piece.vertices) - len(edges) + len(piece.faces) == 1 - 2
