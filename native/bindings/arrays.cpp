@@ -16,13 +16,9 @@ namespace {
 
 constexpr int kPlain = py::array::c_style | py::array::forcecast;
 
-std::string text(py::handle value) {
-  return py::str(value);
-}
+std::string text(py::handle value) { return py::str(value); }
 
-std::string shape_text(const py::array& array) {
-  return text(array.attr("shape"));
-}
+std::string shape_text(const py::array& array) { return text(array.attr("shape")); }
 
 py::array as_array(py::handle value, const std::string& name) {
   try {
@@ -131,17 +127,11 @@ std::vector<int> read_sequence(py::handle value) {
 
 }  // namespace
 
-std::string type_name(py::handle value) {
-  return text(py::type::handle_of(value).attr("__name__"));
-}
+std::string type_name(py::handle value) { return text(py::type::handle_of(value).attr("__name__")); }
 
-Positions3 read_vertices(py::handle value) {
-  return read_reals<Positions3>(value, "vertices", {3});
-}
+Positions3 read_vertices(py::handle value) { return read_reals<Positions3>(value, "vertices", {3}); }
 
-Triangles read_faces(py::handle value) {
-  return read_indices<Triangles>(value, "faces", "Face");
-}
+Triangles read_faces(py::handle value) { return read_indices<Triangles>(value, "faces", "Face"); }
 
 VertexPairs read_seams(py::handle value) {
   if (value.is_none()) return VertexPairs(0, 2);

@@ -27,9 +27,7 @@ void raise_flatten_error(std::exception_ptr pointer) {
 
 }  // namespace
 
-std::string package_name() {
-  return py::str(py::type::of<Options>().attr("__module__"));
-}
+std::string package_name() { return py::str(py::type::of<Options>().attr("__module__")); }
 
 py::object to_python_error(const FlattenError& error) {
   const py::object type = py::module_::import(package_name().c_str()).attr("FlattenError");

@@ -16,9 +16,7 @@ py::object tuple_of(const std::vector<Value>& values) {
   return py::tuple(py::cast(values));
 }
 
-py::object error_or_none(const Piece& piece) {
-  return piece.error ? to_python_error(*piece.error) : py::none();
-}
+py::object error_or_none(const Piece& piece) { return piece.error ? to_python_error(*piece.error) : py::none(); }
 
 py::dict run_report(const FlattenResult& result) {
   const auto failed = std::count_if(result.pieces.begin(), result.pieces.end(),

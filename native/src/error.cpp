@@ -109,9 +109,7 @@ static_assert(in_declaration_order() && static_cast<std::size_t>(ErrorCode::over
 
 }  // namespace
 
-const ErrorDescription& describe(ErrorCode code) {
-  return kEntries[static_cast<std::size_t>(code)].description;
-}
+const ErrorDescription& describe(ErrorCode code) { return kEntries[static_cast<std::size_t>(code)].description; }
 
 const std::vector<ErrorCode>& all_error_codes() {
   static const std::vector<ErrorCode> codes = [] {

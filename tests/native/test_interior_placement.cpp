@@ -54,13 +54,9 @@ struct GridChart {
   std::vector<bool> on_network;
 };
 
-OpenMesh::Vec3d tilted_plane(double x, double y) {
-  return {x + 0.2 * y, 0.9 * y - 0.1 * x, 0.7 * x - 0.4 * y + 3};
-}
+OpenMesh::Vec3d tilted_plane(double x, double y) { return {x + 0.2 * y, 0.9 * y - 0.1 * x, 0.7 * x - 0.4 * y + 3}; }
 
-OpenMesh::Vec3d bumps(double x, double y) {
-  return {x, y, 0.2 * std::sin(5 * x) * std::cos(4 * y)};
-}
+OpenMesh::Vec3d bumps(double x, double y) { return {x, y, 0.2 * std::sin(5 * x) * std::cos(4 * y)}; }
 
 /// tan(α/2) of the angle at a between b and c, by the angle itself.
 double literal_tan_half(const HalfEdgeMesh& mesh, VertexHandle a, VertexHandle b, VertexHandle c) {

@@ -20,11 +20,11 @@ struct WireReport {
   int wire_index = -1;
   int part = -1;  // -1: the whole wire
   WireKind kind = WireKind::rigid;
-  double tolerance = 0;        // dimensionless, as the user wrote it; 0 on the boundary
+  double tolerance = 0;  // dimensionless, as the user wrote it; 0 on the boundary
   double length_3d = 0;
   double length_2d = 0;
-  double variation = 0;        // h, the length variation the method chose: lengths are (1+h) times the 3D ones
-  double max_edge_error = 0;   // largest |l2 - (1+h) l| / l of its edges
+  double variation = 0;       // h, the length variation the method chose: lengths are (1+h) times the 3D ones
+  double max_edge_error = 0;  // largest |l2 - (1+h) l| / l of its edges
 };
 
 /// One chain of the outline of a piece between junctions: hem, neckline, armhole, one side of a seam.
@@ -33,7 +33,7 @@ struct BoundaryReport {
   double length_3d = 0;
   double length_2d = 0;
   double max_edge_error = 0;
-  std::optional<int> seam;    // index into FlattenResult::seams
+  std::optional<int> seam;  // index into FlattenResult::seams
 };
 
 /// One chain of seam edges between junctions, with a side for each face that meets it.
@@ -47,15 +47,15 @@ struct SeamReport {
 
 /// Distortion of a piece (paper IV-A), on the input's own triangles and edges.
 struct Metrics {
-  double arap_energy = 0;                // Eq. (4) divided by the 3D area
-  Eigen::VectorXd face_arap;             // Eq. (6), one per face; sums to arap_energy * area_3d
-  Eigen::VectorXd face_aspect_ratio;     // E_r = max(sigma_1, 1/sigma_2), one per face; 1 on isometries
-  std::vector<VertexPair> wire_edges;    // the edges of edge_length_variation, wires first, then the boundary
-  Eigen::VectorXd edge_length_variation; // E_L (Eq. 5) = |l0 - l| / l0, one per wire edge
+  double arap_energy = 0;                 // Eq. (4) divided by the 3D area
+  Eigen::VectorXd face_arap;              // Eq. (6), one per face; sums to arap_energy * area_3d
+  Eigen::VectorXd face_aspect_ratio;      // E_r = max(sigma_1, 1/sigma_2), one per face; 1 on isometries
+  std::vector<VertexPair> wire_edges;     // the edges of edge_length_variation, wires first, then the boundary
+  Eigen::VectorXd edge_length_variation;  // E_L (Eq. 5) = |l0 - l| / l0, one per wire edge
   std::vector<int> flipped_faces;
-  std::vector<int> overlapping_faces;    // faces that cover a part of the piece a second time
-  double angle_deviation_rms = 0;        // of theta - alpha over the wire-nodes, radians
-  double angle_deviation_max = 0;        // radians
+  std::vector<int> overlapping_faces;  // faces that cover a part of the piece a second time
+  double angle_deviation_rms = 0;      // of theta - alpha over the wire-nodes, radians
+  double angle_deviation_max = 0;      // radians
   double area_3d = 0;
   double area_2d = 0;
 };
@@ -65,20 +65,20 @@ enum class Termination {
   stalled,    // exact lengths, but short of the method's criterion: see warnings
   failed,     // no layout: see error
   cancelled,
-  measured,   // by measure(): nothing was solved
+  measured,  // by measure(): nothing was solved
 };
 
 /// What the solver did for one piece.
 struct PieceReport {
   Termination termination = Termination::failed;
-  std::string message;                // one sentence
+  std::string message;  // one sentence
   std::vector<std::string> warnings;
-  int inner_solves = 0;               // factorizations of the inner problem (Eq. 1)
+  int inner_solves = 0;  // factorizations of the inner problem (Eq. 1)
   int outer_iterations = 0;
   int gradient_evaluations = 0;
-  int factorizations = 0;             // of the interior placement
-  double constraint_residual = 0;     // largest gap of a wire loop at the end / its length
-  double projected_gradient = 0;      // of Eq. (1) at the end, relative
+  int factorizations = 0;                 // of the interior placement
+  double constraint_residual = 0;         // largest gap of a wire loop at the end / its length
+  double projected_gradient = 0;          // of Eq. (1) at the end, relative
   std::map<std::string, double> seconds;  // per stage
 };
 
@@ -97,10 +97,10 @@ struct Piece {
 
 struct FlattenResult {
   std::vector<Piece> pieces;
-  CornerUv corner_uv;              // m by 6: u, v of the three corners; NaN where there is no layout
+  CornerUv corner_uv;  // m by 6: u, v of the three corners; NaN where there is no layout
   std::vector<SeamReport> seams;
-  std::vector<WireReport> wires;   // whole wires
-  std::string method;              // the method used, or "measure"
+  std::vector<WireReport> wires;          // whole wires
+  std::string method;                     // the method used, or "measure"
   std::map<std::string, double> seconds;  // per stage, and "total"
 };
 

@@ -2,7 +2,6 @@
 #include "charts/chart_faults.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "check_input/sentence.h"
@@ -14,12 +13,12 @@ namespace {
 constexpr double kFlatness = 1e-12;
 
 struct Faults {
-  std::vector<int> repeated_vertex;     // faces
-  std::vector<int> repeated_face;       // faces
-  std::vector<int> zero_area;           // faces
-  std::vector<VertexPair> non_manifold; // edges
-  std::vector<VertexPair> turned;       // edges
-  std::vector<int> pinched;             // vertices
+  std::vector<int> repeated_vertex;      // faces
+  std::vector<int> repeated_face;        // faces
+  std::vector<int> zero_area;            // faces
+  std::vector<VertexPair> non_manifold;  // edges
+  std::vector<VertexPair> turned;        // edges
+  std::vector<int> pinched;              // vertices
 };
 
 bool repeats_vertex(const Triangles& faces, int f) {
@@ -100,10 +99,10 @@ std::string name_piece(const Chart& chart) {
 std::optional<FlattenError> first_fault(const Faults& faults) {
   using Code = ErrorCode;
   if (!faults.repeated_vertex.empty()) {
-    return FlattenError(Code::repeated_vertex_in_face,
-                        "The same vertex stands twice in " + name_elements("face", faults.repeated_vertex) +
-                            ": delete such faces.",
-                        {{}, {}, faults.repeated_vertex});
+    return FlattenError(
+        Code::repeated_vertex_in_face,
+        "The same vertex stands twice in " + name_elements("face", faults.repeated_vertex) + ": delete such faces.",
+        {{}, {}, faults.repeated_vertex});
   }
   if (!faults.repeated_face.empty()) {
     return FlattenError(Code::repeated_face,
@@ -130,10 +129,10 @@ std::optional<FlattenError> first_fault(const Faults& faults) {
                         {{}, faults.turned, {}});
   }
   if (!faults.pinched.empty()) {
-    return FlattenError(Code::non_manifold_vertex,
-                        "Faces touch at " + name_elements("vertex", faults.pinched) +
-                            " without sharing an edge: split such vertices.",
-                        {faults.pinched, {}, {}});
+    return FlattenError(
+        Code::non_manifold_vertex,
+        "Faces touch at " + name_elements("vertex", faults.pinched) + " without sharing an edge: split such vertices.",
+        {faults.pinched, {}, {}});
   }
   return std::nullopt;
 }
@@ -155,8 +154,7 @@ std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& i
 std::optional<FlattenError> find_topology_fault(const Chart& chart) {
   const auto num_loops = static_cast<long>(chart.boundary_loops.size());
   if (num_loops == 0) {
-    return FlattenError(ErrorCode::closed_chart,
-                        name_piece(chart) + " is closed: mark a seam that opens it.",
+    return FlattenError(ErrorCode::closed_chart, name_piece(chart) + " is closed: mark a seam that opens it.",
                         {{}, {}, chart.source_face});
   }
   // Euler: V - E + F = 2 - 2 handles - loops.

@@ -111,8 +111,8 @@ std::vector<Seam> assign_boundary_chains(const EdgeTable& edges, const SurfaceCu
     if (chart.error) continue;
     const auto source = [&](VertexHandle v) { return chart.source_vertex[at(v.idx())]; };
     const auto chain_of = [&](HalfedgeHandle h) {
-      return outline.chain_of_edge[at(edges.find(source(chart.mesh.from_vertex_handle(h)),
-                                                 source(chart.mesh.to_vertex_handle(h))))];
+      return outline.chain_of_edge[at(
+          edges.find(source(chart.mesh.from_vertex_handle(h)), source(chart.mesh.to_vertex_handle(h))))];
     };
     for (HalfEdgeChain loop : chart.boundary_loops) {
       const auto starts_chain = [&](HalfedgeHandle h) {

@@ -10,11 +10,11 @@
 namespace wirewarp {
 
 struct Outline {
-  std::vector<char> is_on_outline;             // per input vertex
-  std::vector<char> is_junction;               // per input vertex: a chain ends here
-  std::vector<std::vector<VertexPair>> chains; // edges in order
-  std::vector<int> chain_of_edge;              // per input edge, -1 not on the outline
-  std::vector<int> seam_of_chain;              // -1: the edge of the surface
+  std::vector<char> is_on_outline;              // per input vertex
+  std::vector<char> is_junction;                // per input vertex: a chain ends here
+  std::vector<std::vector<VertexPair>> chains;  // edges in order
+  std::vector<int> chain_of_edge;               // per input edge, -1 not on the outline
+  std::vector<int> seam_of_chain;               // -1: the edge of the surface
 };
 
 /// Chains end where three or more outline edges meet, where one ends (the tip of a dart), and where the sides change.

@@ -9,9 +9,9 @@
 namespace wirewarp {
 
 struct SurfaceCut {
-  std::vector<char> is_seam;        // per edge: marked, and with two sides or more
-  std::vector<int> chart_of_face;   // charts numbered by their lowest face
-  std::vector<int> fan_of_corner;   // corner 3 f + k -> fan: the corners of one vertex that faces hold together
+  std::vector<char> is_seam;       // per edge: marked, and with two sides or more
+  std::vector<int> chart_of_face;  // charts numbered by their lowest face
+  std::vector<int> fan_of_corner;  // corner 3 f + k -> fan: the corners of one vertex that faces hold together
   int num_charts = 0;
   int num_fans = 0;
 

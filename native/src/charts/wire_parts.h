@@ -9,9 +9,9 @@
 
 namespace wirewarp {
 
-/// Cuts each wire into parts at every vertex on a seam or boundary and hands them to their charts. A run of a wire along
-/// the outline is a part of kind boundary, one for each chart beside it, and ends at the outline's junctions.
-/// A closed wire is cut from its first outline vertex on.
+/// Cuts each wire into parts at every vertex on a seam or boundary and hands them to their charts. A run of a wire
+/// along the outline is a part of kind boundary, one for each chart beside it, and ends at the outline's junctions. A
+/// closed wire is cut from its first outline vertex on.
 void assign_wire_parts(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut, const Outline& outline,
                        const std::vector<HalfedgeHandle>& half_edge_of_side, std::vector<Chart>& charts);
 

@@ -34,9 +34,10 @@ void check_seams(const FlattenInput& input, const EdgeTable& edges) {
     if (edges.find(pair[0], pair[1]) < 0) bad.push_back(pair);
   }
   if (bad.empty()) return;
-  throw FlattenError(ErrorCode::seam_not_an_edge,
-                     "Seam " + name_elements("edge", bad) + " is not an edge of the mesh: mark seams on existing edges.",
-                     {{}, bad, {}});
+  throw FlattenError(
+      ErrorCode::seam_not_an_edge,
+      "Seam " + name_elements("edge", bad) + " is not an edge of the mesh: mark seams on existing edges.",
+      {{}, bad, {}});
 }
 
 void check_wire(const FlattenInput& input, const EdgeTable& edges, std::size_t w, std::vector<int>& wire_of_edge) {

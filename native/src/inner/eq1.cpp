@@ -25,7 +25,7 @@ Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight)
 }
 
 /// Headings that enclose the given angles: from one edge to the next the heading turns by π − θ, and an edge walked
-/// backwards heads the other way.
+/// backwards heads the other way. Breadth first from edge 0; angles that do not fit together meet at the far side.
 Eigen::VectorXd lay_out_headings(const WireNetwork& network, const Eigen::VectorXd& angles) {
   std::vector<std::vector<int>> nodes_of_edge(network.edges.size());
   for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) {
@@ -59,6 +59,11 @@ Eq1::Eq1(const WireNetwork& network, NodeWeight node_weight) {
   const Eigen::VectorXd weights = node_weights(network, node_weight);
   const Eigen::VectorXd angles = project_on_angle_sums(network, weights);
   base_headings_ = lay_out_headings(network, angles);
+  Eigen::VectorXd surface_angles(angles.size());
+  for (Eigen::Index i = 0; i < angles.size(); ++i) {
+    surface_angles[i] = network.nodes[static_cast<std::size_t>(i)].surface_angle;
+  }
+  surface_start_ = lay_out_headings(network, surface_angles) - base_headings_;
   for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) {
     const WireNode& node = network.nodes[at(i)];
     nodes_.push_back({node.in.edge, node.out.edge, angles[i], node.surface_angle, weights[i]});

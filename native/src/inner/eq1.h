@@ -37,6 +37,9 @@ class Eq1 {
   /// The wire edges of closure rows 2 loop and 2 loop + 1.
   const std::vector<int>& loop_edges(int loop) const { return loops_[static_cast<std::size_t>(loop)].edges; }
 
+  /// The ψ whose headings follow the surface angles from edge to edge, until they meet. #edges.
+  const Eigen::VectorXd& surface_start() const { return surface_start_; }
+
   /// φ: radians, one per wire edge, of its half-edge 0. #edges.
   Eigen::VectorXd headings(const Eigen::VectorXd& psi) const { return base_headings_ + psi; }
 
@@ -64,10 +67,10 @@ class Eq1 {
 
  private:
   struct Node {
-    int in, out;     // wire edges
-    double base;     // θ⁰
-    double target;   // α
-    double weight;   // w
+    int in, out;    // wire edges
+    double base;    // θ⁰
+    double target;  // α
+    double weight;  // w
   };
   struct Loop {
     std::vector<int> edges;
@@ -77,6 +80,7 @@ class Eq1 {
   std::vector<Node> nodes_;
   std::vector<Loop> loops_;
   Eigen::VectorXd base_headings_;
+  Eigen::VectorXd surface_start_;
   Eigen::SparseMatrix<double> laplacian_;
 };
 

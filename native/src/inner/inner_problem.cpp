@@ -4,9 +4,10 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kClosed = 1e-12;      // a loop closes: gap / length of the loop
-constexpr double kRounding = 2e-15;    // no better can be had in double precision
-constexpr double kStationary = 1e-10;  // projected gradient
+constexpr double kClosed = 1e-12;       // a loop closes: gap / length of the loop
+constexpr double kNearlyClosed = 1e-3;  // the factor at hand is good enough to close the rest
+constexpr double kRounding = 2e-15;     // no better can be had in double precision
+constexpr double kStationary = 1e-10;   // projected gradient
 constexpr int kMaxSteps = 100;
 constexpr double kSmallestStep = 1e-6;
 
@@ -16,7 +17,7 @@ double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<E
 
 InnerSolution InnerProblem::solve(const Eigen::VectorXd& lengths, Inner inner) {
   const int solves_before = kkt_.num_factorizations();
-  Eigen::VectorXd psi = Eigen::VectorXd::Zero(eq1_.num_edges());
+  Eigen::VectorXd psi;
   InnerSolution solution;
   solution.is_feasible = close_loops(lengths, psi);
   if (solution.is_feasible) {
@@ -29,36 +30,51 @@ InnerSolution InnerProblem::solve(const Eigen::VectorXd& lengths, Inner inner) {
   return solution;
 }
 
-/// The paper's least-norm steps: the smallest weighted change of the current angles that closes the linearized loops,
-/// shortened where the gap would not shrink.
+/// The paper's least-norm steps, from the angles closest to the surface angles. Where they stray, once more from the
+/// headings that follow the surface angles, which no symmetry holds fast: a wire that is straight by symmetry can only
+/// be shortened by breaking it.
 bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) {
-  const Eigen::VectorXd no_diagonal = Eigen::VectorXd::Zero(eq1_.num_edges());
+  psi = Eigen::VectorXd::Zero(eq1_.num_edges());
+  if (take_least_norm_steps(lengths, 1, psi)) return true;
+  psi = eq1_.surface_start();
+  kkt_.factor(eq1_.laplacian(), Eigen::VectorXd::Zero(eq1_.num_edges()), eq1_.closure_jacobian(psi, lengths));
+  psi += kkt_.solve(-eq1_.gradient(psi), -eq1_.closure(psi, lengths)).step;
+  return take_least_norm_steps(lengths, kSmallestStep, psi);
+}
+
+/// Steps by the smallest weighted change of the current angles that closes the linearized loops, shortened, but not
+/// below smallest_step, where the gap would not shrink. False if the loops stay open.
+bool InnerProblem::take_least_norm_steps(const Eigen::VectorXd& lengths, double smallest_step, Eigen::VectorXd& psi) {
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(eq1_.num_edges());
   Eigen::VectorXd gap = eq1_.closure(psi, lengths);
   for (int i = 0; i < kMaxSteps && largest(gap) > kRounding; ++i) {
-    kkt_.factor(eq1_.laplacian(), no_diagonal, eq1_.closure_jacobian(psi, lengths));
-    const Eigen::VectorXd step = kkt_.solve(no_diagonal, -gap).step;
+    kkt_.factor(eq1_.laplacian(), zero, eq1_.closure_jacobian(psi, lengths));
+    const Eigen::VectorXd step = kkt_.solve(zero, -gap).step;
     double t = 1;
     Eigen::VectorXd trial_gap = eq1_.closure(psi + step, lengths);
-    while (!(trial_gap.norm() < (1 - 1e-3 * t) * gap.norm()) && t > kSmallestStep) {
+    while (!(trial_gap.norm() < (1 - 1e-3 * t) * gap.norm()) && t >= smallest_step) {
       t /= 2;
       trial_gap = eq1_.closure(psi + t * step, lengths);
     }
-    if (t <= kSmallestStep) break;
+    if (t < smallest_step) break;
     psi += t * step;
     gap = trial_gap;
+    if (largest(gap) < kNearlyClosed && restore(lengths, psi)) return true;
+    gap = eq1_.closure(psi, lengths);
   }
   return largest(gap) < kClosed;
 }
 
 /// Closes the loops again after a step along them, with the factor at hand.
 bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const {
-  constexpr int kMaxRestorations = 10;
+  constexpr int kMaxRestorations = 40;  // each a back-substitution: cheaper than shorter steps and new factors
+  constexpr double kWorthwhile = 0.8;
   const Eigen::VectorXd no_gradient = Eigen::VectorXd::Zero(eq1_.num_edges());
   Eigen::VectorXd gap = eq1_.closure(psi, lengths);
   for (int i = 0; i < kMaxRestorations && largest(gap) > kRounding; ++i) {
     const Eigen::VectorXd trial = psi + kkt_.solve(no_gradient, -gap).step;
     const Eigen::VectorXd trial_gap = eq1_.closure(trial, lengths);
-    if (!(trial_gap.norm() < gap.norm() / 2)) break;
+    if (!(trial_gap.norm() < kWorthwhile * gap.norm())) break;
     psi = trial;
     gap = trial_gap;
   }

@@ -8,20 +8,19 @@
 namespace wirewarp {
 
 struct InnerSolution {
-  Eigen::VectorXd headings;         // φ, radians, #wire edges
-  double angle_variation = 0;       // Eq. (1), weights scaled to mean length 1
-  double closure_residual = 0;      // largest gap of a loop / its length
-  double projected_gradient = 0;    // largest entry of ∇F + Jᵀλ
-  int num_solves = 0;               // factorizations
-  bool is_feasible = false;         // every loop closes
-  bool is_minimum = false;          // projected gradient below 1e-10 (or the gap is all that was asked for)
+  Eigen::VectorXd headings;       // φ, radians, #wire edges
+  double angle_variation = 0;     // Eq. (1), weights scaled to mean length 1
+  double closure_residual = 0;    // largest gap of a loop / its length
+  double projected_gradient = 0;  // largest entry of ∇F + Jᵀλ
+  int num_solves = 0;             // factorizations
+  bool is_feasible = false;       // every loop closes
+  bool is_minimum = false;        // projected gradient below 1e-10 (or the gap is all that was asked for)
 };
 
 /// Solves Eq. (1) on one network for as many lengths as wanted; factors what does not depend on them once.
 class InnerProblem {
  public:
-  InnerProblem(const WireNetwork& network, NodeWeight node_weight)
-      : eq1_(network, node_weight), kkt_(eq1_, network) {}
+  InnerProblem(const WireNetwork& network, NodeWeight node_weight) : eq1_(network, node_weight), kkt_(eq1_, network) {}
 
   /// The local minimum of Eq. (1) reached from the surface angles (Inner::minimum), or the first point where every
   /// loop closes (Inner::least_norm). lengths: positive, scene units, #wire edges.
@@ -29,6 +28,7 @@ class InnerProblem {
 
  private:
   bool close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi);
+  bool take_least_norm_steps(const Eigen::VectorXd& lengths, double smallest_step, Eigen::VectorXd& psi);
   bool restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const;
   bool minimize(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi, double& projected_gradient);
   void factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian);

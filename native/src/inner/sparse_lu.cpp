@@ -181,14 +181,10 @@ void SparseLu::factor(const Matrix& a, const Columns& a_by_columns, const Analys
   }
 }
 
-void SparseLu::solve(Positions2& b) const {
-  substitute(lower_, upper_, b);
-}
+void SparseLu::solve(Positions2& b) const { substitute(lower_, upper_, b); }
 
 /// Aᵀ = Pᵀ Uᵀ D Lᵀ P: the same sweeps with L and U exchanged.
-void SparseLu::solve_transposed(Positions2& b) const {
-  substitute(upper_, lower_, b);
-}
+void SparseLu::solve_transposed(Positions2& b) const { substitute(upper_, lower_, b); }
 
 void SparseLu::substitute(const std::vector<double>& lower, const std::vector<double>& upper, Positions2& b) const {
   using Pair = Eigen::Array2d;  // x and y of a position

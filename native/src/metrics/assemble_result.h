@@ -12,10 +12,10 @@ namespace wirewarp {
 /// A chart's planar shape and how it came about.
 struct Layout {
   std::optional<WireNetwork> network;  // set where uv is
-  Positions2 uv;                       // one row per chart vertex, scene units, as seen from outside; no rows: no layout
-  std::vector<double> variation;       // h, one per wire part
+  Positions2 uv;                  // one row per chart vertex, scene units, as seen from outside; no rows: no layout
+  std::vector<double> variation;  // h, one per wire part
   PieceReport report;
-  std::optional<FlattenError> error;   // why there is no layout
+  std::optional<FlattenError> error;  // why there is no layout
 };
 
 /// Measures every layout. mirror: the layouts are handed over mirrored, and measured as seen from outside.

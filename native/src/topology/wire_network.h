@@ -19,15 +19,15 @@ namespace wirewarp {
 /// A chart edge on a wire or on the boundary.
 struct WireEdge {
   EdgeHandle edge;
-  int part = -1;      // index into Chart::wire_parts, -1: no wire, only boundary
+  int part = -1;  // index into Chart::wire_parts, -1: no wire, only boundary
   bool is_boundary = false;
-  double length = 0;  // 3D, scene units
+  double length = 0;                                 // 3D, scene units
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // 3D, where it lies on the surface
 };
 
 /// A wire edge walked in one direction.
 struct WireHalfEdge {
-  int edge = -1;      // index into WireNetwork::edges
+  int edge = -1;          // index into WireNetwork::edges
   bool reversed = false;  // true: against halfedge_handle(edge, 0)
 };
 
@@ -43,7 +43,7 @@ struct WireNode {
 
 struct WirePatch {
   struct Step {
-    int node;              // where the half-edge starts
+    int node;  // where the half-edge starts
     WireHalfEdge half_edge;
   };
   std::vector<std::vector<Step>> loops;  // counter-clockwise; one for a disk, more when wires or holes float in it
@@ -53,8 +53,8 @@ struct WireNetwork {
   std::vector<WireEdge> edges;
   std::vector<WireNode> nodes;
   std::vector<WirePatch> patches;
-  std::vector<std::vector<WireHalfEdge>> holes;  // inner boundary loops, the hole on the left
-  std::vector<int> wire_edge_of_edge;            // chart edge index -> index into edges, -1 none
+  std::vector<std::vector<WireHalfEdge>> holes;      // inner boundary loops, the hole on the left
+  std::vector<int> wire_edge_of_edge;                // chart edge index -> index into edges, -1 none
   std::vector<std::vector<int>> inner_vertex_nodes;  // nodes around each network vertex inside the chart
 };
 

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Eq. (1) in edge headings: the linear rows hold by construction, and the derivatives agree with differences.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "inner/eq1.h"
+#include "inner/kkt_system.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+
+/// A bent plate with two holes and wires that join them to the rim and to one another: wire-patches, holes, crossings.
+FlattenInput bent_plate() {
+  const int n = 4;
+  FlattenInput input = test::flat_plate_with_two_holes(n);
+  for (int v = 0; v < input.vertices.rows(); ++v) {
+    const double x = input.vertices(v, 0);
+    const double y = input.vertices(v, 1);
+    input.vertices(v, 2) = 0.3 * std::sin(1.3 * x) * std::cos(1.1 * y) + 0.1 * x * y;
+  }
+  const auto line = [&](double x0, double x1) {
+    std::vector<int> chain;
+    for (int i = 0; i <= std::lround((x1 - x0) * n); ++i) {
+      const double x = x0 + static_cast<double>(i) / n;
+      const double z = 0.3 * std::sin(1.3 * x) * std::cos(1.1) + 0.1 * x;
+      chain.push_back(test::nearest_vertex(input, {x, 1, z}));
+    }
+    return chain;
+  };
+  test::add_wire(input, line(0, 0.5));
+  test::add_wire(input, line(1, 2));
+  test::add_wire(input, line(2.5, 3));
+  return input;
+}
+
+struct Problem {
+  explicit Problem(NodeWeight weight)
+      : charts(test::charts_of(bent_plate())), network(build_wire_network(charts.charts[0])), eq1(network, weight) {
+    lengths.resize(eq1.num_edges());
+    for (int e = 0; e < eq1.num_edges(); ++e) lengths[e] = network.edges[static_cast<std::size_t>(e)].length;
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal(0, 0.3);
+    psi.resize(eq1.num_edges());
+    direction.resize(eq1.num_edges());
+    multipliers.resize(eq1.num_closures());
+    for (double& x : psi) x = normal(random);
+    for (double& x : direction) x = normal(random);
+    for (double& x : multipliers) x = normal(random);
+  }
+  Charts charts;
+  WireNetwork network;
+  Eq1 eq1;
+  Eigen::VectorXd lengths, psi, direction, multipliers;
+};
+
+class Eq1Test : public testing::TestWithParam<NodeWeight> {};
+INSTANTIATE_TEST_SUITE_P(Weights, Eq1Test, testing::Values(NodeWeight::length, NodeWeight::uniform));
+
+constexpr double kStep = 1e-5;
+
+TEST_P(Eq1Test, AnyHeadingsKeepEveryAngleSum) {
+  const Problem p(GetParam());
+  const Eigen::VectorXd angles = p.eq1.planar_angles(p.psi);
+  for (const WirePatch& patch : p.network.patches) {
+    double turning = 0;
+    for (const WirePatch::Step& step : patch.loops[0]) turning += kPi - angles[step.node];
+    EXPECT_NEAR(turning, 2 * kPi, 1e-12);
+  }
+  ASSERT_FALSE(p.network.inner_vertex_nodes.empty());
+  for (const std::vector<int>& nodes : p.network.inner_vertex_nodes) {
+    double sum = 0;
+    for (int node : nodes) sum += angles[node];
+    EXPECT_NEAR(sum, 2 * kPi, 1e-12);
+  }
+}
+
+TEST_P(Eq1Test, HeadingsTurnByThePlanarAngles) {
+  const Problem p(GetParam());
+  const Eigen::VectorXd angles = p.eq1.planar_angles(p.psi);
+  const Eigen::VectorXd headings = p.eq1.headings(p.psi);
+  const auto heading = [&](WireHalfEdge h) { return headings[h.edge] + (h.reversed ? kPi : 0); };
+  for (int i = 0; i < p.eq1.num_nodes(); ++i) {
+    const WireNode& node = p.network.nodes[static_cast<std::size_t>(i)];
+    EXPECT_NEAR(std::remainder(heading(node.out) - heading(node.in) - (kPi - angles[i]), 2 * kPi), 0, 1e-12);
+  }
+}
+
+TEST_P(Eq1Test, GradientAgreesWithDifferences) {
+  const Problem p(GetParam());
+  const double difference =
+      (p.eq1.angle_variation(p.psi + kStep * p.direction) - p.eq1.angle_variation(p.psi - kStep * p.direction)) /
+      (2 * kStep);
+  EXPECT_NEAR(p.eq1.gradient(p.psi).dot(p.direction), difference, 1e-8 * std::abs(difference));
+}
+
+TEST_P(Eq1Test, LaplacianIsTheDerivativeOfTheGradient) {
+  const Problem p(GetParam());
+  const Eigen::VectorXd difference = p.eq1.gradient(p.psi + p.direction) - p.eq1.gradient(p.psi);
+  EXPECT_LT((p.eq1.laplacian() * p.direction - difference).lpNorm<Eigen::Infinity>(), 1e-12);
+}
+
+TEST_P(Eq1Test, ClosureJacobianAgreesWithDifferences) {
+  const Problem p(GetParam());
+  const Eigen::VectorXd difference =
+      (p.eq1.closure(p.psi + kStep * p.direction, p.lengths) - p.eq1.closure(p.psi - kStep * p.direction, p.lengths)) /
+      (2 * kStep);
+  const Eigen::VectorXd derivative = p.eq1.closure_jacobian(p.psi, p.lengths) * p.direction;
+  EXPECT_LT((derivative - difference).norm(), 1e-8 * difference.norm());
+}
+
+TEST_P(Eq1Test, HessianOfTheLagrangianAgreesWithDifferences) {
+  const Problem p(GetParam());
+  const auto lagrangian_gradient = [&](const Eigen::VectorXd& psi) -> Eigen::VectorXd {
+    return p.eq1.gradient(psi) + p.eq1.closure_jacobian(psi, p.lengths).transpose() * p.multipliers;
+  };
+  const Eigen::VectorXd difference =
+      (lagrangian_gradient(p.psi + kStep * p.direction) - lagrangian_gradient(p.psi - kStep * p.direction)) /
+      (2 * kStep);
+  const Eigen::VectorXd hessian = p.eq1.laplacian() * p.direction +
+                                  p.eq1.closure_hessian(p.psi, p.lengths, p.multipliers).cwiseProduct(p.direction);
+  EXPECT_LT((hessian - difference).norm(), 1e-8 * difference.norm());
+}
+
+TEST(KktSystem, SolvesTheOptimalitySystem) {
+  const Problem p(NodeWeight::length);
+  KktSystem kkt(p.eq1, p.network);
+  const Eigen::SparseMatrix<double> jacobian = p.eq1.closure_jacobian(p.psi, p.lengths);
+  ASSERT_TRUE(kkt.factor(p.eq1.laplacian(), Eigen::VectorXd::Zero(p.eq1.num_edges()), jacobian));
+  // Right-hand sides that do not turn the piece as a whole: the extra diagonal of one edge is then without effect.
+  const Eigen::VectorXd r1 = p.eq1.laplacian() * p.direction;
+  const Eigen::VectorXd r2 = jacobian * p.direction;
+  const KktSystem::Solution solution = kkt.solve(r1, r2);
+  EXPECT_LT((jacobian * solution.step - r2).lpNorm<Eigen::Infinity>(), 1e-12);
+  const Eigen::VectorXd residual = p.eq1.laplacian() * solution.step + jacobian.transpose() * solution.multipliers - r1;
+  EXPECT_LT(residual.tail(residual.size() - 1).lpNorm<Eigen::Infinity>(), 1e-11);
+}
+
+TEST(KktSystem, WrongInertiaIsNoticed) {
+  const Problem p(NodeWeight::length);
+  KktSystem kkt(p.eq1, p.network);
+  const Eigen::SparseMatrix<double> jacobian = p.eq1.closure_jacobian(p.psi, p.lengths);
+  const Eigen::VectorXd down = Eigen::VectorXd::Constant(p.eq1.num_edges(), -0.5 * p.eq1.laplacian().diagonal().mean());
+  EXPECT_FALSE(kkt.factor(p.eq1.laplacian(), down, jacobian)) << "a saddle: as many descents as edges turn slowly";
+}
+
+}  // namespace
+}  // namespace wirewarp

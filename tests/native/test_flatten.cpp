@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole pipeline: exact lengths, isometric developables, and a result that does not depend on how the mesh is
+// numbered, placed, scaled, mirrored or refined.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+
+/// Largest distance between corresponding rows after the rigid motion that fits best.
+double misfit(Positions2 a, Positions2 b) {
+  a.rowwise() -= a.colwise().mean().eval();
+  b.rowwise() -= b.colwise().mean().eval();
+  const double c = (a.array() * b.array()).sum();
+  const double s = (a.col(0).array() * b.col(1).array() - a.col(1).array() * b.col(0).array()).sum();
+  const Eigen::Rotation2Dd turn(std::atan2(s, c));
+  return (a * turn.toRotationMatrix().transpose() - b).rowwise().norm().maxCoeff();
+}
+
+Positions2 mirrored(Positions2 uv) {
+  uv.col(0) *= -1;
+  return uv;
+}
+
+/// Half a ball of four gores with a wire around that crosses every seam: charts, junctions, a wire in parts.
+FlattenInput gores_with_a_wire() {
+  const int gores = 4, n = 6, rings = 12;
+  FlattenInput input = test::sphere_of_gores(gores, n, rings);
+  const double z = input.vertices(test::nearest_vertex(input, {1, 0, 0}), 2);
+  std::vector<std::pair<double, int>> around;
+  for (int v = 0; v < input.vertices.rows(); ++v) {
+    if (std::abs(input.vertices(v, 2) - z) < 1e-9) {
+      around.emplace_back(std::atan2(input.vertices(v, 1), input.vertices(v, 0)), v);
+    }
+  }
+  std::sort(around.begin(), around.end());
+  std::vector<int> ring;
+  for (const auto& [angle, v] : around) ring.push_back(v);
+  ring.push_back(ring.front());
+  test::add_wire(input, ring, 0, "waist");
+  return input;
+}
+
+/// A dome, lopsided, with a dart to its middle; flat where bend is 0.
+FlattenInput sheet_with_a_dart(int n, double bend) {
+  FlattenInput input = test::make_grid(n, n, [&](double s, double t) {
+    const double x = 2 * s - 1;
+    const double y = 2 * t - 1;
+    return Eigen::Vector3d(x, y, -bend * (x * x + y * y + 0.3 * x * y * y + 0.2 * x * x * x));
+  });
+  std::vector<int> dart = test::grid_column(n, n, n / 2);
+  dart.resize(static_cast<std::size_t>(n / 2 + 1));
+  test::add_seam(input, dart);
+  test::add_wire(input, test::grid_row(n, n / 4), 0, "across the dart");
+  return input;
+}
+
+void expect_promises(const FlattenInput& input, const FlattenResult& result) {
+  for (const Piece& piece : result.pieces) {
+    EXPECT_FALSE(piece.error.has_value()) << piece.error->what();
+    EXPECT_LT(piece.report.constraint_residual, 1e-12);
+    EXPECT_LT(piece.report.projected_gradient, 1e-10);
+    EXPECT_LE(piece.report.factorizations, 1);
+    for (const WireReport& wire : piece.wires) EXPECT_LT(wire.max_edge_error, 1e-9) << wire.name;
+    for (const BoundaryReport& boundary : piece.boundaries) EXPECT_LT(boundary.max_edge_error, 1e-9);
+  }
+  for (const SeamReport& seam : result.seams) EXPECT_LT(seam.mismatch, 1e-9 * seam.length_3d);
+  // The same from the corners alone, by code of the test's own.
+  std::vector<VertexPair> marked;
+  for (int i = 0; i < input.seams.rows(); ++i) marked.push_back({input.seams(i, 0), input.seams(i, 1)});
+  for (const Wire& wire : input.wires) {
+    for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i)
+      marked.push_back({wire.vertices[i], wire.vertices[i + 1]});
+  }
+  for (VertexPair& pair : marked) std::sort(pair.begin(), pair.end());
+  std::sort(marked.begin(), marked.end());
+  for (int f = 0; f < input.faces.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      VertexPair pair{input.faces(f, k), input.faces(f, (k + 1) % 3)};
+      const double l = (input.vertices.row(pair[0]) - input.vertices.row(pair[1])).norm();
+      std::sort(pair.begin(), pair.end());
+      if (!std::binary_search(marked.begin(), marked.end(), pair)) continue;
+      const Eigen::RowVector2d a = result.corner_uv.block<1, 2>(f, 2 * k);
+      const Eigen::RowVector2d b = result.corner_uv.block<1, 2>(f, 2 * ((k + 1) % 3));
+      EXPECT_NEAR((a - b).norm(), l, 1e-9 * l + 8 * 2.3e-16 * result.corner_uv.cwiseAbs().maxCoeff());
+    }
+  }
+}
+
+TEST(Flatten, LengthsAreExactOnDoublyCurvedPieces) {
+  for (const FlattenInput& input :
+       {test::quarter_sphere(12), gores_with_a_wire(), sheet_with_a_dart(16, 0.3), test::saddle(12, 0.4)}) {
+    expect_promises(input, flatten(input));
+  }
+}
+
+TEST(Flatten, DevelopablePiecesAreIsometric) {
+  FlattenInput cylinder = test::cylinder_patch(24, 6, 1, kPi, 2);
+  test::add_wire(cylinder, test::grid_row(24, 2));
+  FlattenInput cone = test::cone_patch(24, 6, 0.5, 2, 0.4, 5);
+  test::add_wire(cone, test::grid_column(24, 6, 10));
+  FlattenInput tube = test::cylinder_tube(24, 6, 1, 2);
+  test::add_seam(tube, test::tube_line(24, 6, 3));
+  test::add_wire(tube, test::tube_ring(24, 2));
+  FlattenInput plate = test::flat_plate_with_two_holes(4);
+  for (const auto& [from, to] : {std::pair(0.0, 0.5), std::pair(1.0, 2.0), std::pair(2.5, 3.0)}) {
+    std::vector<int> wire;
+    for (int i = 0; i <= std::lround((to - from) * 4); ++i) {
+      wire.push_back(test::nearest_vertex(plate, {from + 0.25 * i, 1, 0}));
+    }
+    test::add_wire(plate, wire);
+  }
+  for (const FlattenInput& input : {cylinder, cone, tube, plate, sheet_with_a_dart(8, 0)}) {
+    const FlattenResult result = flatten(input);
+    expect_promises(input, result);
+    for (const Piece& piece : result.pieces) {
+      EXPECT_LT(piece.metrics.arap_energy, 1e-20);
+      EXPECT_NEAR(piece.metrics.face_aspect_ratio.maxCoeff(), 1, 1e-10);
+      EXPECT_NEAR(piece.metrics.area_2d, piece.metrics.area_3d, 1e-10 * piece.metrics.area_3d);
+    }
+  }
+}
+
+TEST(Flatten, FollowsRigidMotionAndScale) {
+  const FlattenInput input = gores_with_a_wire();
+  const FlattenResult before = flatten(input);
+  FlattenInput moved = input;
+  const double scale = 250;
+  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized())).toRotationMatrix();
+  moved.vertices = scale * input.vertices * turn.transpose();
+  moved.vertices.rowwise() += Eigen::RowVector3d(40, -7, 11);
+  const FlattenResult after = flatten(moved);
+  for (std::size_t i = 0; i < before.pieces.size(); ++i) {
+    EXPECT_LT(misfit(scale * before.pieces[i].vertices, after.pieces[i].vertices), 1e-8 * scale);
+    EXPECT_NEAR(after.pieces[i].metrics.arap_energy, before.pieces[i].metrics.arap_energy, 1e-9);
+  }
+}
+
+TEST(Flatten, DoesNotDependOnTheOrderOfVerticesFacesAndCorners) {
+  const FlattenInput input = sheet_with_a_dart(12, 0.3);
+  const FlattenResult before = flatten(input);
+  std::mt19937 random(3);
+  std::vector<int> new_vertex(static_cast<std::size_t>(input.vertices.rows()));
+  std::vector<int> old_face(static_cast<std::size_t>(input.faces.rows()));
+  std::iota(new_vertex.begin(), new_vertex.end(), 0);
+  std::iota(old_face.begin(), old_face.end(), 0);
+  std::shuffle(new_vertex.begin(), new_vertex.end(), random);
+  std::shuffle(old_face.begin(), old_face.end(), random);
+  const auto renamed = [&](int v) { return new_vertex[static_cast<std::size_t>(v)]; };
+  FlattenInput shuffled = input;
+  for (int v = 0; v < input.vertices.rows(); ++v) shuffled.vertices.row(renamed(v)) = input.vertices.row(v);
+  for (int f = 0; f < input.faces.rows(); ++f) {
+    const int old = old_face[static_cast<std::size_t>(f)];
+    for (int k = 0; k < 3; ++k) shuffled.faces(f, k) = renamed(input.faces(old, (k + f) % 3));
+  }
+  shuffled.seams = input.seams.unaryExpr(renamed);
+  for (int& v : shuffled.wires[0].vertices) v = renamed(v);
+  const FlattenResult after = flatten(shuffled);
+
+  Positions2 corners_before(3 * input.faces.rows(), 2);
+  Positions2 corners_after(3 * input.faces.rows(), 2);
+  for (int f = 0; f < input.faces.rows(); ++f) {
+    const int old = old_face[static_cast<std::size_t>(f)];
+    for (int k = 0; k < 3; ++k) {
+      corners_before.row(3 * f + k) = before.corner_uv.block<1, 2>(old, 2 * ((k + f) % 3));
+      corners_after.row(3 * f + k) = after.corner_uv.block<1, 2>(f, 2 * k);
+    }
+  }
+  EXPECT_LT(misfit(corners_before, corners_after), 1e-8);
+}
+
+TEST(Flatten, AMirroredSurfaceGivesTheMirroredPiece) {
+  const FlattenInput input = sheet_with_a_dart(12, 0.3);
+  FlattenInput mirror = input;
+  mirror.vertices.col(0) *= -1;
+  mirror.faces.col(1).swap(mirror.faces.col(2));
+  EXPECT_LT(misfit(mirrored(flatten(input).pieces[0].vertices), flatten(mirror).pieces[0].vertices), 1e-8);
+}
+
+TEST(Flatten, ThePieceFromInsideOnRequest) {
+  const FlattenInput input = sheet_with_a_dart(12, 0.3);
+  Options options;
+  options.mirror = true;
+  const FlattenResult inside = flatten(input, options);
+  expect_promises(input, inside);
+  EXPECT_LT(misfit(mirrored(flatten(input).pieces[0].vertices), inside.pieces[0].vertices), 1e-8);
+}
+
+/// The quarter sphere with its columns crowded to one side: grading 1 is even.
+FlattenInput graded_quarter_sphere(int n, double grading) {
+  const auto graded = [&](double s) { return s + (1 - 1 / grading) * s * (1 - s) / (2 - 1 / grading); };
+  FlattenInput input = test::make_grid(2 * n, n, [&](double s, double t) {
+    const double longitude = kPi * graded(s);
+    const double latitude = t * kPi * 75 / 180;
+    return Eigen::Vector3d(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+                           std::sin(latitude));
+  });
+  test::add_wire(input, test::grid_row(2 * n, n / 2), 0, "parallel");
+  return input;
+}
+
+double energy(const FlattenInput& input, NodeWeight weight) {
+  Options options;
+  options.node_weight = weight;
+  return flatten(input, options).pieces[0].metrics.arap_energy;
+}
+
+TEST(Flatten, ConvergesWhenTheSurfaceIsRefined) {
+  double previous = energy(test::quarter_sphere(24), NodeWeight::length);
+  double change = 1;
+  for (const int n : {48, 96, 192}) {
+    const double refined = energy(test::quarter_sphere(n), NodeWeight::length);
+    EXPECT_LT(std::abs(refined - previous), 0.7 * change) << n;
+    change = std::abs(refined - previous);
+    previous = refined;
+  }
+  EXPECT_LT(change, 0.01 * previous);
+}
+
+TEST(Flatten, LengthWeightForgetsTheGradingOfTheMeshAndUniformWeightDoesNot) {
+  const int n = 48;
+  const auto change = [&](NodeWeight weight) {
+    const double even = energy(graded_quarter_sphere(n, 1), weight);
+    return std::abs(energy(graded_quarter_sphere(n, 5), weight) - even) / even;
+  };
+  EXPECT_LT(change(NodeWeight::length), 0.01);
+  EXPECT_GT(change(NodeWeight::uniform), 5 * change(NodeWeight::length));
+}
+
+TEST(Flatten, NetworksOfEveryKindKeepTheirLengths) {
+  const int n = 12;
+  FlattenInput crossing = test::saddle(n, 0.3);
+  test::add_wire(crossing, test::grid_row(n, 6));
+  test::add_wire(crossing, test::grid_column(n, n, 3));
+  test::add_wire(crossing, test::grid_column(n, n, 8));
+  FlattenInput meeting = test::saddle(n, 0.3);  // a T: the second wire ends on the first
+  test::add_wire(meeting, test::grid_row(n, 6));
+  std::vector<int> half = test::grid_column(n, n, 6);
+  half.resize(7);
+  test::add_wire(meeting, half);
+  FlattenInput ring = test::saddle(n, 0.3);  // a closed wire that four others tie to the outline
+  const auto vertex = [&](int i, int j) { return i + (n + 1) * j; };
+  std::vector<int> square;
+  for (int i = 4; i < 8; ++i) square.push_back(vertex(i, 4));
+  for (int i = 4; i < 8; ++i) square.push_back(vertex(8, i));
+  for (int i = 8; i > 4; --i) square.push_back(vertex(i, 8));
+  for (int i = 8; i > 4; --i) square.push_back(vertex(4, i));
+  square.push_back(square.front());
+  test::add_wire(ring, square);
+  test::add_wire(ring, {vertex(0, 6), vertex(1, 6), vertex(2, 6), vertex(3, 6), vertex(4, 6)});
+  test::add_wire(ring, {vertex(8, 6), vertex(9, 6), vertex(10, 6), vertex(11, 6), vertex(12, 6)});
+  FlattenInput along = test::saddle(n, 0.3);  // runs along the outline, then across
+  std::vector<int> wire;
+  for (int i = 0; i < 5; ++i) wire.push_back(vertex(i, 0));
+  for (int j = 1; j <= n; ++j) wire.push_back(vertex(4, j));
+  test::add_wire(along, wire);
+  for (const FlattenInput& input : {crossing, meeting, ring, along}) expect_promises(input, flatten(input));
+}
+
+TEST(Flatten, PiecesWithAFlippedFaceSaySo) {
+  // Much area behind a short outline: the paper's method turns faces over.
+  const FlattenResult result = flatten(test::sphere_of_gores(2, 12, 12));
+  for (const Piece& piece : result.pieces) {
+    EXPECT_EQ(piece.error.has_value(),
+              !piece.metrics.flipped_faces.empty() || !piece.metrics.overlapping_faces.empty());
+    for (const BoundaryReport& boundary : piece.boundaries) EXPECT_LT(boundary.max_edge_error, 1e-9);
+  }
+}
+
+TEST(Flatten, ReportsProgressThatNeverFalls) {
+  std::vector<double> fractions;
+  flatten(gores_with_a_wire(), {}, [&](const std::string&, double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  });
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.front(), 0);
+  EXPECT_EQ(fractions.back(), 1);
+}
+
+TEST(Measure, JudgesFlattensOwnResultTheSame) {
+  const FlattenInput input = gores_with_a_wire();
+  const FlattenResult flat = flatten(input);
+  const FlattenResult measured = measure(input, flat.corner_uv);
+  EXPECT_EQ(measured.method, "measure");
+  for (std::size_t i = 0; i < flat.pieces.size(); ++i) {
+    EXPECT_FALSE(measured.pieces[i].error.has_value());
+    EXPECT_EQ(measured.pieces[i].report.termination, Termination::measured);
+    EXPECT_DOUBLE_EQ(measured.pieces[i].metrics.arap_energy, flat.pieces[i].metrics.arap_energy);
+  }
+  for (std::size_t i = 0; i < flat.seams.size(); ++i) {
+    EXPECT_EQ(measured.seams[i].length_2d, flat.seams[i].length_2d);
+  }
+}
+
+TEST(Measure, FindsLengthsThatAFlatteningDoesNotKeep) {
+  const FlattenInput input = test::quarter_sphere(8);
+  const FlattenResult measured = measure(input, 1.01 * flatten(input).corner_uv);
+  ASSERT_TRUE(measured.pieces[0].error.has_value());
+  EXPECT_EQ(measured.pieces[0].error->code, ErrorCode::lengths_not_kept);
+  EXPECT_TRUE(measured.pieces[0].error->has_layout);
+  EXPECT_NEAR(measured.wires[0].length_2d, 1.01 * measured.wires[0].length_3d, 1e-9);
+}
+
+}  // namespace
+}  // namespace wirewarp

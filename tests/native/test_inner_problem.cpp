@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "inner/inner_problem.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+Eigen::VectorXd rest_lengths(const WireNetwork& network) {
+  Eigen::VectorXd lengths(static_cast<Eigen::Index>(network.edges.size()));
+  for (Eigen::Index e = 0; e < lengths.size(); ++e) lengths[e] = network.edges[static_cast<std::size_t>(e)].length;
+  return lengths;
+}
+
+/// Largest gap of the given loops under the headings, over the loop's length.
+double largest_gap(const std::vector<std::vector<WireHalfEdge>>& loops, const Eigen::VectorXd& headings,
+                   const Eigen::VectorXd& lengths) {
+  double largest = 0;
+  for (const auto& loop : loops) {
+    Eigen::Vector2d gap(0, 0);
+    double length = 0;
+    for (const WireHalfEdge& h : loop) {
+      const double along = h.reversed ? -lengths[h.edge] : lengths[h.edge];
+      gap += along * Eigen::Vector2d(std::cos(headings[h.edge]), std::sin(headings[h.edge]));
+      length += lengths[h.edge];
+    }
+    largest = std::max(largest, gap.norm() / length);
+  }
+  return largest;
+}
+
+FlattenInput domed_plate_with_two_holes() {
+  const int n = 4;
+  FlattenInput input = test::flat_plate_with_two_holes(n);
+  std::vector<std::vector<int>> wires;
+  for (const auto& [from, to] : {std::pair(0.0, 0.5), std::pair(1.0, 2.0), std::pair(2.5, 3.0)}) {
+    wires.emplace_back();
+    for (int i = 0; i <= std::lround((to - from) * n); ++i) {
+      wires.back().push_back(test::nearest_vertex(input, {from + static_cast<double>(i) / n, 1, 0}));
+    }
+  }
+  for (int v = 0; v < input.vertices.rows(); ++v) {
+    const double x = input.vertices(v, 0) - 1.5;
+    const double y = input.vertices(v, 1) - 1;
+    input.vertices(v, 2) = 0.5 * std::exp(-x * x - y * y);
+  }
+  for (const std::vector<int>& wire : wires) test::add_wire(input, wire);
+  return input;
+}
+
+TEST(InnerProblem, EndsAtAClosedStationaryPoint) {
+  for (const NodeWeight weight : {NodeWeight::length, NodeWeight::uniform}) {
+    const Charts charts = test::charts_of(test::quarter_sphere(12));
+    const WireNetwork network = build_wire_network(charts.charts[0]);
+    InnerProblem inner(network, weight);
+    const InnerSolution solution = inner.solve(rest_lengths(network), Inner::minimum);
+    EXPECT_TRUE(solution.is_feasible);
+    EXPECT_TRUE(solution.is_minimum);
+    EXPECT_LT(solution.closure_residual, 1e-12);
+    EXPECT_LT(solution.projected_gradient, 1e-10);
+    EXPECT_LE(solution.num_solves, 28) << "the symmetric case: its first start strays";
+  }
+}
+
+TEST(InnerProblem, TakesFewFactorizationsOnOrdinaryPieces) {
+  for (const double bend : {0.1, 0.3, 0.5}) {
+    FlattenInput input = test::saddle(16, bend);
+    test::add_wire(input, test::grid_row(16, 5));
+    test::add_wire(input, test::grid_column(16, 16, 9));
+    const Charts charts = test::charts_of(input);
+    const WireNetwork network = build_wire_network(charts.charts[0]);
+    InnerProblem inner(network, NodeWeight::length);
+    const InnerSolution solution = inner.solve(rest_lengths(network), Inner::minimum);
+    EXPECT_TRUE(solution.is_minimum);
+    EXPECT_GE(solution.num_solves, 2);
+    EXPECT_LE(solution.num_solves, 16);
+  }
+}
+
+TEST(InnerProblem, TheMinimumIsBelowTheFirstFeasiblePoint) {
+  const Charts charts = test::charts_of(test::quarter_sphere(12));
+  const WireNetwork network = build_wire_network(charts.charts[0]);
+  const Eigen::VectorXd lengths = rest_lengths(network);
+  InnerProblem inner(network, NodeWeight::length);
+  const InnerSolution feasible = inner.solve(lengths, Inner::least_norm);
+  const InnerSolution minimum = inner.solve(lengths, Inner::minimum);
+  EXPECT_LT(feasible.closure_residual, 1e-12);
+  EXPECT_LT(minimum.angle_variation, feasible.angle_variation * (1 - 1e-6));
+}
+
+TEST(InnerProblem, AFlatNetworkIsLeftAsItIs) {
+  FlattenInput input = test::flat_rectangle(6, 6, 1, 2);
+  test::add_wire(input, test::grid_row(6, 2));
+  const Charts charts = test::charts_of(input);
+  const WireNetwork network = build_wire_network(charts.charts[0]);
+  InnerProblem inner(network, NodeWeight::length);
+  const InnerSolution solution = inner.solve(rest_lengths(network), Inner::minimum);
+  EXPECT_TRUE(solution.is_minimum);
+  EXPECT_LT(solution.angle_variation, 1e-24);
+}
+
+TEST(InnerProblem, HolesCloseByTheirOwnRowsAndNotWithoutThem) {
+  const Charts charts = test::charts_of(domed_plate_with_two_holes());
+  const WireNetwork network = build_wire_network(charts.charts[0]);
+  ASSERT_EQ(network.holes.size(), 2u);
+  const Eigen::VectorXd lengths = rest_lengths(network);
+  InnerProblem with_rows(network, NodeWeight::length);
+  const InnerSolution closed = with_rows.solve(lengths, Inner::minimum);
+  EXPECT_LT(largest_gap(network.holes, closed.headings, lengths), 1e-12);
+
+  WireNetwork paper = network;
+  paper.holes.clear();
+  InnerProblem without_rows(paper, NodeWeight::length);
+  const InnerSolution open = without_rows.solve(lengths, Inner::minimum);
+  EXPECT_LT(open.closure_residual, 1e-12) << "every wire-patch closes all the same";
+  EXPECT_GT(largest_gap(network.holes, open.headings, lengths), 1e-3);
+}
+
+TEST(InnerProblem, ReportsThatLengthsCannotBeKept) {
+  // One edge of a triangle longer than the other two together.
+  FlattenInput input;
+  input.vertices.resize(3, 3);
+  input.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0;
+  input.faces.resize(1, 3);
+  input.faces << 0, 1, 2;
+  const Charts charts = test::charts_of(input);
+  const WireNetwork network = build_wire_network(charts.charts[0]);
+  InnerProblem inner(network, NodeWeight::length);
+  Eigen::VectorXd lengths = rest_lengths(network);
+  lengths[1] = 5;
+  const InnerSolution solution = inner.solve(lengths, Inner::minimum);
+  EXPECT_FALSE(solution.is_feasible);
+  EXPECT_GT(solution.closure_residual, 0.1);
+}
+
+}  // namespace
+}  // namespace wirewarp

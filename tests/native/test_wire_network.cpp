@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "test_meshes.h"
+#include "topology/wire_network.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+
+struct Network {
+  explicit Network(const FlattenInput& input) : charts(test::charts_of(input)), chart(charts.charts[0]) {
+    network = build_wire_network(chart);
+  }
+  Charts charts;
+  const Chart& chart;
+  WireNetwork network;
+};
+
+std::size_t num_loop_nodes(const WireNetwork& network) {
+  std::size_t count = 0;
+  for (const WirePatch& patch : network.patches) {
+    for (const auto& loop : patch.loops) count += loop.size();
+  }
+  return count;
+}
+
+void expect_closed_walks(const WireNetwork& network) {
+  EXPECT_EQ(num_loop_nodes(network), network.nodes.size()) << "every node in one loop";
+  for (const WirePatch& patch : network.patches) {
+    for (const auto& loop : patch.loops) {
+      for (std::size_t b = 0; b < loop.size(); ++b) {
+        const WireNode& node = network.nodes[static_cast<std::size_t>(loop[b].node)];
+        const WireHalfEdge before = loop[(b + loop.size() - 1) % loop.size()].half_edge;
+        EXPECT_EQ(node.in.edge, before.edge);
+        EXPECT_EQ(node.in.reversed, before.reversed);
+        EXPECT_EQ(node.out.edge, loop[b].half_edge.edge);
+      }
+    }
+  }
+}
+
+TEST(WireNetwork, CrossingWiresMakeFourPatchesAndFourNodesWhereTheyCross) {
+  const int n = 6;
+  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+  test::add_wire(input, test::grid_row(n, 3));
+  test::add_wire(input, test::grid_column(n, n, 2));
+  const Network p(input);
+  expect_closed_walks(p.network);
+  EXPECT_EQ(p.network.patches.size(), 4u);
+  EXPECT_EQ(p.network.edges.size(), static_cast<std::size_t>(4 * n + 2 * n));
+  // Boundary vertices have one node each and one more where a wire ends; inner ones two, four at the crossing.
+  EXPECT_EQ(p.network.nodes.size(), static_cast<std::size_t>(4 * n + 4 + 2 * (2 * n - 3) - 2 + 4));
+  std::size_t most = 0;
+  for (const auto& nodes : p.network.inner_vertex_nodes) most = std::max(most, nodes.size());
+  EXPECT_EQ(most, 4u);
+}
+
+TEST(WireNetwork, AnglesOfAFlatPieceAreItsPlanarAngles) {
+  const int n = 6;
+  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+  test::add_wire(input, test::grid_row(n, 3));
+  const Network p(input);
+  for (const WirePatch& patch : p.network.patches) {
+    double turning = 0;
+    for (const WirePatch::Step& step : patch.loops[0]) {
+      turning += kPi - p.network.nodes[static_cast<std::size_t>(step.node)].surface_angle;
+    }
+    EXPECT_NEAR(turning, 2 * kPi, 1e-12);
+  }
+}
+
+TEST(WireNetwork, GaussBonnet) {
+  // Turning of the outline and angle deficits inside add up to 2 pi on any disk.
+  const Network p(test::quarter_sphere(8));
+  const HalfEdgeMesh& mesh = p.chart.mesh;
+  double sum = 0;
+  std::vector<double> node_angle(mesh.n_vertices(), 0);
+  for (const WireNode& node : p.network.nodes)
+    node_angle[static_cast<std::size_t>(node.vertex.idx())] += node.surface_angle;
+  for (const HalfedgeHandle h : p.chart.boundary_loops[0]) {
+    sum += kPi - node_angle[static_cast<std::size_t>(mesh.from_vertex_handle(h).idx())];
+  }
+  for (const VertexHandle v : mesh.vertices()) {
+    if (mesh.is_boundary(v)) continue;
+    sum += 2 * kPi;
+    for (const HalfedgeHandle h : mesh.voh_range(v)) {
+      const auto along = mesh.point(mesh.to_vertex_handle(h)) - mesh.point(v);
+      const auto next = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h))) - mesh.point(v);
+      sum -= std::acos((along | next) / (along.norm() * next.norm()));
+    }
+  }
+  EXPECT_NEAR(sum, 2 * kPi, 1e-11);
+}
+
+TEST(WireNetwork, ATailHasOneNodeAndAHoleALoopOfItsOwn) {
+  const int n = 6;
+  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+  std::vector<int> half = test::grid_row(n, 3);
+  half.resize(4);
+  test::add_wire(input, half);
+  const Network tail(input);
+  expect_closed_walks(tail.network);
+  EXPECT_EQ(std::count_if(tail.network.nodes.begin(), tail.network.nodes.end(),
+                          [](const WireNode& node) { return node.is_tail; }),
+            1);
+
+  const Network annulus(test::flat_annulus(12, 2, 1, 2));
+  expect_closed_walks(annulus.network);
+  ASSERT_EQ(annulus.network.patches.size(), 1u);
+  EXPECT_EQ(annulus.network.patches[0].loops.size(), 2u);
+  ASSERT_EQ(annulus.network.holes.size(), 1u);
+  EXPECT_EQ(annulus.network.holes[0].size(), 12u);
+}
+
+}  // namespace
+}  // namespace wirewarp
