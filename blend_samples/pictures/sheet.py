@@ -45,8 +45,9 @@ def draw_sample(
     _draw_numbers(sheet, pieces, placed, report)
 
     sheet.add_text(report["object"], MODEL_BOX.left, 3.3, 0.38, INK)
-    key = "Large numbers: pieces" + (", small numbers: seams" if report["seams"] else "")
-    sheet.add_text(key, MODEL_BOX.left, 3.0, TABLE_TEXT, FAINT_INK)
+    if report["seams"]:
+        key = "Large numbers: pieces, small numbers: seams"
+        sheet.add_text(key, MODEL_BOX.left, 3.0, TABLE_TEXT, FAINT_INK)
     _draw_lengths(sheet, report)
     draw_line_key(sheet, MODEL_BOX.left, LEGEND_Y, LINE_WIDTH)
     draw_length_scale(sheet, FLAT_BOX.left, LEGEND_Y, scale)
