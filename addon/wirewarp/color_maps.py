@@ -29,7 +29,7 @@ class ColorMap:
         return np.column_stack([rgb, np.ones(len(rgb), dtype=np.float32)]).astype(np.float32)
 
 
-ARAP_ENERGY = ColorMap("arap_energy_color", 0.0, 0.2)  # energy by area
+ARAP_ENERGY = ColorMap("arap_energy_color", 0.0, 0.1)  # energy by area
 ASPECT_RATIO = ColorMap("aspect_ratio_color", 1.0, 1.5)
 LENGTH_VARIATION = ColorMap("length_variation_color", 0.0, 0.1)
 COLOR_MAPS = (ASPECT_RATIO, ARAP_ENERGY, LENGTH_VARIATION)
