@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Energies and angles of known cases, computed independently of this code. Skipped where the figures are not at hand."""
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+import wirewarp
+
+SHARED = Path(__file__).parents[2].parent / "shared"
+FIGURES = SHARED / "reference" / "figures.json"
+PANELS = SHARED / "meshes" / "_panels"
+CASES = [
+    "quarter_sphere_16",
+    "bodysuit_collar",
+    "wetsuit_seat",
+    "wetsuit_shoulder_upper_chest",
+    "wetsuit_front_bodice",
+    "wetsuit_back",
+]
+
+pytestmark = pytest.mark.skipif(not FIGURES.exists(), reason="the reference figures are not at hand")
+
+
+def quarter_sphere(n: int) -> tuple[np.ndarray, np.ndarray, list[list[int]]]:
+    """Longitude 0 to 90, latitude -75 to 75 degrees in n by 2 n quads with alternating diagonals; wires on the middle
+    meridian and the equator."""
+    longitude, latitude = np.meshgrid(np.linspace(0, math.pi / 2, n + 1), np.radians(np.linspace(-75, 75, 2 * n + 1)))
+    vertices = np.stack(
+        [np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)], axis=-1
+    ).reshape(-1, 3)
+    index = np.arange((n + 1) * (2 * n + 1)).reshape(2 * n + 1, n + 1)
+    faces = []
+    for j in range(2 * n):
+        for i in range(n):
+            a, b, c, d = index[j, i], index[j, i + 1], index[j + 1, i + 1], index[j + 1, i]
+            faces += [(a, b, c), (a, c, d)] if (i + j) % 2 == 0 else [(a, b, d), (b, c, d)]
+    return vertices, np.array(faces), [index[:, n // 2].tolist(), index[n].tolist()]
+
+
+def read_panel(name: str) -> tuple[np.ndarray, np.ndarray, list[list[int]]]:
+    lines = [line.split() for line in (PANELS / f"{name}.obj").read_text().splitlines()]
+    vertices = [[float(x) for x in words[1:4]] for words in lines if words[:1] == ["v"]]
+    faces = [[int(word.split("/")[0]) - 1 for word in words[1:4]] for words in lines if words[:1] == ["f"]]
+    wires = json.loads((PANELS / f"{name}.wires.json").read_text())["wires"]
+    return np.array(vertices), np.array(faces), [wire["vertices"] for wire in wires]
+
+
+@pytest.mark.parametrize("node_weight", ["uniform", "length"])
+@pytest.mark.parametrize("name", CASES)
+def test_rigid_wirewarping(name: str, node_weight: str):
+    expected = json.loads(FIGURES.read_text())[name][f"wirewarping, all rigid, node weight {node_weight}"]
+    vertices, faces, wires = quarter_sphere(16) if name == "quarter_sphere_16" else read_panel(name)
+    result = wirewarp.flatten(
+        vertices,
+        faces,
+        wires=[wirewarp.Wire(wire) for wire in wires],
+        options=wirewarp.Options(node_weight=node_weight),
+    )
+    (piece,) = result.pieces
+    assert piece.metrics.arap_energy == pytest.approx(expected["E"], rel=1e-3)
+    assert len(piece.metrics.flipped_faces) == expected["flipped_faces"]
+    assert math.degrees(piece.metrics.angle_deviation_rms) == pytest.approx(expected["angle_rms_deg"], rel=1e-3)
+    assert math.degrees(piece.metrics.angle_deviation_max) == pytest.approx(expected["angle_max_deg"], rel=1e-3)
+    for chain in (*piece.wires, *piece.boundaries):
+        assert chain.max_edge_error < 1e-9
