@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Energies and angles of known cases, computed independently of this code. Skipped where the figures are not at hand."""
+"""Energies and angles of known cases, computed independently of this code. Skipped where they are not at hand."""
 
 import json
 import math
