@@ -26,8 +26,8 @@ TriangleDistortion measure_triangle(const Eigen::Vector3d& p0, const Eigen::Vect
   const Eigen::Vector2d column_1 = d1 / x1;
   const Eigen::Vector2d column_2 = (d2 - column_1 * x2) / y2;
 
-  const double z = 0.5 * std::hypot(column_1.x() + column_2.y(), column_1.y() - column_2.x());
-  const double w = 0.5 * std::hypot(column_1.x() - column_2.y(), column_1.y() + column_2.x());
+  const double z = 0.5 * Eigen::Vector2d(column_1.x() + column_2.y(), column_1.y() - column_2.x()).norm();
+  const double w = 0.5 * Eigen::Vector2d(column_1.x() - column_2.y(), column_1.y() + column_2.x()).norm();
 
   TriangleDistortion result;
   result.area_3d = 0.5 * x1 * y2;
