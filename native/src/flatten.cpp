@@ -38,22 +38,24 @@ FlattenError infeasible_lengths(const Chart& chart, const InnerSolution& solutio
                       {{}, {}, chart.source_face});
 }
 
-/// ψ: the flat shape of one chart (paper II-A). Throws FlattenError where there is none.
-void flatten_chart(const Chart& chart, const FlattenInput& input, const Options& options, Layout& layout) {
+/// ψ: the flat shape of one chart (paper II-A). Throws FlattenError where there is none or begin_stage cancels.
+void flatten_chart(const Chart& chart, const FlattenInput& input, const Options& options,
+                   const std::function<void(const char* stage)>& begin_stage, Layout& layout) {
   std::map<std::string, double>& seconds = layout.report.seconds;
-  const auto timed = [&](const char* stage) { return StageTimer(seconds, stage); };
 
+  begin_stage("wires");
   Eigen::VectorXd lengths;
   {
-    const StageTimer timer = timed("wires");
+    const StageTimer timer(seconds, "wires");
     layout.network = build_wire_network(chart);
     check_wire_network(chart, *layout.network, input.wires);
     lengths = rest_lengths(*layout.network);
     layout.variation.assign(chart.wire_parts.size(), 0.0);
   }
+  begin_stage("lengths");
   Positions2 uv(static_cast<int>(chart.mesh.n_vertices()), 2);
   {
-    const StageTimer timer = timed("lengths");
+    const StageTimer timer(seconds, "lengths");
     InnerProblem inner(*layout.network, options.node_weight);
     const InnerSolution solution = inner.solve(lengths, options.inner);  // Eq. (1)
     layout.report.inner_solves = solution.num_solves;
@@ -64,8 +66,9 @@ void flatten_chart(const Chart& chart, const FlattenInput& input, const Options&
     if (!solution.is_minimum) layout.report.warnings.push_back("The wire angles stopped short of their minimum.");
     lay_out_wires(chart, *layout.network, solution.headings, lengths, uv);
   }
+  begin_stage("interior");
   {
-    const StageTimer timer = timed("interior");
+    const StageTimer timer(seconds, "interior");
     const InteriorPlacement placement(chart, *layout.network);
     placement.place(uv);
     layout.report.factorizations = placement.factorizations();
@@ -75,24 +78,29 @@ void flatten_chart(const Chart& chart, const FlattenInput& input, const Options&
 
 std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& charts, const Options& options,
                                    ProgressReport& progress) {
+  // Shares of a run's time at a million triangles.
+  const std::map<std::string, double> share_done{{"wires", 0.0}, {"lengths", 0.1}, {"interior", 0.15}};
   std::vector<Layout> layouts(charts.charts.size());
   double faces_done = 0;
   for (std::size_t c = 0; c < layouts.size(); ++c) {
     const Chart& chart = charts.charts[c];
     Layout& layout = layouts[c];
-    if (chart.error) {
-      layout.error = chart.error;
-    } else if (!progress.go_on("lengths", 0.1 + 0.7 * faces_done / static_cast<double>(input.faces.rows()))) {
-      layout.error = FlattenError(ErrorCode::cancelled, "Cancelled before this piece was flattened.");
+    const auto chart_faces = static_cast<double>(chart.source_face.size());
+    const auto begin_stage = [&](const char* stage) {
+      const double done = (faces_done + share_done.at(stage) * chart_faces) / static_cast<double>(input.faces.rows());
+      if (progress.go_on(stage, 0.2 + 0.7 * done)) return;
       layout.report.termination = Termination::cancelled;
-    } else {
+      throw FlattenError(ErrorCode::cancelled, "Cancelled before this piece was flat.");
+    };
+    layout.error = chart.error;
+    if (!layout.error) {
       try {
-        flatten_chart(chart, input, options, layout);
+        flatten_chart(chart, input, options, begin_stage, layout);
       } catch (const FlattenError& error) {
         layout.error = error;
       }
     }
-    faces_done += static_cast<double>(chart.source_face.size());
+    faces_done += chart_faces;
   }
   return layouts;
 }
@@ -125,7 +133,7 @@ FlattenResult flatten(const FlattenInput& input, const Options& options, const P
       charts = cut_into_charts(input, edges);
     }
     std::vector<Layout> layouts = flatten_charts(input, charts, options, report);
-    report.go_on("measure", 0.8);
+    report.go_on("measure", 0.9);
     {
       const StageTimer timer(seconds, "packing");
       pack(charts, options, layouts);

@@ -3,13 +3,12 @@
 #include "charts/cut_into_charts.h"
 #include "check_input/check_input.h"
 #include "check_input/sentence.h"
+#include "index.h"
 #include "metrics/assemble_result.h"
 #include "metrics/lengths.h"
 
 namespace wirewarp {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Corners of one vertex that lie farther apart than this fraction of the flattening's size are cut from each other.
 constexpr double kSamePoint = 1e-6;

@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "charts/cut_into_charts.h"
+#include "index.h"
 
 namespace wirewarp::test {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Quads of a grid with num_columns vertices in a row, cut into triangles; a closed grid wraps around.
 Triangles grid_faces(int nx, int ny, int num_columns) {

@@ -5,14 +5,13 @@
 #include <numeric>
 #include <tuple>
 
+#include "index.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// One chart vertex per fan of corners, in the order of the input's vertices.
 std::vector<VertexHandle> add_vertices(const FlattenInput& input, const SurfaceCut& cut, Chart& chart) {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "index.h"
+
 namespace wirewarp {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The fans at one end of an edge, one per side, sorted.
 std::vector<int> fans_at(const EdgeTable& edges, const SurfaceCut& cut, int edge, int vertex) {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "index.h"
+
 namespace wirewarp {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 WireKind kind_of(double tolerance) {
   if (tolerance == 0) return WireKind::rigid;

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "index.h"
+
 namespace wirewarp {
 namespace {
 
 constexpr std::size_t kLeafSize = 8;  // edges
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class Dissection {
  public:

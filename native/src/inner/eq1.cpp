@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inner/eq1.h"
 
+#include "index.h"
 #include "inner/linear_angle_constraints.h"
 
 namespace wirewarp {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Weight 1/ℓ turns the sum of Eq. (1) into ∫ Δκ² ds, whatever the vertices. Scaled so that the mean weight is about 1.
 Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight) {

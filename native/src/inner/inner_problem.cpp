@@ -81,30 +81,38 @@ bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi)
   return largest(gap) < kClosed;
 }
 
-/// Factors with as much of the closures' curvature as leaves the step leading downhill; none always does.
-void InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian,
-                                   const Eigen::SparseMatrix<double>& jacobian) {
-  for (const double share : {1.0, 0.5, 0.25, 0.0}) {
-    if (kkt_.factor(eq1_.laplacian(), share * closure_hessian, jacobian)) return;
+/// Factors with as much of the closures' curvature as leaves the step leading downhill; none always does. share: what
+/// to try after all of it; comes back closer to all where it served, so that a saddle is left behind fast.
+void InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
+                                   double& share) {
+  if (kkt_.factor(eq1_.laplacian(), closure_hessian, jacobian)) return;
+  if (kkt_.factor(eq1_.laplacian(), share * closure_hessian, jacobian)) {
+    share = (1 + share) / 2;
+    return;
   }
+  share /= 2;
+  if (kkt_.factor(eq1_.laplacian(), share * closure_hessian, jacobian)) return;
+  kkt_.factor(eq1_.laplacian(), 0 * closure_hessian, jacobian);
 }
 
 /// Feasible sequential quadratic programming with the exact Hessian of the Lagrangian: every iterate closes.
 bool InnerProblem::minimize(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi, double& projected_gradient) {
   const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
   Eigen::VectorXd multipliers;
+  double curvature_share = 0.5;
   double value = eq1_.angle_variation(psi);
   for (int i = 0; i < kMaxSteps; ++i) {
     const Eigen::VectorXd gradient = eq1_.gradient(psi);
     const Eigen::SparseMatrix<double> jacobian = eq1_.closure_jacobian(psi, lengths);
     if (i == 0) {
-      if (kkt_.num_factorizations() == 0) factor_downhill(Eigen::VectorXd::Zero(eq1_.num_edges()), jacobian);
+      if (kkt_.num_factorizations() == 0)
+        kkt_.factor(eq1_.laplacian(), Eigen::VectorXd::Zero(eq1_.num_edges()), jacobian);
       multipliers = kkt_.solve(-gradient, no_gap).multipliers;
     }
     projected_gradient = largest(gradient + jacobian.transpose() * multipliers);
     if (projected_gradient < kStationary) return true;
 
-    factor_downhill(eq1_.closure_hessian(psi, lengths, multipliers), jacobian);
+    factor_downhill(eq1_.closure_hessian(psi, lengths, multipliers), jacobian, curvature_share);
     const KktSystem::Solution direction = kkt_.solve(-gradient, no_gap);
     const double slope = gradient.dot(direction.step);
     double t = 1;

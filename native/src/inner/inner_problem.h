@@ -31,7 +31,8 @@ class InnerProblem {
   bool take_least_norm_steps(const Eigen::VectorXd& lengths, double smallest_step, Eigen::VectorXd& psi);
   bool restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const;
   bool minimize(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi, double& projected_gradient);
-  void factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian);
+  void factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
+                       double& share);
 
   Eq1 eq1_;
   KktSystem kkt_;

@@ -4,12 +4,12 @@
 #include <Eigen/SparseCholesky>
 #include <map>
 
+#include "index.h"
+
 namespace wirewarp {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "index.h"
+
 namespace wirewarp {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Kruskal's minimum spanning tree: for each vertex its tree edges.
 std::vector<std::vector<int>> shortest_spanning_tree(const Chart& chart, const WireNetwork& network) {

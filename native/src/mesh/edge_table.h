@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "index.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
@@ -32,8 +33,6 @@ class EdgeTable {
   int to(int side) const { return faces_(side / 3, (side + 1) % 3); }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
   const Triangles& faces_;
   std::vector<VertexPair> vertices_;
   std::vector<int> edge_begin_;  // of each vertex: the edges whose smaller end it is

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mesh/half_edge_mesh.h"
+#include "wirewarp/types.h"
 
 namespace wirewarp {
 
@@ -23,6 +24,18 @@ inline double corner_angle(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
 /// The half-edge that leaves the same vertex one face counter-clockwise from h, which has a face.
 inline HalfedgeHandle next_counterclockwise(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
+}
+
+/// The corners of each face, beginning where its first half-edge does. #faces by 3.
+inline Triangles triangles_of(const HalfEdgeMesh& mesh) {
+  Triangles triangles(static_cast<Eigen::Index>(mesh.n_faces()), 3);
+  for (const FaceHandle f : mesh.faces()) {
+    HalfedgeHandle h = mesh.halfedge_handle(f);
+    for (int k = 0; k < 3; ++k, h = mesh.next_halfedge_handle(h)) {
+      triangles(f.idx(), k) = mesh.from_vertex_handle(h).idx();
+    }
+  }
+  return triangles;
 }
 
 }  // namespace wirewarp

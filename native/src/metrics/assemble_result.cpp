@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "index.h"
+#include "mesh/geometry.h"
 #include "metrics/guarantee.h"
 #include "metrics/lengths.h"
 #include "metrics/metrics.h"
@@ -11,24 +13,11 @@
 namespace wirewarp {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-Triangles faces_of(const HalfEdgeMesh& mesh) {
-  Triangles faces(static_cast<int>(mesh.n_faces()), 3);
-  for (const FaceHandle f : mesh.faces()) {
-    HalfedgeHandle h = mesh.halfedge_handle(f);
-    for (int k = 0; k < 3; ++k, h = mesh.next_halfedge_handle(h)) {
-      faces(f.idx(), k) = mesh.from_vertex_handle(h).idx();
-    }
-  }
-  return faces;
-}
-
 Piece assemble_piece(const FlattenInput& input, const Chart& chart, Layout& layout, bool mirror) {
   Piece piece;
   piece.source_face = chart.source_face;
   piece.source_vertex = chart.source_vertex;
-  piece.faces = faces_of(chart.mesh);
+  piece.faces = triangles_of(chart.mesh);
   piece.report = std::move(layout.report);
   piece.error = std::move(layout.error);
   if (layout.uv.rows() == 0) {

@@ -7,13 +7,12 @@
 #include <limits>
 
 #include "check_input/sentence.h"
+#include "index.h"
 
 namespace wirewarp {
 namespace {
 
 constexpr double kRelativeLengthError = 1e-9;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The ends of an edge in the input, the smaller index first.
 VertexPair source_edge(const Chart& chart, HalfedgeHandle h) {

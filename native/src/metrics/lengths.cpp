@@ -6,14 +6,13 @@
 #include <limits>
 #include <map>
 
+#include "index.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double planar_length(const Chart& chart, HalfedgeHandle h, const Positions2& uv) {
   return (uv.row(chart.mesh.to_vertex_handle(h).idx()) - uv.row(chart.mesh.from_vertex_handle(h).idx())).norm();

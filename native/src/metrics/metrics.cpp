@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "index.h"
+#include "mesh/geometry.h"
 #include "metrics/arap.h"
 #include "metrics/overlap.h"
 
@@ -12,19 +14,8 @@ namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 HalfedgeHandle half_edge(const Chart& chart, const WireNetwork& network, const WireHalfEdge& h) {
   return chart.mesh.halfedge_handle(network.edges[at(h.edge)].edge, h.reversed ? 1 : 0);
-}
-
-Triangles faces_of(const HalfEdgeMesh& mesh) {
-  Triangles faces(static_cast<Eigen::Index>(mesh.n_faces()), 3);
-  for (const FaceHandle f : mesh.faces()) {
-    HalfedgeHandle h = mesh.halfedge_handle(f);
-    for (int k = 0; k < 3; ++k, h = mesh.next_halfedge_handle(h)) faces(f.idx(), k) = mesh.from_vertex_handle(h).idx();
-  }
-  return faces;
 }
 
 std::vector<bool> faces_on_boundary(const Chart& chart) {
@@ -105,7 +96,7 @@ double planar_angle(const Chart& chart, const WireNetwork& network, const WireNo
 
 Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Positions2& uv) {
   Metrics metrics;
-  const Triangles faces = faces_of(chart.mesh);
+  const Triangles faces = triangles_of(chart.mesh);
   measure_faces(chart, faces, uv, metrics);
   measure_wire_edges(chart, network, uv, metrics);
   measure_angles(chart, network, uv, metrics);

@@ -4,12 +4,11 @@
 #include <set>
 
 #include "check_input/sentence.h"
+#include "index.h"
 #include "topology/wire_network.h"
 
 namespace wirewarp {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 std::string name_wires(const std::set<int>& indices, const std::vector<Wire>& wires) {
   if (indices.size() == 1 && !wires[at(*indices.begin())].name.empty()) {

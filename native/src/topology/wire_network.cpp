@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "topology/wire_network.h"
 
+#include "index.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-std::size_t at(WireHalfEdge h) { return 2 * at(h.edge) + (h.reversed ? 1 : 0); }
+std::size_t place_of(WireHalfEdge h) { return 2 * at(h.edge) + (h.reversed ? 1 : 0); }
 
 void add_wire_edges(const Chart& chart, WireNetwork& network) {
   const HalfEdgeMesh& mesh = chart.mesh;
@@ -98,13 +98,13 @@ void add_patches(const HalfEdgeMesh& mesh, WireNetwork& network) {
   const std::vector<int> patch_of_face = find_patch_of_face(mesh, network, num_patches);
   network.patches.resize(at(num_patches));
   std::vector<int> node_after(2 * network.edges.size(), -1);
-  for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) node_after[at(network.nodes[at(i)].in)] = i;
+  for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) node_after[place_of(network.nodes[at(i)].in)] = i;
 
   std::vector<char> is_seen(network.nodes.size(), 0);
   for (int start = 0; start < static_cast<int>(network.nodes.size()); ++start) {
     if (is_seen[at(start)]) continue;
     std::vector<WirePatch::Step> loop;
-    for (int node = start; !is_seen[at(node)]; node = node_after[at(network.nodes[at(node)].out)]) {
+    for (int node = start; !is_seen[at(node)]; node = node_after[place_of(network.nodes[at(node)].out)]) {
       is_seen[at(node)] = 1;
       loop.push_back({node, network.nodes[at(node)].out});
     }
