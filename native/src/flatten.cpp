@@ -5,22 +5,13 @@
 #include "charts/cut_into_charts.h"
 #include "check_input/check_input.h"
 #include "check_input/sentence.h"
-#include "inner/inner_problem.h"
-#include "inner/interior_placement.h"
-#include "inner/wire_layout.h"
 #include "metrics/assemble_result.h"
+#include "outer/choose_variation.h"
 #include "packing/pack_pieces.h"
 #include "progress_report.h"
 
 namespace wirewarp {
 namespace {
-
-/// The 3D lengths of the wire edges: all wires are rigid.
-Eigen::VectorXd rest_lengths(const WireNetwork& network) {
-  Eigen::VectorXd lengths(static_cast<Eigen::Index>(network.edges.size()));
-  for (Eigen::Index e = 0; e < lengths.size(); ++e) lengths[e] = network.edges[static_cast<std::size_t>(e)].length;
-  return lengths;
-}
 
 FlattenError infeasible_lengths(const Chart& chart, const InnerSolution& solution) {
   std::vector<int> wires;
@@ -38,48 +29,49 @@ FlattenError infeasible_lengths(const Chart& chart, const InnerSolution& solutio
                       {{}, {}, chart.source_face});
 }
 
-/// ψ: the flat shape of one chart (paper II-A). Throws FlattenError where there is none or begin_stage cancels.
+void report_solution(const OuterSolution& solution, PieceReport& report) {
+  report.inner_solves = solution.inner_solves;
+  report.outer_iterations = solution.iterations;
+  report.gradient_evaluations = solution.evaluations;
+  report.factorizations += solution.free_factorizations;
+  report.constraint_residual = solution.shape.inner.closure_residual;
+  report.projected_gradient = solution.shape.inner.projected_gradient;
+  if (!solution.shape.inner.is_minimum) report.warnings.push_back("The wire angles stopped short of their minimum.");
+  if (!solution.converged) report.warnings.push_back("The wire lengths stopped short of the least distortion.");
+  report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
+}
+
+/// The flat shape of one chart. Throws FlattenError where there is none or begin_stage cancels.
 void flatten_chart(const Chart& chart, const FlattenInput& input, const Options& options,
                    const std::function<void(const char* stage)>& begin_stage, Layout& layout) {
   std::map<std::string, double>& seconds = layout.report.seconds;
-
   begin_stage("wires");
-  Eigen::VectorXd lengths;
   {
     const StageTimer timer(seconds, "wires");
     layout.network = build_wire_network(chart);
     check_wire_network(chart, *layout.network, input.wires);
-    lengths = rest_lengths(*layout.network);
-    layout.variation.assign(chart.wire_parts.size(), 0.0);
-  }
-  begin_stage("lengths");
-  Positions2 uv(static_cast<int>(chart.mesh.n_vertices()), 2);
-  {
-    const StageTimer timer(seconds, "lengths");
-    InnerProblem inner(*layout.network, options.node_weight);
-    const InnerSolution solution = inner.solve(lengths, options.inner);  // Eq. (1)
-    layout.report.inner_solves = solution.num_solves;
-    layout.report.constraint_residual = solution.closure_residual;
-    layout.report.projected_gradient = solution.projected_gradient;
-    if (!solution.is_feasible) throw infeasible_lengths(chart, solution);
-    layout.report.termination = solution.is_minimum ? Termination::converged : Termination::stalled;
-    if (!solution.is_minimum) layout.report.warnings.push_back("The wire angles stopped short of their minimum.");
-    lay_out_wires(chart, *layout.network, solution.headings, lengths, uv);
   }
   begin_stage("interior");
+  std::optional<Warp> warp;  // ψ (II-A)
   {
     const StageTimer timer(seconds, "interior");
-    const InteriorPlacement placement(chart, *layout.network);
-    placement.place(uv);
-    layout.report.factorizations = placement.factorizations();
+    warp.emplace(chart, *layout.network, options.node_weight, options.inner);
+    layout.report.factorizations = warp->interior_factorizations();
   }
-  layout.uv = std::move(uv);
+  const StageTimer timer(seconds, "lengths");
+  const VariationBounds bounds = variation_bounds(chart, options.method);
+  OuterSolution solution =
+      choose_variation(chart, *warp, bounds, [&] { begin_stage("lengths"); });  // II-B, Algorithm 1
+  if (!solution.shape.inner.is_feasible) throw infeasible_lengths(chart, solution.shape.inner);
+  report_solution(solution, layout.report);
+  layout.variation.assign(solution.variation.begin(), solution.variation.end());
+  layout.uv = std::move(solution.shape.uv);
 }
 
 std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& charts, const Options& options,
                                    ProgressReport& progress) {
   // Shares of a run's time at a million triangles.
-  const std::map<std::string, double> share_done{{"wires", 0.0}, {"lengths", 0.1}, {"interior", 0.15}};
+  const std::map<std::string, double> share_done{{"wires", 0.0}, {"interior", 0.1}, {"lengths", 0.6}};
   std::vector<Layout> layouts(charts.charts.size());
   double faces_done = 0;
   for (std::size_t c = 0; c < layouts.size(); ++c) {
@@ -146,7 +138,7 @@ FlattenResult flatten(const FlattenInput& input, const Options& options, const P
     for (const auto& [stage, time] : piece.report.seconds) seconds[stage] += time;
   }
   result.seconds = seconds;
-  result.method = "wirewarping";
+  result.method = options.method == Method::wirewarping ? "wirewarping" : "wirewarp++";
   return result;
 }
 

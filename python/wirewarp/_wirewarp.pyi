@@ -10,7 +10,7 @@ from ._errors import FlattenError
 __version__: str
 
 class Options:
-    method: Literal["wirewarping"]
+    method: Literal["wirewarping", "wirewarp++"]
     node_weight: Literal["length", "uniform"]
     inner: Literal["minimum", "least-norm"]
     gap: float
@@ -18,7 +18,7 @@ class Options:
     def __init__(
         self,
         *,
-        method: Literal["wirewarping"] = "wirewarping",
+        method: Literal["wirewarping", "wirewarp++"] = "wirewarp++",
         node_weight: Literal["length", "uniform"] = "length",
         inner: Literal["minimum", "least-norm"] = "minimum",
         gap: float = 0.03,

@@ -5,7 +5,8 @@ namespace wirewarp {
 
 /// How wire lengths and the shape are found. The default is the best method there is.
 enum class Method {
-  wirewarping,  // paper II-A: all wires rigid, planar angles closest to the surface angles (Eq. 1)
+  wirewarping,         // paper II-A: all wires rigid, planar angles closest to the surface angles (Eq. 1)
+  wirewarp_plus_plus,  // paper II-B: the same, with the lengths of elastic wires chosen for the least distortion
 };
 
 /// Weight of a wire-node in Eq. (1).
@@ -21,7 +22,7 @@ enum class Inner {
 };
 
 struct Options {
-  Method method = Method::wirewarping;
+  Method method = Method::wirewarp_plus_plus;
   NodeWeight node_weight = NodeWeight::length;
   Inner inner = Inner::minimum;
 

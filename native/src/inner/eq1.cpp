@@ -157,19 +157,33 @@ Eigen::SparseMatrix<double> Eq1::closure_jacobian(const Eigen::VectorXd& psi, co
   return jacobian;
 }
 
-Eigen::VectorXd Eq1::closure_hessian(const Eigen::VectorXd& psi, const Eigen::VectorXd& lengths,
-                                     const Eigen::VectorXd& multipliers) const {
-  const Eigen::VectorXd phi = headings(psi);
-  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(num_edges());
+Eigen::Matrix2Xd Eq1::gather(const Eigen::VectorXd& per_closure) const {
+  Eigen::Matrix2Xd per_edge = Eigen::Matrix2Xd::Zero(2, num_edges());
   for (int p = 0; p < static_cast<int>(loops_.size()); ++p) {
     const Loop& loop = loops_[at(p)];
     for (std::size_t b = 0; b < loop.edges.size(); ++b) {
-      const int e = loop.edges[b];
-      diagonal[e] -= loop.signs[b] * lengths[e] *
-                     (multipliers[2 * p] * std::cos(phi[e]) + multipliers[2 * p + 1] * std::sin(phi[e]));
+      per_edge.col(loop.edges[b]) += loop.signs[b] * per_closure.segment<2>(2 * p);
     }
   }
-  return diagonal;
+  return per_edge;
+}
+
+Eigen::VectorXd Eq1::closure_hessian(const Eigen::VectorXd& psi, const Eigen::VectorXd& lengths,
+                                     const Eigen::VectorXd& multipliers) const {
+  return -lengths.cwiseProduct(closure_by_lengths(psi, multipliers));
+}
+
+Eigen::VectorXd Eq1::closure_by_lengths(const Eigen::VectorXd& psi, const Eigen::VectorXd& q) const {
+  const Eigen::ArrayXd phi = headings(psi).array();
+  const Eigen::Matrix2Xd along = gather(q);
+  return (along.row(0).transpose().array() * phi.cos() + along.row(1).transpose().array() * phi.sin()).matrix();
+}
+
+Eigen::VectorXd Eq1::closure_by_headings_and_lengths(const Eigen::VectorXd& psi,
+                                                     const Eigen::VectorXd& multipliers) const {
+  const Eigen::ArrayXd phi = headings(psi).array();
+  const Eigen::Matrix2Xd along = gather(multipliers);
+  return (along.row(1).transpose().array() * phi.cos() - along.row(0).transpose().array() * phi.sin()).matrix();
 }
 
 }  // namespace wirewarp

@@ -65,6 +65,12 @@ class Eq1 {
   Eigen::VectorXd closure_hessian(const Eigen::VectorXd& psi, const Eigen::VectorXd& lengths,
                                   const Eigen::VectorXd& multipliers) const;
 
+  /// ∂(qᵀc)/∂l. #edges.
+  Eigen::VectorXd closure_by_lengths(const Eigen::VectorXd& psi, const Eigen::VectorXd& q) const;
+
+  /// Diagonal of ∂²(λᵀc)/∂ψ∂l: no edge's length acts on another's heading. #edges.
+  Eigen::VectorXd closure_by_headings_and_lengths(const Eigen::VectorXd& psi, const Eigen::VectorXd& multipliers) const;
+
  private:
   struct Node {
     int in, out;    // wire edges
@@ -76,6 +82,9 @@ class Eq1 {
     std::vector<int> edges;
     std::vector<double> signs;  // over the length of the loop: +-1 / L
   };
+
+  /// For each edge the sum over its loops of the two given values, with the edge's sign and over the loop's length.
+  Eigen::Matrix2Xd gather(const Eigen::VectorXd& per_closure) const;
 
   std::vector<Node> nodes_;
   std::vector<Loop> loops_;

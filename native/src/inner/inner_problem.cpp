@@ -17,17 +17,26 @@ double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<E
 
 InnerSolution InnerProblem::solve(const Eigen::VectorXd& lengths, Inner inner) {
   const int solves_before = kkt_.num_factorizations();
-  Eigen::VectorXd psi;
   InnerSolution solution;
-  solution.is_feasible = close_loops(lengths, psi);
-  if (solution.is_feasible) {
-    solution.is_minimum = inner == Inner::least_norm || minimize(lengths, psi, solution.projected_gradient);
-  }
-  solution.headings = eq1_.headings(psi);
-  solution.angle_variation = eq1_.angle_variation(psi);
-  solution.closure_residual = largest(eq1_.closure(psi, lengths));
+  solution.is_feasible = close_loops(lengths, solution.psi);
+  if (solution.is_feasible) solution.is_minimum = inner == Inner::least_norm || minimize(lengths, solution);
+  solution.headings = eq1_.headings(solution.psi);
+  solution.angle_variation = eq1_.angle_variation(solution.psi);
+  solution.closure_residual = largest(eq1_.closure(solution.psi, lengths));
   solution.num_solves = kkt_.num_factorizations() - solves_before;
   return solution;
+}
+
+/// The minimum satisfies ∇F + Jᵀλ = 0 and c = 0. Differentiated by a length: K [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl, with
+/// K the matrix of the optimality system. Adjoint: K [p; q] = [∂E/∂φ; 0], and dE/dl = ∂E/∂l - pᵀ∂(Jᵀλ)/∂l - qᵀ∂c/∂l.
+Eigen::VectorXd InnerProblem::total_derivative(const InnerSolution& solution, const Eigen::VectorXd& lengths,
+                                               const Eigen::VectorXd& by_headings, const Eigen::VectorXd& by_lengths) {
+  kkt_.factor(eq1_.laplacian(), eq1_.closure_hessian(solution.psi, lengths, solution.multipliers),
+              eq1_.closure_jacobian(solution.psi, lengths));
+  const KktSystem::Solution adjoint = kkt_.solve(by_headings, Eigen::VectorXd::Zero(eq1_.num_closures()));
+  return by_lengths -
+         adjoint.step.cwiseProduct(eq1_.closure_by_headings_and_lengths(solution.psi, solution.multipliers)) -
+         eq1_.closure_by_lengths(solution.psi, adjoint.multipliers);
 }
 
 /// The paper's least-norm steps, from the angles closest to the surface angles. Where they stray, once more from the
@@ -96,9 +105,10 @@ void InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const
 }
 
 /// Feasible sequential quadratic programming with the exact Hessian of the Lagrangian: every iterate closes.
-bool InnerProblem::minimize(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi, double& projected_gradient) {
+bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solution) {
+  Eigen::VectorXd& psi = solution.psi;
+  Eigen::VectorXd& multipliers = solution.multipliers;
   const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
-  Eigen::VectorXd multipliers;
   double curvature_share = 0.5;
   double value = eq1_.angle_variation(psi);
   for (int i = 0; i < kMaxSteps; ++i) {
@@ -109,8 +119,8 @@ bool InnerProblem::minimize(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi
         kkt_.factor(eq1_.laplacian(), Eigen::VectorXd::Zero(eq1_.num_edges()), jacobian);
       multipliers = kkt_.solve(-gradient, no_gap).multipliers;
     }
-    projected_gradient = largest(gradient + jacobian.transpose() * multipliers);
-    if (projected_gradient < kStationary) return true;
+    solution.projected_gradient = largest(gradient + jacobian.transpose() * multipliers);
+    if (solution.projected_gradient < kStationary) return true;
 
     factor_downhill(eq1_.closure_hessian(psi, lengths, multipliers), jacobian, curvature_share);
     const KktSystem::Solution direction = kkt_.solve(-gradient, no_gap);

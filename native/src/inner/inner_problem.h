@@ -9,6 +9,8 @@ namespace wirewarp {
 
 struct InnerSolution {
   Eigen::VectorXd headings;       // φ, radians, #wire edges
+  Eigen::VectorXd psi;            // their change from the starting headings
+  Eigen::VectorXd multipliers;    // λ of the closures, #closures
   double angle_variation = 0;     // Eq. (1), weights scaled to mean length 1
   double closure_residual = 0;    // largest gap of a loop / its length
   double projected_gradient = 0;  // largest entry of ∇F + Jᵀλ
@@ -26,11 +28,17 @@ class InnerProblem {
   /// loop closes (Inner::least_norm). lengths: positive, scene units, #wire edges.
   InnerSolution solve(const Eigen::VectorXd& lengths, Inner inner);
 
+  /// For a function E(φ, l) of the solved network: its derivative by the lengths alone, φ following them along the
+  /// minima of Eq. (1). One factorization and one solve, however many lengths there are.
+  /// by_headings, by_lengths: ∂E/∂φ, ∂E/∂l at the solution, a minimum. #wire edges each.
+  Eigen::VectorXd total_derivative(const InnerSolution& solution, const Eigen::VectorXd& lengths,
+                                   const Eigen::VectorXd& by_headings, const Eigen::VectorXd& by_lengths);
+
  private:
   bool close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi);
   bool take_least_norm_steps(const Eigen::VectorXd& lengths, double smallest_step, Eigen::VectorXd& psi);
   bool restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const;
-  bool minimize(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi, double& projected_gradient);
+  bool minimize(const Eigen::VectorXd& lengths, InnerSolution& solution);
   void factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
                        double& share);
 

@@ -63,4 +63,15 @@ void InteriorPlacement::place(Positions2& uv) const {
   for (Eigen::Index row = 0; row < x.rows(); ++row) uv.row(interior_[row]) = x.row(row);
 }
 
+void InteriorPlacement::pull_back(Positions2& by_uv) const {
+  if (!lu_) return;
+  Positions2 x(static_cast<Eigen::Index>(interior_.size()), 2);
+  for (Eigen::Index row = 0; row < x.rows(); ++row) {
+    x.row(row) = by_uv.row(interior_[row]);
+    by_uv.row(interior_[row]).setZero();
+  }
+  lu_->solve_transposed(x);
+  by_uv += to_network_.transpose() * x;
+}
+
 }  // namespace wirewarp

@@ -26,6 +26,10 @@ class InteriorPlacement {
   /// Fills the rows of uv (one per chart vertex) that are not on the network from those that are.
   void place(Positions2& uv) const;
 
+  /// The adjoint of place(): adds to the rows of network vertices what the rows off the network carry to them, so that
+  /// ∂E/∂uv of all vertices becomes the derivative by the network's alone. The rows off the network become zero.
+  void pull_back(Positions2& by_uv) const;
+
   /// Matrices factored: 1, or 0 where every vertex lies on the network.
   int factorizations() const { return lu_ ? 1 : 0; }
 

@@ -23,7 +23,7 @@ std::vector<std::vector<int>> shortest_spanning_tree(const Chart& chart, const W
     return v;
   };
   std::vector<std::vector<int>> tree(chart.mesh.n_vertices());
-  for (int e : by_length) {
+  for (const int e : by_length) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(network.edges[at(e)].edge, 0);
     const int from = chart.mesh.from_vertex_handle(h).idx();
     const int to = chart.mesh.to_vertex_handle(h).idx();
@@ -37,27 +37,46 @@ std::vector<std::vector<int>> shortest_spanning_tree(const Chart& chart, const W
 
 }  // namespace
 
-void lay_out_wires(const Chart& chart, const WireNetwork& network, const Eigen::VectorXd& headings,
-                   const Eigen::VectorXd& lengths, Positions2& uv) {
+WireLayout::WireLayout(const Chart& chart, const WireNetwork& network) {
   const std::vector<std::vector<int>> tree = shortest_spanning_tree(chart, network);
   const HalfedgeHandle first = chart.mesh.halfedge_handle(network.edges[0].edge, 0);
-  const int root = chart.mesh.from_vertex_handle(first).idx();
+  root_ = chart.mesh.from_vertex_handle(first).idx();
   std::vector<char> is_placed(chart.mesh.n_vertices(), 0);
-  std::vector<int> queue{root};
-  is_placed[at(root)] = 1;
-  uv.row(root).setZero();
+  std::vector<int> queue{root_};
+  is_placed[at(root_)] = 1;
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const int v = queue[next];
-    for (int e : tree[at(v)]) {
+    for (const int e : tree[at(v)]) {
       const HalfedgeHandle h = chart.mesh.halfedge_handle(network.edges[at(e)].edge, 0);
-      const int from = chart.mesh.from_vertex_handle(h).idx();
-      const int other = from == v ? chart.mesh.to_vertex_handle(h).idx() : from;
+      const int start = chart.mesh.from_vertex_handle(h).idx();
+      const int other = start == v ? chart.mesh.to_vertex_handle(h).idx() : start;
       if (is_placed[at(other)]) continue;
-      const double along = from == v ? lengths[e] : -lengths[e];
-      uv.row(other) = uv.row(v) + along * Eigen::RowVector2d(std::cos(headings[e]), std::sin(headings[e]));
+      steps_.push_back({e, v, other, start == v ? 1.0 : -1.0});
       is_placed[at(other)] = 1;
       queue.push_back(other);
     }
+  }
+}
+
+void WireLayout::place(const Eigen::VectorXd& headings, const Eigen::VectorXd& lengths, Positions2& uv) const {
+  uv.row(root_).setZero();
+  for (const Step& step : steps_) {
+    const Eigen::RowVector2d direction(std::cos(headings[step.edge]), std::sin(headings[step.edge]));
+    uv.row(step.to) = uv.row(step.from) + step.sign * lengths[step.edge] * direction;
+  }
+}
+
+void WireLayout::pull_back(const Eigen::VectorXd& headings, const Eigen::VectorXd& lengths, const Positions2& by_uv,
+                           Eigen::VectorXd& by_headings, Eigen::VectorXd& by_lengths) const {
+  by_headings.setZero(headings.size());
+  by_lengths.setZero(lengths.size());
+  Positions2 beyond = by_uv;  // summed over all that hangs on a vertex
+  for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
+    const Eigen::RowVector2d force = beyond.row(step->to);
+    beyond.row(step->from) += force;
+    const Eigen::RowVector2d direction(std::cos(headings[step->edge]), std::sin(headings[step->edge]));
+    by_lengths[step->edge] = step->sign * direction.dot(force);
+    by_headings[step->edge] = step->sign * lengths[step->edge] * (direction[0] * force[1] - direction[1] * force[0]);
   }
 }
 

@@ -13,6 +13,7 @@ namespace wirewarp {
 
 struct HalfEdgeTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
   VertexAttributes(OpenMesh::Attributes::None);
   HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
   EdgeAttributes(OpenMesh::Attributes::None);

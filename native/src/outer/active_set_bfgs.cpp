@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "outer/active_set_bfgs.h"
+
+#include <Eigen/Cholesky>
+#include <vector>
+
+namespace wirewarp {
+namespace {
+
+/// BFGS, damped after Powell so that B stays positive definite.
+void update_hessian(const Eigen::VectorXd& step, Eigen::VectorXd change, Eigen::MatrixXd& b) {
+  constexpr double kDamping = 0.2;
+  const Eigen::VectorXd b_step = b * step;
+  const double curvature = step.dot(b_step);
+  if (step.dot(change) < kDamping * curvature) {
+    const double share = (1 - kDamping) * curvature / (curvature - step.dot(change));
+    change = share * change + (1 - share) * b_step;
+  }
+  b += change * change.transpose() / step.dot(change) - b_step * b_step.transpose() / curvature;
+}
+
+}  // namespace
+
+Eigen::VectorXd minimize_model_in_box(const Eigen::VectorXd& g, const Eigen::MatrixXd& b, const Eigen::VectorXd& lower,
+                                      const Eigen::VectorXd& upper) {
+  const auto model = [&](const Eigen::VectorXd& d) { return g.dot(d) + d.dot(b * d) / 2; };
+  const int max_steps = 20 + static_cast<int>(g.size());
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size());
+  for (int i = 0; i < max_steps; ++i) {
+    const Eigen::VectorXd slope = g + b * d;
+    std::vector<int> free;  // the others are at a bound that the model pushes against: the active set
+    for (int k = 0; k < g.size(); ++k) {
+      const bool is_active = (d[k] <= lower[k] && slope[k] > 0) || (d[k] >= upper[k] && slope[k] < 0);
+      if (!is_active) free.push_back(k);
+    }
+    if (free.empty()) break;
+    const Eigen::VectorXd newton = b(free, free).llt().solve(-slope(free));
+    const double promised = -slope(free).dot(newton);
+    if (!(promised > 1e-16 * std::abs(model(d)))) break;
+    Eigen::VectorXd trial;
+    double t = 1;
+    for (; t > 1e-10; t /= 2) {
+      trial = d;
+      trial(free) += t * newton;
+      trial = trial.cwiseMax(lower).cwiseMin(upper);
+      if (model(trial) < model(d)) break;
+    }
+    if (t <= 1e-10) break;
+    d = trial;
+  }
+  return d;
+}
+
+BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                           const Eigen::VectorXd& start, double tolerance, int max_evaluations) {
+  constexpr double kDecrease = 1e-4;   // of the slope, in the line search
+  constexpr double kFirstStep = 0.02;  // largest entry of the first steepest descent step
+  constexpr double kSmallestStep = 1e-8;
+  BoxMinimum best;
+  best.x = start;
+  ValueAndGradient here = function(start).value();
+  best.value = here.value;
+  best.evaluations = 1;
+  Eigen::MatrixXd hessian =
+      Eigen::MatrixXd::Identity(start.size(), start.size()) * (here.gradient.lpNorm<Eigen::Infinity>() / kFirstStep);
+  while (best.evaluations < max_evaluations) {
+    if (here.gradient.isZero(0)) {
+      best.converged = true;
+      break;
+    }
+    const Eigen::VectorXd direction = minimize_model_in_box(here.gradient, hessian, lower - best.x, upper - best.x);
+    const double slope = here.gradient.dot(direction);
+    if (-slope <= tolerance * best.value) {
+      best.converged = true;
+      break;
+    }
+    std::optional<ValueAndGradient> there;
+    Eigen::VectorXd trial;
+    double t = 1;
+    for (; t > kSmallestStep && best.evaluations < max_evaluations; t /= 2) {
+      trial = (best.x + t * direction).cwiseMax(lower).cwiseMin(upper);
+      there = function(trial);
+      ++best.evaluations;
+      if (there && there->value <= best.value + kDecrease * t * slope) break;
+      there.reset();
+    }
+    if (!there) break;
+    const Eigen::VectorXd step = trial - best.x;
+    const Eigen::VectorXd change = there->gradient - here.gradient;
+    if (best.iterations == 0 && step.dot(change) > 0) {
+      hessian = Eigen::MatrixXd::Identity(step.size(), step.size()) * (change.squaredNorm() / step.dot(change));
+    }
+    update_hessian(step, change, hessian);
+    best.x = trial;
+    best.value = there->value;
+    here = std::move(*there);
+    ++best.iterations;
+  }
+  return best;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "outer/choose_variation.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "index.h"
+#include "mesh/geometry.h"
+#include "outer/active_set_bfgs.h"
+#include "outer/free_arap.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kTolerance = 3e-7;  // relative decrease that is not worth another step
+constexpr int kMaxEvaluations = 200;
+constexpr int kFreeIterations = 30;  // local/global steps of the free flattening
+constexpr double kShortest = -0.99;  // 1 + h > 0 on super-elastic parts, with room for the line search
+constexpr double kLongest = 100;
+
+/// h0: the length variations of the elastic parts in a flattening, held within their bounds.
+Eigen::VectorXd variation_of(const Chart& chart, const Positions2& uv, const VariationBounds& bounds) {
+  Eigen::VectorXd variation = Eigen::VectorXd::Zero(bounds.lower.size());
+  for (const int i : bounds.elastic_parts()) {
+    double length_3d = 0;
+    double length_2d = 0;
+    for (const HalfedgeHandle h : chart.wire_parts[at(i)].half_edges) {
+      length_3d += edge_length(chart.mesh, h);
+      length_2d +=
+          (uv.row(chart.mesh.to_vertex_handle(h).idx()) - uv.row(chart.mesh.from_vertex_handle(h).idx())).norm();
+    }
+    variation[i] = length_2d / length_3d - 1;
+  }
+  return variation.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+}
+
+OuterSolution evaluate(Warp& warp, const Eigen::VectorXd& variation) {
+  OuterSolution solution;
+  solution.variation = variation;
+  solution.shape = warp(variation);
+  solution.inner_solves = solution.shape.inner.num_solves;
+  if (solution.shape.inner.is_feasible) solution.shape_error = warp.shape_error(solution.shape);
+  return solution;
+}
+
+}  // namespace
+
+std::vector<int> VariationBounds::elastic_parts() const {
+  std::vector<int> parts;
+  for (int i = 0; i < lower.size(); ++i) {
+    if (lower[i] < upper[i]) parts.push_back(i);
+  }
+  return parts;
+}
+
+VariationBounds variation_bounds(const Chart& chart, Method method) {
+  const auto num_parts = static_cast<Eigen::Index>(chart.wire_parts.size());
+  VariationBounds bounds{Eigen::VectorXd::Zero(num_parts), Eigen::VectorXd::Zero(num_parts)};
+  for (int i = 0; i < num_parts; ++i) {
+    const WirePart& part = chart.wire_parts[at(i)];
+    const bool is_helper = part.wire_index < 0;
+    if (method == Method::wirewarping && !is_helper) continue;
+    bounds.lower[i] = std::max(-part.tolerance, kShortest);
+    bounds.upper[i] = std::min(part.tolerance, kLongest);
+  }
+  return bounds;
+}
+
+OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
+                               const BeforeEvaluation& before_evaluation) {
+  before_evaluation();
+  OuterSolution rigid = evaluate(warp, Eigen::VectorXd::Zero(bounds.lower.size()));
+  if (bounds.elastic_parts().empty()) return rigid;
+
+  before_evaluation();
+  const bool has_rigid = rigid.shape.inner.is_feasible;
+  const std::optional<Positions2> start = has_rigid ? std::optional(rigid.shape.uv) : std::nullopt;
+  const FreeFlattening free = flatten_freely(chart, kFreeIterations, start);
+  const OuterSolution relaxed = evaluate(warp, variation_of(chart, free.uv, bounds));
+  const bool has_relaxed = relaxed.shape.inner.is_feasible;
+  if (!has_rigid && !has_relaxed) return rigid;
+  const bool starts_rigid = !has_relaxed || (has_rigid && rigid.shape_error < relaxed.shape_error);
+
+  OuterSolution solution =
+      improve_variation(warp, bounds, starts_rigid ? rigid.variation : relaxed.variation, before_evaluation);
+  solution.inner_solves += rigid.inner_solves + relaxed.inner_solves;
+  solution.evaluations += 2;
+  solution.free_factorizations = free.factorizations;
+  return solution;
+}
+
+OuterSolution improve_variation(Warp& warp, const VariationBounds& bounds, const Eigen::VectorXd& start,
+                                const BeforeEvaluation& before_evaluation) {
+  const std::vector<int> parts = bounds.elastic_parts();
+  OuterSolution best;
+  best.shape_error = std::numeric_limits<double>::infinity();
+  int inner_solves = 0;
+  const BoxFunction error_of = [&](const Eigen::VectorXd& elastic) -> std::optional<ValueAndGradient> {
+    before_evaluation();
+    Eigen::VectorXd variation = start;
+    variation(parts) = elastic;
+    OuterSolution trial = evaluate(warp, variation);
+    inner_solves += trial.inner_solves;
+    if (!trial.shape.inner.is_feasible) return std::nullopt;
+    ValueAndGradient result{trial.shape_error, warp.gradient(trial.shape)(parts)};
+    ++inner_solves;
+    if (trial.shape_error < best.shape_error) best = std::move(trial);
+    return result;
+  };
+  const BoxMinimum minimum =
+      minimize_in_box(error_of, bounds.lower(parts), bounds.upper(parts), start(parts), kTolerance, kMaxEvaluations);
+  best.iterations = minimum.iterations;
+  best.evaluations = minimum.evaluations;
+  best.inner_solves = inner_solves;
+  best.converged = minimum.converged;
+  return best;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The outer problem: min E(ψ(h)) over |h| <= ε (paper II-B, Eq. 3).
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "outer/warp.h"
+
+namespace wirewarp {
+
+struct OuterSolution {
+  WarpedShape shape;          // ψ(h)
+  Eigen::VectorXd variation;  // h, one per wire part
+  double shape_error = 0;     // E over the 3D area
+  int iterations = 0;
+  int evaluations = 0;          // of E with its gradient
+  int inner_solves = 0;         // factorizations of Eq. (1) in all
+  int free_factorizations = 0;  // of the free flattening that h0 is taken from
+  bool converged = true;
+};
+
+/// Bounds on h, one per wire part; equal where h is 0: on rigid parts and boundaries.
+struct VariationBounds {
+  Eigen::VectorXd lower;
+  Eigen::VectorXd upper;
+
+  std::vector<int> elastic_parts() const;
+};
+
+/// |h| <= tolerance on elastic parts, 1 + h > 0 on super-elastic ones. WireWarping keeps the user's wires rigid and
+/// leaves only the helper wires free.
+VariationBounds variation_bounds(const Chart& chart, Method method);
+
+/// Called before each evaluation; may throw to cancel.
+using BeforeEvaluation = std::function<void()>;
+
+/// The length variations with the least shape error within the bounds. Starts from the lengths of a free ARAP
+/// flattening, or from h = 0 where that is better; without elastic parts this is ψ(0). shape.inner is not feasible
+/// where neither start exists.
+OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
+                               const BeforeEvaluation& before_evaluation);
+
+/// The same from a given start h, one per wire part, within the bounds and with ψ(h) defined.
+OuterSolution improve_variation(Warp& warp, const VariationBounds& bounds, const Eigen::VectorXd& start,
+                                const BeforeEvaluation& before_evaluation);
+
+}  // namespace wirewarp

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A first flat shape of a chart without any wires: its outer loop on a circle, all other vertices inside.
+#pragma once
+
+#include "charts/chart.h"
+#include "wirewarp/types.h"
+
+namespace wirewarp {
+
+/// Maps the outer loop at its own proportions to the circle of the chart's 3D area, counter-clockwise, and every other
+/// vertex to the mean of its neighbors under mean-value weights (inner/mean_value.h). Holes are free: each counts as
+/// filled by a cone, whose apex is one more such vertex. The filled chart is a triangulated disk and its outline a
+/// strictly convex polygon, so no triangle is flipped (M. S. Floater, One-to-one piecewise linear mappings over
+/// triangulations, Mathematics of Computation 72 (2003), 685-696). One row per chart vertex, scene units.
+Positions2 embed_on_circle(const Chart& chart);
+
+}  // namespace wirewarp

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shape error of Eq. (4): how far a flat shape is from an isometry of its chart, with its gradient.
+//
+//   E(u) = Σ_t A [2(|z| - 1)² + 2|w|²],   J = [z₁+w₁, w₂-z₂; z₂+w₂, z₁-w₁]   the map of triangle t, linear in u
+//
+// as metrics/arap.h derives it. The rotation L_t that fits best is ẑ = z/|z|: a flipped triangle is measured against
+// the best rotation, never against a reflection.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "charts/chart.h"
+#include "wirewarp/types.h"
+
+namespace wirewarp {
+
+class ShapeError {
+ public:
+  explicit ShapeError(const Chart& chart);
+
+  /// E of a layout, scene units squared. uv has one row per chart vertex.
+  double energy(const Positions2& uv) const;
+
+  /// The same, and ∂E/∂uv. Where z = 0, on mirror images of similar triangles and on points, E has a kink and every
+  /// rotation fits equally well: there ẑ = 0 is taken, the middle of the possible gradients.
+  double energy_and_gradient(const Positions2& uv, Positions2& gradient) const;
+
+  /// The lower triangle of K = Σ_t 2A GᵀG, with G the gradients of the hat functions: twice the cotangent Laplacian,
+  /// positive semidefinite on every mesh. For both coordinates it is the Hessian of E with all rotations held, and with
+  /// g = ∂E/∂uv bounds E everywhere:
+  ///
+  ///   E(u + d) ≤ E(u) + g·d + ½ d·Kd
+  Eigen::SparseMatrix<double> fixed_rotation_hessian() const;
+
+ private:
+  /// The triangle p0 p1 p2 laid into the plane is (0, 0), (x1, 0), (x2, y2). The map that takes it to u0 u1 u2 has the
+  /// columns J₁ = a (u1 - u0) and J₂ = b (u1 - u0) + c (u2 - u0).
+  struct Triangle {
+    int vertices[3];
+    double area;  // in 3D
+    double a, b, c;
+  };
+  struct LinearMap;
+
+  static LinearMap map_of(const Triangle& triangle, const Positions2& uv);
+
+  Eigen::Index num_vertices_;
+  std::vector<Triangle> triangles_;
+};
+
+}  // namespace wirewarp

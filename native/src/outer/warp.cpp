@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "outer/warp.h"
+
+#include "index.h"
+#include "mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+Eigen::VectorXd edge_lengths(const WireNetwork& network) {
+  Eigen::VectorXd lengths(static_cast<Eigen::Index>(network.edges.size()));
+  for (int e = 0; e < lengths.size(); ++e) lengths[e] = network.edges[at(e)].length;
+  return lengths;
+}
+
+}  // namespace
+
+Warp::Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner)
+    : network_(network),
+      num_vertices_(static_cast<int>(chart.mesh.n_vertices())),
+      num_parts_(static_cast<int>(chart.wire_parts.size())),
+      inner_(inner),
+      inner_problem_(network, node_weight),
+      layout_(chart, network),
+      placement_(chart, network),
+      shape_error_(chart),
+      rest_lengths_(edge_lengths(network)),
+      area_(surface_area(chart.mesh)) {}
+
+WarpedShape Warp::operator()(const Eigen::VectorXd& variation) {
+  WarpedShape shape;
+  shape.lengths = rest_lengths_;
+  for (int e = 0; e < shape.lengths.size(); ++e) {
+    const int part = network_.edges[at(e)].part;
+    if (part >= 0) shape.lengths[e] *= 1 + variation[part];
+  }
+  shape.inner = inner_problem_.solve(shape.lengths, inner_);
+  if (!shape.inner.is_feasible) return shape;
+  shape.uv.resize(num_vertices_, 2);
+  layout_.place(shape.inner.headings, shape.lengths, shape.uv);
+  placement_.place(shape.uv);
+  return shape;
+}
+
+double Warp::shape_error(const WarpedShape& shape) const { return shape_error_.energy(shape.uv) / area_; }
+
+Eigen::VectorXd Warp::gradient(const WarpedShape& shape) {
+  Positions2 by_uv;
+  shape_error_.energy_and_gradient(shape.uv, by_uv);
+  placement_.pull_back(by_uv);
+  Eigen::VectorXd by_headings;
+  Eigen::VectorXd by_lengths;
+  layout_.pull_back(shape.inner.headings, shape.lengths, by_uv, by_headings, by_lengths);
+  by_lengths = inner_problem_.total_derivative(shape.inner, shape.lengths, by_headings, by_lengths);
+
+  Eigen::VectorXd by_variation = Eigen::VectorXd::Zero(num_parts_);
+  for (int e = 0; e < by_lengths.size(); ++e) {
+    const int part = network_.edges[at(e)].part;
+    if (part >= 0) by_variation[part] += rest_lengths_[e] * by_lengths[e];
+  }
+  return by_variation / area_;
+}
+
+}  // namespace wirewarp

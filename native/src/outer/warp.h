@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ψ(h): the flat shape of a chart for given length variations of its wires, and its shape error E with the exact
+// gradient by h (paper II-A and II-B). What does not depend on h is factored once.
+#pragma once
+
+#include <optional>
+
+#include "inner/inner_problem.h"
+#include "inner/interior_placement.h"
+#include "inner/wire_layout.h"
+#include "outer/shape_error.h"
+
+namespace wirewarp {
+
+struct WarpedShape {
+  Positions2 uv;            // one row per chart vertex, scene units
+  Eigen::VectorXd lengths;  // of the wire edges
+  InnerSolution inner;      // where the lengths cannot be kept (not feasible), uv is empty
+};
+
+class Warp {
+ public:
+  /// chart and network must outlive the warp. network: every wire-patch a disk (see check_wire_network).
+  Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner);
+
+  /// ψ(h). variation: h > -1, one per wire part of the chart; boundaries keep their length.
+  WarpedShape operator()(const Eigen::VectorXd& variation);
+
+  /// E of Eq. (4) over the chart's 3D area.
+  double shape_error(const WarpedShape& shape) const;
+
+  /// Its gradient by h at a shape that is a minimum of Eq. (1), one entry per wire part. The adjoint of interior
+  /// placement, layout and Eq. (1): one factorization of the inner problem and one transposed solve of the placement,
+  /// however many wires there are.
+  Eigen::VectorXd gradient(const WarpedShape& shape);
+
+  int interior_factorizations() const { return placement_.factorizations(); }
+
+ private:
+  const WireNetwork& network_;
+  int num_vertices_;
+  int num_parts_;
+  Inner inner_;
+  InnerProblem inner_problem_;
+  WireLayout layout_;
+  InteriorPlacement placement_;
+  ShapeError shape_error_;
+  Eigen::VectorXd rest_lengths_;
+  double area_;
+};
+
+}  // namespace wirewarp

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "mesh/geometry.h"
+#include "outer/circle_embedding.h"
+#include "outer/free_arap.h"
+#include "outer/shape_error.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr int kUntilConverged = 5000;
+
+/// All triangles in one point have E = 2A.
+double area_3d(const Chart& chart) {
+  return ShapeError(chart).energy(Positions2::Zero(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2)) / 2;
+}
+
+double smallest_area(const Chart& chart, const Positions2& uv) {
+  double smallest = 1e300;
+  for (const FaceHandle face : chart.mesh.faces()) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(face);
+    const auto at = [&](VertexHandle v) { return Eigen::Vector2d(uv.row(v.idx())); };
+    const Eigen::Vector2d a = at(chart.mesh.from_vertex_handle(h)), b = at(chart.mesh.to_vertex_handle(h));
+    const Eigen::Vector2d c = at(chart.mesh.to_vertex_handle(chart.mesh.next_halfedge_handle(h)));
+    smallest = std::min(smallest, 0.5 * ((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x()));
+  }
+  return smallest;
+}
+
+/// Largest change of an edge's length over the length.
+double largest_stretch(const Chart& chart, const Positions2& uv) {
+  double largest = 0;
+  for (const EdgeHandle e : chart.mesh.edges()) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(e, 0);
+    const int a = chart.mesh.from_vertex_handle(h).idx(), b = chart.mesh.to_vertex_handle(h).idx();
+    const double length = edge_length(chart.mesh, h);
+    largest = std::max(largest, std::abs((uv.row(a) - uv.row(b)).norm() / length - 1));
+  }
+  return largest;
+}
+
+/// Moves a by the rotation and shift that fit b best.
+Positions2 moved_onto(const Positions2& a, const Positions2& b) {
+  const Eigen::RowVector2d center_a = a.colwise().mean(), center_b = b.colwise().mean();
+  const Positions2 from = a.rowwise() - center_a, to = b.rowwise() - center_b;
+  const double cosine = (from.array() * to.array()).sum();
+  const double sine = from.col(0).dot(to.col(1)) - from.col(1).dot(to.col(0));
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(std::atan2(sine, cosine)).toRotationMatrix();
+  return (from * turn.transpose()).rowwise() + center_b;
+}
+
+/// A plate with two holes, rolled onto a cylinder of radius 1.
+FlattenInput rolled_plate_with_two_holes() {
+  FlattenInput input = test::flat_plate_with_two_holes(8);
+  for (Eigen::Index v = 0; v < input.vertices.rows(); ++v) {
+    const Eigen::RowVector3d p = input.vertices.row(v);
+    input.vertices.row(v) << std::sin(p.x()), p.y(), std::cos(p.x());
+  }
+  return input;
+}
+
+/// A square cut from the middle of its lower side to its center, and once more inside.
+FlattenInput cut_square() {
+  const int n = 8;
+  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+  const auto column = test::grid_column(n, n, n / 2);
+  test::add_seam(input, {column.begin(), column.begin() + 4});
+  const auto row = test::grid_row(n, 6);
+  test::add_seam(input, {row.begin() + 2, row.begin() + 7});
+  return input;
+}
+
+struct Case {
+  const char* name;
+  FlattenInput input;
+};
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+
+class CircleEmbedding : public testing::TestWithParam<Case> {};
+
+TEST_P(CircleEmbedding, FlipsNoTriangle) {
+  const Charts charts = test::charts_of(GetParam().input);
+  const Chart& chart = charts.charts.at(0);
+  const Positions2 uv = embed_on_circle(chart);
+  EXPECT_GT(smallest_area(chart, uv), 0);
+  const double pi = std::acos(-1.0);
+  for (const HalfedgeHandle h : chart.boundary_loops.front()) {
+    const double r = uv.row(chart.mesh.from_vertex_handle(h).idx()).norm();
+    EXPECT_NEAR(r * r * pi, area_3d(chart), 1e-12 * area_3d(chart));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, CircleEmbedding,
+    testing::Values(Case{"quarter_sphere", test::quarter_sphere(8)},
+                    Case{"two_holes", rolled_plate_with_two_holes()}, Case{"darts", cut_square()},
+                    Case{"tube", test::cylinder_tube(24, 8, 1, 2)}, Case{"strip", test::flat_rectangle(40, 1, 40, 1)},
+                    Case{"gore", test::sphere_of_gores(6, 3, 12)}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+class Developable : public testing::TestWithParam<Case> {};
+
+/// The energy of an isometry is 0; where the iteration ends, a step lowers E by less than a millionth of it, or E is
+/// rounding: both happen at the bottom of a valley without other ends.
+TEST_P(Developable, ComesOutWithItsLengths) {
+  const Charts charts = test::charts_of(GetParam().input);
+  const Chart& chart = charts.charts.at(0);
+  const FreeFlattening flat = flatten_freely(chart, kUntilConverged);
+  std::printf("%d its E %g stretch %g\n", flat.iterations, flat.energy / area_3d(chart), largest_stretch(chart, flat.uv));
+  EXPECT_TRUE(flat.converged);
+  EXPECT_LT(largest_stretch(chart, flat.uv), 1e-9);
+  EXPECT_GT(smallest_area(chart, flat.uv), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, Developable,
+    testing::Values(Case{"cylinder", test::cylinder_patch(16, 12, 1, 2.5, 1.5)},
+                    Case{"cone", test::cone_patch(16, 12, 1, 3, 0.5, 4)},
+                    Case{"plate_with_holes", rolled_plate_with_two_holes()}, Case{"darts", cut_square()},
+                    Case{"strip", test::flat_rectangle(12, 1, 12, 1)}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(FreeArap, ReachesTheKnownEnergyOfTheQuarterSphere) {
+  const Charts charts = test::charts_of(test::quarter_sphere(16));
+  const Chart& chart = charts.charts.at(0);
+  const FreeFlattening flat = flatten_freely(chart, kUntilConverged);
+  std::printf("%d its E %.9g\n", flat.iterations, flat.energy / area_3d(chart));
+  EXPECT_TRUE(flat.converged);
+  EXPECT_EQ(flat.factorizations, 2);
+  EXPECT_NEAR(flat.energy / area_3d(chart), 0.00421971, 0.01 * 0.00421971);  // computed independently
+  EXPECT_EQ(ShapeError(chart).energy(flat.uv), flat.energy);
+}
+
+class FreeArapOnASphere : public testing::Test {
+ protected:
+  const FlattenInput input = test::quarter_sphere(6);
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+};
+
+TEST_F(FreeArapOnASphere, NeverRaisesTheEnergy) {
+  // From shapes with most triangles flipped, where the first steps are large.
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (int trial = 0; trial < 10; ++trial) {
+    Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
+    for (double& x : uv.reshaped()) x = normal(random);
+    double energy = ShapeError(chart).energy(uv);
+    for (int step = 0; step < 20; ++step) {
+      const FreeFlattening flat = flatten_freely(chart, 1, uv);
+      EXPECT_LE(flat.energy, energy);
+      EXPECT_EQ(flat.iterations, 1);
+      EXPECT_EQ(flat.factorizations, 1);
+      uv = flat.uv;
+      energy = flat.energy;
+    }
+  }
+}
+
+TEST_F(FreeArapOnASphere, StepsInsteadOfStartingAgain) {
+  const FreeFlattening all = flatten_freely(chart, 7);
+  const FreeFlattening resumed = flatten_freely(chart, 4, flatten_freely(chart, 3).uv);
+  EXPECT_EQ(all.uv, resumed.uv);
+  EXPECT_EQ(flatten_freely(chart, 0).uv, embed_on_circle(chart));
+}
+
+TEST_F(FreeArapOnASphere, TurnsAMirroredStartOver) {
+  const Positions2 start = embed_on_circle(chart);
+  const Positions2 mirrored = start * Eigen::Vector2d(-1, 1).asDiagonal();
+  EXPECT_EQ(flatten_freely(chart, 10, mirrored).uv, flatten_freely(chart, 10, start).uv);
+}
+
+TEST_F(FreeArapOnASphere, ScalesWithTheChart) {
+  const FreeFlattening flat = flatten_freely(chart, 30);
+  for (const double scale : {1e-3, 39.37}) {
+    FlattenInput scaled = input;
+    scaled.vertices *= scale;
+    const FreeFlattening large = flatten_freely(test::charts_of(scaled).charts.at(0), 30);
+    EXPECT_EQ(large.iterations, flat.iterations);
+    EXPECT_LT((large.uv / scale - flat.uv).norm(), 1e-10 * flat.uv.norm());
+    EXPECT_NEAR(large.energy, scale * scale * flat.energy, 1e-10 * scale * scale * flat.energy);
+  }
+}
+
+TEST_F(FreeArapOnASphere, DoesNotDependOnTheOrderOfVerticesAndFaces) {
+  std::mt19937 random(2);
+  std::vector<int> new_index(static_cast<std::size_t>(input.vertices.rows()));
+  std::iota(new_index.begin(), new_index.end(), 0);
+  std::shuffle(new_index.begin(), new_index.end(), random);
+  FlattenInput shuffled;
+  shuffled.vertices.resize(input.vertices.rows(), 3);
+  shuffled.faces.resize(input.faces.rows(), 3);
+  for (std::size_t v = 0; v < new_index.size(); ++v) {
+    shuffled.vertices.row(new_index[v]) = input.vertices.row(static_cast<Eigen::Index>(v));
+  }
+  for (Eigen::Index f = 0; f < input.faces.rows(); ++f) {
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const int vertex = input.faces(input.faces.rows() - 1 - f, (k + f) % 3);
+      shuffled.faces(f, k) = new_index[static_cast<std::size_t>(vertex)];
+    }
+  }
+  const Charts shuffled_charts = test::charts_of(shuffled);
+  const Chart& shuffled_chart = shuffled_charts.charts.at(0);
+  const auto by_input_vertex = [](const Chart& from, const Positions2& uv) {
+    Positions2 sorted(uv.rows(), 2);
+    for (Eigen::Index v = 0; v < uv.rows(); ++v) sorted.row(from.source_vertex[static_cast<std::size_t>(v)]) = uv.row(v);
+    return sorted;
+  };
+  const FreeFlattening flat = flatten_freely(chart, kUntilConverged);
+  const FreeFlattening other = flatten_freely(shuffled_chart, kUntilConverged);
+  EXPECT_NEAR(other.energy, flat.energy, 1e-9 * flat.energy);
+  const Positions2 uv = by_input_vertex(chart, flat.uv), other_sorted = by_input_vertex(shuffled_chart, other.uv);
+  Positions2 other_uv(uv.rows(), 2);
+  for (std::size_t v = 0; v < new_index.size(); ++v) {
+    other_uv.row(static_cast<Eigen::Index>(v)) = other_sorted.row(new_index[v]);
+  }
+  EXPECT_LT((moved_onto(other_uv, uv) - uv).norm(), 1e-9 * uv.norm());
+}
+
+}  // namespace
+}  // namespace wirewarp
