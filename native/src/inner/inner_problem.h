@@ -34,6 +34,8 @@ class InnerProblem {
   Eigen::VectorXd total_derivative(const InnerSolution& solution, const Eigen::VectorXd& lengths,
                                    const Eigen::VectorXd& by_headings, const Eigen::VectorXd& by_lengths);
 
+  int num_factorizations() const { return kkt_.num_factorizations(); }
+
  private:
   bool close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi);
   bool take_least_norm_steps(const Eigen::VectorXd& lengths, double smallest_step, Eigen::VectorXd& psi);

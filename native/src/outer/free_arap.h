@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The least distorted flat shape of a chart that no wire and no boundary holds: the local minimum of the shape error
-// E of Eq. (4), found by local/global steps (L. Liu, L. Zhang, Y. Xu, C. Gotsman, S. J. Gortler, A local/global approach
-// to mesh parameterization, Computer Graphics Forum 27 (2008), 1495-1504).
+// E of Eq. (4), found by local/global steps (L. Liu, L. Zhang, Y. Xu, C. Gotsman, S. J. Gortler, A local/global
+// approach to mesh parameterization, Computer Graphics Forum 27 (2008), 1495-1504).
 #pragma once
 
 #include <optional>

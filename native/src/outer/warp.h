@@ -35,6 +35,7 @@ class Warp {
   Eigen::VectorXd gradient(const WarpedShape& shape);
 
   int interior_factorizations() const { return placement_.factorizations(); }
+  int inner_factorizations() const { return inner_problem_.num_factorizations(); }  // of all calls so far
 
  private:
   const WireNetwork& network_;

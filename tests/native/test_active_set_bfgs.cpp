@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "outer/active_set_bfgs.h"
+
+namespace wirewarp {
+namespace {
+
+Eigen::VectorXd constant(int n, double value) { return Eigen::VectorXd::Constant(n, value); }
+
+TEST(ActiveSetBfgs, ModelMinimumSatisfiesTheOptimalityConditions) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (const int n : {1, 3, 20, 100}) {
+    Eigen::MatrixXd root(n, n);
+    Eigen::VectorXd g(n);
+    for (double& x : root.reshaped()) x = normal(random);
+    for (double& x : g) x = normal(random);
+    const Eigen::MatrixXd b = root * root.transpose() + 0.1 * Eigen::MatrixXd::Identity(n, n);
+    const Eigen::VectorXd d = minimize_model_in_box(g, b, constant(n, -0.1), constant(n, 0.2));
+    const Eigen::VectorXd slope = g + b * d;
+    for (int i = 0; i < n; ++i) {
+      ASSERT_GE(d[i], -0.1);
+      ASSERT_LE(d[i], 0.2);
+      if (d[i] > -0.1) {
+        EXPECT_LT(slope[i], 1e-6);
+      }
+      if (d[i] < 0.2) {
+        EXPECT_GT(slope[i], -1e-6);
+      }
+    }
+  }
+}
+
+/// Rosenbrock's valley, minimum 0 at (1, 1).
+std::optional<ValueAndGradient> rosenbrock(const Eigen::VectorXd& x) {
+  const double a = 1 - x[0];
+  const double b = x[1] - x[0] * x[0];
+  return ValueAndGradient{1 + a * a + 100 * b * b, Eigen::Vector2d(-2 * a - 400 * x[0] * b, 200 * b)};
+}
+
+TEST(ActiveSetBfgs, FindsAMinimumInside) {
+  const BoxMinimum minimum =
+      minimize_in_box(rosenbrock, constant(2, -2), constant(2, 2), Eigen::Vector2d(-1.2, 1), 1e-14, 200);
+  EXPECT_TRUE(minimum.converged);
+  EXPECT_NEAR(minimum.x[0], 1, 1e-5);
+  EXPECT_NEAR(minimum.x[1], 1, 1e-5);
+}
+
+TEST(ActiveSetBfgs, FindsAMinimumAtABound) {
+  // With x0 <= 0.5 the minimum is at x0 = 0.5, x1 = 0.25: the value is 1 + 0.25.
+  const BoxMinimum minimum =
+      minimize_in_box(rosenbrock, constant(2, -2), Eigen::Vector2d(0.5, 2), Eigen::Vector2d(-1.2, 1), 1e-14, 200);
+  EXPECT_TRUE(minimum.converged);
+  EXPECT_EQ(minimum.x[0], 0.5);
+  EXPECT_NEAR(minimum.x[1], 0.25, 1e-6);
+  EXPECT_NEAR(minimum.value, 1.25, 1e-10);
+}
+
+TEST(ActiveSetBfgs, BacksOffWhereTheFunctionIsNotDefined) {
+  int refused = 0;
+  const auto log_barrier = [&](const Eigen::VectorXd& x) -> std::optional<ValueAndGradient> {
+    if (x[0] <= 0) {
+      ++refused;
+      return std::nullopt;
+    }
+    return ValueAndGradient{1 + x[0] - std::log(x[0]), Eigen::VectorXd::Constant(1, 1 - 1 / x[0])};
+  };
+  const BoxMinimum minimum =
+      minimize_in_box(log_barrier, constant(1, -100), constant(1, 100), constant(1, 50), 1e-12, 100);
+  EXPECT_NEAR(minimum.x[0], 1, 1e-4);
+  EXPECT_GT(refused, 0) << "the test does not reach where the function ends";
+}
+
+TEST(ActiveSetBfgs, StopsAtItsBudgetWithTheBestPoint) {
+  const Eigen::Vector2d start(-1.2, 1);
+  const BoxMinimum minimum = minimize_in_box(rosenbrock, constant(2, -2), constant(2, 2), start, 1e-14, 5);
+  EXPECT_FALSE(minimum.converged);
+  EXPECT_EQ(minimum.evaluations, 5);
+  EXPECT_LE(minimum.value, rosenbrock(start)->value);
+}
+
+}  // namespace
+}  // namespace wirewarp
