@@ -13,11 +13,14 @@ from bpy.props import (
 
 METHODS = [
     (
-        "WIREWARPING",
-        "WireWarping",
-        "Planar angles closest to the surface angles (paper II-A). Every wire is kept rigid, whatever its tolerance",
+        "WIREWARP_PLUS_PLUS",
+        "WireWarping++",
+        "Rigid wires keep their length; elastic wires, within their tolerance, and free wires get the lengths that "
+        "distort the pieces least",
     ),
+    ("WIREWARPING", "WireWarping: all wires rigid", "Every wire keeps exactly its length, whatever its tolerance"),
 ]
+LIBRARY_METHODS = {"WIREWARP_PLUS_PLUS": "wirewarp++", "WIREWARPING": "wirewarping"}
 
 
 class FlattenSettings:
@@ -27,7 +30,7 @@ class FlattenSettings:
         name="Method",
         description="How the flat shape is found. Seams and outlines always keep their exact length",
         items=METHODS,
-        default="WIREWARPING",
+        default="WIREWARP_PLUS_PLUS",
     )
     node_weight: EnumProperty(
         name="Weight",

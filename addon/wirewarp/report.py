@@ -18,7 +18,8 @@ from .mesh_to_arrays import MeshArrays
 SCHEMA = "wirewarp-report-1"
 # Chains add up the rounding of their edges; the library itself checks every edge to 1e-9.
 LENGTH_LIMIT = 1e-8
-METHOD_NAMES = {"wirewarping": "WireWarping, every wire rigid"}
+AT_LIMIT = 1e-6  # an elastic wire this close to its tolerance would go further if it could
+METHOD_NAMES = {"wirewarp++": "WireWarping++", "wirewarping": "WireWarping, all wires rigid"}
 
 
 def object_report(result: Any, arrays: MeshArrays, meters: float) -> dict:  # noqa: ANN401
@@ -30,16 +31,19 @@ def object_report(result: Any, arrays: MeshArrays, meters: float) -> dict:  # no
     ]
     failed = {issue.piece for issue in issues}
     method = result.report["method"]
+    pieces = [_piece(index, piece, meters) for index, piece in enumerate(result.pieces)]
+    at_limit = {part["wire"] for piece in pieces for part in piece["wires"] if part["at_limit"]}
+    wires = [_wire(wire, meters) | {"at_limit": wire.wire_index in at_limit} for wire in result.wires]
     return {
         "schema": SCHEMA,
         "ok": not issues,
         "method": method,
         "method_name": METHOD_NAMES[method],
-        "pieces": [_piece(index, piece, meters) for index, piece in enumerate(result.pieces)],
+        "pieces": pieces,
         "seams": [_seam(index, seam, failed, meters) for index, seam in enumerate(result.seams)],
-        "wires": [_wire(wire, meters) for wire in result.wires],
+        "wires": wires,
         "issues": [asdict(issue) for issue in issues],
-        "notes": _notes(method, arrays),
+        "notes": _notes(method, wires),
         "seconds": dict(result.report["seconds"]),
     }
 
@@ -81,6 +85,8 @@ def _piece(index: int, piece: Any, meters: float) -> dict:  # noqa: ANN401
         "message": piece.report.message,
         "warnings": list(piece.report.warnings),
         "inner_solves": piece.report.inner_solves,
+        "outer_iterations": piece.report.outer_iterations,
+        "gradient_evaluations": piece.report.gradient_evaluations,
         "constraint_residual": number(piece.report.constraint_residual),
     }
 
@@ -95,6 +101,7 @@ def _wire(wire: Any, meters: float) -> dict:  # noqa: ANN401
         "tolerance": "inf" if math.isinf(wire.tolerance) else wire.tolerance,
         **lengths(wire.length_3d, [wire.length_2d], meters),
         "ok": bool(kept),
+        "at_limit": str(wire.kind) == "elastic" and bool(abs(wire.variation) >= wire.tolerance - AT_LIMIT),
     }
 
 
@@ -140,8 +147,11 @@ def number(value: float) -> float | None:
     return float(value) if math.isfinite(value) else None
 
 
-def _notes(method: str, arrays: MeshArrays) -> list[str]:
-    loose = [wire.name for wire in arrays.wires if wire.chain.tolerance > 0]
+def _notes(method: str, wires: list[dict]) -> list[str]:
+    loose = [wire["name"] for wire in wires if wire["tolerance"] != 0]
     if method == "wirewarping" and loose:
         return [f"Kept rigid by this method, tolerance not used: {', '.join(loose)}."]
+    at_limit = [wire["name"] for wire in wires if wire["at_limit"]]
+    if at_limit:
+        return [f"At the limit of their tolerance: {', '.join(at_limit)}. A wider one would distort the pieces less."]
     return []

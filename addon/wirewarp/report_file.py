@@ -38,7 +38,15 @@ def failure_text(reports: list[dict]) -> str:
 def success_text(reports: list[dict]) -> str:
     pieces = sum(len(report["pieces"]) for report in reports)
     count = f"{pieces} flat piece{'s' if pieces != 1 else ''}"
-    return f"{count}, every length kept ({reports[0]['method_name']})"
+    return f"{count}, {kept_text(reports)} ({reports[0]['method_name']})"
+
+
+def kept_text(reports: list[dict]) -> str:
+    """What is true of the lengths in reports without an issue."""
+    loose = any(
+        wire["tolerance"] != 0 for report in reports if report["method"] != "wirewarping" for wire in report["wires"]
+    )
+    return "every length kept or within its tolerance" if loose else "every length kept"
 
 
 def _piece_name(issue: dict) -> str:

@@ -69,6 +69,35 @@ def test_outline_and_wire_keep_their_lengths(faces):
     assert len(flat_of(source).data.edges) == len(source.data.edges)
 
 
+def wire_lengths(source, line):
+    """(flat, 3D) length of each flat edge on a line of the source."""
+    flat, space = lengths_by_source(source)
+    places = read(source.data.vertices, "co", np.float32, 3)[flat_sources(source)]
+    on_line = [line(places[a], places[b]) for a, b in edge_vertices(flat_of(source).data)]
+    return flat[on_line], space[on_line]
+
+
+@pytest.mark.parametrize(("kind", "tolerance"), [("ELASTIC", 0.02), ("ELASTIC", 0.5), ("SUPER_ELASTIC", math.inf)])
+def test_an_elastic_wire_stays_within_its_tolerance_and_the_outline_exact(kind, tolerance):
+    source = grid("Bump", bump)
+    wire = on_line(1, 0.0)
+    mark(source, wire, kind=kind, tolerance=min(tolerance, 0.5))
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    assert_true_lengths(source)
+    flat, space = wire_lengths(source, wire)
+    change = flat / space - 1
+    assert change == pytest.approx(np.full(8, flat.sum() / space.sum() - 1), abs=2 * FLOAT32)  # shared evenly
+    assert 0.01 < np.abs(change).max() <= tolerance + FLOAT32
+
+
+def test_the_method_that_keeps_all_wires_rigid():
+    source = grid("Bump", bump)
+    wire = on_line(1, 0.0)
+    mark(source, wire, kind="ELASTIC", tolerance=0.02)
+    bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
+    assert_true_lengths(source, wire)
+
+
 def test_a_seam_cuts_and_both_its_sides_match():
     source = grid("Bump", bump)
     mark_seam(source, on_line(0, 0.0))

@@ -46,6 +46,17 @@ def test_every_operator_and_its_properties_have_tooltips(addon):
             assert properties[name].description, f"{cls.__name__}.{name}"
 
 
+def test_the_methods_are_those_of_the_library(addon):
+    method = bpy.ops.object.wirewarp_flatten.get_rna_type().properties["method"]
+    assert method.default == bpy.context.scene.wirewarp.method == "WIREWARP_PLUS_PLUS"
+    library = addon.core.library()
+    methods = addon.properties.LIBRARY_METHODS
+    assert methods.keys() == set(method.enum_items.keys())
+    assert methods[method.default] == library.Options().method
+    for name in methods.values():
+        assert library.Options(method=name).method == name
+
+
 @pytest.fixture
 def reload_core(addon):
     yield
@@ -86,7 +97,7 @@ def test_what_the_caller_leaves_out_is_taken_from_the_scene(addon):
     given = SimpleNamespace(is_property_set=lambda name: name == "gap")
     operator = SimpleNamespace(properties=given, gap=0.25)
     addon.properties.take_settings(operator, settings)
-    assert (operator.mirror, operator.gap, operator.method) == (True, 0.25, "WIREWARPING")
+    assert (operator.mirror, operator.gap, operator.method) == (True, 0.25, "WIREWARP_PLUS_PLUS")
     grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()  # a script's call uses its own properties only
     assert bpy.data.objects["Bump Flat"].data.polygons[0].normal.z > 0

@@ -2,6 +2,7 @@
 """The JSON report and what is kept for the panel."""
 
 import json
+import math
 
 import bpy
 import pytest
@@ -35,7 +36,7 @@ def test_the_report_states_every_length_in_blender_units_and_metres(source, tmp_
     report = flatten_with_report(tmp_path)
     assert report["units"]["meters_per_blender_unit"] == pytest.approx(0.001)
     (entry,) = report["objects"]
-    assert (report["ok"], entry["ok"], entry["object"], entry["method"]) == (True, True, "Bump", "wirewarping")
+    assert (report["ok"], entry["ok"], entry["object"], entry["method"]) == (True, True, "Bump", "wirewarp++")
     (seam,) = entry["seams"]
     expected = length_on(source, SEAM)
     assert seam["length_3d"] == pytest.approx(expected, rel=1e-6)
@@ -54,11 +55,55 @@ def test_the_report_states_every_length_in_blender_units_and_metres(source, tmp_
     ]
 
 
-def test_tolerances_that_the_method_does_not_use_are_said(source, tmp_path):
+def test_tolerances_that_the_method_does_not_use_are_said(source, addon, tmp_path):
     mark(source, WIRE, kind="SUPER_ELASTIC")
-    (entry,) = flatten_with_report(tmp_path)["objects"]
+    (entry,) = flatten_with_report(tmp_path, method="WIREWARPING")["objects"]
+    assert entry["method"] == "wirewarping"
     assert entry["notes"] == ["Kept rigid by this method, tolerance not used: Wire 1."]
     assert entry["wires"][0]["length_2d"][0] == pytest.approx(entry["wires"][0]["length_3d"], rel=1e-9)
+    (row,) = addon.ui.report_rows.wire_rows(entry)
+    assert row.tolerance == "kept rigid (free not used)"
+
+
+def test_an_elastic_wire_at_its_limit_is_marked(source, addon, tmp_path):
+    mark(source, WIRE, kind="ELASTIC", tolerance=0.001)
+    (entry,) = flatten_with_report(tmp_path)["objects"]
+    parts = [part for piece in entry["pieces"] for part in piece["wires"]]
+    assert [part["at_limit"] for part in (*parts, *entry["wires"])] == [True, True, True]
+    assert [part["tolerance"] for part in parts] == [0.001, 0.001]
+    assert [abs(part["percent"][0]) for part in parts] == pytest.approx([0.1, 0.1], abs=1e-4)
+    assert entry["notes"] == [
+        "At the limit of their tolerance: Wire 1. A wider one would distort the pieces less.",
+    ]
+    (row,) = addon.ui.report_rows.wire_rows(entry)
+    assert (row.ok, row.at_limit, row.tolerance) == (True, True, "at its limit of ±0.1%")
+
+
+@pytest.mark.parametrize(
+    ("kind", "tolerance", "text"), [("ELASTIC", 0.5, "within ±50%"), ("SUPER_ELASTIC", 0.03, "free"), ("RIGID", 0, "")]
+)
+def test_a_wire_short_of_its_limit_is_not_marked(source, addon, tmp_path, kind, tolerance, text):
+    mark(source, WIRE, kind=kind, tolerance=tolerance)
+    (entry,) = flatten_with_report(tmp_path)["objects"]
+    assert entry["ok"]
+    assert not entry["notes"]
+    (row,) = addon.ui.report_rows.wire_rows(entry)
+    assert (row.ok, row.at_limit, row.tolerance) == (True, False, text)
+
+
+@pytest.mark.parametrize(("tolerance", "text"), [(0.0, "rigid"), (0.03, "±3%"), (0.0125, "±1.25%"), (math.inf, "free")])
+def test_tolerances_are_shown_in_percent(addon, tolerance, text):
+    assert addon.tolerance_text.tolerance_text(tolerance) == text
+
+
+def test_success_says_whether_lengths_were_to_stay(addon):
+    def report(method, tolerance):
+        return {"method": method, "wires": [{"tolerance": tolerance}]}
+
+    kept = addon.report_file.kept_text
+    assert kept([report("wirewarp++", 0.0)]) == kept([report("wirewarping", 0.03)]) == "every length kept"
+    either = "every length kept or within its tolerance"
+    assert kept([report("wirewarp++", 0.0), report("wirewarp++", "inf")]) == either
 
 
 def test_the_method_and_the_settings_reach_the_core(source, tmp_path):

@@ -7,14 +7,14 @@ from bpy.props import StringProperty
 from .. import core
 from ..flatten_job import FlattenChoices
 from ..flatten_objects import compute, write
-from ..properties import FlattenSettings, take_settings
+from ..properties import LIBRARY_METHODS, FlattenSettings, take_settings
 from ..report_file import failure_text, run_report, success_text, write_json
 from ..targets import in_object_mode, mesh_targets
 from ..unit_text import meters_per_blender_unit
 
 
 class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
-    """Flatten every selected mesh into pieces that keep the length of each seam, outline and wire"""
+    """Flatten every selected mesh into pieces that keep the length of each seam, outline and rigid wire"""
 
     bl_idname = "object.wirewarp_flatten"
     bl_label = "Flatten"
@@ -79,7 +79,10 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
 
     def _compute(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> list:
         choices = FlattenChoices(
-            method=self.method.lower(), node_weight=self.node_weight.lower(), gap=self.gap, mirror=self.mirror
+            method=LIBRARY_METHODS[self.method],
+            node_weight=self.node_weight.lower(),
+            gap=self.gap,
+            mirror=self.mirror,
         )
         manager = context.window_manager
         manager.progress_begin(0.0, 1.0)

@@ -6,6 +6,7 @@ from bpy.props import EnumProperty, FloatProperty
 
 from ..edit_marks import mark_selected
 from ..issues import ObjectError
+from ..tolerance_text import tolerance_text
 
 KINDS = [
     ("RIGID", "Rigid", "The wire keeps exactly its length on the surface"),
@@ -63,4 +64,4 @@ class MESH_OT_wirewarp_mark(bpy.types.Operator):
         layout.use_property_split = True
         layout.prop(self, "kind")
         if self.kind == "ELASTIC":
-            layout.prop(self, "tolerance")
+            layout.prop(self, "tolerance", text=f"Tolerance ({tolerance_text(self.tolerance)})")

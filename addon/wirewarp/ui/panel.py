@@ -38,7 +38,7 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         row.operator("mesh.mark_seam", text="Mark Seam").clear = False
         row.operator("mesh.mark_seam", text="Clear Seam").clear = True
 
-        layout.label(text="Wires keep their length")
+        layout.label(text="Wires control lengths")
         column = layout.column(align=True)
         column.operator("mesh.wirewarp_mark", text="Rigid").kind = "RIGID"
         row = column.row(align=True)
@@ -70,7 +70,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         column.prop(settings, "gap")
         column.prop(settings, "mirror")
         column.prop(settings, "use_modifiers")
-        if _has_loose_wires(context):
+        if settings.method == "WIREWARPING" and _has_loose_wires(context):
             draw_sentence(context, layout, "This method keeps elastic and free wires rigid too.", "INFO")
 
 

@@ -3,6 +3,7 @@
 
 import bpy
 
+from ..report_file import kept_text
 from ..report_store import last_report
 from .panel import SidebarPanel
 from .report_rows import outline_rows, piece_rows, seam_rows, wire_rows
@@ -29,7 +30,8 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
         layout = self.layout
         report = shown_report(context)
         if report["ok"]:
-            layout.label(text=f"{_count(report['pieces'], 'piece')}: every length kept", icon="CHECKMARK")
+            kept = f"{_count(report['pieces'], 'piece')}: {kept_text([report])}"
+            draw_sentence(context, layout, kept, "CHECKMARK")
         else:
             layout.label(text=_failed_text(report["pieces"]), icon="CANCEL")
         if "method_name" in report:

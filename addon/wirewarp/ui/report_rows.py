@@ -4,6 +4,8 @@
 import math
 from dataclasses import dataclass
 
+from ..tolerance_text import tolerance_text
+
 
 @dataclass(frozen=True)
 class Side:
@@ -19,6 +21,8 @@ class ReportRow:
     name: str
     ok: bool
     sides: list[Side]
+    tolerance: str = ""  # of an elastic or free wire, and what came of it
+    at_limit: bool = False
 
     @property
     def badness(self) -> float:
@@ -49,8 +53,23 @@ def wire_rows(report: dict) -> list[ReportRow]:
         ]
         places = list(dict.fromkeys(index + 1 for index, _ in parts))
         name = f"{wire['name']}, piece{'s' if len(places) > 1 else ''} {_list(places)}" if places else wire["name"]
-        rows.append(ReportRow(name, wire["ok"], _sides(wire, [""])))
+        rows.append(
+            ReportRow(name, wire["ok"], _sides(wire, [""]), _tolerance(report["method"], wire), wire["at_limit"])
+        )
     return _worst_first(rows)
+
+
+def _tolerance(method: str, wire: dict) -> str:
+    text = tolerance_text(float(wire["tolerance"]))
+    if text == "rigid":
+        return ""
+    if method == "wirewarping":
+        return f"kept rigid ({text} not used)"
+    if text == "free" or wire["length_2d"] == [None]:
+        return text
+    if not wire["ok"]:
+        return f"outside {text}"
+    return f"at its limit of {text}" if wire["at_limit"] else f"within {text}"
 
 
 def outline_rows(report: dict) -> list[ReportRow]:

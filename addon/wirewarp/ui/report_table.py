@@ -18,6 +18,8 @@ def draw_table(context: bpy.types.Context, layout: bpy.types.UILayout, rows: lis
         draw_cells(column, "", [f"3D {text.unit}", f"Flat {text.unit}", "Diff.", "%"], 0.2)
     for row in rows if context.scene.wirewarp.show_all else rows[:SHOWN_ROWS]:
         column.label(text=row.name, icon="CHECKMARK" if row.ok else "CANCEL")
+        if row.tolerance:
+            column.label(text=row.tolerance, icon="INFO" if row.at_limit else "BLANK1")
         (_draw_wide if wide else _draw_narrow)(column, row, text)
         column.separator(factor=0.7)
     if len(rows) > SHOWN_ROWS:

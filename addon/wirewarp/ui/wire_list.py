@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The list of wires: name, kind, length; a click selects."""
 
-import math
-
 import bpy
 import numpy as np
 
 from ..issues import ObjectError
+from ..tolerance_text import tolerance_text
 from ..unit_text import length_text
 from ..wire_names import find_name, list_position
 from ..wire_summary import WireSummary, wires_of
@@ -57,13 +56,7 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
         else:
             columns.label(text=f"Wire {number}")
         right = columns.split(factor=0.4)
-        right.label(text=kind_text(wire.tolerance))
+        right.label(text=tolerance_text(wire.tolerance))
         last = right.row()
         last.alignment = "RIGHT"
         last.label(text=length)
-
-
-def kind_text(tolerance: float) -> str:
-    if tolerance == 0:
-        return "rigid"
-    return "free" if math.isinf(tolerance) else f"±{100 * tolerance:.3g}%"
