@@ -3,6 +3,7 @@
 
 import json
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ import wirewarp
 SHARED = Path(__file__).parents[2].parent / "shared"
 FIGURES = SHARED / "reference" / "figures.json"
 PANELS = SHARED / "meshes" / "_panels"
+NO_FIGURES = "the reference figures are not at hand"
 CASES = [
     "quarter_sphere_16",
     "bodysuit_collar",
@@ -21,7 +23,15 @@ CASES = [
     "wetsuit_back",
 ]
 
-pytestmark = pytest.mark.skipif(not FIGURES.exists(), reason="the reference figures are not at hand")
+pytestmark = pytest.mark.skipif(not FIGURES.exists(), reason=NO_FIGURES)
+
+
+def elastic_entries() -> list:
+    """(case, entry) of all results with one tolerance on every wire."""
+    if not FIGURES.exists():
+        return [pytest.param("", "", id="none", marks=pytest.mark.skip(reason=NO_FIGURES))]
+    cases = {name: case for name, case in json.loads(FIGURES.read_text()).items() if isinstance(case, dict)}
+    return [(name, entry) for name, case in cases.items() for entry in case if entry.startswith("wirewarp++")]
 
 
 def quarter_sphere(n: int) -> tuple[np.ndarray, np.ndarray, list[list[int]]]:
@@ -48,11 +58,15 @@ def read_panel(name: str) -> tuple[np.ndarray, np.ndarray, list[list[int]]]:
     return np.array(vertices), np.array(faces), [wire["vertices"] for wire in wires]
 
 
+def read_case(name: str) -> tuple[np.ndarray, np.ndarray, list[list[int]]]:
+    return quarter_sphere(16) if name == "quarter_sphere_16" else read_panel(name)
+
+
 @pytest.mark.parametrize("node_weight", ["uniform", "length"])
 @pytest.mark.parametrize("name", CASES)
 def test_rigid_wirewarping(name: str, node_weight: str):
     expected = json.loads(FIGURES.read_text())[name][f"wirewarping, all rigid, node weight {node_weight}"]
-    vertices, faces, wires = quarter_sphere(16) if name == "quarter_sphere_16" else read_panel(name)
+    vertices, faces, wires = read_case(name)
     result = wirewarp.flatten(
         vertices,
         faces,
@@ -64,5 +78,28 @@ def test_rigid_wirewarping(name: str, node_weight: str):
     assert len(piece.metrics.flipped_faces) == expected["flipped_faces"]
     assert math.degrees(piece.metrics.angle_deviation_rms) == pytest.approx(expected["angle_rms_deg"], rel=1e-3)
     assert math.degrees(piece.metrics.angle_deviation_max) == pytest.approx(expected["angle_max_deg"], rel=1e-3)
+    for chain in (*piece.wires, *piece.boundaries):
+        assert chain.max_edge_error < 1e-9
+
+
+@pytest.mark.parametrize(("name", "entry"), elastic_entries())
+def test_elastic_wires(name: str, entry: str):
+    expected = json.loads(FIGURES.read_text())[name][entry]
+    tolerance, node_weight = re.fullmatch(r"wirewarp\+\+, tolerance (.*), node weight (.*)", entry).groups()
+    tolerance = float(tolerance)
+    vertices, faces, wires = read_case(name)
+    result = wirewarp.flatten(
+        vertices,
+        faces,
+        wires=[wirewarp.Wire(wire, tolerance) for wire in wires],
+        options=wirewarp.Options(method="wirewarp++", node_weight=node_weight),
+    )
+    (piece,) = result.pieces
+    assert piece.metrics.arap_energy <= 1.02 * expected["E"]
+    assert len(piece.metrics.flipped_faces) <= expected["flipped_faces"]
+    assert 0 < piece.report.gradient_evaluations <= 40
+    for part in piece.wires:
+        assert abs(part.variation) <= tolerance + 1e-12
+        assert part.length_2d == pytest.approx((1 + part.variation) * part.length_3d, rel=1e-9)
     for chain in (*piece.wires, *piece.boundaries):
         assert chain.max_edge_error < 1e-9

@@ -109,7 +109,7 @@ def test_what_a_number_raises_is_not_swallowed():
         Wire([0, Broken()])
 
 
-CHANGED = {"node_weight": "uniform", "inner": "least-norm", "gap": 0.5, "mirror": True}
+CHANGED = {"method": "wirewarping", "node_weight": "uniform", "inner": "least-norm", "gap": 0.5, "mirror": True}
 
 
 @pytest.mark.parametrize(("name", "value"), CHANGED.items())
@@ -124,9 +124,9 @@ def test_an_option_is_the_same_however_it_is_set(name, value):
 @pytest.mark.parametrize(
     ("name", "value", "allowed"),
     [
-        ("method", "magic", "'wirewarping'"),
-        ("method", 3, "'wirewarping'"),
-        ("method", None, "'wirewarping'"),
+        ("method", "magic", "'wirewarping' or 'wirewarp++'"),
+        ("method", 3, "'wirewarping' or 'wirewarp++'"),
+        ("method", None, "'wirewarping' or 'wirewarp++'"),
         ("node_weight", "Length", "'length' or 'uniform'"),
         ("inner", "least_norm", "'minimum' or 'least-norm'"),
         ("gap", -0.1, "0 to 1"),
