@@ -17,7 +17,7 @@ from .report_store import remember, store
 from .targets import check_target
 from .unit_text import meters_per_blender_unit
 from .wire_names import update_names
-from .write_flat_object import find_flat_object, write_flat_object
+from .write_flat_object import find_flat_object, show_flat_object, write_flat_object
 from .write_uv import UV_LAYER, write_uv
 
 
@@ -78,9 +78,10 @@ def write(context: bpy.types.Context, outcomes: list[Outcome], use_modifiers: bo
         flat = write_flat_object(
             context.scene, outcome.source, flat_mesh(outcome.result, outcome.arrays), outcome.arrays
         )
-        outcome.report["flat_object"] = flat.name
-        store(outcome.source, outcome.report)
         context.view_layer.update()
+        outcome.report["flat_object"] = flat.name
+        outcome.report["notes"] += show_flat_object(context.view_layer, flat)
+        store(outcome.source, outcome.report)
 
 
 def _share(progress: Callable[[float], None], index: int, count: int) -> Progress:

@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 
 from .foreach import read
+from .issues import object_error
 
 
 def select_elements(
@@ -19,15 +20,15 @@ def select_elements(
     """Makes `target` the active object and enters its Edit Mode with these elements selected, and no others.
 
     edges are vertex pairs; a pair that is no edge of the mesh (the diagonal of a quad) selects its two vertices. The
-    selection mode is the coarsest that can show everything.
+    selection mode is the coarsest that can show everything. Raises ObjectError if the object cannot be shown.
     """
+    _show(context, target)
     if context.mode == "EDIT_MESH":
         bpy.ops.object.mode_set(mode="OBJECT")
     context.view_layer.objects.active = target
     for other in context.selected_objects:
         other.select_set(other == target)
     target.select_set(True)
-    target.hide_set(False)
 
     mesh = target.data
     edge_mask, loose_vertices = _find_edges(mesh, edges)
@@ -45,6 +46,24 @@ def select_elements(
         hidden = read(elements, "hide", bool)
         elements.foreach_set("hide", hidden & ~mask)
     bpy.ops.object.mode_set(mode="EDIT")
+
+
+def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:
+    """Only what can be seen can be active and edited."""
+    if context.view_layer.objects.get(target.name) != target:
+        raise object_error(
+            "not_in_view_layer",
+            f'"{target.name}" is not in this view layer: it was deleted, or its collection is excluded. '
+            "Tick the collection in the Outliner.",
+        )
+    hidden = target.hide_get()
+    target.hide_set(False)
+    if not target.visible_get():
+        target.hide_set(hidden)
+        raise object_error(
+            "not_visible",
+            f'"{target.name}" is disabled in viewports, or its collection is hidden: show it in the Outliner.',
+        )
 
 
 def _find_edges(mesh: bpy.types.Mesh, pairs: Sequence[tuple[int, int]]) -> tuple[np.ndarray, list[int]]:

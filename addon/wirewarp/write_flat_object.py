@@ -23,8 +23,26 @@ def write_flat_object(
         target.location = _free_place(scene, source)
     if scene.objects.get(target.name) != target:
         _collection(scene).objects.link(target)
+    target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
     _write_mesh(target.data, flat, arrays)
     return target
+
+
+def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[str]:
+    """Unhides the object; returns, as notes, why it is still not to be seen in its true size."""
+    target.hide_viewport = False
+    notes = []
+    if view_layer.objects.get(target.name) == target:
+        target.hide_set(False)
+    if not target.visible_get(view_layer=view_layer):
+        notes.append(
+            f'"{target.name}" is not to be seen: its collection is hidden or excluded. Show it in the Outliner.'
+        )
+    if not np.allclose(target.matrix_world.to_scale(), 1, rtol=0, atol=1e-6):
+        notes.append(
+            f'"{target.name}" is not shown in true size: its parent or a constraint scales it. Its mesh is true.'
+        )
+    return notes
 
 
 def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import bpy
 
+from ..issues import ObjectError
 from ..mesh_to_arrays import element_counts
 from ..report_store import last_report
 from ..selection import select_elements
@@ -32,7 +33,11 @@ class MESH_OT_wirewarp_select_issues(bpy.types.Operator):
         if not any(elements.values()):
             self.report({"INFO"}, "The last flattening found nothing wrong with single elements")
             return {"CANCELLED"}
-        select_elements(context, target, **elements)
+        try:
+            select_elements(context, target, **elements)
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
         return {"FINISHED"}
 
     def _refusal(self, target: bpy.types.Object, report: dict | None) -> str:

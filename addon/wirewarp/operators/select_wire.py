@@ -4,6 +4,7 @@ import numpy as np
 from bpy.props import FloatProperty, IntProperty
 
 from ..foreach import read
+from ..issues import ObjectError
 from ..selection import select_elements
 from ..wire_attributes import read_marks
 
@@ -31,9 +32,16 @@ class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
         target = context.active_object
         if context.mode == "EDIT_MESH":
             bpy.ops.object.mode_set(mode="OBJECT")
-        marks = read_marks(target.data)
+        try:
+            select_elements(context, target, edges=self._edges(target.data))
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+    def _edges(self, mesh: bpy.types.Mesh) -> np.ndarray:
+        marks = read_marks(mesh)
         # A property cannot hold infinity: it becomes the largest number.
         tolerances = np.minimum(marks.tolerances, np.finfo(np.float32).max)
         members = (marks.wire_ids == self.wire_id) & (tolerances == np.float32(self.tolerance))
-        select_elements(context, target, edges=read(target.data.edges, "vertices", np.int32, 2)[members])
-        return {"FINISHED"}
+        return read(mesh.edges, "vertices", np.int32, 2)[members]
