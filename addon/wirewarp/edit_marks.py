@@ -18,8 +18,11 @@ from .wire_names import update_names
 def mark_selected(targets: Sequence[bpy.types.Object], tolerance: float) -> int:
     """The selected edges become wires, one a chain. Returns the number of wires, 0 if nothing is selected.
 
-    Raises ObjectError, with nothing marked, where a tolerance is asked for on an edge that is rigid anyway.
+    Raises ObjectError, with nothing marked, on an edge without a face, and where a tolerance is asked for on an edge
+    that is rigid anyway.
     """
+    for target in targets:
+        _refuse_loose(target)
     if tolerance > 0:
         for target in targets:
             _refuse_outlines(target)
@@ -60,19 +63,34 @@ def _selected_edges(edit: bmesh.types.BMesh) -> list[bmesh.types.BMEdge]:
     return [edge for edge in edit.edges if edge.select and not edge.hide]
 
 
+def _refuse_loose(target: bpy.types.Object) -> None:
+    edit = bmesh.from_edit_mesh(target.data)  # its edges live as long as this does
+    loose = [edge for edge in _selected_edges(edit) if not edge.link_faces]
+    if loose:
+        count = "1 selected edge belongs" if len(loose) == 1 else f"{len(loose)} selected edges belong"
+        raise _edges_error(
+            "loose_edge",
+            f'{count} to no face of "{target.name}", so there is nothing to flatten along it: leave such edges out, or '
+            "delete them with Mesh > Clean Up > Delete Loose.",
+            loose,
+        )
+
+
 def _refuse_outlines(target: bpy.types.Object) -> None:
     edit = bmesh.from_edit_mesh(target.data)
     rigid = [edge for edge in _selected_edges(edit) if edge.seam or len(edge.link_faces) != 2]
     if rigid:
         count = "1 selected edge lies" if len(rigid) == 1 else f"{len(rigid)} selected edges lie"
-        raise ObjectError(
-            Issue(
-                "tolerance_on_outline",
-                f'{count} on a seam or outline of "{target.name}". Outlines are rigid, or the two sides of a seam '
-                "would not match: leave these edges out, or mark them rigid.",
-                edges=[tuple(vertex.index for vertex in edge.verts) for edge in rigid],
-            )
+        raise _edges_error(
+            "tolerance_on_outline",
+            f'{count} on a seam or outline of "{target.name}". Outlines are rigid, or the two sides of a seam '
+            "would not match: leave these edges out, or mark them rigid.",
+            rigid,
         )
+
+
+def _edges_error(code: str, sentence: str, edges: list[bmesh.types.BMEdge]) -> ObjectError:
+    return ObjectError(Issue(code, sentence, edges=[tuple(vertex.index for vertex in edge.verts) for edge in edges]))
 
 
 def _positions(target: bpy.types.Object, edit: bmesh.types.BMesh) -> np.ndarray:

@@ -32,6 +32,21 @@ def name_elements(sentence: str, triangle_polygons: np.ndarray, faces: Sequence[
     )
 
 
+def count_faces(sentence: str, counts: Sequence[tuple[int, int]]) -> str:
+    """The sentence with its "12 faces" in polygons; counts: (triangles, polygons) of all that may be counted in it.
+
+    A number that is not one of those, or could be two of them, is said to be one of triangles.
+    """
+
+    def translate(match: re.Match) -> str:
+        number, kind = int(match[1]), match[2] or ""
+        polygons = {polygons for triangles, polygons in counts if triangles == number}
+        count, noun = (polygons.pop(), "face") if len(polygons) == 1 else (number, "triangle")
+        return f"{count} {kind}{noun}{'' if count == 1 else 's'}"
+
+    return re.sub(r"\b(\d+) (flipped |overlapping )?faces?\b", translate, sentence)
+
+
 def _list(noun: str, names: list[str]) -> str:
     if len(names) == 1:
         return f"{noun} {names[0]}"

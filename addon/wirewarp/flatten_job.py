@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Arrays of one object to the core library's result. No Blender in here."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
-from .element_names import name_elements
+from .element_names import count_faces, name_elements
 from .issues import Issue, ObjectError
 from .mesh_to_arrays import MeshArrays
 
@@ -45,17 +45,33 @@ def flatten_arrays(library: ModuleType, arrays: MeshArrays, choices: FlattenChoi
         raise ObjectError(issue_of_error(error, arrays)) from error
 
 
-def issue_of_error(error: Any, arrays: MeshArrays, piece: int | None = None) -> Issue:  # noqa: ANN401
-    """The library's error, its triangles named as the polygons they are part of."""
-    faces = np.unique(arrays.triangle_polygons[list(error.faces)]).tolist() if error.faces else []
+def issue_of_piece(piece: Any, index: int, arrays: MeshArrays) -> Issue:  # noqa: ANN401
+    """The error of a piece that has one, and every face of it that breaks a promise."""
+    counted = [piece.source_face, piece.metrics.flipped_faces, piece.metrics.overlapping_faces]
+    issue = issue_of_error(piece.error, arrays, [np.asarray(triangles) for triangles in counted])
+    bad = {*issue.faces, *(face for triangles in counted[1:] for face in polygons_of(arrays, triangles))}
+    return replace(issue, piece=index, faces=sorted(bad))
+
+
+def issue_of_error(error: Any, arrays: MeshArrays, counted: Sequence[np.ndarray] = ()) -> Issue:  # noqa: ANN401
+    """The library's error, its triangles named as the polygons they are part of.
+
+    counted: the sets of triangles that the sentence may give the numbers of.
+    """
+    faces = polygons_of(arrays, error.faces)
+    counts = [(len(triangles), len(polygons_of(arrays, triangles))) for triangles in counted]
+    sentence = count_faces(str(error), counts)
     return Issue(
         code=str(error.code),
-        sentence=name_elements(str(error), arrays.triangle_polygons, faces, [wire.name for wire in arrays.wires]),
-        piece=piece,
+        sentence=name_elements(sentence, arrays.triangle_polygons, faces, [wire.name for wire in arrays.wires]),
         vertices=[int(vertex) for vertex in error.vertices],
         edges=[(int(a), int(b)) for a, b in error.edges],
         faces=faces,
     )
+
+
+def polygons_of(arrays: MeshArrays, triangles: Sequence[int]) -> list[int]:
+    return np.unique(arrays.triangle_polygons[np.asarray(triangles, dtype=np.int64)]).tolist()
 
 
 def has_layout(corner_uv: np.ndarray) -> np.ndarray:

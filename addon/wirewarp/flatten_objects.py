@@ -11,6 +11,7 @@ import bpy
 from .flat_mesh import flat_mesh
 from .flatten_job import FlattenChoices, Progress, flatten_arrays, has_layout
 from .issues import ObjectError
+from .left_out import left_out
 from .mesh_to_arrays import MeshArrays, element_counts, object_to_arrays
 from .report import failure_report, object_report
 from .report_store import remember, store
@@ -58,6 +59,7 @@ def compute(
         else:
             outcome = Outcome(source, object_report(result, arrays, meters), arrays, result)
         outcome.report = _identify(outcome.report, source, use_modifiers)
+        outcome.report["notes"] += left_out(source, outcome.arrays, use_modifiers)
         outcomes.append(outcome)
     return outcomes
 
@@ -96,9 +98,5 @@ def _share(progress: Callable[[float], None], index: int, count: int) -> Progres
 
 def _identify(report: dict, source: bpy.types.Object, use_modifiers: bool) -> dict:
     """The report with the object's names in front."""
-    if source.modifiers and not use_modifiers:
-        report["notes"].append(
-            "Modifiers are left out: the base mesh was flattened. Tick Modifiers to flatten what they make."
-        )
     names = {"object": source.name, "mesh": source.data.name, "with_modifiers": use_modifiers}
     return names | {"counts": element_counts(source.data)} | report

@@ -35,6 +35,7 @@ class MeshArrays:
     edges: np.ndarray  # (e,2) int32
     seams: np.ndarray  # (k,2) int32
     wires: list[NamedWire]
+    loose_marks: int  # edges without a face that are marked as wires: they are left out
     mirrored: bool
 
 
@@ -84,6 +85,8 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, named: bpy.types.Mesh, linear: np.ndar
     vertices = read(mesh.vertices, "co", np.float32, 3).astype(np.float64) @ linear.T
     edges = read(mesh.edges, "vertices", np.int32, 2)
     sizes = read(mesh.polygons, "loop_total", np.int32)
+    in_face = np.bincount(read(mesh.loops, "edge_index", np.int32), minlength=len(edges)) > 0
+    marks = read_marks(mesh)
     return MeshArrays(
         vertices=vertices,
         triangles=loop_vertices[loops],
@@ -94,27 +97,19 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, named: bpy.types.Mesh, linear: np.ndar
         polygon_starts=read(mesh.polygons, "loop_start", np.int32),
         polygon_sizes=sizes,
         edges=edges,
-        seams=_read_seams(mesh, edges),
-        wires=_read_wires(mesh, named, edges, vertices),
+        seams=edges[read(mesh.edges, "use_seam", bool) & in_face],  # a loose edge cuts nothing
+        wires=_name_wires(
+            named, chains_of_marks(edges, np.where(in_face, marks.wire_ids, 0), marks.tolerances, vertices)
+        ),
+        loose_marks=int(np.count_nonzero(marks.wire_ids[~in_face])),
         mirrored=mirrored,
     )
 
 
-def _read_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> np.ndarray:
-    """Seam edges that belong to a face; a loose edge cuts nothing."""
-    marked = read(mesh.edges, "use_seam", bool)
-    if marked.any():
-        marked &= np.bincount(read(mesh.loops, "edge_index", np.int32), minlength=len(edges)) > 0
-    return edges[marked]
-
-
-def _read_wires(
-    mesh: bpy.types.Mesh, named: bpy.types.Mesh, edges: np.ndarray, vertices: np.ndarray
-) -> list[NamedWire]:
-    marks = read_marks(mesh)
+def _name_wires(named: bpy.types.Mesh, chains: list[WireChain]) -> list[NamedWire]:
     wires: list[NamedWire] = []
     count: dict[str, int] = {}
-    for chain in chains_of_marks(edges, marks.wire_ids, marks.tolerances, vertices):
+    for chain in chains:
         name = display_name(named, chain.wire_id)
         count[name] = count.get(name, 0) + 1
         wires.append(NamedWire(name if count[name] == 1 else f"{name} ({count[name]})", chain))

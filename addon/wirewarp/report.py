@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from .flatten_job import issue_of_error
+from .flatten_job import issue_of_piece, polygons_of
 from .issues import Issue
 from .mesh_to_arrays import MeshArrays
 
@@ -25,13 +25,11 @@ METHOD_NAMES = {"wirewarp++": "WireWarping++", "wirewarping": "WireWarping, all 
 def object_report(result: Any, arrays: MeshArrays, meters: float) -> dict:  # noqa: ANN401
     """The report of one object; meters: metres in a Blender unit."""
     issues = [
-        issue_of_error(piece.error, arrays, index)
-        for index, piece in enumerate(result.pieces)
-        if piece.error is not None
+        issue_of_piece(piece, index, arrays) for index, piece in enumerate(result.pieces) if piece.error is not None
     ]
     failed = {issue.piece for issue in issues}
     method = result.report["method"]
-    pieces = [_piece(index, piece, meters) for index, piece in enumerate(result.pieces)]
+    pieces = [_piece(index, piece, arrays, meters) for index, piece in enumerate(result.pieces)]
     at_limit = {part["wire"] for piece in pieces for part in piece["wires"] if part["at_limit"]}
     wires = [_wire(wire, meters) | {"at_limit": wire.wire_index in at_limit} for wire in result.wires]
     return {
@@ -61,14 +59,15 @@ def failure_report(issue: Issue) -> dict:
     }
 
 
-def _piece(index: int, piece: Any, meters: float) -> dict:  # noqa: ANN401
+def _piece(index: int, piece: Any, arrays: MeshArrays, meters: float) -> dict:  # noqa: ANN401
     metrics = piece.metrics
     aspect = metrics.face_aspect_ratio
     return {
         "index": index,
         "ok": piece.error is None,
         "has_layout": bool(np.isfinite(piece.vertices).all() and len(piece.vertices)),
-        "faces": len(piece.source_face),
+        "faces": len(polygons_of(arrays, piece.source_face)),
+        "triangles": len(piece.source_face),
         "area_3d": number(metrics.area_3d),
         "area_3d_m2": number(metrics.area_3d * meters**2),
         "area_2d": number(metrics.area_2d),
@@ -77,8 +76,8 @@ def _piece(index: int, piece: Any, meters: float) -> dict:  # noqa: ANN401
         "aspect_ratio_max": number(np.max(aspect)) if len(aspect) else None,
         "angle_deviation_rms": number(metrics.angle_deviation_rms),
         "angle_deviation_max": number(metrics.angle_deviation_max),
-        "flipped_faces": len(metrics.flipped_faces),
-        "overlapping_faces": len(metrics.overlapping_faces),
+        "flipped_faces": len(polygons_of(arrays, metrics.flipped_faces)),
+        "overlapping_faces": len(polygons_of(arrays, metrics.overlapping_faces)),
         "wires": [_wire(wire, meters) for wire in piece.wires],
         "outline": [_outline(chain, meters) for chain in piece.boundaries],
         "termination": str(piece.report.termination),

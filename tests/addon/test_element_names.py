@@ -32,3 +32,18 @@ def test_names(addon, sentence, faces, expected):
     assert (
         addon.element_names.name_elements(sentence, TWO_TRIANGLES_A_FACE, faces, ["Bust", "Hip", "Wire 1"]) == expected
     )
+
+
+@pytest.mark.parametrize(
+    ("sentence", "counts", "expected"),
+    [
+        ("A closed surface (12 faces): cut it.", [(12, 6), (0, 0)], "A closed surface (6 faces): cut it."),
+        ("It overlaps itself at 138 faces.", [(900, 450), (3, 2), (138, 80)], "It overlaps itself at 80 faces."),
+        ("It has 3 flipped faces and more.", [(900, 450), (3, 1)], "It has 1 flipped face and more."),
+        ("Could be two things: 3 faces.", [(3, 1), (3, 2)], "Could be two things: 3 triangles."),
+        ("Of an unknown set: 3 faces.", [], "Of an unknown set: 3 triangles."),
+        ("At faces 3 and 4: three faces or more meet.", [(4, 2)], "At faces 3 and 4: three faces or more meet."),
+    ],
+)
+def test_counts(addon, sentence, counts, expected):
+    assert addon.element_names.count_faces(sentence, counts) == expected

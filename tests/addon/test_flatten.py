@@ -266,6 +266,48 @@ def test_modifiers_go_to_the_flat_object_only():
     assert len(flat_of(source).data.polygons) == len(source.data.polygons)
 
 
+def notes_after(addon, source, **settings):
+    bpy.ops.object.wirewarp_flatten(**settings)
+    return addon.report_store.last_report(source)["notes"]
+
+
+def test_what_is_shown_but_not_flattened_is_said(addon):
+    source = grid("Bump", bump)
+    source.shape_key_add(name="Basis")
+    key = source.shape_key_add(name="Taller")
+    assert notes_after(addon, source) == []
+    key.data[40].co.z += 1
+    key.value = 1
+    what = "for the base mesh was flattened: {}. Tick Modifiers to flatten what you see."
+    assert notes_after(addon, source) == ["Left out, " + what.format("shape keys")]
+    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    assert notes_after(addon, source) == ["Left out, " + what.format("modifiers and shape keys")]
+    key.mute = True
+    assert notes_after(addon, source) == ["Left out, " + what.format("modifiers")]
+
+
+def test_shape_keys_are_flattened_with_the_modifiers():
+    source = grid("Bump", bump)
+    source.shape_key_add(name="Basis")
+    key = source.shape_key_add(name="Wider")
+    for point in key.data:
+        point.co.x *= 2
+    key.value = 1
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    wide = grid("Wide", lambda x, y: (2 * x, *bump(x, y)[1:]))
+    bpy.ops.object.wirewarp_flatten()
+    areas = [sum(face.area for face in flat_of(target).data.polygons) for target in (source, wide)]
+    assert areas[0] == pytest.approx(areas[1], rel=1e-4)
+
+
+def test_an_old_uv_map_is_said_not_to_belong_to_pieces_with_modifiers(addon):
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    (note,) = notes_after(addon, source, use_modifiers=True)
+    assert note == 'The UV map "WireWarp" is of an earlier run without modifiers and not of these flat pieces.'
+
+
 def test_the_source_keeps_its_shape_and_selection():
     source = grid("Bump", bump)
     before = read(source.data.vertices, "co", np.float32, 3)

@@ -115,6 +115,36 @@ def test_no_tolerance_on_seams_and_outlines(kind, place):
     assert wire_marks(target.data) == {}
 
 
+def grid_with_a_loose_edge():
+    target = grid("Bump", bump)
+    count = len(target.data.vertices)
+    target.data.vertices.add(2)
+    target.data.vertices[count].co, target.data.vertices[count + 1].co = (3, 0, 0), (4, 0, 0)
+    target.data.edges.add(1)
+    target.data.edges[-1].vertices = (count, count + 1)
+    target.data.update()
+    return target
+
+
+def test_an_edge_without_a_face_is_not_marked():
+    target = grid_with_a_loose_edge()
+    select_edges(target, EAST_WEST)
+    with pytest.raises(RuntimeError, match='1 selected edge belongs to no face of "Bump".*Delete Loose'):
+        bpy.ops.mesh.wirewarp_mark()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert wire_marks(target.data) == {}
+
+
+def test_a_marked_edge_that_lost_its_face_is_left_out_and_said(addon):
+    target = grid_with_a_loose_edge()
+    mark(target, lambda a, b: EAST_WEST(a, b) and a.x < 2)
+    target.data.attributes["wirewarp_wire"].data[len(target.data.edges) - 1].value = 5
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    report = addon.report_store.last_report(target)
+    assert [wire["name"] for wire in report["wires"]] == ["Wire 1"]
+    assert report["notes"] == ["Left out of the wires, for no face has them: 1 marked edges."]
+
+
 def test_rigid_on_an_outline_is_as_good_as_said():
     target = grid("Bump", bump)
     mark(target, on_line(1, 1.0))

@@ -6,7 +6,6 @@ import pytest
 from surfaces import bump, edge_lengths, flat_of, grid, select_only
 
 
-
 def failed_source():
     """A source whose report names elements, with flat pieces of an earlier run."""
     source = grid("Bump", bump)

@@ -87,7 +87,7 @@ def piece_rows(report: dict) -> list[tuple[bool, list[str]]]:
     """(ok, lines) of each piece."""
     rows = []
     for piece in sorted(report["pieces"], key=lambda piece: piece["ok"]):
-        lines = [f"Piece {piece['index'] + 1}, {piece['faces']} triangles"]
+        lines = [f"Piece {piece['index'] + 1}, {piece['faces']} faces"]
         if piece["has_layout"]:
             lines.append(f"Distortion energy {piece['arap_energy']:.4f}")
             lines.append(f"Worst stretch ratio {piece['aspect_ratio_max']:.3f}")

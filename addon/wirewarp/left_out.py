@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Notes on what the model has and the flat pieces have not."""
+
+import bpy
+
+from .mesh_to_arrays import MeshArrays
+from .write_uv import UV_LAYER
+
+
+def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers: bool) -> list[str]:
+    notes = []
+    shown = [] if use_modifiers else _shown_only(source)
+    if shown:
+        notes.append(
+            f"Left out, for the base mesh was flattened: {' and '.join(shown)}. Tick Modifiers to flatten what you see."
+        )
+    if use_modifiers and UV_LAYER in source.data.uv_layers:
+        notes.append(f'The UV map "{UV_LAYER}" is of an earlier run without modifiers and not of these flat pieces.')
+    if arrays and arrays.loose_marks:
+        notes.append(f"Left out of the wires, for no face has them: {arrays.loose_marks} marked edges.")
+    return notes
+
+
+def _shown_only(source: bpy.types.Object) -> list[str]:
+    """What makes the object look different from its base mesh."""
+    shown = ["modifiers"] if any(modifier.show_viewport for modifier in source.modifiers) else []
+    return shown + (["shape keys"] if _is_keyed(source.data.shape_keys, source) else [])
+
+
+def _is_keyed(keys: bpy.types.Key | None, source: bpy.types.Object) -> bool:
+    if keys is None:
+        return False
+    if source.show_only_shape_key:
+        return source.active_shape_key != keys.reference_key
+    if not keys.use_relative:
+        return True
+    return any(key.value != 0 and not key.mute for key in keys.key_blocks if key != keys.reference_key)
