@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 import wirewarp
-from surfaces import Mesh, spherical_patch
+from surfaces import Mesh, half_cylinder, spherical_patch
 
 PARALLEL = list(range(36, 45))  # across the middle of an 8 by 8 patch
 MERIDIAN = list(range(4, 81, 9))
@@ -110,6 +110,14 @@ def test_what_was_done_is_counted(patch):
     assert elastic.outer_iterations > 0
     assert elastic.gradient_evaluations > elastic.outer_iterations
     assert elastic.termination == "converged"
+
+
+def test_where_nothing_is_distorted_no_length_is_changed():
+    vertices, faces = half_cylinder(columns=8, rows=4)
+    (piece,) = wirewarp.flatten(vertices, faces, wires=[wirewarp.Wire(range(18, 27), 0.05)]).pieces
+    assert piece.wires[0].variation == 0
+    assert piece.report.gradient_evaluations == 0
+    assert piece.report.termination == "converged"
 
 
 def test_a_run_can_be_cancelled_while_lengths_are_chosen(patch):

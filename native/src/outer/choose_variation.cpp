@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "index.h"
 #include "mesh/geometry.h"
@@ -14,6 +15,7 @@ namespace wirewarp {
 namespace {
 
 constexpr double kTolerance = 3e-7;  // relative decrease that is not worth another step
+constexpr double kIsometry = 1e-14;  // shape error: strains of 1e-7, the rounding of meshes in single precision
 constexpr int kMaxEvaluations = 200;
 constexpr int kFreeIterations = 30;  // local/global steps of the free flattening
 constexpr double kShortest = -0.99;  // 1 + h > 0 on super-elastic parts, with room for the line search
@@ -44,6 +46,35 @@ OuterSolution evaluate(Warp& warp, const Eigen::VectorXd& variation) {
   return solution;
 }
 
+OuterSolution improve(Warp& warp, const VariationBounds& bounds, OuterSolution start,
+                      const BeforeEvaluation& before_evaluation) {
+  const std::vector<int> parts = bounds.elastic_parts();
+  const Eigen::VectorXd first = start.variation;
+  bool is_first = true;
+  OuterSolution best;
+  best.shape_error = std::numeric_limits<double>::infinity();
+  int inner_solves = 0;
+  const BoxFunction error_of = [&](const Eigen::VectorXd& elastic) -> std::optional<ValueAndGradient> {
+    before_evaluation();
+    Eigen::VectorXd variation = first;
+    variation(parts) = elastic;
+    OuterSolution trial = std::exchange(is_first, false) ? std::move(start) : evaluate(warp, variation);
+    inner_solves += trial.inner_solves;
+    if (!trial.shape.inner.is_feasible) return std::nullopt;
+    ValueAndGradient result{trial.shape_error, warp.gradient(trial.shape)(parts)};
+    ++inner_solves;
+    if (trial.shape_error < best.shape_error) best = std::move(trial);
+    return result;
+  };
+  const BoxMinimum minimum =
+      minimize_in_box(error_of, bounds.lower(parts), bounds.upper(parts), first(parts), kTolerance, kMaxEvaluations);
+  best.iterations = minimum.iterations;
+  best.evaluations = minimum.evaluations;
+  best.inner_solves = inner_solves;
+  best.converged = minimum.converged;
+  return best;
+}
+
 }  // namespace
 
 std::vector<int> VariationBounds::elastic_parts() const {
@@ -71,50 +102,28 @@ OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBo
                                const BeforeEvaluation& before_evaluation) {
   before_evaluation();
   OuterSolution rigid = evaluate(warp, Eigen::VectorXd::Zero(bounds.lower.size()));
-  if (bounds.elastic_parts().empty()) return rigid;
+  const bool has_rigid = rigid.shape.inner.is_feasible;
+  if (bounds.elastic_parts().empty() || (has_rigid && rigid.shape_error < kIsometry)) return rigid;
 
   before_evaluation();
-  const bool has_rigid = rigid.shape.inner.is_feasible;
   const std::optional<Positions2> start = has_rigid ? std::optional(rigid.shape.uv) : std::nullopt;
   const FreeFlattening free = flatten_freely(chart, kFreeIterations, start);
-  const OuterSolution relaxed = evaluate(warp, variation_of(chart, free.uv, bounds));
+  OuterSolution relaxed = evaluate(warp, variation_of(chart, free.uv, bounds));
   const bool has_relaxed = relaxed.shape.inner.is_feasible;
   if (!has_rigid && !has_relaxed) return rigid;
   const bool starts_rigid = !has_relaxed || (has_rigid && rigid.shape_error < relaxed.shape_error);
 
-  OuterSolution solution =
-      improve_variation(warp, bounds, starts_rigid ? rigid.variation : relaxed.variation, before_evaluation);
-  solution.inner_solves += rigid.inner_solves + relaxed.inner_solves;
-  solution.evaluations += 2;
+  const int unused_solves = (starts_rigid ? relaxed : rigid).inner_solves;
+  OuterSolution solution = improve(warp, bounds, std::move(starts_rigid ? rigid : relaxed), before_evaluation);
+  solution.inner_solves += unused_solves;
+  solution.evaluations += 1;
   solution.free_factorizations = free.factorizations;
   return solution;
 }
 
 OuterSolution improve_variation(Warp& warp, const VariationBounds& bounds, const Eigen::VectorXd& start,
                                 const BeforeEvaluation& before_evaluation) {
-  const std::vector<int> parts = bounds.elastic_parts();
-  OuterSolution best;
-  best.shape_error = std::numeric_limits<double>::infinity();
-  int inner_solves = 0;
-  const BoxFunction error_of = [&](const Eigen::VectorXd& elastic) -> std::optional<ValueAndGradient> {
-    before_evaluation();
-    Eigen::VectorXd variation = start;
-    variation(parts) = elastic;
-    OuterSolution trial = evaluate(warp, variation);
-    inner_solves += trial.inner_solves;
-    if (!trial.shape.inner.is_feasible) return std::nullopt;
-    ValueAndGradient result{trial.shape_error, warp.gradient(trial.shape)(parts)};
-    ++inner_solves;
-    if (trial.shape_error < best.shape_error) best = std::move(trial);
-    return result;
-  };
-  const BoxMinimum minimum =
-      minimize_in_box(error_of, bounds.lower(parts), bounds.upper(parts), start(parts), kTolerance, kMaxEvaluations);
-  best.iterations = minimum.iterations;
-  best.evaluations = minimum.evaluations;
-  best.inner_solves = inner_solves;
-  best.converged = minimum.converged;
-  return best;
+  return improve(warp, bounds, evaluate(warp, start), before_evaluation);
 }
 
 }  // namespace wirewarp

@@ -14,7 +14,7 @@ struct OuterSolution {
   Eigen::VectorXd variation;  // h, one per wire part
   double shape_error = 0;     // E over the 3D area
   int iterations = 0;
-  int evaluations = 0;          // of E with its gradient
+  int evaluations = 0;          // of E; with its gradient but for a start that was not taken
   int inner_solves = 0;         // factorizations of Eq. (1) in all
   int free_factorizations = 0;  // of the free flattening that h0 is taken from
   bool converged = true;
@@ -36,8 +36,8 @@ VariationBounds variation_bounds(const Chart& chart, Method method);
 using BeforeEvaluation = std::function<void()>;
 
 /// The length variations with the least shape error within the bounds. Starts from the lengths of a free ARAP
-/// flattening, or from h = 0 where that is better; without elastic parts this is ψ(0). shape.inner is not feasible
-/// where neither start exists.
+/// flattening, or from h = 0 where that is better; without elastic parts, or where ψ(0) is an isometry, this is ψ(0).
+/// shape.inner is not feasible where neither start exists.
 OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
                                const BeforeEvaluation& before_evaluation);
 
