@@ -13,6 +13,7 @@ from .flatten_job import FlattenChoices, Progress, flatten_arrays, has_layout
 from .issues import ObjectError
 from .left_out import left_out
 from .mesh_to_arrays import MeshArrays, element_counts, object_to_arrays
+from .model_state import model_state
 from .report import failure_report, object_report
 from .report_store import remember, store
 from .targets import check_target
@@ -59,6 +60,8 @@ def compute(
         else:
             outcome = Outcome(source, object_report(result, arrays, meters), arrays, result)
         outcome.report = _identify(outcome.report, source, use_modifiers)
+        if outcome.arrays:
+            outcome.report["model_state"] = model_state(source)
         outcome.report["notes"] += left_out(source, outcome.arrays, use_modifiers)
         outcomes.append(outcome)
     return outcomes

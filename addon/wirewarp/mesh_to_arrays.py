@@ -61,6 +61,12 @@ def linear_part(source: bpy.types.Object) -> np.ndarray:
     return linear
 
 
+def metric(source: bpy.types.Object) -> np.ndarray:
+    """What the object's matrix does to lengths, and whether it mirrors: the same for all rotations."""
+    linear = np.array(source.matrix_world, dtype=np.float64)[:3, :3]
+    return np.append((linear.T @ linear).ravel(), np.linalg.det(linear))
+
+
 def element_counts(mesh: bpy.types.Mesh) -> dict[str, int]:
     """By which a report sees that its mesh has changed since."""
     return {"vertices": len(mesh.vertices), "edges": len(mesh.edges), "faces": len(mesh.polygons)}

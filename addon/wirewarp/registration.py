@@ -3,7 +3,7 @@
 
 import bpy
 
-from . import operators, properties, report_store, ui, wire_summary
+from . import mesh_cache, operators, properties, report_store, ui
 
 CLASSES = (*properties.CLASSES, *operators.CLASSES, *ui.CLASSES)
 
@@ -20,7 +20,7 @@ def unregister_classes() -> None:
 
 def register_ui() -> None:
     report_store.attach()
-    wire_summary.attach()
+    mesh_cache.attach()
     bpy.types.VIEW3D_MT_edit_mesh_edges.append(ui.draw_edge_menu)
     bpy.types.VIEW3D_MT_edit_mesh_context_menu.append(ui.draw_context_menu)
 
@@ -28,5 +28,5 @@ def register_ui() -> None:
 def unregister_ui() -> None:
     bpy.types.VIEW3D_MT_edit_mesh_context_menu.remove(ui.draw_context_menu)
     bpy.types.VIEW3D_MT_edit_mesh_edges.remove(ui.draw_edge_menu)
-    wire_summary.detach()
+    mesh_cache.detach()
     report_store.detach()

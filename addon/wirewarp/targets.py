@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 
 from .issues import Issue, ObjectError, object_error
-from .mesh_to_arrays import linear_part
+from .mesh_to_arrays import linear_part, metric
 from .wire_attributes import check_attributes
 from .write_uv import check_uv_room
 
@@ -37,21 +37,15 @@ def check_target(target: bpy.types.Object, writes_uv: bool) -> None:
 
 def _check_users(target: bpy.types.Object) -> None:
     """One UV layer cannot be true for objects of different scale."""
-    own = _metric(target)
+    own = metric(target)
     for other in bpy.data.objects:
         shares = other.data == target.data and other.users_scene  # what is in no scene has no true scale
-        if shares and not np.allclose(_metric(other), own, rtol=1e-5, atol=1e-5 * np.abs(own).max()):
+        if shares and not np.allclose(metric(other), own, rtol=1e-5, atol=1e-5 * np.abs(own).max()):
             sentence = (
                 f'"{target.name}" and "{other.name}" share the mesh "{target.data.name}" but differ in scale, and one '
                 "UV map cannot be true for both: use Object > Relations > Make Single User > Object & Data."
             )
             raise ObjectError(Issue("multi_user_scale", sentence))
-
-
-def _metric(target: bpy.types.Object) -> np.ndarray:
-    """What the object's matrix does to lengths, and whether it mirrors: the same for all rotations."""
-    linear = np.array(target.matrix_world, dtype=np.float64)[:3, :3]
-    return np.append((linear.T @ linear).ravel(), np.linalg.det(linear))
 
 
 @contextmanager

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import bmesh
 import bpy
 import numpy as np
-from bpy.app.handlers import persistent
 
 from .foreach import read
+from .mesh_cache import kept
 from .wire_attributes import TOLERANCE, WIRE, read_marks
 
 
@@ -23,16 +23,14 @@ class WireSummary:
         return float(np.linalg.norm(self.edge_vectors @ linear.T, axis=1).sum())
 
 
-_kept: dict[str, list[WireSummary]] = {}
-
-
 def wires_of(target: bpy.types.Object) -> list[WireSummary]:
     """One entry per id and tolerance. Raises ObjectError if an attribute is not ours."""
-    mesh = target.data
-    if mesh.name_full not in _kept:
-        gather = _gather_edit if mesh.is_editmode else _gather
-        _kept[mesh.name_full] = _group(*gather(mesh))
-    return _kept[mesh.name_full]
+    return kept(target.data, "wires", _summarize)
+
+
+def _summarize(mesh: bpy.types.Mesh) -> list[WireSummary]:
+    gather = _gather_edit if mesh.is_editmode else _gather
+    return _group(*gather(mesh))
 
 
 def _gather(mesh: bpy.types.Mesh) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -66,31 +64,3 @@ def _group(wire_ids: np.ndarray, tolerances: np.ndarray, vectors: np.ndarray) ->
         WireSummary(wire_id, tolerance, vectors[(wire_ids == wire_id) & (tolerances == tolerance)])
         for wire_id, tolerance in keys
     ]
-
-
-@persistent
-def _drop_changed(_scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
-    for update in depsgraph.updates:
-        changed = update.id
-        if isinstance(changed, bpy.types.Mesh):
-            _kept.pop(changed.name_full, None)
-        elif isinstance(changed, bpy.types.Object) and update.is_updated_geometry and changed.type == "MESH":
-            _kept.pop(changed.data.name_full, None)
-
-
-@persistent
-def _drop_all(*_: object) -> None:
-    _kept.clear()
-
-
-def attach() -> None:
-    bpy.app.handlers.depsgraph_update_post.append(_drop_changed)
-    for handlers in (bpy.app.handlers.undo_post, bpy.app.handlers.redo_post, bpy.app.handlers.load_post):
-        handlers.append(_drop_all)
-
-
-def detach() -> None:
-    bpy.app.handlers.depsgraph_update_post.remove(_drop_changed)
-    for handlers in (bpy.app.handlers.undo_post, bpy.app.handlers.redo_post, bpy.app.handlers.load_post):
-        handlers.remove(_drop_all)
-    _drop_all()

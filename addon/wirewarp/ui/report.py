@@ -3,6 +3,7 @@
 
 import bpy
 
+from ..model_state import has_changed
 from ..report_file import kept_text
 from ..report_store import last_report
 from .panel import SidebarPanel
@@ -13,10 +14,15 @@ from .text import draw_sentence
 
 def shown_report(context: bpy.types.Context) -> dict | None:
     """The report of the active object, or of the source of active flat pieces."""
+    source = shown_source(context)
+    return last_report(source) if source else None
+
+
+def shown_source(context: bpy.types.Context) -> bpy.types.Object | None:
     active = context.active_object
     if active is None or active.type != "MESH":
         return None
-    return last_report(active.wirewarp_source or active)
+    return active.wirewarp_source or active
 
 
 class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
@@ -29,7 +35,11 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         report = shown_report(context)
-        if report["ok"]:
+        if has_changed(shown_source(context), report):
+            warning = layout.column()
+            warning.alert = True
+            draw_sentence(context, warning, "The model has changed since: flatten again.", "ERROR")
+        elif report["ok"]:
             kept = f"{_count(report['pieces'], 'piece')}: {kept_text([report])}"
             draw_sentence(context, layout, kept, "CHECKMARK")
         else:

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""All of a model that its flat pieces depend on, in short: by it a report sees that the model has changed since."""
+
+import hashlib
+
+import bmesh
+import bpy
+import numpy as np
+
+from .foreach import read
+from .issues import ObjectError
+from .mesh_cache import kept
+from .mesh_to_arrays import metric
+from .wire_attributes import TOLERANCE, WIRE, read_marks
+
+EDIT_LIMIT = 20_000  # vertices; larger meshes are not compared while in Edit Mode, where reading them is slow
+
+
+def model_state(source: bpy.types.Object) -> dict:
+    """For the report. Of a model in Object Mode."""
+    return {"mesh": _digest(source.data), "metric": metric(source).tolist()}
+
+
+def has_changed(source: bpy.types.Object, report: dict) -> bool:
+    """Whether geometry, seams, wires or scale are other than when the report was made."""
+    state, mesh = report.get("model_state"), source.data
+    if state is None:
+        return False
+    now, then = metric(source), np.array(state["metric"])
+    if not np.allclose(now, then, rtol=1e-5, atol=1e-5 * np.abs(then).max()):
+        return True
+    if mesh.is_editmode and not _comparable_in_edit_mode(mesh):
+        return False
+    try:
+        return kept(mesh, "digest", _digest) != state["mesh"]
+    except ObjectError:  # an attribute of our name that was none when the report was made
+        return True
+
+
+def _comparable_in_edit_mode(mesh: bpy.types.Mesh) -> bool:
+    """Edit Mode shows the active shape key and not the base mesh."""
+    return mesh.shape_keys is None and len(bmesh.from_edit_mesh(mesh).verts) <= EDIT_LIMIT
+
+
+def _digest(mesh: bpy.types.Mesh) -> str:
+    digest = hashlib.blake2b(digest_size=12)
+    for values in _gather_edit(mesh) if mesh.is_editmode else _gather(mesh):
+        digest.update(np.ascontiguousarray(values))
+    return digest.hexdigest()
+
+
+def _gather(mesh: bpy.types.Mesh) -> list[np.ndarray]:
+    """Coordinates, corners, seams and wires; the same as _gather_edit finds."""
+    marks = read_marks(mesh)
+    marked = np.flatnonzero(marks.wire_ids).astype(np.int32)
+    return [
+        read(mesh.vertices, "co", np.float32, 3),
+        read(mesh.loops, "vertex_index", np.int32),
+        read(mesh.polygons, "loop_total", np.int32),
+        np.flatnonzero(read(mesh.edges, "use_seam", bool)).astype(np.int32),
+        marked,
+        marks.wire_ids[marked],
+        marks.tolerances[marked],
+    ]
+
+
+def _gather_edit(mesh: bpy.types.Mesh) -> list[np.ndarray]:
+    edit = bmesh.from_edit_mesh(mesh)
+    edit.verts.index_update()
+    wire, tolerance = edit.edges.layers.int.get(WIRE), edit.edges.layers.float.get(TOLERANCE)
+    marked = [(number, edge) for number, edge in enumerate(edit.edges) if wire and edge[wire]]
+    return [
+        np.array([vertex.co[:] for vertex in edit.verts], dtype=np.float32),
+        np.array([vertex.index for face in edit.faces for vertex in face.verts], dtype=np.int32),
+        np.array([len(face.verts) for face in edit.faces], dtype=np.int32),
+        np.array([number for number, edge in enumerate(edit.edges) if edge.seam], dtype=np.int32),
+        np.array([number for number, _ in marked], dtype=np.int32),
+        np.array([edge[wire] for _, edge in marked], dtype=np.int32),
+        np.array([edge[tolerance] if tolerance else 0 for _, edge in marked], dtype=np.float32),
+    ]
