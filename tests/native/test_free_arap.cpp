@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -36,14 +36,15 @@ double smallest_area(const Chart& chart, const Positions2& uv) {
   return smallest;
 }
 
-/// Largest change of an edge's length over the length.
+/// Largest change of an edge's length over the length, beyond what the rounding of coordinates makes of it.
 double largest_stretch(const Chart& chart, const Positions2& uv) {
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() * uv.cwiseAbs().maxCoeff();
   double largest = 0;
   for (const EdgeHandle e : chart.mesh.edges()) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(e, 0);
     const int a = chart.mesh.from_vertex_handle(h).idx(), b = chart.mesh.to_vertex_handle(h).idx();
     const double length = edge_length(chart.mesh, h);
-    largest = std::max(largest, std::abs((uv.row(a) - uv.row(b)).norm() / length - 1));
+    largest = std::max(largest, (std::abs((uv.row(a) - uv.row(b)).norm() - length) - rounding) / length);
   }
   return largest;
 }
@@ -79,6 +80,20 @@ FlattenInput cut_square() {
   return input;
 }
 
+/// Columns in pairs, 1e-6 apart.
+FlattenInput sliver_plate() {
+  const int nx = 9;
+  return test::make_grid(nx, 6, [](double s, double t) {
+    const auto column = static_cast<int>(std::lround(nx * s));
+    return Eigen::Vector3d((column / 2) / 4.0 + (column % 2) * 1e-6, t, 0);
+  });
+}
+
+/// Every triangle has an angle above 150 degrees: a third of the cotangents is negative.
+FlattenInput sheared_plate() {
+  return test::make_grid(8, 8, [](double s, double t) { return Eigen::Vector3d(s - 3 * t, t, 0); });
+}
+
 struct Case {
   const char* name;
   FlattenInput input;
@@ -99,45 +114,53 @@ TEST_P(CircleEmbedding, FlipsNoTriangle) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Shapes, CircleEmbedding,
-    testing::Values(Case{"quarter_sphere", test::quarter_sphere(8)},
-                    Case{"two_holes", rolled_plate_with_two_holes()}, Case{"darts", cut_square()},
-                    Case{"tube", test::cylinder_tube(24, 8, 1, 2)}, Case{"strip", test::flat_rectangle(40, 1, 40, 1)},
-                    Case{"gore", test::sphere_of_gores(6, 3, 12)}),
-    [](const auto& tested) { return std::string(tested.param.name); });
+INSTANTIATE_TEST_SUITE_P(Shapes, CircleEmbedding,
+                         testing::Values(Case{"quarter_sphere", test::quarter_sphere(8)},
+                                         Case{"two_holes", rolled_plate_with_two_holes()}, Case{"darts", cut_square()},
+                                         Case{"tube", test::cylinder_tube(24, 8, 1, 2)},
+                                         Case{"strip", test::flat_rectangle(40, 1, 40, 1)},
+                                         Case{"gore", test::sphere_of_gores(6, 3, 12)},
+                                         Case{"slivers", sliver_plate()}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 class Developable : public testing::TestWithParam<Case> {};
 
-/// The energy of an isometry is 0; where the iteration ends, a step lowers E by less than a millionth of it, or E is
-/// rounding: both happen at the bottom of a valley without other ends.
+/// Toward E = 0 every step lowers E by a good part of it, so the iteration ends in rounding.
 TEST_P(Developable, ComesOutWithItsLengths) {
   const Charts charts = test::charts_of(GetParam().input);
   const Chart& chart = charts.charts.at(0);
   const FreeFlattening flat = flatten_freely(chart, kUntilConverged);
-  std::printf("%d its E %g stretch %g\n", flat.iterations, flat.energy / area_3d(chart), largest_stretch(chart, flat.uv));
   EXPECT_TRUE(flat.converged);
-  EXPECT_LT(largest_stretch(chart, flat.uv), 1e-9);
+  EXPECT_LT(largest_stretch(chart, flat.uv), 1e-13);
   EXPECT_GT(smallest_area(chart, flat.uv), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Shapes, Developable,
-    testing::Values(Case{"cylinder", test::cylinder_patch(16, 12, 1, 2.5, 1.5)},
-                    Case{"cone", test::cone_patch(16, 12, 1, 3, 0.5, 4)},
-                    Case{"plate_with_holes", rolled_plate_with_two_holes()}, Case{"darts", cut_square()},
-                    Case{"strip", test::flat_rectangle(12, 1, 12, 1)}),
-    [](const auto& tested) { return std::string(tested.param.name); });
+INSTANTIATE_TEST_SUITE_P(Shapes, Developable,
+                         testing::Values(Case{"cylinder", test::cylinder_patch(16, 12, 1, 2.5, 1.5)},
+                                         Case{"cone", test::cone_patch(16, 12, 1, 3, 0.5, 4)},
+                                         Case{"plate_with_holes", rolled_plate_with_two_holes()},
+                                         Case{"darts", cut_square()}, Case{"strip", test::flat_rectangle(12, 1, 12, 1)},
+                                         Case{"slivers", sliver_plate()}, Case{"negative_cotangents", sheared_plate()}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(FreeArap, ReachesTheKnownEnergyOfTheQuarterSphere) {
   const Charts charts = test::charts_of(test::quarter_sphere(16));
   const Chart& chart = charts.charts.at(0);
   const FreeFlattening flat = flatten_freely(chart, kUntilConverged);
-  std::printf("%d its E %.9g\n", flat.iterations, flat.energy / area_3d(chart));
   EXPECT_TRUE(flat.converged);
   EXPECT_EQ(flat.factorizations, 2);
+  EXPECT_LE(flat.iterations, 10);
   EXPECT_NEAR(flat.energy / area_3d(chart), 0.00421971, 0.01 * 0.00421971);  // computed independently
   EXPECT_EQ(ShapeError(chart).energy(flat.uv), flat.energy);
+}
+
+/// Bending a long strip as a whole costs next to nothing: steps that know nothing of each other hardly move it.
+TEST(FreeArap, UnrollsALongStripByConjugateSteps) {
+  const Charts charts = test::charts_of(test::cone_patch(48, 4, 10, 11, 0.5, 4));
+  const Chart& chart = charts.charts.at(0);
+  Positions2 uv = embed_on_circle(chart);
+  for (int step = 0; step < 100; ++step) uv = flatten_freely(chart, 1, uv).uv;
+  EXPECT_LT(flatten_freely(chart, 30).energy, ShapeError(chart).energy(uv));
 }
 
 class FreeArapOnASphere : public testing::Test {
@@ -148,29 +171,28 @@ class FreeArapOnASphere : public testing::Test {
 };
 
 TEST_F(FreeArapOnASphere, NeverRaisesTheEnergy) {
-  // From shapes with most triangles flipped, where the first steps are large.
+  // From shapes with half of the triangles flipped, where the first steps are large.
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
-  for (int trial = 0; trial < 10; ++trial) {
-    Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
-    for (double& x : uv.reshaped()) x = normal(random);
-    double energy = ShapeError(chart).energy(uv);
-    for (int step = 0; step < 20; ++step) {
-      const FreeFlattening flat = flatten_freely(chart, 1, uv);
+  for (int trial = 0; trial < 5; ++trial) {
+    Positions2 start(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
+    for (double& x : start.reshaped()) x = normal(random);
+    double energy = flatten_freely(chart, 0, start).energy;
+    for (int steps = 1; steps <= 30; ++steps) {
+      const FreeFlattening flat = flatten_freely(chart, steps, start);
       EXPECT_LE(flat.energy, energy);
-      EXPECT_EQ(flat.iterations, 1);
+      EXPECT_TRUE(flat.iterations == steps || flat.converged);
       EXPECT_EQ(flat.factorizations, 1);
-      uv = flat.uv;
       energy = flat.energy;
     }
   }
 }
 
-TEST_F(FreeArapOnASphere, StepsInsteadOfStartingAgain) {
-  const FreeFlattening all = flatten_freely(chart, 7);
-  const FreeFlattening resumed = flatten_freely(chart, 4, flatten_freely(chart, 3).uv);
-  EXPECT_EQ(all.uv, resumed.uv);
-  EXPECT_EQ(flatten_freely(chart, 0).uv, embed_on_circle(chart));
+TEST_F(FreeArapOnASphere, StartsFromTheEmbeddingOnACircle) {
+  const FreeFlattening flat = flatten_freely(chart, 0);
+  EXPECT_EQ(flat.uv, embed_on_circle(chart));
+  EXPECT_FALSE(flat.converged);
+  EXPECT_EQ(flatten_freely(chart, 10).uv, flatten_freely(chart, 10, flat.uv).uv);
 }
 
 TEST_F(FreeArapOnASphere, TurnsAMirroredStartOver) {
@@ -212,7 +234,8 @@ TEST_F(FreeArapOnASphere, DoesNotDependOnTheOrderOfVerticesAndFaces) {
   const Chart& shuffled_chart = shuffled_charts.charts.at(0);
   const auto by_input_vertex = [](const Chart& from, const Positions2& uv) {
     Positions2 sorted(uv.rows(), 2);
-    for (Eigen::Index v = 0; v < uv.rows(); ++v) sorted.row(from.source_vertex[static_cast<std::size_t>(v)]) = uv.row(v);
+    for (Eigen::Index v = 0; v < uv.rows(); ++v)
+      sorted.row(from.source_vertex[static_cast<std::size_t>(v)]) = uv.row(v);
     return sorted;
   };
   const FreeFlattening flat = flatten_freely(chart, kUntilConverged);

@@ -81,7 +81,8 @@ TEST_F(ShapeErrorOnASphere, MotionsOfThePlaneChangeNothing) {
   EXPECT_LT((moved_gradient - turned(gradient, 0.8)).norm(), 1e-12 * gradient.norm());
   // So the gradient neither pushes nor turns the whole.
   EXPECT_LT(gradient.colwise().sum().norm(), 1e-13 * gradient.norm() * std::sqrt(gradient.rows()));
-  const double torque = (uv.col(0).array() * gradient.col(1).array() - uv.col(1).array() * gradient.col(0).array()).sum();
+  const double torque =
+      (uv.col(0).array() * gradient.col(1).array() - uv.col(1).array() * gradient.col(0).array()).sum();
   EXPECT_LT(std::abs(torque), 1e-13 * uv.norm() * gradient.norm());
 }
 

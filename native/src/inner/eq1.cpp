@@ -24,7 +24,7 @@ Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight)
 }
 
 /// Headings that enclose the given angles: from one edge to the next the heading turns by π − θ, and an edge walked
-/// backwards heads the other way. Breadth first from edge 0; angles that do not fit together meet at the far side.
+/// backwards heads the other way.
 Eigen::VectorXd lay_out_headings(const WireNetwork& network, const Eigen::VectorXd& angles) {
   std::vector<std::vector<int>> nodes_of_edge(network.edges.size());
   for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) {
@@ -52,17 +52,36 @@ Eigen::VectorXd lay_out_headings(const WireNetwork& network, const Eigen::Vector
   return headings;
 }
 
+/// l (a - mean a) per edge, with a the mean surface angle at the nodes of the edge: the same on both mirror images of
+/// an edge. Plus, against mirror symmetry, the torque of the surface angles: + α on the edge before a node, - α after
+/// it.
+Eigen::VectorXd edges_by_angle(const WireNetwork& network) {
+  const auto num_edges = static_cast<Eigen::Index>(network.edges.size());
+  Eigen::VectorXd angle = Eigen::VectorXd::Zero(num_edges);
+  Eigen::VectorXd torque = Eigen::VectorXd::Zero(num_edges);
+  Eigen::VectorXd count = Eigen::VectorXd::Zero(num_edges);
+  for (const WireNode& node : network.nodes) {
+    for (const int e : {node.in.edge, node.out.edge}) {
+      angle[e] += node.surface_angle;
+      count[e] += 1;
+    }
+    torque[node.in.edge] += node.surface_angle;
+    torque[node.out.edge] -= node.surface_angle;
+  }
+  angle = angle.cwiseQuotient(count);
+  Eigen::VectorXd length(num_edges);
+  for (int e = 0; e < num_edges; ++e) length[e] = network.edges[at(e)].length;
+  const double mean = length.dot(angle) / length.sum();
+  return length.cwiseProduct((angle.array() - mean).matrix()) / length.maxCoeff() + torque;
+}
+
 }  // namespace
 
 Eq1::Eq1(const WireNetwork& network, NodeWeight node_weight) {
   const Eigen::VectorXd weights = node_weights(network, node_weight);
   const Eigen::VectorXd angles = project_on_angle_sums(network, weights);
   base_headings_ = lay_out_headings(network, angles);
-  Eigen::VectorXd surface_angles(angles.size());
-  for (Eigen::Index i = 0; i < angles.size(); ++i) {
-    surface_angles[i] = network.nodes[static_cast<std::size_t>(i)].surface_angle;
-  }
-  surface_start_ = lay_out_headings(network, surface_angles) - base_headings_;
+  handedness_ = edges_by_angle(network);
   for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) {
     const WireNode& node = network.nodes[at(i)];
     nodes_.push_back({node.in.edge, node.out.edge, angles[i], node.surface_angle, weights[i]});

@@ -37,8 +37,9 @@ class Eq1 {
   /// The wire edges of closure rows 2 loop and 2 loop + 1.
   const std::vector<int>& loop_edges(int loop) const { return loops_[static_cast<std::size_t>(loop)].edges; }
 
-  /// The ψ whose headings follow the surface angles from edge to edge, until they meet. #edges.
-  const Eigen::VectorXd& surface_start() const { return surface_start_; }
+  /// A change of headings that no symmetry of the network leaves as it is, whatever the numbering: it singles out one
+  /// of two mirror images. Edges between wide and narrow surface angles turn against each other. #edges.
+  const Eigen::VectorXd& handedness() const { return handedness_; }
 
   /// φ: radians, one per wire edge, of its half-edge 0. #edges.
   Eigen::VectorXd headings(const Eigen::VectorXd& psi) const { return base_headings_ + psi; }
@@ -89,7 +90,7 @@ class Eq1 {
   std::vector<Node> nodes_;
   std::vector<Loop> loops_;
   Eigen::VectorXd base_headings_;
-  Eigen::VectorXd surface_start_;
+  Eigen::VectorXd handedness_;
   Eigen::SparseMatrix<double> laplacian_;
 };
 

@@ -10,6 +10,8 @@ constexpr double kRounding = 2e-15;     // no better can be had in double precis
 constexpr double kStationary = 1e-10;   // projected gradient
 constexpr int kMaxSteps = 100;
 constexpr double kSmallestStep = 1e-6;
+constexpr double kSufficient = 1e-4;  // share of the promised decrease
+constexpr double kBend = 0.3;         // radians at the edge that turns most
 
 double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
 
@@ -39,36 +41,32 @@ Eigen::VectorXd InnerProblem::total_derivative(const InnerSolution& solution, co
          eq1_.closure_by_lengths(solution.psi, adjoint.multipliers);
 }
 
-/// The paper's least-norm steps, from the angles closest to the surface angles. Where they stray, once more from the
-/// headings that follow the surface angles, which no symmetry holds fast: a wire that is straight by symmetry can only
-/// be shortened by breaking it.
+/// The paper's least-norm steps: the smallest weighted change of the current angles that closes the linearized loops,
+/// shortened where the gap would not shrink. Where that happens, symmetry holds a wire straight that must bend to
+/// become shorter, which no linearization sees: it is bent once, the way that takes the least effort.
 bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) {
   psi = Eigen::VectorXd::Zero(eq1_.num_edges());
-  if (take_least_norm_steps(lengths, 1, psi)) return true;
-  psi = eq1_.surface_start();
-  kkt_.factor(eq1_.laplacian(), Eigen::VectorXd::Zero(eq1_.num_edges()), eq1_.closure_jacobian(psi, lengths));
-  psi += kkt_.solve(-eq1_.gradient(psi), -eq1_.closure(psi, lengths)).step;
-  return take_least_norm_steps(lengths, kSmallestStep, psi);
-}
-
-/// Steps by the smallest weighted change of the current angles that closes the linearized loops, shortened, but not
-/// below smallest_step, where the gap would not shrink. False if the loops stay open.
-bool InnerProblem::take_least_norm_steps(const Eigen::VectorXd& lengths, double smallest_step, Eigen::VectorXd& psi) {
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(eq1_.num_edges());
+  const Eigen::VectorXd zero = psi;
   Eigen::VectorXd gap = eq1_.closure(psi, lengths);
+  bool has_bent = false;
   for (int i = 0; i < kMaxSteps && largest(gap) > kRounding; ++i) {
-    kkt_.factor(eq1_.laplacian(), zero, eq1_.closure_jacobian(psi, lengths));
-    const Eigen::VectorXd step = kkt_.solve(zero, -gap).step;
+    const Eigen::SparseMatrix<double> jacobian = eq1_.closure_jacobian(psi, lengths);
+    kkt_.factor(eq1_.laplacian(), zero, jacobian);
+    const KktSystem::Solution closing = kkt_.solve(zero, -gap);
     double t = 1;
-    Eigen::VectorXd trial_gap = eq1_.closure(psi + step, lengths);
-    while (!(trial_gap.norm() < (1 - 1e-3 * t) * gap.norm()) && t >= smallest_step) {
+    while (!(eq1_.closure(psi + t * closing.step, lengths).norm() < (1 - 1e-3 * t) * gap.norm()) && t > kSmallestStep) {
       t /= 2;
-      trial_gap = eq1_.closure(psi + t * step, lengths);
+      if (has_bent) continue;
+      double share = 0.5;
+      factor_downhill(eq1_.closure_hessian(psi, lengths, closing.multipliers), jacobian, share);
+      psi += kBend * softest_turn();
+      has_bent = true;
+      t = 0;
     }
-    if (t < smallest_step) break;
-    psi += t * step;
-    gap = trial_gap;
-    if (largest(gap) < kNearlyClosed && restore(lengths, psi)) return true;
+    if (t > 0 && t <= kSmallestStep) break;
+    psi += t * closing.step;
+    gap = eq1_.closure(psi, lengths);
+    if (t > 0 && largest(gap) < kNearlyClosed && restore(lengths, psi)) return true;
     gap = eq1_.closure(psi, lengths);
   }
   return largest(gap) < kClosed;
@@ -90,21 +88,66 @@ bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi)
   return largest(gap) < kClosed;
 }
 
-/// Factors with as much of the closures' curvature as leaves the step leading downhill; none always does. share: what
-/// to try after all of it; comes back closer to all where it served, so that a saddle is left behind fast.
-void InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
+/// Factors with as much of the closures' curvature as leaves the step leading downhill; none always does. True if that
+/// is all of it. share: what to try after all of it; comes back closer to all where it served.
+bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
                                    double& share) {
-  if (kkt_.factor(eq1_.laplacian(), closure_hessian, jacobian)) return;
+  if (kkt_.factor(eq1_.laplacian(), closure_hessian, jacobian)) return true;
   if (kkt_.factor(eq1_.laplacian(), share * closure_hessian, jacobian)) {
     share = (1 + share) / 2;
-    return;
+    return false;
   }
   share /= 2;
-  if (kkt_.factor(eq1_.laplacian(), share * closure_hessian, jacobian)) return;
-  kkt_.factor(eq1_.laplacian(), 0 * closure_hessian, jacobian);
+  if (!kkt_.factor(eq1_.laplacian(), share * closure_hessian, jacobian)) {
+    kkt_.factor(eq1_.laplacian(), 0 * closure_hessian, jacobian);
+  }
+  return false;
 }
 
-/// Feasible sequential quadratic programming with the exact Hessian of the Lagrangian: every iterate closes.
+/// The change of headings along the closed loops that the factored matrix resists least, largest entry 1: inverse
+/// iteration. It starts from the handedness of the network, so that of two mirror images the same one is found whatever
+/// the numbering.
+Eigen::VectorXd InnerProblem::softest_turn() const {
+  constexpr int kIterations = 4;
+  const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
+  Eigen::VectorXd turn = eq1_.handedness();
+  for (int i = 0; i < kIterations; ++i) {
+    turn = kkt_.solve(turn, no_gap).step;
+    turn.array() -= turn.mean();  // the piece as a whole does not turn
+    turn /= largest(turn);
+  }
+  return turn;
+}
+
+/// Moves along a direction and closes the loops again. False, and psi untouched, unless the angles come out better by
+/// the given share of what was promised.
+bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& direction, double t, double decrease,
+                        Eigen::VectorXd& psi, double& value) const {
+  Eigen::VectorXd trial = psi + t * direction;
+  if (!restore(lengths, trial)) return false;
+  const double trial_value = eq1_.angle_variation(trial);
+  if (trial_value > value - decrease + 1e-14 * value) return false;
+  psi = trial;
+  value = trial_value;
+  return true;
+}
+
+/// Leaves a saddle along the softest turn, to either side, if the angles come out better by more than at_least. The
+/// shares of the closures' curvature left out of the factor do not count: curvature is that of the Lagrangian.
+bool InnerProblem::fall(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
+                        Eigen::VectorXd& psi, double& value) const {
+  const Eigen::VectorXd turn = softest_turn();
+  const double curvature = turn.dot(eq1_.laplacian() * turn + closure_hessian.cwiseProduct(turn));
+  for (double t = kBend; - curvature * t * t > at_least && t > kSmallestStep; t /= 2) {
+    const double promised = kSufficient * -curvature * t * t / 2;
+    if (move(lengths, turn, t, promised, psi, value) || move(lengths, turn, -t, promised, psi, value)) return true;
+  }
+  return false;
+}
+
+/// Feasible sequential quadratic programming with the exact Hessian of the Lagrangian: every iterate closes. Ends where
+/// the projected gradient vanishes and the inertia says that this is a minimum; a saddle is left along the direction in
+/// which it falls.
 bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solution) {
   Eigen::VectorXd& psi = solution.psi;
   Eigen::VectorXd& multipliers = solution.multipliers;
@@ -115,28 +158,32 @@ bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solut
     const Eigen::VectorXd gradient = eq1_.gradient(psi);
     const Eigen::SparseMatrix<double> jacobian = eq1_.closure_jacobian(psi, lengths);
     if (i == 0) {
-      if (kkt_.num_factorizations() == 0)
-        kkt_.factor(eq1_.laplacian(), Eigen::VectorXd::Zero(eq1_.num_edges()), jacobian);
+      kkt_.factor(eq1_.laplacian(), Eigen::VectorXd::Zero(eq1_.num_edges()), jacobian);
       multipliers = kkt_.solve(-gradient, no_gap).multipliers;
     }
     solution.projected_gradient = largest(gradient + jacobian.transpose() * multipliers);
-    if (solution.projected_gradient < kStationary) return true;
+    const Eigen::VectorXd closure_hessian = eq1_.closure_hessian(psi, lengths, multipliers);
+    const bool is_convex = factor_downhill(closure_hessian, jacobian, curvature_share);
+    if (is_convex && solution.projected_gradient < kStationary) return true;
 
-    factor_downhill(eq1_.closure_hessian(psi, lengths, multipliers), jacobian, curvature_share);
-    const KktSystem::Solution direction = kkt_.solve(-gradient, no_gap);
-    const double slope = gradient.dot(direction.step);
-    double t = 1;
-    for (; t > kSmallestStep; t /= 2) {
-      Eigen::VectorXd trial = psi + t * direction.step;
-      if (!restore(lengths, trial)) continue;
-      const double trial_value = eq1_.angle_variation(trial);
-      if (trial_value > value + 1e-4 * t * slope + 1e-14 * value) continue;
-      psi = trial;
-      value = trial_value;
-      break;
+    KktSystem::Solution newton = kkt_.solve(-gradient, no_gap);
+    const auto step = [&](const Eigen::VectorXd& direction) {
+      const double slope = gradient.dot(direction);
+      for (double t = 1; t > kSmallestStep; t /= 2) {
+        if (move(lengths, direction, t, -kSufficient * t * slope, psi, value)) return true;
+      }
+      return false;
+    };
+    bool has_moved = is_convex ? step(newton.step)
+                               : fall(lengths, closure_hessian, -gradient.dot(newton.step), psi, value) ||
+                                     step(newton.step) || fall(lengths, closure_hessian, 0, psi, value);
+    if (!has_moved && !is_convex) {
+      kkt_.factor(eq1_.laplacian(), 0 * closure_hessian, jacobian);
+      newton = kkt_.solve(-gradient, no_gap);
+      has_moved = step(newton.step);
     }
-    if (t <= kSmallestStep) return false;
-    multipliers = direction.multipliers;
+    if (!has_moved) return false;
+    multipliers = newton.multipliers;
   }
   return false;
 }

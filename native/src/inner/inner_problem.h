@@ -38,11 +38,15 @@ class InnerProblem {
 
  private:
   bool close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi);
-  bool take_least_norm_steps(const Eigen::VectorXd& lengths, double smallest_step, Eigen::VectorXd& psi);
   bool restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const;
   bool minimize(const Eigen::VectorXd& lengths, InnerSolution& solution);
-  void factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
+  bool factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
                        double& share);
+  Eigen::VectorXd softest_turn() const;
+  bool move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& direction, double t, double decrease,
+            Eigen::VectorXd& psi, double& value) const;
+  bool fall(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
+            Eigen::VectorXd& psi, double& value) const;
 
   Eq1 eq1_;
   KktSystem kkt_;

@@ -40,50 +40,46 @@ void put_on_circle(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop, double r
 }
 
 /// The system that puts every free point at the weighted mean of its neighbors. Points are the chart's vertices, then
-/// the apexes.
+/// the apexes; those on a loop are fixed where uv has them.
 class MeanOfNeighbors {
  public:
-  MeanOfNeighbors(const HalfEdgeMesh& mesh, const HalfEdgeChain& fixed_loop, std::size_t num_apexes)
-      : row_of_point_(mesh.n_vertices() + num_apexes, 0) {
+  MeanOfNeighbors(const HalfEdgeMesh& mesh, const HalfEdgeChain& fixed_loop, std::size_t num_apexes, Positions2& uv)
+      : uv_(uv), row_of_point_(mesh.n_vertices() + num_apexes, 0) {
     for (const HalfedgeHandle h : fixed_loop) row_of_point_[mesh.from_vertex_handle(h).idx()] = -1;
+    int num_rows = 0;
     for (int& row : row_of_point_) {
-      if (row == 0) row = num_rows_++;
+      if (row == 0) row = num_rows++;
     }
+    entries_.reserve(12 * mesh.n_faces());
+    x_.setZero(num_rows, 2);
   }
 
   void add_weight(int point, int neighbor, double weight) {
-    if (row_of_point_[point] >= 0) weights_.push_back({point, neighbor, weight});
+    const int row = row_of_point_[point], column = row_of_point_[neighbor];
+    if (row < 0) return;
+    entries_.emplace_back(row, row, weight);
+    if (column >= 0) {
+      entries_.emplace_back(row, column, -weight);
+    } else {
+      x_.row(row) += weight * uv_.row(neighbor);
+    }
   }
 
-  void solve(Positions2& uv) const {
-    if (num_rows_ == 0) return;
-    std::vector<Eigen::Triplet<double>> entries;
-    Positions2 x = Positions2::Zero(num_rows_, 2);
-    for (const auto& [point, neighbor, weight] : weights_) {
-      const int row = row_of_point_[point], column = row_of_point_[neighbor];
-      entries.emplace_back(row, row, weight);
-      if (column >= 0) {
-        entries.emplace_back(row, column, -weight);
-      } else {
-        x.row(row) += weight * uv.row(neighbor);
-      }
-    }
-    SparseLu::Matrix matrix(num_rows_, num_rows_);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    SparseLu(matrix).solve(x);
-    for (Eigen::Index v = 0; v < uv.rows(); ++v) {
-      if (row_of_point_[v] >= 0) uv.row(v) = x.row(row_of_point_[v]);
+  void solve() {
+    if (x_.rows() == 0) return;
+    SparseLu::Matrix matrix(x_.rows(), x_.rows());
+    matrix.setFromTriplets(entries_.begin(), entries_.end());
+    SparseLu(matrix).solve(x_);
+    for (Eigen::Index v = 0; v < uv_.rows(); ++v) {
+      if (row_of_point_[v] >= 0) uv_.row(v) = x_.row(row_of_point_[v]);
     }
   }
 
  private:
-  struct Weight {
-    int point, neighbor;
-    double weight;
-  };
+  Positions2& uv_;
   std::vector<int> row_of_point_;  // -1 where fixed
-  int num_rows_ = 0;
-  std::vector<Weight> weights_;
+  std::vector<Eigen::Triplet<double>> entries_;
+  Positions2 x_;  // the right-hand side, then the free points
 };
 
 /// tan(α/2)/l at every corner, to both its edges.
@@ -123,12 +119,12 @@ Positions2 embed_on_circle(const Chart& chart) {
   put_on_circle(mesh, chart.boundary_loops.front(), std::sqrt(area_of(mesh) / kPi), uv);
 
   const std::size_t num_holes = chart.boundary_loops.size() - 1;
-  MeanOfNeighbors system(mesh, chart.boundary_loops.front(), num_holes);
+  MeanOfNeighbors system(mesh, chart.boundary_loops.front(), num_holes, uv);
   add_faces(mesh, system);
   for (std::size_t hole = 0; hole < num_holes; ++hole) {
     add_cone(mesh, chart.boundary_loops[hole + 1], num_vertices + static_cast<int>(hole), system);
   }
-  system.solve(uv);
+  system.solve();
   return uv;
 }
 

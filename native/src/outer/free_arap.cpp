@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The local step finds all rotations for the shape, the global step the shape for these rotations, which is the minimum
-// of a quadratic with the constant Hessian K. Its gradient at u is that of E, so both are one step u -= K⁻¹ ∂E/∂u.
+// of a quadratic with the constant Hessian K. Its gradient at u is that of E, so both are one step -K⁻¹g, g = ∂E/∂u:
+// steepest descent in the metric K, and the first direction of conjugate gradients in it (Polak-Ribière):
+//
+//   s = K⁻¹g,   d = -s + β d_before,   β = max(0, (g - g_before)·s / g_before·s_before)
 #include "outer/free_arap.h"
 
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -14,12 +18,14 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kSmallestDrop = 1e-6;   // of E in a step, over E
+constexpr double kSmallestDrop = 1e-6;     // of E in a step, over E
+constexpr double kLongestStep = 8;         // in lengths of the direction
 constexpr double kRegularization = 1e-12;  // of the diagonal: far above rounding, so that a sliver cannot fail it
 
 class GlobalStep {
  public:
-  /// Doubling one diagonal entry of K holds its vertex: the entries of a gradient sum to 0, so the vertex does not move.
+  /// Doubling one diagonal entry of K holds its vertex: the entries of a gradient sum to 0, so the vertex does not
+  /// move.
   explicit GlobalStep(Eigen::SparseMatrix<double> hessian) {
     hessian.coeffRef(0, 0) *= 2;
     hessian.diagonal() *= 1 + kRegularization;
@@ -65,6 +71,15 @@ double signed_area(const Chart& chart, const Positions2& uv) {
   return twice_area / 2;
 }
 
+double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
+
+/// How far to go along the direction: to the bottom of the parabola through E, its slope, and E one length further.
+double step_length(const ShapeError& shape_error, const FreeFlattening& flat, const Positions2& direction,
+                   double slope) {
+  const double curvature = 2 * (shape_error.energy(flat.uv + direction) - flat.energy - slope);
+  return curvature > 0 ? std::min(-slope / curvature, kLongestStep) : kLongestStep;
+}
+
 }  // namespace
 
 FreeFlattening flatten_freely(const Chart& chart, int max_iterations, const std::optional<Positions2>& start) {
@@ -76,17 +91,29 @@ FreeFlattening flatten_freely(const Chart& chart, int max_iterations, const std:
   const GlobalStep global_step(shape_error.fixed_rotation_hessian());
   flat.factorizations = start ? 1 : 2;
 
-  Positions2 step;  // first the gradient
-  flat.energy = shape_error.energy_and_gradient(flat.uv, step);
+  Positions2 gradient, other_gradient = Positions2::Zero(flat.uv.rows(), 2);  // before, then after a step
+  flat.energy = shape_error.energy_and_gradient(flat.uv, gradient);
+  Positions2 direction = Positions2::Zero(flat.uv.rows(), 2);
+  double decrease = 1;  // g·s
   while (flat.iterations < max_iterations && !flat.converged) {
     ++flat.iterations;
+    Positions2 step = gradient;
     global_step.solve(step);
-    Positions2 uv = flat.uv - step;
-    const double energy = shape_error.energy_and_gradient(uv, step);
+    const double beta = std::max(0.0, dot(gradient - other_gradient, step) / decrease);
+    decrease = dot(gradient, step);
+    direction = beta * direction - step;
+    Positions2 uv = flat.uv + step_length(shape_error, flat, direction, dot(gradient, direction)) * direction;
+    double energy = shape_error.energy_and_gradient(uv, other_gradient);
+    if (!(energy < flat.energy)) {  // then the local/global step, which cannot raise E
+      direction = -step;
+      uv = flat.uv + direction;
+      energy = shape_error.energy_and_gradient(uv, other_gradient);
+    }
     flat.converged = !(flat.energy - energy > kSmallestDrop * flat.energy);
     if (!(energy < flat.energy)) break;  // by rounding
     flat.uv = std::move(uv);
     flat.energy = energy;
+    std::swap(gradient, other_gradient);
   }
   return flat;
 }

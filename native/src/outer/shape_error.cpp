@@ -12,9 +12,7 @@ struct ShapeError::LinearMap {
   double norm_z;
 
   /// |J - L|² = 2(|z| - 1)² + 2|w|².
-  double squared_distance_from_rotation() const {
-    return 0.5 * ((norm_z - 2) * (norm_z - 2) + w1 * w1 + w2 * w2);
-  }
+  double squared_distance_from_rotation() const { return 0.5 * ((norm_z - 2) * (norm_z - 2) + w1 * w1 + w2 * w2); }
 };
 
 ShapeError::ShapeError(const Chart& chart) : num_vertices_(static_cast<Eigen::Index>(chart.mesh.n_vertices())) {
