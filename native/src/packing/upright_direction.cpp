@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/upright_direction.h"
 
+#include <algorithm>
+#include <limits>
+#include <vector>
+
 #include "mesh/geometry.h"
 
 namespace wirewarp {
@@ -18,15 +22,46 @@ double length_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& chain) {
   return length;
 }
 
-/// Index of the first point that is as far from points[from] as any.
-std::size_t farthest(const std::vector<Eigen::Vector2d>& points, std::size_t from) {
-  std::size_t best = from;
-  double best_distance = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double distance = (points[i] - points[from]).norm();
-    if (distance <= best_distance * (1 + kSameLength)) continue;
-    best = i;
-    best_distance = distance;
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Corners of the convex hull, counter-clockwise (A. M. Andrew's monotone chain, 1979).
+std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
+  std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  std::vector<Eigen::Vector2d> hull;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t start = hull.size();
+    for (const Eigen::Vector2d& p : points) {
+      while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+/// The long side of the smallest rectangle around the points: one of its sides lies on a side of their hull.
+Eigen::Vector2d long_side_of_smallest_box(const std::vector<Eigen::Vector2d>& points) {
+  const std::vector<Eigen::Vector2d> hull = convex_hull(points);
+  double best_area = std::numeric_limits<double>::infinity();
+  Eigen::Vector2d best(0, 0);
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Eigen::Vector2d along = (hull[(i + 1) % hull.size()] - hull[i]).normalized();
+    const Eigen::Vector2d across(-along.y(), along.x());
+    double low = 0, high = 0, width = 0;
+    for (const Eigen::Vector2d& p : hull) {
+      low = std::min(low, along.dot(p - hull[i]));
+      high = std::max(high, along.dot(p - hull[i]));
+      width = std::max(width, across.dot(p - hull[i]));
+    }
+    const double area = (high - low) * width;
+    if (area >= best_area * (1 - kSameLength)) continue;
+    best_area = area;
+    best = high - low >= width ? along : across;
   }
   return best;
 }
@@ -38,9 +73,10 @@ Eigen::Vector2d direction_of(const Chart& chart, const HalfEdgeChain& chain, con
 
   const Eigen::Vector2d chord = points.back() - points.front();
   if (chord.norm() >= kShortChord * length_of(chart.mesh, chain)) return chord;
-  const std::size_t one_end = farthest(points, 0);
-  const std::size_t other_end = farthest(points, one_end);
-  return points[std::max(one_end, other_end)] - points[std::min(one_end, other_end)];
+  const Eigen::Vector2d side = long_side_of_smallest_box(points);
+  Eigen::Vector2d mean(0, 0);
+  for (const Eigen::Vector2d& p : points) mean += p / static_cast<double>(points.size());
+  return side.dot(points.front() - mean) > 0 ? Eigen::Vector2d(-side) : side;  // begins at the lower end
 }
 
 const HalfEdgeChain& longest_boundary_chain(const Chart& chart) {

@@ -6,8 +6,9 @@
 namespace wirewarp {
 
 /// The direction in the layout uv that should point up (+y): along the first wire part; without wires, along the
-/// longest chain of the outline. A chain's direction is that of its chord, or of its longest extent if it closes or
-/// nearly so. Not normalized; zero only if all of the chain lies in one point.
+/// longest chain of the outline. A chain's direction is that of its chord; if it closes or nearly so, the long side of
+/// the smallest box around it, its first vertex in the lower half. Not normalized; zero only if all of the chain lies
+/// in one point.
 Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv);
 
 }  // namespace wirewarp
