@@ -24,6 +24,7 @@ class FlatMesh:
     polygon_starts: np.ndarray  # (f,) int32
     polygon_sizes: np.ndarray  # (f,) int32
     piece: np.ndarray  # (f,) int32, piece of each face
+    failed: np.ndarray  # (f,) bool, the piece breaks a promise
     arap_energy: np.ndarray  # (f,) float32, Eq. (6)
     energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
     aspect_ratio: np.ndarray  # (f,) float32
@@ -41,7 +42,9 @@ def flat_mesh(result: Any, arrays: MeshArrays) -> FlatMesh:  # noqa: ANN401
     vertex_of_loop[arrays.triangle_loops[placed]] = flat_triangles[placed]
     sizes = arrays.polygon_sizes[kept]
 
+    failed_piece = np.array([piece.error is not None for piece in result.pieces])
     first_triangle = np.searchsorted(arrays.triangle_polygons, np.arange(polygon_count))
+    piece = piece_of_triangle[first_triangle][kept]
     face_energy = np.add.reduceat(energy, first_triangle)[kept]
     face_area = np.add.reduceat(_areas(arrays.vertices, arrays.triangles), first_triangle)[kept]
     return FlatMesh(
@@ -50,7 +53,8 @@ def flat_mesh(result: Any, arrays: MeshArrays) -> FlatMesh:  # noqa: ANN401
         loop_vertices=vertex_of_loop[_loops_of(arrays, kept)],
         polygon_starts=(np.cumsum(sizes) - sizes).astype(np.int32),
         polygon_sizes=sizes,
-        piece=piece_of_triangle[first_triangle][kept],
+        piece=piece,
+        failed=failed_piece[piece],
         arap_energy=face_energy.astype(np.float32),
         energy_density=(face_energy / face_area).astype(np.float32),
         aspect_ratio=np.maximum.reduceat(ratio, first_triangle)[kept].astype(np.float32),

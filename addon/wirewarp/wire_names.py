@@ -37,6 +37,13 @@ def update_names(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> None:
             taken.add(entry.name)
 
 
+def copy_names(source: bpy.types.Mesh, target: bpy.types.Mesh) -> None:
+    target.wirewarp_names.clear()
+    for entry in source.wirewarp_names:
+        copied = target.wirewarp_names.add()
+        copied.wire_id, copied.name = entry.wire_id, entry.name
+
+
 def _free_name(taken: set[str]) -> str:
     number = len(taken) + 1
     while f"Wire {number}" in taken:

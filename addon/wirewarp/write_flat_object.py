@@ -6,8 +6,12 @@ import numpy as np
 from mathutils import Vector
 
 from .color_maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION
+from .failed_pieces import show_failed
+from .flat_marks import FlatMarks, flat_marks
 from .flat_mesh import FlatMesh, edge_length_variation
 from .mesh_to_arrays import MeshArrays
+from .wire_attributes import TOLERANCE, WIRE
+from .wire_names import copy_names
 
 COLLECTION = "WireWarp"
 
@@ -25,6 +29,8 @@ def write_flat_object(
         _collection(scene).objects.link(target)
     target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
     _write_mesh(target.data, flat, arrays)
+    copy_names(source.data, target.data)
+    show_failed(target.data, flat.failed)
     return target
 
 
@@ -78,6 +84,7 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) 
     _add(mesh, "arap_energy", "FLOAT", "FACE", flat.arap_energy)
     _add(mesh, "aspect_ratio", "FLOAT", "FACE", flat.aspect_ratio)
     _add(mesh, "length_variation", "FLOAT", "EDGE", variation)
+    _write_marks(mesh, flat_marks(flat, edges, arrays))
 
     ends = edges.ravel()
     at_vertex = np.bincount(ends, np.repeat(variation, 2)) / np.bincount(ends)  # the mean of its edges
@@ -88,6 +95,14 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) 
     shown = mesh.color_attributes.find(COLOR_MAPS[0].attribute)
     mesh.color_attributes.active_color_index = shown
     mesh.color_attributes.render_color_index = shown
+
+
+def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
+    """Seams are red in Edit Mode as on the model, and wires, for which Blender has no color, blue as sharp edges."""
+    mesh.edges.foreach_set("use_seam", marks.seams)
+    mesh.edges.foreach_set("use_edge_sharp", marks.wire_ids != 0)
+    _add(mesh, WIRE, "INT", "EDGE", marks.wire_ids)
+    _add(mesh, TOLERANCE, "FLOAT", "EDGE", marks.tolerances)
 
 
 def _add(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str, values: np.ndarray) -> None:

@@ -21,6 +21,7 @@ from surfaces import (
     select_edges,
     select_only,
     uv_of,
+    wire_marks,
 )
 
 FLOAT32 = 2e-6  # relative: coordinates of about 1 and edges of about 0.2 in single precision
@@ -165,6 +166,27 @@ def test_attributes_of_the_flat_object():
     variation = read(flat.attributes["length_variation"].data, "value", np.float32)
     assert variation == pytest.approx(np.abs(flat_length - space) / space, abs=1e-5)
     assert variation.max() > 0.01
+
+
+def test_the_flat_pieces_carry_the_seams_and_wires_of_the_model():
+    source = grid("Bump", bump)
+    mark_seam(source, on_line(0, 0.0))
+    mark(source, on_line(1, 0.0))
+    mark(source, on_line(1, 0.5), kind="ELASTIC", tolerance=0.02)
+    source.data.wirewarp_names[0].name = "Bust"
+    bpy.ops.object.wirewarp_flatten()
+    flat = flat_of(source).data
+    places = read(source.data.vertices, "co", np.float32, 3)[flat_sources(source)][edge_vertices(flat)]
+    on = {value: np.array([on_line(1, value)(a, b) for a, b in places]) for value in (0.0, 0.5)}
+    seam = np.array([on_line(0, 0.0)(a, b) for a, b in places])
+    assert seam.sum() == 16  # both sides
+    assert np.array_equal(read(flat.edges, "use_seam", bool), seam)
+    assert np.array_equal(read(flat.edges, "use_edge_sharp", bool), on[0.0] | on[0.5])
+    assert wire_marks(flat) == wire_marks(source.data)
+    ids = read(flat.attributes["wirewarp_wire"].data, "value", np.int32)
+    names = {entry.wire_id: entry.name for entry in flat.wirewarp_names}
+    assert {names[i] for i in ids[on[0.0]]} == {"Bust"}
+    assert {names[i] for i in ids[on[0.5]]} == {"Wire 2"}
 
 
 def test_unapplied_scale_counts():

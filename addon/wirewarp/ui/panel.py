@@ -62,10 +62,10 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         button.scale_y = 1.5
         button.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
 
+        layout.prop(settings, "method", text="")  # the names of methods need the whole width
         column = layout.column()
         column.use_property_split = True
         column.use_property_decorate = False
-        column.prop(settings, "method")
         column.prop(settings, "node_weight")
         column.prop(settings, "gap")
         column.prop(settings, "mirror")

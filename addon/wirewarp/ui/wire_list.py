@@ -49,13 +49,13 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
         button = row.operator("mesh.wirewarp_select_wire", text="", icon="RESTRICT_SELECT_OFF")
         button.wire_id = wire.wire_id
         button.tolerance = min(wire.tolerance, float(np.finfo(np.float32).max))
-        columns = row.split(factor=0.5, align=True)
+        columns = row.split(factor=0.38, align=True)
         named = find_name(mesh, wire.wire_id)
         if named:
             columns.prop(named, "name", text="")
         else:
             columns.label(text=f"Wire {number}")
-        right = columns.split(factor=0.4)
+        right = columns.split(factor=0.5)
         right.label(text=tolerance_text(wire.tolerance))
         last = right.row()
         last.alignment = "RIGHT"
