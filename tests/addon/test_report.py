@@ -62,7 +62,7 @@ def test_tolerances_that_the_method_does_not_use_are_said(source, addon, tmp_pat
     assert entry["notes"] == ["Kept rigid by this method, tolerance not used: Wire 1."]
     assert entry["wires"][0]["length_2d"][0] == pytest.approx(entry["wires"][0]["length_3d"], rel=1e-9)
     (row,) = addon.ui.report_rows.wire_rows(entry)
-    assert row.tolerance == "kept rigid (free not used)"
+    assert row.tolerance == "free, kept rigid"
 
 
 def test_an_elastic_wire_at_its_limit_is_marked(source, addon, tmp_path):

@@ -64,7 +64,7 @@ def _tolerance(method: str, wire: dict) -> str:
     if text == "rigid":
         return ""
     if method == "wirewarping":
-        return f"kept rigid ({text} not used)"
+        return f"{text}, kept rigid"
     if text == "free" or wire["length_2d"] == [None]:
         return text
     if not wire["ok"]:
