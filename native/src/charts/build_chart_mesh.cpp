@@ -7,11 +7,10 @@
 
 #include "index.h"
 #include "mesh/geometry.h"
+#include "pi.h"
 
 namespace wirewarp {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// One chart vertex per fan of corners, in the order of the input's vertices.
 std::vector<VertexHandle> add_vertices(const FlattenInput& input, const SurfaceCut& cut, Chart& chart) {

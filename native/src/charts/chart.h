@@ -2,9 +2,11 @@
 // A chart: one connected region between seams (the paper's patch P), with the wires and the outline it carries.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
+#include "index.h"
 #include "mesh/half_edge_mesh.h"
 #include "wirewarp/flatten.h"
 
@@ -31,14 +33,27 @@ struct BoundaryChain {
 };
 
 struct Chart {
-  HalfEdgeMesh mesh;               // consistently oriented, manifold, connected
+  HalfEdgeMesh mesh;               // consistently oriented, manifold, connected; empty if the faces do not allow that
   std::vector<int> source_vertex;  // input vertex of each chart vertex
   std::vector<int> source_face;    // input face of each chart face
   std::vector<WirePart> wire_parts;
   std::vector<BoundaryChain> boundary_chains;
   std::vector<HalfEdgeChain> boundary_loops;  // [0] is the outer one, the others are holes; the chart on the left
-  std::optional<FlattenError> error;          // set: the chart cannot be flattened, and only source_face is filled
+  std::optional<FlattenError> error;          // set: the chart cannot be flattened, and its parts and chains are empty
 };
+
+/// The ends of an edge in the input, the smaller index first.
+inline VertexPair source_edge(const Chart& chart, HalfedgeHandle h) {
+  const auto [first, last] = std::minmax({chart.source_vertex[at(chart.mesh.from_vertex_handle(h).idx())],
+                                          chart.source_vertex[at(chart.mesh.to_vertex_handle(h).idx())]});
+  return {first, last};
+}
+
+/// A wire runs through the chart, not only along its outline.
+inline bool has_wires(const Chart& chart) {
+  return std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(),
+                     [](const WirePart& part) { return part.kind != WireKind::boundary; });
+}
 
 /// A chain of seam edges between junctions and what lies at its sides.
 struct Seam {
@@ -54,6 +69,7 @@ struct Seam {
 struct Charts {
   std::vector<Chart> charts;
   std::vector<Seam> seams;
+  std::vector<char> is_boundary_wire;  // per wire of the input: wholly on seams and boundaries
 };
 
 }  // namespace wirewarp

@@ -36,16 +36,11 @@ class DisjointSets {
   std::vector<int> parent_;
 };
 
-/// The corner of a side's face at a vertex that is one of the side's ends.
-int corner_at(const EdgeTable& edges, int side, int vertex) {
-  return edges.from(side) == vertex ? side : side - side % 3 + (side + 1) % 3;
-}
-
 /// Joins the corners at both ends of an edge over all faces that meet there.
 void join_corners(const EdgeTable& edges, int edge, DisjointSets& corners) {
   for (int j = 1; j < edges.num_sides(edge); ++j) {
     for (int vertex : edges.vertices(edge)) {
-      corners.unite(corner_at(edges, edges.side(edge, 0), vertex), corner_at(edges, edges.side(edge, j), vertex));
+      corners.unite(edges.corner_at(edges.side(edge, 0), vertex), edges.corner_at(edges.side(edge, j), vertex));
     }
   }
 }

@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check_input/check_input.h"
 
-#include <cmath>
+#include <set>
 
 #include "check_input/sentence.h"
 
 namespace wirewarp {
 namespace {
 
-std::string wire_label(const std::vector<Wire>& wires, std::size_t w) {
-  const std::string& name = wires[w].name;
-  return "wire " + std::to_string(w) + (name.empty() ? "" : " (" + name + ")");
-}
+constexpr double kLargestCoordinate = 1e60;
 
 void check_vertices_in_range(const std::vector<int>& vertices, long num_vertices, const std::string& owner) {
-  std::vector<int> bad;
+  std::set<int> found;
   for (int v : vertices) {
-    if (v < 0 || v >= num_vertices) bad.push_back(v);
+    if (v < 0 || v >= num_vertices) found.insert(v);
   }
-  if (bad.empty()) return;
+  if (found.empty()) return;
+  const std::vector<int> bad(found.begin(), found.end());
   throw FlattenError(ErrorCode::vertex_out_of_range,
                      owner + " names " + name_elements("vertex", bad) + ", but the mesh has vertices 0 to " +
                          std::to_string(num_vertices - 1) + ": use indices of this mesh.",
@@ -42,7 +40,7 @@ void check_seams(const FlattenInput& input, const EdgeTable& edges) {
 
 void check_wire(const FlattenInput& input, const EdgeTable& edges, std::size_t w, std::vector<int>& wire_of_edge) {
   const Wire& wire = input.wires[w];
-  const std::string label = wire_label(input.wires, w);
+  const std::string label = name_wires(input.wires, {static_cast<int>(w)});
   if (wire.vertices.size() < 2) {
     throw FlattenError(ErrorCode::wire_too_short,
                        "The " + label + " has fewer than two vertices: give it at least one edge.",
@@ -67,7 +65,7 @@ void check_wire(const FlattenInput& input, const EdgeTable& edges, std::size_t w
     if (owner >= 0) {
       throw FlattenError(ErrorCode::edge_in_two_wires,
                          "The " + name_elements("edge", std::vector<VertexPair>{pair}) + " is in " +
-                             wire_label(input.wires, static_cast<std::size_t>(owner)) +
+                             name_wires(input.wires, {owner}) +
                              (static_cast<std::size_t>(owner) == w ? " twice" : " and in " + label) +
                              ": an edge has one length, so leave it in one wire only.",
                          {{pair[0], pair[1]}, {pair}, {}});
@@ -94,34 +92,33 @@ void check_mesh(const FlattenInput& input) {
   if (input.faces.rows() == 0) {
     throw FlattenError(ErrorCode::empty_mesh, "The mesh has no faces: there is nothing to flatten.");
   }
-  std::vector<int> bad_vertices;
+  std::set<int> bad_vertices;
   std::vector<int> bad_faces;
   for (int f = 0; f < input.faces.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {
       const int v = input.faces(f, k);
       if (v >= 0 && v < input.vertices.rows()) continue;
-      bad_vertices.push_back(v);
+      bad_vertices.insert(v);
       if (bad_faces.empty() || bad_faces.back() != f) bad_faces.push_back(f);
     }
   }
   if (!bad_faces.empty()) {
+    const std::vector<int> vertices(bad_vertices.begin(), bad_vertices.end());
     throw FlattenError(ErrorCode::vertex_out_of_range,
-                       "In " + name_elements("face", bad_faces) + " stands " + name_elements("vertex", bad_vertices) +
-                           ", but the mesh has " + std::to_string(input.vertices.rows()) +
-                           " vertices: use indices of this mesh.",
-                       {bad_vertices, {}, bad_faces});
+                       capitalized(name_elements("face", bad_faces)) + (bad_faces.size() == 1 ? " names " : " name ") +
+                           name_elements("vertex", vertices) + ", but the mesh has vertices 0 to " +
+                           std::to_string(input.vertices.rows() - 1) + ": use indices of this mesh.",
+                       {vertices, {}, bad_faces});
   }
   std::vector<int> not_finite;
   for (int v = 0; v < input.vertices.rows(); ++v) {
-    // Squares of larger numbers overflow.
-    if (!input.vertices.row(v).allFinite() || input.vertices.row(v).cwiseAbs().maxCoeff() > 1e100) {
-      not_finite.push_back(v);
-    }
+    // Squared areas of larger ones overflow.
+    if (!(input.vertices.row(v).array().abs() < kLargestCoordinate).all()) not_finite.push_back(v);
   }
   if (!not_finite.empty()) {
     throw FlattenError(ErrorCode::non_finite_coordinates,
                        "The coordinates of " + name_elements("vertex", not_finite) +
-                           " are not finite numbers below 1e100: move or delete them.",
+                           " are not all of magnitude below 1e60: move or delete them.",
                        {not_finite, {}, {}});
   }
 }

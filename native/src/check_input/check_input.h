@@ -10,7 +10,7 @@ namespace wirewarp {
 /// Throws invalid_option unless every option is in its documented range.
 void check_options(const Options& options);
 
-/// Throws empty_mesh, vertex_out_of_range or non_finite_coordinates.
+/// Throws empty_mesh, vertex_out_of_range or non_finite_coordinates (not a number, or a magnitude of 1e60 or more).
 void check_mesh(const FlattenInput& input);
 
 /// Throws seam_not_an_edge, wire_too_short, wire_not_an_edge, edge_in_two_wires or invalid_tolerance.

@@ -2,6 +2,11 @@
 #include "check_input/sentence.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+#include "index.h"
 
 namespace wirewarp {
 namespace {
@@ -33,6 +38,23 @@ std::string name_elements(const std::string& noun, const std::vector<VertexPair>
     names.push_back(std::to_string(edges[i][0]) + "-" + std::to_string(edges[i][1]));
   }
   return join(noun, names, edges.size());
+}
+
+std::string name_wires(const std::vector<Wire>& wires, const std::vector<int>& indices) {
+  const std::string text = name_elements("wire", indices);
+  if (indices.size() != 1 || wires[at(indices[0])].name.empty()) return text;
+  return text + " (" + wires[at(indices[0])].name + ")";
+}
+
+std::string capitalized(std::string sentence) {
+  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  return sentence;
+}
+
+std::string percent(double fraction) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%", 100 * std::abs(fraction));
+  return text;
 }
 
 }  // namespace wirewarp

@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elements in a sentence: the first few by name, the rest by number.
+// Elements in a sentence: the first few by name, the rest by number; wires, and shares in percent.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "wirewarp/types.h"
+#include "wirewarp/flatten.h"
 
 namespace wirewarp {
 
-/// "vertex 3", "vertices 3, 7 and 9", "faces 1, 2, 3, 4, 5 and 12 more". noun is "vertex", "edge", "face" or "wire".
+/// "vertex 3", "vertices 3, 7 and 9", "faces 1, 2, 3, 4, 5 and 12 more". noun is "vertex", "edge" or "face".
 std::string name_elements(const std::string& noun, const std::vector<int>& indices);
 
 /// The same for edges given by their ends: "edge 3-7".
 std::string name_elements(const std::string& noun, const std::vector<VertexPair>& edges);
+
+/// The same for wires, a single one with its name if it has one: "wire 2 (waist)", "wires 2 and 5".
+std::string name_wires(const std::vector<Wire>& wires, const std::vector<int>& indices);
+
+/// The sentence with a capital at its beginning.
+std::string capitalized(std::string sentence);
+
+/// "3.25 %", without a sign.
+std::string percent(double fraction);
 
 }  // namespace wirewarp

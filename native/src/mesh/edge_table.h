@@ -32,6 +32,9 @@ class EdgeTable {
   int from(int side) const { return faces_(side / 3, side % 3); }
   int to(int side) const { return faces_(side / 3, (side + 1) % 3); }
 
+  /// The corner 3 f + k of a side's face at a vertex that is one of the side's ends.
+  int corner_at(int side, int vertex) const { return from(side) == vertex ? side : side - side % 3 + (side + 1) % 3; }
+
  private:
   const Triangles& faces_;
   std::vector<VertexPair> vertices_;

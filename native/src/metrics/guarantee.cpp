@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "check_input/sentence.h"
@@ -13,13 +12,6 @@ namespace wirewarp {
 namespace {
 
 constexpr double kRelativeLengthError = 1e-9;
-
-/// The ends of an edge in the input, the smaller index first.
-VertexPair source_edge(const Chart& chart, HalfedgeHandle h) {
-  const int a = chart.source_vertex[at(chart.mesh.from_vertex_handle(h).idx())];
-  const int b = chart.source_vertex[at(chart.mesh.to_vertex_handle(h).idx())];
-  return {std::min(a, b), std::max(a, b)};
-}
 
 /// A wire edge whose planar length is not the promised one.
 struct WrongEdge {
@@ -61,25 +53,20 @@ std::vector<int> parts_beyond_tolerance(const Chart& chart, const std::vector<do
   return parts;
 }
 
-std::string percent(double fraction) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g %%", 100 * std::abs(fraction));
-  return text;
-}
-
 std::string name_part(const Chart& chart, const std::vector<Wire>& wires, int part) {
-  if (part < 0) return "the outline";
-  const int wire = chart.wire_parts[at(part)].wire_index;
-  const std::string& name = wires[at(wire)].name;
-  return "wire " + std::to_string(wire) + (name.empty() ? "" : " (" + name + ")");
+  return part < 0 ? "the outline" : name_wires(wires, {chart.wire_parts[at(part)].wire_index});
 }
 
-/// ", has 3 flipped faces" and the like, for the promises that the error is not about.
+std::string count(std::size_t number, const std::string& noun) {
+  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
+/// ", has 3 flipped faces and overlaps itself at 1 face" and the like, for the promises that the error is not about.
 std::string also(std::size_t flipped, std::size_t overlapping) {
-  std::string text;
-  if (flipped > 0) text += ", has " + std::to_string(flipped) + " flipped faces";
-  if (overlapping > 0) text += ", overlaps itself at " + std::to_string(overlapping) + " faces";
-  return text;
+  const std::string flips = "has " + count(flipped, "flipped face");
+  const std::string overlaps = "overlaps itself at " + count(overlapping, "face");
+  if (flipped > 0 && overlapping > 0) return ", " + flips + " and " + overlaps;
+  return flipped > 0 ? ", and " + flips : overlapping > 0 ? ", and " + overlaps : "";
 }
 
 FlattenError wrong_lengths(const Chart& chart, const std::vector<Wire>& wires, const std::vector<WrongEdge>& wrong,
@@ -104,7 +91,8 @@ FlattenError wrong_lengths(const Chart& chart, const std::vector<Wire>& wires, c
   }
   what += also(metrics.flipped_faces.size(), metrics.overlapping_faces.size());
   return FlattenError(ErrorCode::lengths_not_kept,
-                      what + ": add a seam where the piece curves most, or give its wires more tolerance.",
+                      what + ": add a seam where the piece curves most" +
+                          (has_wires(chart) ? ", or give its wires more tolerance." : "."),
                       std::move(elements), true);
 }
 
@@ -120,8 +108,8 @@ std::optional<FlattenError> check_guarantee(const Chart& chart, const WireNetwor
   if (!metrics.flipped_faces.empty()) {
     return FlattenError(ErrorCode::flipped_faces,
                         "The piece is turned over at " + name_elements("face", metrics.flipped_faces) +
-                            also(0, metrics.overlapping_faces.size()) +
-                            ": add a seam or a dart there, or remove or loosen a wire nearby.",
+                            also(0, metrics.overlapping_faces.size()) + ": add a seam or a dart there" +
+                            (has_wires(chart) ? ", or remove or loosen a wire nearby." : "."),
                         {{}, {}, metrics.flipped_faces}, true);
   }
   if (!metrics.overlapping_faces.empty()) {

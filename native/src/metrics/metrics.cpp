@@ -8,11 +8,10 @@
 #include "mesh/geometry.h"
 #include "metrics/arap.h"
 #include "metrics/overlap.h"
+#include "pi.h"
 
 namespace wirewarp {
 namespace {
-
-constexpr double kTwoPi = 6.283185307179586;
 
 HalfedgeHandle half_edge(const Chart& chart, const WireNetwork& network, const WireHalfEdge& h) {
   return chart.mesh.halfedge_handle(network.edges[at(h.edge)].edge, h.reversed ? 1 : 0);
@@ -60,8 +59,7 @@ void measure_wire_edges(const Chart& chart, const WireNetwork& network, const Po
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edges[i]->edge, 0);
     const int from = chart.mesh.from_vertex_handle(h).idx();
     const int to = chart.mesh.to_vertex_handle(h).idx();
-    const auto [first, last] = std::minmax(chart.source_vertex[at(from)], chart.source_vertex[at(to)]);
-    metrics.wire_edges.push_back({first, last});
+    metrics.wire_edges.push_back(source_edge(chart, h));
     metrics.edge_length_variation[static_cast<Eigen::Index>(i)] =
         std::abs(edges[i]->length - (uv.row(to) - uv.row(from)).norm()) / edges[i]->length;
   }
@@ -91,7 +89,7 @@ double planar_angle(const Chart& chart, const WireNetwork& network, const WireNo
   const Eigen::RowVector2d ahead = uv.row(chart.mesh.to_vertex_handle(out).idx()) - vertex;
   // The sector lies to the left of both edges: counter-clockwise from the way ahead to the way back.
   const double angle = std::atan2(ahead.x() * back.y() - ahead.y() * back.x(), ahead.dot(back));
-  return angle + kTwoPi * std::round((node.surface_angle - angle) / kTwoPi);
+  return angle + 2 * kPi * std::round((node.surface_angle - angle) / (2 * kPi));
 }
 
 Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Positions2& uv) {

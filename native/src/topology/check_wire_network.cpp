@@ -10,15 +10,6 @@
 namespace wirewarp {
 namespace {
 
-std::string name_wires(const std::set<int>& indices, const std::vector<Wire>& wires) {
-  if (indices.size() == 1 && !wires[at(*indices.begin())].name.empty()) {
-    return "Wire " + std::to_string(*indices.begin()) + " (" + wires[at(*indices.begin())].name + ")";
-  }
-  std::string text = name_elements("wire", std::vector<int>(indices.begin(), indices.end()));
-  text[0] = 'W';
-  return text;
-}
-
 /// A wire edge is hinged where the same wire-patch lies on both its sides (paper, Definition 1).
 void check_hinged_wires(const Chart& chart, const WireNetwork& network, const std::vector<Wire>& wires) {
   std::vector<std::array<int, 2>> patch_beside(network.edges.size(), {-1, -1});
@@ -38,7 +29,7 @@ void check_hinged_wires(const Chart& chart, const WireNetwork& network, const st
     const VertexHandle from = chart.mesh.from_vertex_handle(h);
     const VertexHandle to = chart.mesh.to_vertex_handle(h);
     hinged_wires.insert(chart.wire_parts[at(network.edges[e].part)].wire_index);
-    elements.edges.push_back({chart.source_vertex[at(from.idx())], chart.source_vertex[at(to.idx())]});
+    elements.edges.push_back(source_edge(chart, h));
     ++hinged_degree[from.idx()];
     ++hinged_degree[to.idx()];
   }
@@ -61,7 +52,8 @@ void check_hinged_wires(const Chart& chart, const WireNetwork& network, const st
               std::string(" the only link between two loops, with one region on both sides, through ") +
               name_elements("vertex", elements.vertices) + ": mark a second wire between the loops.";
   }
-  throw FlattenError(ErrorCode::hinged_wire, name_wires(hinged_wires, wires) + problem, elements);
+  throw FlattenError(ErrorCode::hinged_wire,
+                     capitalized(name_wires(wires, {hinged_wires.begin(), hinged_wires.end()})) + problem, elements);
 }
 
 void check_separate_loops(const Chart& chart, const WireNetwork& network, const std::vector<Wire>& wires) {
@@ -78,7 +70,14 @@ void check_separate_loops(const Chart& chart, const WireNetwork& network, const 
         if (part >= 0) loop_wires.insert(chart.wire_parts[at(part)].wire_index);
       }
     }
-    const std::string beside = loop_wires.empty() ? "" : " beside " + name_wires(loop_wires, wires);
+    if (!has_wires(chart)) {
+      throw FlattenError(ErrorCode::separate_loops,
+                         "This piece is a tube or has a hole: mark a seam between its loops through " +
+                             name_elements("vertex", one_per_loop) + ", or two wires.",
+                         elements);
+    }
+    const std::string beside =
+        loop_wires.empty() ? "" : " beside " + name_wires(wires, {loop_wires.begin(), loop_wires.end()});
     throw FlattenError(ErrorCode::separate_loops,
                        "A region" + beside + " is bounded by " + std::to_string(patch.loops.size()) +
                            " loops that no wire joins, through " + name_elements("vertex", one_per_loop) +
