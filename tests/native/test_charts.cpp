@@ -215,5 +215,29 @@ TEST(Charts, AClosedWireIsCutWhereItMeetsTheOutlineNotWhereItsListBegins) {
   EXPECT_EQ(charts.charts[0].wire_parts[0].half_edges.size(), static_cast<std::size_t>(n));
 }
 
+TEST(Charts, PartsOfAClosedWirePartlyAlongTheOutlineDoNotDependOnWhereItsListBegins) {
+  const int n = 6;
+  const auto vertex = [&](int i, int j) { return i + (n + 1) * j; };
+  std::vector<int> ring;  // along the lower edge from column 1 to 5, back at height 3
+  for (int i = 1; i < 5; ++i) ring.push_back(vertex(i, 0));
+  for (int j = 0; j < 3; ++j) ring.push_back(vertex(5, j));
+  for (int i = 5; i > 1; --i) ring.push_back(vertex(i, 3));
+  for (int j = 3; j > 0; --j) ring.push_back(vertex(1, j));
+  for (std::size_t turn = 0; turn < ring.size(); ++turn) {
+    std::vector<int> chain = ring;
+    std::rotate(chain.begin(), chain.begin() + static_cast<long>(turn), chain.end());
+    chain.push_back(chain.front());
+    FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+    test::add_wire(input, chain, 0.05);
+    const Charts charts = charts_of(input);
+    const std::vector<WirePart>& parts = charts.charts[0].wire_parts;
+    ASSERT_EQ(parts.size(), 2u) << turn;
+    EXPECT_EQ(parts[0].kind, WireKind::boundary);
+    EXPECT_EQ(parts[0].half_edges.size(), 4u);
+    EXPECT_EQ(parts[1].kind, WireKind::elastic);
+    EXPECT_EQ(parts[1].half_edges.size(), 10u);
+  }
+}
+
 }  // namespace
 }  // namespace wirewarp

@@ -83,7 +83,7 @@ TEST(Lengths, WholeWireIsUnknownWhereAPieceHasNoLayout) {
   ASSERT_EQ(seam.length_2d.size(), 2u);
   EXPECT_NEAR(seam.length_2d[0], 2, 1e-14);
   EXPECT_TRUE(std::isnan(seam.length_2d[1]));
-  EXPECT_EQ(seam.mismatch, 0);
+  EXPECT_TRUE(std::isnan(seam.mismatch));
 }
 
 TEST(Lengths, WireAlongASeamCountsOnce) {
@@ -101,6 +101,8 @@ TEST(Lengths, WireAlongASeamCountsOnce) {
   const WireReport whole = measure_whole_wires(input, charts, pieces).at(0);
   EXPECT_NEAR(whole.length_3d, 2, 1e-14);
   EXPECT_NEAR(whole.length_2d, 2, 1e-14);
+  EXPECT_EQ(whole.kind, WireKind::boundary);
+  EXPECT_EQ(whole.tolerance, 0);
 }
 
 TEST(Lengths, SeamSidesAndTheirMismatch) {

@@ -12,6 +12,9 @@ namespace {
 /// A triangle whose height over its longest side is below this fraction of that side has no area to speak of.
 constexpr double kFlatness = 1e-12;
 
+/// A shorter side, scene units, is a point: squared areas of smaller triangles underflow.
+constexpr double kShortest = 1e-60;
+
 struct Faults {
   std::vector<int> repeated_vertex;      // faces
   std::vector<int> repeated_face;        // faces
@@ -30,7 +33,7 @@ bool has_no_area(const FlattenInput& input, int f) {
   const Eigen::Vector3d b = input.vertices.row(input.faces(f, 1));
   const Eigen::Vector3d c = input.vertices.row(input.faces(f, 2));
   const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-  return longest == 0 || ((b - a) / longest).cross((c - a) / longest).norm() <= kFlatness;
+  return longest < kShortest || ((b - a) / longest).cross((c - a) / longest).norm() <= kFlatness;
 }
 
 int opposite_vertex(const Triangles& faces, int side) { return faces(side / 3, (side + 2) % 3); }
@@ -93,7 +96,7 @@ void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const
 
 std::string name_piece(const Chart& chart) {
   return "The piece around face " + std::to_string(chart.source_face.front()) + " (" +
-         std::to_string(chart.source_face.size()) + " faces)";
+         std::to_string(chart.source_face.size()) + " triangles)";
 }
 
 std::optional<FlattenError> first_fault(const Faults& faults) {

@@ -28,7 +28,7 @@ Charts cut_into_charts(const FlattenInput& input, const EdgeTable& edges) {
   }
   const Outline outline = trace_outline(input.faces, edges, cut);
   result.seams = assign_boundary_chains(edges, cut, outline, result.charts);
-  assign_wire_parts(input, edges, cut, outline, half_edge_of_side, result.charts);
+  result.is_boundary_wire = assign_wire_parts(input, edges, cut, outline, half_edge_of_side, result.charts);
   return result;
 }
 

@@ -12,9 +12,7 @@ namespace {
 std::vector<int> fans_at(const EdgeTable& edges, const SurfaceCut& cut, int edge, int vertex) {
   std::vector<int> fans;
   for (int j = 0; j < edges.num_sides(edge); ++j) {
-    const int side = edges.side(edge, j);
-    const int corner = edges.from(side) == vertex ? side : side - side % 3 + (side + 1) % 3;
-    fans.push_back(cut.fan_of_corner[at(corner)]);
+    fans.push_back(cut.fan_of_corner[at(edges.corner_at(edges.side(edge, j), vertex))]);
   }
   std::sort(fans.begin(), fans.end());
   return fans;
@@ -129,6 +127,10 @@ std::vector<Seam> assign_boundary_chains(const EdgeTable& edges, const SurfaceCu
         chart.boundary_chains.back().half_edges.push_back(loop[i]);
       }
     }
+  }
+  for (Seam& seam : seams) {
+    std::stable_sort(seam.sides.begin(), seam.sides.end(),
+                     [](const Seam::Side& a, const Seam::Side& b) { return a.chart < b.chart; });
   }
   return seams;
 }

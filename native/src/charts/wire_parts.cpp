@@ -9,22 +9,6 @@
 namespace wirewarp {
 namespace {
 
-WireKind kind_of(double tolerance) {
-  if (tolerance == 0) return WireKind::rigid;
-  return std::isinf(tolerance) ? WireKind::super_elastic : WireKind::elastic;
-}
-
-/// The wire's vertices; a closed wire turned to begin on the outline, where it is cut anyway.
-std::vector<int> start_on_outline(std::vector<int> vertices, const Outline& outline) {
-  if (vertices.front() != vertices.back()) return vertices;
-  vertices.pop_back();
-  const auto on_outline = [&](int v) { return outline.is_on_outline[at(v)] != 0; };
-  const auto first = std::find_if(vertices.begin(), vertices.end(), on_outline);
-  if (first != vertices.end()) std::rotate(vertices.begin(), first, vertices.end());
-  vertices.push_back(vertices.front());
-  return vertices;
-}
-
 /// Runs of a wire: [begin, end) of its edges, all inside or all on the outline.
 struct Run {
   int begin;
@@ -32,14 +16,36 @@ struct Run {
   bool is_outline;
 };
 
-std::vector<Run> split_into_runs(const std::vector<int>& vertices, const EdgeTable& edges, const SurfaceCut& cut,
+/// Cuts the vertices of a wire into runs; turns a closed wire first, so that its runs do not depend on where its list
+/// begins: to the vertex of lowest index of those where a run begins.
+std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& edges, const SurfaceCut& cut,
                                  const Outline& outline) {
+  const bool is_closed = vertices.front() == vertices.back();
+  const int num_edges = static_cast<int>(vertices.size()) - 1;
+  std::vector<char> is_outline;  // per edge
+  for (int i = 0; i < num_edges; ++i) {
+    is_outline.push_back(cut.is_outline(edges, edges.find(vertices[at(i)], vertices[at(i + 1)])));
+  }
+  const auto begins_run = [&](int i) {
+    const char before = is_outline[at(i > 0 ? i - 1 : is_closed ? num_edges - 1 : i)];
+    const std::vector<char>& is_cut = is_outline[at(i)] ? outline.is_junction : outline.is_on_outline;
+    return before != is_outline[at(i)] || is_cut[at(vertices[at(i)])] != 0;
+  };
+  if (is_closed) {
+    int first = -1;
+    for (int i = 0; i < num_edges; ++i) {
+      if (begins_run(i) && (first < 0 || vertices[at(i)] < vertices[at(first)])) first = i;
+    }
+    if (first > 0) {
+      vertices.pop_back();
+      std::rotate(vertices.begin(), vertices.begin() + first, vertices.end());
+      std::rotate(is_outline.begin(), is_outline.begin() + first, is_outline.end());
+      vertices.push_back(vertices.front());
+    }
+  }
   std::vector<Run> runs;
-  for (int i = 0; i + 1 < static_cast<int>(vertices.size()); ++i) {
-    const int v = vertices[at(i)];
-    const bool is_outline = cut.is_outline(edges, edges.find(v, vertices[at(i + 1)]));
-    const bool is_cut = is_outline ? outline.is_junction[at(v)] != 0 : outline.is_on_outline[at(v)] != 0;
-    if (i == 0 || is_cut || is_outline != runs.back().is_outline) runs.push_back({i, i, is_outline});
+  for (int i = 0; i < num_edges; ++i) {
+    if (i == 0 || begins_run(i)) runs.push_back({i, i, is_outline[at(i)] != 0});
     runs.back().end = i + 1;
   }
   return runs;
@@ -49,10 +55,7 @@ std::vector<Run> split_into_runs(const std::vector<int>& vertices, const EdgeTab
 HalfEdgeChain follow_run(const std::vector<int>& vertices, const Run& run, int first_side, const EdgeTable& edges,
                          const SurfaceCut& cut, const std::vector<HalfedgeHandle>& half_edge_of_side,
                          const HalfEdgeMesh& mesh) {
-  const auto fan = [&](int side, int vertex) {
-    const int corner = edges.from(side) == vertex ? side : side - side % 3 + (side + 1) % 3;
-    return cut.fan_of_corner[at(corner)];
-  };
+  const auto fan = [&](int side, int vertex) { return cut.fan_of_corner[at(edges.corner_at(side, vertex))]; };
   HalfEdgeChain chain;
   int side = first_side;
   for (int i = run.begin; i < run.end; ++i) {
@@ -72,12 +75,20 @@ HalfEdgeChain follow_run(const std::vector<int>& vertices, const Run& run, int f
 
 }  // namespace
 
-void assign_wire_parts(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut, const Outline& outline,
-                       const std::vector<HalfedgeHandle>& half_edge_of_side, std::vector<Chart>& charts) {
+WireKind kind_of(double tolerance) {
+  if (tolerance == 0) return WireKind::rigid;
+  return std::isinf(tolerance) ? WireKind::super_elastic : WireKind::elastic;
+}
+
+std::vector<char> assign_wire_parts(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
+                                    const Outline& outline, const std::vector<HalfedgeHandle>& half_edge_of_side,
+                                    std::vector<Chart>& charts) {
+  std::vector<char> is_boundary_wire;
   for (int w = 0; w < static_cast<int>(input.wires.size()); ++w) {
     const Wire& wire = input.wires[at(w)];
-    const std::vector<int> vertices = start_on_outline(wire.vertices, outline);
+    std::vector<int> vertices = wire.vertices;
     const std::vector<Run> runs = split_into_runs(vertices, edges, cut, outline);
+    is_boundary_wire.push_back(std::all_of(runs.begin(), runs.end(), [](const Run& run) { return run.is_outline; }));
     for (int part = 0; part < static_cast<int>(runs.size()); ++part) {
       const Run& run = runs[at(part)];
       const int edge = edges.find(vertices[at(run.begin)], vertices[at(run.begin + 1)]);
@@ -97,6 +108,7 @@ void assign_wire_parts(const FlattenInput& input, const EdgeTable& edges, const 
       }
     }
   }
+  return is_boundary_wire;
 }
 
 }  // namespace wirewarp

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "charts/wire_parts.h"
 #include "index.h"
 #include "mesh/geometry.h"
 
@@ -37,11 +38,6 @@ ChainLength measure_chain(const Chart& chart, const HalfEdgeChain& chain, const 
   return result;
 }
 
-WireKind kind_of(double tolerance) {
-  if (tolerance == 0) return WireKind::rigid;
-  return std::isinf(tolerance) ? WireKind::super_elastic : WireKind::elastic;
-}
-
 VertexPair sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 double distance(const Positions3& vertices, int a, int b) { return (vertices.row(a) - vertices.row(b)).norm(); }
@@ -59,18 +55,17 @@ struct WireEdges {
 void collect_part(const Chart& chart, const WirePart& part, const WireReport& report, const Positions2& uv,
                   WireEdges& wire) {
   for (const HalfedgeHandle h : part.half_edges) {
-    const VertexPair key = sorted(chart.source_vertex[at(chart.mesh.from_vertex_handle(h).idx())],
-                                  chart.source_vertex[at(chart.mesh.to_vertex_handle(h).idx())]);
-    wire.edges.insert({key, {planar_length(chart, h, uv), (1 + report.variation) * edge_length(chart.mesh, h)}});
+    wire.edges.insert(
+        {source_edge(chart, h), {planar_length(chart, h, uv), (1 + report.variation) * edge_length(chart.mesh, h)}});
   }
   wire.max_edge_error = std::max(wire.max_edge_error, report.max_edge_error);
 }
 
-WireReport measure_whole_wire(const Wire& wire, const WireEdges& known, const Positions3& vertices) {
+WireReport measure_whole_wire(const Wire& wire, bool is_boundary, const WireEdges& known, const Positions3& vertices) {
   WireReport report;
   report.name = wire.name;
-  report.tolerance = wire.tolerance;
-  report.kind = kind_of(wire.tolerance);
+  report.tolerance = is_boundary ? 0 : wire.tolerance;
+  report.kind = is_boundary ? WireKind::boundary : kind_of(wire.tolerance);
   double intended = 0;
   for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
     const int a = wire.vertices[i];
@@ -127,17 +122,15 @@ std::vector<SeamReport> measure_seams(const Charts& charts, const std::vector<Pi
     SeamReport report;
     report.edges = seam.edges;
     for (const VertexPair& edge : seam.edges) report.length_3d += distance(vertices, edge[0], edge[1]);
-    double shortest = std::numeric_limits<double>::infinity();
-    double longest = 0;
+    std::vector<double> known;
     for (const Seam::Side& side : seam.sides) {
       const Piece& piece = pieces[at(side.chart)];
       report.pieces.push_back(side.chart);
       report.length_2d.push_back(has_layout(piece) ? piece.boundaries[at(side.boundary_chain)].length_2d : kNaN);
-      if (!has_layout(piece)) continue;
-      shortest = std::min(shortest, report.length_2d.back());
-      longest = std::max(longest, report.length_2d.back());
+      if (has_layout(piece)) known.push_back(report.length_2d.back());
     }
-    report.mismatch = std::max(0.0, longest - shortest);
+    const auto [shortest, longest] = std::minmax_element(known.begin(), known.end());
+    report.mismatch = known.size() < 2 ? kNaN : *longest - *shortest;
     reports.push_back(std::move(report));
   }
   return reports;
@@ -156,7 +149,7 @@ std::vector<WireReport> measure_whole_wires(const FlattenInput& input, const Cha
   }
   std::vector<WireReport> reports;
   for (std::size_t w = 0; w < input.wires.size(); ++w) {
-    reports.push_back(measure_whole_wire(input.wires[w], known[w], input.vertices));
+    reports.push_back(measure_whole_wire(input.wires[w], charts.is_boundary_wire[w] != 0, known[w], input.vertices));
     reports.back().wire_index = static_cast<int>(w);
   }
   return reports;

@@ -20,8 +20,9 @@ std::vector<SeamReport> measure_seams(const Charts& charts, const std::vector<Pi
                                       const Positions3& vertices);
 
 /// One report per wire of the input, over all its parts in all pieces. Every edge counts once: where the wire runs
-/// along a seam, with the side in the first piece. length_2d, variation and max_edge_error are NaN where a part of the
-/// wire has no layout. pieces as above, with their wires measured.
+/// along a seam, with the side in the first piece. A wire that is all seam or boundary is of kind boundary. length_2d,
+/// variation and max_edge_error are NaN where a part of the wire has no layout. pieces as above, with their wires
+/// measured.
 std::vector<WireReport> measure_whole_wires(const FlattenInput& input, const Charts& charts,
                                             const std::vector<Piece>& pieces);
 
