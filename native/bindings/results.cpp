@@ -60,11 +60,14 @@ void bind_lengths(py::module_& module) {
       .field(
           "length_2d", [](const SeamReport& seam, py::handle) { return tuple_of(seam.length_2d); },
           "Scene units, one per side; NaN where the piece has no layout.")
-      .field("mismatch", &SeamReport::mismatch, "Largest difference between two sides that have a layout.");
+      .field("mismatch", &SeamReport::mismatch,
+             "Largest difference between two sides that have a layout; NaN if fewer than two have one.");
 }
 
 void bind_piece_parts(py::module_& module) {
-  Record<Metrics>(module, "Metrics", "Distortion of a piece, on the input's own triangles and edges.")
+  Record<Metrics>(module, "Metrics",
+                  "Distortion of a piece, on the input's own triangles and edges; without a layout only area_3d is "
+                  "known, the other numbers are NaN.")
       .field("arap_energy", &Metrics::arap_energy, "As-rigid-as-possible energy over the 3D area.")
       .field("face_arap", &Metrics::face_arap, "(q,); sums to arap_energy * area_3d.")
       .field("face_aspect_ratio", &Metrics::face_aspect_ratio,

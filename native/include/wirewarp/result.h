@@ -20,7 +20,7 @@ struct WireReport {
   int wire_index = -1;
   int part = -1;  // -1: the whole wire
   WireKind kind = WireKind::rigid;
-  double tolerance = 0;  // dimensionless, as the user wrote it; 0 on the boundary
+  double tolerance = 0;  // dimensionless, as the user wrote it; 0 for kind boundary
   double length_3d = 0;
   double length_2d = 0;
   double variation = 0;       // h, the length variation the method chose: lengths are (1+h) times the 3D ones
@@ -38,14 +38,15 @@ struct BoundaryReport {
 
 /// One chain of seam edges between junctions, with a side for each face that meets it.
 struct SeamReport {
-  std::vector<int> pieces;        // one per side; the same piece twice along a dart
+  std::vector<int> pieces;        // one per side, ascending; the same piece twice along a dart
   std::vector<VertexPair> edges;  // in order along the chain
   double length_3d = 0;
   std::vector<double> length_2d;  // one per side; NaN where the piece has no layout
-  double mismatch = 0;            // largest difference between two sides that have a layout
+  double mismatch = 0;            // largest difference between sides with a layout; NaN if fewer than two have one
 };
 
-/// Distortion of a piece (paper IV-A), on the input's own triangles and edges.
+/// Distortion of a piece (paper IV-A), on the input's own triangles and edges. Without a layout only area_3d is known:
+/// the other numbers are NaN, one per face in face_arap and face_aspect_ratio, and the lists are empty.
 struct Metrics {
   double arap_energy = 0;                 // Eq. (4) divided by the 3D area
   Eigen::VectorXd face_arap;              // Eq. (6), one per face; sums to arap_energy * area_3d
@@ -86,7 +87,7 @@ struct PieceReport {
 struct Piece {
   Positions2 vertices;             // p by 2, NaN without a layout
   Triangles faces;                 // q by 3, piece vertex indices
-  std::vector<int> source_vertex;  // p
+  std::vector<int> source_vertex;  // p; a vertex on a seam can stand for several piece vertices, one per side
   std::vector<int> source_face;    // q
   std::vector<WireReport> wires;
   std::vector<BoundaryReport> boundaries;

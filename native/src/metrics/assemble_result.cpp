@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "metrics/assemble_result.h"
 
+#include <Eigen/Geometry>
 #include <limits>
+#include <map>
 
 #include "index.h"
 #include "mesh/geometry.h"
@@ -13,16 +15,50 @@
 namespace wirewarp {
 namespace {
 
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// The vertices and faces of a chart that its faults kept from becoming a mesh: one vertex per input vertex.
+void take_input_faces(const FlattenInput& input, const Chart& chart, Piece& piece) {
+  std::map<int, int> piece_vertex;  // of each input vertex
+  piece.faces.resize(static_cast<Eigen::Index>(chart.source_face.size()), 3);
+  for (int f = 0; f < piece.faces.rows(); ++f) piece.faces.row(f) = input.faces.row(chart.source_face[at(f)]);
+  for (const int v : piece.faces.reshaped()) piece_vertex[v];
+  for (auto& [vertex, index] : piece_vertex) {
+    index = static_cast<int>(piece.source_vertex.size());
+    piece.source_vertex.push_back(vertex);
+  }
+  piece.faces = piece.faces.unaryExpr([&](int v) { return piece_vertex.at(v); });
+}
+
+/// What is known of a piece that has no flat shape: its 3D area.
+Metrics unknown_metrics(const FlattenInput& input, const std::vector<int>& faces) {
+  Metrics metrics;
+  metrics.arap_energy = metrics.angle_deviation_rms = metrics.angle_deviation_max = metrics.area_2d = kNaN;
+  metrics.face_arap.setConstant(static_cast<Eigen::Index>(faces.size()), kNaN);
+  metrics.face_aspect_ratio = metrics.face_arap;
+  for (const int f : faces) {
+    const Eigen::Vector3d origin = input.vertices.row(input.faces(f, 0));
+    const Eigen::Vector3d along = input.vertices.row(input.faces(f, 1)).transpose() - origin;
+    const Eigen::Vector3d back = input.vertices.row(input.faces(f, 2)).transpose() - origin;
+    metrics.area_3d += along.cross(back).norm() / 2;
+  }
+  return metrics;
+}
+
 Piece assemble_piece(const FlattenInput& input, const Chart& chart, Layout& layout, bool mirror) {
   Piece piece;
   piece.source_face = chart.source_face;
-  piece.source_vertex = chart.source_vertex;
-  piece.faces = triangles_of(chart.mesh);
+  if (chart.mesh.n_faces() > 0) {
+    piece.source_vertex = chart.source_vertex;
+    piece.faces = triangles_of(chart.mesh);
+  } else {
+    take_input_faces(input, chart, piece);
+  }
   piece.report = std::move(layout.report);
   piece.error = std::move(layout.error);
   if (layout.uv.rows() == 0) {
-    piece.vertices.setConstant(static_cast<int>(chart.source_vertex.size()), 2,
-                               std::numeric_limits<double>::quiet_NaN());
+    piece.vertices.setConstant(static_cast<Eigen::Index>(piece.source_vertex.size()), 2, kNaN);
+    piece.metrics = unknown_metrics(input, piece.source_face);
     if (piece.report.termination != Termination::cancelled) piece.report.termination = Termination::failed;
   } else {
     const Positions2 seen_from_outside = mirror ? mirror_image(layout.uv) : layout.uv;
@@ -52,7 +88,7 @@ void write_corners(const Piece& piece, CornerUv& corner_uv) {
 FlattenResult assemble_result(const FlattenInput& input, const Charts& charts, std::vector<Layout> layouts,
                               bool mirror) {
   FlattenResult result;
-  result.corner_uv.setConstant(input.faces.rows(), 6, std::numeric_limits<double>::quiet_NaN());
+  result.corner_uv.setConstant(input.faces.rows(), 6, kNaN);
   for (std::size_t c = 0; c < charts.charts.size(); ++c) {
     result.pieces.push_back(assemble_piece(input, charts.charts[c], layouts[c], mirror));
     write_corners(result.pieces.back(), result.corner_uv);
