@@ -70,7 +70,8 @@ faces: (m, 3) whole numbers, triangles.
 seams: (k, 2) vertex pairs along which the surface is cut.
 wires: Wire objects.
 options: Options; None for the defaults.
-progress: called as progress(stage, fraction); returning False cancels, an exception cancels and is raised again.
+progress: called as progress(stage, fraction); returning False cancels the pieces that are not flat yet, an exception
+    cancels and is raised again. The last stage, "measure", runs to its end.
 
 Raises FlattenError if the input is not a mesh with seams and wires. A region that cannot be flattened carries its
 FlattenError in Piece.error and spares the others.)";

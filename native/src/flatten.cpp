@@ -2,6 +2,9 @@
 // The pipeline, top-down; the mathematics is in the files it names. native/README.md maps the paper to them.
 #include "wirewarp/flatten.h"
 
+#include <set>
+#include <stdexcept>
+
 #include "charts/cut_into_charts.h"
 #include "check_input/check_input.h"
 #include "check_input/sentence.h"
@@ -13,19 +16,31 @@
 namespace wirewarp {
 namespace {
 
-FlattenError infeasible_lengths(const Chart& chart, const InnerSolution& solution) {
-  std::vector<int> wires;
+FlattenError infeasible_lengths(const Chart& chart, const WireNetwork& network, const std::vector<Wire>& wires,
+                                const InnerSolution& solution) {
+  std::set<int> in_chart;
   for (const WirePart& part : chart.wire_parts) {
-    if (part.kind != WireKind::boundary && (wires.empty() || wires.back() != part.wire_index)) {
-      wires.push_back(part.wire_index);
-    }
+    if (part.kind != WireKind::boundary) in_chart.insert(part.wire_index);
   }
-  const std::string names = wires.empty() ? "The outline" : "The outline and " + name_elements("wire", wires);
+  const std::string names = in_chart.empty() ? "" : " and " + name_wires(wires, {in_chart.begin(), in_chart.end()});
+  ErrorElements elements;
+  for (const WireEdge& edge : network.edges) {
+    elements.edges.push_back(source_edge(chart, chart.mesh.halfedge_handle(edge.edge, 0)));
+  }
+  elements.faces = chart.source_face;
   return FlattenError(ErrorCode::infeasible_lengths,
-                      names + " of the piece around face " + std::to_string(chart.source_face.front()) +
-                          " cannot keep their lengths in the plane (a gap of " +
-                          std::to_string(100 * solution.closure_residual) +
-                          " % of a loop stays open): clear a wire or mark another seam.",
+                      "The outline" + names + " of the piece around face " + std::to_string(chart.source_face.front()) +
+                          " cannot keep " + (in_chart.empty() ? "its length" : "their lengths") +
+                          " in the plane (a gap of " + percent(solution.closure_residual) + " of a loop stays open): " +
+                          (in_chart.empty() ? "" : "clear a wire or ") + "mark another seam.",
+                      elements);
+}
+
+FlattenError not_solvable(const Chart& chart) {
+  return FlattenError(ErrorCode::not_solvable,
+                      "The piece around face " + std::to_string(chart.source_face.front()) +
+                          " cannot be laid out in double precision, for its faces differ too much in size: merge "
+                          "vertices that lie very close together, or remesh it.",
                       {{}, {}, chart.source_face});
 }
 
@@ -62,7 +77,9 @@ void flatten_chart(const Chart& chart, const FlattenInput& input, const Options&
   const VariationBounds bounds = variation_bounds(chart, options.method);
   OuterSolution solution =
       choose_variation(chart, *warp, bounds, [&] { begin_stage("lengths"); });  // II-B, Algorithm 1
-  if (!solution.shape.inner.is_feasible) throw infeasible_lengths(chart, solution.shape.inner);
+  if (!solution.shape.inner.is_feasible) {
+    throw infeasible_lengths(chart, *layout.network, input.wires, solution.shape.inner);
+  }
   report_solution(solution, layout.report);
   layout.variation.assign(solution.variation.begin(), solution.variation.end());
   layout.uv = std::move(solution.shape.uv);
@@ -90,6 +107,8 @@ std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& char
         flatten_chart(chart, input, options, begin_stage, layout);
       } catch (const FlattenError& error) {
         layout.error = error;
+      } catch (const std::domain_error&) {  // a factorization broke down
+        layout.error = not_solvable(chart);
       }
     }
     faces_done += chart_faces;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same measures and promises for a flattening made elsewhere.
+#include <limits>
+#include <set>
+
 #include "charts/cut_into_charts.h"
 #include "check_input/check_input.h"
 #include "check_input/sentence.h"
@@ -10,41 +13,72 @@
 namespace wirewarp {
 namespace {
 
-/// Corners of one vertex that lie farther apart than this fraction of the flattening's size are cut from each other.
+/// Corners of one vertex that lie farther apart than this fraction of the piece's size are cut from each other.
 constexpr double kSamePoint = 1e-6;
 
-/// One position per chart vertex. Throws no_layout or uv_discontinuous.
-Positions2 gather_corners(const Chart& chart, const CornerUv& corner_uv) {
-  std::vector<int> not_finite;
-  double size = 0;
-  for (int f : chart.source_face) {
-    if (!corner_uv.row(f).allFinite()) not_finite.push_back(f);
-    size = std::max(size, corner_uv.row(f).maxCoeff() - corner_uv.row(f).minCoeff());
-  }
-  if (!not_finite.empty()) {
+/// The flat corners of a chart's faces, one place per half-edge that has a face: where it starts.
+class FlatCorners {
+ public:
+  /// Throws no_layout unless all are finite.
+  FlatCorners(const Chart& chart, const CornerUv& corner_uv) : mesh_(chart.mesh), uv_(mesh_.n_halfedges(), 2) {
+    std::vector<int> not_finite;
+    for (const FaceHandle f : mesh_.faces()) {
+      const int source = chart.source_face[at(f.idx())];
+      if (!corner_uv.row(source).allFinite()) not_finite.push_back(source);
+      HalfedgeHandle h = mesh_.halfedge_handle(f);
+      for (int k = 0; k < 3; ++k, h = mesh_.next_halfedge_handle(h)) {
+        uv_.row(h.idx()) = corner_uv.block<1, 2>(source, 2 * k);
+        low_ = low_.cwiseMin(uv_.row(h.idx()));
+        high_ = high_.cwiseMax(uv_.row(h.idx()));
+      }
+    }
+    if (not_finite.empty()) return;
     throw FlattenError(ErrorCode::no_layout,
                        "There are no finite coordinates at the corners of " + name_elements("face", not_finite) +
                            ": flatten the whole piece.",
                        {{}, {}, not_finite});
   }
-  Positions2 uv(static_cast<int>(chart.mesh.n_vertices()), 2);
-  std::vector<char> is_set(chart.mesh.n_vertices(), 0);
-  std::vector<int> torn;
-  for (const FaceHandle f : chart.mesh.faces()) {
-    HalfedgeHandle h = chart.mesh.halfedge_handle(f);
-    for (int k = 0; k < 3; ++k, h = chart.mesh.next_halfedge_handle(h)) {
-      const int v = chart.mesh.from_vertex_handle(h).idx();
-      const Eigen::RowVector2d corner = corner_uv.block<1, 2>(chart.source_face[at(f.idx())], 2 * k);
-      if (!is_set[at(v)]) uv.row(v) = corner;
-      is_set[at(v)] = 1;
-      if ((uv.row(v) - corner).norm() > kSamePoint * size) torn.push_back(chart.source_vertex[at(v)]);
-    }
+
+  Eigen::RowVector2d operator[](HalfedgeHandle h) const { return uv_.row(h.idx()); }
+
+  /// The faces beside an edge have the vertex that h leaves at different places.
+  bool is_torn(HalfedgeHandle h) const {
+    const HalfedgeHandle opposite = mesh_.opposite_halfedge_handle(h);
+    if (mesh_.is_boundary(h) || mesh_.is_boundary(opposite)) return false;
+    const Eigen::RowVector2d gap = uv_.row(h.idx()) - uv_.row(mesh_.next_halfedge_handle(opposite).idx());
+    return gap.norm() > kSamePoint * (high_ - low_).maxCoeff();
   }
-  if (!torn.empty()) {
-    throw FlattenError(ErrorCode::uv_discontinuous,
-                       "The flattening is cut at " + name_elements("vertex", torn) +
-                           ", where no seam is: hand over its cuts as seams.",
-                       {torn, {}, {}});
+
+ private:
+  const HalfEdgeMesh& mesh_;
+  Positions2 uv_;
+  Eigen::RowVector2d low_ = Eigen::RowVector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::RowVector2d high_ = -low_;
+};
+
+void check_not_torn(const Chart& chart, const FlatCorners& corners) {
+  std::set<int> vertices;
+  std::set<VertexPair> edges;
+  for (const HalfedgeHandle h : chart.mesh.halfedges()) {
+    if (!corners.is_torn(h)) continue;
+    vertices.insert(chart.source_vertex[at(chart.mesh.from_vertex_handle(h).idx())]);
+    edges.insert(source_edge(chart, h));
+  }
+  if (edges.empty()) return;
+  const std::vector<VertexPair> torn(edges.begin(), edges.end());
+  throw FlattenError(
+      ErrorCode::uv_discontinuous,
+      "The flattening is cut along " + name_elements("edge", torn) + ", where no seam is: hand over its cuts as seams.",
+      {{vertices.begin(), vertices.end()}, torn, {}});
+}
+
+/// One position per chart vertex. Throws no_layout or uv_discontinuous.
+Positions2 gather_corners(const Chart& chart, const CornerUv& corner_uv) {
+  const FlatCorners corners(chart, corner_uv);
+  check_not_torn(chart, corners);
+  Positions2 uv(static_cast<int>(chart.mesh.n_vertices()), 2);
+  for (const HalfedgeHandle h : chart.mesh.halfedges()) {
+    if (!chart.mesh.is_boundary(h)) uv.row(chart.mesh.from_vertex_handle(h).idx()) = corners[h];
   }
   return uv;
 }

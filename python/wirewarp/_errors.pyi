@@ -26,6 +26,7 @@ class ErrorCode(StrEnum):
     hinged_wire = "hinged_wire"
     separate_loops = "separate_loops"
     infeasible_lengths = "infeasible_lengths"
+    not_solvable = "not_solvable"
     cancelled = "cancelled"
     uv_discontinuous = "uv_discontinuous"
     no_layout = "no_layout"

@@ -2,11 +2,13 @@
 // Every code of error.h fired, with the offending elements named in the lists and in the sentence.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 
+#include "index.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -48,6 +50,35 @@ void expect_names(const FlattenError& error, const std::string& words) {
   EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
 }
 
+/// The piece knows its faces and their area, and nothing in it passes for a flat shape.
+void expect_no_figures(const FlattenInput& input, const Piece& piece) {
+  const Metrics& metrics = piece.metrics;
+  const auto num_faces = static_cast<Eigen::Index>(piece.source_face.size());
+  ASSERT_EQ(piece.faces.rows(), num_faces);
+  ASSERT_EQ(metrics.face_arap.size(), num_faces);
+  ASSERT_EQ(metrics.face_aspect_ratio.size(), num_faces);
+  ASSERT_EQ(piece.vertices.rows(), static_cast<Eigen::Index>(piece.source_vertex.size()));
+  EXPECT_GT(piece.vertices.rows(), 0);
+  EXPECT_TRUE(piece.vertices.array().isNaN().all());
+  EXPECT_TRUE(metrics.face_arap.array().isNaN().all());
+  EXPECT_TRUE(metrics.face_aspect_ratio.array().isNaN().all());
+  for (const double figure : {metrics.arap_energy, metrics.angle_deviation_rms, metrics.area_2d}) {
+    EXPECT_TRUE(std::isnan(figure));
+  }
+  EXPECT_TRUE(std::isnan(metrics.angle_deviation_max));
+  double area = 0;
+  for (int f = 0; f < num_faces; ++f) {
+    std::array<Eigen::Vector3d, 3> corner;
+    for (int k = 0; k < 3; ++k) {
+      const int v = input.faces(piece.source_face[at(f)], k);
+      EXPECT_EQ(piece.source_vertex[at(piece.faces(f, k))], v);
+      corner[at(k)] = input.vertices.row(v);
+    }
+    area += (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm() / 2;
+  }
+  EXPECT_NEAR(metrics.area_3d, area, 1e-14);
+}
+
 TEST(ErrorCodes, EmptyMesh) { EXPECT_EQ(thrown_by(FlattenInput{}).code, Code::empty_mesh); }
 
 TEST(ErrorCodes, VertexOutOfRangeInFacesSeamsAndWires) {
@@ -55,7 +86,10 @@ TEST(ErrorCodes, VertexOutOfRangeInFacesSeamsAndWires) {
   EXPECT_EQ(face.code, Code::vertex_out_of_range);
   EXPECT_EQ(face.elements.faces, std::vector<int>{1});
   EXPECT_EQ(face.elements.vertices, std::vector<int>{7});
-  expect_names(face, "face 1");
+  expect_names(face, "Face 1 names vertex 7,");
+  const FlattenError faces = thrown_by(triangles(kSquare, {{0, 7, 2}, {0, 9, 7}}));
+  EXPECT_EQ(faces.elements.vertices, (std::vector<int>{7, 9}));
+  expect_names(faces, "Faces 0 and 1 name vertices 7 and 9,");
 
   FlattenInput seam = triangles(kSquare, {{0, 1, 2}, {0, 2, 3}});
   test::add_seam(seam, {0, 99});
@@ -66,7 +100,7 @@ TEST(ErrorCodes, VertexOutOfRangeInFacesSeamsAndWires) {
 }
 
 TEST(ErrorCodes, NonFiniteAndOverflowingCoordinates) {
-  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e200}) {
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e60, -1e200}) {
     FlattenInput input = triangles(kSquare, {{0, 1, 2}, {0, 2, 3}});
     input.vertices(2, 1) = bad;
     const FlattenError error = thrown_by(input);
@@ -74,6 +108,25 @@ TEST(ErrorCodes, NonFiniteAndOverflowingCoordinates) {
     EXPECT_EQ(error.elements.vertices, std::vector<int>{2});
     expect_names(error, "vertex 2");
   }
+}
+
+TEST(ErrorCodes, SizesBetweenTheLimitsAreFlattenedAlike) {
+  const Positions2 expected = flatten(test::quarter_sphere(4)).pieces[0].vertices;
+  for (const double scale : {1e-57, 1e-30, 1e30, 0.9e60}) {
+    FlattenInput input = test::quarter_sphere(4);
+    input.vertices *= scale;
+    const FlattenResult result = flatten(input);
+    ASSERT_FALSE(result.pieces[0].error.has_value()) << scale << " " << result.pieces[0].error->what();
+    EXPECT_LT((result.pieces[0].vertices / scale - expected).cwiseAbs().maxCoeff(), 1e-8) << scale;
+  }
+}
+
+TEST(ErrorCodes, ATriangleTooSmallForItsAreaIsAPoint) {
+  FlattenInput input = triangles(kSquare, {{0, 1, 2}, {0, 2, 3}});
+  input.vertices *= 1e-61;
+  const FlattenError error = carried_by(input);
+  EXPECT_EQ(error.code, Code::zero_area_face);
+  EXPECT_EQ(error.elements.faces, (std::vector<int>{0, 1}));
 }
 
 TEST(ErrorCodes, SeamAndWireThatAreNoEdges) {
@@ -240,6 +293,7 @@ TEST(ErrorCodes, SeparateLoops) {
   const FlattenError hole = carried_by(test::flat_annulus(12, 3, 1, 2));
   EXPECT_EQ(hole.code, Code::separate_loops);
   EXPECT_EQ(hole.elements.vertices.size(), 24u);
+  expect_names(hole, "This piece is a tube or has a hole: mark a seam");
 
   const int n = 6;
   FlattenInput ring = test::flat_rectangle(n, n, 1, 1);
@@ -249,7 +303,7 @@ TEST(ErrorCodes, SeparateLoops) {
                             vertex(3, 4), vertex(2, 4), vertex(2, 3), vertex(2, 2)};
   const FlattenError error = carried_by(ring);
   EXPECT_EQ(error.code, Code::separate_loops);
-  expect_names(error, "Wire 0");
+  expect_names(error, "A region beside wire 0 ");
 }
 
 TEST(ErrorCodes, InfeasibleLengths) {
@@ -266,6 +320,40 @@ TEST(ErrorCodes, InfeasibleLengths) {
   const FlattenError error = carried_by(input);
   EXPECT_EQ(error.code, Code::infeasible_lengths);
   EXPECT_EQ(error.elements.faces.size(), 5u);
+  EXPECT_EQ(error.elements.edges.size(), 10u);
+  expect_names(error, "wires 0, 1, 2, 3 and 4");
+}
+
+TEST(ErrorCodes, AChartThatIsNotSolvableSparesTheOthers) {
+  // Squares inside squares, each a ten-billionth of the one around it: a walk along the edges leaves the inner ones so
+  // rarely that the chance drowns in rounding.
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<int, 3>> faces;
+  const int rings = 4;
+  for (int ring = 0; ring < rings; ++ring) {
+    const double size = std::pow(1e-10, ring);
+    points.insert(points.end(), {{size, 0, 0}, {0, size, 0}, {-size, 0, 0}, {0, -size, 0}});
+    if (ring == 0) continue;
+    for (int i = 0; i < 4; ++i) {
+      const int outer = 4 * (ring - 1) + i;
+      const int next = 4 * (ring - 1) + (i + 1) % 4;
+      faces.push_back({outer, next, next + 4});
+      faces.push_back({outer, next + 4, outer + 4});
+    }
+  }
+  const int last = 4 * (rings - 1);
+  faces.push_back({last, last + 1, last + 2});
+  faces.push_back({last, last + 2, last + 3});
+  const std::size_t num_nested = faces.size();
+  points.insert(points.end(), {{5, 0, 0}, {6, 0, 0}, {6, 1, 0}});
+  faces.push_back({last + 4, last + 5, last + 6});
+
+  const FlattenResult result = flatten(triangles(points, faces));
+  ASSERT_TRUE(result.pieces[0].error.has_value());
+  EXPECT_EQ(result.pieces[0].error->code, Code::not_solvable) << result.pieces[0].error->what();
+  EXPECT_EQ(result.pieces[0].error->elements.faces.size(), num_nested);
+  EXPECT_EQ(result.pieces[0].report.termination, Termination::failed);
+  EXPECT_FALSE(result.pieces[1].error.has_value());
 }
 
 TEST(ErrorCodes, ABadChartSparesTheOthers) {
@@ -279,7 +367,7 @@ TEST(ErrorCodes, ABadChartSparesTheOthers) {
   ASSERT_EQ(result.pieces.size(), 2u);
   ASSERT_TRUE(result.pieces[0].error.has_value());
   EXPECT_FALSE(result.pieces[0].error->has_layout);
-  EXPECT_TRUE(result.pieces[0].vertices.array().isNaN().all());
+  expect_no_figures(input, result.pieces[0]);
   EXPECT_FALSE(result.pieces[1].error.has_value());
   for (int f = 0; f < input.faces.rows(); ++f) {
     const auto& good = result.pieces[1].source_face;
@@ -288,6 +376,29 @@ TEST(ErrorCodes, ABadChartSparesTheOthers) {
   }
   ASSERT_EQ(result.seams.size(), 1u);
   EXPECT_EQ(result.seams[0].pieces, (std::vector<int>{0, 1}));
+  EXPECT_TRUE(std::isnan(result.seams[0].mismatch));
+}
+
+TEST(ErrorCodes, SidesOfASeamStandInTheOrderOfPiecesWhicheverFails) {
+  const int n = 6;
+  for (const std::size_t bad : {0u, 1u}) {
+    FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+    test::add_seam(input, test::grid_column(n, n, 3));
+    input.faces.conservativeResize(input.faces.rows() + 1, 3);
+    input.faces.row(input.faces.rows() - 1) = input.faces.row(bad == 0 ? 0 : 2 * n - 1);
+    const FlattenResult result = flatten(input);
+    EXPECT_TRUE(result.pieces[bad].error.has_value());
+    EXPECT_FALSE(result.pieces[1 - bad].error.has_value());
+    EXPECT_EQ(result.seams.at(0).pieces, (std::vector<int>{0, 1}));
+    EXPECT_TRUE(std::isnan(result.seams[0].length_2d[bad]));
+    EXPECT_NEAR(result.seams[0].length_2d[1 - bad], 1, 1e-9);
+  }
+}
+
+TEST(ErrorCodes, AChartOfTheWrongTopologyHasNoFiguresEither) {
+  const FlattenInput input =
+      triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
+  expect_no_figures(input, flatten(input).pieces[0]);
 }
 
 TEST(ErrorCodes, Cancelled) {
@@ -297,16 +408,52 @@ TEST(ErrorCodes, Cancelled) {
   EXPECT_EQ(result.pieces[0].report.termination, Termination::cancelled);
 }
 
-TEST(ErrorCodes, MeasuredFlatteningWithGapsAndCuts) {
+TEST(ErrorCodes, TheLastStageIsNotCancelled) {
+  bool was_cancelled = false;
+  const FlattenResult result = flatten(test::quarter_sphere(4), {}, [&](const std::string& stage, double) {
+    was_cancelled = was_cancelled || stage == "measure";
+    return stage != "measure";
+  });
+  EXPECT_TRUE(was_cancelled);
+  EXPECT_FALSE(result.pieces[0].error.has_value());
+  EXPECT_TRUE(result.corner_uv.allFinite());
+}
+
+TEST(ErrorCodes, MeasuredFlatteningThatIsTorn) {
+  // A square of 4 by 4 quads whose upper half is moved by 2 % along row 2, but for its ends; wherever it lies.
+  const FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
+  CornerUv torn(input.faces.rows(), 6);
+  for (int f = 0; f < input.faces.rows(); ++f) {
+    const bool is_above = f >= input.faces.rows() / 2;
+    for (int k = 0; k < 3; ++k) {
+      const int v = input.faces(f, k);
+      torn.block<1, 2>(f, 2 * k) = input.vertices.row(v).head<2>();
+      if (is_above && v > 10 && v < 14) torn(f, 2 * k) += 0.02;
+    }
+  }
+  for (const Eigen::RowVector2d& offset : {Eigen::RowVector2d(0, 0), Eigen::RowVector2d(1e5, 0)}) {
+    CornerUv moved = torn;
+    for (int k = 0; k < 3; ++k) moved.middleCols<2>(2 * k).rowwise() += offset;
+    const FlattenResult result = measure(input, moved);
+    ASSERT_TRUE(result.pieces[0].error.has_value());
+    EXPECT_EQ(result.pieces[0].error->code, Code::uv_discontinuous);
+    EXPECT_EQ(result.pieces[0].error->elements.vertices, (std::vector<int>{11, 12, 13}));
+    EXPECT_EQ(result.pieces[0].error->elements.edges,
+              (std::vector<VertexPair>{{10, 11}, {11, 12}, {12, 13}, {13, 14}}));
+  }
+}
+
+TEST(ErrorCodes, MeasuredFlatteningWithRoundedCornersIsWhole) {
+  const FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
+  CornerUv corners = flatten(input).corner_uv;
+  for (int i = 0; i < corners.size(); ++i) corners.data()[i] += (i / 6 % 2 == 0 ? 1e-9 : -1e-9);
+  const FlattenResult result = measure(input, corners);
+  EXPECT_NE(result.pieces[0].error.value_or(FlattenError(Code::cancelled, "")).code, Code::uv_discontinuous);
+}
+
+TEST(ErrorCodes, MeasuredFlatteningWithGaps) {
   const FlattenInput input = test::flat_rectangle(2, 2, 1, 1);
   CornerUv corners = flatten(input).corner_uv;
-  CornerUv torn = corners;
-  torn(0, 0) += 0.5;
-  const FlattenResult cut = measure(input, torn);
-  ASSERT_TRUE(cut.pieces[0].error.has_value());
-  EXPECT_EQ(cut.pieces[0].error->code, Code::uv_discontinuous);
-  EXPECT_FALSE(cut.pieces[0].error->elements.vertices.empty());
-
   corners(3, 2) = std::nan("");
   const FlattenResult missing = measure(input, corners);
   ASSERT_TRUE(missing.pieces[0].error.has_value());

@@ -273,14 +273,19 @@ TEST(Flatten, NetworksOfEveryKindKeepTheirLengths) {
   for (const FlattenInput& input : {crossing, meeting, ring, along}) expect_promises(input, flatten(input));
 }
 
-TEST(Flatten, PiecesWithAFlippedFaceSaySo) {
-  // Much area behind a short outline: the paper's method turns faces over.
-  const FlattenResult result = flatten(test::sphere_of_gores(2, 12, 12));
-  for (const Piece& piece : result.pieces) {
-    EXPECT_EQ(piece.error.has_value(),
-              !piece.metrics.flipped_faces.empty() || !piece.metrics.overlapping_faces.empty());
-    for (const BoundaryReport& boundary : piece.boundaries) EXPECT_LT(boundary.max_edge_error, 1e-9);
-  }
+TEST(Flatten, APieceWithFlippedFacesSaysSoAndKeepsItsLengths) {
+  Options options;
+  options.method = Method::wirewarping;
+  const FlattenResult result = flatten(test::quarter_sphere(24), options);
+  const Piece& piece = result.pieces[0];
+  ASSERT_FALSE(piece.metrics.flipped_faces.empty());
+  ASSERT_TRUE(piece.error.has_value());
+  EXPECT_EQ(piece.error->code, ErrorCode::flipped_faces);
+  EXPECT_TRUE(piece.error->has_layout);
+  EXPECT_EQ(piece.error->elements.faces, piece.metrics.flipped_faces);
+  EXPECT_TRUE(result.corner_uv.allFinite());
+  for (const BoundaryReport& boundary : piece.boundaries) EXPECT_LT(boundary.max_edge_error, 1e-9);
+  for (const WireReport& wire : piece.wires) EXPECT_LT(wire.max_edge_error, 1e-9);
 }
 
 TEST(Flatten, ReportsProgressThatNeverFalls) {

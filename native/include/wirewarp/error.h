@@ -37,6 +37,7 @@ enum class ErrorCode {
   hinged_wire,
   separate_loops,
   infeasible_lengths,
+  not_solvable,
   cancelled,
   uv_discontinuous,
   no_layout,

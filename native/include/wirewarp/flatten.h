@@ -20,14 +20,14 @@ struct Wire {
 
 /// A triangle mesh, the seams that cut it and the wires on it.
 struct FlattenInput {
-  Positions3 vertices;
+  Positions3 vertices;  // magnitudes below 1e60
   Triangles faces;
   VertexPairs seams;  // edges along which the surface is cut
   std::vector<Wire> wires;
 };
 
 /// Called with the stage ("charts", "wires", "lengths", "interior", "measure") and the fraction of the whole run in
-/// [0, 1]; returning false cancels.
+/// [0, 1]; returning false cancels the pieces that are not flat yet. "measure" comes when all are: it runs to its end.
 using Progress = std::function<bool(const std::string& stage, double fraction)>;
 
 /// Flattens every chart of the input; pieces packed near-square without overlap, front faces with positive area.
