@@ -18,8 +18,7 @@ def object_tables(report: dict) -> str:
 def _piece_table(piece: dict) -> str:
     title = (
         f"piece {piece['index'] + 1}: {_area(piece['area_3d_m2'])} on the model, {_area(piece['area_2d_m2'])} flat, "
-        f"energy {piece['arap_energy']:.5f}, aspect ratio up to {piece['aspect_ratio_max']:.3f}, "
-        f"{piece['flipped_faces']} flipped, {piece['overlapping_faces']} overlapping"
+        + _distortion(piece)
     )
     outline = [
         _row("open edge" if line["seam"] is None else f"seam {line['seam'] + 1}", line) for line in piece["outline"]
@@ -27,19 +26,29 @@ def _piece_table(piece: dict) -> str:
     return _table(title, [_row(wire["name"], wire) for wire in piece["wires"]] + outline)
 
 
+def _distortion(piece: dict) -> str:
+    if not piece["has_layout"]:
+        return "no layout"
+    return (
+        f"energy {piece['arap_energy']:.5f}, aspect ratio up to {piece['aspect_ratio_max']:.3f}, "
+        f"{piece['flipped_faces']} faces flipped, {piece['overlapping_faces']} overlapping"
+    )
+
+
 def _seam_table(seams: list[dict]) -> str:
     rows = []
     for seam in seams:
-        pieces = " and ".join(str(piece + 1) for piece in seam["pieces"])
-        rows.append([*_row(f"seam {seam['index'] + 1}, pieces {pieces}", seam), f"{1000 * seam['mismatch_m']:.4f}"])
+        numbers = list(dict.fromkeys(str(piece + 1) for piece in seam["pieces"]))
+        place = f"in piece {numbers[0]}" if len(numbers) == 1 else f"pieces {' and '.join(numbers)}"
+        rows.append([*_row(f"seam {seam['index'] + 1}, {place}", seam), _millimeters(seam["mismatch_m"], 4)])
     return _table("seams, both sides", rows, "mismatch")
 
 
 def _row(name: str, line: dict) -> list[str]:
     """Name, model length, flat length of each side, largest difference."""
-    flat = " | ".join("none" if length is None else f"{1000 * length:.3f}" for length in line["length_2d_m"])
+    flat = " | ".join(_millimeters(length, 3) for length in line["length_2d_m"])
     differences = [abs(length) for length in line["difference_m"] if length is not None]
-    worst = f"{1000 * max(differences):.4f}" if differences else "none"
+    worst = _millimeters(max(differences, default=None), 4)
     return [name, f"{1000 * line['length_3d_m']:.3f}", flat, worst]
 
 
@@ -51,6 +60,10 @@ def _table(title: str, rows: list[list[str]], *more: str) -> str:
         cells = [cell.rjust(width) for cell, width in zip(row, widths, strict=True)]
         lines.append("    " + "  ".join([row[0].ljust(widths[0]), *cells[1:]]))
     return "\n".join(lines)
+
+
+def _millimeters(meters: float | None, decimals: int) -> str:
+    return "none" if meters is None else f"{1000 * meters:.{decimals}f}"
 
 
 def _area(square_meters: float | None) -> str:

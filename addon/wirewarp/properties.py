@@ -33,22 +33,31 @@ class FlattenSettings:
         default="WIREWARP_PLUS_PLUS",
     )
     node_weight: EnumProperty(
-        name="Weight",
-        description="How strongly each vertex of a seam or wire holds its surface angle",
+        name="Keep Angles",
+        description="Lines turn on the flat piece as nearly as they can as on the model: what counts how much",
         items=[
-            ("LENGTH", "By Length", "A property of the curve: the same shape wherever the mesh has its vertices"),
-            ("UNIFORM", "Uniform", "The paper's choice: densely meshed stretches of a curve weigh more"),
+            (
+                "LENGTH",
+                "By Length",
+                "By length of line: the same shape wherever the mesh has its vertices. Best for most",
+            ),
+            (
+                "UNIFORM",
+                "By Vertex",
+                "Every vertex alike, as in the paper: densely meshed stretches of a line count more",
+            ),
         ],
         default="LENGTH",
     )
     gap: FloatProperty(
         name="Gap",
-        description="Space between the pieces, as a fraction of the side of a square with the area of all pieces",
+        description="Space between the pieces, in percent of the side of a square as large as all pieces together",
+        subtype="PERCENTAGE",
         min=0.0,
-        max=1.0,
-        soft_max=0.2,
-        default=0.03,
-        precision=3,
+        max=100.0,
+        soft_max=20.0,
+        default=3.0,
+        precision=1,
     )
     mirror: BoolProperty(
         name="Mirrored",

@@ -86,14 +86,16 @@ def test_a_failed_object_spares_the_others():
 def test_nothing_selected():
     grid("Bump", bump)
     bpy.ops.object.select_all(action="DESELECT")
-    flatten_fails("select a mesh object")
+    flatten_fails(r"Nothing to flatten: select a mesh object\.$")
+    grid("Bump", bump).hide_set(True)
+    flatten_fails('Nothing to flatten: "Bump.001" is hidden')
 
 
 def test_the_flat_object_is_not_flattened_again():
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     select_only(flat_of(source))
-    flatten_fails("Flat pieces are not flattened again")
+    flatten_fails("flat pieces are not flattened again. Select the model")
 
 
 def test_other_modes():

@@ -46,6 +46,14 @@ def test_every_operator_and_its_properties_have_tooltips(addon):
             assert properties[name].description, f"{cls.__name__}.{name}"
 
 
+def test_each_kind_of_wire_has_a_tooltip_of_its_own(addon):
+    mark = addon.operators.MESH_OT_wirewarp_mark
+    kinds = ("RIGID", "ELASTIC", "SUPER_ELASTIC")
+    texts = [mark.description(bpy.context, SimpleNamespace(kind=kind)) for kind in kinds]
+    assert ["rigid" in texts[0], "elastic" in texts[1], "free" in texts[2]] == [True] * 3
+    assert len(set(texts)) == 3
+
+
 def test_the_methods_are_those_of_the_library(addon):
     method = bpy.ops.object.wirewarp_flatten.get_rna_type().properties["method"]
     assert method.default == bpy.context.scene.wirewarp.method == "WIREWARP_PLUS_PLUS"

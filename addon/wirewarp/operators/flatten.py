@@ -41,7 +41,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
     def execute(self, context: bpy.types.Context) -> set[str]:
         report_file = Path(bpy.path.abspath(self.report_path)) if self.report_path else None
         sources = mesh_targets(context)
-        refusal = core.problem() or self._refusal(sources, report_file)
+        refusal = core.problem() or self._refusal(context, sources, report_file)
         if refusal:
             self.report({"ERROR"}, refusal)
             return {"CANCELLED"}
@@ -54,15 +54,21 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
         if report_file:
             self._write_report(context, report_file, reports)
         if all(report["ok"] for report in reports):
-            self.report({"INFO"}, success_text(reports))
+            notes = [note for report in reports for note in report["notes"]]
+            self.report({"WARNING" if notes else "INFO"}, "\n".join([success_text(reports), *notes]))
         else:
             self.report({"ERROR"}, failure_text(reports))
         return {"FINISHED"} if anything else {"CANCELLED"}
 
-    def _refusal(self, sources: list[bpy.types.Object], report_file: Path | None) -> str:
+    def _refusal(self, context: bpy.types.Context, sources: list[bpy.types.Object], report_file: Path | None) -> str:
         """Why nothing can be done at all, as a sentence."""
         if not sources:
-            return "Nothing to flatten: select a mesh object. Flat pieces are not flattened again."
+            active = context.view_layer.objects.active
+            if active and active.type == "MESH" and not active.visible_get():
+                return f'Nothing to flatten: "{active.name}" is hidden. Show it in the Outliner and select it.'
+            if any(target.wirewarp_source for target in context.selected_objects):
+                return "Nothing to flatten: flat pieces are not flattened again. Select the model."
+            return "Nothing to flatten: select a mesh object."
         if report_file and not report_file.parent.is_dir():
             return f'The report cannot be written: there is no folder "{report_file.parent}".'
         return ""
@@ -81,7 +87,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
         choices = FlattenChoices(
             method=LIBRARY_METHODS[self.method],
             node_weight=self.node_weight.lower(),
-            gap=self.gap,
+            gap=self.gap / 100,
             mirror=self.mirror,
         )
         manager = context.window_manager

@@ -9,10 +9,11 @@ from ..issues import ObjectError
 from ..tolerance_text import tolerance_text
 
 KINDS = [
-    ("RIGID", "Rigid", "The wire keeps exactly its length on the surface"),
-    ("ELASTIC", "Elastic", "The wire may become longer or shorter by the tolerance"),
-    ("SUPER_ELASTIC", "Free", "The wire may take any length (super-elastic)"),
+    ("RIGID", "Rigid", "A rigid wire keeps exactly its length on the model"),
+    ("ELASTIC", "Elastic", "An elastic wire may become longer or shorter, up to the tolerance"),
+    ("SUPER_ELASTIC", "Free", "A free wire (super-elastic) gets the length that distorts the pieces least"),
 ]
+DESCRIPTIONS = {identifier: description for identifier, _, description in KINDS}
 
 
 class MESH_OT_wirewarp_mark(bpy.types.Operator):
@@ -33,6 +34,10 @@ class MESH_OT_wirewarp_mark(bpy.types.Operator):
         precision=4,
         step=1,
     )
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        return f"Make wires of the selected edges, one of each line. {DESCRIPTIONS[properties.kind]}"
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

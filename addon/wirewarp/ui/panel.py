@@ -27,6 +27,10 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         if active is None or active.type != "MESH":
             draw_sentence(context, layout, "Select a mesh to mark seams and wires on it.", "INFO")
             return
+        if active.wirewarp_source:
+            sentence = f'These are the flat pieces of "{active.wirewarp_source.name}". Select it to mark and flatten.'
+            draw_sentence(context, layout, sentence, "INFO")
+            return
         if context.mode != "EDIT_MESH":
             layout.operator("object.mode_set", text="Mark in Edit Mode", icon="EDITMODE_HLT").mode = "EDIT"
             return
@@ -53,7 +57,8 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        return not core.problem()
+        active = context.active_object
+        return not core.problem() and not (active and active.wirewarp_source)
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout

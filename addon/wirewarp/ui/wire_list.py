@@ -21,7 +21,7 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         active = context.active_object
-        return active is not None and active.type == "MESH" and active.wirewarp_source is None
+        return active is not None and active.type == "MESH"
 
     def draw(self, context: bpy.types.Context) -> None:
         target = context.active_object
