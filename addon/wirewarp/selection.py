@@ -8,6 +8,24 @@ import numpy as np
 
 from .foreach import read
 from .issues import object_error
+from .mesh_to_arrays import element_counts
+
+
+def check_indices(target: bpy.types.Object, report: dict) -> None:
+    """Raises ObjectError if the report's elements are not, or no longer, those of the object's own mesh."""
+    if target.library is not None or target.data.library is not None:
+        raise object_error(
+            "linked_data", f'"{target.name}" is linked from another file and has no Edit Mode here: make it local.'
+        )
+    if report.get("with_modifiers"):
+        raise object_error(
+            "with_modifiers",
+            "The report is of the mesh with modifiers: apply the modifiers, flatten again and select.",
+        )
+    if target.mode == "EDIT":
+        target.update_from_editmode()
+    if "counts" in report and report["counts"] != element_counts(target.data):
+        raise object_error("changed", f'"{target.name}" has changed since it was flattened: flatten it again.')
 
 
 def select_elements(

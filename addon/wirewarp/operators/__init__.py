@@ -5,6 +5,7 @@ from .clear import MESH_OT_wirewarp_clear
 from .flatten import OBJECT_OT_wirewarp_flatten
 from .mark import MESH_OT_wirewarp_mark
 from .select_issues import MESH_OT_wirewarp_select_issues
+from .select_result import MESH_OT_wirewarp_select_result
 from .select_wire import MESH_OT_wirewarp_select_wire
 
 CLASSES = (
@@ -12,5 +13,6 @@ CLASSES = (
     MESH_OT_wirewarp_clear,
     MESH_OT_wirewarp_select_wire,
     MESH_OT_wirewarp_select_issues,
+    MESH_OT_wirewarp_select_result,
     OBJECT_OT_wirewarp_flatten,
 )

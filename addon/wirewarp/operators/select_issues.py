@@ -2,9 +2,8 @@
 import bpy
 
 from ..issues import ObjectError
-from ..mesh_to_arrays import element_counts
 from ..report_store import last_report
-from ..selection import select_elements
+from ..selection import check_indices, select_elements
 
 
 class MESH_OT_wirewarp_select_issues(bpy.types.Operator):
@@ -22,33 +21,23 @@ class MESH_OT_wirewarp_select_issues(bpy.types.Operator):
     def execute(self, context: bpy.types.Context) -> set[str]:
         target = context.active_object.wirewarp_source or context.active_object
         report = last_report(target)
-        refusal = self._refusal(target, report)
-        if refusal:
-            self.report({"ERROR"}, refusal)
-            return {"CANCELLED"}
-        elements = {
-            name: [item for issue in report["issues"] for item in issue[name]]
-            for name in ("vertices", "edges", "faces")
-        }
-        if not any(elements.values()):
-            self.report({"INFO"}, "The last flattening found nothing wrong with single elements")
+        if report is None:
+            self.report({"ERROR"}, f'"{target.name}" has not been flattened yet.')
             return {"CANCELLED"}
         try:
-            select_elements(context, target, **elements)
+            check_indices(target, report)
+            if not self._select(context, target, report["issues"]):
+                self.report({"INFO"}, "The last flattening found nothing wrong with single elements")
+                return {"CANCELLED"}
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         return {"FINISHED"}
 
-    def _refusal(self, target: bpy.types.Object, report: dict | None) -> str:
-        if report is None:
-            return f'"{target.name}" has not been flattened yet.'
-        if target.library is not None or target.data.library is not None:
-            return f'"{target.name}" is linked from another file and has no Edit Mode here: make it local.'
-        if report.get("with_modifiers") and report["issues"]:
-            return "The issues lie on the mesh with modifiers: apply the modifiers, flatten again and select."
-        if target.mode == "EDIT":
-            target.update_from_editmode()
-        if "counts" in report and report["counts"] != element_counts(target.data):
-            return f'"{target.name}" has changed since it was flattened: flatten it again.'
-        return ""
+    def _select(self, context: bpy.types.Context, target: bpy.types.Object, issues: list[dict]) -> bool:
+        names = ("vertices", "edges", "faces")
+        elements = {name: [item for issue in issues for item in issue[name]] for name in names}
+        if not any(elements.values()):
+            return False
+        select_elements(context, target, **elements)
+        return True

@@ -8,7 +8,7 @@ from ..report_file import kept_text
 from ..report_store import last_report
 from .panel import SidebarPanel
 from .report_rows import outline_rows, piece_rows, seam_rows, wire_rows
-from .report_table import SHOWN_ROWS, draw_table
+from .report_table import SHOWN_ROWS, draw_heading, draw_table
 from .text import draw_sentence
 
 
@@ -105,8 +105,10 @@ class VIEW3D_PT_wirewarp_report_pieces(SidebarPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         column = self.layout.column(align=True)
-        for ok, lines in piece_rows(shown_report(context)):
-            column.label(text=lines[0], icon="CHECKMARK" if ok else "CANCEL")
+        report = shown_report(context)
+        flat = "flat_object" in report
+        for index, ok, lines in piece_rows(report):
+            draw_heading(column, lines[0], ok, "PIECE", index if flat else None)
             for line in lines[1:]:
                 column.label(text=line, icon="BLANK1")
 

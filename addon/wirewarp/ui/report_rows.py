@@ -23,6 +23,7 @@ class ReportRow:
     sides: list[Side]
     tolerance: str = ""  # of an elastic or free wire, and what came of it
     at_limit: bool = False
+    seam: int | None = None  # for the button that selects it
 
     @property
     def badness(self) -> float:
@@ -37,7 +38,9 @@ def seam_rows(report: dict) -> list[ReportRow]:
         pieces = [piece + 1 for piece in seam["pieces"]]
         between = "in piece" if len(set(pieces)) == 1 else "pieces"
         name = f"Seam {seam['index'] + 1}, {between} {_list(list(dict.fromkeys(pieces)))}"
-        rows.append(ReportRow(name, seam["ok"], _sides(seam, [f"Piece {piece}" for piece in pieces])))
+        sides = range(1, len(pieces) + 1)
+        labels = [f"Side {k}" for k in sides] if len(set(pieces)) == 1 else [f"Piece {piece}" for piece in pieces]
+        rows.append(ReportRow(name, seam["ok"], _sides(seam, labels), seam=seam["index"]))
     return _worst_first(rows)
 
 
@@ -83,8 +86,8 @@ def outline_rows(report: dict) -> list[ReportRow]:
     return _worst_first(rows)
 
 
-def piece_rows(report: dict) -> list[tuple[bool, list[str]]]:
-    """(ok, lines) of each piece."""
+def piece_rows(report: dict) -> list[tuple[int, bool, list[str]]]:
+    """(index, ok, lines) of each piece, failed ones first."""
     rows = []
     for piece in sorted(report["pieces"], key=lambda piece: piece["ok"]):
         lines = [f"Piece {piece['index'] + 1}, {piece['faces']} faces"]
@@ -93,7 +96,7 @@ def piece_rows(report: dict) -> list[tuple[bool, list[str]]]:
             lines.append(f"Worst stretch {piece['aspect_ratio_max']:.3f} (1: none)")
             deviation = math.degrees(piece["angle_deviation_max"])
             lines.append(f"Worst angle {deviation:.1f}° off")
-        rows.append((piece["ok"], lines))
+        rows.append((piece["index"], piece["ok"], lines))
     return rows
 
 

@@ -17,13 +17,22 @@ def draw_table(context: bpy.types.Context, layout: bpy.types.UILayout, rows: lis
     if wide:
         draw_cells(column, "", [f"3D {text.unit}", f"Flat {text.unit}", "Diff.", "%"], 0.2)
     for row in rows if context.scene.wirewarp.show_all else rows[:SHOWN_ROWS]:
-        column.label(text=row.name, icon="CHECKMARK" if row.ok else "CANCEL")
+        draw_heading(column, row.name, row.ok, "SEAM", row.seam)
         if row.tolerance:
             column.label(text=row.tolerance, icon="INFO" if row.at_limit else "BLANK1")
         (_draw_wide if wide else _draw_narrow)(column, row, text)
         column.separator(factor=0.7)
     if len(rows) > SHOWN_ROWS:
         layout.prop(context.scene.wirewarp, "show_all", text=f"Show All {len(rows)}")
+
+
+def draw_heading(layout: bpy.types.UILayout, name: str, ok: bool, what: str, index: int | None) -> None:
+    """A name with its tick or cross and, where there is an index, the button that selects it."""
+    row = layout.row(align=True)
+    row.label(text=name, icon="CHECKMARK" if ok else "CANCEL")
+    if index is not None:
+        button = row.operator("mesh.wirewarp_select_result", text="", icon="RESTRICT_SELECT_OFF", emboss=False)
+        button.what, button.index = what, index
 
 
 def _draw_wide(column: bpy.types.UILayout, row: ReportRow, text: LengthText) -> None:
