@@ -20,7 +20,15 @@ std::string text(py::handle value) { return py::str(value); }
 
 std::string shape_text(const py::array& array) { return text(array.attr("shape")); }
 
+/// numpy would drop the mask and read what it hides.
+void refuse_masked(py::handle value, const std::string& name) {
+  if (!py::isinstance(value, py::module_::import("numpy").attr("ma").attr("MaskedArray"))) return;
+  throw FlattenError(ErrorCode::invalid_type,
+                     name + " must not be a masked array: fill it, or leave out what it hides.");
+}
+
 py::array as_array(py::handle value, const std::string& name) {
+  refuse_masked(value, name);
   try {
     return py::module_::import("numpy").attr("asarray")(value);
   } catch (py::error_already_set& error) {
@@ -148,10 +156,13 @@ CornerUv read_corner_uv(py::handle value, Eigen::Index face_count) {
 std::vector<int> read_chain(py::handle value) {
   const std::string name = "Wire vertices";
   if (!py::isinstance<py::array>(value)) {
-    if (PySequence_Check(value.ptr()) && !py::isinstance<py::str>(value)) return read_sequence(value);
+    const bool is_text =
+        py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value) || py::isinstance<py::bytearray>(value);
+    if (PySequence_Check(value.ptr()) && !is_text) return read_sequence(value);
     throw FlattenError(ErrorCode::invalid_type,
                        name + " must be a sequence of whole numbers, not " + type_name(value) + ".");
   }
+  refuse_masked(value, name);
   const auto array = py::reinterpret_borrow<py::array>(value);
   check_kind(array, value, name, "iu", "whole numbers");
   if (array.ndim() != 1) {

@@ -32,7 +32,8 @@ double read_gap(py::handle value) {
 }
 
 bool read_bool(py::handle value, const std::string& name) {
-  if (!py::isinstance<py::bool_>(value)) refuse(name, value, "True or False");
+  const py::object numpy_bool = py::module_::import("numpy").attr("bool_");
+  if (!py::isinstance<py::bool_>(value) && !py::isinstance(value, numpy_bool)) refuse(name, value, "True or False");
   return value.cast<bool>();
 }
 

@@ -30,7 +30,7 @@ constexpr Entry kEntries[] = {
      {"vertex_out_of_range", "A face, seam or wire names a vertex that the mesh does not have.",
       "Number the vertices from 0 to one less than their count."}},
     {ErrorCode::non_finite_coordinates,
-     {"non_finite_coordinates", "A vertex has a coordinate that is not a number or not of magnitude below 1e60.",
+     {"non_finite_coordinates", "A vertex has a coordinate that is not finite, or 1e60 or more in magnitude.",
       "Move the named vertices back into the scene or delete them."}},
     {ErrorCode::seam_not_an_edge,
      {"seam_not_an_edge", "A seam joins two vertices that no edge of the mesh joins.",

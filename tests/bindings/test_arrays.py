@@ -117,6 +117,8 @@ def test_a_wrong_shape_is_named(name, value, shape):
         ("vertices", VERTICES.astype(complex), "complex"),
         ("vertices", VERTICES > 0, "bool"),
         ("vertices", VERTICES.astype(str), "U"),
+        ("vertices", np.ma.masked_greater(VERTICES, 0.5), "masked"),
+        ("faces", np.ma.masked_equal(FACES, 3), "masked"),
         ("faces", FACES.astype(float), "float64"),
         ("faces", FACES > 0, "bool"),
         ("faces", [[0, 1, None]], "object"),

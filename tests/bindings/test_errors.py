@@ -83,6 +83,11 @@ def test_a_bad_chart_carries_its_error_and_spares_the_others():
     assert isinstance(bad.error, FlattenError)
     assert bad.error.code is ErrorCode.closed_chart
     assert bad.report.termination == "failed"
+    assert np.isnan(bad.vertices).all()
+    assert np.array_equal(bad.source_vertex[bad.faces], ball_faces + len(vertices))
+    assert np.isnan(bad.metrics.face_arap).tolist() == [True] * 4
+    assert np.isnan([bad.metrics.arap_energy, bad.metrics.area_2d, bad.metrics.angle_deviation_max]).all()
+    assert bad.metrics.area_3d == pytest.approx(3 * 1 / 2 + np.sqrt(3) / 2)  # three half squares and their hypotenuses
     assert np.isnan(result.corner_uv[len(faces) :]).all()
     assert np.isfinite(result.corner_uv[: len(faces)]).all()
     assert result.report["pieces"] == 2

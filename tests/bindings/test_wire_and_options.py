@@ -52,6 +52,9 @@ def test_a_checked_wire_cannot_be_changed():
         (np.array([0.0, 1.0]), ErrorCode.invalid_type),
         ([0, None], ErrorCode.invalid_type),
         ("01", ErrorCode.invalid_type),
+        (b"01", ErrorCode.invalid_type),
+        (bytearray(b"01"), ErrorCode.invalid_type),
+        (np.ma.array([0, 1, 2], mask=[False, True, False]), ErrorCode.invalid_type),
         ({0, 1}, ErrorCode.invalid_type),
         (None, ErrorCode.invalid_type),
         (7, ErrorCode.invalid_type),
@@ -147,6 +150,11 @@ def test_an_unknown_value_is_named_with_the_allowed_ones(name, value, allowed):
         assert repr(value) in str(caught.value)
         assert allowed in str(caught.value)
     assert options.to_dict() == Options().to_dict()
+
+
+def test_a_numpy_bool_is_a_bool():
+    assert Options(mirror=np.True_).mirror is True
+    assert Options(mirror=np.False_).mirror is False
 
 
 @pytest.mark.parametrize("gap", ["0.1", None, True])

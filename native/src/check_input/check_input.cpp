@@ -118,7 +118,7 @@ void check_mesh(const FlattenInput& input) {
   if (!not_finite.empty()) {
     throw FlattenError(ErrorCode::non_finite_coordinates,
                        "The coordinates of " + name_elements("vertex", not_finite) +
-                           " are not all of magnitude below 1e60: move or delete them.",
+                           " are not all finite and below 1e60 in magnitude: move or delete them.",
                        {not_finite, {}, {}});
   }
 }
