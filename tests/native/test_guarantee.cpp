@@ -145,6 +145,22 @@ TEST(Guarantee, LengthsComeFirstAndTheRestIsMentioned) {
   EXPECT_EQ(error->code, ErrorCode::lengths_not_kept);
   EXPECT_TRUE(names(*error, "flipped")) << error->what();
   EXPECT_TRUE(names(*error, "overlaps")) << error->what();
+  EXPECT_TRUE(names(*error, "give its wires more tolerance")) << error->what();
+}
+
+TEST(Guarantee, NoAdviceOnWiresWhereThereAreNone) {
+  const FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
+  const Charts charts = charts_of(input);
+  const WireNetwork network = build_wire_network(charts.charts[0]);
+  for (const int moved : {0, 6}) {  // a corner of the outline, a vertex inside
+    Positions2 uv = planar_positions(charts.charts[0]);
+    uv.row(moved) << 0.6, 0.6;
+    const Metrics metrics = measure_metrics(charts.charts[0], network, uv);
+    const std::optional<FlattenError> error = check_guarantee(charts.charts[0], network, {}, uv, {}, metrics);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->code, moved == 0 ? ErrorCode::lengths_not_kept : ErrorCode::flipped_faces);
+    EXPECT_FALSE(names(*error, "wire")) << error->what();
+  }
 }
 
 }  // namespace

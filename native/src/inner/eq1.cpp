@@ -3,11 +3,10 @@
 
 #include "index.h"
 #include "inner/linear_angle_constraints.h"
+#include "pi.h"
 
 namespace wirewarp {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Weight 1/ℓ turns the sum of Eq. (1) into ∫ Δκ² ds, whatever the vertices. Scaled so that the mean weight is about 1.
 Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight) {

@@ -5,13 +5,10 @@
 #include <map>
 
 #include "index.h"
+#include "pi.h"
 
 namespace wirewarp {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
+namespace {}  // namespace
 
 Eigen::VectorXd project_on_angle_sums(const WireNetwork& network, const Eigen::VectorXd& weights) {
   const int num_nodes = static_cast<int>(network.nodes.size());

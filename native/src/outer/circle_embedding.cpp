@@ -6,11 +6,10 @@
 
 #include "inner/sparse_lu.h"
 #include "mesh/geometry.h"
+#include "pi.h"
 
 namespace wirewarp {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 double length_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
   double length = 0;
