@@ -87,7 +87,7 @@ constexpr Entry kEntries[] = {
       "The flattening is torn: faces that share an edge inside a piece have its ends at different places.",
       "Mark the named edges as seams, or flatten again with the same seams."}},
     {ErrorCode::no_layout,
-     {"no_layout", "Some faces have no flat coordinates.", "Flatten the named faces first, then measure."}},
+     {"no_layout", "Some faces have no usable flat coordinates.", "Flatten the named faces first, then measure."}},
     {ErrorCode::lengths_not_kept,
      {"lengths_not_kept", "An edge of the outline or of a wire is longer or shorter in the flat piece than it may be.",
       "Do not cut this piece as it is: add a seam where it curves most, or give its wires a tolerance."}},

@@ -19,12 +19,12 @@ constexpr double kSamePoint = 1e-6;
 /// The flat corners of a chart's faces, one place per half-edge that has a face: where it starts.
 class FlatCorners {
  public:
-  /// Throws no_layout unless all are finite.
+  /// Throws no_layout unless all are finite and below kCoordinateLimit.
   FlatCorners(const Chart& chart, const CornerUv& corner_uv) : mesh_(chart.mesh), uv_(mesh_.n_halfedges(), 2) {
-    std::vector<int> not_finite;
+    std::vector<int> bad;
     for (const FaceHandle f : mesh_.faces()) {
       const int source = chart.source_face[at(f.idx())];
-      if (!corner_uv.row(source).allFinite()) not_finite.push_back(source);
+      if (!(corner_uv.row(source).array().abs() < kCoordinateLimit).all()) bad.push_back(source);
       HalfedgeHandle h = mesh_.halfedge_handle(f);
       for (int k = 0; k < 3; ++k, h = mesh_.next_halfedge_handle(h)) {
         uv_.row(h.idx()) = corner_uv.block<1, 2>(source, 2 * k);
@@ -32,11 +32,11 @@ class FlatCorners {
         high_ = high_.cwiseMax(uv_.row(h.idx()));
       }
     }
-    if (not_finite.empty()) return;
+    if (bad.empty()) return;
     throw FlattenError(ErrorCode::no_layout,
-                       "There are no finite coordinates at the corners of " + name_elements("face", not_finite) +
-                           ": flatten the whole piece.",
-                       {{}, {}, not_finite});
+                       "The coordinates at the corners of " + name_elements("face", bad) +
+                           " are not all finite and below 1e60 in magnitude: flatten the whole piece.",
+                       {{}, {}, bad});
   }
 
   Eigen::RowVector2d operator[](HalfedgeHandle h) const { return uv_.row(h.idx()); }

@@ -2,13 +2,11 @@
 // Every code of error.h fired, with the offending elements named in the lists and in the sentence.
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 
-#include "index.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -48,35 +46,6 @@ FlattenError carried_by(const FlattenInput& input, std::size_t piece = 0) {
 
 void expect_names(const FlattenError& error, const std::string& words) {
   EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-}
-
-/// The piece knows its faces and their area, and nothing in it passes for a flat shape.
-void expect_no_figures(const FlattenInput& input, const Piece& piece) {
-  const Metrics& metrics = piece.metrics;
-  const auto num_faces = static_cast<Eigen::Index>(piece.source_face.size());
-  ASSERT_EQ(piece.faces.rows(), num_faces);
-  ASSERT_EQ(metrics.face_arap.size(), num_faces);
-  ASSERT_EQ(metrics.face_aspect_ratio.size(), num_faces);
-  ASSERT_EQ(piece.vertices.rows(), static_cast<Eigen::Index>(piece.source_vertex.size()));
-  EXPECT_GT(piece.vertices.rows(), 0);
-  EXPECT_TRUE(piece.vertices.array().isNaN().all());
-  EXPECT_TRUE(metrics.face_arap.array().isNaN().all());
-  EXPECT_TRUE(metrics.face_aspect_ratio.array().isNaN().all());
-  for (const double figure : {metrics.arap_energy, metrics.angle_deviation_rms, metrics.area_2d}) {
-    EXPECT_TRUE(std::isnan(figure));
-  }
-  EXPECT_TRUE(std::isnan(metrics.angle_deviation_max));
-  double area = 0;
-  for (int f = 0; f < num_faces; ++f) {
-    std::array<Eigen::Vector3d, 3> corner;
-    for (int k = 0; k < 3; ++k) {
-      const int v = input.faces(piece.source_face[at(f)], k);
-      EXPECT_EQ(piece.source_vertex[at(piece.faces(f, k))], v);
-      corner[at(k)] = input.vertices.row(v);
-    }
-    area += (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm() / 2;
-  }
-  EXPECT_NEAR(metrics.area_3d, area, 1e-14);
 }
 
 TEST(ErrorCodes, EmptyMesh) { EXPECT_EQ(thrown_by(FlattenInput{}).code, Code::empty_mesh); }
@@ -356,51 +325,6 @@ TEST(ErrorCodes, AChartThatIsNotSolvableSparesTheOthers) {
   EXPECT_FALSE(result.pieces[1].error.has_value());
 }
 
-TEST(ErrorCodes, ABadChartSparesTheOthers) {
-  const int n = 6;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_seam(input, test::grid_column(n, n, 3));
-  const int doubled = 0;
-  input.faces.conservativeResize(input.faces.rows() + 1, 3);
-  input.faces.row(input.faces.rows() - 1) = input.faces.row(doubled);
-  const FlattenResult result = flatten(input);
-  ASSERT_EQ(result.pieces.size(), 2u);
-  ASSERT_TRUE(result.pieces[0].error.has_value());
-  EXPECT_FALSE(result.pieces[0].error->has_layout);
-  expect_no_figures(input, result.pieces[0]);
-  EXPECT_FALSE(result.pieces[1].error.has_value());
-  for (int f = 0; f < input.faces.rows(); ++f) {
-    const auto& good = result.pieces[1].source_face;
-    const bool is_good = std::find(good.begin(), good.end(), f) != good.end();
-    EXPECT_EQ(result.corner_uv.row(f).allFinite(), is_good);
-  }
-  ASSERT_EQ(result.seams.size(), 1u);
-  EXPECT_EQ(result.seams[0].pieces, (std::vector<int>{0, 1}));
-  EXPECT_TRUE(std::isnan(result.seams[0].mismatch));
-}
-
-TEST(ErrorCodes, SidesOfASeamStandInTheOrderOfPiecesWhicheverFails) {
-  const int n = 6;
-  for (const std::size_t bad : {0u, 1u}) {
-    FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-    test::add_seam(input, test::grid_column(n, n, 3));
-    input.faces.conservativeResize(input.faces.rows() + 1, 3);
-    input.faces.row(input.faces.rows() - 1) = input.faces.row(bad == 0 ? 0 : 2 * n - 1);
-    const FlattenResult result = flatten(input);
-    EXPECT_TRUE(result.pieces[bad].error.has_value());
-    EXPECT_FALSE(result.pieces[1 - bad].error.has_value());
-    EXPECT_EQ(result.seams.at(0).pieces, (std::vector<int>{0, 1}));
-    EXPECT_TRUE(std::isnan(result.seams[0].length_2d[bad]));
-    EXPECT_NEAR(result.seams[0].length_2d[1 - bad], 1, 1e-9);
-  }
-}
-
-TEST(ErrorCodes, AChartOfTheWrongTopologyHasNoFiguresEither) {
-  const FlattenInput input =
-      triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
-  expect_no_figures(input, flatten(input).pieces[0]);
-}
-
 TEST(ErrorCodes, Cancelled) {
   const FlattenResult result = flatten(test::quarter_sphere(4), {}, [](const std::string&, double) { return false; });
   ASSERT_TRUE(result.pieces[0].error.has_value());
@@ -417,48 +341,6 @@ TEST(ErrorCodes, TheLastStageIsNotCancelled) {
   EXPECT_TRUE(was_cancelled);
   EXPECT_FALSE(result.pieces[0].error.has_value());
   EXPECT_TRUE(result.corner_uv.allFinite());
-}
-
-TEST(ErrorCodes, MeasuredFlatteningThatIsTorn) {
-  // A square of 4 by 4 quads whose upper half is moved by 2 % along row 2, but for its ends; wherever it lies.
-  const FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
-  CornerUv torn(input.faces.rows(), 6);
-  for (int f = 0; f < input.faces.rows(); ++f) {
-    const bool is_above = f >= input.faces.rows() / 2;
-    for (int k = 0; k < 3; ++k) {
-      const int v = input.faces(f, k);
-      torn.block<1, 2>(f, 2 * k) = input.vertices.row(v).head<2>();
-      if (is_above && v > 10 && v < 14) torn(f, 2 * k) += 0.02;
-    }
-  }
-  for (const Eigen::RowVector2d& offset : {Eigen::RowVector2d(0, 0), Eigen::RowVector2d(1e5, 0)}) {
-    CornerUv moved = torn;
-    for (int k = 0; k < 3; ++k) moved.middleCols<2>(2 * k).rowwise() += offset;
-    const FlattenResult result = measure(input, moved);
-    ASSERT_TRUE(result.pieces[0].error.has_value());
-    EXPECT_EQ(result.pieces[0].error->code, Code::uv_discontinuous);
-    EXPECT_EQ(result.pieces[0].error->elements.vertices, (std::vector<int>{11, 12, 13}));
-    EXPECT_EQ(result.pieces[0].error->elements.edges,
-              (std::vector<VertexPair>{{10, 11}, {11, 12}, {12, 13}, {13, 14}}));
-  }
-}
-
-TEST(ErrorCodes, MeasuredFlatteningWithRoundedCornersIsWhole) {
-  const FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
-  CornerUv corners = flatten(input).corner_uv;
-  for (int i = 0; i < corners.size(); ++i) corners.data()[i] += (i / 6 % 2 == 0 ? 1e-9 : -1e-9);
-  const FlattenResult result = measure(input, corners);
-  EXPECT_NE(result.pieces[0].error.value_or(FlattenError(Code::cancelled, "")).code, Code::uv_discontinuous);
-}
-
-TEST(ErrorCodes, MeasuredFlatteningWithGaps) {
-  const FlattenInput input = test::flat_rectangle(2, 2, 1, 1);
-  CornerUv corners = flatten(input).corner_uv;
-  corners(3, 2) = std::nan("");
-  const FlattenResult missing = measure(input, corners);
-  ASSERT_TRUE(missing.pieces[0].error.has_value());
-  EXPECT_EQ(missing.pieces[0].error->code, Code::no_layout);
-  EXPECT_EQ(missing.pieces[0].error->elements.faces, std::vector<int>{3});
 }
 
 TEST(ErrorCodes, EveryCodeHasItsDescription) {

@@ -36,7 +36,7 @@ using Progress = std::function<bool(const std::string& stage, double fraction)>;
 FlattenResult flatten(const FlattenInput& input, const Options& options = {}, const Progress& progress = {});
 
 /// The measures and the guarantee of flatten() for a flattening made elsewhere, in scene units. No packing, no scaling:
-/// corner_uv is returned as given.
+/// corner_uv is returned as given. A chart with a corner that is not finite and below 1e60 in magnitude has no_layout.
 FlattenResult measure(const FlattenInput& input, const CornerUv& corner_uv);
 
 }  // namespace wirewarp

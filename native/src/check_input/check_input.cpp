@@ -8,8 +8,6 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kLargestCoordinate = 1e60;
-
 void check_vertices_in_range(const std::vector<int>& vertices, long num_vertices, const std::string& owner) {
   std::set<int> found;
   for (int v : vertices) {
@@ -113,7 +111,7 @@ void check_mesh(const FlattenInput& input) {
   std::vector<int> not_finite;
   for (int v = 0; v < input.vertices.rows(); ++v) {
     // Squared areas of larger ones overflow.
-    if (!(input.vertices.row(v).array().abs() < kLargestCoordinate).all()) not_finite.push_back(v);
+    if (!(input.vertices.row(v).array().abs() < kCoordinateLimit).all()) not_finite.push_back(v);
   }
   if (!not_finite.empty()) {
     throw FlattenError(ErrorCode::non_finite_coordinates,

@@ -7,10 +7,13 @@
 
 namespace wirewarp {
 
+/// Coordinates must be smaller in magnitude, scene units.
+constexpr double kCoordinateLimit = 1e60;
+
 /// Throws invalid_option unless every option is in its documented range.
 void check_options(const Options& options);
 
-/// Throws empty_mesh, vertex_out_of_range or non_finite_coordinates (not a number, or a magnitude of 1e60 or more).
+/// Throws empty_mesh, vertex_out_of_range or non_finite_coordinates (or too large ones).
 void check_mesh(const FlattenInput& input);
 
 /// Throws seam_not_an_edge, wire_too_short, wire_not_an_edge, edge_in_two_wires or invalid_tolerance.

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Charts that cannot be flattened: they say so, hold no figures that pass for a flat shape, and spare the others.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "index.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+/// The piece knows its faces and their area, and nothing in it passes for a flat shape.
+void expect_no_figures(const FlattenInput& input, const Piece& piece) {
+  const Metrics& metrics = piece.metrics;
+  const auto num_faces = static_cast<Eigen::Index>(piece.source_face.size());
+  ASSERT_EQ(piece.faces.rows(), num_faces);
+  ASSERT_EQ(metrics.face_arap.size(), num_faces);
+  ASSERT_EQ(metrics.face_aspect_ratio.size(), num_faces);
+  ASSERT_EQ(piece.vertices.rows(), static_cast<Eigen::Index>(piece.source_vertex.size()));
+  EXPECT_GT(piece.vertices.rows(), 0);
+  EXPECT_TRUE(piece.vertices.array().isNaN().all());
+  EXPECT_TRUE(metrics.face_arap.array().isNaN().all());
+  EXPECT_TRUE(metrics.face_aspect_ratio.array().isNaN().all());
+  for (const double figure : {metrics.arap_energy, metrics.angle_deviation_rms, metrics.area_2d}) {
+    EXPECT_TRUE(std::isnan(figure));
+  }
+  EXPECT_TRUE(std::isnan(metrics.angle_deviation_max));
+  double area = 0;
+  for (int f = 0; f < num_faces; ++f) {
+    std::array<Eigen::Vector3d, 3> corner;
+    for (int k = 0; k < 3; ++k) {
+      const int v = input.faces(piece.source_face[at(f)], k);
+      EXPECT_EQ(piece.source_vertex[at(piece.faces(f, k))], v);
+      corner[at(k)] = input.vertices.row(v);
+    }
+    area += (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm() / 2;
+  }
+  EXPECT_NEAR(metrics.area_3d, area, 1e-14);
+}
+
+TEST(FailedPieces, ABadChartSparesTheOthers) {
+  const int n = 6;
+  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+  test::add_seam(input, test::grid_column(n, n, 3));
+  const int doubled = 0;
+  input.faces.conservativeResize(input.faces.rows() + 1, 3);
+  input.faces.row(input.faces.rows() - 1) = input.faces.row(doubled);
+  const FlattenResult result = flatten(input);
+  ASSERT_EQ(result.pieces.size(), 2u);
+  ASSERT_TRUE(result.pieces[0].error.has_value());
+  EXPECT_FALSE(result.pieces[0].error->has_layout);
+  expect_no_figures(input, result.pieces[0]);
+  EXPECT_FALSE(result.pieces[1].error.has_value());
+  for (int f = 0; f < input.faces.rows(); ++f) {
+    const auto& good = result.pieces[1].source_face;
+    const bool is_good = std::find(good.begin(), good.end(), f) != good.end();
+    EXPECT_EQ(result.corner_uv.row(f).allFinite(), is_good);
+  }
+  ASSERT_EQ(result.seams.size(), 1u);
+  EXPECT_EQ(result.seams[0].pieces, (std::vector<int>{0, 1}));
+  EXPECT_TRUE(std::isnan(result.seams[0].mismatch));
+}
+
+TEST(FailedPieces, SidesOfASeamStandInTheOrderOfPiecesWhicheverFails) {
+  const int n = 6;
+  for (const std::size_t bad : {0u, 1u}) {
+    FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+    test::add_seam(input, test::grid_column(n, n, 3));
+    input.faces.conservativeResize(input.faces.rows() + 1, 3);
+    input.faces.row(input.faces.rows() - 1) = input.faces.row(bad == 0 ? 0 : 2 * n - 1);
+    const FlattenResult result = flatten(input);
+    EXPECT_TRUE(result.pieces[bad].error.has_value());
+    EXPECT_FALSE(result.pieces[1 - bad].error.has_value());
+    EXPECT_EQ(result.seams.at(0).pieces, (std::vector<int>{0, 1}));
+    EXPECT_TRUE(std::isnan(result.seams[0].length_2d[bad]));
+    EXPECT_NEAR(result.seams[0].length_2d[1 - bad], 1, 1e-9);
+  }
+}
+
+TEST(FailedPieces, AChartOfTheWrongTopologyHasNoFiguresEither) {
+  FlattenInput ball = test::sphere_of_gores(2, 4, 4);
+  ball.seams.resize(0, 2);
+  expect_no_figures(ball, flatten(ball).pieces[0]);
+}
+
+}  // namespace
+}  // namespace wirewarp
