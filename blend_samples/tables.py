@@ -39,7 +39,7 @@ def _seam_table(seams: list[dict]) -> str:
     rows = []
     for seam in seams:
         numbers = list(dict.fromkeys(str(piece + 1) for piece in seam["pieces"]))
-        place = f"in piece {numbers[0]}" if len(numbers) == 1 else f"pieces {' and '.join(numbers)}"
+        place = f"in piece {numbers[0]}" if len(numbers) == 1 else f"pieces {', '.join(numbers)}"
         rows.append([*_row(f"seam {seam['index'] + 1}, {place}", seam), _millimeters(seam["mismatch_m"], 4)])
     return _table("seams, both sides", rows, "mismatch")
 

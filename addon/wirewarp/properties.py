@@ -33,7 +33,7 @@ class FlattenSettings:
         default="WIREWARP_PLUS_PLUS",
     )
     node_weight: EnumProperty(
-        name="Keep Angles",
+        name="Angles",
         description="Lines turn on the flat piece as nearly as they can as on the model: what counts how much",
         items=[
             (

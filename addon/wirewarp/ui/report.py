@@ -55,7 +55,7 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
         box = self.layout.box()
         for issue in report["issues"][:SHOWN_ROWS]:
             where = "" if issue["piece"] is None else f"Piece {issue['piece'] + 1}: "
-            draw_sentence(context, box, where + issue["sentence"], "ERROR")
+            draw_sentence(context, box, where + issue["sentence"], "ERROR", spare=16)
         if len(report["issues"]) > SHOWN_ROWS:
             box.label(text=f"and {len(report['issues']) - SHOWN_ROWS} more")
         if any(issue["vertices"] or issue["edges"] or issue["faces"] for issue in report["issues"]):
@@ -108,7 +108,7 @@ class VIEW3D_PT_wirewarp_report_pieces(SidebarPanel, bpy.types.Panel):
         report = shown_report(context)
         flat = "flat_object" in report
         for index, ok, lines in piece_rows(report):
-            draw_heading(column, lines[0], ok, "PIECE", index if flat else None)
+            draw_heading(context, column, lines[0], ok, "PIECE", index if flat else None)
             for line in lines[1:]:
                 column.label(text=line, icon="BLANK1")
 

@@ -37,7 +37,7 @@ def seam_rows(report: dict) -> list[ReportRow]:
     for seam in report["seams"]:
         pieces = [piece + 1 for piece in seam["pieces"]]
         between = "in piece" if len(set(pieces)) == 1 else "pieces"
-        name = f"Seam {seam['index'] + 1}, {between} {_list(list(dict.fromkeys(pieces)))}"
+        name = f"Seam {seam['index'] + 1}, {between} {', '.join(map(str, dict.fromkeys(pieces)))}"
         sides = range(1, len(pieces) + 1)
         labels = [f"Side {k}" for k in sides] if len(set(pieces)) == 1 else [f"Piece {piece}" for piece in pieces]
         rows.append(ReportRow(name, seam["ok"], _sides(seam, labels), seam=seam["index"]))
@@ -55,7 +55,11 @@ def wire_rows(report: dict) -> list[ReportRow]:
             if part["wire"] == wire["wire"]
         ]
         places = list(dict.fromkeys(index + 1 for index, _ in parts))
-        name = f"{wire['name']}, piece{'s' if len(places) > 1 else ''} {_list(places)}" if places else wire["name"]
+        name = (
+            f"{wire['name']}, piece{'s' if len(places) > 1 else ''} {', '.join(map(str, places))}"
+            if places
+            else wire["name"]
+        )
         rows.append(
             ReportRow(name, wire["ok"], _sides(wire, [""]), _tolerance(report["method"], wire), wire["at_limit"])
         )
@@ -107,9 +111,3 @@ def _sides(entry: dict, labels: list[str]) -> list[Side]:
 
 def _worst_first(rows: list[ReportRow]) -> list[ReportRow]:
     return sorted(rows, key=lambda row: -row.badness)
-
-
-def _list(numbers: list[int]) -> str:
-    if len(numbers) == 1:
-        return str(numbers[0])
-    return ", ".join(map(str, numbers[:-1])) + f" and {numbers[-1]}"

@@ -5,7 +5,7 @@ import bpy
 
 from ..unit_text import LengthText, length_text
 from .report_rows import ReportRow, Side
-from .text import draw_cells, is_wide
+from .text import broken, draw_cells, is_wide
 
 SHOWN_ROWS = 8
 
@@ -17,7 +17,7 @@ def draw_table(context: bpy.types.Context, layout: bpy.types.UILayout, rows: lis
     if wide:
         draw_cells(column, "", [f"3D {text.unit}", f"Flat {text.unit}", "Diff.", "%"], 0.2)
     for row in rows if context.scene.wirewarp.show_all else rows[:SHOWN_ROWS]:
-        draw_heading(column, row.name, row.ok, "SEAM", row.seam)
+        draw_heading(context, column, row.name, row.ok, "SEAM", row.seam)
         if row.tolerance:
             column.label(text=row.tolerance, icon="INFO" if row.at_limit else "BLANK1")
         (_draw_wide if wide else _draw_narrow)(column, row, text)
@@ -26,10 +26,14 @@ def draw_table(context: bpy.types.Context, layout: bpy.types.UILayout, rows: lis
         layout.prop(context.scene.wirewarp, "show_all", text=f"Show All {len(rows)}")
 
 
-def draw_heading(layout: bpy.types.UILayout, name: str, ok: bool, what: str, index: int | None) -> None:
+def draw_heading(
+    context: bpy.types.Context, layout: bpy.types.UILayout, name: str, ok: bool, what: str, index: int | None
+) -> None:
     """A name with its tick or cross and, where there is an index, the button that selects it."""
     row = layout.row(align=True)
-    row.label(text=name, icon="CHECKMARK" if ok else "CANCEL")
+    text = row.column(align=True)
+    for number, line in enumerate(broken(context, name, spare=0 if index is None else 22)):
+        text.label(text=line, icon="BLANK1" if number else "CHECKMARK" if ok else "CANCEL")
     if index is not None:
         button = row.operator("mesh.wirewarp_select_result", text="", icon="RESTRICT_SELECT_OFF", emboss=False)
         button.what, button.index = what, index

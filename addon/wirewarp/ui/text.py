@@ -26,11 +26,17 @@ def draw_cells(layout: bpy.types.UILayout, label: str, cells: list[str], label_s
         part.label(text=cell)
 
 
-def draw_sentence(context: bpy.types.Context, layout: bpy.types.UILayout, text: str, icon: str = "NONE") -> None:
-    """Blender cuts long labels off, so the sentence is broken into lines that fit the region."""
-    scale = context.preferences.system.ui_scale
-    width = max(20, int((context.region.width / scale - 60) / 6.2))
+def broken(context: bpy.types.Context, text: str, spare: int = 0) -> list[str]:
+    """The text in lines that fit the region beside an icon; spare: pixels to leave free."""
+    width = (context.region.width / context.preferences.system.ui_scale - 68 - spare) / 6.2
+    return textwrap.wrap(text, max(12, int(width)))
+
+
+def draw_sentence(
+    context: bpy.types.Context, layout: bpy.types.UILayout, text: str, icon: str = "NONE", spare: int = 0
+) -> None:
+    """Blender cuts long labels off, so the sentence is broken into lines that fit the region less spare pixels."""
     column = layout.column(align=True)
     column.scale_y = 0.8
-    for number, line in enumerate(textwrap.wrap(text, width)):
+    for number, line in enumerate(broken(context, text, spare)):
         column.label(text=line, icon=icon if number == 0 else ("BLANK1" if icon != "NONE" else "NONE"))
