@@ -17,7 +17,7 @@ struct Named {
 };
 
 inline constexpr Named<Method> kMethods[] = {{Method::wirewarping, "wirewarping"},
-                                              {Method::wirewarp_plus_plus, "wirewarp++"}};
+                                             {Method::wirewarp_plus_plus, "wirewarp++"}};
 
 inline constexpr Named<NodeWeight> kNodeWeights[] = {{NodeWeight::length, "length"}, {NodeWeight::uniform, "uniform"}};
 

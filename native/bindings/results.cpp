@@ -44,6 +44,13 @@ void bind_lengths(py::module_& module) {
       .field("variation", &WireReport::variation, "h: the lengths aimed at are (1 + h) times the 3D ones.")
       .field("max_edge_error", &WireReport::max_edge_error, "Largest |l2 - (1 + h) l| / l of its edges.");
 
+  Record<HelperWire>(module, "HelperWire", "A free wire that the method added; it runs across faces.")
+      .field("length_3d", &HelperWire::length_3d, "Scene units.")
+      .field("length_2d", &HelperWire::length_2d, "Scene units.")
+      .field("variation", &HelperWire::variation, "h: the flat length is (1 + h) times the 3D one.")
+      .field("points_3d", &HelperWire::points_3d, "(n, 3) on the surface, in order along the wire.")
+      .field("points_2d", &HelperWire::points_2d, "(n, 2) in the piece.");
+
   Record<BoundaryReport>(module, "BoundaryReport", "One chain of a piece's outline between junctions.")
       .field("vertices", &BoundaryReport::vertices, "(n,) input vertices in order, the piece on the left.")
       .field("length_3d", &BoundaryReport::length_3d, "Scene units.")
@@ -110,6 +117,7 @@ void bind_results(py::module_& module) {
       .field("source_face", &Piece::source_face, "(q,) input faces.")
       .field("wires", &Piece::wires, "One WireReport per part of a wire in this piece.")
       .field("boundaries", &Piece::boundaries, "One BoundaryReport per stretch of the outline.")
+      .field("helper_wires", &Piece::helper_wires, "The wires that the method added, one HelperWire each.")
       .field("metrics", &Piece::metrics, "Distortion.")
       .field("report", &Piece::report, "What the solver did.")
       .field(

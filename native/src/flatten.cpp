@@ -8,10 +8,13 @@
 #include "charts/cut_into_charts.h"
 #include "check_input/check_input.h"
 #include "check_input/sentence.h"
+#include "index.h"
+#include "mesh/geometry.h"
 #include "metrics/assemble_result.h"
 #include "outer/choose_variation.h"
 #include "packing/pack_pieces.h"
 #include "progress_report.h"
+#include "topology/process_topology.h"
 
 namespace wirewarp {
 namespace {
@@ -56,32 +59,59 @@ void report_solution(const OuterSolution& solution, PieceReport& report) {
   report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
 }
 
+/// Takes what a solution says of the helper wires, the parts after the chart's own.
+void report_helper_wires(const Chart& prepared, std::size_t num_own_parts, const OuterSolution& solution,
+                         Layout& layout) {
+  for (std::size_t i = num_own_parts; i < prepared.wire_parts.size(); ++i) {
+    const HalfEdgeChain& chain = prepared.wire_parts[i].half_edges;
+    std::vector<int> vertices{prepared.mesh.from_vertex_handle(chain.front()).idx()};
+    for (const HalfedgeHandle h : chain) vertices.push_back(prepared.mesh.to_vertex_handle(h).idx());
+    HelperWire helper;
+    helper.points_3d.resize(static_cast<Eigen::Index>(vertices.size()), 3);
+    for (int k = 0; k < helper.points_3d.rows(); ++k) {
+      const auto point = prepared.mesh.point(VertexHandle(vertices[at(k)]));
+      helper.points_3d.row(k) << point[0], point[1], point[2];
+    }
+    for (const HalfedgeHandle h : chain) helper.length_3d += edge_length(prepared.mesh, h);
+    helper.variation = solution.variation[static_cast<Eigen::Index>(i)];
+    helper.length_2d = (1 + helper.variation) * helper.length_3d;
+    layout.helper_wires.push_back(std::move(helper));
+    layout.helper_vertices.push_back(std::move(vertices));
+  }
+}
+
 /// The flat shape of one chart. Throws FlattenError where there is none or begin_stage cancels.
 void flatten_chart(const Chart& chart, const FlattenInput& input, const Options& options,
                    const std::function<void(const char* stage)>& begin_stage, Layout& layout) {
   std::map<std::string, double>& seconds = layout.report.seconds;
   begin_stage("wires");
+  std::optional<Chart> refined;
+  WireNetwork network;
   {
     const StageTimer timer(seconds, "wires");
-    layout.network = build_wire_network(chart);
-    check_wire_network(chart, *layout.network, input.wires);
+    refined = process_topology(chart);  // III
+    network = build_wire_network(refined ? *refined : chart);
+    layout.network = refined ? build_wire_network(chart) : network;
   }
+  const Chart& prepared = refined ? *refined : chart;
   begin_stage("interior");
   std::optional<Warp> warp;  // ψ (II-A)
   {
     const StageTimer timer(seconds, "interior");
-    warp.emplace(chart, *layout.network, options.node_weight, options.inner);
+    warp.emplace(prepared, network, options.node_weight, options.inner);
     layout.report.factorizations = warp->interior_factorizations();
   }
   const StageTimer timer(seconds, "lengths");
-  const VariationBounds bounds = variation_bounds(chart, options.method);
+  const VariationBounds bounds = variation_bounds(prepared, options.method);
   OuterSolution solution =
-      choose_variation(chart, *warp, bounds, [&] { begin_stage("lengths"); });  // II-B, Algorithm 1
+      choose_variation(prepared, *warp, bounds, [&] { begin_stage("lengths"); });  // II-B, Algorithm 1
   if (!solution.shape.inner.is_feasible) {
     throw infeasible_lengths(chart, *layout.network, input.wires, solution.shape.inner);
   }
   report_solution(solution, layout.report);
-  layout.variation.assign(solution.variation.begin(), solution.variation.end());
+  report_helper_wires(prepared, chart.wire_parts.size(), solution, layout);
+  layout.variation.assign(solution.variation.begin(),
+                          solution.variation.begin() + static_cast<std::ptrdiff_t>(chart.wire_parts.size()));
   layout.uv = std::move(solution.shape.uv);
 }
 

@@ -4,6 +4,7 @@
 from ._errors import ErrorCode, FlattenError
 from ._wirewarp import (
     BoundaryReport,
+    HelperWire,
     FlattenResult,
     Metrics,
     Options,
@@ -19,6 +20,7 @@ from ._wirewarp import (
 
 __all__ = [
     "BoundaryReport",
+    "HelperWire",
     "ErrorCode",
     "FlattenError",
     "FlattenResult",

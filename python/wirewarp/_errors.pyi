@@ -23,8 +23,6 @@ class ErrorCode(StrEnum):
     inconsistent_orientation = "inconsistent_orientation"
     closed_chart = "closed_chart"
     handles = "handles"
-    hinged_wire = "hinged_wire"
-    separate_loops = "separate_loops"
     infeasible_lengths = "infeasible_lengths"
     not_solvable = "not_solvable"
     cancelled = "cancelled"

@@ -15,7 +15,7 @@ import wirewarp
 from surfaces import half_cylinder, tetrahedron
 from wirewarp import ErrorCode, FlattenError, flatten
 
-EXAMPLE = FlattenError("hinged_wire", "Wire 2 ends inside.", [4, 5], [(4, 5)], [7], True)
+EXAMPLE = FlattenError("flipped_faces", "Wire 2 ends inside.", [4, 5], [(4, 5)], [7], True)
 
 
 def test_every_code_is_a_string_with_a_meaning_and_a_remedy():
@@ -36,7 +36,7 @@ def test_codes_do_not_share_meanings():
 def test_an_error_is_a_value_error_that_reads_as_its_sentence():
     assert isinstance(EXAMPLE, ValueError)
     assert str(EXAMPLE) == EXAMPLE.message == "Wire 2 ends inside."
-    assert EXAMPLE.code is ErrorCode.hinged_wire
+    assert EXAMPLE.code is ErrorCode.flipped_faces
     assert (EXAMPLE.vertices, EXAMPLE.edges, EXAMPLE.faces) == ((4, 5), ((4, 5),), (7,))
     assert EXAMPLE.has_layout
 
@@ -56,7 +56,7 @@ def test_an_error_survives_copying_and_pickling(clone):
 
 def test_an_error_as_plain_values():
     assert json.loads(json.dumps(EXAMPLE.to_dict())) == {
-        "code": "hinged_wire",
+        "code": "flipped_faces",
         "message": "Wire 2 ends inside.",
         "vertices": [4, 5],
         "edges": [[4, 5]],

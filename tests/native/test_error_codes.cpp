@@ -231,50 +231,6 @@ TEST(ErrorCodes, Handles) {
   EXPECT_EQ(carried_by(input).code, Code::handles);
 }
 
-TEST(ErrorCodes, HingedWireThatEndsInside) {
-  const int n = 6;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  std::vector<int> half = test::grid_row(n, 3);
-  half.resize(4);
-  test::add_wire(input, test::grid_column(n, n, 5));
-  test::add_wire(input, half, 0, "dangling");
-  const FlattenError error = carried_by(input);
-  EXPECT_EQ(error.code, Code::hinged_wire);
-  EXPECT_EQ(error.elements.vertices, std::vector<int>{half.back()});
-  EXPECT_EQ(error.elements.edges.size(), 3u);
-  expect_names(error, "Wire 1 (dangling)");
-}
-
-TEST(ErrorCodes, ASingleWireBetweenTwoLoopsIsHinged) {
-  FlattenInput input = test::flat_annulus(12, 3, 1, 2);
-  const int inner = test::nearest_vertex(input, {1, 0, 0});
-  const int outer = test::nearest_vertex(input, {2, 0, 0});
-  const int first = test::nearest_vertex(input, {4.0 / 3, 0, 0});
-  const int second = test::nearest_vertex(input, {5.0 / 3, 0, 0});
-  test::add_wire(input, {inner, first, second, outer});
-  const FlattenError error = carried_by(input);
-  EXPECT_EQ(error.code, Code::hinged_wire);
-  EXPECT_EQ(std::set<int>(error.elements.vertices.begin(), error.elements.vertices.end()),
-            std::set<int>({inner, outer}));
-}
-
-TEST(ErrorCodes, SeparateLoops) {
-  const FlattenError hole = carried_by(test::flat_annulus(12, 3, 1, 2));
-  EXPECT_EQ(hole.code, Code::separate_loops);
-  EXPECT_EQ(hole.elements.vertices.size(), 24u);
-  expect_names(hole, "This piece is a tube or has a hole: mark a seam");
-
-  const int n = 6;
-  FlattenInput ring = test::flat_rectangle(n, n, 1, 1);
-  const auto vertex = [&](int i, int j) { return i + (n + 1) * j; };
-  test::add_wire(ring, {vertex(2, 2), vertex(4, 2), vertex(4, 4), vertex(2, 4), vertex(2, 2)});
-  ring.wires[0].vertices = {vertex(2, 2), vertex(3, 2), vertex(4, 2), vertex(4, 3), vertex(4, 4),
-                            vertex(3, 4), vertex(2, 4), vertex(2, 3), vertex(2, 2)};
-  const FlattenError error = carried_by(ring);
-  EXPECT_EQ(error.code, Code::separate_loops);
-  expect_names(error, "A region beside wire 0 ");
-}
-
 TEST(ErrorCodes, InfeasibleLengths) {
   // A cap of five triangles round an apex, every edge a rigid wire: the angles at the apex are given, and too small.
   std::vector<std::array<double, 3>> points{{0, 0, 1}};

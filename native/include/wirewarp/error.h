@@ -34,8 +34,6 @@ enum class ErrorCode {
   inconsistent_orientation,
   closed_chart,
   handles,
-  hinged_wire,
-  separate_loops,
   infeasible_lengths,
   not_solvable,
   cancelled,

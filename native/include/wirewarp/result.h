@@ -27,6 +27,16 @@ struct WireReport {
   double max_edge_error = 0;  // largest |l2 - (1+h) l| / l of its edges
 };
 
+/// A super-elastic wire that the method added where the network of wires needs one (paper III). It runs across the
+/// input's faces, and promises nothing.
+struct HelperWire {
+  double length_3d = 0;
+  double length_2d = 0;
+  double variation = 0;  // h
+  Positions3 points_3d;  // on the surface, in order along the wire
+  Positions2 points_2d;  // in the piece
+};
+
 /// One chain of the outline of a piece between junctions: hem, neckline, armhole, one side of a seam.
 struct BoundaryReport {
   std::vector<int> vertices;  // in order along the outline, the piece on the left; a closed chain repeats its first
@@ -91,6 +101,7 @@ struct Piece {
   std::vector<int> source_face;    // q
   std::vector<WireReport> wires;
   std::vector<BoundaryReport> boundaries;
+  std::vector<HelperWire> helper_wires;
   Metrics metrics;
   PieceReport report;
   std::optional<FlattenError> error;  // empty: every promise is kept

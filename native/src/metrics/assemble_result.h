@@ -12,8 +12,11 @@ namespace wirewarp {
 /// A chart's planar shape and how it came about.
 struct Layout {
   std::optional<WireNetwork> network;  // set where uv is
-  Positions2 uv;                  // one row per chart vertex, scene units, as seen from outside; no rows: no layout
-  std::vector<double> variation;  // h, one per wire part
+  Positions2 uv;  // one row per chart vertex, then those that helper wires need; scene units; no rows: no
+                  // layout
+  std::vector<double> variation;                  // h, one per wire part of the chart
+  std::vector<HelperWire> helper_wires;           // points_2d still empty
+  std::vector<std::vector<int>> helper_vertices;  // of each helper wire: the rows of uv of its points
   PieceReport report;
   std::optional<FlattenError> error;  // why there is no layout
 };

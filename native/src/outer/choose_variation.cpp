@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kTolerance = 3e-7;  // relative decrease that is not worth another step
 constexpr double kIsometry = 1e-14;  // shape error: strains of 1e-7, the rounding of meshes in single precision
-constexpr int kMaxEvaluations = 200;
+constexpr int kMaxEvaluations = 100;
 constexpr int kFreeIterations = 30;  // local/global steps of the free flattening
 constexpr double kShortest = -0.99;  // 1 + h > 0 on super-elastic parts, with room for the line search
 constexpr double kLongest = 100;

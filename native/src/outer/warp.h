@@ -20,7 +20,7 @@ struct WarpedShape {
 
 class Warp {
  public:
-  /// chart and network must outlive the warp. network: every wire-patch a disk (see check_wire_network).
+  /// chart and network must outlive the warp. network: every wire-patch a disk (see process_topology).
   Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner);
 
   /// ψ(h). variation: h > -1, one per wire part of the chart; boundaries keep their length.

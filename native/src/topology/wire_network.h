@@ -61,8 +61,4 @@ struct WireNetwork {
 /// All wires and boundaries of a chart and how they meet. Any network: nothing is refused here.
 WireNetwork build_wire_network(const Chart& chart);
 
-/// Throws hinged_wire or separate_loops, naming wires and vertices, unless every wire-patch is a disk with its own
-/// corner on both sides of every wire: what Eq. (1) needs.
-void check_wire_network(const Chart& chart, const WireNetwork& network, const std::vector<Wire>& wires);
-
 }  // namespace wirewarp

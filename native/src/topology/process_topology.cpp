@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "topology/process_topology.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "topology/hinged_wires.h"
+#include "topology/separate_loops.h"
+
+namespace wirewarp {
+namespace {
+
+bool is_sound(const WireNetwork& network) {
+  const bool has_tail =
+      std::any_of(network.nodes.begin(), network.nodes.end(), [](const WireNode& node) { return node.is_tail; });
+  return !has_tail && find_separate_loops(network).empty();
+}
+
+}  // namespace
+
+std::optional<Chart> process_topology(const Chart& chart) {
+  if (is_sound(build_wire_network(chart))) return std::nullopt;
+  RefinedChart refined(chart);
+  extend_hinged_wires(refined);  // III-A
+  join_separate_loops(refined);  // III-B
+  restore_delaunay(refined);
+  if (!is_sound(build_wire_network(refined.chart))) throw std::logic_error("A wire is hinged or a loop is separate.");
+  return std::move(refined.chart);
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "topology/shortest_path.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+#include <stdexcept>
+
+#include "mesh/geometry.h"
+#include "topology/embed_path.h"
+#include "topology/straightest_geodesic.h"
+#include "topology/strip.h"
+
+namespace wirewarp {
+namespace {
+
+/// Whether the path gets shorter around the other side of the vertex: less than a straight angle is there.
+bool is_shorter_on_other_side(const HalfEdgeMesh& mesh, const StripTurn& turn) {
+  constexpr double kStraight = 1e-9;
+  return total_angle(mesh, turn.vertex) - kPi - turn.angle < kPi - kStraight;
+}
+
+/// Replaces the strip and its path by one that is shorter. False if there is none.
+bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, Strip& strip, StripPath& best) {
+  constexpr double kNoShorter = 1e-13;  // relative
+  for (const StripTurn& turn : best.turns) {
+    if (!is_shorter_on_other_side(mesh, turn)) continue;
+    Strip other = pass_on_other_side(mesh, strip, turn);
+    StripPath path = shortest_in_strip(mesh, wires, other);
+    if (path.length >= best.length * (1 - kNoShorter)) continue;
+    strip = std::move(other);
+    best = std::move(path);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const WireMask& wires,
+                                             const std::vector<VertexHandle>& sources,
+                                             const std::vector<char>& is_target) {
+  using Entry = std::pair<double, int>;  // distance, vertex
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  std::vector<double> distance(mesh.n_vertices(), std::numeric_limits<double>::infinity());
+  std::vector<VertexHandle> previous(mesh.n_vertices());
+  for (const VertexHandle v : sources) {
+    distance[at(v.idx())] = 0;
+    queue.emplace(0.0, v.idx());
+  }
+  while (!queue.empty()) {
+    const auto [reached, index] = queue.top();
+    queue.pop();
+    VertexHandle v(index);
+    if (reached > distance[at(index)]) continue;
+    if (is_target[at(index)]) {
+      std::vector<VertexHandle> path;
+      for (; v.is_valid(); v = previous[at(v.idx())]) path.push_back(v);
+      std::reverse(path.begin(), path.end());
+      return path;
+    }
+    for (const HalfedgeHandle h : mesh.voh_range(v)) {
+      const VertexHandle next = mesh.to_vertex_handle(h);
+      const bool is_barrier = wires.has(mesh.edge_handle(h)) || (wires.has(next) && !is_target[at(next.idx())]);
+      const double length = reached + edge_length(mesh, h);
+      if (is_barrier || length >= distance[at(next.idx())]) continue;
+      distance[at(next.idx())] = length;
+      previous[at(next.idx())] = v;
+      queue.emplace(length, next.idx());
+    }
+  }
+  return {};
+}
+
+SurfacePath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path) {
+  Strip strip = strip_beside(mesh, edge_path);
+  StripPath best = shortest_in_strip(mesh, wires, strip);
+  while (improve(mesh, wires, strip, best)) {
+  }
+  return best.path;
+}
+
+HalfEdgeChain join_by_shortest_path(RefinedChart& refined, const std::vector<VertexHandle>& sources,
+                                    std::vector<char> is_target) {
+  make_room(refined, sources);
+  const HalfEdgeMesh& mesh = refined.chart.mesh;
+  is_target.resize(mesh.n_vertices(), 0);
+  const std::vector<VertexHandle> edge_path = shortest_edge_path(mesh, refined.wires, sources, is_target);
+  if (edge_path.empty()) throw std::logic_error("No path leads from one wire loop to another in the same region.");
+  const SurfacePath straight = straighten(mesh, refined.wires, edge_path);
+  const std::optional<SurfacePath> path = snap_to_vertices(mesh, refined.wires, straight);
+  if (!path) throw std::logic_error("A shortest path between wire loops ends off its loops.");
+  HalfEdgeChain chain = embed_path(refined, *path);
+  add_helper_wire(refined, chain);
+  return chain;
+}
+
+}  // namespace wirewarp
