@@ -49,8 +49,8 @@ def _loading_problem(error: ImportError, inside: Path) -> str:
     else:
         reason = str(error)
     return (
-        f"The WireWarp library does not load in this Blender ({here}): {reason}. "
-        "Install the WireWarp zip made for this version of Blender and this system."
+        f"The WireWarp library does not load in this Blender ({here}): {reason}. WireWarp runs on Linux on x86-64, in "
+        "Blender 4.2 and later (the extension zip) and in Blenders with Python 3.11 (the legacy zip)."
     )
 
 

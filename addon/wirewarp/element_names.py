@@ -33,9 +33,9 @@ def name_elements(sentence: str, triangle_polygons: np.ndarray, faces: Sequence[
 
 
 def count_faces(sentence: str, counts: Sequence[tuple[int, int]]) -> str:
-    """The sentence with its "12 faces" in polygons; counts: (triangles, polygons) of all that may be counted in it.
+    """The sentence with its "12 faces" or "12 triangles" in polygons.
 
-    A number that is not one of those, or could be two of them, is said to be one of triangles.
+    counts: (triangles, polygons) of all that may be counted in it. A number that is not one of those, or could be two of them, is said to be one of triangles.
     """
 
     def translate(match: re.Match) -> str:
@@ -44,7 +44,7 @@ def count_faces(sentence: str, counts: Sequence[tuple[int, int]]) -> str:
         count, noun = (polygons.pop(), "face") if len(polygons) == 1 else (number, "triangle")
         return f"{count} {kind}{noun}{'' if count == 1 else 's'}"
 
-    return re.sub(r"\b(\d+) (flipped |overlapping )?faces?\b", translate, sentence)
+    return re.sub(r"\b(\d+) (flipped |overlapping )?(?:face|triangle)s?\b", translate, sentence)
 
 
 def _list(noun: str, names: list[str]) -> str:

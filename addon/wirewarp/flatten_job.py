@@ -12,6 +12,15 @@ from .element_names import count_faces, name_elements
 from .issues import Issue, ObjectError
 from .mesh_to_arrays import MeshArrays
 
+# What the library advises, by Blender's own names.
+COMMANDS = {
+    "zero_area_face": " In Edit Mode: Mesh > Clean Up > Degenerate Dissolve.",
+    "repeated_face": " In Edit Mode: Mesh > Delete > Only Faces.",
+    "repeated_vertex_in_face": " In Edit Mode: Mesh > Delete > Only Faces.",
+    "inconsistent_orientation": " In Edit Mode: Mesh > Normals > Recalculate Outside.",
+    "non_manifold_vertex": " In Edit Mode: Mesh > Split > Selection, with the faces on one side selected.",
+}
+
 Progress = Callable[[str, float], bool]
 
 
@@ -60,7 +69,7 @@ def issue_of_error(error: Any, arrays: MeshArrays, counted: Sequence[np.ndarray]
     """
     faces = polygons_of(arrays, error.faces)
     counts = [(len(triangles), len(polygons_of(arrays, triangles))) for triangles in counted]
-    sentence = count_faces(str(error), counts)
+    sentence = count_faces(str(error) + COMMANDS.get(str(error.code), ""), counts)
     return Issue(
         code=str(error.code),
         sentence=name_elements(sentence, arrays.triangle_polygons, faces, [wire.name for wire in arrays.wires]),

@@ -38,6 +38,7 @@ def test_names(addon, sentence, faces, expected):
     ("sentence", "counts", "expected"),
     [
         ("A closed surface (12 faces): cut it.", [(12, 6), (0, 0)], "A closed surface (6 faces): cut it."),
+        ("A closed surface (12 triangles).", [(12, 6), (0, 0)], "A closed surface (6 faces)."),
         ("It overlaps itself at 138 faces.", [(900, 450), (3, 2), (138, 80)], "It overlaps itself at 80 faces."),
         ("It has 3 flipped faces and more.", [(900, 450), (3, 1)], "It has 1 flipped face and more."),
         ("Could be two things: 3 faces.", [(3, 1), (3, 2)], "Could be two things: 3 triangles."),

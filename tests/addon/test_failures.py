@@ -238,6 +238,14 @@ def test_select_wire():
     assert selected(source, "edges") == set(np.flatnonzero(ids == wire))
 
 
+def test_blenders_own_command_is_named_where_there_is_one(addon):
+    source = grid("Bump", bump)
+    source.data.polygons[0].flip()
+    flatten_fails("look to opposite sides.* In Edit Mode: Mesh > Normals > Recalculate Outside")
+    codes = {str(code) for code in addon.core.library().ErrorCode}
+    assert set(addon.flatten_job.COMMANDS) <= codes
+
+
 def test_flipped_and_overlapping_faces_are_counted_and_selected_as_faces(addon):
     """Three triangles turned over and two that overlap, of a grid with two triangles in each face."""
     source = grid("Bump", bump)
