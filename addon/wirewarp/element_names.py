@@ -35,7 +35,8 @@ def name_elements(sentence: str, triangle_polygons: np.ndarray, faces: Sequence[
 def count_faces(sentence: str, counts: Sequence[tuple[int, int]]) -> str:
     """The sentence with its "12 faces" or "12 triangles" in polygons.
 
-    counts: (triangles, polygons) of all that may be counted in it. A number that is not one of those, or could be two of them, is said to be one of triangles.
+    counts: (triangles, polygons) of all that may be counted in it. A number that is not one of those, or could be two
+    of them, is said to be one of triangles.
     """
 
     def translate(match: re.Match) -> str:
