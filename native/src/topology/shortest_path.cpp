@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "mesh/geometry.h"
+#include "pi.h"
 #include "topology/embed_path.h"
 #include "topology/straightest_geodesic.h"
 #include "topology/strip.h"
