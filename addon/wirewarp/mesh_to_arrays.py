@@ -12,7 +12,7 @@ from .foreach import read
 from .issues import object_error
 from .wire_attributes import read_marks
 from .wire_chains import WireChain, chains_of_marks
-from .wire_names import display_name
+from .wire_names import names_of
 
 
 @dataclass(frozen=True)
@@ -115,8 +115,9 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, named: bpy.types.Mesh, linear: np.ndar
 def _name_wires(named: bpy.types.Mesh, chains: list[WireChain]) -> list[NamedWire]:
     wires: list[NamedWire] = []
     count: dict[str, int] = {}
+    names = names_of(named, [chain.wire_id for chain in chains])
     for chain in chains:
-        name = display_name(named, chain.wire_id)
+        name = names[chain.wire_id]
         count[name] = count.get(name, 0) + 1
         wires.append(NamedWire(name if count[name] == 1 else f"{name} ({count[name]})", chain))
     return wires

@@ -16,25 +16,29 @@ def list_position(mesh: bpy.types.Mesh, wire_id: int) -> int:
     return ids.index(wire_id) if wire_id in ids else len(ids)
 
 
-def display_name(mesh: bpy.types.Mesh, wire_id: int) -> str:
-    entry = find_name(mesh, wire_id)
-    return entry.name if entry else f"Wire {wire_id}"
+def names_of(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> dict[int, str]:
+    """The name of each id, in their order; those without an entry get the next free number."""
+    present = dict.fromkeys(wire_ids)
+    names = {entry.wire_id: entry.name for entry in mesh.wirewarp_names if entry.wire_id in present}
+    taken = set(names.values())
+    for wire_id in present:
+        if wire_id not in names:
+            names[wire_id] = _free_name(taken)
+            taken.add(names[wire_id])
+    return names
 
 
 def update_names(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> None:
-    """One entry for each of the ids that are on the mesh, in their order; entries of vanished wires go."""
-    present = dict.fromkeys(wire_ids)
+    """One entry for each of the ids that are on the mesh; entries of vanished wires go."""
+    names = names_of(mesh, wire_ids)
     for index in reversed(range(len(mesh.wirewarp_names))):
-        if mesh.wirewarp_names[index].wire_id not in present:
+        if mesh.wirewarp_names[index].wire_id not in names:
             mesh.wirewarp_names.remove(index)
     known = {entry.wire_id for entry in mesh.wirewarp_names}
-    taken = {entry.name for entry in mesh.wirewarp_names}
-    for wire_id in present:
+    for wire_id, name in names.items():
         if wire_id not in known:
             entry = mesh.wirewarp_names.add()
-            entry.wire_id = wire_id
-            entry.name = _free_name(taken)
-            taken.add(entry.name)
+            entry.wire_id, entry.name = wire_id, name
 
 
 def copy_names(source: bpy.types.Mesh, target: bpy.types.Mesh) -> None:

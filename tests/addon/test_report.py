@@ -6,7 +6,7 @@ import math
 
 import bpy
 import pytest
-from surfaces import bump, edge_lengths, edge_vertices, grid, mark, mark_seam, on_line, read
+from surfaces import bump, edge_lengths, edge_vertices, grid, mark, mark_seam, on_line, read, select_only
 
 WIRE, SEAM = on_line(1, 0.0), on_line(0, 0.0)
 
@@ -162,3 +162,16 @@ def test_without_a_report_file_nothing_is_written_to_disk(source, tmp_path):
     bpy.ops.object.wirewarp_flatten()
     assert list(tmp_path.iterdir()) == []
     assert sum(read(source.data.edges, "use_seam", bool)) == 8
+
+
+def test_a_wire_without_a_name_has_the_same_one_in_the_report_and_in_the_list(source, addon):
+    source.data.wirewarp_names[0].name = "Bust"
+    other = grid("Other", bump)
+    mark(other, WIRE)
+    select_only(source, other)
+    bpy.ops.object.join()  # keeps the names of the first mesh only
+    bpy.ops.object.wirewarp_flatten()
+    wires = addon.report_store.last_report(source)["wires"]
+    assert (
+        [wire["name"] for wire in wires] == [entry.name for entry in source.data.wirewarp_names] == ["Bust", "Wire 2"]
+    )

@@ -104,6 +104,7 @@ class VIEW3D_PT_wirewarp_report_pieces(SidebarPanel, bpy.types.Panel):
         return bool(shown_report(context)["pieces"])
 
     def draw(self, context: bpy.types.Context) -> None:
+        draw_sentence(context, self.layout, "Without any distortion: distortion 0, stretch 1, angles 0°", "INFO")
         column = self.layout.column(align=True)
         report = shown_report(context)
         flat = "flat_object" in report

@@ -96,10 +96,10 @@ def piece_rows(report: dict) -> list[tuple[int, bool, list[str]]]:
     for piece in sorted(report["pieces"], key=lambda piece: piece["ok"]):
         lines = [f"Piece {piece['index'] + 1}, {piece['faces']} faces"]
         if piece["has_layout"]:
-            lines.append(f"Distortion {piece['arap_energy']:.4f} (0: none)")
-            lines.append(f"Worst stretch {piece['aspect_ratio_max']:.3f} (1: none)")
+            lines.append(f"Distortion {piece['arap_energy']:.4f}")
+            lines.append(f"Stretch up to {piece['aspect_ratio_max']:.3f}")
             deviation = math.degrees(piece["angle_deviation_max"])
-            lines.append(f"Worst angle {deviation:.1f}° off")
+            lines.append(f"Angles up to {deviation:.1f}° off")
         rows.append((piece["index"], piece["ok"], lines))
     return rows
 
