@@ -3,6 +3,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from types import ModuleType
 from typing import Any
 
@@ -10,7 +11,7 @@ import numpy as np
 
 from .element_names import count_faces, name_elements
 from .issues import Issue, ObjectError
-from .mesh_to_arrays import MeshArrays
+from .mesh_to_arrays import MeshArrays, NamedWire
 
 # What the library advises, by Blender's own names.
 COMMANDS = {
@@ -41,10 +42,7 @@ def flatten_arrays(library: ModuleType, arrays: MeshArrays, choices: FlattenChoi
             arrays.vertices,
             arrays.triangles,
             seams=arrays.seams,
-            wires=[
-                library.Wire(wire.chain.vertices, tolerance=wire.chain.tolerance, name=wire.name)
-                for wire in arrays.wires
-            ],
+            wires=[_library_wire(library, wire) for wire in arrays.wires],
             options=library.Options(
                 method=choices.method, node_weight=choices.node_weight, gap=choices.gap, mirror=choices.mirror
             ),
@@ -52,6 +50,16 @@ def flatten_arrays(library: ModuleType, arrays: MeshArrays, choices: FlattenChoi
         )
     except library.FlattenError as error:
         raise ObjectError(issue_of_error(error, arrays)) from error
+
+
+def _library_wire(library: ModuleType, wire: NamedWire) -> Any:  # noqa: ANN401
+    try:
+        return library.Wire(wire.chain.vertices, tolerance=wire.chain.tolerance, name=wire.name)
+    except library.FlattenError as error:  # knows neither the wire's name nor where it is
+        edges = list(pairwise(wire.chain.vertices))
+        raise ObjectError(
+            Issue(str(error.code), f'The wire "{wire.name}" is not valid: {error}', edges=edges)
+        ) from error
 
 
 def issue_of_piece(piece: Any, index: int, arrays: MeshArrays) -> Issue:  # noqa: ANN401

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Loose edges to ordered chains. No Blender in here: numpy arrays in, lists out."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -56,7 +57,8 @@ def chains_of_marks(
 
 def shortest_double(value: np.float32) -> float:
     """The float32 0.03 as the double 0.03, not 0.029999999329: what the user wrote."""
-    return float(str(np.float32(value)))
+    number = float(str(np.float32(value)))
+    return math.nan if math.isnan(number) else number  # one and the same object, or no two edges are of one wire
 
 
 def _pair_sides(edges: np.ndarray, positions: np.ndarray) -> np.ndarray:
