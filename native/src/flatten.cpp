@@ -2,15 +2,13 @@
 // The pipeline, top-down; the mathematics is in the files it names. native/README.md maps the paper to them.
 #include "wirewarp/flatten.h"
 
-#include <set>
 #include <stdexcept>
 
+#include "chart_errors.h"
 #include "charts/cut_into_charts.h"
 #include "check_input/check_input.h"
-#include "check_input/sentence.h"
-#include "index.h"
-#include "mesh/geometry.h"
 #include "metrics/assemble_result.h"
+#include "metrics/helper_wires.h"
 #include "outer/choose_variation.h"
 #include "packing/pack_pieces.h"
 #include "progress_report.h"
@@ -18,34 +16,6 @@
 
 namespace wirewarp {
 namespace {
-
-FlattenError infeasible_lengths(const Chart& chart, const WireNetwork& network, const std::vector<Wire>& wires,
-                                const InnerSolution& solution) {
-  std::set<int> in_chart;
-  for (const WirePart& part : chart.wire_parts) {
-    if (part.kind != WireKind::boundary) in_chart.insert(part.wire_index);
-  }
-  const std::string names = in_chart.empty() ? "" : " and " + name_wires(wires, {in_chart.begin(), in_chart.end()});
-  ErrorElements elements;
-  for (const WireEdge& edge : network.edges) {
-    elements.edges.push_back(source_edge(chart, chart.mesh.halfedge_handle(edge.edge, 0)));
-  }
-  elements.faces = chart.source_face;
-  return FlattenError(ErrorCode::infeasible_lengths,
-                      "The outline" + names + " of the piece around face " + std::to_string(chart.source_face.front()) +
-                          " cannot keep " + (in_chart.empty() ? "its length" : "their lengths") +
-                          " in the plane (a gap of " + percent(solution.closure_residual) + " of a loop stays open): " +
-                          (in_chart.empty() ? "" : "clear a wire or ") + "mark another seam.",
-                      elements);
-}
-
-FlattenError not_solvable(const Chart& chart) {
-  return FlattenError(ErrorCode::not_solvable,
-                      "The piece around face " + std::to_string(chart.source_face.front()) +
-                          " cannot be laid out in double precision, for its faces differ too much in size: merge "
-                          "vertices that lie very close together, or remesh it.",
-                      {{}, {}, chart.source_face});
-}
 
 void report_solution(const OuterSolution& solution, PieceReport& report) {
   report.inner_solves = solution.inner_solves;
@@ -57,27 +27,6 @@ void report_solution(const OuterSolution& solution, PieceReport& report) {
   if (!solution.shape.inner.is_minimum) report.warnings.push_back("The wire angles stopped short of their minimum.");
   if (!solution.converged) report.warnings.push_back("The wire lengths stopped short of the least distortion.");
   report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
-}
-
-/// Takes what a solution says of the helper wires, the parts after the chart's own.
-void report_helper_wires(const Chart& prepared, std::size_t num_own_parts, const OuterSolution& solution,
-                         Layout& layout) {
-  for (std::size_t i = num_own_parts; i < prepared.wire_parts.size(); ++i) {
-    const HalfEdgeChain& chain = prepared.wire_parts[i].half_edges;
-    std::vector<int> vertices{prepared.mesh.from_vertex_handle(chain.front()).idx()};
-    for (const HalfedgeHandle h : chain) vertices.push_back(prepared.mesh.to_vertex_handle(h).idx());
-    HelperWire helper;
-    helper.points_3d.resize(static_cast<Eigen::Index>(vertices.size()), 3);
-    for (int k = 0; k < helper.points_3d.rows(); ++k) {
-      const auto point = prepared.mesh.point(VertexHandle(vertices[at(k)]));
-      helper.points_3d.row(k) << point[0], point[1], point[2];
-    }
-    for (const HalfedgeHandle h : chain) helper.length_3d += edge_length(prepared.mesh, h);
-    helper.variation = solution.variation[static_cast<Eigen::Index>(i)];
-    helper.length_2d = (1 + helper.variation) * helper.length_3d;
-    layout.helper_wires.push_back(std::move(helper));
-    layout.helper_vertices.push_back(std::move(vertices));
-  }
 }
 
 /// The flat shape of one chart. Throws FlattenError where there is none or begin_stage cancels.
@@ -102,14 +51,14 @@ void flatten_chart(const Chart& chart, const FlattenInput& input, const Options&
     layout.report.factorizations = warp->interior_factorizations();
   }
   const StageTimer timer(seconds, "lengths");
-  const VariationBounds bounds = variation_bounds(prepared, options.method);
+  const VariationBounds bounds = variation_bounds(prepared, options);
   OuterSolution solution =
       choose_variation(prepared, *warp, bounds, [&] { begin_stage("lengths"); });  // II-B, Algorithm 1
   if (!solution.shape.inner.is_feasible) {
     throw infeasible_lengths(chart, *layout.network, input.wires, solution.shape.inner);
   }
   report_solution(solution, layout.report);
-  report_helper_wires(prepared, chart.wire_parts.size(), solution, layout);
+  layout.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
   layout.variation.assign(solution.variation.begin(),
                           solution.variation.begin() + static_cast<std::ptrdiff_t>(chart.wire_parts.size()));
   layout.uv = std::move(solution.shape.uv);

@@ -20,7 +20,7 @@ struct Case {
         chart(charts.charts[0]),
         network(build_wire_network(chart)),
         warp(chart, network, weight, Inner::minimum),
-        bounds(variation_bounds(chart, Method::wirewarp_plus_plus)) {}
+        bounds(variation_bounds(chart, Options{})) {}
   OuterSolution solve() {
     return choose_variation(chart, warp, bounds, [] {});
   }
@@ -100,8 +100,13 @@ TEST(ChooseVariation, EndsNoHigherThanTheFreeFlatteningsLengths) {
 
 TEST(ChooseVariation, WireWarpingIsEveryToleranceZero) {
   Case elastic(dome(12, 2, 0.05));
-  const VariationBounds rigid_bounds = variation_bounds(elastic.chart, Method::wirewarping);
+  Options wirewarping;
+  wirewarping.method = Method::wirewarping;
+  const VariationBounds rigid_bounds = variation_bounds(elastic.chart, wirewarping);
   EXPECT_TRUE(rigid_bounds.elastic_parts().empty());
+  Options least_norm;
+  least_norm.inner = Inner::least_norm;
+  EXPECT_TRUE(variation_bounds(elastic.chart, least_norm).elastic_parts().empty()) << "it has no gradient by h";
   const OuterSolution as_rigid = choose_variation(elastic.chart, elastic.warp, rigid_bounds, [] {});
   Case rigid(dome(12, 2, 0));
   EXPECT_LT((as_rigid.shape.uv - rigid.solve().shape.uv).cwiseAbs().maxCoeff(), 1e-12);

@@ -18,7 +18,8 @@ enum class NodeWeight {
 /// Which planar angles the inner problem returns.
 enum class Inner {
   minimum,     // the local minimiser of Eq. (1) reached from the surface angles
-  least_norm,  // the first feasible point of the paper's least-norm steps; depends on the mesh, for comparison
+  least_norm,  // the first feasible point of the paper's least-norm steps, all wires rigid; depends on the mesh, for
+               // comparison
 };
 
 struct Options {

@@ -45,14 +45,6 @@ Metrics unknown_metrics(const FlattenInput& input, const std::vector<int>& faces
   return metrics;
 }
 
-/// The helper wires with their points in the finished layout.
-std::vector<HelperWire> place_helper_wires(Layout& layout) {
-  for (std::size_t i = 0; i < layout.helper_wires.size(); ++i) {
-    layout.helper_wires[i].points_2d = layout.uv(layout.helper_vertices[i], Eigen::all);
-  }
-  return std::move(layout.helper_wires);
-}
-
 Piece assemble_piece(const FlattenInput& input, const Chart& chart, Layout& layout, bool mirror) {
   Piece piece;
   piece.source_face = chart.source_face;
@@ -69,7 +61,7 @@ Piece assemble_piece(const FlattenInput& input, const Chart& chart, Layout& layo
     piece.metrics = unknown_metrics(input, piece.source_face);
     if (piece.report.termination != Termination::cancelled) piece.report.termination = Termination::failed;
   } else {
-    piece.helper_wires = place_helper_wires(layout);
+    piece.helper_wires = place_helper_wires(std::move(layout.helper_wires), layout.uv);
     layout.uv.conservativeResize(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
     const Positions2 seen_from_outside = mirror ? mirror_image(layout.uv) : layout.uv;
     piece.metrics = measure_metrics(chart, *layout.network, seen_from_outside);

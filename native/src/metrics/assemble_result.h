@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "metrics/helper_wires.h"
 #include "topology/wire_network.h"
 
 namespace wirewarp {
@@ -14,9 +15,8 @@ struct Layout {
   std::optional<WireNetwork> network;  // set where uv is
   Positions2 uv;  // one row per chart vertex, then those that helper wires need; scene units; no rows: no
                   // layout
-  std::vector<double> variation;                  // h, one per wire part of the chart
-  std::vector<HelperWire> helper_wires;           // points_2d still empty
-  std::vector<std::vector<int>> helper_vertices;  // of each helper wire: the rows of uv of its points
+  std::vector<double> variation;  // h, one per wire part of the chart
+  std::vector<PlacedHelperWire> helper_wires;
   PieceReport report;
   std::optional<FlattenError> error;  // why there is no layout
 };

@@ -85,13 +85,14 @@ std::vector<int> VariationBounds::elastic_parts() const {
   return parts;
 }
 
-VariationBounds variation_bounds(const Chart& chart, Method method) {
+VariationBounds variation_bounds(const Chart& chart, const Options& options) {
   const auto num_parts = static_cast<Eigen::Index>(chart.wire_parts.size());
   VariationBounds bounds{Eigen::VectorXd::Zero(num_parts), Eigen::VectorXd::Zero(num_parts)};
+  if (options.inner == Inner::least_norm) return bounds;
   for (int i = 0; i < num_parts; ++i) {
     const WirePart& part = chart.wire_parts[at(i)];
     const bool is_helper = part.wire_index < 0;
-    if (method == Method::wirewarping && !is_helper) continue;
+    if (options.method == Method::wirewarping && !is_helper) continue;
     bounds.lower[i] = std::max(-part.tolerance, kShortest);
     bounds.upper[i] = std::min(part.tolerance, kLongest);
   }

@@ -29,8 +29,8 @@ struct VariationBounds {
 };
 
 /// |h| <= tolerance on elastic parts, 1 + h > 0 on super-elastic ones. WireWarping keeps the user's wires rigid and
-/// leaves only the helper wires free.
-VariationBounds variation_bounds(const Chart& chart, Method method);
+/// leaves only the helper wires free. The least-norm solution has no gradient by h: there h is 0 everywhere.
+VariationBounds variation_bounds(const Chart& chart, const Options& options);
 
 /// Called before each evaluation; may throw to cancel.
 using BeforeEvaluation = std::function<void()>;
