@@ -4,8 +4,8 @@
 from ._errors import ErrorCode, FlattenError
 from ._wirewarp import (
     BoundaryReport,
-    HelperWire,
     FlattenResult,
+    HelperWire,
     Metrics,
     Options,
     Piece,
@@ -20,10 +20,10 @@ from ._wirewarp import (
 
 __all__ = [
     "BoundaryReport",
-    "HelperWire",
     "ErrorCode",
     "FlattenError",
     "FlattenResult",
+    "HelperWire",
     "Metrics",
     "Options",
     "Piece",
