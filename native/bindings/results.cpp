@@ -100,7 +100,8 @@ void bind_piece_parts(py::module_& module) {
       .field("gradient_evaluations", &PieceReport::gradient_evaluations, "Gradients with respect to them.")
       .field("factorizations", &PieceReport::factorizations, "Of the placement of the vertices between wires.")
       .field("constraint_residual", &PieceReport::constraint_residual, "Largest gap of a wire loop over its length.")
-      .field("projected_gradient", &PieceReport::projected_gradient, "Of the inner problem at the end, relative.")
+      .field("projected_gradient", &PieceReport::projected_gradient,
+             "Of the inner problem at the end, for a mean node weight of 1; NaN with inner=\"least-norm\".")
       .field("seconds", &PieceReport::seconds, "Per stage.");
 }
 

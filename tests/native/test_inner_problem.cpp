@@ -118,6 +118,7 @@ TEST(InnerProblem, TheMinimumIsBelowTheFirstFeasiblePoint) {
   const InnerSolution feasible = inner.solve(lengths, Inner::least_norm);
   const InnerSolution minimum = inner.solve(lengths, Inner::minimum);
   EXPECT_LT(feasible.closure_residual, 1e-12);
+  EXPECT_TRUE(std::isnan(feasible.projected_gradient)) << "nothing was minimized";
   EXPECT_LT(minimum.angle_variation, feasible.angle_variation * (1 - 1e-6));
 }
 

@@ -89,7 +89,7 @@ struct PieceReport {
   int gradient_evaluations = 0;
   int factorizations = 0;                 // of the interior placement
   double constraint_residual = 0;         // largest gap of a wire loop at the end / its length
-  double projected_gradient = 0;          // of Eq. (1) at the end, relative
+  double projected_gradient = 0;          // of Eq. (1) at the end, mean node weight 1; NaN: least-norm
   std::map<std::string, double> seconds;  // per stage
 };
 

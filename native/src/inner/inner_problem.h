@@ -2,21 +2,23 @@
 // ψ(h), first half: the planar angles of the wire network for given lengths (paper II-A, Eq. 1).
 #pragma once
 
+#include <limits>
+
 #include "inner/eq1.h"
 #include "inner/kkt_system.h"
 
 namespace wirewarp {
 
 struct InnerSolution {
-  Eigen::VectorXd headings;       // φ, radians, #wire edges
-  Eigen::VectorXd psi;            // their change from the starting headings
-  Eigen::VectorXd multipliers;    // λ of the closures, #closures
-  double angle_variation = 0;     // Eq. (1), weights scaled to mean length 1
-  double closure_residual = 0;    // largest gap of a loop / its length
-  double projected_gradient = 0;  // largest entry of ∇F + Jᵀλ
-  int num_solves = 0;             // factorizations
-  bool is_feasible = false;       // every loop closes
-  bool is_minimum = false;        // projected gradient below 1e-10 (or the gap is all that was asked for)
+  Eigen::VectorXd headings;                                              // φ, radians, #wire edges
+  Eigen::VectorXd psi;                                                   // their change from the starting headings
+  Eigen::VectorXd multipliers;                                           // λ of the closures, #closures
+  double angle_variation = 0;                                            // Eq. (1), weights scaled to mean length 1
+  double closure_residual = 0;                                           // largest gap of a loop / its length
+  double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // largest entry of ∇F + Jᵀλ; NaN: not sought
+  int num_solves = 0;                                                    // factorizations
+  bool is_feasible = false;                                              // every loop closes
+  bool is_minimum = false;  // projected gradient below 1e-10 (or the gap is all that was asked for)
 };
 
 /// Solves Eq. (1) on one network for as many lengths as wanted; factors what does not depend on them once.
