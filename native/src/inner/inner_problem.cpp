@@ -56,18 +56,22 @@ bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& 
     double t = 1;
     while (!(eq1_.closure(psi + t * closing.step, lengths).norm() < (1 - 1e-3 * t) * gap.norm()) && t > kSmallestStep) {
       t /= 2;
-      if (has_bent) continue;
+    }
+    if (t < 1 && !has_bent) {
       double share = 0.5;
       factor_downhill(eq1_.closure_hessian(psi, lengths, closing.multipliers), jacobian, share);
       psi += kBend * softest_turn();
+      gap = eq1_.closure(psi, lengths);
       has_bent = true;
-      t = 0;
+      continue;
     }
-    if (t > 0 && t <= kSmallestStep) break;
+    if (t <= kSmallestStep) break;
     psi += t * closing.step;
     gap = eq1_.closure(psi, lengths);
-    if (t > 0 && largest(gap) < kNearlyClosed && restore(lengths, psi)) return true;
-    gap = eq1_.closure(psi, lengths);
+    if (largest(gap) < kNearlyClosed) {
+      if (restore(lengths, psi)) return true;
+      gap = eq1_.closure(psi, lengths);
+    }
   }
   return largest(gap) < kClosed;
 }
@@ -119,8 +123,8 @@ Eigen::VectorXd InnerProblem::softest_turn() const {
   return turn;
 }
 
-/// Moves along a direction and closes the loops again. False, and psi untouched, unless the angles come out better by
-/// the given share of what was promised.
+/// Moves by t along a direction and closes the loops again. False, with psi and value as they were, unless the value of
+/// Eq. (1) falls by `decrease` at least.
 bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& direction, double t, double decrease,
                         Eigen::VectorXd& psi, double& value) const {
   Eigen::VectorXd trial = psi + t * direction;
@@ -132,14 +136,14 @@ bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& d
   return true;
 }
 
-/// Leaves a saddle along the softest turn, to either side, if the angles come out better by more than at_least. The
-/// shares of the closures' curvature left out of the factor do not count: curvature is that of the Lagrangian.
-bool InnerProblem::fall(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
-                        Eigen::VectorXd& psi, double& value) const {
+/// Leaves a saddle along the softest turn, to either side, as far as that promises more than at_least. The promise is
+/// by the curvature of the Lagrangian, whatever share of it is in the factor.
+bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
+                                Eigen::VectorXd& psi, double& value) const {
   const Eigen::VectorXd turn = softest_turn();
-  const double curvature = turn.dot(eq1_.laplacian() * turn + closure_hessian.cwiseProduct(turn));
-  for (double t = kBend; - curvature * t * t > at_least && t > kSmallestStep; t /= 2) {
-    const double promised = kSufficient * -curvature * t * t / 2;
+  const double fall = -turn.dot(eq1_.laplacian() * turn + closure_hessian.cwiseProduct(turn));
+  for (double t = kBend; fall * t * t > at_least && t > kSmallestStep; t /= 2) {
+    const double promised = kSufficient * fall * t * t / 2;
     if (move(lengths, turn, t, promised, psi, value) || move(lengths, turn, -t, promised, psi, value)) return true;
   }
   return false;
@@ -175,8 +179,8 @@ bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solut
       return false;
     };
     bool has_moved = is_convex ? step(newton.step)
-                               : fall(lengths, closure_hessian, -gradient.dot(newton.step), psi, value) ||
-                                     step(newton.step) || fall(lengths, closure_hessian, 0, psi, value);
+                               : leave_saddle(lengths, closure_hessian, -gradient.dot(newton.step), psi, value) ||
+                                     step(newton.step) || leave_saddle(lengths, closure_hessian, 0, psi, value);
     if (!has_moved && !is_convex) {
       kkt_.factor(eq1_.laplacian(), 0 * closure_hessian, jacobian);
       newton = kkt_.solve(-gradient, no_gap);

@@ -18,7 +18,7 @@ struct InnerSolution {
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // largest entry of ∇F + Jᵀλ; NaN: not sought
   int num_solves = 0;                                                    // factorizations
   bool is_feasible = false;                                              // every loop closes
-  bool is_minimum = false;  // projected gradient below 1e-10 (or the gap is all that was asked for)
+  bool is_minimum = false;  // stationary to 1e-10 with the right inertia (or closing is all that was asked for)
 };
 
 /// Solves Eq. (1) on one network for as many lengths as wanted; factors what does not depend on them once.
@@ -47,8 +47,8 @@ class InnerProblem {
   Eigen::VectorXd softest_turn() const;
   bool move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& direction, double t, double decrease,
             Eigen::VectorXd& psi, double& value) const;
-  bool fall(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
-            Eigen::VectorXd& psi, double& value) const;
+  bool leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
+                    Eigen::VectorXd& psi, double& value) const;
 
   Eq1 eq1_;
   KktSystem kkt_;

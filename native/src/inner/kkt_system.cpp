@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inner/kkt_system.h"
 
+#include <stdexcept>
+
 #include "inner/elimination_order.h"
 
 namespace wirewarp {
@@ -50,6 +52,7 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
 }
 
 KktSystem::Solution KktSystem::solve(const Eigen::VectorXd& r1, const Eigen::VectorXd& r2) const {
+  if (factor_.info() != Eigen::Success) throw std::domain_error("KktSystem: a pivot is zero");
   constexpr int kRefinements = 2;  // against δ = 0
   Eigen::VectorXd right(num_edges_ + num_closures_);
   right << r1, r2;

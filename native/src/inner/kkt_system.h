@@ -27,6 +27,7 @@ class KktSystem {
     Eigen::VectorXd step;         // d, #edges
     Eigen::VectorXd multipliers;  // λ, #closures
   };
+  /// Throws std::domain_error if the last factorization broke down on a zero pivot.
   Solution solve(const Eigen::VectorXd& r1, const Eigen::VectorXd& r2) const;
 
   int num_factorizations() const { return num_factorizations_; }
