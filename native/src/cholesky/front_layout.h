@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a multifrontal factorization knows before it meets a number: the rows of each front, where everything lies in
+// memory, and which thread does what.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "cholesky/nested_dissection.h"
+
+namespace wirewarp {
+
+/// One supernode. Its vertices are its pivots, then its rows; each has unknowns_per_vertex unknowns in a row.
+struct Front {
+  int parent;             // -1 at a root
+  int first_vertex;       // in FrontLayout::vertices
+  int num_pivots;         // vertices
+  int num_rows;           // vertices
+  int pivot_tiles;        // m
+  int row_tiles;          // r
+  int first_entry;        // in FrontLayout::entries; the next front's are the end
+  int first_child;        // in FrontLayout::children; likewise
+  std::size_t panel = 0;  // first tile, among all panels
+  std::size_t schur = 0;  // first tile, in the space for Schur complements
+};
+
+/// Where a stored entry of the matrix goes: panel entry `place` += values[source].
+struct MatrixEntry {
+  int source;
+  std::uint32_t place;
+};
+
+struct FrontLayout {
+  int unknowns_per_vertex;
+  Eigen::Index num_unknowns;
+  std::vector<Front> fronts;         // in postorder, and one past the last
+  std::vector<int> vertices;         // pivots and rows of all fronts, in the order of elimination in each
+  std::vector<int> place_in_parent;  // of each row in `vertices`: which vertex of the parent's front; -1 for pivots
+  std::vector<int> children;         // fronts
+  std::vector<MatrixEntry> entries;
+  std::vector<int> front_of_vertex;  // where it is a pivot
+  std::size_t panel_tiles = 0;
+  std::size_t schur_tiles = 0;
+  int largest_front = 0;  // tiles, pivots and rows
+
+  /// Fronts of each thread, ascending, in independent subtrees; then those that come after all threads are done.
+  std::vector<std::vector<int>> fronts_of_thread;
+  std::vector<int> last_fronts;
+
+  /// Row of the first unknown of a front's vertex, of the padded rows of the front.
+  int row_of(const Front& front, int place) const {
+    return place < front.num_pivots ? unknowns_per_vertex * place
+                                    : 4 * front.pivot_tiles + unknowns_per_vertex * (place - front.num_pivots);
+  }
+};
+
+/// lower: the lower triangle, compressed. Throws std::invalid_argument if the tree does not fit it.
+FrontLayout lay_out_fronts(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
+                           int unknowns_per_vertex, int num_threads);
+
+}  // namespace wirewarp

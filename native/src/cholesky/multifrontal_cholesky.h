@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sparse Cholesky factorization A = L Lᵀ by the multifrontal method (J. W. H. Liu, The multifrontal method for sparse
+// matrix solution: theory and practice, SIAM Review 34, 1992).
+//
+//   supernode   a node of the dissection tree; its unknowns are eliminated together
+//   front       dense matrix of a supernode: its pivots, and the rows below that they reach in the factor
+//
+//     F = [ A₁₁  ·  ]  + Σ children's S     A₁₁ = L₁₁ L₁₁ᵀ,   L₂₁ = A₂₁ L₁₁⁻ᵀ,   S = F₂₂ − L₂₁ L₂₁ᵀ
+//         [ A₂₁  F₂₂]
+//
+// S, the Schur complement, is what the front leaves to its parent's. L₁₁ and L₂₁ are the supernode's part of L.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "cholesky/front_kernels.h"
+#include "cholesky/front_layout.h"
+#include "cholesky/nested_dissection.h"
+
+namespace wirewarp {
+
+class MultifrontalCholesky {
+ public:
+  /// Analyzes a pattern and takes all the memory that factorize needs. lower: the lower triangle, compressed. Unknowns
+  /// k v to k v + k - 1 belong to vertex v of the tree's graph, k = unknowns_per_vertex.
+  /// With two threads, those work on independent subtrees; the factor is the same to the last bit.
+  /// Throws std::invalid_argument if the tree has not each vertex once or does not separate what lower joins.
+  MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree, int unknowns_per_vertex,
+                       int num_threads = 1, const FrontKernels& kernels = fastest_kernels());
+
+  /// New values on the same pattern. False if the matrix is not positive definite: a pivot was not a positive finite
+  /// number; then there is no factor to solve with. Throws std::invalid_argument at a different number of entries.
+  [[nodiscard]] bool factorize(const Eigen::SparseMatrix<double>& lower);
+
+  /// b := A⁻¹ b, right-hand sides in columns, four at a time. Throws std::logic_error without a factor.
+  void solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const;
+
+  /// Supernodes, ascending, that hold some vertices, and all their ancestors.
+  using Branches = std::vector<int>;
+  Branches branches_to(const std::vector<int>& vertices) const;
+
+  /// The same where b is zero but at vertices in branches `nonzero`, and x is wanted at vertices in `wanted` only. Of b's
+  /// other rows those in `nonzero` are overwritten without meaning.
+  void solve_in_place(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero, const Branches& wanted) const;
+
+  /// Bytes held: the factor, Schur complements, and where matrix entries go.
+  std::size_t memory() const;
+
+ private:
+  void eliminate(int node, const double* values);
+  void add_child(int child, int node);
+  template <bool forward>
+  void sweep(int node, Eigen::Ref<Eigen::MatrixXd> b, Eigen::Index first_column, Tile* x) const;
+
+  FrontLayout layout_;
+  const FrontKernels* kernels_;
+  std::unique_ptr<Tile[]> factor_;
+  std::unique_ptr<Tile[]> schur_;
+  std::atomic<bool> positive_definite_{false};
+};
+
+}  // namespace wirewarp
