@@ -5,8 +5,8 @@
 //   row tile t   m ... m+r-1 (below)  tiles (t, 0) to (t, m-1)      of L₂₁   ⎭
 //   row tile t   0 ... r-1            tiles (t, 0) to (t, t)        of the Schur complement, row by row
 //
-// So every sum over pivots runs through memory in order, for both factors of a product L Lᵀ, and nothing is ever packed.
-// What does not fill its last tile is padded: pivots by the identity, rows below by zeros.
+// So every sum over pivots runs through memory in order, for both factors of a product L Lᵀ, and nothing is ever
+// packed. What does not fill its last tile is padded: pivots by the identity, rows below by zeros.
 #pragma once
 
 #include <cstddef>
@@ -18,22 +18,24 @@ struct alignas(64) Tile {
   double entries[16];
 };
 
-inline constexpr int kTile = 4;
+constexpr int kTile = 4;
+
+// Internal linkage, for front_kernels_body.h says why nothing inline may be shared.
 
 /// Tiles of a triangle with that many rows of tiles.
-inline constexpr std::size_t triangle_size(int num_tiles) {
+static constexpr std::size_t triangle_size(int num_tiles) {
   return static_cast<std::size_t>(num_tiles) * static_cast<std::size_t>(num_tiles + 1) / 2;
 }
 
 /// The first tile of row tile t of a panel with m tiles of pivots.
-inline constexpr std::size_t panel_row(int t, int m) {
+static constexpr std::size_t panel_row(int t, int m) {
   return t < m ? triangle_size(t) : triangle_size(m) + static_cast<std::size_t>(t - m) * static_cast<std::size_t>(m);
 }
 
 /// One set of kernels. All are free of allocation and touch nothing but their arguments.
 struct FrontKernels {
-  /// Replaces [A₁₁; A₂₁] by [L₁₁; L₂₁] with L₁₁ L₁₁ᵀ = A₁₁, L₂₁ = A₂₁ L₁₁⁻ᵀ, and S by S − L₂₁ L₂₁ᵀ. False, and at once, at
-  /// a pivot that is not a positive finite number.
+  /// Replaces [A₁₁; A₂₁] by [L₁₁; L₂₁] with L₁₁ L₁₁ᵀ = A₁₁, L₂₁ = A₂₁ L₁₁⁻ᵀ, and S by S − L₂₁ L₂₁ᵀ. False, and at once,
+  /// at a pivot that is not a positive finite number.
   bool (*factor)(Tile* panel, Tile* schur, int m, int r);
 
   /// [x₁; x₂] := [L₁₁⁻¹ x₁; x₂ − L₂₁ L₁₁⁻¹ x₁] for four right-hand sides: column i of tile t of x is row 4 t + i.
@@ -43,13 +45,13 @@ struct FrontKernels {
   void (*solve_upper)(const Tile* panel, int m, int r, Tile* x);
 };
 
-/// For any processor.
-extern const FrontKernels kPlainKernels;
+extern const FrontKernels kPlainKernels;  // for any processor
+extern const FrontKernels kAvx2Kernels;   // to be called only where has_avx2()
 
-/// For processors with AVX2 and FMA; null if this one is none.
-const FrontKernels* avx2_kernels();
+/// Whether this processor has AVX2 and FMA.
+bool has_avx2();
 
-/// The best for this processor.
+/// The best kernels for this processor.
 const FrontKernels& fastest_kernels();
 
 }  // namespace wirewarp

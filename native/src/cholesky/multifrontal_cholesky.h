@@ -42,8 +42,8 @@ class MultifrontalCholesky {
   using Branches = std::vector<int>;
   Branches branches_to(const std::vector<int>& vertices) const;
 
-  /// The same where b is zero but at vertices in branches `nonzero`, and x is wanted at vertices in `wanted` only. Of b's
-  /// other rows those in `nonzero` are overwritten without meaning.
+  /// The same where b is zero but at vertices in branches `nonzero`, and x is wanted at vertices in `wanted` only. Of
+  /// b's other rows those in `nonzero` are overwritten without meaning.
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero, const Branches& wanted) const;
 
   /// Bytes held: the factor, Schur complements, and where matrix entries go.
@@ -53,7 +53,7 @@ class MultifrontalCholesky {
   void eliminate(int node, const double* values);
   void add_child(int child, int node);
   template <bool forward>
-  void sweep(int node, Eigen::Ref<Eigen::MatrixXd> b, Eigen::Index first_column, Tile* x) const;
+  void sweep(int node, Eigen::Ref<Eigen::MatrixXd> b, Tile* x) const;
 
   FrontLayout layout_;
   const FrontKernels* kernels_;

@@ -18,7 +18,8 @@ struct Graph {
   int num_vertices() const { return static_cast<int>(start.size()) - 1; }
 };
 
-/// Each vertex belongs to one node. An edge of the graph joins vertices of one node, or of a node and an ancestor of it.
+/// Each vertex belongs to one node. An edge of the graph joins vertices of one node, or of a node and an ancestor of
+/// it.
 struct DissectionTree {
   struct Node {
     std::vector<int> vertices;  // at least one

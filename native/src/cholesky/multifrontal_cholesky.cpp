@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cholesky/multifrontal_cholesky.h"
+
+#include <algorithm>
+#include <future>
+#include <stdexcept>
+
+#include "index.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr int kColumnsAtOnce = kTile;  // right-hand sides
+
+double& entry(Tile& tile, int row, int column) { return tile.entries[kTile * column + row]; }
+
+}  // namespace
+
+MultifrontalCholesky::MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
+                                           int unknowns_per_vertex, int num_threads, const FrontKernels& kernels)
+    : layout_(lay_out_fronts(lower, tree, unknowns_per_vertex, num_threads)),
+      kernels_(&kernels),
+      factor_(new Tile[layout_.panel_tiles]),
+      schur_(new Tile[layout_.schur_tiles]) {}
+
+bool MultifrontalCholesky::factorize(const Eigen::SparseMatrix<double>& lower) {
+  if (lower.rows() != layout_.num_unknowns || at(static_cast<int>(lower.nonZeros())) != layout_.entries.size()) {
+    throw std::invalid_argument("multifrontal Cholesky: the matrix has another pattern");
+  }
+  positive_definite_ = true;
+  const auto eliminate_all = [&](const std::vector<int>& fronts) {
+    for (int f : fronts) {
+      if (positive_definite_) eliminate(f, lower.valuePtr());
+    }
+  };
+  std::vector<std::future<void>> others;
+  for (std::size_t thread = 1; thread < layout_.fronts_of_thread.size(); ++thread) {
+    others.push_back(std::async(std::launch::async, eliminate_all, std::cref(layout_.fronts_of_thread[thread])));
+  }
+  eliminate_all(layout_.fronts_of_thread[0]);
+  for (std::future<void>& other : others) other.get();
+  eliminate_all(layout_.last_fronts);
+  return positive_definite_;
+}
+
+/// Assembles a front from the matrix and its children, and factors it.
+void MultifrontalCholesky::eliminate(int node, const double* values) {
+  const Front* const front = &layout_.fronts[at(node)];
+  const int m = front->pivot_tiles, r = front->row_tiles;
+  Tile* const panel = factor_.get() + front->panel;
+  Tile* const schur = schur_.get() + front->schur;
+  std::fill_n(panel, panel_row(m + r, m), Tile{});
+  std::fill_n(schur, triangle_size(r), Tile{});
+  for (int i = layout_.unknowns_per_vertex * front->num_pivots; i < kTile * m; ++i) {
+    entry(panel[panel_row(m - 1, m) + at(m - 1)], i % kTile, i % kTile) = 1;
+  }
+  for (int e = front[0].first_entry; e < front[1].first_entry; ++e) {
+    const MatrixEntry& from = layout_.entries[at(e)];
+    panel[from.place / 16].entries[from.place % 16] += values[from.source];
+  }
+  for (int c = front[0].first_child; c < front[1].first_child; ++c) add_child(layout_.children[at(c)], node);
+  if (!kernels_->factor(panel, schur, m, r)) positive_definite_ = false;
+}
+
+/// Extend-add: each entry of the child's Schur complement to its place in the parent's front.
+void MultifrontalCholesky::add_child(int child, int node) {
+  const Front& from = layout_.fronts[at(child)];
+  const Front& to = layout_.fronts[at(node)];
+  const int k = layout_.unknowns_per_vertex, m = to.pivot_tiles;
+  const int* const place = &layout_.place_in_parent[at(from.first_vertex + from.num_pivots)];
+  for (int i = 0; i < k * from.num_rows; ++i) {
+    const Tile* const source = schur_.get() + from.schur + triangle_size(i / kTile);
+    const int row = layout_.row_of(to, place[i / k]) + i % k;
+    Tile* const panel = factor_.get() + to.panel + panel_row(row / kTile, m);
+    Tile* const schur = row < kTile * m ? nullptr : schur_.get() + to.schur + triangle_size(row / kTile - m);
+    for (int j = 0; j <= i; ++j) {
+      const int column = layout_.row_of(to, place[j / k]) + j % k;
+      Tile& target = column < kTile * m ? panel[column / kTile] : schur[column / kTile - m];
+      entry(target, row % kTile, column % kTile) += source[j / kTile].entries[kTile * (j % kTile) + i % kTile];
+    }
+  }
+}
+
+void MultifrontalCholesky::solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const {
+  Branches all(layout_.fronts.size() - 1);
+  for (std::size_t f = 0; f < all.size(); ++f) all[f] = static_cast<int>(f);
+  solve_in_place(b, all, all);
+}
+
+void MultifrontalCholesky::solve_in_place(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero,
+                                          const Branches& wanted) const {
+  if (!positive_definite_) throw std::logic_error("multifrontal Cholesky: there is no factor to solve with");
+  if (b.rows() != layout_.num_unknowns) throw std::invalid_argument("multifrontal Cholesky: b has another size");
+  const std::unique_ptr<Tile[]> x(new Tile[at(layout_.largest_front)]);
+  for (Eigen::Index first = 0; first < b.cols(); first += kColumnsAtOnce) {
+    const Eigen::Index columns = std::min<Eigen::Index>(kColumnsAtOnce, b.cols() - first);
+    for (int f : nonzero) sweep<true>(f, b.middleCols(first, columns), x.get());
+    for (auto f = wanted.rbegin(); f != wanted.rend(); ++f) sweep<false>(*f, b.middleCols(first, columns), x.get());
+  }
+}
+
+/// Gathers the rows of a front, solves with its part of L or Lᵀ, and puts them back. Going up, rows below have changed.
+template <bool forward>
+void MultifrontalCholesky::sweep(int node, Eigen::Ref<Eigen::MatrixXd> b, Tile* x) const {
+  const Front& front = layout_.fronts[at(node)];
+  const int k = layout_.unknowns_per_vertex, columns = static_cast<int>(b.cols());
+  const int* const vertices = &layout_.vertices[at(front.first_vertex)];
+  const auto for_each_row = [&](int num_vertices, auto&& function) {
+    for (int place = 0; place < num_vertices; ++place) {
+      const int row = layout_.row_of(front, place);
+      for (int i = 0; i < k; ++i) {
+        double* const in_front = &entry(x[(row + i) / kTile], 0, (row + i) % kTile);
+        for (int c = 0; c < columns; ++c) function(in_front[c], b(k * vertices[place] + i, c));
+      }
+    }
+  };
+  std::fill_n(x, front.pivot_tiles + front.row_tiles, Tile{});
+  for_each_row(front.num_pivots + front.num_rows, [](double& in_front, double& in_b) { in_front = in_b; });
+  const auto solve = forward ? kernels_->solve_lower : kernels_->solve_upper;
+  solve(factor_.get() + front.panel, front.pivot_tiles, front.row_tiles, x);
+  for_each_row(front.num_pivots + (forward ? front.num_rows : 0),
+               [](double& in_front, double& in_b) { in_b = in_front; });
+}
+
+MultifrontalCholesky::Branches MultifrontalCholesky::branches_to(const std::vector<int>& vertices) const {
+  std::vector<char> visited(layout_.fronts.size(), 0);
+  for (int v : vertices) {
+    for (int f = layout_.front_of_vertex.at(at(v)); f != -1 && !visited[at(f)]; f = layout_.fronts[at(f)].parent) {
+      visited[at(f)] = 1;
+    }
+  }
+  Branches branches;
+  for (std::size_t f = 0; f < visited.size(); ++f) {
+    if (visited[f]) branches.push_back(static_cast<int>(f));
+  }
+  return branches;
+}
+
+std::size_t MultifrontalCholesky::memory() const {
+  return sizeof(Tile) * (layout_.panel_tiles + layout_.schur_tiles) + sizeof(MatrixEntry) * layout_.entries.size();
+}
+
+}  // namespace wirewarp
