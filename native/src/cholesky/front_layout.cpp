@@ -30,7 +30,7 @@ class Builder {
     number_vertices();
     sort_entries_by_front();
     for (int node = 0; node < num_fronts(); ++node) add_front(node);
-    layout_.fronts.push_back({-1, end_of(layout_.vertices), 0, 0, 0, 0, end_of(layout_.entries), 0});
+    layout_.fronts.push_back({-1, end_of(layout_.vertices), 0, 0, 0, 0, end_of(layout_.entries), 0, 0});
     link_to_parents();
     return std::move(layout_);
   }
@@ -153,23 +153,25 @@ class Builder {
     }
   }
 
+  /// Rows of a child are among its parent's vertices, and in the same order.
   void link_to_parents() {
-    layout_.place_in_parent.assign(layout_.vertices.size(), -1);
     for (int node = 0; node < num_fronts(); ++node) {
       Front& front = layout_.fronts[at(node)];
       front.first_child = end_of(layout_.children);
-      for (int i = 0; i < front.num_pivots + front.num_rows; ++i) {
-        place_[at(layout_.vertices[at(front.first_vertex + i)])] = i;
-      }
-      for (int child : children_of_[at(node)]) {
-        layout_.children.push_back(child);
-        const Front& below = layout_.fronts[at(child)];
-        for (int i = below.first_vertex + below.num_pivots; i < layout_.fronts[at(child) + 1].first_vertex; ++i) {
-          layout_.place_in_parent[at(i)] = place_[at(layout_.vertices[at(i)])];
+      layout_.children.insert(layout_.children.end(), children_of_[at(node)].begin(), children_of_[at(node)].end());
+      front.first_row = end_of(layout_.rows_in_parent);
+      if (front.num_rows == 0) continue;
+      const Front& parent = layout_.fronts[at(front.parent)];
+      int place = 0;
+      for (int i = front.first_vertex + front.num_pivots; i < layout_.fronts[at(node) + 1].first_vertex; ++i) {
+        while (layout_.vertices[at(parent.first_vertex + place)] != layout_.vertices[at(i)]) ++place;
+        for (int unknown = 0; unknown < k_; ++unknown) {
+          layout_.rows_in_parent.push_back(layout_.row_of(parent, place) + unknown);
         }
       }
     }
     layout_.fronts.back().first_child = end_of(layout_.children);
+    layout_.fronts.back().first_row = end_of(layout_.rows_in_parent);
   }
 
   [[noreturn]] static void refuse(const char* reason) {

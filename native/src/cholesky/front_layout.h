@@ -23,6 +23,7 @@ struct Front {
   int row_tiles;          // r
   int first_entry;        // in FrontLayout::entries; the next front's are the end
   int first_child;        // in FrontLayout::children; likewise
+  int first_row;          // in FrontLayout::rows_in_parent; likewise
   std::size_t panel = 0;  // first tile, among all panels
   std::size_t schur = 0;  // first tile, in the space for Schur complements
 };
@@ -36,10 +37,10 @@ struct MatrixEntry {
 struct FrontLayout {
   int unknowns_per_vertex;
   Eigen::Index num_unknowns;
-  std::vector<Front> fronts;         // in postorder, and one past the last
-  std::vector<int> vertices;         // pivots and rows of all fronts, in the order of elimination in each
-  std::vector<int> place_in_parent;  // of each row in `vertices`: which vertex of the parent's front; -1 for pivots
-  std::vector<int> children;         // fronts
+  std::vector<Front> fronts;        // in postorder, and one past the last
+  std::vector<int> vertices;        // pivots and rows of all fronts, in the order of elimination in each
+  std::vector<int> rows_in_parent;  // for each unknown of each front's rows: its row in the parent's front
+  std::vector<int> children;        // fronts
   std::vector<MatrixEntry> entries;
   std::vector<int> front_of_vertex;  // where it is a pivot
   std::size_t panel_tiles = 0;

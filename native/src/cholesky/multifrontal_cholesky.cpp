@@ -14,6 +14,29 @@ constexpr int kColumnsAtOnce = kTile;  // right-hand sides
 
 double& entry(Tile& tile, int row, int column) { return tile.entries[kTile * column + row]; }
 
+/// How many rows from row i on, of one tile, go to as many successive rows of one tile: 4, 2 or 1.
+int rows_alike(const int* target, int i, int num_rows) {
+  for (const int run : {4, 2}) {
+    if (i % run == 0 && i + run <= num_rows && target[i] % run == 0 && target[i + run - 1] == target[i] + run - 1) {
+      return run;
+    }
+  }
+  return 1;
+}
+
+/// Adds columns begin to end of kRows rows to columns target[begin] to target[end - 1]. Rows of a tile are 4 apart.
+template <int kRows>
+void add_rows(const double* from, const int* target, int begin, int end, double* to) {
+  for (int j = begin; j < end; ++j) {
+    for (int i = 0; i < kRows; ++i) to[kTile * target[j] + i] += from[kTile * j + i];
+  }
+}
+
+void add_rows(int num_rows, const double* from, const int* target, int begin, int end, double* to) {
+  const auto add = num_rows == 4 ? add_rows<4> : num_rows == 2 ? add_rows<2> : add_rows<1>;
+  add(from, target, begin, end, to);
+}
+
 }  // namespace
 
 MultifrontalCholesky::MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
@@ -66,18 +89,21 @@ void MultifrontalCholesky::eliminate(int node, const double* values) {
 void MultifrontalCholesky::add_child(int child, int node) {
   const Front& from = layout_.fronts[at(child)];
   const Front& to = layout_.fronts[at(node)];
-  const int k = layout_.unknowns_per_vertex, m = to.pivot_tiles;
-  const int* const place = &layout_.place_in_parent[at(from.first_vertex + from.num_pivots)];
-  for (int i = 0; i < k * from.num_rows; ++i) {
-    const Tile* const source = schur_.get() + from.schur + triangle_size(i / kTile);
-    const int row = layout_.row_of(to, place[i / k]) + i % k;
-    Tile* const panel = factor_.get() + to.panel + panel_row(row / kTile, m);
-    Tile* const schur = row < kTile * m ? nullptr : schur_.get() + to.schur + triangle_size(row / kTile - m);
-    for (int j = 0; j <= i; ++j) {
-      const int column = layout_.row_of(to, place[j / k]) + j % k;
-      Tile& target = column < kTile * m ? panel[column / kTile] : schur[column / kTile - m];
-      entry(target, row % kTile, column % kTile) += source[j / kTile].entries[kTile * (j % kTile) + i % kTile];
+  const int m = to.pivot_tiles;
+  const int num_rows = layout_.unknowns_per_vertex * from.num_rows;
+  const int* const rows = layout_.rows_in_parent.data() + from.first_row;
+  const int num_pivots = static_cast<int>(std::lower_bound(rows, rows + num_rows, kTile * m) - rows);
+  for (int i = 0; i < num_rows;) {
+    const int run = rows_alike(rows, i, num_rows);
+    const int t = rows[i] / kTile;
+    const double* const source = schur_[from.schur + triangle_size(i / kTile)].entries + i % kTile;
+    double* const panel = factor_[to.panel + panel_row(t, m)].entries + rows[i] % kTile;
+    add_rows(run, source, rows, 0, std::min(i + run, num_pivots), panel);
+    if (t >= m) {
+      double* const schur = schur_[to.schur + triangle_size(t - m)].entries + rows[i] % kTile - kTile * kTile * m;
+      add_rows(run, source, rows, num_pivots, i + run, schur);
     }
+    i += run;
   }
 }
 
