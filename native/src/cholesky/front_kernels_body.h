@@ -180,37 +180,43 @@ void solve_lower(const Tile* panel, int m, int r, Tile* x) {
   }
 }
 
+/// x_j −= L_tjᵀ x_t for the columns j of row tile t of L.
+inline void subtract_transposed(const Tile* l, int columns, const Tile& x_t, Tile* x) {
+  Lanes solved[kTile][kParts];
+#pragma GCC unroll 4
+  for (int i = 0; i < kTile; ++i) {
+#pragma GCC unroll 4
+    for (int part = 0; part < kParts; ++part) solved[i][part] = column(x_t, i, part);
+  }
+  for (int j = 0; j < columns; ++j) {
+#pragma GCC unroll 4
+    for (int k = 0; k < kTile; ++k) {
+#pragma GCC unroll 4
+      for (int part = 0; part < kParts; ++part) {
+        Lanes sum = column(x[j], k, part);
+#pragma GCC unroll 4
+        for (int i = 0; i < kTile; ++i) sum -= solved[i][part] * l[j].entries[kTile * k + i];
+        column(x[j], k, part) = sum;
+      }
+    }
+  }
+}
+
+inline void solve_tile_transposed(const Tile& l, Tile& x) {
+  for (int i = kTile - 1; i >= 0; --i) {
+    for (int part = 0; part < kParts; ++part) {
+      for (int k = i + 1; k < kTile; ++k) column(x, i, part) -= column(x, k, part) * l.entries[kTile * i + k];
+      column(x, i, part) *= l.entries[kTile * i + i];
+    }
+  }
+}
+
 void solve_upper(const Tile* panel, int m, int r, Tile* x) {
-  for (int t = m + r - 1; t >= 0; --t) {
+  for (int t = m; t < m + r; ++t) subtract_transposed(panel + panel_row(t, m), m, x[t], x);
+  for (int t = m - 1; t >= 0; --t) {
     const Tile* const l = panel + panel_row(t, m);
-    const int columns = t < m ? t : m;
-    if (t < m) {
-      for (int i = kTile - 1; i >= 0; --i) {
-        for (int part = 0; part < kParts; ++part) {
-          for (int k = i + 1; k < kTile; ++k)
-            column(x[t], i, part) -= column(x[t], k, part) * l[t].entries[kTile * i + k];
-          column(x[t], i, part) *= l[t].entries[kTile * i + i];
-        }
-      }
-    }
-    Lanes solved[kTile][kParts];
-#pragma GCC unroll 4
-    for (int i = 0; i < kTile; ++i) {
-#pragma GCC unroll 4
-      for (int part = 0; part < kParts; ++part) solved[i][part] = column(x[t], i, part);
-    }
-    for (int j = 0; j < columns; ++j) {
-#pragma GCC unroll 4
-      for (int k = 0; k < kTile; ++k) {
-#pragma GCC unroll 4
-        for (int part = 0; part < kParts; ++part) {
-          Lanes sum = column(x[j], k, part);
-#pragma GCC unroll 4
-          for (int i = 0; i < kTile; ++i) sum -= solved[i][part] * l[j].entries[kTile * k + i];
-          column(x[j], k, part) = sum;
-        }
-      }
-    }
+    solve_tile_transposed(l[t], x[t]);
+    subtract_transposed(l, t, x[t], x);
   }
 }
 
