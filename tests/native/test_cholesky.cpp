@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <random>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cholesky/multifrontal_cholesky.h"
 #include "cholesky_problems.h"
+#include "count_allocations.h"
 
 namespace wirewarp {
 namespace {
@@ -21,9 +27,7 @@ Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns, unsigned 
   return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return number(random); });
 }
 
-double largest_residual(const SparseMatrix& lower, const Eigen::MatrixXd& x, const Eigen::MatrixXd& b) {
-  return (lower.selfadjointView<Eigen::Lower>() * x - b).cwiseAbs().maxCoeff();
-}
+Eigen::MatrixXd full(const SparseMatrix& lower) { return SparseMatrix(lower.selfadjointView<Eigen::Lower>()); }
 
 std::vector<const FrontKernels*> all_kernels() {
   std::vector<const FrontKernels*> kernels{&kPlainKernels};
@@ -31,26 +35,234 @@ std::vector<const FrontKernels*> all_kernels() {
   return kernels;
 }
 
-class CholeskyOnProblem : public testing::TestWithParam<int> {};
+MultifrontalCholesky analyze(const CholeskyProblem& problem, const FrontKernels& kernels = fastest_kernels()) {
+  return MultifrontalCholesky(problem.lower, problem.tree(), problem.unknowns_per_vertex, 1, kernels);
+}
 
-TEST_P(CholeskyOnProblem, SolvesAsEigenDoes) {
-  const CholeskyProblem problem = cholesky_problems()[static_cast<std::size_t>(GetParam())];
-  SCOPED_TRACE(problem.name);
-  const Eigen::MatrixXd b = random_matrix(problem.lower.rows(), 7, 3);
-  const Eigen::SimplicialLLT<SparseMatrix> eigen(problem.lower);
-  ASSERT_EQ(eigen.info(), Eigen::Success);
-  const Eigen::MatrixXd expected = eigen.solve(b);
-  for (const FrontKernels* kernels : all_kernels()) {
-    MultifrontalCholesky cholesky(problem.lower, problem.tree(), problem.unknowns_per_vertex, 1, *kernels);
-    ASSERT_TRUE(cholesky.factorize(problem.lower));
-    Eigen::MatrixXd x = b;
-    cholesky.solve_in_place(x);
-    EXPECT_LT(largest_residual(problem.lower, x, b), 1e-11 * (1 + x.cwiseAbs().maxCoeff()));
-    EXPECT_LT((x - expected).norm(), 1e-9 * expected.norm());
+Eigen::MatrixXd solve(const CholeskyProblem& problem, const Eigen::MatrixXd& b, int num_threads = 1) {
+  MultifrontalCholesky cholesky(problem.lower, problem.tree(), problem.unknowns_per_vertex, num_threads);
+  if (!cholesky.factorize(problem.lower)) throw std::domain_error("not positive definite");
+  Eigen::MatrixXd x = b;
+  cholesky.solve_in_place(x);
+  return x;
+}
+
+TEST(MultifrontalCholesky, SolvesAsEigenDoes) {
+  for (const CholeskyProblem& problem : cholesky_problems()) {
+    SCOPED_TRACE(problem.name + ", unknowns a vertex: " + std::to_string(problem.unknowns_per_vertex));
+    const Eigen::MatrixXd b = random_matrix(problem.lower.rows(), 7, 3);
+    const Eigen::SimplicialLLT<SparseMatrix> eigen(problem.lower);
+    ASSERT_EQ(eigen.info(), Eigen::Success);
+    const Eigen::MatrixXd expected = eigen.solve(b);
+    for (const FrontKernels* kernels : all_kernels()) {
+      MultifrontalCholesky cholesky = analyze(problem, *kernels);
+      ASSERT_TRUE(cholesky.factorize(problem.lower));
+      Eigen::MatrixXd x = b;
+      cholesky.solve_in_place(x);
+      const double scale = problem.lower.norm() * x.norm();
+      EXPECT_LT((problem.lower.selfadjointView<Eigen::Lower>() * x - b).norm(), 1e-14 * scale);
+      EXPECT_LT((x - expected).norm(), 1e-9 * expected.norm());
+    }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, CholeskyOnProblem, testing::Range(0, static_cast<int>(cholesky_problems().size())));
+TEST(MultifrontalCholesky, ColumnsAreSolvedEachByItself) {
+  const CholeskyProblem problem = mesh_problem(30, 2);
+  const Eigen::MatrixXd b = random_matrix(problem.lower.rows(), 6, 3);
+  const Eigen::MatrixXd x = solve(problem, b);
+  for (Eigen::Index c = 0; c < b.cols(); ++c) {
+    EXPECT_LT((solve(problem, b.col(c)) - x.col(c)).norm(), 1e-11 * x.col(c).norm());
+  }
+}
+
+TEST(MultifrontalCholesky, EmptyMatrix) {
+  const SparseMatrix empty(0, 0);
+  MultifrontalCholesky cholesky(empty, {}, 2);
+  EXPECT_TRUE(cholesky.factorize(empty));
+}
+
+TEST(MultifrontalCholesky, NewValuesReplaceTheOldFactor) {
+  const CholeskyProblem problem = mesh_problem(20, 2);
+  const SparseMatrix other = random_positive_definite(20 * 20, problem.edges, 2, 99);
+  MultifrontalCholesky cholesky = analyze(problem);
+  Eigen::MatrixXd b = random_matrix(other.rows(), 1, 4);
+  ASSERT_TRUE(cholesky.factorize(other));
+  ASSERT_TRUE(cholesky.factorize(problem.lower));
+  Eigen::MatrixXd x = b;
+  cholesky.solve_in_place(x);
+  EXPECT_EQ(x, solve(problem, b));
+}
+
+TEST(MultifrontalCholesky, ThreadsGiveTheSameToTheLastBit) {
+  for (const CholeskyProblem& problem : cholesky_problems()) {
+    SCOPED_TRACE(problem.name);
+    const Eigen::MatrixXd b = random_matrix(problem.lower.rows(), 3, 5);
+    const Eigen::MatrixXd expected = solve(problem, b, 1);
+    EXPECT_EQ(solve(problem, b, 2), expected);
+    EXPECT_EQ(solve(problem, b, 3), expected);
+  }
+}
+
+TEST(MultifrontalCholesky, RenumberingTheVerticesRenumbersTheSolution) {
+  const CholeskyProblem problem = mesh_problem(25, 2);
+  const int n = static_cast<int>(problem.positions.rows());
+  std::vector<int> number(static_cast<std::size_t>(n));
+  std::iota(number.begin(), number.end(), 0);
+  std::shuffle(number.begin(), number.end(), std::mt19937(8));
+  CholeskyProblem renumbered = problem;
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(2 * n);
+  for (int v = 0; v < n; ++v) {
+    const int w = number[static_cast<std::size_t>(v)];
+    renumbered.positions.row(w) = problem.positions.row(v);
+    permutation.indices().segment<2>(2 * v) << 2 * w, 2 * w + 1;
+  }
+  for (auto& [a, b] : renumbered.edges) {
+    a = number[static_cast<std::size_t>(a)];
+    b = number[static_cast<std::size_t>(b)];
+  }
+  SparseMatrix permuted(2 * n, 2 * n);
+  permuted.selfadjointView<Eigen::Lower>() = problem.lower.selfadjointView<Eigen::Lower>().twistedBy(permutation);
+  renumbered.lower = permuted;
+  const Eigen::MatrixXd b = random_matrix(2 * n, 1, 6);
+  const Eigen::MatrixXd x = solve(problem, b);
+  EXPECT_LT((solve(renumbered, permutation * b) - permutation * x).norm(), 1e-11 * x.norm());
+}
+
+/// A − c eᵢeᵢᵀ is positive definite for c < 1 / (A⁻¹)ᵢᵢ alone.
+TEST(MultifrontalCholesky, FindsASingleNegativePivotWhereverItIs) {
+  CholeskyProblem problem = mesh_problem(12, 2);
+  const Eigen::VectorXd inverse_diagonal = full(problem.lower).inverse().diagonal();
+  for (const FrontKernels* kernels : all_kernels()) {
+    MultifrontalCholesky cholesky = analyze(problem, *kernels);
+    for (int i = 0; i < problem.lower.rows(); ++i) {
+      const double diagonal = problem.lower.coeff(i, i);
+      problem.lower.coeffRef(i, i) = diagonal - (1 - 1e-7) / inverse_diagonal[i];
+      EXPECT_TRUE(cholesky.factorize(problem.lower)) << i;
+      problem.lower.coeffRef(i, i) = diagonal - (1 + 1e-7) / inverse_diagonal[i];
+      EXPECT_FALSE(cholesky.factorize(problem.lower)) << i;
+      problem.lower.coeffRef(i, i) = diagonal;
+    }
+  }
+}
+
+TEST(MultifrontalCholesky, IsPositiveDefiniteUpToTheSmallestEigenvalue) {
+  for (CholeskyProblem& problem : cholesky_problems()) {
+    if (problem.lower.rows() > 400) continue;  // for the sake of the dense eigenvalues
+    SCOPED_TRACE(problem.name);
+    const double smallest =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full(problem.lower), Eigen::EigenvaluesOnly).eigenvalues()[0];
+    MultifrontalCholesky cholesky(problem.lower, problem.tree(), problem.unknowns_per_vertex, 2);
+    const Eigen::VectorXd diagonal = problem.lower.diagonal();
+    problem.lower.diagonal().array() -= smallest * (1 - 1e-6);
+    EXPECT_TRUE(cholesky.factorize(problem.lower));
+    problem.lower.diagonal() = diagonal.array() - smallest * (1 + 1e-6);
+    EXPECT_FALSE(cholesky.factorize(problem.lower));
+  }
+}
+
+TEST(MultifrontalCholesky, RefusesSingularMatrices) {
+  const DissectionTree tree{{{{0, 1}, -1}}};
+  for (const auto& [a, b, c] : std::vector<std::array<double, 3>>{{1, -1, 1}, {4, 2, 1}, {0, 0, 1}, {1, 0, 0}}) {
+    SparseMatrix lower(2, 2);
+    const std::vector<Eigen::Triplet<double>> entries{{0, 0, a}, {1, 0, b}, {1, 1, c}};
+    lower.setFromTriplets(entries.begin(), entries.end());
+    EXPECT_FALSE(MultifrontalCholesky(lower, tree, 1).factorize(lower)) << a << " " << b << " " << c;
+  }
+}
+
+TEST(MultifrontalCholesky, RefusesWhatIsNotFinite) {
+  CholeskyProblem problem = mesh_problem(12, 2);
+  MultifrontalCholesky cholesky = analyze(problem);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity}) {
+    for (Eigen::Index i = 0; i < problem.lower.nonZeros(); i += 7) {
+      const double value = std::exchange(problem.lower.valuePtr()[i], bad);
+      EXPECT_FALSE(cholesky.factorize(problem.lower)) << bad << " in entry " << i;
+      problem.lower.valuePtr()[i] = value;
+    }
+  }
+}
+
+TEST(MultifrontalCholesky, SolvesOnlyWithAFactor) {
+  const CholeskyProblem problem = mesh_problem(12, 2);
+  MultifrontalCholesky cholesky = analyze(problem);
+  Eigen::MatrixXd b = random_matrix(problem.lower.rows(), 1, 2);
+  EXPECT_THROW(cholesky.solve_in_place(b), std::logic_error);
+  EXPECT_FALSE(cholesky.factorize(-problem.lower));
+  EXPECT_THROW(cholesky.solve_in_place(b), std::logic_error);
+  EXPECT_TRUE(cholesky.factorize(problem.lower));
+  const Eigen::MatrixXd expected = solve(problem, b);
+  cholesky.solve_in_place(b);
+  EXPECT_EQ(b, expected);
+}
+
+TEST(MultifrontalCholesky, PartialSolvesEqualTheFullOne) {
+  const CholeskyProblem problem = mesh_problem(40, 2);
+  MultifrontalCholesky cholesky = analyze(problem);
+  ASSERT_TRUE(cholesky.factorize(problem.lower));
+  std::vector<int> line, block;
+  for (int i = 0; i < 40; ++i) line.push_back(40 * i + 7);
+  for (int i = 0; i < 100; ++i) block.push_back(40 * (20 + i / 10) + 25 + i % 10);
+  const Eigen::MatrixXd values = random_matrix(80, 5, 1);
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(problem.lower.rows(), 5);
+  for (int i = 0; i < 40; ++i) b.middleRows<2>(2 * line[static_cast<std::size_t>(i)]) = values.middleRows<2>(2 * i);
+  Eigen::MatrixXd expected = b;
+  cholesky.solve_in_place(expected);
+
+  const auto to_line = cholesky.branches_to(line), to_block = cholesky.branches_to(block);
+  std::vector<int> everything(40 * 40);
+  std::iota(everything.begin(), everything.end(), 0);
+  const auto to_everything = cholesky.branches_to(everything);
+  EXPECT_LT(to_block.size(), to_everything.size() / 4);
+  const auto expect_equal = [&](const Eigen::MatrixXd& x, const std::vector<int>& vertices) {
+    for (int v : vertices) EXPECT_EQ(x.middleRows<2>(2 * v), expected.middleRows<2>(2 * v)) << v;
+  };
+  Eigen::MatrixXd on_line = b, on_block = b, on_everything = b;
+  cholesky.solve_in_place(on_line, to_line, to_line);
+  expect_equal(on_line, line);
+  cholesky.solve_in_place(on_block, to_line, to_block);
+  expect_equal(on_block, block);
+  cholesky.solve_in_place(on_everything, to_line, to_everything);
+  expect_equal(on_everything, everything);
+}
+
+TEST(MultifrontalCholesky, FactorizesWithoutAllocation) {
+  const CholeskyProblem problem = mesh_problem(60, 2);
+  const int before_analysis = num_allocations();
+  MultifrontalCholesky cholesky(problem.lower, problem.tree(), 2);
+  EXPECT_GT(num_allocations(), before_analysis);
+  const int before = num_allocations();
+  const bool positive_definite = cholesky.factorize(problem.lower) && cholesky.factorize(problem.lower);
+  EXPECT_EQ(num_allocations(), before);
+  EXPECT_TRUE(positive_definite);
+}
+
+TEST(MultifrontalCholesky, RefusesWhatDoesNotFit) {
+  const CholeskyProblem problem = mesh_problem(5, 1);
+  const SparseMatrix& lower = problem.lower;
+  const auto with = [&](DissectionTree tree) { MultifrontalCholesky(lower, tree, 1); };
+  EXPECT_NO_THROW(with(problem.tree()));
+  DissectionTree missing = problem.tree(), twice = problem.tree(), apart = problem.tree(), beyond = problem.tree();
+  missing.nodes[0].vertices.pop_back();
+  EXPECT_THROW(with(missing), std::invalid_argument);
+  twice.nodes[0].vertices.push_back(twice.nodes[1].vertices[0]);
+  EXPECT_THROW(with(twice), std::invalid_argument);
+  beyond.nodes[0].vertices[0] = 25;
+  EXPECT_THROW(with(beyond), std::invalid_argument);
+  ASSERT_EQ(apart.nodes.size(), 3u);
+  apart.nodes[0].parent = -1;  // its separator joins it to the other half
+  EXPECT_THROW(with(apart), std::invalid_argument);
+  std::swap(apart.nodes[1].vertices, apart.nodes[2].vertices);
+  apart.nodes[0].parent = 2;  // now what joins the halves is in one of them
+  EXPECT_THROW(with(apart), std::invalid_argument);
+  EXPECT_THROW(MultifrontalCholesky(lower, problem.tree(), 2), std::invalid_argument);
+
+  MultifrontalCholesky cholesky(lower, problem.tree(), 1);
+  EXPECT_THROW(static_cast<void>(cholesky.factorize(mesh_problem(6, 1).lower)), std::invalid_argument);
+  ASSERT_TRUE(cholesky.factorize(lower));
+  Eigen::MatrixXd b(24, 1);
+  EXPECT_THROW(cholesky.solve_in_place(b), std::invalid_argument);
+}
 
 }  // namespace
 }  // namespace wirewarp

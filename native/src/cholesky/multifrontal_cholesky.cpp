@@ -130,7 +130,7 @@ template <bool forward>
 void MultifrontalCholesky::sweep(int node, Eigen::Ref<Eigen::MatrixXd> b, Tile* x) const {
   const Front& front = layout_.fronts[at(node)];
   const int k = layout_.unknowns_per_vertex, columns = static_cast<int>(b.cols());
-  const int* const vertices = &layout_.vertices[at(front.first_vertex)];
+  const int* const vertices = layout_.vertices.data() + front.first_vertex;
   const auto for_each_row = [&](int num_vertices, auto&& function) {
     for (int place = 0; place < num_vertices; ++place) {
       const int row = layout_.row_of(front, place);

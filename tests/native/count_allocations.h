@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace wirewarp {
+
+/// How often this thread of the test program has taken memory by operator new.
+int num_allocations();
+
+}  // namespace wirewarp
