@@ -38,11 +38,14 @@ struct FrontKernels {
   /// at a pivot that is not a positive finite number.
   bool (*factor)(Tile* panel, Tile* schur, int m, int r);
 
-  /// [x₁; x₂] := [L₁₁⁻¹ x₁; x₂ − L₂₁ L₁₁⁻¹ x₁] for four right-hand sides: column i of tile t of x is row 4 t + i.
-  void (*solve_lower)(const Tile* panel, int m, int r, Tile* x);
+  /// [x₁; x₂] := [L₁₁⁻¹ x₁; x₂ − L₂₁ L₁₁⁻¹ x₁] for one right-hand side, and for four with those of a row side by side.
+  /// x has 4 (m + r) rows and the alignment of a tile.
+  void (*solve_lower)(const Tile* panel, int m, int r, double* x);
+  void (*solve_lower_4)(const Tile* panel, int m, int r, double* x);
 
-  /// x₁ := L₁₁⁻ᵀ (x₁ − L₂₁ᵀ x₂), the same way.
-  void (*solve_upper)(const Tile* panel, int m, int r, Tile* x);
+  /// x₁ := L₁₁⁻ᵀ (x₁ − L₂₁ᵀ x₂), the same way. sums: space for m tiles.
+  void (*solve_upper)(const Tile* panel, int m, int r, double* x, Tile* sums);
+  void (*solve_upper_4)(const Tile* panel, int m, int r, double* x);
 };
 
 extern const FrontKernels kPlainKernels;  // for any processor

@@ -141,86 +141,15 @@ bool factor(Tile* panel, Tile* schur, int m, int r) {
   return true;
 }
 
-void solve_lower(const Tile* panel, int m, int r, Tile* x) {
-  for (int t = 0; t < m + r; ++t) {
-    const Tile* const l = panel + panel_row(t, m);
-    const int columns = t < m ? t : m;
-    Lanes sum[kTile][kParts];
-#pragma GCC unroll 4
-    for (int i = 0; i < kTile; ++i) {
-#pragma GCC unroll 4
-      for (int part = 0; part < kParts; ++part) sum[i][part] = column(x[t], i, part);
-    }
-    for (int j = 0; j < columns; ++j) {
-#pragma GCC unroll 4
-      for (int k = 0; k < kTile; ++k) {
-#pragma GCC unroll 4
-        for (int i = 0; i < kTile; ++i) {
-#pragma GCC unroll 4
-          for (int part = 0; part < kParts; ++part) sum[i][part] -= column(x[j], k, part) * l[j].entries[kTile * k + i];
-        }
-      }
-    }
-    if (t < m) {
-#pragma GCC unroll 4
-      for (int i = 0; i < kTile; ++i) {
-#pragma GCC unroll 4
-        for (int part = 0; part < kParts; ++part) {
-#pragma GCC unroll 4
-          for (int k = 0; k < i; ++k) sum[i][part] -= sum[k][part] * l[t].entries[kTile * k + i];
-          sum[i][part] *= l[t].entries[kTile * i + i];
-        }
-      }
-    }
-#pragma GCC unroll 4
-    for (int i = 0; i < kTile; ++i) {
-#pragma GCC unroll 4
-      for (int part = 0; part < kParts; ++part) column(x[t], i, part) = sum[i][part];
-    }
-  }
-}
+}  // namespace
+}  // namespace wirewarp
 
-/// x_j −= L_tjᵀ x_t for the columns j of row tile t of L.
-inline void subtract_transposed(const Tile* l, int columns, const Tile& x_t, Tile* x) {
-  Lanes solved[kTile][kParts];
-#pragma GCC unroll 4
-  for (int i = 0; i < kTile; ++i) {
-#pragma GCC unroll 4
-    for (int part = 0; part < kParts; ++part) solved[i][part] = column(x_t, i, part);
-  }
-  for (int j = 0; j < columns; ++j) {
-#pragma GCC unroll 4
-    for (int k = 0; k < kTile; ++k) {
-#pragma GCC unroll 4
-      for (int part = 0; part < kParts; ++part) {
-        Lanes sum = column(x[j], k, part);
-#pragma GCC unroll 4
-        for (int i = 0; i < kTile; ++i) sum -= solved[i][part] * l[j].entries[kTile * k + i];
-        column(x[j], k, part) = sum;
-      }
-    }
-  }
-}
+#include "cholesky/front_substitution_body.h"
 
-inline void solve_tile_transposed(const Tile& l, Tile& x) {
-  for (int i = kTile - 1; i >= 0; --i) {
-    for (int part = 0; part < kParts; ++part) {
-      for (int k = i + 1; k < kTile; ++k) column(x, i, part) -= column(x, k, part) * l.entries[kTile * i + k];
-      column(x, i, part) *= l.entries[kTile * i + i];
-    }
-  }
-}
+namespace wirewarp {
+namespace {
 
-void solve_upper(const Tile* panel, int m, int r, Tile* x) {
-  for (int t = m; t < m + r; ++t) subtract_transposed(panel + panel_row(t, m), m, x[t], x);
-  for (int t = m - 1; t >= 0; --t) {
-    const Tile* const l = panel + panel_row(t, m);
-    solve_tile_transposed(l[t], x[t]);
-    subtract_transposed(l, t, x[t], x);
-  }
-}
-
-constexpr FrontKernels kKernels = {factor, solve_lower, solve_upper};
+constexpr FrontKernels kKernels = {factor, solve_lower, solve_lower_4, solve_upper, solve_upper_4};
 
 }  // namespace
 }  // namespace wirewarp

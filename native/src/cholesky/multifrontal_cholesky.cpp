@@ -10,8 +10,6 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kColumnsAtOnce = kTile;  // right-hand sides
-
 double& entry(Tile& tile, int row, int column) { return tile.entries[kTile * column + row]; }
 
 /// How many rows from row i on, of one tile, go to as many successive rows of one tile: 4, 2 or 1.
@@ -38,6 +36,12 @@ void add_rows(int num_rows, const double* from, const int* target, int begin, in
 }
 
 }  // namespace
+
+struct MultifrontalCholesky::Workspace {
+  explicit Workspace(int num_tiles) : x(new Tile[at(num_tiles)]), sums(new Tile[at(num_tiles)]) {}
+  std::unique_ptr<Tile[]> x;     // right-hand sides in the rows of a front, kColumns of them side by side
+  std::unique_ptr<Tile[]> sums;  // what the kernels need
+};
 
 MultifrontalCholesky::MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
                                            int unknowns_per_vertex, int num_threads, const FrontKernels& kernels)
@@ -117,35 +121,55 @@ void MultifrontalCholesky::solve_in_place(Eigen::Ref<Eigen::MatrixXd> b, const B
                                           const Branches& wanted) const {
   if (!positive_definite_) throw std::logic_error("multifrontal Cholesky: there is no factor to solve with");
   if (b.rows() != layout_.num_unknowns) throw std::invalid_argument("multifrontal Cholesky: b has another size");
-  const std::unique_ptr<Tile[]> x(new Tile[at(layout_.largest_front)]);
-  for (Eigen::Index first = 0; first < b.cols(); first += kColumnsAtOnce) {
-    const Eigen::Index columns = std::min<Eigen::Index>(kColumnsAtOnce, b.cols() - first);
-    for (int f : nonzero) sweep<true>(f, b.middleCols(first, columns), x.get());
-    for (auto f = wanted.rbegin(); f != wanted.rend(); ++f) sweep<false>(*f, b.middleCols(first, columns), x.get());
+  Workspace space(layout_.largest_front);
+  for (Eigen::Index first = 0; first < b.cols(); first += kTile) {
+    const Eigen::Index columns = std::min<Eigen::Index>(kTile, b.cols() - first);
+    const auto solve = columns == 1 ? &MultifrontalCholesky::substitute<1> : &MultifrontalCholesky::substitute<kTile>;
+    (this->*solve)(b.middleCols(first, columns), nonzero, wanted, space);
   }
 }
 
-/// Gathers the rows of a front, solves with its part of L or Lᵀ, and puts them back. Going up, rows below have changed.
-template <bool forward>
-void MultifrontalCholesky::sweep(int node, Eigen::Ref<Eigen::MatrixXd> b, Tile* x) const {
-  const Front& front = layout_.fronts[at(node)];
-  const int k = layout_.unknowns_per_vertex, columns = static_cast<int>(b.cols());
-  const int* const vertices = layout_.vertices.data() + front.first_vertex;
-  const auto for_each_row = [&](int num_vertices, auto&& function) {
+/// For one or up to four columns: L⁻¹ b, then L⁻ᵀ of that, front by front.
+template <int kColumns>
+void MultifrontalCholesky::substitute(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero, const Branches& wanted,
+                                      Workspace& space) const {
+  const int k = layout_.unknowns_per_vertex;
+  const int columns = kColumns == 1 ? 1 : static_cast<int>(b.cols());
+  double* const x = space.x[0].entries;
+  const auto for_each_row = [&](const Front& front, int num_vertices, auto&& function) {
+    const int* const vertices = layout_.vertices.data() + front.first_vertex;
     for (int place = 0; place < num_vertices; ++place) {
-      const int row = layout_.row_of(front, place);
+      double* const in_front = x + kColumns * layout_.row_of(front, place);
+      double* const in_b = b.data() + k * vertices[place];
       for (int i = 0; i < k; ++i) {
-        double* const in_front = &entry(x[(row + i) / kTile], 0, (row + i) % kTile);
-        for (int c = 0; c < columns; ++c) function(in_front[c], b(k * vertices[place] + i, c));
+        for (int c = 0; c < columns; ++c) function(in_front[kColumns * i + c], in_b[i + c * b.outerStride()]);
       }
     }
   };
-  std::fill_n(x, front.pivot_tiles + front.row_tiles, Tile{});
-  for_each_row(front.num_pivots + front.num_rows, [](double& in_front, double& in_b) { in_front = in_b; });
-  const auto solve = forward ? kernels_->solve_lower : kernels_->solve_upper;
-  solve(factor_.get() + front.panel, front.pivot_tiles, front.row_tiles, x);
-  for_each_row(front.num_pivots + (forward ? front.num_rows : 0),
-               [](double& in_front, double& in_b) { in_b = in_front; });
+  const auto gather = [&](const Front& front) {
+    std::fill_n(x, kColumns * kTile * (front.pivot_tiles + front.row_tiles), 0.0);
+    for_each_row(front, front.num_pivots + front.num_rows, [](double& in_front, double& in_b) { in_front = in_b; });
+  };
+  const auto scatter = [&](const Front& front, int num_vertices) {
+    for_each_row(front, num_vertices, [](double& in_front, double& in_b) { in_b = in_front; });
+  };
+  for (int f : nonzero) {
+    const Front& front = layout_.fronts[at(f)];
+    gather(front);
+    const auto solve = kColumns == 1 ? kernels_->solve_lower : kernels_->solve_lower_4;
+    solve(factor_.get() + front.panel, front.pivot_tiles, front.row_tiles, x);
+    scatter(front, front.num_pivots + front.num_rows);
+  }
+  for (auto f = wanted.rbegin(); f != wanted.rend(); ++f) {
+    const Front& front = layout_.fronts[at(*f)];
+    gather(front);
+    if constexpr (kColumns == 1) {
+      kernels_->solve_upper(factor_.get() + front.panel, front.pivot_tiles, front.row_tiles, x, space.sums.get());
+    } else {
+      kernels_->solve_upper_4(factor_.get() + front.panel, front.pivot_tiles, front.row_tiles, x);
+    }
+    scatter(front, front.num_pivots);
+  }
 }
 
 MultifrontalCholesky::Branches MultifrontalCholesky::branches_to(const std::vector<int>& vertices) const {

@@ -52,8 +52,10 @@ class MultifrontalCholesky {
  private:
   void eliminate(int node, const double* values);
   void add_child(int child, int node);
-  template <bool forward>
-  void sweep(int node, Eigen::Ref<Eigen::MatrixXd> b, Tile* x) const;
+  struct Workspace;
+  template <int kColumns>
+  void substitute(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero, const Branches& wanted,
+                  Workspace& space) const;
 
   FrontLayout layout_;
   const FrontKernels* kernels_;

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Substitution in a front, for front_kernels_body.h. One right-hand side is bound by how fast L comes from memory: each
+// number of it is used once. Four share what is read.
+#pragma once
+
+namespace wirewarp {
+namespace {
+
+/// Σ_j L_tj x_j over the columns j of a row tile of L, for one right-hand side.
+inline void product(const Tile* l, int columns, const double* x, double (&result)[kTile]) {
+  Lanes sum[kTile][kParts] = {};  // a sum for each column of a tile: no addition waits for the one before
+  for (int j = 0; j < columns; ++j) {
+#pragma GCC unroll 4
+    for (int k = 0; k < kTile; ++k) {
+#pragma GCC unroll 4
+      for (int part = 0; part < kParts; ++part) sum[k][part] += column(l[j], k, part) * x[kTile * j + k];
+    }
+  }
+#pragma GCC unroll 4
+  for (int part = 0; part < kParts; ++part) {
+    const Lanes total = (sum[0][part] + sum[1][part]) + (sum[2][part] + sum[3][part]);
+    for (int i = 0; i < kLanes; ++i) result[kLanes * part + i] = total[i];
+  }
+}
+
+/// sums_j += L_tj ∘ x_t over the columns j of kRows row tiles from l on, stride tiles apart: the numbers of a column of
+/// sums_j add up to what L_tjᵀ x_t gives there.
+template <int kRows>
+inline void add_products(const Tile* l, int stride, int columns, const double* x, Tile* sums) {
+  Lanes x_t[kRows][kParts];
+#pragma GCC unroll 4
+  for (int row = 0; row < kRows; ++row) {
+#pragma GCC unroll 4
+    for (int part = 0; part < kParts; ++part) {
+      x_t[row][part] = *reinterpret_cast<const Lanes*>(x + kTile * row + kLanes * part);
+    }
+  }
+  for (int j = 0; j < columns; ++j) {
+#pragma GCC unroll 4
+    for (int k = 0; k < kTile; ++k) {
+#pragma GCC unroll 4
+      for (int part = 0; part < kParts; ++part) {
+        Lanes sum = column(sums[j], k, part);
+#pragma GCC unroll 4
+        for (int row = 0; row < kRows; ++row) sum += column(l[row * stride + j], k, part) * x_t[row][part];
+        column(sums[j], k, part) = sum;
+      }
+    }
+  }
+}
+
+void solve_lower(const Tile* panel, int m, int r, double* x) {
+  for (int t = 0; t < m + r; ++t) {
+    const Tile* const l = panel + panel_row(t, m);
+    double* const x_t = x + kTile * t;
+    double known[kTile];
+    product(l, t < m ? t : m, x, known);
+    for (int i = 0; i < kTile; ++i) {
+      x_t[i] -= known[i];
+      if (t >= m) continue;
+      for (int k = 0; k < i; ++k) x_t[i] -= l[t].entries[kTile * k + i] * x_t[k];
+      x_t[i] *= l[t].entries[kTile * i + i];
+    }
+  }
+}
+
+void solve_upper(const Tile* panel, int m, int r, double* x, Tile* sums) {
+  for (int j = 0; j < m; ++j) sums[j] = Tile{};
+  int t = m;
+  for (; t + 1 < m + r; t += 2) add_products<2>(panel + panel_row(t, m), m, m, x + kTile * t, sums);
+  if (t < m + r) add_products<1>(panel + panel_row(t, m), 0, m, x + kTile * t, sums);
+  for (t = m - 1; t >= 0; --t) {
+    const Tile* const l = panel + panel_row(t, m);
+    double* const x_t = x + kTile * t;
+    for (int i = kTile - 1; i >= 0; --i) {
+      for (int k = 0; k < kTile; ++k) x_t[i] -= sums[t].entries[kTile * i + k];
+      for (int k = i + 1; k < kTile; ++k) x_t[i] -= l[t].entries[kTile * i + k] * x_t[k];
+      x_t[i] *= l[t].entries[kTile * i + i];
+    }
+    add_products<1>(l, 0, t, x_t, sums);
+  }
+}
+
+/// Here x_t, four rows of four right-hand sides, is a tile whose columns are the rows.
+void solve_lower_4(const Tile* panel, int m, int r, double* rows) {
+  Tile* const x = reinterpret_cast<Tile*>(rows);
+  for (int t = 0; t < m + r; ++t) {
+    const Tile* const l = panel + panel_row(t, m);
+    const int columns = t < m ? t : m;
+    Lanes sum[kTile][kParts];
+#pragma GCC unroll 4
+    for (int i = 0; i < kTile; ++i) {
+#pragma GCC unroll 4
+      for (int part = 0; part < kParts; ++part) sum[i][part] = column(x[t], i, part);
+    }
+    for (int j = 0; j < columns; ++j) {
+#pragma GCC unroll 4
+      for (int k = 0; k < kTile; ++k) {
+#pragma GCC unroll 4
+        for (int i = 0; i < kTile; ++i) {
+#pragma GCC unroll 4
+          for (int part = 0; part < kParts; ++part) sum[i][part] -= column(x[j], k, part) * l[j].entries[kTile * k + i];
+        }
+      }
+    }
+    if (t < m) {
+#pragma GCC unroll 4
+      for (int i = 0; i < kTile; ++i) {
+#pragma GCC unroll 4
+        for (int part = 0; part < kParts; ++part) {
+#pragma GCC unroll 4
+          for (int k = 0; k < i; ++k) sum[i][part] -= sum[k][part] * l[t].entries[kTile * k + i];
+          sum[i][part] *= l[t].entries[kTile * i + i];
+        }
+      }
+    }
+#pragma GCC unroll 4
+    for (int i = 0; i < kTile; ++i) {
+#pragma GCC unroll 4
+      for (int part = 0; part < kParts; ++part) column(x[t], i, part) = sum[i][part];
+    }
+  }
+}
+
+/// x_j −= L_tjᵀ x_t for the columns j of row tile t of L.
+inline void subtract_transposed(const Tile* l, int columns, const Tile& x_t, Tile* x) {
+  Lanes solved[kTile][kParts];
+#pragma GCC unroll 4
+  for (int i = 0; i < kTile; ++i) {
+#pragma GCC unroll 4
+    for (int part = 0; part < kParts; ++part) solved[i][part] = column(x_t, i, part);
+  }
+  for (int j = 0; j < columns; ++j) {
+#pragma GCC unroll 4
+    for (int k = 0; k < kTile; ++k) {
+#pragma GCC unroll 4
+      for (int part = 0; part < kParts; ++part) {
+        Lanes sum = column(x[j], k, part);
+#pragma GCC unroll 4
+        for (int i = 0; i < kTile; ++i) sum -= solved[i][part] * l[j].entries[kTile * k + i];
+        column(x[j], k, part) = sum;
+      }
+    }
+  }
+}
+
+inline void solve_tile_transposed(const Tile& l, Tile& x) {
+  for (int i = kTile - 1; i >= 0; --i) {
+    for (int part = 0; part < kParts; ++part) {
+      for (int k = i + 1; k < kTile; ++k) column(x, i, part) -= column(x, k, part) * l.entries[kTile * i + k];
+      column(x, i, part) *= l.entries[kTile * i + i];
+    }
+  }
+}
+
+void solve_upper_4(const Tile* panel, int m, int r, double* rows) {
+  Tile* const x = reinterpret_cast<Tile*>(rows);
+  for (int t = m; t < m + r; ++t) subtract_transposed(panel + panel_row(t, m), m, x[t], x);
+  for (int t = m - 1; t >= 0; --t) {
+    const Tile* const l = panel + panel_row(t, m);
+    solve_tile_transposed(l[t], x[t]);
+    subtract_transposed(l, t, x[t], x);
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp
