@@ -6,15 +6,6 @@
 
 namespace wirewarp {
 
-/// Twice z and w: no halves in the loop.
-struct ShapeError::LinearMap {
-  double z1, z2, w1, w2;
-  double norm_z;
-
-  /// |J - L|² = 2(|z| - 1)² + 2|w|².
-  double squared_distance_from_rotation() const { return 0.5 * ((norm_z - 2) * (norm_z - 2) + w1 * w1 + w2 * w2); }
-};
-
 ShapeError::ShapeError(const Chart& chart) : num_vertices_(static_cast<Eigen::Index>(chart.mesh.n_vertices())) {
   const HalfEdgeMesh& mesh = chart.mesh;
   triangles_.reserve(mesh.n_faces());
@@ -78,11 +69,11 @@ Eigen::SparseMatrix<double> ShapeError::fixed_rotation_hessian() const {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(6 * triangles_.size());
   for (const Triangle& t : triangles_) {
-    const double hat_x[3] = {-t.a, t.a, 0}, hat_y[3] = {-t.b - t.c, t.b, t.c};
+    const Eigen::Matrix<double, 2, 3> hats = t.hat_gradients();
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j <= i; ++j) {
         const auto [column, row] = std::minmax(t.vertices[i], t.vertices[j]);
-        entries.emplace_back(row, column, 2 * t.area * (hat_x[i] * hat_x[j] + hat_y[i] * hat_y[j]));
+        entries.emplace_back(row, column, 2 * t.area * hats.col(i).dot(hats.col(j)));
       }
     }
   }

@@ -33,18 +33,34 @@ class ShapeError {
   ///   E(u + d) ≤ E(u) + g·d + ½ d·Kd
   Eigen::SparseMatrix<double> fixed_rotation_hessian() const;
 
- private:
   /// The triangle p0 p1 p2 laid into the plane is (0, 0), (x1, 0), (x2, y2). The map that takes it to u0 u1 u2 has the
   /// columns J₁ = a (u1 - u0) and J₂ = b (u1 - u0) + c (u2 - u0).
   struct Triangle {
     int vertices[3];
     double area;  // in 3D
     double a, b, c;
-  };
-  struct LinearMap;
 
+    /// Gradients of the hat functions of the three vertices, one a column.
+    Eigen::Matrix<double, 2, 3> hat_gradients() const {
+      return (Eigen::Matrix<double, 2, 3>() << -a, a, 0, -b - c, b, c).finished();
+    }
+  };
+
+  /// Twice z and w: no halves in the loop.
+  struct LinearMap {
+    double z1, z2, w1, w2;
+    double norm_z;
+
+    /// |J - L|² = 2(|z| - 1)² + 2|w|².
+    double squared_distance_from_rotation() const { return 0.5 * ((norm_z - 2) * (norm_z - 2) + w1 * w1 + w2 * w2); }
+    /// det J = |z|² - |w|².
+    double determinant() const { return 0.25 * (norm_z * norm_z - w1 * w1 - w2 * w2); }
+  };
+
+  const std::vector<Triangle>& triangles() const { return triangles_; }
   static LinearMap map_of(const Triangle& triangle, const Positions2& uv);
 
+ private:
   Eigen::Index num_vertices_;
   std::vector<Triangle> triangles_;
 };

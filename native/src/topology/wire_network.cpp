@@ -9,7 +9,7 @@ namespace {
 
 std::size_t place_of(WireHalfEdge h) { return 2 * at(h.edge) + (h.reversed ? 1 : 0); }
 
-void add_wire_edges(const Chart& chart, WireNetwork& network) {
+void add_wire_edges(const Chart& chart, bool with_free_wires, WireNetwork& network) {
   const HalfEdgeMesh& mesh = chart.mesh;
   network.wire_edge_of_edge.assign(mesh.n_edges(), -1);
   const auto add = [&](HalfedgeHandle h, int part, bool is_boundary) {
@@ -19,7 +19,8 @@ void add_wire_edges(const Chart& chart, WireNetwork& network) {
     network.edges.push_back({edge, part, is_boundary, edge_length(mesh, h), {middle[0], middle[1], middle[2]}});
   };
   for (int part = 0; part < static_cast<int>(chart.wire_parts.size()); ++part) {
-    if (chart.wire_parts[at(part)].kind == WireKind::boundary) continue;
+    const WireKind kind = chart.wire_parts[at(part)].kind;
+    if (kind == WireKind::boundary || (kind == WireKind::super_elastic && !with_free_wires)) continue;
     for (const HalfedgeHandle h : chart.wire_parts[at(part)].half_edges) add(h, part, false);
   }
   for (const HalfEdgeChain& loop : chart.boundary_loops) {
@@ -114,11 +115,9 @@ void add_patches(const HalfEdgeMesh& mesh, WireNetwork& network) {
   }
 }
 
-}  // namespace
-
-WireNetwork build_wire_network(const Chart& chart) {
+WireNetwork build_network(const Chart& chart, bool with_free_wires) {
   WireNetwork network;
-  add_wire_edges(chart, network);
+  add_wire_edges(chart, with_free_wires, network);
   add_nodes(chart.mesh, network);
   add_patches(chart.mesh, network);
   for (std::size_t i = 1; i < chart.boundary_loops.size(); ++i) {
@@ -131,5 +130,11 @@ WireNetwork build_wire_network(const Chart& chart) {
   }
   return network;
 }
+
+}  // namespace
+
+WireNetwork build_wire_network(const Chart& chart) { return build_network(chart, true); }
+
+WireNetwork build_held_network(const Chart& chart) { return build_network(chart, false); }
 
 }  // namespace wirewarp

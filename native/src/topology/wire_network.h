@@ -61,4 +61,7 @@ struct WireNetwork {
 /// All wires and boundaries of a chart and how they meet. Any network: nothing is refused here.
 WireNetwork build_wire_network(const Chart& chart);
 
+/// The same without super-elastic wires: the network of all edges whose length is held.
+WireNetwork build_held_network(const Chart& chart);
+
 }  // namespace wirewarp

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/bending.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "index.h"
+#include "pi.h"
+
+namespace wirewarp {
+
+Bending::Bending(const Chart& chart, const WireNetwork& network, double fairness, double area) {
+  const auto half_edge = [&](WireHalfEdge h) {
+    return chart.mesh.halfedge_handle(network.edges[at(h.edge)].edge, h.reversed ? 1 : 0);
+  };
+  const double shortest_wiggle = fairness * std::sqrt(area);
+  for (const WireNode& corner : network.nodes) {
+    if (corner.is_tail) continue;
+    const double length_in = network.edges[at(corner.in.edge)].length;
+    const double length_out = network.edges[at(corner.out.edge)].length;
+    Node node;
+    node.a = chart.mesh.from_vertex_handle(half_edge(corner.in)).idx();
+    node.b = corner.vertex.idx();
+    node.c = chart.mesh.to_vertex_handle(half_edge(corner.out)).idx();
+    node.weight = std::pow(shortest_wiggle, 3) / corner.length;
+    node.to_c = Eigen::Matrix2d::Identity() / length_out;
+    node.to_a = Eigen::Rotation2Dd(kPi - corner.surface_angle).toRotationMatrix() / length_in;
+    node.to_b = -node.to_c - node.to_a;
+    nodes_.push_back(node);
+  }
+}
+
+Eigen::Vector2d Bending::Node::residual(const Positions2& uv) const {
+  // Differences first: positions may be far larger than edges.
+  const Eigen::Vector2d in = (uv.row(b) - uv.row(a)).transpose(), out = (uv.row(c) - uv.row(b)).transpose();
+  return to_c * out - to_a * in;
+}
+
+double Bending::value(const Positions2& uv) const {
+  double sum = 0;
+  for (const Node& node : nodes_) sum += node.weight * node.residual(uv).squaredNorm();
+  return sum / 2;
+}
+
+double Bending::add_gradient(const Positions2& uv, Positions2& gradient) const {
+  double sum = 0;
+  for (const Node& node : nodes_) {
+    const Eigen::Vector2d r = node.residual(uv);
+    const Eigen::Vector2d force = node.weight * r;
+    gradient.row(node.a) += (node.to_a.transpose() * force).transpose();
+    gradient.row(node.b) += (node.to_b.transpose() * force).transpose();
+    gradient.row(node.c) += (node.to_c.transpose() * force).transpose();
+    sum += force.dot(r);
+  }
+  return sum / 2;
+}
+
+void Bending::list_pairs(std::vector<VertexPair>& pairs) const {
+  for (const Node& node : nodes_) {
+    pairs.push_back({node.a, node.b});
+    pairs.push_back({node.b, node.c});
+    pairs.push_back({node.a, node.c});
+  }
+}
+
+void Bending::add_hessian(VertexMatrix& hessian) const {
+  for (const Node& node : nodes_) {
+    const int vertices[3] = {node.a, node.b, node.c};
+    const Eigen::Matrix2d* rows[3] = {&node.to_a, &node.to_b, &node.to_c};
+    for (int i = 0; i < 3; ++i) {
+      hessian.add_diagonal(vertices[i], node.weight * rows[i]->transpose() * *rows[i]);
+      for (int j = 0; j < 3; ++j) {
+        if (vertices[i] <= vertices[j]) continue;
+        hessian.add(hessian.block(vertices[i], vertices[j]), node.weight * rows[i]->transpose() * *rows[j]);
+      }
+    }
+  }
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The fairness of wires: how far the corners of the flat wire network are from those of the surface.
+//
+//   node  a → b → c, the wire-patch on the left; α its surface angle, l the 3D lengths, ℓ their mean
+//   r     = (u_c − u_b) / l_bc − R(π − α) (u_b − u_a) / l_ab
+//   F(u)  = ½ Σ_nodes (D³/ℓ) |r|²,   D = fairness · √area
+//
+// With exact lengths |r|² = 2 − 2 cos(θ − α), the angle term of Eq. (1) for small deviations, and yet F is quadratic in
+// the positions with a constant matrix. D is the shortest wiggle that is left to itself: without F rigid boundaries
+// buckle into zigzags.
+#pragma once
+
+#include <vector>
+
+#include "refine/vertex_matrix.h"
+#include "topology/wire_network.h"
+
+namespace wirewarp {
+
+class Bending {
+ public:
+  /// Nodes of the network but those at the end of a single wire, which has no corner there. area: of the chart in 3D.
+  Bending(const Chart& chart, const WireNetwork& network, double fairness, double area);
+
+  /// F, and adds ∂F/∂u to the gradient. uv, gradient: one row per chart vertex.
+  double value(const Positions2& uv) const;
+  double add_gradient(const Positions2& uv, Positions2& gradient) const;
+
+  /// The vertices that its Hessian couples.
+  void list_pairs(std::vector<VertexPair>& pairs) const;
+
+  /// Adds the Hessian, constant and positive semidefinite.
+  void add_hessian(VertexMatrix& hessian) const;
+
+ private:
+  /// r = to_a u_a + to_b u_b + to_c u_c. Never through the Hessian: short edges make its entries 1e8 times those of F.
+  struct Node {
+    int a, b, c;
+    double weight;
+    Eigen::Matrix2d to_a, to_b, to_c;
+
+    Eigen::Vector2d residual(const Positions2& uv) const;
+  };
+  std::vector<Node> nodes_;
+};
+
+}  // namespace wirewarp

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the refined method minimizes: the shape error of Eq. (4) and the fairness of the wires, and a barrier against
+// flips that is silent on ordinary pieces.
+//
+//   f(u) = E(u) + F(u) + Σ_t ω A max(0, ⅒ − det J)²       E: outer/shape_error.h, F: refine/bending.h
+//
+// Hessian of E, with the hat gradients g_i of a triangle as complex numbers and s_i = g_i · i ẑ:
+//
+//   H_ij = 2A g_i·g_j I − A κ s_i s_jᵀ,   κ = 1/|z|      κ > 1 where the triangle is compressed: there H may be indefinite
+//
+// The first term is the constant Laplacian. With det J = |z|² − |w|² the barrier has ∇_i det = g_i z − ḡ_i w, and its
+// Hessian without the term that could make it indefinite is 2ωA ∇det ∇detᵀ + ωA (⅒ − det J) M(ḡ_i g_j), M(a + ib) the
+// matrix of multiplication by a + ib.
+#pragma once
+
+#include "outer/shape_error.h"
+#include "refine/bending.h"
+
+namespace wirewarp {
+
+/// How much of the negative curvature of E the Hessian keeps.
+enum class Curvature {
+  exact,
+  exact_where_open,  // κ <= 1 on triangles compressed below 0.7
+  convex,            // κ <= 1 everywhere: positive semidefinite
+  none,              // κ = 0: the Laplacian
+};
+
+class FairShapeError {
+ public:
+  /// network: of all wires but super-elastic ones.
+  FairShapeError(const Chart& chart, const WireNetwork& network, double fairness);
+
+  /// ω: 10 to begin with.
+  void set_flip_weight(double weight) { flip_weight_ = weight; }
+
+  /// f, scene units squared. uv: one row per chart vertex.
+  double value(const Positions2& uv) const;
+  double value_and_gradient(const Positions2& uv, Positions2& gradient) const;
+
+  /// E alone.
+  double shape_error(const Positions2& uv) const { return shape_error_.energy(uv); }
+
+  int count_flips(const Positions2& uv) const;
+
+  /// The vertices that the Hessian couples.
+  void list_pairs(std::vector<VertexPair>& pairs) const;
+
+  /// Looks up the blocks of a matrix that couples those vertices; assemble_hessian() is for it alone from then on.
+  void attach_to(const VertexMatrix& hessian);
+
+  /// Adds what does not depend on positions: twice the cotangent Laplacian, and the Hessian of F.
+  void add_constant_hessian(VertexMatrix& hessian) const;
+
+  /// Adds the rest.
+  void add_curvature(const Positions2& uv, Curvature curvature, VertexMatrix& hessian) const;
+
+ private:
+  struct TriangleBlocks {
+    int order[3];                     // corners, by falling vertex index
+    VertexMatrix::Block off_diagonal[3];  // (0, 1), (0, 2), (1, 2) in this order
+  };
+
+  template <class BlockOf>
+  void add_triangle(std::size_t t, VertexMatrix& hessian, const BlockOf& block_of) const;
+
+  ShapeError shape_error_;
+  Bending bending_;
+  double flip_weight_ = 10;
+  std::vector<TriangleBlocks> blocks_;
+};
+
+}  // namespace wirewarp

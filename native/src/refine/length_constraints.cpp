@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/length_constraints.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "index.h"
+
+namespace wirewarp {
+
+LengthConstraints::LengthConstraints(const Chart& chart, const WireNetwork& network) {
+  std::vector<int> elastic_of_part(chart.wire_parts.size(), -1);
+  for (int part = 0; part < static_cast<int>(chart.wire_parts.size()); ++part) {
+    if (chart.wire_parts[at(part)].kind != WireKind::elastic) continue;
+    elastic_of_part[at(part)] = num_elastic();
+    elastic_parts_.push_back(part);
+  }
+  for (const WireEdge& edge : network.edges) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
+    edges_.push_back({chart.mesh.from_vertex_handle(h).idx(), chart.mesh.to_vertex_handle(h).idx(), edge.length,
+                      edge.part < 0 ? -1 : elastic_of_part[at(edge.part)]});
+  }
+}
+
+Eigen::MatrixXd LengthConstraints::elastic_lengths() const {
+  Eigen::MatrixXd lengths = Eigen::MatrixXd::Zero(size(), num_elastic());
+  for (int e = 0; e < size(); ++e) {
+    if (edges_[at(e)].elastic >= 0) lengths(e, edges_[at(e)].elastic) = edges_[at(e)].length;
+  }
+  return lengths;
+}
+
+Eigen::VectorXd LengthConstraints::residual(const Positions2& uv, const Eigen::VectorXd& variation) const {
+  Eigen::VectorXd c(size());
+  for (int e = 0; e < size(); ++e) {
+    const Edge& edge = edges_[at(e)];
+    const double h = edge.elastic < 0 ? 0 : variation[edge.elastic];
+    const double x = uv(edge.b, 0) - uv(edge.a, 0), y = uv(edge.b, 1) - uv(edge.a, 1);
+    c[e] = std::sqrt(x * x + y * y) - (1 + h) * edge.length;
+  }
+  return c;
+}
+
+double LengthConstraints::largest_error(const Eigen::VectorXd& residual) const {
+  double largest = 0;
+  for (int e = 0; e < size(); ++e) largest = std::max(largest, std::abs(residual[e]) / edges_[at(e)].length);
+  return largest;
+}
+
+Positions2 LengthConstraints::directions(const Positions2& uv) const {
+  Positions2 directions(size(), 2);
+  for (int e = 0; e < size(); ++e) {
+    directions.row(e) = uv.row(edges_[at(e)].b) - uv.row(edges_[at(e)].a);
+    const double length = directions.row(e).norm();
+    if (length > 0) directions.row(e) /= length;
+  }
+  return directions;
+}
+
+Eigen::VectorXd LengthConstraints::apply(const Positions2& directions, const Positions2& d) const {
+  Eigen::VectorXd result(size());
+  for (int e = 0; e < size(); ++e) {
+    result[e] = directions.row(e).dot(d.row(edges_[at(e)].b) - d.row(edges_[at(e)].a));
+  }
+  return result;
+}
+
+void LengthConstraints::add_transposed(const Positions2& directions, const Eigen::VectorXd& multipliers,
+                                       Positions2& result) const {
+  for (int e = 0; e < size(); ++e) {
+    const Eigen::RowVector2d force = multipliers[e] * directions.row(e);
+    result.row(edges_[at(e)].b) += force;
+    result.row(edges_[at(e)].a) -= force;
+  }
+}
+
+}  // namespace wirewarp

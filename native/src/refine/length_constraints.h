@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The promise as equations: every edge of the boundary and of a rigid or elastic wire has its length.
+//
+//   c_e(u, h) = |d| − (1 + h) l,   d = u_b − u_a      h is 0 but on elastic parts, and shared evenly by their edges
+//   J = ∂c/∂u   row e: d̂ at b, −d̂ at a
+//   T = −∂c/∂h  column w: l at the edges of elastic part w
+//   ∂²c_e/∂d² = n nᵀ / |d|,   n ⊥ d̂
+#pragma once
+
+#include <vector>
+
+#include "refine/vertex_matrix.h"
+#include "topology/wire_network.h"
+
+namespace wirewarp {
+
+class LengthConstraints {
+ public:
+  struct Edge {
+    int a, b;       // chart vertices
+    double length;  // l, 3D
+    int elastic;    // index into elastic_parts(), -1: h is 0
+  };
+
+  /// network: of all wires but super-elastic ones.
+  LengthConstraints(const Chart& chart, const WireNetwork& network);
+
+  const std::vector<Edge>& edges() const { return edges_; }
+  int size() const { return static_cast<int>(edges_.size()); }
+
+  /// Wire parts of the chart that are elastic: entry w of h belongs to part elastic_parts()[w].
+  const std::vector<int>& elastic_parts() const { return elastic_parts_; }
+  int num_elastic() const { return static_cast<int>(elastic_parts_.size()); }
+
+  /// T, #edges by #elastic.
+  Eigen::MatrixXd elastic_lengths() const;
+
+  /// c. #edges, scene units.
+  Eigen::VectorXd residual(const Positions2& uv, const Eigen::VectorXd& variation) const;
+
+  /// Largest |c| / l.
+  double largest_error(const Eigen::VectorXd& residual) const;
+
+  /// d̂, one row per edge; zero where an edge has no length.
+  Positions2 directions(const Positions2& uv) const;
+
+  /// J d for the directions of a linearization. #edges.
+  Eigen::VectorXd apply(const Positions2& directions, const Positions2& d) const;
+
+  /// Adds Jᵀ λ. One row per chart vertex.
+  void add_transposed(const Positions2& directions, const Eigen::VectorXd& multipliers, Positions2& result) const;
+
+ private:
+  std::vector<Edge> edges_;
+  std::vector<int> elastic_parts_;
+};
+
+}  // namespace wirewarp

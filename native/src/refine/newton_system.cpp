@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/newton_system.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "index.h"
+#include "mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kMass = 1e-4;
+constexpr double kPin = 1e6;
+constexpr double kSmallestStiffness = 1e8;
+constexpr double kStiffness = 1e4;  // over the largest diagonal entry of the Hessian at an edge's ends
+constexpr int kMultiplierSteps = 3;
+
+std::vector<VertexPair> coupled_vertices(const FairShapeError& objective) {
+  std::vector<VertexPair> pairs;
+  objective.list_pairs(pairs);
+  return pairs;
+}
+
+/// A third of the faces around each vertex, over the area of all.
+Eigen::VectorXd lumped_mass(const Chart& chart) {
+  Eigen::VectorXd mass = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chart.mesh.n_vertices()));
+  for (const FaceHandle f : chart.mesh.faces()) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(f), next = chart.mesh.next_halfedge_handle(h);
+    const auto origin = chart.mesh.point(chart.mesh.from_vertex_handle(h));
+    const auto along = chart.mesh.point(chart.mesh.to_vertex_handle(h)) - origin;
+    const auto back = chart.mesh.point(chart.mesh.to_vertex_handle(next)) - origin;
+    for (const VertexHandle v : {chart.mesh.from_vertex_handle(h), chart.mesh.to_vertex_handle(h),
+                                 chart.mesh.to_vertex_handle(next)}) {
+      mass[v.idx()] += (along % back).norm();
+    }
+  }
+  return mass / mass.sum();
+}
+
+/// A vertex near the middle of the surface, and the one farthest away from it.
+VertexPair pinned_vertices(const Chart& chart) {
+  OpenMesh::Vec3d center(0, 0, 0);
+  for (const VertexHandle v : chart.mesh.vertices()) center += chart.mesh.point(v);
+  center /= static_cast<double>(chart.mesh.n_vertices());
+  const auto nearer_to = [&](const OpenMesh::Vec3d& point) {
+    return [&chart, point](VertexHandle a, VertexHandle b) {
+      return (chart.mesh.point(a) - point).sqrnorm() < (chart.mesh.point(b) - point).sqrnorm();
+    };
+  };
+  const VertexHandle middle =
+      *std::min_element(chart.mesh.vertices_begin(), chart.mesh.vertices_end(), nearer_to(center));
+  const VertexHandle farthest =
+      *std::max_element(chart.mesh.vertices_begin(), chart.mesh.vertices_end(), nearer_to(chart.mesh.point(middle)));
+  return {middle.idx(), farthest.idx()};
+}
+
+}  // namespace
+
+NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints)
+    : objective_(objective),
+      constraints_(constraints),
+      matrix_(static_cast<int>(chart.mesh.n_vertices()), coupled_vertices(objective)),
+      pinned_(pinned_vertices(chart)) {
+  objective_.attach_to(matrix_);
+  objective_.add_constant_hessian(matrix_);
+  stiffness_.resize(constraints.size());
+  for (int e = 0; e < constraints.size(); ++e) {
+    const LengthConstraints::Edge& edge = constraints.edges()[at(e)];
+    edge_blocks_.push_back(matrix_.block(std::max(edge.a, edge.b), std::min(edge.a, edge.b)));
+    const double largest = std::max(matrix_.largest_diagonal(edge.a), matrix_.largest_diagonal(edge.b));
+    stiffness_[e] = std::max(kSmallestStiffness, kStiffness * largest);
+  }
+  const Eigen::VectorXd mass = kMass * lumped_mass(chart);
+  for (int v = 0; v < mass.size(); ++v) matrix_.add_diagonal(v, mass[v] * Eigen::Matrix2d::Identity());
+  matrix_.add_diagonal(pinned_[0], kPin * Eigen::Matrix2d::Identity());
+  constant_ = matrix_.values();
+  llt_.analyzePattern(matrix_.lower());
+}
+
+void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
+                            double stiffness_share) {
+  matrix_.set_values(constant_);
+  objective_.add_curvature(uv, convexity.curvature, matrix_);
+  directions_ = constraints_.directions(uv);
+  for (int e = 0; e < constraints_.size(); ++e) {
+    const LengthConstraints::Edge& edge = constraints_.edges()[at(e)];
+    const double length = (uv.row(edge.b) - uv.row(edge.a)).norm();
+    const double share = multipliers[e] < 0 ? convexity.negative_multipliers : 1;
+    const double across = length > 0 ? share * multipliers[e] / length : 0;
+    const Eigen::Vector2d d = directions_.row(e).transpose(), n(-d.y(), d.x());
+    const Eigen::Matrix2d block =
+        stiffness_share * stiffness_[e] * d * d.transpose() + across * n * n.transpose();
+    matrix_.add_diagonal(edge.a, block);
+    matrix_.add_diagonal(edge.b, block);
+    matrix_.add(edge_blocks_[at(e)], -block);
+  }
+  const Eigen::Vector2d arm = (uv.row(pinned_[1]) - uv.row(pinned_[0])).transpose().normalized();
+  const Eigen::Vector2d turn(-arm.y(), arm.x());
+  matrix_.add_diagonal(pinned_[1], kPin * turn * turn.transpose());
+}
+
+bool NewtonSystem::factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity) {
+  assemble(uv, multipliers, convexity, 1);
+  ++num_factorizations_;
+  llt_.factorize(matrix_.lower());
+  return llt_.info() == Eigen::Success;
+}
+
+Eigen::SparseMatrix<double> NewtonSystem::hessian(const Positions2& uv, const Eigen::VectorXd& multipliers,
+                                                  const Convexity& convexity) {
+  assemble(uv, multipliers, convexity, 0);
+  return matrix_.lower();
+}
+
+Positions2 NewtonSystem::apply_inverse(const Positions2& b) const {
+  ++num_solves_;
+  const Eigen::Map<const Eigen::VectorXd> flat(b.data(), b.size());
+  const Eigen::VectorXd x = llt_.solve(flat);
+  return Eigen::Map<const Positions2>(x.data(), b.rows(), 2);
+}
+
+/// (H + Jᵀ ρ J) d = r₁ + Jᵀ (ρ r₂ − λ), then λ += ρ (J d − r₂): the first row holds after every step, the second is
+/// better by a factor of about ρ over the stiffness of the surface.
+void NewtonSystem::solve(const Positions2& r1, const Eigen::VectorXd& r2, Positions2& d,
+                         Eigen::VectorXd& multipliers) const {
+  multipliers = Eigen::VectorXd::Zero(constraints_.size());
+  for (int i = 0; i < kMultiplierSteps; ++i) {
+    Positions2 b = r1;
+    constraints_.add_transposed(directions_, stiffness_.cwiseProduct(r2) - multipliers, b);
+    d = apply_inverse(b);
+    multipliers += stiffness_.cwiseProduct(constraints_.apply(directions_, d) - r2);
+  }
+}
+
+Eigen::MatrixXd NewtonSystem::hessian_by_variation() const {
+  const Eigen::MatrixXd lengths = constraints_.elastic_lengths();
+  const Positions2 zero = Positions2::Zero(matrix_.lower().rows() / 2, 2);
+  Eigen::MatrixXd s(lengths.cols(), lengths.cols());
+  Positions2 d;
+  Eigen::VectorXd multipliers;
+  for (Eigen::Index w = 0; w < lengths.cols(); ++w) {
+    solve(zero, lengths.col(w), d, multipliers);
+    s.col(w) = -lengths.transpose() * multipliers;
+  }
+  return (s + s.transpose()) / 2;
+}
+
+Positions2 NewtonSystem::least_change(const Eigen::VectorXd& r2) const {
+  Positions2 b = Positions2::Zero(matrix_.lower().rows() / 2, 2);
+  constraints_.add_transposed(directions_, stiffness_.cwiseProduct(r2), b);
+  return apply_inverse(b);
+}
+
+}  // namespace wirewarp

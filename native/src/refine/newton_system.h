@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The linear system of a Newton step under exact lengths,
+//
+//   [ H  Jᵀ ] [ d ]   [ r₁ ]      H   Hessian of f + λᵀc, made positive where that is asked for
+//   [ J  0  ] [ λ ] = [ r₂ ]      J   Jacobian of the lengths
+//
+// in the positive definite form A = H + 10⁻⁴ M + Jᵀ ρ J + pins, with M the lumped areas over the whole area. For large
+// ρ, A has a Cholesky factor exactly where H is positive on the null space of J: a failed factorization is the test of
+// the inertia. The method of multipliers takes three solves with it to the solution for ρ → ∞ (M. J. D. Powell, A
+// method for nonlinear constraints in minimization problems, 1969).
+#pragma once
+
+#include <Eigen/SparseCholesky>
+
+#include "refine/fair_shape_error.h"
+#include "refine/length_constraints.h"
+
+namespace wirewarp {
+
+/// What of the curvature of f + λᵀc goes into H.
+struct Convexity {
+  Curvature curvature;
+  double negative_multipliers;  // share of the curvature of edges with λ < 0
+};
+
+class NewtonSystem {
+ public:
+  /// objective, constraints: must outlive the system.
+  NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints);
+
+  /// Linearizes at uv; false where A is not positive definite. multipliers: λ, #edges.
+  bool factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity);
+
+  /// H at uv, lower triangle, to multiply with.
+  Eigen::SparseMatrix<double> hessian(const Positions2& uv, const Eigen::VectorXd& multipliers,
+                                      const Convexity& convexity);
+
+  /// Solves for d and λ. r1: one row per chart vertex; r2: #edges.
+  void solve(const Positions2& r1, const Eigen::VectorXd& r2, Positions2& d, Eigen::VectorXd& multipliers) const;
+
+  /// S = −Tᵀ ∂λ/∂h: the Hessian by h of the least q(d) = g·d + ½ d·Hd with J d = T h, for all elastic parts.
+  Eigen::MatrixXd hessian_by_variation() const;
+
+  /// d with J d = r2, the least in the metric H, to the accuracy of one solve.
+  Positions2 least_change(const Eigen::VectorXd& r2) const;
+
+  /// d̂ of the linearization.
+  const Positions2& directions() const { return directions_; }
+
+  int num_factorizations() const { return num_factorizations_; }
+  int num_solves() const { return num_solves_; }
+
+ private:
+  void assemble(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
+                double stiffness_share);
+  Positions2 apply_inverse(const Positions2& b) const;
+
+  FairShapeError& objective_;
+  const LengthConstraints& constraints_;
+  VertexMatrix matrix_;
+  VertexPair pinned_;  // hold the three rigid motions: the first altogether, the second against turning
+  std::vector<VertexMatrix::Block> edge_blocks_;
+  Eigen::ArrayXd constant_;    // values of L + the Hessian of F + 10⁻⁴ M + the pin that never turns
+  Eigen::VectorXd stiffness_;  // ρ
+  Positions2 directions_;      // d̂
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> llt_;
+  int num_factorizations_ = 0;
+  mutable int num_solves_ = 0;
+};
+
+}  // namespace wirewarp
