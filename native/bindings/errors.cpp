@@ -16,6 +16,14 @@ py::tuple pairs(const std::vector<VertexPair>& edges) {
   return result;
 }
 
+py::tuple pairs(const std::vector<ProposedTolerance>& tolerances) {
+  py::tuple result(tolerances.size());
+  for (std::size_t i = 0; i < tolerances.size(); ++i) {
+    result[i] = py::make_tuple(tolerances[i].wire, tolerances[i].tolerance);
+  }
+  return result;
+}
+
 void raise_flatten_error(std::exception_ptr pointer) {
   try {
     if (pointer) std::rethrow_exception(pointer);
@@ -32,7 +40,8 @@ std::string package_name() { return py::str(py::type::of<Options>().attr("__modu
 py::object to_python_error(const FlattenError& error) {
   const py::object type = py::module_::import(package_name().c_str()).attr("FlattenError");
   return type(describe(error.code).name, error.what(), error.elements.vertices, pairs(error.elements.edges),
-              error.elements.faces, error.has_layout);
+              error.elements.faces, error.has_layout, pairs(error.elements.proposed_seams),
+              pairs(error.elements.proposed_tolerances));
 }
 
 void bind_errors(py::module_& module) {

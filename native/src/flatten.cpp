@@ -7,6 +7,8 @@
 #include "chart_errors.h"
 #include "charts/cut_into_charts.h"
 #include "check_input/check_input.h"
+#include "feasibility/check_outline.h"
+#include "feasibility/propose_seams.h"
 #include "metrics/assemble_result.h"
 #include "metrics/helper_wires.h"
 #include "outer/choose_variation.h"
@@ -34,6 +36,7 @@ void flatten_chart(const Chart& chart, const FlattenInput& input, const Options&
                    const std::function<void(const char* stage)>& begin_stage, Layout& layout) {
   std::map<std::string, double>& seconds = layout.report.seconds;
   begin_stage("wires");
+  if (std::optional<FlattenError> error = find_short_outline(chart)) throw std::move(*error);
   std::optional<Chart> refined;
   WireNetwork network;
   {
@@ -80,8 +83,9 @@ std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& char
       layout.report.termination = Termination::cancelled;
       throw FlattenError(ErrorCode::cancelled, "Cancelled before this piece was flat.");
     };
-    layout.error = chart.error;
-    if (!layout.error) {
+    if (chart.error) {
+      layout.error = with_proposed_seams(*chart.error, chart);
+    } else {
       try {
         flatten_chart(chart, input, options, begin_stage, layout);
       } catch (const FlattenError& error) {

@@ -34,6 +34,10 @@ class FlattenError(ValueError):
     `str(error)` is one sentence that names the elements and the remedy. `vertices`, `edges` (vertex pairs) and `faces`
     are the elements it speaks of, as indices of the input. `has_layout` is true where the piece has coordinates to look
     at all the same.
+
+    `proposed_seams` are vertex pairs that would mend the piece: flatten again with `[*seams, *error.proposed_seams]`.
+    `proposed_tolerances` are pairs of the index of a wire and a tolerance under which its length can be kept. Both are
+    empty where there is no proposal.
     """
 
     __module__ = __package__
@@ -46,6 +50,8 @@ class FlattenError(ValueError):
         edges: Iterable[tuple[int, int]] = (),
         faces: Iterable[int] = (),
         has_layout: bool = False,
+        proposed_seams: Iterable[tuple[int, int]] = (),
+        proposed_tolerances: Iterable[tuple[int, float]] = (),
     ) -> None:
         super().__init__(message)
         self.code = ErrorCode(code)
@@ -54,9 +60,20 @@ class FlattenError(ValueError):
         self.edges = tuple((a, b) for a, b in edges)
         self.faces = tuple(faces)
         self.has_layout = has_layout
+        self.proposed_seams = tuple((a, b) for a, b in proposed_seams)
+        self.proposed_tolerances = tuple((wire, tolerance) for wire, tolerance in proposed_tolerances)
 
     def __reduce__(self) -> tuple[type["FlattenError"], tuple[Any, ...]]:
-        return type(self), (self.code, self.message, self.vertices, self.edges, self.faces, self.has_layout)
+        return type(self), (
+            self.code,
+            self.message,
+            self.vertices,
+            self.edges,
+            self.faces,
+            self.has_layout,
+            self.proposed_seams,
+            self.proposed_tolerances,
+        )
 
     def to_dict(self) -> dict[str, Any]:
         """All fields as plain, JSON-able values."""
@@ -67,4 +84,6 @@ class FlattenError(ValueError):
             "edges": [list(edge) for edge in self.edges],
             "faces": list(self.faces),
             "has_layout": self.has_layout,
+            "proposed_seams": [list(edge) for edge in self.proposed_seams],
+            "proposed_tolerances": [list(pair) for pair in self.proposed_tolerances],
         }

@@ -23,6 +23,7 @@ class ErrorCode(StrEnum):
     inconsistent_orientation = "inconsistent_orientation"
     closed_chart = "closed_chart"
     handles = "handles"
+    boundary_too_short = "boundary_too_short"
     infeasible_lengths = "infeasible_lengths"
     not_solvable = "not_solvable"
     cancelled = "cancelled"
@@ -43,6 +44,8 @@ class FlattenError(ValueError):
     edges: tuple[tuple[int, int], ...]
     faces: tuple[int, ...]
     has_layout: bool
+    proposed_seams: tuple[tuple[int, int], ...]
+    proposed_tolerances: tuple[tuple[int, float], ...]
     def __init__(
         self,
         code: ErrorCode | str,
@@ -51,5 +54,7 @@ class FlattenError(ValueError):
         edges: Iterable[tuple[int, int]] = ...,
         faces: Iterable[int] = ...,
         has_layout: bool = ...,
+        proposed_seams: Iterable[tuple[int, int]] = ...,
+        proposed_tolerances: Iterable[tuple[int, float]] = ...,
     ) -> None: ...
     def to_dict(self) -> dict[str, Any]: ...

@@ -15,7 +15,16 @@ import wirewarp
 from surfaces import half_cylinder, tetrahedron
 from wirewarp import ErrorCode, FlattenError, flatten
 
-EXAMPLE = FlattenError("flipped_faces", "Wire 2 ends inside.", [4, 5], [(4, 5)], [7], True)
+EXAMPLE = FlattenError(
+    "flipped_faces",
+    "Wire 2 ends inside.",
+    [4, 5],
+    [(4, 5)],
+    [7],
+    True,
+    proposed_seams=[[3, 4], [4, 6]],
+    proposed_tolerances=[(2, 0.015)],
+)
 
 
 def test_every_code_is_a_string_with_a_meaning_and_a_remedy():
@@ -39,6 +48,14 @@ def test_an_error_is_a_value_error_that_reads_as_its_sentence():
     assert EXAMPLE.code is ErrorCode.flipped_faces
     assert (EXAMPLE.vertices, EXAMPLE.edges, EXAMPLE.faces) == ((4, 5), ((4, 5),), (7,))
     assert EXAMPLE.has_layout
+    assert EXAMPLE.proposed_seams == ((3, 4), (4, 6))
+    assert EXAMPLE.proposed_tolerances == ((2, 0.015),)
+
+
+def test_an_error_proposes_nothing_by_itself():
+    error = FlattenError("cancelled", "Cancelled.")
+    assert error.proposed_seams == ()
+    assert error.proposed_tolerances == ()
 
 
 def test_an_error_needs_a_known_code():
@@ -62,6 +79,8 @@ def test_an_error_as_plain_values():
         "edges": [[4, 5]],
         "faces": [7],
         "has_layout": True,
+        "proposed_seams": [[3, 4], [4, 6]],
+        "proposed_tolerances": [[2, 0.015]],
     }
 
 
@@ -72,6 +91,15 @@ def test_a_raised_error_carries_its_elements():
     assert caught.value.code is ErrorCode.seam_not_an_edge
     assert caught.value.edges == ((0, 40),)
     assert not caught.value.has_layout
+
+
+def test_proposed_seams_can_be_passed_as_seams():
+    vertices, faces = tetrahedron()
+    (piece,) = flatten(vertices, faces).pieces
+    proposed = piece.error.proposed_seams
+    assert len(proposed) > 0
+    result = flatten(vertices, faces, seams=proposed)
+    assert all(piece.error is None for piece in result.pieces)
 
 
 def test_a_bad_chart_carries_its_error_and_spares_the_others():

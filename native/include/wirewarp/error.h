@@ -34,6 +34,7 @@ enum class ErrorCode {
   inconsistent_orientation,
   closed_chart,
   handles,
+  boundary_too_short,
   infeasible_lengths,
   not_solvable,
   cancelled,
@@ -56,11 +57,19 @@ const ErrorDescription& describe(ErrorCode code);
 /// Every code, in declaration order.
 const std::vector<ErrorCode>& all_error_codes();
 
-/// The elements an error speaks of; all indices are of the input mesh.
+/// A wire and a tolerance under which it can be kept.
+struct ProposedTolerance {
+  int wire;          // index into the input's wires
+  double tolerance;  // dimensionless, as in Wire
+};
+
+/// The elements an error speaks of, and what would mend it; all indices are of the input mesh.
 struct ErrorElements {
   std::vector<int> vertices;
   std::vector<VertexPair> edges;  // vertex pairs
   std::vector<int> faces;
+  std::vector<VertexPair> proposed_seams{};  // to be added to the input's seams; empty where there is no proposal
+  std::vector<ProposedTolerance> proposed_tolerances{};  // one a wire; empty where there is no proposal
 };
 
 /// One plain sentence that names the elements and the remedy, the code, and the elements themselves.

@@ -154,16 +154,19 @@ std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& i
   return errors;
 }
 
-std::optional<FlattenError> find_topology_fault(const Chart& chart) {
-  const auto num_loops = static_cast<long>(chart.boundary_loops.size());
-  if (num_loops == 0) {
-    return FlattenError(ErrorCode::closed_chart, name_piece(chart) + " is closed: mark a seam that opens it.",
-                        {{}, {}, chart.source_face});
-  }
+long count_handles(const Chart& chart) {
   // Euler: V - E + F = 2 - 2 handles - loops.
   const long euler = static_cast<long>(chart.mesh.n_vertices()) - static_cast<long>(chart.mesh.n_edges()) +
                      static_cast<long>(chart.mesh.n_faces());
-  const long handles = (2 - num_loops - euler) / 2;
+  return (2 - static_cast<long>(chart.boundary_loops.size()) - euler) / 2;
+}
+
+std::optional<FlattenError> find_topology_fault(const Chart& chart) {
+  if (chart.boundary_loops.empty()) {
+    return FlattenError(ErrorCode::closed_chart, name_piece(chart) + " is closed: mark a seam that opens it.",
+                        {{}, {}, chart.source_face});
+  }
+  const long handles = count_handles(chart);
   if (handles == 0) return std::nullopt;
   return FlattenError(ErrorCode::handles,
                       name_piece(chart) + " has " + std::to_string(handles) + (handles == 1 ? " handle" : " handles") +

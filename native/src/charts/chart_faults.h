@@ -14,6 +14,9 @@ namespace wirewarp {
 std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
                                                            const SurfaceCut& cut);
 
+/// Handles of a chart whose mesh and boundary loops are built: 1 for a torus.
+long count_handles(const Chart& chart);
+
 /// A fault of a chart whose mesh and boundary loops are built: closed_chart or handles.
 std::optional<FlattenError> find_topology_fault(const Chart& chart);
 

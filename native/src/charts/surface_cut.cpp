@@ -1,40 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "charts/surface_cut.h"
 
-#include <numeric>
+#include "disjoint_sets.h"
 
 namespace wirewarp {
 namespace {
-
-/// Disjoint sets with path halving; the smaller index is the root.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int find(int i) {
-    while (parent(i) != i) i = parent(i) = parent(parent(i));
-    return i;
-  }
-  void unite(int i, int j) {
-    i = find(i);
-    j = find(j);
-    parent(std::max(i, j)) = std::min(i, j);
-  }
-  /// Sets numbered in the order of their smallest member.
-  std::vector<int> number(int& count) {
-    std::vector<int> label(parent_.size());
-    count = 0;
-    for (int i = 0; i < static_cast<int>(parent_.size()); ++i) {
-      const int root = find(i);
-      label[static_cast<std::size_t>(i)] = root == i ? count++ : label[static_cast<std::size_t>(root)];
-    }
-    return label;
-  }
-
- private:
-  int& parent(int i) { return parent_[static_cast<std::size_t>(i)]; }
-  std::vector<int> parent_;
-};
 
 /// Joins the corners at both ends of an edge over all faces that meet there.
 void join_corners(const EdgeTable& edges, int edge, DisjointSets& corners) {

@@ -26,16 +26,19 @@ inline HalfedgeHandle next_counterclockwise(const HalfEdgeMesh& mesh, HalfedgeHa
   return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
 }
 
+/// Scene units squared.
+inline double face_area(const HalfEdgeMesh& mesh, FaceHandle f) {
+  const HalfedgeHandle h = mesh.halfedge_handle(f);
+  const auto origin = mesh.point(mesh.from_vertex_handle(h));
+  const auto along = mesh.point(mesh.to_vertex_handle(h)) - origin;
+  const auto back = mesh.point(mesh.from_vertex_handle(mesh.prev_halfedge_handle(h))) - origin;
+  return (along % back).norm() / 2;
+}
+
 /// Sum of the faces' areas, scene units squared.
 inline double surface_area(const HalfEdgeMesh& mesh) {
   double area = 0;
-  for (const FaceHandle f : mesh.faces()) {
-    const HalfedgeHandle h = mesh.halfedge_handle(f);
-    const auto origin = mesh.point(mesh.from_vertex_handle(h));
-    const auto along = mesh.point(mesh.to_vertex_handle(h)) - origin;
-    const auto back = mesh.point(mesh.from_vertex_handle(mesh.prev_halfedge_handle(h))) - origin;
-    area += (along % back).norm() / 2;
-  }
+  for (const FaceHandle f : mesh.faces()) area += face_area(mesh, f);
   return area;
 }
 

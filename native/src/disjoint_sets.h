@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "index.h"
+
+namespace wirewarp {
+
+/// Disjoint sets with path halving; the smaller index is the root.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  int find(int i) {
+    while (parent(i) != i) i = parent(i) = parent(parent(i));
+    return i;
+  }
+  /// False if they were in one set already.
+  bool unite(int i, int j) {
+    i = find(i);
+    j = find(j);
+    parent(std::max(i, j)) = std::min(i, j);
+    return i != j;
+  }
+  /// Sets numbered in the order of their smallest member.
+  std::vector<int> number(int& count) {
+    std::vector<int> label(parent_.size());
+    count = 0;
+    for (int i = 0; i < static_cast<int>(parent_.size()); ++i) {
+      const int root = find(i);
+      label[at(i)] = root == i ? count++ : label[at(root)];
+    }
+    return label;
+  }
+
+ private:
+  int& parent(int i) { return parent_[at(i)]; }
+  std::vector<int> parent_;
+};
+
+}  // namespace wirewarp

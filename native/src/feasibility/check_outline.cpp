@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "feasibility/check_outline.h"
+
+#include <cstdio>
+
+#include "check_input/sentence.h"
+#include "feasibility/isoperimetric.h"
+#include "feasibility/propose_seams.h"
+
+namespace wirewarp {
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+int source_of_loop(const Chart& chart, const OutlineLoop& loop) {
+  return chart.source_vertex[at(chart.mesh.from_vertex_handle(loop.start).idx())];
+}
+
+std::string name_loop(const Chart& chart, const OutlineLoop& loop) {
+  return number(loop.length) + " long at " + name_elements("vertex", std::vector<int>{source_of_loop(chart, loop)});
+}
+
+/// " (the others are 0.2 long at vertex 7 and 0.1 long at vertex 9)", nothing for a single loop.
+std::string name_other_loops(const Chart& chart, const std::vector<OutlineLoop>& loops) {
+  if (loops.size() < 2) return "";
+  std::string names;
+  for (std::size_t i = 1; i < loops.size(); ++i) {
+    names += (i == 1 ? "" : i + 1 == loops.size() ? " and " : ", ") + name_loop(chart, loops[i]);
+  }
+  return (loops.size() == 2 ? " (the other is " : " (the others are ") + names + ")";
+}
+
+}  // namespace
+
+std::optional<FlattenError> find_short_outline(const Chart& chart) {
+  const PieceOutline outline = outlines_after(chart.mesh, CutMask(chart.mesh.n_edges(), 0)).front();
+  const double share = attainable_share(outline);
+  if (share >= required_share(outline.loops.size())) return std::nullopt;
+
+  ErrorElements elements;
+  for (const OutlineLoop& loop : outline.loops) elements.vertices.push_back(source_of_loop(chart, loop));
+  for (const HalfEdgeChain& loop : chart.boundary_loops) {
+    for (const HalfedgeHandle h : loop) elements.edges.push_back(source_edge(chart, h));
+  }
+  elements.faces = chart.source_face;
+  elements.proposed_seams = propose_seams(chart);
+  const bool is_tube = outline.loops.size() > 1;
+  const std::string message =
+      "The piece around face " + std::to_string(chart.source_face.front()) + " (" +
+      std::to_string(chart.source_face.size()) + " triangles) cannot lie flat: " +
+      (is_tube ? "the longest of its " + std::to_string(outline.loops.size()) + " outlines, " : "its outline, ") +
+      name_loop(chart, outline.loops.front()) + name_other_loops(chart, outline.loops) + ", can hold no more than " +
+      percent(share) + " of its area (a distortion of at least " + number(least_shape_error(share)) +
+      "): " + (is_tube ? "mark a seam between its outlines, such as " : "mark a seam such as ") +
+      name_elements("edge", elements.proposed_seams) + ".";
+  return FlattenError(ErrorCode::boundary_too_short, message, std::move(elements));
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "feasibility/shortest_paths.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+
+#include "index.h"
+#include "mesh/geometry.h"
+
+namespace wirewarp {
+
+ShortestPaths shortest_paths(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& sources) {
+  using Entry = std::pair<double, int>;  // distance, vertex
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  ShortestPaths paths{std::vector<double>(mesh.n_vertices(), std::numeric_limits<double>::infinity()),
+                      std::vector<HalfedgeHandle>(mesh.n_vertices())};
+  for (const VertexHandle v : sources) {
+    paths.distance[at(v.idx())] = 0;
+    queue.emplace(0.0, v.idx());
+  }
+  while (!queue.empty()) {
+    const auto [reached, index] = queue.top();
+    queue.pop();
+    if (reached > paths.distance[at(index)]) continue;
+    for (const HalfedgeHandle h : mesh.voh_range(VertexHandle(index))) {
+      const int next = mesh.to_vertex_handle(h).idx();
+      const double length = reached + edge_length(mesh, h);
+      if (length >= paths.distance[at(next)]) continue;
+      paths.distance[at(next)] = length;
+      paths.arrival[at(next)] = h;
+      queue.emplace(length, next);
+    }
+  }
+  return paths;
+}
+
+std::vector<HalfedgeHandle> path_back(const HalfEdgeMesh& mesh, const ShortestPaths& paths, VertexHandle v) {
+  std::vector<HalfedgeHandle> path;
+  for (HalfedgeHandle h = paths.arrival[at(v.idx())]; h.is_valid();
+       h = paths.arrival[at(mesh.from_vertex_handle(h).idx())]) {
+    path.push_back(h);
+  }
+  return path;
+}
+
+VertexHandle farthest_vertex(const ShortestPaths& paths) {
+  const auto farthest = std::max_element(paths.distance.begin(), paths.distance.end());
+  return VertexHandle(static_cast<int>(farthest - paths.distance.begin()));
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces that cannot lie flat: which are caught before anything is solved, and whether the proposed cuts mend them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "charts/chart_faults.h"
+#include "feasibility/cut_to_disk.h"
+#include "feasibility/isoperimetric.h"
+#include "index.h"
+#include "pi.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+/// A part of the unit sphere around the south pole up to an angle from it, without a disk of the given angle there.
+FlattenInput cap(int around, int rings, double hole, double angle) {
+  return test::make_tube(around, rings, [&](double s, double t) {
+    const double a = hole + (angle - hole) * t;
+    return Eigen::Vector3d(std::sin(a) * std::cos(2 * kPi * s), std::sin(a) * std::sin(2 * kPi * s), -std::cos(a));
+  });
+}
+
+/// Joins the vertices of a tube's first ring, which lie in one point, and drops the triangles that vanish.
+FlattenInput close_bottom(const FlattenInput& tube, int around) {
+  FlattenInput closed = tube;
+  int kept = 0;
+  for (int f = 0; f < tube.faces.rows(); ++f) {
+    Eigen::RowVector3i face = tube.faces.row(f);
+    for (int& v : face) v = v < around ? 0 : v - around + 1;
+    if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) continue;
+    closed.faces.row(kept++) = face;
+  }
+  closed.faces.conservativeResize(kept, 3);
+  closed.vertices = tube.vertices.bottomRows(tube.vertices.rows() - around + 1);
+  return closed;
+}
+
+/// A cup of radius 1: a flat bottom of 4 rings and a wall of the given height.
+FlattenInput cup(int around, double height) {
+  const int rings = 12;
+  return close_bottom(test::make_tube(around, rings,
+                                      [&](double s, double t) {
+                                        const double radius = std::min(1.0, 3 * t);
+                                        const double z = height * std::max(0.0, (3 * t - 1) / 2);
+                                        return Eigen::Vector3d(radius * std::cos(2 * kPi * s),
+                                                               radius * std::sin(2 * kPi * s), z);
+                                      }),
+                      around);
+}
+
+/// A leg: a cone of radius 1 above and 0.5 below.
+FlattenInput cone(int around) {
+  return test::make_tube(around, 8, [](double s, double t) {
+    const double radius = 0.5 + 0.5 * t;
+    return Eigen::Vector3d(radius * std::cos(2 * kPi * s), radius * std::sin(2 * kPi * s), 5 * t);
+  });
+}
+
+FlattenInput closed_sphere() {
+  FlattenInput sphere = test::sphere_of_gores(2, 8, 12);
+  sphere.seams.resize(0, 2);
+  return sphere;
+}
+
+FlattenInput torus(int around, int across) {
+  const FlattenInput tube = test::make_tube(around, across, [](double s, double t) {
+    const double radius = 2 + std::cos(2 * kPi * t);
+    return Eigen::Vector3d(radius * std::cos(2 * kPi * s), radius * std::sin(2 * kPi * s), std::sin(2 * kPi * t));
+  });
+  FlattenInput closed = tube;
+  const int count = around * across;
+  closed.faces = tube.faces.unaryExpr([&](int v) { return v % count; });
+  closed.vertices = tube.vertices.topRows(count);
+  return closed;
+}
+
+/// The surface of unit cubes, in their grid: is_solid(i, j, k).
+FlattenInput cubes(int nx, int ny, int nz, const std::function<bool(int, int, int)>& is_solid) {
+  const std::array<int, 3> size{nx, ny, nz};
+  std::map<std::array<int, 3>, int> index;
+  std::vector<std::array<int, 3>> faces;
+  const auto solid = [&](const std::array<int, 3>& c) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (c[a] < 0 || c[a] >= size[a]) return false;
+    }
+    return is_solid(c[0], c[1], c[2]);
+  };
+  const auto vertex = [&](const std::array<int, 3>& p) {
+    return index.emplace(p, static_cast<int>(index.size())).first->second;
+  };
+  for (int cell = 0; cell < nx * ny * nz; ++cell) {
+    const std::array<int, 3> c{cell % nx, cell / nx % ny, cell / nx / ny};
+    if (!solid(c)) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const int side : {0, 1}) {
+        std::array<int, 3> beside = c;
+        beside[axis] += 2 * side - 1;
+        if (solid(beside)) continue;
+        std::array<int, 4> quad{};
+        for (std::size_t k = 0; k < 4; ++k) {
+          std::array<int, 3> corner = c;
+          corner[axis] += side;
+          corner[(axis + 1) % 3] += k == 1 || k == 2;
+          corner[(axis + 2) % 3] += k >= 2;
+          quad[side == 1 ? k : 3 - k] = vertex(corner);
+        }
+        faces.push_back({quad[0], quad[1], quad[2]});
+        faces.push_back({quad[0], quad[2], quad[3]});
+      }
+    }
+  }
+  FlattenInput input;
+  input.vertices.resize(static_cast<Eigen::Index>(index.size()), 3);
+  for (const auto& [p, v] : index) input.vertices.row(v) << p[0], p[1], p[2];
+  input.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    input.faces.row(static_cast<Eigen::Index>(f)) << faces[f][0], faces[f][1], faces[f][2];
+  }
+  return input;
+}
+
+bool has_proposal(const Piece& piece) { return piece.error && !piece.error->elements.proposed_seams.empty(); }
+
+std::vector<ErrorCode> codes_of(const FlattenResult& result) {
+  std::vector<ErrorCode> codes;
+  for (const Piece& piece : result.pieces) {
+    if (piece.error) codes.push_back(piece.error->code);
+  }
+  return codes;
+}
+
+/// Takes proposals until there are none. Returns how often.
+int follow_proposals(FlattenInput& input, FlattenResult& result) {
+  for (int rounds = 0;; ++rounds) {
+    result = flatten(input);
+    bool has_any = false;
+    for (const Piece& piece : result.pieces) {
+      if (!has_proposal(piece)) continue;
+      has_any = true;
+      for (const VertexPair& seam : piece.error->elements.proposed_seams) test::add_seam(input, {seam[0], seam[1]});
+    }
+    if (!has_any || rounds == 10) return rounds;
+  }
+}
+
+struct Case {
+  const char* name;
+  FlattenInput input;
+  ErrorCode code;
+  int rounds;
+  std::size_t pieces;
+};
+
+std::string name_of(const testing::TestParamInfo<Case>& test) { return test.param.name; }
+
+class ProposedSeams : public testing::TestWithParam<Case> {};
+
+TEST_P(ProposedSeams, LeadToPiecesThatCanLieFlat) {
+  FlattenInput input = GetParam().input;
+  ASSERT_EQ(codes_of(flatten(input)), std::vector<ErrorCode>{GetParam().code});
+  FlattenResult result;
+  EXPECT_EQ(follow_proposals(input, result), GetParam().rounds);
+  EXPECT_EQ(result.pieces.size(), GetParam().pieces);
+  for (const ErrorCode code : codes_of(result)) {
+    EXPECT_NE(code, ErrorCode::boundary_too_short);
+    EXPECT_NE(code, ErrorCode::closed_chart);
+    EXPECT_NE(code, ErrorCode::handles);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, ProposedSeams,
+    testing::Values(Case{"cylinder", test::cylinder_tube(16, 8, 1, 4), ErrorCode::boundary_too_short, 1, 1},
+                    Case{"cone", cone(16), ErrorCode::boundary_too_short, 1, 1},
+                    Case{"sphere", closed_sphere(), ErrorCode::closed_chart, 1, 2},
+                    Case{"ball_with_a_small_hole", close_bottom(cap(16, 12, 0, kPi - 0.2), 16),
+                         ErrorCode::boundary_too_short, 1, 2},
+                    Case{"ball_with_two_small_holes", cap(16, 12, 0.2, kPi - 0.2), ErrorCode::boundary_too_short, 1, 2},
+                    Case{"cup", cup(16, 4), ErrorCode::boundary_too_short, 1, 1},
+                    Case{"long_glove_finger", cup(12, 12), ErrorCode::boundary_too_short, 1, 1},
+                    Case{"cube", cubes(1, 1, 1, [](int, int, int) { return true; }), ErrorCode::closed_chart, 1, 2},
+                    Case{"long_box", cubes(9, 1, 1, [](int, int, int) { return true; }), ErrorCode::closed_chart, 1, 1},
+                    Case{"torus", torus(20, 10), ErrorCode::closed_chart, 1, 1},
+                    Case{"plate_with_two_handles",
+                         cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; }),
+                         ErrorCode::closed_chart, 1, 1}),
+    name_of);
+
+TEST(ProposedSeamsOfATube, AreTheShortestPathBetweenItsLoops) {
+  const int n = 16;
+  const int rows = 4;
+  const double height = 4;
+  const FlattenInput input = test::cylinder_tube(n, rows, 1, height);
+  const FlattenResult result = flatten(input);
+  ASSERT_TRUE(result.pieces[0].error.has_value());
+  const FlattenError& error = *result.pieces[0].error;
+  EXPECT_EQ(error.elements.proposed_seams.size(), static_cast<std::size_t>(rows));
+  double length = 0;
+  for (const VertexPair& seam : error.elements.proposed_seams) {
+    length += (input.vertices.row(seam[0]) - input.vertices.row(seam[1])).norm();
+  }
+  EXPECT_NEAR(length, height, 1e-12);
+  ASSERT_EQ(error.elements.vertices.size(), 2u);
+  EXPECT_EQ(error.elements.edges.size(), 2u * n);
+  EXPECT_FALSE(error.has_layout);
+}
+
+TEST(ProposedSeamsOfATube, ThatIsCutFlattenWithoutDistortion) {
+  FlattenInput input = test::cylinder_tube(16, 4, 1, 4);
+  FlattenResult result;
+  follow_proposals(input, result);
+  ASSERT_EQ(codes_of(result), std::vector<ErrorCode>{});
+  EXPECT_LT(result.pieces[0].metrics.arap_energy, 1e-12);
+}
+
+TEST(CutToDisk, CutsEachHandleTwiceAndJoinsTheLoops) {
+  FlattenInput two_handles = cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; });
+  for (const int dropped_faces : {1, 3}) {  // one loop; two: the first and the last triangle lie apart
+    FlattenInput input = two_handles;
+    const auto faces = static_cast<int>(two_handles.faces.rows());
+    input.faces = two_handles.faces.middleRows(dropped_faces > 1 ? 1 : 0, faces - (dropped_faces > 1 ? 2 : 1));
+    FlattenResult result = flatten(input);
+    ASSERT_EQ(codes_of(result), std::vector<ErrorCode>{ErrorCode::handles});
+    for (const VertexPair& seam : result.pieces[0].error->elements.proposed_seams) {
+      test::add_seam(input, {seam[0], seam[1]});
+    }
+    const Charts charts = test::charts_of(input);
+    ASSERT_EQ(charts.charts.size(), 1u);
+    EXPECT_EQ(charts.charts[0].boundary_loops.size(), 1u);
+    EXPECT_EQ(count_handles(charts.charts[0]), 0);
+  }
+}
+
+TEST(CutToDisk, LeavesADiskAlone) {
+  const Charts charts = test::charts_of(test::flat_rectangle(3, 3, 1, 1));
+  const CutMask cut = cut_to_disk(charts.charts[0].mesh);
+  EXPECT_EQ(std::count(cut.begin(), cut.end(), 1), 0);
+}
+
+TEST(Isoperimetric, SharesOfKnownShapes) {
+  const auto share = [](const FlattenInput& input) {
+    const Charts charts = test::charts_of(input);
+    const HalfEdgeMesh& mesh = charts.charts[0].mesh;
+    return attainable_share(outlines_after(mesh, CutMask(mesh.n_edges(), 0)).at(0));
+  };
+  EXPECT_NEAR(share(test::flat_rectangle(3, 3, 1, 1)), 16 / (4 * kPi), 1e-12);
+  EXPECT_NEAR(share(cap(200, 100, 1e-6, kPi / 2)), 0.5, 1e-3);                 // (2 pi)^2 / 4 pi over 2 pi
+  EXPECT_NEAR(share(test::cylinder_tube(200, 2, 1, 4)), 1 / (2 * 4.0), 1e-3);  // pi over 2 pi 4
+}
+
+TEST(Isoperimetric, TheLeastShapeErrorIsThatOfUniformShrinking) {
+  // All singular values s: E / area = 2 (1 - s)^2, the share is s^2.
+  for (const double s : {0.5, 0.6, 0.9, 1.0}) EXPECT_NEAR(least_shape_error(s * s), 2 * (1 - s) * (1 - s), 1e-15);
+  // Below, one singular value is 1 - s, the other s: E / area = s^2 + (1 - s)^2, the share s (1 - s).
+  for (const double s : {0.1, 0.3, 0.5}) {
+    EXPECT_NEAR(least_shape_error(s * (1 - s)), s * s + (1 - s) * (1 - s), 1e-15);
+  }
+  EXPECT_EQ(least_shape_error(3), 0);
+}
+
+TEST(ShortOutline, IsNotFoundInPiecesThatCanBeCut) {
+  const std::vector<FlattenInput> inputs{test::quarter_sphere(6), test::flat_plate_with_two_holes(4),
+                                         test::flat_annulus(24, 3, 0.8, 1), close_bottom(cap(16, 6, 0, kPi / 2), 16),
+                                         cap(16, 6, 0.1, kPi / 2)};
+  for (const FlattenInput& input : inputs) {
+    for (const ErrorCode code : codes_of(flatten(input))) EXPECT_NE(code, ErrorCode::boundary_too_short);
+  }
+}
+
+TEST(ShortOutline, SparesTheOtherPieces) {
+  FlattenInput input = test::cylinder_tube(16, 8, 1, 6);
+  test::add_seam(input, test::tube_ring(16, 4));
+  for (int j = 0; j < 4; ++j) test::add_seam(input, {16 * j, 16 * (j + 1)});
+  const FlattenResult result = flatten(input);
+  ASSERT_EQ(result.pieces.size(), 2u);
+  EXPECT_FALSE(result.pieces[0].error.has_value());
+  ASSERT_TRUE(result.pieces[1].error.has_value());
+  EXPECT_EQ(result.pieces[1].error->code, ErrorCode::boundary_too_short);
+}
+
+}  // namespace
+}  // namespace wirewarp
