@@ -67,6 +67,15 @@ FlattenInput closed_sphere() {
   return sphere;
 }
 
+FlattenInput tetrahedron() {
+  FlattenInput input;
+  input.vertices.resize(4, 3);
+  input.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+  input.faces.resize(4, 3);
+  input.faces << 0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2;
+  return input;
+}
+
 FlattenInput torus(int around, int across) {
   const FlattenInput tube = test::make_tube(around, across, [](double s, double t) {
     const double radius = 2 + std::cos(2 * kPi * t);
@@ -178,6 +187,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{"cylinder", test::cylinder_tube(16, 8, 1, 4), ErrorCode::boundary_too_short, 1, 1},
                     Case{"cone", cone(16), ErrorCode::boundary_too_short, 1, 1},
                     Case{"sphere", closed_sphere(), ErrorCode::closed_chart, 1, 2},
+                    Case{"tetrahedron", tetrahedron(), ErrorCode::closed_chart, 1, 2},
                     Case{"ball_with_a_small_hole", close_bottom(cap(16, 12, 0, kPi - 0.2), 16),
                          ErrorCode::boundary_too_short, 1, 2},
                     Case{"ball_with_two_small_holes", cap(16, 12, 0.2, kPi - 0.2), ErrorCode::boundary_too_short, 1, 2},

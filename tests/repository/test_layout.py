@@ -12,7 +12,19 @@ ROOT = Path(__file__).resolve().parents[2]
 SOURCE_FOLDERS = ("addon", "bench", "blend_samples", "native", "python", "tests", "tools")
 
 # Each folder of native/src may include from itself and from those before it.
-LAYERS = ["cholesky", "mesh", "check_input", "charts", "topology", "feasibility", "inner", "outer", "refine", "packing", "metrics"]
+LAYERS = [
+    "cholesky",
+    "mesh",
+    "check_input",
+    "charts",
+    "topology",
+    "feasibility",
+    "inner",
+    "outer",
+    "refine",
+    "packing",
+    "metrics",
+]
 
 
 def listed(*patterns: str) -> list[Path]:

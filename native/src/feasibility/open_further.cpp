@@ -47,9 +47,9 @@ CutMask cut_between(const HalfEdgeMesh& mesh, VertexHandle first, VertexHandle s
   const std::vector<double> from_second = shortest_paths(mesh, {second}).distance;
   std::vector<char> is_on_second_side(mesh.n_faces(), 0);
   for (const FaceHandle f : mesh.faces()) {
-    int votes = 0;
-    for (const VertexHandle v : mesh.fv_range(f)) votes += from_second[at(v.idx())] < from_first[at(v.idx())];
-    is_on_second_side[at(f.idx())] = votes >= 2;
+    double lead = 0;
+    for (const VertexHandle v : mesh.fv_range(f)) lead += from_first[at(v.idx())] - from_second[at(v.idx())];
+    is_on_second_side[at(f.idx())] = lead > 0;
   }
   take_off_teeth(mesh, is_on_second_side);
   CutMask cut(mesh.n_edges(), 0);
