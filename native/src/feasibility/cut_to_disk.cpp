@@ -71,14 +71,6 @@ CutMask cut_through(const HalfEdgeMesh& mesh, const ShortestPaths& paths) {
   return cut;
 }
 
-double length_of(const HalfEdgeMesh& mesh, const CutMask& cut) {
-  double length = 0;
-  for (const EdgeHandle e : mesh.edges()) {
-    if (cut[at(e.idx())]) length += edge_length(mesh, mesh.halfedge_handle(e, 0));
-  }
-  return length;
-}
-
 }  // namespace
 
 CutMask cut_to_disk(const HalfEdgeMesh& mesh) {
@@ -94,7 +86,7 @@ CutMask cut_to_disk(const HalfEdgeMesh& mesh) {
   for (int i = 0; i < kBasePoints; ++i) {
     bases.push_back(farthest_vertex(shortest_paths(mesh, bases)));
     CutMask cut = cut_through(mesh, shortest_paths(mesh, {bases.back()}));
-    const double length = length_of(mesh, cut);
+    const double length = length_of_cut(mesh, cut);
     if (length >= shortest) continue;
     shortest = length;
     best = std::move(cut);

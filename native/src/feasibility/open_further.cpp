@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "feasibility/open_further.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "feasibility/isoperimetric.h"
 #include "feasibility/shortest_paths.h"
 #include "index.h"
+#include "mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
 
-/// One piece is good enough if it has what a hemisphere has; a ball cut in two halves can have no more.
-constexpr double kEnough = 0.5;
+/// What a hemisphere has, made of coarse triangles: a ball cut in two halves can have no more.
+constexpr double kEnough = 0.45;
 
 VertexHandle farthest_from(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& sources) {
   return farthest_vertex(shortest_paths(mesh, sources));
@@ -24,42 +28,63 @@ std::vector<VertexHandle> starts(const HalfEdgeMesh& mesh) {
   return boundary.empty() ? std::vector<VertexHandle>{farthest_from(mesh, {VertexHandle(0)})} : boundary;
 }
 
-/// Straightens the border between two sides: a face that has two edges on it changes sides, for the third is shorter.
-void take_off_teeth(const HalfEdgeMesh& mesh, std::vector<char>& is_on_second_side) {
-  std::vector<FaceHandle> queue;
-  for (const FaceHandle f : mesh.faces()) queue.push_back(f);
+bool is_border(const HalfEdgeMesh& mesh, const std::vector<char>& side, HalfedgeHandle h) {
+  if (mesh.is_boundary(mesh.edge_handle(h))) return false;
+  return side[at(mesh.face_handle(h).idx())] != side[at(mesh.opposite_face_handle(h).idx())];
+}
+
+/// By how much the border between two sides grows if all faces around a vertex go to one side.
+double growth_of_border(const HalfEdgeMesh& mesh, const std::vector<char>& side, VertexHandle v, char to) {
+  double growth = 0;
+  for (const HalfedgeHandle spoke : mesh.voh_range(v)) {
+    if (is_border(mesh, side, spoke)) growth -= edge_length(mesh, spoke);
+    if (mesh.is_boundary(spoke) || side[at(mesh.face_handle(spoke).idx())] == to) continue;
+    const HalfedgeHandle rim = mesh.next_halfedge_handle(spoke);
+    if (mesh.is_boundary(mesh.edge_handle(rim))) continue;
+    growth += is_border(mesh, side, rim) ? -edge_length(mesh, rim) : edge_length(mesh, rim);
+  }
+  return growth;
+}
+
+/// Straightens the border: moves it over a vertex wherever that makes it shorter.
+void shorten_border(const HalfEdgeMesh& mesh, std::vector<char>& side) {
+  constexpr double kShorter = 1e-9;  // of an edge: less is rounding
+  std::vector<VertexHandle> queue(mesh.vertices_begin(), mesh.vertices_end());
   while (!queue.empty()) {
-    const FaceHandle f = queue.back();
+    const VertexHandle v = queue.back();
     queue.pop_back();
-    std::vector<FaceHandle> across;
-    for (const FaceHandle other : mesh.ff_range(f)) {
-      if (is_on_second_side[at(other.idx())] != is_on_second_side[at(f.idx())]) across.push_back(other);
+    const double edge = edge_length(mesh, mesh.halfedge_handle(v));
+    for (const char to : {char{0}, char{1}}) {
+      if (growth_of_border(mesh, side, v, to) >= -kShorter * edge) continue;
+      for (const FaceHandle f : mesh.vf_range(v)) side[at(f.idx())] = to;
+      for (const VertexHandle near : mesh.vv_range(v)) queue.push_back(near);
     }
-    if (across.size() != 2) continue;
-    is_on_second_side[at(f.idx())] = !is_on_second_side[at(f.idx())];
-    for (const FaceHandle other : mesh.ff_range(f)) queue.push_back(other);
   }
 }
 
-/// The border between the faces nearer to one vertex and those nearer to the other.
-CutMask cut_between(const HalfEdgeMesh& mesh, VertexHandle first, VertexHandle second) {
+/// Which faces are nearer to the second vertex than to the first.
+std::vector<char> divide(const HalfEdgeMesh& mesh, VertexHandle first, VertexHandle second) {
   const std::vector<double> from_first = shortest_paths(mesh, {first}).distance;
   const std::vector<double> from_second = shortest_paths(mesh, {second}).distance;
-  std::vector<char> is_on_second_side(mesh.n_faces(), 0);
+  std::vector<char> side(mesh.n_faces(), 0);
   for (const FaceHandle f : mesh.faces()) {
     double lead = 0;
     for (const VertexHandle v : mesh.fv_range(f)) lead += from_first[at(v.idx())] - from_second[at(v.idx())];
-    is_on_second_side[at(f.idx())] = lead > 0;
+    side[at(f.idx())] = lead > 0;
   }
-  take_off_teeth(mesh, is_on_second_side);
+  return side;
+}
+
+CutMask cut_along_border(const HalfEdgeMesh& mesh, const std::vector<char>& side) {
   CutMask cut(mesh.n_edges(), 0);
-  for (const EdgeHandle e : mesh.edges()) {
-    if (mesh.is_boundary(e)) continue;
-    const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
-    cut[at(e.idx())] =
-        is_on_second_side[at(mesh.face_handle(h).idx())] != is_on_second_side[at(mesh.opposite_face_handle(h).idx())];
-  }
+  for (const EdgeHandle e : mesh.edges()) cut[at(e.idx())] = is_border(mesh, side, mesh.halfedge_handle(e, 0));
   return cut;
+}
+
+/// The smaller, the better: short cuts among those that leave outline enough, the rest by how much outline they leave.
+std::pair<double, double> rank(const HalfEdgeMesh& mesh, const CutMask& cut) {
+  const double enough = kEnough / required_share(1);
+  return {-std::min(enough, fitness(outlines_after(mesh, cut))), length_of_cut(mesh, cut)};
 }
 
 }  // namespace
@@ -76,22 +101,20 @@ CutMask slit_to_far_end(const HalfEdgeMesh& mesh) {
 }
 
 CutMask opened_or_halved(const HalfEdgeMesh& mesh, const CutMask& opening) {
-  const std::vector<PieceOutline> opened = outlines_after(mesh, opening);
-  if (attainable_share(opened.front()) >= kEnough) return opening;
+  if (attainable_share(outlines_after(mesh, opening).front()) >= kEnough) return opening;
   // Two far ends of the surface, and two more that lie apart across it.
   const VertexHandle first = farthest_from(mesh, starts(mesh));
   const VertexHandle second = farthest_from(mesh, {first});
   const VertexHandle third = farthest_from(mesh, {first, second});
   const VertexHandle fourth = farthest_from(mesh, {third});
-  CutMask best = opening;
-  double best_fitness = fitness(opened);
-  for (const CutMask& cut : {cut_between(mesh, first, second), cut_between(mesh, third, fourth)}) {
-    const double cut_fitness = fitness(outlines_after(mesh, cut));
-    if (cut_fitness <= best_fitness) continue;
-    best_fitness = cut_fitness;
-    best = cut;
+  std::vector<CutMask> cuts{opening};
+  for (std::vector<char> side : {divide(mesh, first, second), divide(mesh, third, fourth)}) {
+    cuts.push_back(cut_along_border(mesh, side));  // where there are few faces, it vanishes as it gets shorter
+    shorten_border(mesh, side);
+    cuts.push_back(cut_along_border(mesh, side));
   }
-  return best;
+  return *std::min_element(cuts.begin(), cuts.end(),
+                           [&](const CutMask& a, const CutMask& b) { return rank(mesh, a) < rank(mesh, b); });
 }
 
 }  // namespace wirewarp

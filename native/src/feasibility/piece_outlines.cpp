@@ -52,4 +52,12 @@ std::vector<PieceOutline> outlines_after(const HalfEdgeMesh& mesh, const CutMask
   return pieces;
 }
 
+double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut) {
+  double length = 0;
+  for (const EdgeHandle e : mesh.edges()) {
+    if (cut[at(e.idx())]) length += edge_length(mesh, mesh.halfedge_handle(e, 0));
+  }
+  return length;
+}
+
 }  // namespace wirewarp

@@ -24,4 +24,7 @@ struct PieceOutline {
 /// One for each connected region between cut edges.
 std::vector<PieceOutline> outlines_after(const HalfEdgeMesh& mesh, const CutMask& cut);
 
+/// Length of all cut edges, scene units.
+double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut);
+
 }  // namespace wirewarp
