@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "feasibility/check_outline.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "check_input/sentence.h"
 #include "feasibility/isoperimetric.h"
 #include "feasibility/propose_seams.h"
+#include "mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
+
+PieceOutline outline_of(const Chart& chart) {
+  PieceOutline outline{surface_area(chart.mesh), {}};
+  for (const HalfEdgeChain& chain : chart.boundary_loops) {
+    OutlineLoop loop{0, chain.front()};
+    for (const HalfedgeHandle h : chain) loop.length += edge_length(chart.mesh, h);
+    outline.loops.push_back(loop);
+  }
+  std::stable_sort(outline.loops.begin(), outline.loops.end(),
+                   [](const OutlineLoop& a, const OutlineLoop& b) { return a.length > b.length; });
+  return outline;
+}
 
 std::string number(double value) {
   char text[32];
@@ -37,7 +51,7 @@ std::string name_other_loops(const Chart& chart, const std::vector<OutlineLoop>&
 }  // namespace
 
 std::optional<FlattenError> find_short_outline(const Chart& chart) {
-  const PieceOutline outline = outlines_after(chart.mesh, CutMask(chart.mesh.n_edges(), 0)).front();
+  const PieceOutline outline = outline_of(chart);
   const double share = attainable_share(outline);
   if (share >= required_share(outline.loops.size())) return std::nullopt;
 

@@ -48,14 +48,15 @@ double growth_of_border(const HalfEdgeMesh& mesh, const std::vector<char>& side,
 
 /// Straightens the border: moves it over a vertex wherever that makes it shorter.
 void shorten_border(const HalfEdgeMesh& mesh, std::vector<char>& side) {
-  constexpr double kShorter = 1e-9;  // of an edge: less is rounding
+  constexpr double kRounding = 1e-12;  // of the longest edge there
   std::vector<VertexHandle> queue(mesh.vertices_begin(), mesh.vertices_end());
   while (!queue.empty()) {
     const VertexHandle v = queue.back();
     queue.pop_back();
-    const double edge = edge_length(mesh, mesh.halfedge_handle(v));
+    double longest = 0;
+    for (const HalfedgeHandle spoke : mesh.voh_range(v)) longest = std::max(longest, edge_length(mesh, spoke));
     for (const char to : {char{0}, char{1}}) {
-      if (growth_of_border(mesh, side, v, to) >= -kShorter * edge) continue;
+      if (growth_of_border(mesh, side, v, to) >= -kRounding * longest) continue;
       for (const FaceHandle f : mesh.vf_range(v)) side[at(f.idx())] = to;
       for (const VertexHandle near : mesh.vv_range(v)) queue.push_back(near);
     }
