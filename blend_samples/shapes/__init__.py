@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from .collar import wetsuit_collar
 from .cushion import cushion
 from .developable import half_cylinder, lampshade
 from .hat import hat
@@ -13,10 +14,13 @@ from .top import fitted_top
 
 __all__ = [
     "Shape", "ShapeBuilder", "Wire", "all_shapes", "ball", "cushion", "fitted_top", "half_cylinder", "hat",
-    "lampshade", "mask", "quarter_sphere",
+    "lampshade", "mask", "quarter_sphere", "wetsuit_collar",
 ]  # fmt: skip
 
 
 def all_shapes() -> list[Shape]:
     """Every sample, in the order in which the demo shows them."""
-    return [fitted_top(), quarter_sphere(), ball(), half_cylinder(), lampshade(), cushion(), hat(), mask()]
+    return [
+        fitted_top(), quarter_sphere(), ball(), half_cylinder(), lampshade(), cushion(), hat(), mask(),
+        wetsuit_collar(),
+    ]  # fmt: skip

@@ -78,9 +78,9 @@ class ShapeBuilder:
         """Cuts the surface along a chain of vertices."""
         self._seams.update((int(min(a, b)), int(max(a, b))) for a, b in zip(chain[:-1], chain[1:], strict=True))
 
-    def add_wire(self, chain: np.ndarray, name: str) -> None:
-        """Marks a rigid wire along a chain of vertices."""
-        self._wires.append(Wire([int(v) for v in chain], name))
+    def add_wire(self, chain: np.ndarray, name: str, tolerance: float = 0.0) -> None:
+        """Marks a wire along a chain of vertices: rigid, or elastic with a tolerance, 0.05 for 5 %."""
+        self._wires.append(Wire([int(v) for v in chain], name, tolerance))
 
     def build(self, name: str) -> Shape:
         """The finished surface."""
