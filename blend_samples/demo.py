@@ -37,6 +37,7 @@ VIEWS = {
     "hat": (-40, 20),
     "carnival_mask": (-18, 6),
     "wetsuit_collar": (-28, 16),
+    "wetsuit_upper_body": (-30, 10),
 }
 
 
