@@ -7,6 +7,7 @@ from .collar import wetsuit_collar
 from .cushion import cushion
 from .developable import half_cylinder, lampshade
 from .hat import hat
+from .jeans import jeans
 from .mask import mask
 from .shape import Shape, ShapeBuilder, Wire
 from .spheres import ball, quarter_sphere
@@ -14,7 +15,7 @@ from .top import fitted_top
 from .wetsuit import wetsuit_upper_body
 
 __all__ = [
-    "Shape", "ShapeBuilder", "Wire", "all_shapes", "ball", "cushion", "fitted_top", "half_cylinder", "hat",
+    "Shape", "ShapeBuilder", "Wire", "all_shapes", "ball", "cushion", "fitted_top", "half_cylinder", "hat", "jeans",
     "lampshade", "mask", "quarter_sphere", "wetsuit_collar", "wetsuit_upper_body",
 ]  # fmt: skip
 
@@ -23,5 +24,5 @@ def all_shapes() -> list[Shape]:
     """Every sample, in the order in which the demo shows them."""
     return [
         fitted_top(), quarter_sphere(), ball(), half_cylinder(), lampshade(), cushion(), hat(), mask(),
-        wetsuit_collar(), wetsuit_upper_body(),
+        jeans(), wetsuit_collar(), wetsuit_upper_body(),
     ]  # fmt: skip

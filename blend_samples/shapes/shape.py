@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -73,6 +74,24 @@ class ShapeBuilder:
             if np.linalg.norm(b - d) < (1 - 1e-9) * np.linalg.norm(a - c):
                 corners = corners[1:] + corners[:1]
         self._faces.append(corners)
+
+    def relax(self, share: Callable[[np.ndarray], np.ndarray], rounds: int) -> None:
+        """Moves every vertex, that share of the way, to the middle of its neighbors along edges of quads and triangles.
+
+        share(points) gives (n,) numbers from 0 to 1 for (n, 3) points. Open edges stay where they are.
+        """
+        sides = np.concatenate([np.column_stack([face, np.roll(face, -1)]) for face in self._faces])
+        edges, use = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
+        points = np.array(self._points)
+        strength = share(points)
+        strength[edges[use == 1]] = 0
+        count = np.bincount(edges.ravel(), minlength=len(points))
+        for _ in range(rounds):
+            total = np.zeros_like(points)
+            for a, b in ((0, 1), (1, 0)):
+                np.add.at(total, edges[:, a], points[edges[:, b]])
+            points += strength[:, None] * (total / count[:, None] - points)
+        self._points = list(points)
 
     def add_seam(self, chain: np.ndarray) -> None:
         """Cuts the surface along a chain of vertices."""
