@@ -39,6 +39,7 @@ VIEWS = {
     "jeans": (152, 8),
     "wetsuit_collar": (-28, 16),
     "wetsuit_upper_body": (-30, 10),
+    "toy": (-28, 14),
 }
 
 

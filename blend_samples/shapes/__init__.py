@@ -12,11 +12,12 @@ from .mask import mask
 from .shape import Shape, ShapeBuilder, Wire
 from .spheres import ball, quarter_sphere
 from .top import fitted_top
+from .toy import toy
 from .wetsuit import wetsuit_upper_body
 
 __all__ = [
     "Shape", "ShapeBuilder", "Wire", "all_shapes", "ball", "cushion", "fitted_top", "half_cylinder", "hat", "jeans",
-    "lampshade", "mask", "quarter_sphere", "wetsuit_collar", "wetsuit_upper_body",
+    "lampshade", "mask", "quarter_sphere", "toy", "wetsuit_collar", "wetsuit_upper_body",
 ]  # fmt: skip
 
 
@@ -24,5 +25,5 @@ def all_shapes() -> list[Shape]:
     """Every sample, in the order in which the demo shows them."""
     return [
         fitted_top(), quarter_sphere(), ball(), half_cylinder(), lampshade(), cushion(), hat(), mask(),
-        jeans(), wetsuit_collar(), wetsuit_upper_body(),
+        jeans(), wetsuit_collar(), wetsuit_upper_body(), toy(),
     ]  # fmt: skip

@@ -58,13 +58,21 @@ class ShapeBuilder:
             indices.append(index)
         return np.array(indices).reshape(points.shape[:-1])
 
-    def add_grid(self, points: np.ndarray, flip: bool = False) -> np.ndarray:
-        """Quads between the rows of (r, c, 3) points, seen with rows upward and columns to the right unless flipped."""
+    def add_grid(self, points: np.ndarray, flip: bool = False, holes: np.ndarray | None = None) -> np.ndarray:
+        """Quads between the rows of (r, c, 3) points, seen with rows upward and columns to the right unless flipped.
+
+        holes (r - 1, c - 1) is true where there is no quad.
+        """
         grid = self.add_points(points)
-        for lower, upper in zip(grid[:-1], grid[1:], strict=True):
-            for corners in zip(lower[:-1], lower[1:], upper[1:], upper[:-1], strict=True):
-                self.add_face(corners, flip)
+        for row, (lower, upper) in enumerate(zip(grid[:-1], grid[1:], strict=True)):
+            for column, corners in enumerate(zip(lower[:-1], lower[1:], upper[1:], upper[:-1], strict=True)):
+                if holes is None or not holes[row, column]:
+                    self.add_face(corners, flip)
         return grid
+
+    def points(self, vertices: np.ndarray) -> np.ndarray:
+        """Positions (..., 3) of vertices (...)."""
+        return np.array(self._points)[vertices]
 
     def add_face(self, corners: tuple[int, ...], flip: bool = False) -> None:
         """One triangle or quad; a quad begins at an end of its shorter diagonal, along which it will be cut."""
@@ -102,6 +110,11 @@ class ShapeBuilder:
         self._wires.append(Wire([int(v) for v in chain], name, tolerance))
 
     def build(self, name: str) -> Shape:
-        """The finished surface."""
-        seams = np.array(sorted(self._seams), dtype=np.int64).reshape(-1, 2)
-        return Shape(name, np.array(self._points), self._faces, seams, self._wires)
+        """The finished surface, without the points inside holes."""
+        used = np.unique(np.concatenate(self._faces))
+        number = np.full(len(self._points), -1)
+        number[used] = np.arange(len(used))
+        faces = [tuple(number[list(face)].tolist()) for face in self._faces]
+        seams = number[np.array(sorted(self._seams), dtype=np.int64).reshape(-1, 2)]
+        wires = [Wire(number[wire.vertices].tolist(), wire.name, wire.tolerance) for wire in self._wires]
+        return Shape(name, np.array(self._points)[used], faces, seams, wires)
