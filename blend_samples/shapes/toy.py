@@ -27,6 +27,7 @@ FRONT, LEFT_LEG, LEFT_ARM, RIGHT_ARM, RIGHT_LEG = 28, 32, 40, 16, 24  # columns
 ARM_CENTER, ARM_AXIS, ARM_RADIUS = np.array([0.120, -0.020, 0.080]), np.array([0.90, -0.32, -0.28]), 0.018
 LEG_CENTER, LEG_AXIS, LEG_RADIUS = np.array([0.066, -0.118, 0.027]), np.array([0.36, -0.93, 0.02]), 0.027
 EAR_RADIUS, EAR_REACH, EAR_BULGE = 0.026, 0.020, 0.007
+EAR_SPAN = np.radians(176)
 TOLERANCE = 0.05
 
 
@@ -42,7 +43,6 @@ def toy(body_rows: int = 15, head_rows: int = 14, limb_rows: int = 9, ear_rows: 
     builder.add_wire(body[body_rows // 2], "Belly line", TOLERANCE)
     builder.add_wire(head[4], "Head line", TOLERANCE)
     builder.add_wire(body[:, FRONT], "Middle of the belly", TOLERANCE)
-    builder.add_wire(head[:, FRONT], "Middle of the face", TOLERANCE)
     left_arm = tube(builder.points(arms[0].loop(body)), ARM_CENTER, ARM_AXIS, ARM_RADIUS, 0.045, limb_rows)
     left_arm = np.concatenate([left_arm, round_end(left_arm[-1], 4, 0.4)])
     left_leg = tube(builder.points(legs[0].loop(body)), LEG_CENTER, LEG_AXIS, LEG_RADIUS, 0.05, limb_rows)
@@ -107,11 +107,12 @@ def _add_ear(builder: ShapeBuilder, left_loop: np.ndarray, rows: int, mirror: in
     bottom, top = left_loop[0], left_loop[half]
     along = (top - bottom) / np.linalg.norm(top - bottom)
     out = np.array([along[2], 0.0, -along[0]])
-    angle = np.linspace(-1, 1, half + 1)[:, None] * np.radians(88)
+    across = np.linspace(-1, 1, half + 1)[:, None]
+    angle = across * EAR_SPAN / 2
     rim = (bottom + top) / 2 + EAR_REACH * out + EAR_RADIUS * (np.sin(angle) * along + np.cos(angle) * out)
     t = np.linspace(0, 1, rows + 1)[:, None, None]
     for front, base in ((1, left_loop[half:][::-1]), (-1, left_loop[: half + 1])):
-        bulge = EAR_BULGE * front * np.sin(np.pi * t) * np.cos(angle * 0.9)[None] * [0, -1.0, 0]
+        bulge = EAR_BULGE * front * np.sin(np.pi * t) * np.cos(across * np.pi / 2) * [0, -1.0, 0]
         points = ((1 - t) * base + t * rim + bulge) * [mirror, 1, 1]
         grid = builder.add_grid(points, flip=front * mirror > 0)
         for chain in (grid[0], grid[-1], grid[:, 0], grid[:, -1]):
