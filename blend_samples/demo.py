@@ -40,6 +40,7 @@ VIEWS = {
     "wetsuit_collar": (-28, 16),
     "wetsuit_upper_body": (-30, 10),
     "toy": (-28, 14),
+    "armchair_cover": (-32, 20),
 }
 
 

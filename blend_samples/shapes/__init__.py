@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from .armchair import armchair_cover
 from .collar import wetsuit_collar
 from .cushion import cushion
 from .developable import half_cylinder, lampshade
@@ -16,8 +17,8 @@ from .toy import toy
 from .wetsuit import wetsuit_upper_body
 
 __all__ = [
-    "Shape", "ShapeBuilder", "Wire", "all_shapes", "ball", "cushion", "fitted_top", "half_cylinder", "hat", "jeans",
-    "lampshade", "mask", "quarter_sphere", "toy", "wetsuit_collar", "wetsuit_upper_body",
+    "Shape", "ShapeBuilder", "Wire", "all_shapes", "armchair_cover", "ball", "cushion", "fitted_top", "half_cylinder",
+    "hat", "jeans", "lampshade", "mask", "quarter_sphere", "toy", "wetsuit_collar", "wetsuit_upper_body",
 ]  # fmt: skip
 
 
@@ -25,5 +26,5 @@ def all_shapes() -> list[Shape]:
     """Every sample, in the order in which the demo shows them."""
     return [
         fitted_top(), quarter_sphere(), ball(), half_cylinder(), lampshade(), cushion(), hat(), mask(),
-        jeans(), wetsuit_collar(), wetsuit_upper_body(), toy(),
+        jeans(), wetsuit_collar(), wetsuit_upper_body(), toy(), armchair_cover(),
     ]  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .curves import chord_lengths, cubic_spline
+from .curves import chord_lengths, cubic_spline, hermite_curves
 from .shape import Shape, ShapeBuilder
 
 # The neckline that lies on chest and shoulders, and the top of the neck, of the wearer's left half from the middle of
@@ -44,11 +44,7 @@ def _half(columns: int, rows: int) -> np.ndarray:
     slope = SLOPES[0] + (SLOPES[1] - SLOPES[0]) * chest
     leave = SPREAD * (inward + slope * [0, 0, 1])
     arrive = RISE * np.array([0, -0.25, 1.0])  # the neck leans forward
-    t = np.linspace(0, 1, rows + 1)[:, None, None]
-    # Cubic Hermite curves from the hem to the top.
-    return (
-        (1 + 2 * t) * (1 - t) ** 2 * hem + t * (1 - t) ** 2 * leave + t**2 * (3 - 2 * t) * top - t**2 * (1 - t) * arrive
-    )
+    return hermite_curves(hem, leave, top, arrive, rows)
 
 
 def _round(points: np.ndarray, columns: int) -> np.ndarray:

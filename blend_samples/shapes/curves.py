@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Smooth curves through a few points, even spacing along them, and the patch between four of them."""
+"""Smooth curves through or between points, even spacing along them, and the patch between four of them."""
 
 from __future__ import annotations
 
@@ -42,6 +42,17 @@ def even_parameters(curve: Callable[[np.ndarray], np.ndarray], begin: float, end
     """Parameters of count + 1 points at equal distances along curve(t), begin <= t <= end."""
     t = np.linspace(begin, end, 2001)
     return np.interp(np.linspace(0, 1, count + 1), chord_lengths(curve(t)), t)
+
+
+def hermite_curves(begin: np.ndarray, leave: np.ndarray, end: np.ndarray, arrive: np.ndarray, count: int) -> np.ndarray:
+    """(count + 1, n, d) points of cubic curves from begin to end (n, d) with the velocities leave and arrive there."""
+    t = np.linspace(0, 1, count + 1)[:, None, None]
+    return (
+        (1 + 2 * t) * (1 - t) ** 2 * begin
+        + t * (1 - t) ** 2 * leave
+        + t**2 * (3 - 2 * t) * end
+        - t**2 * (1 - t) * arrive
+    )
 
 
 def coons_patch(bottom: np.ndarray, top: np.ndarray, left: np.ndarray, right: np.ndarray) -> np.ndarray:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .curves import hermite_curves
 from .shape import ShapeBuilder
 
 
@@ -25,7 +26,7 @@ class Hole:
         holes[self.row : self.row + self.rows, columns] = True
 
     def loop(self, grid: np.ndarray) -> np.ndarray:
-        """Its border, counter-clockwise seen from outside, closed, from the seam below it; (4 * half_width + ...,)."""
+        """Its closed border, counter-clockwise seen from outside, from the seam below it."""
         left, right = self.column - self.half_width, self.column + self.half_width
         top = self.row + self.rows
         return np.concatenate([
@@ -39,20 +40,14 @@ def tube(
 ) -> np.ndarray:
     """(rows + 1, n + 1, 3) points from a closed loop (n + 1, 3) to a circle round the limb's axis at its center.
 
-    fullness is how far the tube goes before it bends: cubic Hermite curves.
+    fullness is how far the tube goes straight before it bends.
     """
     axis, leave = axis / np.linalg.norm(axis), loop_normal(loop)
     up = np.array([0.0, 0.0, 1.0]) - axis[2] * axis
     up /= np.linalg.norm(up)
     angle = np.linspace(0, 2 * np.pi, len(loop))[:, None]
     ring = center + radius * (np.sin(angle) * np.cross(up, axis) - np.cos(angle) * up)
-    t = np.linspace(0, 1, rows + 1)[:, None, None]
-    points = (
-        (1 + 2 * t) * (1 - t) ** 2 * loop
-        + fullness * t * (1 - t) ** 2 * leave
-        + t**2 * (3 - 2 * t) * ring
-        - fullness * t**2 * (1 - t) * axis
-    )
+    points = hermite_curves(loop, fullness * leave, ring, fullness * axis, rows)
     points[:, -1] = points[:, 0]
     return points
 
@@ -75,8 +70,8 @@ def add_cap(builder: ShapeBuilder, ring: np.ndarray, height: float, flip: bool) 
     """Closes a tube's round end of 16 edges (17, 3) with a dome; returns the chain over it from vertex 0 to 8."""
     center = ring[:-1].mean(axis=0)
     normal = loop_normal(ring) * (-1 if flip else 1)
-    dome = lambda share: center + share * (ring[::2] - center) + (1 - share**2) * height * normal  # noqa: E731
-    outer, inner = builder.add_points(ring), builder.add_points(dome(0.55))
+    halfway = center + 0.55 * (ring[::2] - center) + (1 - 0.55**2) * height * normal
+    outer, inner = builder.add_points(ring), builder.add_points(halfway)
     middle = builder.add_points(center + height * normal)
     for k in range(8):
         a, b = inner[k], inner[k + 1]

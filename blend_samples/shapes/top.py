@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from . import bodice, torso
-from .curves import chord_lengths
+from .curves import chord_lengths, hermite_curves
 from .shape import Shape, ShapeBuilder
 
 NECK_DEPTH = {1: 0.40, -1: 0.12}  # of the neckline's middle, in v between shoulder line and underarm
@@ -69,13 +69,5 @@ def _sleeve(armhole: np.ndarray, rows: int) -> np.ndarray:
     )
     across = np.array([-ARM[2], 0.0, ARM[0]])  # from the underarm to the shoulder
     ring = -np.cos(angle)[:, None] * across * CUFF_RADII[0] - np.sin(angle)[:, None] * [0, CUFF_RADII[1], 0]
-    t = np.linspace(0, 1, rows + 1)[:, None, None]
-    leave = CAP_FULLNESS * np.array([0.9, 0.0, -0.43])
-    arrive = CAP_FULLNESS * ARM
-    # Cubic Hermite curves along the arm.
-    return (
-        (1 + 2 * t) * (1 - t) ** 2 * armhole
-        + t * (1 - t) ** 2 * leave
-        + t**2 * (3 - 2 * t) * (CUFF_CENTER + ring)
-        - t**2 * (1 - t) * arrive
-    )
+    leave, arrive = CAP_FULLNESS * np.array([0.9, 0.0, -0.43]), CAP_FULLNESS * ARM
+    return hermite_curves(armhole, leave, CUFF_CENTER + ring, arrive, rows)
