@@ -12,7 +12,7 @@ from .shape import Shape, ShapeBuilder
 HALF_SEAT, FRONT, BACK, CORNER = 0.27, -0.36, 0.25, 0.10  # inner face: |x|, y of front and back, corner radius
 THICKNESS = 0.15
 BOTTOM, SEAT, ARM, TOP = 0.06, 0.40, 0.60, 0.88  # heights of hem, seat seam, arms and back
-RISE_BEGIN, RISE_END = 0.28, 0.76  # distances from the arm's front between which the wall rises to the back
+RISE_BEGIN, RISE_END = 0.32, 0.90  # lengths along the wall from the arm's front between which it rises to the back
 RECLINE, LEAN_BEGIN = 0.26, 0.25  # how far the back leans, times its squared height over where it begins to, 1/m
 BACK_PUFF, FRONT_PUFF, SEAT_PUFF, NOSE = 0.035, 0.012, 0.055, 0.045  # how far panels, seat and its front edge swell
 TOLERANCE = 0.05
@@ -64,12 +64,14 @@ def _wall(arm: int, corner: int, back: int, outside: int, roll: int, inside: int
     rear = np.linspace([HALF_SEAT - CORNER, BACK], [0, BACK], back // 2 + 1)
     plan = np.concatenate([side, center + CORNER * turn, rear])
     normal = np.concatenate([np.tile([1.0, 0.0], (len(side), 1)), turn, np.tile([0.0, 1.0], (len(rear), 1))])
-    length = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(plan, axis=0), axis=1))])
+    middle = plan + THICKNESS / 2 * normal
+    length = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(middle, axis=0), axis=1))])
     rise = np.clip((length - RISE_BEGIN) / (RISE_END - RISE_BEGIN), 0, 1)
     rise = rise**2 * (3 - 2 * rise)  # 0 along the arms, 1 along the back
 
     radius = THICKNESS / 2
     shoulder = ARM + (TOP - ARM) * rise - radius
+    up = np.linspace(0, 1, outside + 1)[:, None]  # the lower half of the rows is level
     phi, puff = np.linspace(0, np.pi, roll + 1)[1:-1, None], np.linspace(0, 1, inside + 1)[:, None]
     offset = np.concatenate([
         np.full((outside + 1, len(plan)), THICKNESS),
@@ -77,7 +79,7 @@ def _wall(arm: int, corner: int, back: int, outside: int, roll: int, inside: int
         -BACK_PUFF * rise * np.sin(np.pi * puff) ** 2,
     ])  # fmt: skip
     z = np.concatenate([
-        BOTTOM + (shoulder - BOTTOM) * np.linspace(0, 1, outside + 1)[:, None],
+        BOTTOM + (ARM - radius - BOTTOM) * up + (shoulder - ARM + radius) * np.maximum(2 * up - 1, 0),
         shoulder + radius * np.sin(phi),
         shoulder + (SEAT - shoulder) * puff,
     ])  # fmt: skip
