@@ -37,9 +37,11 @@ def wetsuit_upper_body(
     builder.add_seam(panels[-1][:, columns // 2])
     sides = {}
     for arm in (1, -1):
-        half_sides = [_side(half, seams[half], bust, stub, under, armhole) for half in (1, -1)]
-        points = [torso.Half(half).points(*np.moveaxis(half_sides[half < 0], -1, 0)) for half in (1, -1)]
-        grid = np.concatenate([points[0], points[1][:, -2::-1]], axis=1) * [arm, 1, 1]
+        front, back = (
+            torso.Half(half).points(*np.moveaxis(_side(half, seams[half], bust, stub, under, armhole), -1, 0))
+            for half in (1, -1)
+        )
+        grid = np.concatenate([front, back[:, -2::-1]], axis=1) * [arm, 1, 1]
         sides[arm] = builder.add_grid(grid, flip=arm < 0)
 
     for row, name, tolerance in (
