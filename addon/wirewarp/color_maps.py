@@ -33,3 +33,4 @@ ARAP_ENERGY = ColorMap("arap_energy_color", 0.0, 0.1)  # energy by area
 ASPECT_RATIO = ColorMap("aspect_ratio_color", 1.0, 1.5)
 LENGTH_VARIATION = ColorMap("length_variation_color", 0.0, 0.1)
 COLOR_MAPS = (ASPECT_RATIO, ARAP_ENERGY, LENGTH_VARIATION)
+NO_LAYOUT = np.array([0.16, 0.18, 0.22, 1.0], dtype=np.float32)  # on none of the scales

@@ -23,6 +23,7 @@ class FlatMesh:
     loop_vertices: np.ndarray  # (l,) int32
     polygon_starts: np.ndarray  # (f,) int32
     polygon_sizes: np.ndarray  # (f,) int32
+    source_face: np.ndarray  # (f,) int32, face of the source
     piece: np.ndarray  # (f,) int32, piece of each face
     failed: np.ndarray  # (f,) bool, the piece breaks a promise
     arap_energy: np.ndarray  # (f,) float32, Eq. (6)
@@ -53,6 +54,7 @@ def flat_mesh(result: Any, arrays: MeshArrays) -> FlatMesh:  # noqa: ANN401
         loop_vertices=vertex_of_loop[_loops_of(arrays, kept)],
         polygon_starts=(np.cumsum(sizes) - sizes).astype(np.int32),
         polygon_sizes=sizes,
+        source_face=np.flatnonzero(kept).astype(np.int32),
         piece=piece,
         failed=failed_piece[piece],
         arap_energy=face_energy.astype(np.float32),

@@ -70,6 +70,18 @@ class FlattenSettings:
         "because the base mesh has no place for its UVs",
         default=False,
     )
+    helper_wires: BoolProperty(
+        name="Helper Wires",
+        description="Show the wires that were added where a wire ends inside a piece, or where lines hang together "
+        "with no other: as objects of edges, on the model and on the pieces. They may take any length",
+        default=True,
+    )
+    maps_on_model: BoolProperty(
+        name="Maps on Model",
+        description="Write the distortion to the faces and edges of the model too, as attributes and as colors, "
+        'named "wirewarp_...". The flat pieces always have them. Not with Modifiers',
+        default=False,
+    )
 
 
 def take_settings(operator: bpy.types.Operator, settings: FlattenSettings) -> None:
@@ -111,9 +123,15 @@ def attach() -> None:
         description="The object these flat pieces were made from",
         type=bpy.types.Object,
     )
+    bpy.types.Object.wirewarp_helpers_of = PointerProperty(
+        name="Helper Wires Of",
+        description="The model or the flat pieces that these helper wires lie on",
+        type=bpy.types.Object,
+    )
 
 
 def detach() -> None:
+    del bpy.types.Object.wirewarp_helpers_of
     del bpy.types.Object.wirewarp_source
     del bpy.types.Mesh.wirewarp_names
     del bpy.types.Scene.wirewarp

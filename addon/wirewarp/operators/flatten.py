@@ -48,7 +48,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
         with in_object_mode(context):
             outcomes = self._compute(context, sources)
             anything = any(outcome.has_layout for outcome in outcomes)
-            write(context, outcomes, self.use_modifiers)
+            write(context, outcomes, self)
         _redraw_sidebars(context)
         reports = [outcome.report for outcome in outcomes]
         if report_file:

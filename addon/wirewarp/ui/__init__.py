@@ -5,6 +5,7 @@ from .menus import draw_context_menu, draw_edge_menu
 from .panel import VIEW3D_PT_wirewarp_flatten, VIEW3D_PT_wirewarp_mark
 from .report import (
     VIEW3D_PT_wirewarp_report,
+    VIEW3D_PT_wirewarp_report_helpers,
     VIEW3D_PT_wirewarp_report_outlines,
     VIEW3D_PT_wirewarp_report_pieces,
     VIEW3D_PT_wirewarp_report_seams,
@@ -20,6 +21,7 @@ CLASSES = (
     VIEW3D_PT_wirewarp_report_seams,
     VIEW3D_PT_wirewarp_report_wires,
     VIEW3D_PT_wirewarp_report_outlines,
+    VIEW3D_PT_wirewarp_report_helpers,
     VIEW3D_PT_wirewarp_report_pieces,
 )
 
