@@ -32,15 +32,14 @@ class FairShapeError {
   FairShapeError(const Chart& chart, const WireNetwork& network, double fairness);
 
   /// ω: 10 to begin with.
+  double flip_weight() const { return flip_weight_; }
   void set_flip_weight(double weight) { flip_weight_ = weight; }
 
   /// f, scene units squared. uv: one row per chart vertex.
   double value(const Positions2& uv) const;
   double value_and_gradient(const Positions2& uv, Positions2& gradient) const;
 
-  /// E alone.
-  double shape_error(const Positions2& uv) const { return shape_error_.energy(uv); }
-
+  /// Triangles turned over or without area.
   int count_flips(const Positions2& uv) const;
 
   /// The vertices that the Hessian couples.
