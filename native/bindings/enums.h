@@ -17,7 +17,8 @@ struct Named {
 };
 
 inline constexpr Named<Method> kMethods[] = {{Method::wirewarping, "wirewarping"},
-                                             {Method::wirewarp_plus_plus, "wirewarp++"}};
+                                             {Method::wirewarp_plus_plus, "wirewarp++"},
+                                             {Method::refined, "refined"}};
 
 inline constexpr Named<NodeWeight> kNodeWeights[] = {{NodeWeight::length, "length"}, {NodeWeight::uniform, "uniform"}};
 

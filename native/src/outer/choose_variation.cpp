@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "index.h"
-#include "mesh/geometry.h"
 #include "outer/active_set_bfgs.h"
 #include "outer/free_arap.h"
+#include "outer/length_variation.h"
 
 namespace wirewarp {
 namespace {
@@ -21,22 +21,6 @@ constexpr int kMaxEvaluations = 100;
 constexpr int kFreeIterations = 30;  // local/global steps of the free flattening
 constexpr double kShortest = -0.99;  // 1 + h > 0 on super-elastic parts, with room for the line search
 constexpr double kLongest = 100;
-
-/// h0: the length variations of the elastic parts in a flattening, held within their bounds.
-Eigen::VectorXd variation_of(const Chart& chart, const Positions2& uv, const VariationBounds& bounds) {
-  Eigen::VectorXd variation = Eigen::VectorXd::Zero(bounds.lower.size());
-  for (const int i : bounds.elastic_parts()) {
-    double length_3d = 0;
-    double length_2d = 0;
-    for (const HalfedgeHandle h : chart.wire_parts[at(i)].half_edges) {
-      length_3d += edge_length(chart.mesh, h);
-      length_2d +=
-          (uv.row(chart.mesh.to_vertex_handle(h).idx()) - uv.row(chart.mesh.from_vertex_handle(h).idx())).norm();
-    }
-    variation[i] = length_2d / length_3d - 1;
-  }
-  return variation.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
-}
 
 OuterSolution measured(const Warp& warp, const Eigen::VectorXd& variation, WarpedShape shape) {
   OuterSolution solution;
@@ -123,7 +107,7 @@ OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBou
   before_evaluation();
   const std::optional<Positions2> layout = has_rigid ? std::optional(rigid.shape.uv) : std::nullopt;
   const FreeFlattening free = flatten_freely(chart, kFreeIterations, layout);
-  OuterSolution relaxed = evaluate(warp, variation_of(chart, free.uv, bounds));
+  OuterSolution relaxed = evaluate(warp, length_variation(chart, free.uv).cwiseMax(bounds.lower).cwiseMin(bounds.upper));
   const int inner_solves = rigid.inner_solves + relaxed.inner_solves;
   const auto rank = [](const OuterSolution& s) {
     return std::tuple(!s.shape.inner.is_feasible, !s.shape.inner.is_minimum, s.shape_error);

@@ -30,16 +30,6 @@ Eigen::MatrixXd LengthConstraints::elastic_lengths() const {
   return lengths;
 }
 
-Eigen::VectorXd LengthConstraints::variation_in(const Positions2& uv) const {
-  Eigen::VectorXd length_2d = Eigen::VectorXd::Zero(num_elastic()), length_3d = length_2d;
-  for (const Edge& edge : edges_) {
-    if (edge.elastic < 0) continue;
-    length_2d[edge.elastic] += (uv.row(edge.b) - uv.row(edge.a)).norm();
-    length_3d[edge.elastic] += edge.length;
-  }
-  return (length_2d.array() / length_3d.array() - 1).matrix();
-}
-
 Eigen::VectorXd LengthConstraints::residual(const Positions2& uv, const Eigen::VectorXd& variation) const {
   Eigen::VectorXd c(size());
   for (int e = 0; e < size(); ++e) {

@@ -35,9 +35,6 @@ class LengthConstraints {
   /// T, #edges by #elastic.
   Eigen::MatrixXd elastic_lengths() const;
 
-  /// h of the elastic parts by their whole lengths in a layout. #elastic.
-  Eigen::VectorXd variation_in(const Positions2& uv) const;
-
   /// c. #edges, scene units.
   Eigen::VectorXd residual(const Positions2& uv, const Eigen::VectorXd& variation) const;
 

@@ -9,6 +9,7 @@
 #include "index.h"
 #include "mesh/geometry.h"
 #include "outer/active_set_bfgs.h"
+#include "outer/length_variation.h"
 #include "refine/restore_lengths.h"
 #include "refine/tangent_model.h"
 #include "refine/tangent_space.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double kNearlyExact = 1e-8;   // |c| / l of a start that needs no step to exact lengths
 constexpr double kWorthwhile = 1e-9;    // decrease that a step must promise, over f
+constexpr double kIsometric = 1e-22;     // the same over the area: strains of 1e-11
 constexpr double kSufficient = 1e-4;    // share of the promised decrease that a Newton step must bring
 constexpr double kTrustworthy = 0.1;    // the same for a step in a ball
 constexpr double kVeryGood = 0.5;       // from here on a larger ball is tried
@@ -55,6 +57,7 @@ class Refinement {
   enum class Outcome { accepted, rejected, not_positive, converged };
 
   bool may_go_on() const { return system_.num_factorizations() < limits_.max_factorizations && limits_.go_on(); }
+  double worthwhile() const { return std::max(kWorthwhile * now_.value, kIsometric * area_); }
   Step newton_step() const;
   bool evaluate(Iterate& trial) const;
   Outcome take_newton_step();
@@ -91,7 +94,8 @@ Refinement::Refinement(const Chart& chart, const WireNetwork& network, double fa
     tolerance_[w] = chart.wire_parts[at(constraints_.elastic_parts()[at(w)])].tolerance;
   }
   now_.uv = start;
-  now_.variation = constraints_.variation_in(start).cwiseMax(-tolerance_).cwiseMin(tolerance_);
+  now_.variation =
+      length_variation(chart, start)(constraints_.elastic_parts()).cwiseMax(-tolerance_).cwiseMin(tolerance_);
   multipliers_ = Eigen::VectorXd::Zero(constraints_.size());
 }
 
@@ -138,7 +142,7 @@ Refinement::Outcome Refinement::take_newton_step() {
   if (!system_.factorize(now_.uv, multipliers_, kExactHessian)) return Outcome::not_positive;
   const Step step = newton_step();
   const double slope = dot(gradient_, step.d);
-  if (-slope < kWorthwhile * now_.value) return Outcome::converged;
+  if (-slope < worthwhile()) return Outcome::converged;
   for (const double t : {1.0, 0.5}) {  // shorter steps are better taken in a ball
     Iterate trial{now_.uv + t * step.d, now_.variation + t * step.variation};
     if (!evaluate(trial) || trial.value > now_.value + kSufficient * t * slope) continue;
@@ -177,7 +181,7 @@ bool Refinement::take_step_in_ball() {
   };
   const TangentModel model = model_for(gradient_);
   if (radius_ == 0) radius_ = model.convex_length();
-  const bool is_stationary = model.convex_length() * model.convex_length() < kWorthwhile * now_.value;
+  const bool is_stationary = model.convex_length() * model.convex_length() < worthwhile();
   if (!is_stationary) return search_ball(space, model);
 
   // A saddle whose symmetry the gradient has: look where its mirror image would push, a quarter turn from the forces
@@ -244,7 +248,10 @@ void Refinement::minimize() {
 RefinedShape Refinement::shape(const Chart& chart) const {
   RefinedShape shape;
   shape.uv = now_.uv;
-  shape.variation = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chart.wire_parts.size()));
+  shape.variation = length_variation(chart, now_.uv);
+  for (int i = 0; i < shape.variation.size(); ++i) {
+    if (chart.wire_parts[at(i)].kind != WireKind::super_elastic) shape.variation[i] = 0;
+  }
   shape.variation(constraints_.elastic_parts()) = now_.variation;
   shape.objective = now_.value / area_;
   shape.iterations = iterations_;

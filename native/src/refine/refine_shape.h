@@ -18,7 +18,7 @@ namespace wirewarp {
 
 struct RefinedShape {
   Positions2 uv;              // one row per chart vertex, scene units
-  Eigen::VectorXd variation;  // h, one per wire part of the chart; 0 but on elastic parts
+  Eigen::VectorXd variation;  // h, one per wire part of the chart; on super-elastic ones what came out
   double objective = 0;       // f over the 3D area
   int iterations = 0;
   int factorizations = 0;
