@@ -12,6 +12,7 @@ from shapes import Shape
 LAMP = np.array([-0.35, 0.55, 0.76])  # right, up, toward the viewer
 FRONT, BACK = np.array([0.95, 0.93, 0.88]), np.array([0.62, 0.61, 0.59])
 SHADES = 24
+LIFT = 1.5  # edge lengths by which lines come nearer to the viewer, to lie above the triangles beside them
 
 
 def rotation(turned: float, tipped: float) -> np.ndarray:
@@ -30,7 +31,9 @@ def draw_model(axes: Axes, shape: Shape, turned: float, tipped: float) -> None:
     segments, colors, widths = _lines(shape)
     lines = points[segments]
 
-    lift = np.linalg.norm(lines[:, 0] - lines[:, 1], axis=1)  # toward the viewer, over the triangles beside the line
+    lift = (
+        1.5 * np.linalg.norm(lines[:, 0] - lines[:, 1], axis=1).mean()
+    )  # toward the viewer, over the triangles beside the line
     depth = np.concatenate([triangles[:, :, 2].mean(axis=1), lines[:, :, 2].mean(axis=1) + lift])
     order = np.argsort(depth, kind="stable")
     faces = _shades(triangles)

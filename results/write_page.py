@@ -21,6 +21,7 @@ import figure_3  # noqa: E402
 import figure_6  # noqa: E402
 import figure_8  # noqa: E402
 import figure_9  # noqa: E402
+import figure_11  # noqa: E402
 import numpy as np  # noqa: E402
 from inputs import Inputs  # noqa: E402
 from methods import METHODS  # noqa: E402
@@ -29,13 +30,14 @@ from shapes import all_shapes  # noqa: E402
 from text import wrap  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
-SECTIONS = [figure_1, figure_3, figure_6, figure_8, figure_9, all_samples]
+SECTIONS = [figure_1, figure_3, figure_6, figure_8, figure_9, figure_11, all_samples]
 CONTENTS = (
     "Fig. 1: quarter sphere, wires rigid and elastic",
     "Fig. 3: continuity of the shape error",
     "Fig. 6: jeans, against methods that keep no lengths",
     "Fig. 8: collar of a wetsuit, by tolerance",
     "Fig. 9: upper body of a wetsuit",
+    "Fig. 11: a plush bear and the cover of an armchair",
     "All samples by all methods",
 )
 
