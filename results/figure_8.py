@@ -45,12 +45,11 @@ def section(inputs: Inputs) -> str:
 
 {table(header, rows)}
 
-With rigid wires the hem is drawn into a wave and the cloth between the wires is stretched; what the wires may give way
-takes that distortion out. Within ±3 % *E*
-{change(rigid.energy, three.energy)}, within ±5 % it {change(rigid.energy, five.energy)}. In the paper the lengths that
-come out under ±5 % are 3.4 % and 4.3 % off, within the tolerance both; ours stand in the last columns. A wire stays
-inside its tolerance where a longer or shorter one would not lower *E*, and lies at the limit where only the tolerance
-holds it; so the numbers depend on the collar, and ours is another one. With the
+The maps are darkest where rigid wires force the cloth; with a tolerance the wires give way, and the colors fade.
+Within ±3 % *E* {change(rigid.energy, three.energy)}, within ±5 % it {change(rigid.energy, five.energy)}.
+In the paper the lengths that come out under ±5 % are 3.4 % and 4.3 % off, within the tolerance both; ours stand in the
+last columns. A wire stays inside its tolerance where a longer or shorter one would not lower *E*, and lies at the limit
+where only the tolerance holds it; so the numbers depend on the collar, and ours is another one. With the
 first angles that close all loops, as in the paper, and equal weights *E* of the rigid case is {first.energy:.4f}, and
 {count(first.flipped, "triangle is", "triangles are")} turned over.
 """
