@@ -125,7 +125,7 @@ TEST(InnerProblem, TubesReachTheirMinimum) {
     const InnerSolution solution = inner.solve(rest_lengths(network), Inner::minimum);
     EXPECT_TRUE(solution.is_minimum);
     EXPECT_LT(solution.closure_residual, 1e-12);
-    EXPECT_LE(solution.num_solves, 100);
+    EXPECT_LE(solution.num_solves, 16);
   }
 }
 

@@ -211,12 +211,12 @@ TEST(ChooseVariation, BacksOffFromLengthsThatCannotBeKept) {
 }
 
 TEST(ChooseVariation, ATubeIsDoneWithLittleWork) {
-  FlattenInput tube = test::make_tube(24, 12, [](double s, double t) {  // a sleeve, narrower and bent at the end
+  FlattenInput tube = test::make_tube(16, 6, [](double s, double t) {  // a sleeve, narrower and bent at the end
     const double angle = 2 * 3.141592653589793 * s, radius = 1 - 0.4 * t;
     return Eigen::Vector3d(radius * std::cos(angle) + 0.5 * t * t, radius * std::sin(angle), 3 * t);
   });
-  test::add_wire(tube, test::tube_ring(24, 6), 0.05);
-  for (const FlattenInput& input : {tube, test::cylinder_tube(24, 12, 1, 3), test::sphere_band(24, 8, 1)}) {
+  test::add_wire(tube, test::tube_ring(16, 3), 0.05);
+  for (const FlattenInput& input : {tube, test::cylinder_tube(16, 6, 1, 3), test::sphere_band(16, 6, 1)}) {
     Case c(input);
     const OuterSolution solution = c.solve();
     EXPECT_TRUE(solution.shape.inner.is_minimum);
