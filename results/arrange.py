@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import wirewarp
 
+LEVEL = 0.3  # mean rise over length below which a piece lies level
 GAP = 0.04  # between pieces, as a fraction of the square root of the area of all cells
 
 
@@ -34,11 +35,11 @@ def turn_like(uv: np.ndarray, model: np.ndarray) -> np.ndarray:
 
 
 def turn_upright(uv: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """uv turned so that up on the surface is up, for one that lies flat so that the back is up; points: (p, 3)."""
-    height = points @ [0, 0.1, 1.0]
+    """uv turned so that up on the surface is up; the back, where it lies level. points: (p, 3)."""
     system = np.column_stack([uv, np.ones(len(uv))])
-    (u, v, _), *_ = np.linalg.lstsq(system, height, rcond=None)
-    return uv @ np.array([[v, u], [-u, v]]) / np.sqrt(u * u + v * v)
+    rise, back = (np.linalg.lstsq(system, points[:, axis], rcond=None)[0][:2] for axis in (2, 1))
+    u, v = rise if np.linalg.norm(rise) > LEVEL else back
+    return uv @ np.array([[v, u], [-u, v]]) / np.linalg.norm([u, v])
 
 
 def arrange(vertices: np.ndarray, results: list[wirewarp.FlattenResult], aspect: float) -> Arrangement:

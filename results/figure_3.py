@@ -71,10 +71,11 @@ def kinks(curves: dict[str, list[Curve]]) -> list[str]:
 def verdict(found: list[str]) -> str:
     if not found:
         return "No derivative jumps: in this range *E* is as smooth as the paper finds it on its patches."
-    return f"""The derivative jumps in {count(len(found), "place", "places")}: {"; ".join(found)}. There *ψ(h)* passes
-to another kind of minimum of Eq. (1): a wire that becomes too long for its place has to swing out to a side, and *E*
-has a kink where it begins to. So *E* is not twice differentiable everywhere, as the paper concludes from its patches;
-the outer loop copes with that, because it only ever accepts a lower *E*."""
+    return f"""The derivative jumps in {count(len(found), "place", "places")}: {"; ".join(found)}. There *ψ(h)*,
+which is reached from the surface angles for each *h* anew, becomes another minimum of Eq. (1): a wire that is too long
+for its place has to swing out to a side, and *E* has a kink or a step where it begins to. So *E* is not twice
+differentiable everywhere, as the paper concludes from its patches. The outer loop copes with that: it follows the
+minimum it comes from and accepts only a lower *E*."""
 
 
 def draw(curves: dict[str, list[Curve]], path: Path) -> None:

@@ -60,8 +60,9 @@ elastic wires: of the part inside a piece, which under WireWarping++ is allowed 
 the methods above is one error more. ARAP has the least *E* by its definition; but the pieces of the methods that keep
 no lengths do not fit together, nor do their wires keep their lengths: two sides of one seam
 differ by {millimeters(peers[best_peer].seam_mismatch)} mm ({best_peer}) to
-{millimeters(peers[worst_peer].seam_mismatch)} mm ({worst_peer}). Both WireWarping methods keep outline and rigid wires
-exactly. From WireWarping to WireWarping++ *E* {change(rigid.energy, elastic.energy)}, the largest *E_r*
+{millimeters(peers[worst_peer].seam_mismatch)} mm ({worst_peer}). Between the pieces of WireWarping and
+WireWarping++ it is at most {millimeters(max(rigid.seam_mismatch, elastic.seam_mismatch))} mm.
+From WireWarping to WireWarping++ *E* {change(rigid.energy, elastic.energy)}, the largest *E_r*
 {change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)} and the largest *E_A*
 {change(rigid.max_face_energy, elastic.max_face_energy)}. So far as the paper. In place of its ABF++ stands Blender's
 angle-based unwrap, each island scaled to its area on the model, not by its longest edge. The jeans are our own, and

@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from inputs import Inputs
 from maps import MAPS
-from measures import summarize, worst
+from measures import summarize
 from palette import percent
 from sheet import Column, draw_sheet
-from text import change, count, picture, table
+from text import change, count, millimeters, picture, table
 
 METHODS = ("WireWarping", "WireWarping++")
 
@@ -33,7 +33,8 @@ def section(inputs: Inputs) -> str:
 {picture("Upper body of a wetsuit: model, pieces, maps", path)}
 
 The suit is cut into {pieces}; bust and waist line are rigid, the other wires may change by ±5 %. The outline and the
-rigid wires keep their lengths in both flattenings (worst {percent(worst(elastic.outline).change)}), so all seams match.
+rigid wires keep their lengths in both flattenings, and two sides of a seam differ by at most
+{millimeters(max(rigid.seam_mismatch, elastic.seam_mismatch))} mm.
 With the tolerances *E* {change(rigid.energy, elastic.energy)}, the largest *E_r*
 {change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)}; of {len(elastic.changes)} elastic parts of wires
 {count(at_limit, "lies", "lie")} at the limit of the tolerance. The paper shows the elastic result alone. Elastic wires

@@ -34,6 +34,7 @@ class Map:
     colors: Colormap
     values: Callable[[Shape, wirewarp.Piece], np.ndarray]  # per face, or per line for the map of lengths
     base: float  # the value of no distortion
+    shown: float  # the share of values within the scale
     is_signed: bool
     on_lines: bool
 
@@ -59,6 +60,7 @@ LENGTHS = Map(
     LENGTH_MAP,
     lambda shape, piece: 100 * piece_lines(shape, piece).change,
     base=0.0,
+    shown=0.99,
     is_signed=True,
     on_lines=True,
 )
@@ -67,6 +69,7 @@ ASPECT_RATIO = Map(
     RATIO_MAP,
     lambda shape, piece: piece.metrics.face_aspect_ratio,
     base=1.0,
+    shown=0.96,
     is_signed=False,
     on_lines=False,
 )
@@ -75,6 +78,7 @@ ARAP_ENERGY = Map(
     ENERGY_MAP,
     lambda shape, piece: piece.metrics.face_arap / piece_areas(shape.vertices, piece),
     base=0.0,
+    shown=0.96,
     is_signed=False,
     on_lines=False,
 )
@@ -86,7 +90,7 @@ def scale_of(quantity: Map, shape: Shape, results: list[wirewarp.FlattenResult])
     needed = 0.0
     for result in results:
         values = np.concatenate([quantity.values(shape, piece) for piece in result.pieces])
-        needed = max(needed, np.quantile(np.abs(values - quantity.base), 0.96))
+        needed = max(needed, np.quantile(np.abs(values - quantity.base), quantity.shown))
     needed = max(needed, 1e-3)
     power = 10.0 ** np.floor(np.log10(needed))
     end = next(power * r for r in (*ROUND, 10.0) if power * r >= needed * (1 - 1e-9))

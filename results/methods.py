@@ -28,6 +28,11 @@ def flatten(shape: Shape, **options: str) -> wirewarp.FlattenResult:
     )
 
 
+def paper_warping(shape: Shape) -> wirewarp.FlattenResult:
+    """WireWarping to the letter: the first angles that close all loops, all nodes weighted the same."""
+    return flatten(shape, method="wirewarping", inner="least-norm", node_weight="uniform")
+
+
 def measure(shape: Shape, corner_uv: np.ndarray) -> wirewarp.FlattenResult:
     """Any layout (m, 3, 2) in meters."""
     return wirewarp.measure(shape.vertices, shape.triangles(), corner_uv, seams=shape.seams, wires=wires_of(shape))

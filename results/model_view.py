@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The surface as modeled, seen from far away, with its seams and wires."""
+"""The surface as modeled, seen from far away, with those of its seams and wires that it does not hide."""
 
 from __future__ import annotations
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from palette import ELASTIC, INK, RIGID
 from shapes import Shape
 
 LAMP = np.array([-0.35, 0.55, 0.76])  # right, up, toward the viewer
 FRONT, BACK = np.array([0.95, 0.93, 0.88]), np.array([0.62, 0.61, 0.59])
 SHADES = 24
+CELLS = 250  # across the view, to find what is hidden
+SAMPLES = 24  # along a side of a triangle, for the same
+SLACK = 0.02  # how far behind the nearest surface a line is still taken to lie on it, as a fraction of the view's size
 
 
 def rotation(turned: float, tipped: float) -> np.ndarray:
@@ -24,31 +27,20 @@ def rotation(turned: float, tipped: float) -> np.ndarray:
 
 
 def draw_model(axes: Axes, shape: Shape, turned: float, tipped: float) -> None:
-    """Triangles and lines from the farthest to the nearest, so that near ones cover far ones."""
+    """Triangles from the farthest to the nearest, so that near ones cover far ones, then the lines in sight."""
     points = shape.vertices @ rotation(turned, tipped).T
     triangles = points[shape.triangles()]
+    triangles = triangles[np.argsort(triangles[:, :, 2].mean(axis=1), kind="stable")]
+    colors = _shades(triangles)
+    # Soft rims would show as a net between the triangles.
+    axes.add_collection(
+        PolyCollection(triangles[:, :, :2], facecolors=colors, edgecolors=colors, linewidths=0.3, antialiased=False)
+    )
     segments, colors, widths = _lines(shape)
     lines = points[segments]
-
-    lift = np.linalg.norm(lines[:, 0] - lines[:, 1], axis=1)  # toward the viewer, over the triangles beside the line
-    depth = np.concatenate([triangles[:, :, 2].mean(axis=1), lines[:, :, 2].mean(axis=1) + lift])
-    order = np.argsort(depth, kind="stable")
-    faces = _shades(triangles)
-    polygons = [*triangles[:, :, :2], *lines[:, :, :2]]
-    face_colors = [*faces, *((0, 0, 0, 0) for _ in lines)]
-    edge_colors = [*faces, *colors]
-    edge_widths = [*(0.3 for _ in triangles), *widths]
-    is_line = [*(False for _ in triangles), *(True for _ in lines)]
+    seen = _in_sight(lines.mean(axis=1), triangles)
     axes.add_collection(
-        PolyCollection(
-            [polygons[k] for k in order],
-            facecolors=[face_colors[k] for k in order],
-            edgecolors=[edge_colors[k] for k in order],
-            linewidths=[edge_widths[k] for k in order],
-            antialiaseds=[is_line[k] for k in order],  # soft rims would show as a net between the triangles
-            closed=False,
-            capstyle="round",
-        )
+        LineCollection(lines[seen, :, :2], colors=colors[seen], linewidths=widths[seen], capstyle="round")
     )
     frame(axes, points[:, :2].min(axis=0), points[:, :2].max(axis=0))
 
@@ -72,8 +64,25 @@ def _shades(triangles: np.ndarray) -> np.ndarray:
     return np.column_stack([np.where(is_front, FRONT, BACK) * shade[:, None], np.ones(len(triangles))])
 
 
-def _lines(shape: Shape) -> tuple[np.ndarray, list[str], list[float]]:
-    """Vertex pairs with a color and a width: outline and seams, then wires."""
+def _in_sight(places: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """(k,) whether places (k, 3) lie on the nearest of the triangles (m, 3, 3) there; in the viewer's frame."""
+    i, j = (c.ravel() for c in np.meshgrid(np.arange(SAMPLES + 1), np.arange(SAMPLES + 1)))
+    weights = (np.stack([i, j, SAMPLES - i - j], axis=-1) / SAMPLES)[i + j <= SAMPLES]
+    samples = np.einsum("sc,mcd->msd", weights, triangles).reshape(-1, 3)
+    low = triangles.reshape(-1, 3).min(axis=0)
+    size = np.ptp(triangles.reshape(-1, 3), axis=0).max()
+
+    def cell(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        column, row = ((points - low)[:, :2] / size * CELLS).astype(int).T
+        return row, column
+
+    nearest = np.full((CELLS + 1, CELLS + 1), -np.inf)
+    np.maximum.at(nearest, cell(samples), samples[:, 2])
+    return places[:, 2] >= nearest[cell(places)] - SLACK * size
+
+
+def _lines(shape: Shape) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Vertex pairs (k, 2) with a color and a width each: outline and seams, then wires."""
     sides = np.sort(np.concatenate([shape.triangles()[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
     edges, count = np.unique(sides, axis=0, return_counts=True)
     cuts = np.concatenate([edges[count == 1], shape.seams.reshape(-1, 2)])
@@ -83,4 +92,4 @@ def _lines(shape: Shape) -> tuple[np.ndarray, list[str], list[float]]:
         pairs.append(np.stack([chain[:-1], chain[1:]], axis=1))
         colors += [ELASTIC if wire.tolerance else RIGID] * (len(chain) - 1)
         widths += [2.0] * (len(chain) - 1)
-    return np.concatenate(pairs), colors, widths
+    return np.concatenate(pairs), np.array(colors), np.array(widths)

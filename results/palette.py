@@ -23,7 +23,7 @@ def use_style() -> None:
     matplotlib.rcParams.update({
         "font.family": "DejaVu Sans", "font.size": 9, "text.color": INK, "axes.labelcolor": INK, "axes.edgecolor": INK,
         "xtick.color": INK, "ytick.color": INK, "axes.spines.top": False, "axes.spines.right": False,
-        "savefig.dpi": 125, "path.simplify": False,
+        "savefig.dpi": 125, "path.simplify": False, "path.snap": False,
     })  # fmt: skip
 
 

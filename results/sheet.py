@@ -22,7 +22,7 @@ from palette import ELASTIC, FAINT_INK, INK, RIGID, TURNED_OVER, percent
 from save_picture import save
 from shapes import Shape
 
-MODEL_WIDTH, SCALE_WIDTH = 2.4, 1.0  # inches
+MODEL_WIDTH, SCALE_WIDTH = 2.4, 1.15  # inches
 TITLE_HEIGHT, FOOT_HEIGHT = 0.4, 0.5
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -21,6 +22,7 @@ import figure_3  # noqa: E402
 import figure_6  # noqa: E402
 import figure_8  # noqa: E402
 import figure_9  # noqa: E402
+import figure_11  # noqa: E402
 import numpy as np  # noqa: E402
 from inputs import Inputs  # noqa: E402
 from methods import METHODS  # noqa: E402
@@ -29,15 +31,7 @@ from shapes import all_shapes  # noqa: E402
 from text import wrap  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
-SECTIONS = [figure_1, figure_3, figure_6, figure_8, figure_9, all_samples]
-CONTENTS = (
-    "Fig. 1: quarter sphere, wires rigid and elastic",
-    "Fig. 3: continuity of the shape error",
-    "Fig. 6: jeans, against methods that keep no lengths",
-    "Fig. 8: collar of a wetsuit, by tolerance",
-    "Fig. 9: upper body of a wetsuit",
-    "All samples by all methods",
-)
+SECTIONS = [figure_1, figure_3, figure_6, figure_8, figure_9, figure_11, all_samples]
 
 
 def commit() -> str:
@@ -45,16 +39,22 @@ def commit() -> str:
     return subprocess.check_output(command, text=True).strip()
 
 
-def opening() -> str:
-    """From what the sections say of themselves."""
+def contents(sections: list[str]) -> str:
+    """A list of links to the headings."""
+    headings = [section.partition("\n")[0].removeprefix("## ") for section in sections]
+    anchors = [re.sub(r"[^a-z0-9 -]", "", heading.lower()).replace(" ", "-") for heading in headings]
+    return "\n".join(f"- [{heading}](#{anchor})" for heading, anchor in zip(headings, anchors, strict=True))
+
+
+def opening(version: str, sections: list[str]) -> str:
     return f"""# Results
 
-Written by `./dev results`, which regenerates every number and picture of this page; commit {commit()}.
+Written by `./dev results`, which regenerates every number and picture of this page; commit {version}.
 
 The examples of "WireWarping++" (Zhang, Wang), section IV, on geometry of our own (`blend_samples/shapes/`), with the
 methods the paper compares: {", ".join(METHODS)}. All of them are measured by the same code, `wirewarp.measure`.
 
-{chr(10).join(f"- {line}" for line in CONTENTS)}
+{contents(sections)}
 
 **What is measured.** *E* is the ARAP energy of Eq. (4) over the area of the surface, *E_A* that of one triangle,
 Eq. (6), over its area; so *E* is the mean of *E_A*, and neither depends on how fine the mesh is. *E_r* is the larger of
@@ -74,6 +74,7 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=ROOT / "docs" / "results.md")
     arguments = parser.parse_args()
 
+    version = commit()  # before the page and its pictures change
     use_style()
     pictures = arguments.output.with_suffix("")
     pictures.mkdir(parents=True, exist_ok=True)
@@ -83,8 +84,9 @@ def main() -> None:
         error_curves=arguments.error_curves,
         pictures=pictures,
     )
-    page = [opening(), *(module.section(inputs) for module in SECTIONS)]
-    arguments.output.write_text(wrap("\n".join(page)).rstrip() + "\n", encoding="utf-8")
+    sections = [module.section(inputs) for module in SECTIONS]
+    page = wrap("\n".join([opening(version, sections), *sections]))
+    arguments.output.write_text(page.rstrip() + "\n", encoding="utf-8")
     print(f"wrote {arguments.output}")
 
 

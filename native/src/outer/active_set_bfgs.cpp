@@ -74,7 +74,8 @@ BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& l
     }
     const Eigen::VectorXd direction = minimize_model_in_box(here.gradient, hessian, lower - best.x, upper - best.x);
     const double slope = here.gradient.dot(direction);
-    if (-slope <= tolerance * best.value) {
+    const double promised = -slope - direction.dot(hessian * direction) / 2;
+    if (promised <= tolerance * best.value) {
       best.converged = true;
       break;
     }

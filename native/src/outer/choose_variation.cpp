@@ -15,7 +15,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kTolerance = 3e-7;  // relative decrease that is not worth another step
+constexpr double kTolerance = 1e-6;  // relative decrease that is not worth another step
 constexpr double kIsometry = 1e-14;  // shape error: strains of 1e-7, the rounding of meshes in single precision
 constexpr int kMaxEvaluations = 100;
 constexpr int kFreeIterations = 30;  // local/global steps of the free flattening

@@ -41,7 +41,8 @@ OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBou
                               const BeforeEvaluation& before_evaluation);
 
 /// The length variations with the least shape error within the bounds, found from h0; h0 itself where there is nothing
-/// to improve.
+/// to improve. The wire angles follow from one h to the next, so that E does not jump where Eq. (1) has several minima.
+/// Not converged where they reach no minimum at h0: E has no gradient there.
 OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
                                const BeforeEvaluation& before_evaluation);
 
