@@ -258,23 +258,23 @@ def timers(addon, monkeypatch):
     return fake
 
 
-def test_a_build_that_takes_long_is_not_repeated_at_once(addon, source, timers, monkeypatch):
+def test_a_build_is_not_repeated_at_once(addon, source, timers, monkeypatch):
     cache = addon.overlay.cache
     clock = SimpleNamespace(now=100.0)
     monkeypatch.setattr(cache, "time", SimpleNamespace(monotonic=lambda: clock.now))
 
     def build(value):
-        clock.now += 1.0  # second
+        clock.now += 0.05  # seconds
         return value
 
     def drawing(version):
         return cache.kept_drawing(source, "test", (version,), lambda: build(version))
 
     assert drawing(1) == 1
-    clock.now += 8.9
+    clock.now += 0.4
     assert drawing(2) == 1
-    assert timers.running == {addon.redraw.redraw_views: pytest.approx(0.1)}
-    clock.now += 0.2
+    assert timers.running == {addon.redraw.redraw_views: pytest.approx(0.05)}
+    clock.now += 0.06
     assert drawing(2) == 2
 
 

@@ -12,7 +12,9 @@ from bpy.app.handlers import persistent
 from ..redraw import redraw_views
 
 T = TypeVar("T")
-IDLE_SHARE = 9  # after a build, none for this many times as long: while the user drags, at most a tenth of the time
+# After a build there is none for this many times as long, so that dragging is not slowed down by more than a tenth;
+IDLE_SHARE = 9
+MAX_IDLE = 1.0  # second, though, so that what is seen is never old.
 
 
 @dataclass(frozen=True)
@@ -48,7 +50,7 @@ def kept_drawing(owner: bpy.types.Object, what: str, made_of: tuple, build: Call
         return entry.value
     value = build()
     done = time.monotonic()
-    _entries[key] = _Entry(made_of, value, done + IDLE_SHARE * (done - now))
+    _entries[key] = _Entry(made_of, value, done + min(IDLE_SHARE * (done - now), MAX_IDLE))
     return value
 
 
