@@ -74,8 +74,8 @@ class FlattenSettings:
     )
     helper_wires: BoolProperty(
         name="Helper Wires",
-        description="Show the wires that were added where a wire ends inside a piece, or where lines hang together "
-        "with no other: as objects of edges, on the model and on the pieces. They may take any length",
+        description="Keep the wires that were added where a wire ends inside a piece, or where lines hang together "
+        "with no other, for the overlay to draw them on the model and on the pieces. They may take any length",
         default=True,
     )
     maps_on_model: BoolProperty(

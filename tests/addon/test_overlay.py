@@ -145,6 +145,22 @@ def test_no_map_on_a_model_that_has_changed(addon, source):
     assert surface_of(addon, flat_of(source), addon.color_maps.STRETCH) is not None
 
 
+def test_a_missing_map_is_explained(addon, source):
+    bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
+
+    def notes():
+        return addon.overlay.shown.missing_maps(list(addon.overlay.shown.drawings(fake_context())))
+
+    assert notes() == []
+    source.data.vertices[40].co.z += 0.1
+    source.data.update()
+    bpy.context.view_layer.update()
+    addon.overlay.cache._forget()
+    assert notes() == ["Changed since: flatten again"]
+    mark(grid("New", bump), RIGID)
+    assert notes() == ["Not flattened yet: no map", "Changed since: flatten again"]
+
+
 def test_a_map_of_a_shape_with_modifiers_lies_on_that_shape(addon, source):
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
     bpy.context.view_layer.update()

@@ -66,7 +66,7 @@ def lay_out(addon, map_name="STRETCH", notes=(), unit=1.0):
 @pytest.mark.parametrize("unit", [1.0, 2.0])
 @pytest.mark.parametrize("map_name", [None, "STRETCH", "LENGTH_VARIATION", "ASPECT_RATIO", "ARAP_ENERGY"])
 def test_the_legend_is_in_its_box_and_nothing_covers_a_text(addon, map_name, unit):
-    legend = lay_out(addon, map_name, ["Model changed since: flatten again"], unit)
+    legend = lay_out(addon, map_name, ["Changed since: flatten again"], unit)
     ground = legend.boxes[0]
     assert (ground.right, ground.bottom) == (900.0, 16.0)
     texts = [

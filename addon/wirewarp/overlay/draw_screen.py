@@ -13,13 +13,12 @@ from mathutils import Vector
 
 from .legend import Box, Text, lay_out
 from .line_styles import STYLES
-from .shown import Drawing, drawings, shown_map
+from .shown import Drawing, drawings, missing_maps, shown_map
 from .spread_names import spread
 
 FONT, FONT_SIZE, MARGIN = 0, 12, 16
 MAX_NAMES = 150
 LABEL, NAME_COLOR, LEGEND_COLOR = (0.08, 0.08, 0.08, 0.65), (1.0, 1.0, 1.0), (0.9, 0.9, 0.9)
-HIDDEN_MODEL = "Model changed since: flatten again"
 
 
 def draw_screen() -> None:
@@ -72,10 +71,9 @@ def _draw_legend(context: bpy.types.Context, shown: list[Drawing], unit: float) 
     if any(drawing.failures for drawing in shown):
         kinds.add("failed")
     color_map = shown_map(context)
-    without = color_map and any(drawing.surface is None and drawing.target.mode == "OBJECT" for drawing in shown)
     legend = lay_out(
         [style for kind, style in reversed(STYLES.items()) if kind in kinds],
-        [HIDDEN_MODEL] if without else [],
+        missing_maps(shown) if color_map else [],
         color_map,
         _corner(context, unit),
         unit,

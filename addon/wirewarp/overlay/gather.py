@@ -59,17 +59,21 @@ def _lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineMarks:
     layers = edit.edges.layers
     wire, tolerance = layers.int.get(WIRE), layers.float.get(TOLERANCE)
     source, piece = edit.verts.layers.int.get("source_vertex"), edit.faces.layers.int.get("piece")
-    marked = [edge for edge in edit.edges if not edge.hide and edge.link_faces and (edge.seam or (wire and edge[wire]))]
+    marked = [edge for edge in edit.edges if not edge.hide and (edge.seam or (wire and edge[wire]))]
     vertices = [[vertex[source] if source else vertex.index for vertex in edge.verts] for edge in marked]
     return LineMarks(
         ends=np.array([[vertex.co[:] for vertex in edge.verts] for edge in marked], np.float32).reshape(-1, 2, 3),
         normals=np.array([edge.verts[0].normal[:] for edge in marked], np.float32).reshape(-1, 3),
         vertices=np.array(vertices, dtype=np.int32).reshape(-1, 2),
-        pieces=np.array([edge.link_faces[0][piece] if piece else 0 for edge in marked], dtype=np.int32),
+        pieces=np.array([_piece_in_edit_mode(edge, piece) for edge in marked], dtype=np.int32),
         seams=np.array([edge.seam for edge in marked], dtype=bool),
         wire_ids=np.array([edge[wire] if wire else 0 for edge in marked], dtype=np.int32),
         tolerances=np.array([edge[tolerance] if tolerance else 0 for edge in marked], dtype=np.float32),
     )
+
+
+def _piece_in_edit_mode(edge: bmesh.types.BMEdge, layer: bmesh.types.BMLayerItem | None) -> int:
+    return edge.link_faces[0][layer] if layer and edge.link_faces else 0
 
 
 def _piece_of_edge(mesh: bpy.types.Mesh) -> np.ndarray:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the overlay shows in a view: the objects and their drawings, built where they have changed."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import bpy
@@ -30,6 +30,14 @@ class Drawing:
 def shown_map(context: bpy.types.Context) -> ColorMap | None:
     wanted = context.scene.wirewarp.shown_map
     return next((each for each in COLOR_MAPS if each.attribute.upper() == wanted), None)
+
+
+def missing_maps(shown: Sequence[Drawing]) -> list[str]:
+    """Why the map that is wanted is not on all of them, as sentences."""
+    without = [each.target for each in shown if each.surface is None and each.target.mode == "OBJECT"]
+    never = [target for target in without if last_report(target.wirewarp_source or target) is None]
+    notes = ["Not flattened yet: no map"] if never else []
+    return notes + (["Changed since: flatten again"] if len(never) < len(without) else [])
 
 
 def drawings(context: bpy.types.Context) -> Iterator[Drawing]:
