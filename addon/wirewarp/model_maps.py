@@ -18,6 +18,7 @@ class ModelMaps:
     arap_energy: np.ndarray  # (f,) float32
     energy_density: np.ndarray  # (f,) float32
     aspect_ratio: np.ndarray  # (f,) float32
+    stretch: np.ndarray  # (f,) float32
     length_variation: np.ndarray  # (e,) float32, on a seam the larger of its sides
 
 
@@ -28,6 +29,7 @@ def model_maps(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> Mo
         arap_energy=_on_faces(flat, flat.arap_energy, arrays),
         energy_density=_on_faces(flat, flat.energy_density, arrays),
         aspect_ratio=_on_faces(flat, flat.aspect_ratio, arrays),
+        stretch=_on_faces(flat, flat.stretch, arrays),
         length_variation=_on_edges(flat, flat_edges, edge_length_variation(flat, flat_edges, arrays), arrays),
     )
 

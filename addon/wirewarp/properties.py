@@ -11,6 +11,8 @@ from bpy.props import (
     PointerProperty,
 )
 
+from .redraw import redraw_views
+
 METHODS = [
     (
         "WIREWARP_PLUS_PLUS",
@@ -72,12 +74,12 @@ class FlattenSettings:
     )
     helper_wires: BoolProperty(
         name="Helper Wires",
-        description="Show the wires that were added where a wire ends inside a piece, or where lines hang together "
-        "with no other: as objects of edges, on the model and on the pieces. They may take any length",
+        description="Keep the wires that were added where a wire ends inside a piece, or where lines hang together "
+        "with no other, for the overlay to draw them on the model and on the pieces. They may take any length",
         default=True,
     )
     maps_on_model: BoolProperty(
-        name="Maps on Model",
+        name="Model Maps",
         description="Write the distortion to the faces and edges of the model too, as attributes and as colors, "
         'named "wirewarp_...". The flat pieces always have them. Not with Modifiers',
         default=False,
@@ -91,6 +93,10 @@ def take_settings(operator: bpy.types.Operator, settings: FlattenSettings) -> No
             setattr(operator, name, getattr(settings, name))
 
 
+def _redraw(_settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
+    redraw_views()
+
+
 class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
     tolerance_percent: FloatProperty(
         name="Tolerance ±%",
@@ -102,6 +108,28 @@ class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
         soft_max=20.0,
         default=3.0,
         precision=2,
+    )
+    show_lines: BoolProperty(
+        name="Lines",
+        description="Draw seams and wires, helper wires and what failed over models and flat pieces",
+        default=True,
+        update=_redraw,
+    )
+    show_names: BoolProperty(
+        name="Names", description="Write the names of wires, seams and pieces", default=True, update=_redraw
+    )
+    shown_map: EnumProperty(
+        name="Map",
+        description="Measure by which models and flat pieces are colored in Object Mode",
+        items=[
+            ("NONE", "No Map", "Faces look as always"),
+            ("STRETCH_COLOR", "Stretch", "How much the model stretches the flat cloth, the mean of all directions"),
+            ("LENGTH_VARIATION_COLOR", "Length Variation", "How much longer or shorter edges become (E_L)"),
+            ("ASPECT_RATIO_COLOR", "Aspect Ratio", "The larger of longest stretch and inverse of the shortest (E_r)"),
+            ("ARAP_ENERGY_COLOR", "ARAP Energy", "Energy of the distortion by area (E_A)"),
+        ],
+        default="NONE",
+        update=_redraw,
     )
     show_all: BoolProperty(name="Show All", description="Show every line of the report, not only the worst")
 

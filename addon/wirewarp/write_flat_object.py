@@ -78,6 +78,7 @@ def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> Non
 def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
     edges = read(mesh.edges, "vertices", np.int32, 2)
     _add(mesh, "source_vertex", "INT", "POINT", flat.source_vertex)
+    _add(mesh, "source_corner", "INT", "CORNER", flat.source_corner)
     _add(mesh, "source_face", "INT", "FACE", flat.source_face)
     _add(mesh, "piece", "INT", "FACE", flat.piece)
     write_flat_maps(mesh, flat, edge_length_variation(flat, edges, arrays))

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The helper wires as two objects of edges alone, one on the model and one on the flat pieces, that move with them."""
+"""The helper wires as two objects of edges alone, one on the model and one on the flat pieces, that move with them.
+
+Blender itself does not show the objects: as thin lines in a surface they would be seen in part, or through it.
+"""
 
 import bpy
 import numpy as np
@@ -37,7 +40,7 @@ def _new_object(collection: bpy.types.Collection, owner: bpy.types.Object) -> bp
     name = f"{owner.name} Helper Wires"
     target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
     target.wirewarp_helpers_of = target.parent = owner
-    target.show_in_front = target.hide_select = target.hide_render = True
+    target.hide_viewport = target.hide_select = target.hide_render = True  # the overlay draws them
     collection.objects.link(target)
     return target
 
@@ -49,4 +52,4 @@ def _write_mesh(mesh: bpy.types.Mesh, points: np.ndarray, lines: HelperLines) ->
     mesh.edges.add(len(lines.edges))
     mesh.edges.foreach_set("vertices", lines.edges.ravel())
     mesh.attributes.new("helper_wire", "INT", "EDGE").data.foreach_set("value", lines.helper)
-    mesh.update(calc_edges_loose=True)  # or Blender 3.4 draws none
+    mesh.update(calc_edges_loose=True)  # or Blender 3.4 draws none, should the user unhide them

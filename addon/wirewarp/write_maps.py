@@ -4,19 +4,19 @@
 import bpy
 import numpy as np
 
-from .color_maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION, NO_LAYOUT
+from .color_maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION, NO_LAYOUT, STRETCH
 from .flat_mesh import FlatMesh
 from .foreach import read
 from .model_maps import ModelMaps
 
 PREFIX = "wirewarp_"  # of the model's attributes, among which are the user's own
-VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "length_variation": "EDGE"}
+VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "stretch": "FACE", "length_variation": "EDGE"}
 
 
 def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, variation: np.ndarray) -> None:
     """On a mesh that has none of these attributes. variation: E_L of its edges."""
-    _write_values(mesh, "", (flat.arap_energy, flat.aspect_ratio, variation))
-    _write_colors(mesh, "", flat.aspect_ratio, flat.energy_density, variation, np.ones(len(mesh.polygons), dtype=bool))
+    _write_values(mesh, "", flat, variation)
+    _write_colors(mesh, "", flat, variation, np.ones(len(mesh.polygons), dtype=bool))
     _show(mesh, COLOR_MAPS[0].attribute)
 
 
@@ -25,8 +25,8 @@ def write_model_maps(mesh: bpy.types.Mesh, maps: ModelMaps) -> None:
     remove_model_maps(mesh)
     own = mesh.color_attributes.active_color
     shown = own.name if own else PREFIX + COLOR_MAPS[0].attribute
-    _write_values(mesh, PREFIX, (maps.arap_energy, maps.aspect_ratio, maps.length_variation))
-    _write_colors(mesh, PREFIX, maps.aspect_ratio, maps.energy_density, maps.length_variation, maps.placed)
+    _write_values(mesh, PREFIX, maps, maps.length_variation)
+    _write_colors(mesh, PREFIX, maps, maps.length_variation, maps.placed)
     _show(mesh, shown)
 
 
@@ -36,20 +36,16 @@ def remove_model_maps(mesh: bpy.types.Mesh) -> None:
             mesh.attributes.remove(mesh.attributes[PREFIX + name])
 
 
-def _write_values(mesh: bpy.types.Mesh, prefix: str, values: tuple[np.ndarray, ...]) -> None:
-    for (name, domain), each in zip(VALUES.items(), values, strict=True):
-        mesh.attributes.new(prefix + name, "FLOAT", domain).data.foreach_set("value", each)
+def _write_values(mesh: bpy.types.Mesh, prefix: str, maps: FlatMesh | ModelMaps, variation: np.ndarray) -> None:
+    for name, domain in VALUES.items():
+        values = variation if name == "length_variation" else getattr(maps, name)
+        mesh.attributes.new(prefix + name, "FLOAT", domain).data.foreach_set("value", values)
 
 
 def _write_colors(
-    mesh: bpy.types.Mesh,
-    prefix: str,
-    ratio: np.ndarray,
-    density: np.ndarray,
-    variation: np.ndarray,
-    placed: np.ndarray,
+    mesh: bpy.types.Mesh, prefix: str, maps: FlatMesh | ModelMaps, variation: np.ndarray, placed: np.ndarray
 ) -> None:
-    """ratio, density and placed of the faces, variation of the edges."""
+    """variation of the edges; placed (f,) bool: faces with a layout."""
     sizes = read(mesh.polygons, "loop_total", np.int32)
     corner_face = np.repeat(np.arange(len(sizes)), sizes)
     corner_vertex = read(mesh.loops, "vertex_index", np.int32)
@@ -57,8 +53,9 @@ def _write_colors(
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
     at_vertex = np.bincount(ends, np.repeat(variation, 2), minlength=len(mesh.vertices)) / edges_at  # their mean
     for color_map, values in (
-        (ASPECT_RATIO, ratio[corner_face]),
-        (ARAP_ENERGY, density[corner_face]),
+        (ASPECT_RATIO, maps.aspect_ratio[corner_face]),
+        (STRETCH, maps.stretch[corner_face]),
+        (ARAP_ENERGY, maps.energy_density[corner_face]),
         (LENGTH_VARIATION, at_vertex[corner_vertex]),
     ):
         colors = np.where(placed[corner_face][:, None], color_map.colors(values), NO_LAYOUT)

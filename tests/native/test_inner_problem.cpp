@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "inner/inner_problem.h"
 #include "test_meshes.h"
+#include "topology/process_topology.h"
 
 namespace wirewarp {
 namespace {
@@ -127,6 +129,23 @@ TEST(InnerProblem, TubesReachTheirMinimum) {
     EXPECT_LT(solution.closure_residual, 1e-12);
     EXPECT_LE(solution.num_solves, 16);
   }
+}
+
+TEST(InnerProblem, LeavesASaddleThatIsSymmetricInManyWays) {
+  // A square tube: the turn that lowers Eq. (1) is hardly part of the network's handedness.
+  const FlattenInput tube = test::make_tube(20, 2, [](double s, double t) {
+    const int side = static_cast<int>(std::floor(4 * s + 1e-9)) % 4;
+    const double along = 4 * s - side;
+    const double x[] = {along, 1, 1 - along, 0}, y[] = {0, along, 1, 1 - along};
+    return Eigen::Vector3d(x[side], y[side], 0.4 * t);
+  });
+  const std::optional<Chart> chart = process_topology(test::charts_of(tube).charts[0]);
+  ASSERT_TRUE(chart);
+  const WireNetwork network = build_wire_network(*chart);
+  InnerProblem inner(network, NodeWeight::length);
+  const InnerSolution solution = inner.solve(rest_lengths(network), Inner::minimum);
+  EXPECT_TRUE(solution.is_minimum);
+  EXPECT_LE(solution.num_solves, 50);
 }
 
 TEST(InnerProblem, FollowsAMinimumThereAndBack) {

@@ -75,7 +75,7 @@ bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& 
     if (is_held && !has_bent) {
       double share = 0.5;
       factor_downhill(eq1_.closure_hessian(psi, lengths, closing.multipliers), jacobian, share);
-      psi += kBend * softest_turn();
+      psi += kBend * softer_turn(eq1_.handedness());
       gap = eq1_.closure(psi, lengths);
       has_bent = true;
       continue;
@@ -123,13 +123,12 @@ bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const
   return false;
 }
 
-/// The change of headings along the closed loops that the factored matrix resists least, largest entry 1: inverse
-/// iteration. It starts from the handedness of the network, so that of two mirror images the same one is found whatever
-/// the numbering.
-Eigen::VectorXd InnerProblem::softest_turn() const {
+/// A change of headings along the closed loops, largest entry 1, on its way to the one that the factored matrix resists
+/// least: a few steps of inverse iteration. Begun at the handedness of the network, of two mirror images the same one
+/// is found whatever the numbering.
+Eigen::VectorXd InnerProblem::softer_turn(Eigen::VectorXd turn) const {
   constexpr int kIterations = 4;
   const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
-  Eigen::VectorXd turn = eq1_.handedness();
   for (int i = 0; i < kIterations; ++i) {
     turn = kkt_.solve(turn, no_gap).step;
     turn.array() -= turn.mean();  // the piece as a whole does not turn
@@ -151,12 +150,20 @@ bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& d
   return true;
 }
 
-/// Leaves a saddle along the softest turn, to either side, as far as that promises more than at_least. The promise is
-/// by the curvature of the Lagrangian, whatever share of it is in the factor.
+/// Leaves a saddle along a soft turn, to either side, as far as that promises more than at_least. The promise is by the
+/// curvature of the Lagrangian, whatever share of it is in the factor. Close to the saddle a turn is sought until one
+/// falls: where the network is symmetric, its handedness may hold little of it.
 bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
                                 Eigen::VectorXd& psi, double& value) const {
-  const Eigen::VectorXd turn = softest_turn();
-  const double fall = -turn.dot(eq1_.laplacian() * turn + closure_hessian.cwiseProduct(turn));
+  constexpr int kMaxSearches = 10;
+  constexpr double kClose = 0.01;  // what is left to gain without leaving, over the value
+  const int searches = at_least < kClose * value ? kMaxSearches : 1;
+  Eigen::VectorXd turn = eq1_.handedness();
+  double fall = 0;
+  for (int i = 0; i < searches && !(fall > 0); ++i) {
+    turn = softer_turn(turn);
+    fall = -turn.dot(eq1_.laplacian() * turn + closure_hessian.cwiseProduct(turn));
+  }
   for (double t = kBend; fall * t * t > at_least && t > kSmallestStep; t /= 2) {
     const double promised = kSufficient * fall * t * t / 2;
     if (move(lengths, turn, t, promised, psi, value) || move(lengths, turn, -t, promised, psi, value)) return true;
