@@ -142,15 +142,15 @@ Refinement::Outcome Refinement::take_newton_step() {
   if (!system_.factorize(now_.uv, multipliers_, kExactHessian)) return Outcome::not_positive;
   const Step step = newton_step();
   const double slope = dot(gradient_, step.d);
-  if (-slope < worthwhile()) return Outcome::converged;
+  const bool is_last = -slope < worthwhile();
   for (const double t : {1.0, 0.5}) {  // shorter steps are better taken in a ball
     Iterate trial{now_.uv + t * step.d, now_.variation + t * step.variation};
     if (!evaluate(trial) || trial.value > now_.value + kSufficient * t * slope) continue;
     now_ = std::move(trial);
     multipliers_ += t * (step.multipliers - multipliers_);
-    return Outcome::accepted;
+    return is_last ? Outcome::converged : Outcome::accepted;
   }
-  return Outcome::rejected;
+  return is_last ? Outcome::converged : Outcome::rejected;
 }
 
 /// All elastic parts but those at a bound that would go beyond it: f falls by (Tᵀλ)_w per unit of h_w.
