@@ -35,7 +35,8 @@ double read_gap(py::handle value) {
 
 double read_fairness(py::handle value) {
   const double fairness = read_number(value, "Option fairness");
-  if (!(fairness >= Options::least_fairness && fairness <= Options::most_fairness)) refuse("fairness", value, "from 0.001 to 10");
+  if (!(fairness >= Options::least_fairness && fairness <= Options::most_fairness))
+    refuse("fairness", value, "from 0.001 to 10");
   return fairness;
 }
 
@@ -73,8 +74,8 @@ void bind_options(py::module_& module) {
                          "How to flatten. A value that is not known or out of range raises FlattenError "
                          "(invalid_option), here and when an attribute is set.");
   record.def(py::init([](const py::object& method, const py::object& node_weight, const py::object& inner,
-                         const py::object& fairness, const py::object& max_factorizations,
-                         const py::object& gap, const py::object& mirror) {
+                         const py::object& fairness, const py::object& max_factorizations, const py::object& gap,
+                         const py::object& mirror) {
                Options options;
                options.method = read_enum(method, "method", kMethods);
                options.node_weight = read_enum(node_weight, "node_weight", kNodeWeights);

@@ -84,7 +84,7 @@ void report_refinement(const RefinedChart& refined, PieceReport& report) {
   } else if (!refined.shape.converged) {
     report.warnings.push_back("The shape stopped short of the least distortion.");
   }
-  report.termination = refined.was_stopped         ? Termination::cancelled
+  report.termination = refined.was_stopped       ? Termination::cancelled
                        : report.warnings.empty() ? Termination::converged
                                                  : Termination::stalled;
 }

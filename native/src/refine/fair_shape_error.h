@@ -6,7 +6,8 @@
 //
 // Hessian of E, with the hat gradients g_i of a triangle as complex numbers and s_i = g_i · i ẑ:
 //
-//   H_ij = 2A g_i·g_j I − A κ s_i s_jᵀ,   κ = 1/|z|      κ > 1 where the triangle is compressed: there H may be indefinite
+//   H_ij = 2A g_i·g_j I − A κ s_i s_jᵀ,   κ = 1/|z|      κ > 1 where the triangle is compressed: there H may be
+//   indefinite
 //
 // The first term is the constant Laplacian. With det J = |z|² − |w|² the barrier has ∇_i det = g_i z − ḡ_i w, and its
 // Hessian without the term that could make it indefinite is 2ωA ∇det ∇detᵀ + ωA (⅒ − det J) M(ḡ_i g_j), M(a + ib) the
@@ -56,7 +57,7 @@ class FairShapeError {
 
  private:
   struct TriangleBlocks {
-    int order[3];                     // corners, by falling vertex index
+    int order[3];                         // corners, by falling vertex index
     VertexMatrix::Block off_diagonal[3];  // (0, 1), (0, 2), (1, 2) in this order
   };
 

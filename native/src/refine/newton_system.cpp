@@ -32,8 +32,8 @@ Eigen::VectorXd lumped_mass(const Chart& chart) {
     const auto origin = chart.mesh.point(chart.mesh.from_vertex_handle(h));
     const auto along = chart.mesh.point(chart.mesh.to_vertex_handle(h)) - origin;
     const auto back = chart.mesh.point(chart.mesh.to_vertex_handle(next)) - origin;
-    for (const VertexHandle v : {chart.mesh.from_vertex_handle(h), chart.mesh.to_vertex_handle(h),
-                                 chart.mesh.to_vertex_handle(next)}) {
+    for (const VertexHandle v :
+         {chart.mesh.from_vertex_handle(h), chart.mesh.to_vertex_handle(h), chart.mesh.to_vertex_handle(next)}) {
       mass[v.idx()] += (along % back).norm();
     }
   }
@@ -100,8 +100,7 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
     const double share = multipliers[e] < 0 ? convexity.negative_multipliers : 1;
     const double across = length > 0 ? share * multipliers[e] / length : 0;
     const Eigen::Vector2d d = directions_.row(e).transpose(), n(-d.y(), d.x());
-    const Eigen::Matrix2d block =
-        stiffness_share * stiffness_[e] * d * d.transpose() + across * n * n.transpose();
+    const Eigen::Matrix2d block = stiffness_share * stiffness_[e] * d * d.transpose() + across * n * n.transpose();
     matrix_.add_diagonal(edge.a, block);
     matrix_.add_diagonal(edge.b, block);
     matrix_.add(edge_blocks_[at(e)], -block);

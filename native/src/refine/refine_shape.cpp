@@ -17,14 +17,14 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kNearlyExact = 1e-8;   // |c| / l of a start that needs no step to exact lengths
-constexpr double kWorthwhile = 1e-9;    // decrease that a step must promise, over f
-constexpr double kIsometric = 1e-22;     // the same over the area: strains of 1e-11
-constexpr double kSufficient = 1e-4;    // share of the promised decrease that a Newton step must bring
-constexpr double kTrustworthy = 0.1;    // the same for a step in a ball
-constexpr double kVeryGood = 0.5;       // from here on a larger ball is tried
-constexpr double kShrink = 3;           // of the ball, after a bad step
-constexpr int kMaxRadii = 30;           // 3³⁰: no step, however short, goes down
+constexpr double kNearlyExact = 1e-8;  // |c| / l of a start that needs no step to exact lengths
+constexpr double kWorthwhile = 1e-9;   // decrease that a step must promise, over f
+constexpr double kIsometric = 1e-22;   // the same over the area: strains of 1e-11
+constexpr double kSufficient = 1e-4;   // share of the promised decrease that a Newton step must bring
+constexpr double kTrustworthy = 0.1;   // the same for a step in a ball
+constexpr double kVeryGood = 0.5;      // from here on a larger ball is tried
+constexpr double kShrink = 3;          // of the ball, after a bad step
+constexpr int kMaxRadii = 30;          // 3³⁰: no step, however short, goes down
 constexpr int kMaxKrylovSize = 15;
 constexpr double kStrongestBarrier = 1000;
 

@@ -4,7 +4,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kExact = 1e-13;    // |c| / l
+constexpr double kExact = 1e-13;     // |c| / l
 constexpr double kRounding = 1e-11;  // what short edges far from the origin can leave
 constexpr int kMaxSteps = 10;
 
