@@ -36,6 +36,11 @@ VIEWS = {
     "cushion": (-30, 28),
     "hat": (-40, 20),
     "carnival_mask": (-18, 6),
+    "jeans": (152, 8),
+    "wetsuit_collar": (-28, 16),
+    "wetsuit_upper_body": (-30, 10),
+    "toy": (-28, 14),
+    "armchair_cover": (-32, 20),
 }
 
 

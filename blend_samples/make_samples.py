@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the sample .blend files beside this script; needs no add-on:
 
-blender --background --factory-startup --python-exit-code 1 --python blend_samples/make_samples.py
+blender --background --factory-startup --python-exit-code 1 --python blend_samples/make_samples.py -- [SAMPLE ...]
 
 Run it in Blender 3.4, so that every later version opens the files. Two runs write the same geometry and marks.
 """
@@ -73,6 +73,10 @@ def add_mesh(shape: Shape) -> bpy.types.Mesh:
     return mesh
 
 
+def file_name(shape: Shape) -> str:
+    return f"{shape.name.lower().replace(' ', '_')}.blend"
+
+
 def write_sample(shape: Shape) -> Path:
     """One file with one object, in millimeters on the screen."""
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
@@ -82,12 +86,15 @@ def write_sample(shape: Shape) -> Path:
     bpy.context.scene.collection.objects.link(model)
     bpy.context.view_layer.objects.active = model
     model.select_set(True)
-    path = FOLDER / f"{shape.name.lower().replace(' ', '_')}.blend"
+    path = FOLDER / file_name(shape)
     bpy.ops.wm.save_as_mainfile(filepath=str(path), compress=True, check_existing=False)
     return path
 
 
 bpy.context.preferences.filepaths.save_version = 0  # no .blend1 beside a file that is written again
+wanted = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
 for sample in all_shapes():
+    if wanted and file_name(sample).removesuffix(".blend") not in wanted:
+        continue
     written = write_sample(sample)
     print(f"{written.name}: {len(sample.triangles())} triangles, {written.stat().st_size / 1000:.0f} kB")

@@ -1,35 +1,45 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures to colours: pale where nothing is distorted, dark red where much is; told apart without hue. No Blender."""
+"""Measures to colors that are told apart without hue: by lightness, or by warm and cold. No Blender in here."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
-# Linear RGB at equal steps from no distortion to the map's upper end: near white, yellow, orange, red, dark.
-_STOPS = np.array(
-    [(0.93, 0.93, 0.90), (0.98, 0.80, 0.35), (0.93, 0.42, 0.10), (0.65, 0.07, 0.08), (0.18, 0.01, 0.09)],
-    dtype=np.float32,
-)
+# Linear RGB at equal steps. From no distortion to the upper end: near white, yellow, orange, red, dark.
+_RISING = ((0.93, 0.93, 0.90), (0.98, 0.80, 0.35), (0.93, 0.42, 0.10), (0.65, 0.07, 0.08), (0.18, 0.01, 0.09))
+# From eased in over unchanged to stretched: blue, near white, orange.
+_TWO_SIDED = ((0.002, 0.08, 0.33), (0.10, 0.33, 0.66), (0.92, 0.90, 0.86), (0.89, 0.35, 0.05), (0.38, 0.05, 0.002))
 
 
 @dataclass(frozen=True)
 class ColorMap:
-    """A colour attribute of the flat mesh and the values at the two ends of its scale."""
+    """A color attribute of the flat mesh and the values at the two ends of its scale."""
 
     attribute: str
+    label: str
     low: float
     high: float
+    is_percent: bool = False
+    stops: tuple[tuple[float, float, float], ...] = _RISING
 
     def colors(self, values: np.ndarray) -> np.ndarray:
-        """(k,4) float32 linear RGBA; values beyond the scale get its end's colour."""
-        place = np.clip((values - self.low) / (self.high - self.low), 0, 1) * (len(_STOPS) - 1)
-        lower = np.minimum(place.astype(np.int32), len(_STOPS) - 2)
+        """(k,4) float32 linear RGBA; values beyond the scale get its end's color."""
+        stops = np.array(self.stops, dtype=np.float32)
+        place = np.clip((values - self.low) / (self.high - self.low), 0, 1) * (len(stops) - 1)
+        lower = np.minimum(place.astype(np.int32), len(stops) - 2)
         share = (place - lower).astype(np.float32)[:, None]
-        rgb = _STOPS[lower] * (1 - share) + _STOPS[lower + 1] * share
+        rgb = stops[lower] * (1 - share) + stops[lower + 1] * share
         return np.column_stack([rgb, np.ones(len(rgb), dtype=np.float32)]).astype(np.float32)
 
+    def number(self, value: float) -> str:
+        """A value as the scale writes it; of a scale with two sides, with its sign."""
+        sign = "+" if self.low < 0 < value else ""
+        return f"{sign}{100 * value:.4g} %" if self.is_percent else f"{sign}{value:.4g}"
 
-ARAP_ENERGY = ColorMap("arap_energy_color", 0.0, 0.1)  # energy by area
-ASPECT_RATIO = ColorMap("aspect_ratio_color", 1.0, 1.5)
-LENGTH_VARIATION = ColorMap("length_variation_color", 0.0, 0.1)
-COLOR_MAPS = (ASPECT_RATIO, ARAP_ENERGY, LENGTH_VARIATION)
+
+ASPECT_RATIO = ColorMap("aspect_ratio_color", "Aspect ratio", 1.0, 1.5)
+STRETCH = ColorMap("stretch_color", "Stretch of the cloth", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
+LENGTH_VARIATION = ColorMap("length_variation_color", "Length variation of edges", 0.0, 0.1, is_percent=True)
+ARAP_ENERGY = ColorMap("arap_energy_color", "ARAP energy by area", 0.0, 0.1)
+COLOR_MAPS = (ASPECT_RATIO, STRETCH, LENGTH_VARIATION, ARAP_ENERGY)
+NO_LAYOUT = np.array([0.16, 0.18, 0.22, 1.0], dtype=np.float32)  # on none of the scales

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .edge_keys import edge_keys
 from .flat_mesh import FlatMesh
 from .mesh_to_arrays import MeshArrays
 
@@ -21,14 +22,14 @@ class FlatMarks:
 def flat_marks(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> FlatMarks:
     """Of the flat edges (e,2), by the edges of the model they come from."""
     count = len(arrays.vertices)
-    keys = _keys(flat.source_vertex[flat_edges], count)
-    is_seam = np.isin(keys, _keys(arrays.seams, count))
+    keys = edge_keys(flat.source_vertex[flat_edges], count)
+    is_seam = np.isin(keys, edge_keys(arrays.seams, count))
     wire_ids, tolerances = np.zeros(len(keys), dtype=np.int32), np.zeros(len(keys), dtype=np.float32)
     if not arrays.wires:
         return FlatMarks(is_seam, wire_ids, tolerances)
 
     chains = [wire.chain for wire in arrays.wires]
-    wire_keys = np.concatenate([_keys(np.column_stack([c.vertices[:-1], c.vertices[1:]]), count) for c in chains])
+    wire_keys = np.concatenate([edge_keys(np.column_stack([c.vertices[:-1], c.vertices[1:]]), count) for c in chains])
     wire_of_key = np.repeat(np.arange(len(chains)), [len(chain.vertices) - 1 for chain in chains])
     order = np.argsort(wire_keys)
     place = np.searchsorted(wire_keys[order], keys).clip(max=len(order) - 1)
@@ -37,8 +38,3 @@ def flat_marks(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> Fl
     wire_ids[on_wire] = np.array([chain.wire_id for chain in chains], dtype=np.int32)[wire]
     tolerances[on_wire] = np.array([chain.tolerance for chain in chains], dtype=np.float32)[wire]
     return FlatMarks(is_seam, wire_ids, tolerances)
-
-
-def _keys(pairs: np.ndarray, count: int) -> np.ndarray:
-    """One number for each pair of vertices, whichever comes first."""
-    return np.sort(np.asarray(pairs, dtype=np.int64).reshape(-1, 2), axis=1) @ np.array([count, 1])

@@ -23,11 +23,14 @@ class FlatMesh:
     loop_vertices: np.ndarray  # (l,) int32
     polygon_starts: np.ndarray  # (f,) int32
     polygon_sizes: np.ndarray  # (f,) int32
+    source_corner: np.ndarray  # (l,) int32, corner (loop) of the source
+    source_face: np.ndarray  # (f,) int32, face of the source
     piece: np.ndarray  # (f,) int32, piece of each face
     failed: np.ndarray  # (f,) bool, the piece breaks a promise
     arap_energy: np.ndarray  # (f,) float32, Eq. (6)
     energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
     aspect_ratio: np.ndarray  # (f,) float32
+    stretch: np.ndarray  # (f,) float32: 0.1 is cloth that the model stretches by 10 %, in the mean of all directions
 
 
 def flat_mesh(result: Any, arrays: MeshArrays) -> FlatMesh:  # noqa: ANN401
@@ -45,19 +48,24 @@ def flat_mesh(result: Any, arrays: MeshArrays) -> FlatMesh:  # noqa: ANN401
     failed_piece = np.array([piece.error is not None for piece in result.pieces])
     first_triangle = np.searchsorted(arrays.triangle_polygons, np.arange(polygon_count))
     piece = piece_of_triangle[first_triangle][kept]
+    source_corner = _loops_of(arrays, kept)
     face_energy = np.add.reduceat(energy, first_triangle)[kept]
     face_area = np.add.reduceat(_areas(arrays.vertices, arrays.triangles), first_triangle)[kept]
+    flat_area = np.add.reduceat(_areas(_in_space(vertices), flat_triangles), first_triangle)[kept]
     return FlatMesh(
         vertices=vertices,
         source_vertex=source_vertex,
-        loop_vertices=vertex_of_loop[_loops_of(arrays, kept)],
+        loop_vertices=vertex_of_loop[source_corner],
         polygon_starts=(np.cumsum(sizes) - sizes).astype(np.int32),
         polygon_sizes=sizes,
+        source_corner=source_corner.astype(np.int32),
+        source_face=np.flatnonzero(kept).astype(np.int32),
         piece=piece,
         failed=failed_piece[piece],
         arap_energy=face_energy.astype(np.float32),
         energy_density=(face_energy / face_area).astype(np.float32),
         aspect_ratio=np.maximum.reduceat(ratio, first_triangle)[kept].astype(np.float32),
+        stretch=(np.sqrt(face_area / np.maximum(flat_area, 1e-12 * face_area)) - 1).astype(np.float32),
     )
 
 
@@ -103,6 +111,10 @@ def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
     starts = np.repeat(arrays.polygon_starts[kept], sizes)
     step = np.arange(sizes.sum()) - np.repeat(np.cumsum(sizes) - sizes, sizes)
     return starts + (np.repeat(sizes, sizes) - 1 - step if arrays.mirrored else step)
+
+
+def _in_space(points: np.ndarray) -> np.ndarray:
+    return np.column_stack([points, np.zeros(len(points))])
 
 
 def _areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:

@@ -7,19 +7,26 @@ from types import ModuleType
 from typing import Any
 
 import bpy
+import numpy as np
 
-from .flat_mesh import flat_mesh
+from .flat_mesh import FlatMesh, flat_mesh
 from .flatten_job import FlattenChoices, Progress, flatten_arrays, has_layout
+from .foreach import read
+from .helper_lines import helper_lines
 from .issues import ObjectError
 from .left_out import left_out
 from .mesh_to_arrays import MeshArrays, element_counts, object_to_arrays
+from .model_maps import model_maps
 from .model_state import model_state
+from .properties import FlattenSettings
 from .report import failure_report, object_report
 from .report_store import remember, store
 from .targets import check_target
 from .unit_text import meters_per_blender_unit
 from .wire_names import update_names
-from .write_flat_object import find_flat_object, show_flat_object, write_flat_object
+from .write_flat_object import find_flat_object, our_collection, show_flat_object, write_flat_object
+from .write_helper_wires import remove_helper_wires, write_helper_wires
+from .write_maps import remove_model_maps, write_model_maps
 from .write_uv import UV_LAYER, write_uv
 
 
@@ -67,26 +74,42 @@ def compute(
     return outcomes
 
 
-def write(context: bpy.types.Context, outcomes: list[Outcome], use_modifiers: bool) -> None:
-    """Writes UV layer, flat object and report of every object that has a layout."""
+def write(context: bpy.types.Context, outcomes: list[Outcome], settings: FlattenSettings) -> None:
+    """Writes UV layer, flat object, maps, helper wires and report of every object that has a layout."""
     for outcome in outcomes:
         if not outcome.has_layout:
             if find_flat_object(outcome.source):
                 outcome.report["notes"].append("Nothing was written: the flat pieces are those of an earlier run.")
             remember(outcome.source, outcome.report)
             continue
-        if not use_modifiers:
-            scale = write_uv(outcome.source.data, outcome.result.corner_uv, outcome.arrays)
-            outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": scale}
+        pieces = flat_mesh(outcome.result, outcome.arrays)
         if outcome.source.data.library is None:
             update_names(outcome.source.data, [wire.chain.wire_id for wire in outcome.arrays.wires])
-        flat = write_flat_object(
-            context.scene, outcome.source, flat_mesh(outcome.result, outcome.arrays), outcome.arrays
-        )
+        flat = write_flat_object(context.scene, outcome.source, pieces, outcome.arrays)
+        if not settings.use_modifiers:
+            _write_to_model(outcome, pieces, flat, settings.maps_on_model)
+        _write_helper_wires(context.scene, outcome, flat, settings.helper_wires)
         context.view_layer.update()
         outcome.report["flat_object"] = flat.name
         outcome.report["notes"] += show_flat_object(context.view_layer, flat)
         store(outcome.source, outcome.report)
+
+
+def _write_to_model(outcome: Outcome, pieces: FlatMesh, flat: bpy.types.Object, maps: bool) -> None:
+    mesh = outcome.source.data
+    scale = write_uv(mesh, outcome.result.corner_uv, outcome.arrays)
+    outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": scale}
+    if maps:
+        write_model_maps(mesh, model_maps(pieces, read(flat.data.edges, "vertices", np.int32, 2), outcome.arrays))
+    else:
+        remove_model_maps(mesh)
+
+
+def _write_helper_wires(scene: bpy.types.Scene, outcome: Outcome, flat: bpy.types.Object, shown: bool) -> None:
+    if shown:
+        write_helper_wires(our_collection(scene), outcome.source, flat, helper_lines(outcome.result))
+    else:
+        remove_helper_wires(outcome.source, flat)
 
 
 def _share(progress: Callable[[float], None], index: int, count: int) -> Progress:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What was gathered from a mesh for the panel, kept until the mesh changes, so that drawing need not read it again."""
+"""What was gathered from a mesh or object to be shown, kept until it changes: drawing need not read it again."""
 
 from collections.abc import Callable
 from typing import TypeVar
@@ -8,15 +8,25 @@ import bpy
 from bpy.app.handlers import persistent
 
 T = TypeVar("T")
-_kept: dict[str, dict[str, object]] = {}  # by mesh, then by what it is
+Owner = TypeVar("Owner", bpy.types.Mesh, bpy.types.Object)
+_kept: dict[tuple[str, str], dict[str, object]] = {}  # by owner, then by what it is
 
 
-def kept(mesh: bpy.types.Mesh, what: str, gather: Callable[[bpy.types.Mesh], T]) -> T:
-    """gather(mesh), from the last time if the mesh has not changed since."""
-    found = _kept.setdefault(mesh.name_full, {})
+def kept(owner: Owner, what: str, gather: Callable[[Owner], T]) -> T:
+    """gather(owner), from the last time if its geometry has not changed since. A selection may count as a change."""
+    found = _kept.setdefault(_key(owner), {})
     if what not in found:
-        found[what] = gather(mesh)
+        found[what] = gather(owner)
     return found[what]
+
+
+def stamp(owner: bpy.types.Mesh | bpy.types.Object) -> object:
+    """The same object until the owner's geometry changes, and never again the same after that."""
+    return kept(owner, "stamp", lambda _: object())
+
+
+def _key(owner: bpy.types.ID) -> tuple[str, str]:
+    return "Mesh" if isinstance(owner, bpy.types.Mesh) else "Object", owner.name_full
 
 
 @persistent
@@ -24,9 +34,10 @@ def _drop_changed(_scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> No
     for update in depsgraph.updates:
         changed = update.id
         if isinstance(changed, bpy.types.Mesh):
-            _kept.pop(changed.name_full, None)
+            _kept.pop(_key(changed), None)
         elif isinstance(changed, bpy.types.Object) and update.is_updated_geometry and changed.type == "MESH":
-            _kept.pop(changed.data.name_full, None)
+            _kept.pop(_key(changed), None)
+            _kept.pop(_key(changed.data), None)
 
 
 @persistent

@@ -44,7 +44,7 @@ def object_to_arrays(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | 
     linear = linear_part(source)
     if depsgraph is None:
         return _mesh_to_arrays(source.data, source.data, linear)
-    with _evaluated_mesh(source, depsgraph) as mesh:
+    with evaluated_mesh(source, depsgraph) as mesh:
         return _mesh_to_arrays(mesh, source.data, linear)
 
 
@@ -73,7 +73,7 @@ def element_counts(mesh: bpy.types.Mesh) -> dict[str, int]:
 
 
 @contextmanager
-def _evaluated_mesh(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[bpy.types.Mesh]:
+def evaluated_mesh(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[bpy.types.Mesh]:
     evaluated = source.evaluated_get(depsgraph)
     try:
         yield evaluated.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)

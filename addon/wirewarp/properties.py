@@ -11,6 +11,8 @@ from bpy.props import (
     PointerProperty,
 )
 
+from .redraw import redraw_views
+
 METHODS = [
     (
         "WIREWARP_PLUS_PLUS",
@@ -70,6 +72,18 @@ class FlattenSettings:
         "because the base mesh has no place for its UVs",
         default=False,
     )
+    helper_wires: BoolProperty(
+        name="Helper Wires",
+        description="Keep the wires that were added where a wire ends inside a piece, or where lines hang together "
+        "with no other, for the overlay to draw them on the model and on the pieces. They may take any length",
+        default=True,
+    )
+    maps_on_model: BoolProperty(
+        name="Model Maps",
+        description="Write the distortion to the faces and edges of the model too, as attributes and as colors, "
+        'named "wirewarp_...". The flat pieces always have them. Not with Modifiers',
+        default=False,
+    )
 
 
 def take_settings(operator: bpy.types.Operator, settings: FlattenSettings) -> None:
@@ -77,6 +91,10 @@ def take_settings(operator: bpy.types.Operator, settings: FlattenSettings) -> No
     for name in FlattenSettings.__annotations__:
         if not operator.properties.is_property_set(name):
             setattr(operator, name, getattr(settings, name))
+
+
+def _redraw(_settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
+    redraw_views()
 
 
 class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
@@ -90,6 +108,28 @@ class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
         soft_max=20.0,
         default=3.0,
         precision=2,
+    )
+    show_lines: BoolProperty(
+        name="Lines",
+        description="Draw seams and wires, helper wires and what failed over models and flat pieces",
+        default=True,
+        update=_redraw,
+    )
+    show_names: BoolProperty(
+        name="Names", description="Write the names of wires, seams and pieces", default=True, update=_redraw
+    )
+    shown_map: EnumProperty(
+        name="Map",
+        description="Measure by which models and flat pieces are colored in Object Mode",
+        items=[
+            ("NONE", "No Map", "Faces look as always"),
+            ("STRETCH_COLOR", "Stretch", "How much the model stretches the flat cloth, the mean of all directions"),
+            ("LENGTH_VARIATION_COLOR", "Length Variation", "How much longer or shorter edges become (E_L)"),
+            ("ASPECT_RATIO_COLOR", "Aspect Ratio", "The larger of longest stretch and inverse of the shortest (E_r)"),
+            ("ARAP_ENERGY_COLOR", "ARAP Energy", "Energy of the distortion by area (E_A)"),
+        ],
+        default="NONE",
+        update=_redraw,
     )
     show_all: BoolProperty(name="Show All", description="Show every line of the report, not only the worst")
 
@@ -111,9 +151,15 @@ def attach() -> None:
         description="The object these flat pieces were made from",
         type=bpy.types.Object,
     )
+    bpy.types.Object.wirewarp_helpers_of = PointerProperty(
+        name="Helper Wires Of",
+        description="The model or the flat pieces that these helper wires lie on",
+        type=bpy.types.Object,
+    )
 
 
 def detach() -> None:
+    del bpy.types.Object.wirewarp_helpers_of
     del bpy.types.Object.wirewarp_source
     del bpy.types.Mesh.wirewarp_names
     del bpy.types.Scene.wirewarp

@@ -3,7 +3,7 @@
 
 import bpy
 
-from . import mesh_cache, operators, properties, report_store, ui
+from . import mesh_cache, operators, overlay, properties, report_store, ui
 
 CLASSES = (*properties.CLASSES, *operators.CLASSES, *ui.CLASSES)
 
@@ -21,6 +21,7 @@ def unregister_classes() -> None:
 def register_ui() -> None:
     report_store.attach()
     mesh_cache.attach()
+    overlay.attach()
     bpy.types.VIEW3D_MT_edit_mesh_edges.append(ui.draw_edge_menu)
     bpy.types.VIEW3D_MT_edit_mesh_context_menu.append(ui.draw_context_menu)
 
@@ -28,5 +29,6 @@ def register_ui() -> None:
 def unregister_ui() -> None:
     bpy.types.VIEW3D_MT_edit_mesh_context_menu.remove(ui.draw_context_menu)
     bpy.types.VIEW3D_MT_edit_mesh_edges.remove(ui.draw_edge_menu)
+    overlay.detach()
     mesh_cache.detach()
     report_store.detach()

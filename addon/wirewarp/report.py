@@ -79,6 +79,7 @@ def _piece(index: int, piece: Any, arrays: MeshArrays, meters: float) -> dict:  
         "flipped_faces": len(polygons_of(arrays, metrics.flipped_faces)),
         "overlapping_faces": len(polygons_of(arrays, metrics.overlapping_faces)),
         "wires": [_wire(wire, meters) for wire in piece.wires],
+        "helper_wires": [_helper(wire, meters) for wire in piece.helper_wires],
         "outline": [_outline(chain, meters) for chain in piece.boundaries],
         "termination": str(piece.report.termination),
         "message": piece.report.message,
@@ -102,6 +103,10 @@ def _wire(wire: Any, meters: float) -> dict:  # noqa: ANN401
         "ok": bool(kept),
         "at_limit": str(wire.kind) == "elastic" and bool(abs(wire.variation) >= wire.tolerance - AT_LIMIT),
     }
+
+
+def _helper(wire: Any, meters: float) -> dict:  # noqa: ANN401
+    return {**lengths(wire.length_3d, [wire.length_2d], meters), "variation": number(wire.variation)}
 
 
 def _outline(chain: Any, meters: float) -> dict:  # noqa: ANN401

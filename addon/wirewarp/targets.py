@@ -14,10 +14,14 @@ from .write_uv import check_uv_room
 
 
 def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Every selected mesh and every mesh in Edit Mode, flat pieces of ours left out."""
+    """Every selected mesh and every mesh in Edit Mode, flat pieces and helper wires of ours left out."""
     edited = list(context.objects_in_mode) if context.mode == "EDIT_MESH" else []
     objects = dict.fromkeys([*edited, *context.selected_objects])
-    return [target for target in objects if target.type == "MESH" and target.wirewarp_source is None]
+    return [
+        target
+        for target in objects
+        if target.type == "MESH" and target.wirewarp_source is None and target.wirewarp_helpers_of is None
+    ]
 
 
 def check_target(target: bpy.types.Object, writes_uv: bool) -> None:

@@ -5,13 +5,14 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-from .color_maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION
 from .failed_pieces import show_failed
 from .flat_marks import FlatMarks, flat_marks
 from .flat_mesh import FlatMesh, edge_length_variation
+from .foreach import read
 from .mesh_to_arrays import MeshArrays
 from .wire_attributes import TOLERANCE, WIRE
 from .wire_names import copy_names
+from .write_maps import write_flat_maps
 
 COLLECTION = "WireWarp"
 
@@ -26,7 +27,7 @@ def write_flat_object(
         target.wirewarp_source = source
         target.location = _free_place(scene, source)
     if scene.objects.get(target.name) != target:
-        _collection(scene).objects.link(target)
+        our_collection(scene).objects.link(target)
     target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
     _write_mesh(target.data, flat, arrays)
     copy_names(source.data, target.data)
@@ -75,26 +76,13 @@ def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> Non
 
 
 def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
-    edges = np.empty(2 * len(mesh.edges), dtype=np.int32)
-    mesh.edges.foreach_get("vertices", edges)
-    edges = edges.reshape(-1, 2)
-    variation = edge_length_variation(flat, edges, arrays)
+    edges = read(mesh.edges, "vertices", np.int32, 2)
     _add(mesh, "source_vertex", "INT", "POINT", flat.source_vertex)
+    _add(mesh, "source_corner", "INT", "CORNER", flat.source_corner)
+    _add(mesh, "source_face", "INT", "FACE", flat.source_face)
     _add(mesh, "piece", "INT", "FACE", flat.piece)
-    _add(mesh, "arap_energy", "FLOAT", "FACE", flat.arap_energy)
-    _add(mesh, "aspect_ratio", "FLOAT", "FACE", flat.aspect_ratio)
-    _add(mesh, "length_variation", "FLOAT", "EDGE", variation)
+    write_flat_maps(mesh, flat, edge_length_variation(flat, edges, arrays))
     _write_marks(mesh, flat_marks(flat, edges, arrays))
-
-    ends = edges.ravel()
-    at_vertex = np.bincount(ends, np.repeat(variation, 2)) / np.bincount(ends)  # the mean of its edges
-    corner_face = np.repeat(np.arange(len(flat.polygon_sizes)), flat.polygon_sizes)
-    _add_color(mesh, ASPECT_RATIO.attribute, "CORNER", ASPECT_RATIO.colors(flat.aspect_ratio)[corner_face])
-    _add_color(mesh, ARAP_ENERGY.attribute, "CORNER", ARAP_ENERGY.colors(flat.energy_density)[corner_face])
-    _add_color(mesh, LENGTH_VARIATION.attribute, "POINT", LENGTH_VARIATION.colors(at_vertex))
-    shown = mesh.color_attributes.find(COLOR_MAPS[0].attribute)
-    mesh.color_attributes.active_color_index = shown
-    mesh.color_attributes.render_color_index = shown
 
 
 def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
@@ -109,11 +97,7 @@ def _add(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str, values: n
     mesh.attributes.new(name, data_type, domain).data.foreach_set("value", values)
 
 
-def _add_color(mesh: bpy.types.Mesh, name: str, domain: str, colors: np.ndarray) -> None:
-    mesh.color_attributes.new(name, "FLOAT_COLOR", domain).data.foreach_set("color", colors.ravel())
-
-
-def _collection(scene: bpy.types.Scene) -> bpy.types.Collection:
+def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
     """The scene's collection for flat pieces."""
     for collection in scene.collection.children_recursive:
         if collection.name == COLLECTION:

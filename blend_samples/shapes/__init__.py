@@ -3,20 +3,28 @@
 
 from __future__ import annotations
 
+from .armchair import armchair_cover
+from .collar import wetsuit_collar
 from .cushion import cushion
 from .developable import half_cylinder, lampshade
 from .hat import hat
+from .jeans import jeans
 from .mask import mask
 from .shape import Shape, ShapeBuilder, Wire
 from .spheres import ball, quarter_sphere
 from .top import fitted_top
+from .toy import toy
+from .wetsuit import wetsuit_upper_body
 
 __all__ = [
-    "Shape", "ShapeBuilder", "Wire", "all_shapes", "ball", "cushion", "fitted_top", "half_cylinder", "hat",
-    "lampshade", "mask", "quarter_sphere",
+    "Shape", "ShapeBuilder", "Wire", "all_shapes", "armchair_cover", "ball", "cushion", "fitted_top", "half_cylinder",
+    "hat", "jeans", "lampshade", "mask", "quarter_sphere", "toy", "wetsuit_collar", "wetsuit_upper_body",
 ]  # fmt: skip
 
 
 def all_shapes() -> list[Shape]:
     """Every sample, in the order in which the demo shows them."""
-    return [fitted_top(), quarter_sphere(), ball(), half_cylinder(), lampshade(), cushion(), hat(), mask()]
+    return [
+        fitted_top(), quarter_sphere(), ball(), half_cylinder(), lampshade(), cushion(), hat(), mask(),
+        jeans(), wetsuit_collar(), wetsuit_upper_body(), toy(), armchair_cover(),
+    ]  # fmt: skip

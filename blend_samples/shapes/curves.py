@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Smooth curves through a few points, and even spacing along them."""
+"""Smooth curves through or between points, even spacing along them, and the patch between four of them."""
 
 from __future__ import annotations
 
@@ -42,6 +42,27 @@ def even_parameters(curve: Callable[[np.ndarray], np.ndarray], begin: float, end
     """Parameters of count + 1 points at equal distances along curve(t), begin <= t <= end."""
     t = np.linspace(begin, end, 2001)
     return np.interp(np.linspace(0, 1, count + 1), chord_lengths(curve(t)), t)
+
+
+def hermite_curves(begin: np.ndarray, leave: np.ndarray, end: np.ndarray, arrive: np.ndarray, count: int) -> np.ndarray:
+    """(count + 1, n, d) points of cubic curves from begin to end (n, d) with the velocities leave and arrive there."""
+    t = np.linspace(0, 1, count + 1)[:, None, None]
+    return (
+        (1 + 2 * t) * (1 - t) ** 2 * begin
+        + t * (1 - t) ** 2 * leave
+        + t**2 * (3 - 2 * t) * end
+        - t**2 * (1 - t) * arrive
+    )
+
+
+def coons_patch(bottom: np.ndarray, top: np.ndarray, left: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """(r, c, d) points between bottom and top (c, d), from left to right, and left and right (r, d), upward."""
+    s, t = chord_lengths((bottom + top) / 2), chord_lengths((left + right) / 2)
+    s, t = s[None, :, None], t[:, None, None]
+    between_rows = (1 - t) * bottom + t * top
+    between_columns = (1 - s) * left[:, None] + s * right[:, None]
+    between_corners = (1 - t) * ((1 - s) * bottom[0] + s * bottom[-1]) + t * ((1 - s) * top[0] + s * top[-1])
+    return between_rows + between_columns - between_corners
 
 
 def _column(numbers: np.ndarray, values: np.ndarray) -> np.ndarray:

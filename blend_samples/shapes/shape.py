@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -57,13 +58,21 @@ class ShapeBuilder:
             indices.append(index)
         return np.array(indices).reshape(points.shape[:-1])
 
-    def add_grid(self, points: np.ndarray, flip: bool = False) -> np.ndarray:
-        """Quads between the rows of (r, c, 3) points, seen with rows upward and columns to the right unless flipped."""
+    def add_grid(self, points: np.ndarray, flip: bool = False, holes: np.ndarray | None = None) -> np.ndarray:
+        """Quads between the rows of (r, c, 3) points, seen with rows upward and columns to the right unless flipped.
+
+        holes (r - 1, c - 1) is true where there is no quad.
+        """
         grid = self.add_points(points)
-        for lower, upper in zip(grid[:-1], grid[1:], strict=True):
-            for corners in zip(lower[:-1], lower[1:], upper[1:], upper[:-1], strict=True):
-                self.add_face(corners, flip)
+        for row, (lower, upper) in enumerate(zip(grid[:-1], grid[1:], strict=True)):
+            for column, corners in enumerate(zip(lower[:-1], lower[1:], upper[1:], upper[:-1], strict=True)):
+                if holes is None or not holes[row, column]:
+                    self.add_face(corners, flip)
         return grid
+
+    def points(self, vertices: np.ndarray) -> np.ndarray:
+        """Positions (..., 3) of vertices (...)."""
+        return np.array(self._points)[vertices]
 
     def add_face(self, corners: tuple[int, ...], flip: bool = False) -> None:
         """One triangle or quad; a quad begins at an end of its shorter diagonal, along which it will be cut."""
@@ -74,15 +83,38 @@ class ShapeBuilder:
                 corners = corners[1:] + corners[:1]
         self._faces.append(corners)
 
+    def relax(self, share: Callable[[np.ndarray], np.ndarray], rounds: int) -> None:
+        """Moves every vertex, that share of the way, to the middle of its neighbors along edges of quads and triangles.
+
+        share(points) gives (n,) numbers from 0 to 1 for (n, 3) points. Open edges stay where they are.
+        """
+        sides = np.concatenate([np.column_stack([face, np.roll(face, -1)]) for face in self._faces])
+        edges, use = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
+        points = np.array(self._points)
+        strength = share(points)
+        strength[edges[use == 1]] = 0
+        count = np.bincount(edges.ravel(), minlength=len(points))
+        for _ in range(rounds):
+            total = np.zeros_like(points)
+            for a, b in ((0, 1), (1, 0)):
+                np.add.at(total, edges[:, a], points[edges[:, b]])
+            points += strength[:, None] * (total / count[:, None] - points)
+        self._points = list(points)
+
     def add_seam(self, chain: np.ndarray) -> None:
         """Cuts the surface along a chain of vertices."""
         self._seams.update((int(min(a, b)), int(max(a, b))) for a, b in zip(chain[:-1], chain[1:], strict=True))
 
-    def add_wire(self, chain: np.ndarray, name: str) -> None:
-        """Marks a rigid wire along a chain of vertices."""
-        self._wires.append(Wire([int(v) for v in chain], name))
+    def add_wire(self, chain: np.ndarray, name: str, tolerance: float = 0.0) -> None:
+        """Marks a wire along a chain of vertices: rigid, or elastic with a tolerance, 0.05 for 5 %."""
+        self._wires.append(Wire([int(v) for v in chain], name, tolerance))
 
     def build(self, name: str) -> Shape:
-        """The finished surface."""
-        seams = np.array(sorted(self._seams), dtype=np.int64).reshape(-1, 2)
-        return Shape(name, np.array(self._points), self._faces, seams, self._wires)
+        """The finished surface, without the points inside holes."""
+        used = np.unique(np.concatenate(self._faces))
+        number = np.full(len(self._points), -1)
+        number[used] = np.arange(len(used))
+        faces = [tuple(number[list(face)].tolist()) for face in self._faces]
+        seams = number[np.array(sorted(self._seams), dtype=np.int64).reshape(-1, 2)]
+        wires = [Wire(number[wire.vertices].tolist(), wire.name, wire.tolerance) for wire in self._wires]
+        return Shape(name, np.array(self._points)[used], faces, seams, wires)

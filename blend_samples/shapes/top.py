@@ -5,21 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from . import torso
-from .curves import chord_lengths, cubic_spline, even_parameters
+from . import bodice, torso
+from .curves import chord_lengths, hermite_curves
 from .shape import Shape, ShapeBuilder
 
-# The left armhole from the front underarm over the shoulder tip to the back underarm: distance x from the middle, and
-# how far down from the shoulder line (0) to the underarm (-1 in front, 1 behind).
-ARMHOLE = np.array(
-    [
-        [0.1700, -1.0], [0.1690, -0.975], [0.1600, -0.90], [0.1510, -0.75], [0.1500, -0.55], [0.1580, -0.32],
-        [0.1670, -0.13], [0.1680, 0.0], [0.1675, 0.13], [0.1630, 0.32], [0.1570, 0.55], [0.1570, 0.77],
-        [0.1640, 0.91], [0.1693, 0.975], [0.1700, 1.0],
-    ]
-)  # fmt: skip
-SHOULDER_TIP = 7  # row of ARMHOLE
-NECK_POINT = 0.072  # x
 NECK_DEPTH = {1: 0.40, -1: 0.12}  # of the neckline's middle, in v between shoulder line and underarm
 CUFF_CENTER = np.array([0.285, 0.005, 0.385])
 CUFF_RADII = np.array([0.058, 0.064])  # along the sleeve's underarm-to-shoulder direction, and front to back
@@ -60,56 +49,16 @@ def fitted_top(
 def _lower_rows(half: int, hem: int, ribs: int, columns: int) -> np.ndarray:
     """(hem + ribs + 1, columns + 1, 2) longitudes and v of level rows from the hip over the waist to the bust."""
     heights = np.concatenate([np.linspace(0, torso.WAIST, hem + 1), np.linspace(torso.WAIST, torso.BUST, ribs + 1)[1:]])
-    body = torso.Half(half)
-    rows = []
-    for height in heights:
-        v = torso.v_at_height(height)
-        phi = even_parameters(lambda t, v=v: body.points(t, np.full_like(t, v)), -np.pi / 2, np.pi / 2, columns)
-        rows.append(np.stack([phi, np.full_like(phi, v)], axis=-1))
-    return np.array(rows)
+    levels = [torso.v_at_height(z) for z in heights]
+    return np.array([bodice.level_row(torso.Half(half), v, -np.pi / 2, np.pi / 2, columns) for v in levels])
 
 
 def _upper_block(half: int, bust: np.ndarray, shoulder: int, neck: int, side: int, armhole: int) -> np.ndarray:
     """Longitudes and v of the rows from the bust line up to shoulders and neckline, between the armholes."""
     body = torso.Half(half)
     stub = np.linspace(bust[-1], [np.pi / 2, torso.UNDERARM_V], side + 1)
-    left = np.concatenate([stub[:-1], _evenly(body, _armhole(half), armhole)])
-    neckline = _evenly(body, _neckline(half), neck)
-    ridge = _evenly(body, np.linspace(neckline[-1], left[-1], 200), shoulder)
-    upper = np.concatenate([ridge[::-1] * [-1, 1], neckline[1:-1], ridge])
-
-    t = chord_lengths(body.points(left[:, 0], left[:, 1]))[:, None]
-    across = (1 - t) * bust[:, 0] / bust[-1, 0] + t * upper[:, 0] / upper[-1, 0]  # -1 at the right edge, 1 at the left
-    phi = left[:, :1] * across
-    height = (left[:, 1:] - bust[0, 1]) / (1 - bust[0, 1])  # of the left edge in the block, like t from 0 to 1
-    v = bust[0, 1] + (t + (height - t) * across**2) * (upper[:, 1] - bust[0, 1])
-    return np.stack([phi, v], axis=-1)
-
-
-def _armhole(half: int) -> np.ndarray:
-    """(n, 2) longitude and v from the underarm to the shoulder tip."""
-    loop = cubic_spline(chord_lengths(ARMHOLE * [4, 1]), ARMHOLE)(np.linspace(0, 1, 1601))
-    x, down = loop[loop[:, 1] <= 0].T if half > 0 else loop[::-1][loop[::-1, 1] >= 0].T
-    v = 1 - np.abs(down) * (1 - torso.UNDERARM_V)
-    curve = np.stack([torso.longitude_at(x, v), v], axis=-1)
-    curve[[0, -1]] = [np.pi / 2, torso.UNDERARM_V], [torso.longitude_at(ARMHOLE[SHOULDER_TIP, 0], 1.0), 1.0]
-    return curve
-
-
-def _neckline(half: int) -> np.ndarray:
-    end = np.radians(66)  # not vertical at the neck points, where the columns of the grid are
-    t = np.linspace(-end, end, 400)
-    depth = NECK_DEPTH[half] * (1 - torso.UNDERARM_V) * (np.cos(t) - np.cos(end)) / (1 - np.cos(end))
-    return np.stack([torso.longitude_at(NECK_POINT, 1.0) * np.sin(t) / np.sin(end), 1 - depth], axis=-1)
-
-
-def _evenly(body: torso.Half, curve: np.ndarray, count: int) -> np.ndarray:
-    """count + 1 points of a curve in longitude and v, at equal distances on the body; its ends are kept exactly."""
-    at = chord_lengths(body.points(curve[:, 0], curve[:, 1]))
-    even = np.linspace(0, 1, count + 1)
-    points = np.stack([np.interp(even, at, curve[:, k]) for k in range(2)], axis=-1)
-    points[[0, -1]] = curve[[0, -1]]
-    return points
+    left = np.concatenate([stub[:-1], bodice.evenly(body, bodice.armhole(half), armhole)])
+    return bodice.upper_block(bust, left, bodice.upper_edge(body, left[-1], NECK_DEPTH[half], shoulder, neck), body)
 
 
 def _sleeve(armhole: np.ndarray, rows: int) -> np.ndarray:
@@ -120,13 +69,5 @@ def _sleeve(armhole: np.ndarray, rows: int) -> np.ndarray:
     )
     across = np.array([-ARM[2], 0.0, ARM[0]])  # from the underarm to the shoulder
     ring = -np.cos(angle)[:, None] * across * CUFF_RADII[0] - np.sin(angle)[:, None] * [0, CUFF_RADII[1], 0]
-    t = np.linspace(0, 1, rows + 1)[:, None, None]
-    leave = CAP_FULLNESS * np.array([0.9, 0.0, -0.43])
-    arrive = CAP_FULLNESS * ARM
-    # Cubic Hermite curves along the arm.
-    return (
-        (1 + 2 * t) * (1 - t) ** 2 * armhole
-        + t * (1 - t) ** 2 * leave
-        + t**2 * (3 - 2 * t) * (CUFF_CENTER + ring)
-        - t**2 * (1 - t) * arrive
-    )
+    leave, arrive = CAP_FULLNESS * np.array([0.9, 0.0, -0.43]), CAP_FULLNESS * ARM
+    return hermite_curves(armhole, leave, CUFF_CENTER + ring, arrive, rows)

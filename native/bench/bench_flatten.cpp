@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole runs at 10k, 100k and 1M triangles with 2 and 8 wires: the time of each stage and the peak memory.
+// Whole runs at 10k, 100k and 1M triangles with 2 and 8 rigid wires and 8 elastic ones: the time of each stage and the
+// peak memory.
 #include <benchmark/benchmark.h>
 
 #include <map>
@@ -12,7 +13,8 @@ namespace wirewarp {
 namespace {
 
 void flatten_sheet(benchmark::State& state) {
-  const FlattenInput input = bumpy_sheet(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  const FlattenInput input = bumpy_sheet(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)),
+                                         static_cast<double>(state.range(2)) / 100);
   reset_peak_memory();
   std::map<std::string, double> seconds;
   for (auto _ : state) {
@@ -26,8 +28,9 @@ void flatten_sheet(benchmark::State& state) {
   state.counters["peak_MB"] = peak_memory_mb();
 }
 BENCHMARK(flatten_sheet)
-    ->ArgNames({"triangles", "wires"})
-    ->ArgsProduct({{10'000, 100'000, 1'000'000}, {2, 8}})
+    ->ArgNames({"triangles", "wires", "percent"})
+    ->ArgsProduct({{10'000, 100'000, 1'000'000}, {2, 8}, {0}})
+    ->ArgsProduct({{10'000, 100'000, 1'000'000}, {8}, {3}})
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface the benchmarks flatten, at any size. bench/compare_peers.py makes the same one.
+// The surface the benchmarks flatten, at any size. bench/peers.py makes the same one.
 #pragma once
 
 #include <cmath>
@@ -8,9 +8,9 @@
 
 namespace wirewarp {
 
-/// A smoothly bent sheet over the square [-1, 1]², about `triangles` triangles in even quads, with straight rigid wires
-/// across it: half of them (of an even number) in each direction.
-inline FlattenInput bumpy_sheet(int triangles, int wires) {
+/// A smoothly bent sheet over the square [-1, 1]², about `triangles` triangles in even quads, with straight wires
+/// across it, all of one tolerance: half of them (of an even number) in each direction.
+inline FlattenInput bumpy_sheet(int triangles, int wires, double tolerance, double height = 0.3) {
   const int n = static_cast<int>(std::lround(std::sqrt(triangles / 2.0)));
   const auto at = [n](int i, int j) { return j * (n + 1) + i; };
   FlattenInput input;
@@ -19,7 +19,7 @@ inline FlattenInput bumpy_sheet(int triangles, int wires) {
   for (int j = 0; j <= n; ++j) {
     for (int i = 0; i <= n; ++i) {
       const double x = 2.0 * i / n - 1, y = 2.0 * j / n - 1;
-      input.vertices.row(at(i, j)) << x, y, 0.3 * std::sin(3.1 * x + 0.4) * std::cos(2.7 * y - 0.3);
+      input.vertices.row(at(i, j)) << x, y, height * std::sin(3.1 * x + 0.4) * std::cos(2.7 * y - 0.3);
     }
   }
   for (int j = 0, f = 0; j < n; ++j) {
@@ -31,6 +31,7 @@ inline FlattenInput bumpy_sheet(int triangles, int wires) {
   for (int k = 1; k <= wires / 2; ++k) {
     const int line = k * n / (wires / 2 + 1);
     Wire along, across;
+    along.tolerance = across.tolerance = tolerance;
     for (int i = 0; i <= n; ++i) {
       along.vertices.push_back(at(i, line));
       across.vertices.push_back(at(line, i));

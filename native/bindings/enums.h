@@ -16,8 +16,8 @@ struct Named {
   const char* name;
 };
 
-inline constexpr Named<Method> kMethods[] = {{Method::wirewarping, "wirewarping"},
-                                             {Method::wirewarp_plus_plus, "wirewarp++"}};
+inline constexpr Named<Method> kMethods[] = {
+    {Method::wirewarping, "wirewarping"}, {Method::wirewarp_plus_plus, "wirewarp++"}, {Method::refined, "refined"}};
 
 inline constexpr Named<NodeWeight> kNodeWeights[] = {{NodeWeight::length, "length"}, {NodeWeight::uniform, "uniform"}};
 

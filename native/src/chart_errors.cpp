@@ -7,6 +7,8 @@
 
 namespace wirewarp {
 
+FlattenError cancelled() { return FlattenError(ErrorCode::cancelled, "Cancelled before this piece was flat."); }
+
 FlattenError infeasible_lengths(const Chart& chart, const WireNetwork& network, const std::vector<Wire>& wires,
                                 const InnerSolution& solution) {
   std::set<int> in_chart;

@@ -6,6 +6,9 @@
 
 namespace wirewarp {
 
+/// The caller's progress function asked to stop.
+FlattenError cancelled();
+
 /// The outline and the rigid wires contradict one another. solution: of Eq. (1), not feasible.
 FlattenError infeasible_lengths(const Chart& chart, const WireNetwork& network, const std::vector<Wire>& wires,
                                 const InnerSolution& solution);

@@ -2,6 +2,7 @@
 // The pipeline, top-down; the mathematics is in the files it names. native/README.md maps the paper to them.
 #include "wirewarp/flatten.h"
 
+#include <limits>
 #include <stdexcept>
 
 #include "chart_errors.h"
@@ -14,10 +15,18 @@
 #include "outer/choose_variation.h"
 #include "packing/pack_pieces.h"
 #include "progress_report.h"
+#include "refine/refine_chart.h"
 #include "topology/process_topology.h"
 
 namespace wirewarp {
 namespace {
+
+/// Asked at every step of a chart with the name of its stage; false cancels.
+using GoOn = std::function<bool(const char* stage)>;
+
+void begin_stage(const GoOn& go_on, const char* stage) {
+  if (!go_on(stage)) throw cancelled();
+}
 
 void report_solution(const OuterSolution& solution, PieceReport& report) {
   report.inner_solves = solution.inner_solves;
@@ -31,12 +40,11 @@ void report_solution(const OuterSolution& solution, PieceReport& report) {
   report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
 }
 
-/// The flat shape of one chart. Throws FlattenError where there is none or begin_stage cancels.
-void flatten_chart(const Chart& chart, const FlattenInput& input, const Options& options,
-                   const std::function<void(const char* stage)>& begin_stage, Layout& layout) {
+/// WireWarping and WireWarping++: the wires first, the surface follows (II).
+void warp_chart(const Chart& chart, const FlattenInput& input, const Options& options, const GoOn& go_on,
+                Layout& layout) {
   std::map<std::string, double>& seconds = layout.report.seconds;
-  begin_stage("wires");
-  if (std::optional<FlattenError> error = find_short_outline(chart)) throw std::move(*error);
+  begin_stage(go_on, "wires");
   std::optional<Chart> refined;
   WireNetwork network;
   {
@@ -46,7 +54,7 @@ void flatten_chart(const Chart& chart, const FlattenInput& input, const Options&
     layout.network = refined ? build_wire_network(chart) : network;
   }
   const Chart& prepared = refined ? *refined : chart;
-  begin_stage("interior");
+  begin_stage(go_on, "interior");
   std::optional<Warp> warp;  // ψ (II-A)
   {
     const StageTimer timer(seconds, "interior");
@@ -56,7 +64,7 @@ void flatten_chart(const Chart& chart, const FlattenInput& input, const Options&
   const StageTimer timer(seconds, "lengths");
   const VariationBounds bounds = variation_bounds(prepared, options);
   OuterSolution solution =
-      choose_variation(prepared, *warp, bounds, [&] { begin_stage("lengths"); });  // II-B, Algorithm 1
+      choose_variation(prepared, *warp, bounds, [&] { begin_stage(go_on, "lengths"); });  // II-B, Algorithm 1
   if (!solution.shape.inner.is_feasible) {
     throw infeasible_lengths(chart, *layout.network, input.wires, solution.shape.inner);
   }
@@ -67,29 +75,72 @@ void flatten_chart(const Chart& chart, const FlattenInput& input, const Options&
   layout.uv = std::move(solution.shape.uv);
 }
 
+void report_refinement(const RefinedChart& refined, PieceReport& report) {
+  report.inner_solves = refined.inner.num_solves;
+  report.outer_iterations = refined.shape.iterations;
+  report.factorizations = refined.shape.factorizations;
+  report.projected_gradient = std::numeric_limits<double>::quiet_NaN();
+  report.objective = refined.shape.objective;
+  if (refined.was_stopped) {
+    report.warnings.push_back("Cancelled: the lengths are exact, but the shape could be less distorted.");
+  } else if (!refined.shape.converged) {
+    report.warnings.push_back("The shape stopped short of the least distortion.");
+  }
+  report.termination = refined.was_stopped       ? Termination::cancelled
+                       : report.warnings.empty() ? Termination::converged
+                                                 : Termination::stalled;
+}
+
+/// The refined method: wires and surface at once, under the same exact lengths. Once those are reached, cancelling
+/// leaves the piece at the best shape so far.
+void refine_chart(const Chart& chart, const FlattenInput& input, const Options& options, const GoOn& go_on,
+                  Layout& layout) {
+  begin_stage(go_on, "shape");
+  const StageTimer timer(layout.report.seconds, "shape");
+  layout.network = build_wire_network(chart);
+  RefinedChart refined = refine_chart(chart, options, [&] { return go_on("shape"); });
+  if (!refined.shape.is_exact && refined.was_stopped) throw cancelled();
+  if (!refined.shape.is_exact) throw infeasible_lengths(chart, *layout.network, input.wires, refined.inner);
+  report_refinement(refined, layout.report);
+  layout.variation.assign(refined.shape.variation.begin(), refined.shape.variation.end());
+  layout.uv = std::move(refined.shape.uv);
+}
+
+const char* name_of(Method method) {
+  switch (method) {
+    case Method::wirewarping:
+      return "wirewarping";
+    case Method::wirewarp_plus_plus:
+      return "wirewarp++";
+    case Method::refined:
+      return "refined";
+  }
+  throw std::logic_error("not a Method");
+}
+
 std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& charts, const Options& options,
                                    ProgressReport& progress) {
   // Shares of a run's time at a million triangles.
-  const std::map<std::string, double> share_done{{"wires", 0.0}, {"interior", 0.1}, {"lengths", 0.6}};
+  const std::map<std::string, double> share_done{{"wires", 0.0}, {"interior", 0.1}, {"lengths", 0.6}, {"shape", 0.1}};
   std::vector<Layout> layouts(charts.charts.size());
   double faces_done = 0;
   for (std::size_t c = 0; c < layouts.size(); ++c) {
     const Chart& chart = charts.charts[c];
     Layout& layout = layouts[c];
     const auto chart_faces = static_cast<double>(chart.source_face.size());
-    const auto begin_stage = [&](const char* stage) {
+    const auto go_on = [&](const char* stage) {
       const double done = (faces_done + share_done.at(stage) * chart_faces) / static_cast<double>(input.faces.rows());
-      if (progress.go_on(stage, 0.2 + 0.7 * done)) return;
-      layout.report.termination = Termination::cancelled;
-      throw FlattenError(ErrorCode::cancelled, "Cancelled before this piece was flat.");
+      return progress.go_on(stage, 0.2 + 0.7 * done);
     };
     if (chart.error) {
       layout.error = with_proposed_seams(*chart.error, chart);
     } else {
       try {
-        flatten_chart(chart, input, options, begin_stage, layout);
+        if (std::optional<FlattenError> error = find_short_outline(chart)) throw std::move(*error);
+        (options.method == Method::refined ? refine_chart : warp_chart)(chart, input, options, go_on, layout);
       } catch (const FlattenError& error) {
         layout.error = error;
+        if (error.code == ErrorCode::cancelled) layout.report.termination = Termination::cancelled;
       } catch (const std::domain_error&) {  // a factorization broke down
         layout.error = not_solvable(chart);
       }
@@ -140,7 +191,7 @@ FlattenResult flatten(const FlattenInput& input, const Options& options, const P
     for (const auto& [stage, time] : piece.report.seconds) seconds[stage] += time;
   }
   result.seconds = seconds;
-  result.method = options.method == Method::wirewarping ? "wirewarping" : "wirewarp++";
+  result.method = name_of(options.method);
   return result;
 }
 

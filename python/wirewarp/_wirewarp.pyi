@@ -10,17 +10,21 @@ from ._errors import FlattenError
 __version__: str
 
 class Options:
-    method: Literal["wirewarping", "wirewarp++"]
+    method: Literal["wirewarping", "wirewarp++", "refined"]
     node_weight: Literal["length", "uniform"]
     inner: Literal["minimum", "least-norm"]
+    fairness: float
+    max_factorizations: int
     gap: float
     mirror: bool
     def __init__(
         self,
         *,
-        method: Literal["wirewarping", "wirewarp++"] = "wirewarp++",
+        method: Literal["wirewarping", "wirewarp++", "refined"] = "refined",
         node_weight: Literal["length", "uniform"] = "length",
         inner: Literal["minimum", "least-norm"] = "minimum",
+        fairness: float = 0.1,
+        max_factorizations: int = 100,
         gap: float = 0.03,
         mirror: bool = False,
     ) -> None: ...
@@ -142,6 +146,8 @@ class PieceReport:
     def constraint_residual(self) -> float: ...
     @property
     def projected_gradient(self) -> float: ...
+    @property
+    def objective(self) -> float: ...
     @property
     def seconds(self) -> dict[str, float]: ...
     def to_dict(self) -> dict[str, Any]: ...

@@ -40,10 +40,13 @@ def test_the_file_holds_what_the_script_makes(name):
     edges = edge_vertices(mesh)
     assert pairs(edges[read(mesh.edges, "use_seam", bool)]) == pairs(shape.seams)
     ids = read(mesh.attributes["wirewarp_wire"].data, "value", np.int32)
-    assert (read(mesh.attributes["wirewarp_tolerance"].data, "value", np.float32) == 0).all()
+    tolerances = read(mesh.attributes["wirewarp_tolerance"].data, "value", np.float32)
+    assert (tolerances[ids == 0] == 0).all()
     for wire in shape.wires:
         chain = np.column_stack([wire.vertices[:-1], wire.vertices[1:]])
-        assert pairs(edges[ids == zlib.crc32(wire.name.encode()) & 0x7FFFFFFF]) == pairs(chain)
+        own = ids == zlib.crc32(wire.name.encode()) & 0x7FFFFFFF
+        assert pairs(edges[own]) == pairs(chain)
+        assert (tolerances[own] == np.float32(wire.tolerance)).all()
     assert {entry.name for entry in mesh.wirewarp_names} == {wire.name for wire in shape.wires}
 
 

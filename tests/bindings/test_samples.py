@@ -39,18 +39,24 @@ def lengths(points, edges):
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_outline_and_wire_edges_keep_their_length(results, name):
+def test_outline_and_wire_edges_change_no_more_than_allowed(results, name):
     shape = SAMPLES[name]
-    marked = {tuple(sorted(pair)) for wire in shape.wires for pair in zip(wire.vertices, wire.vertices[1:])}  # noqa: B905
+    tolerance = {
+        tuple(sorted(pair)): wire.tolerance
+        for wire in shape.wires
+        for pair in zip(wire.vertices[:-1], wire.vertices[1:], strict=True)
+    }
     checked = set()
     for piece in results[name].pieces:
         assert piece.error is None
         edges, use = edges_with_use(piece.faces)
         source = np.sort(piece.source_vertex[edges], axis=1)
-        kept = (use == 1) | [tuple(pair) in marked for pair in source.tolist()]
-        assert lengths(piece.vertices, edges[kept]) == pytest.approx(lengths(shape.vertices, source[kept]), rel=1e-9)
-        checked |= set(map(tuple, source[kept].tolist()))
-    assert marked <= checked
+        allowed = np.array([tolerance.get(tuple(pair), np.inf) for pair in source.tolist()])
+        allowed[use == 1] = 0  # a wire along the outline is as rigid as the outline
+        change = lengths(piece.vertices, edges) / lengths(shape.vertices, source) - 1
+        assert (np.abs(change) <= allowed + 1e-9).all()
+        checked |= set(map(tuple, source[allowed < np.inf].tolist()))
+    assert tolerance.keys() <= checked
     assert {tuple(sorted(pair)) for pair in shape.seams.tolist()} <= checked
 
 
@@ -82,8 +88,9 @@ def test_the_inner_problem_takes_few_factorizations(results, name):
     # On the quarter sphere symmetry holds the wires straight: the least-norm steps stray, and a saddle is on the way.
     most = 24 if name == "Quarter sphere" else 16
     for piece in results[name].pieces:
-        assert 0 < piece.report.inner_solves <= most
-        assert piece.report.factorizations == 1
+        evaluations = piece.report.gradient_evaluations
+        assert 0 < piece.report.inner_solves <= most * (1 + evaluations)
+        assert piece.report.factorizations == (2 if evaluations else 1)  # one more to begin the choice of lengths
         assert piece.report.projected_gradient < 1e-10
 
 

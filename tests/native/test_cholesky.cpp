@@ -147,7 +147,7 @@ TEST(MultifrontalCholesky, FindsASingleNegativePivotWhereverItIs) {
 
 TEST(MultifrontalCholesky, IsPositiveDefiniteUpToTheSmallestEigenvalue) {
   for (CholeskyProblem& problem : cholesky_problems()) {
-    if (problem.lower.rows() > 400) continue;  // for the sake of the dense eigenvalues
+    if (problem.lower.rows() > 300) continue;  // for the sake of the dense eigenvalues
     SCOPED_TRACE(problem.name);
     const double smallest =
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full(problem.lower), Eigen::EigenvaluesOnly).eigenvalues()[0];

@@ -8,6 +8,7 @@ from .. import core
 from ..flatten_job import FlattenChoices
 from ..flatten_objects import compute, write
 from ..properties import LIBRARY_METHODS, FlattenSettings, take_settings
+from ..redraw import redraw_views
 from ..report_file import failure_text, run_report, success_text, write_json
 from ..targets import in_object_mode, mesh_targets
 from ..unit_text import meters_per_blender_unit
@@ -48,8 +49,8 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
         with in_object_mode(context):
             outcomes = self._compute(context, sources)
             anything = any(outcome.has_layout for outcome in outcomes)
-            write(context, outcomes, self.use_modifiers)
-        _redraw_sidebars(context)
+            write(context, outcomes, self)
+        redraw_views()  # Blender does so by itself after a run that changed data, but not after one that failed
         reports = [outcome.report for outcome in outcomes]
         if report_file:
             self._write_report(context, report_file, reports)
@@ -102,11 +103,3 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
         layout.use_property_split = True
         for name in FlattenSettings.__annotations__:
             layout.prop(self, name)
-
-
-def _redraw_sidebars(context: bpy.types.Context) -> None:
-    """Blender redraws by itself after a run that changed data, but not after one that only failed."""
-    for window in context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == "VIEW_3D":
-                area.tag_redraw()

@@ -2,9 +2,11 @@
 """The sidebar tab and the menu entries."""
 
 from .menus import draw_context_menu, draw_edge_menu
+from .overlay import VIEW3D_PT_wirewarp_overlay
 from .panel import VIEW3D_PT_wirewarp_flatten, VIEW3D_PT_wirewarp_mark
 from .report import (
     VIEW3D_PT_wirewarp_report,
+    VIEW3D_PT_wirewarp_report_helpers,
     VIEW3D_PT_wirewarp_report_outlines,
     VIEW3D_PT_wirewarp_report_pieces,
     VIEW3D_PT_wirewarp_report_seams,
@@ -16,10 +18,12 @@ CLASSES = (
     VIEW3D_PT_wirewarp_mark,
     VIEW3D_PT_wirewarp_wires,
     VIEW3D_PT_wirewarp_flatten,
+    VIEW3D_PT_wirewarp_overlay,
     VIEW3D_PT_wirewarp_report,
     VIEW3D_PT_wirewarp_report_seams,
     VIEW3D_PT_wirewarp_report_wires,
     VIEW3D_PT_wirewarp_report_outlines,
+    VIEW3D_PT_wirewarp_report_helpers,
     VIEW3D_PT_wirewarp_report_pieces,
 )
 

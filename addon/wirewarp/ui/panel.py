@@ -75,6 +75,8 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         column.prop(settings, "gap")
         column.prop(settings, "mirror")
         column.prop(settings, "use_modifiers")
+        column.prop(settings, "helper_wires")
+        column.prop(settings, "maps_on_model")
         if settings.method == "WIREWARPING" and _has_loose_wires(context):
             draw_sentence(context, layout, "This method keeps elastic and free wires rigid too.", "INFO")
 

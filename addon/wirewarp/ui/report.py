@@ -7,7 +7,7 @@ from ..model_state import has_changed
 from ..report_file import kept_text
 from ..report_store import last_report
 from .panel import SidebarPanel
-from .report_rows import outline_rows, piece_rows, seam_rows, wire_rows
+from .report_rows import helper_rows, outline_rows, piece_rows, seam_rows, wire_rows
 from .report_table import SHOWN_ROWS, draw_heading, draw_table
 from .text import draw_sentence
 
@@ -92,6 +92,12 @@ class VIEW3D_PT_wirewarp_report_outlines(ReportTable, bpy.types.Panel):
     bl_label = "Outlines"
     bl_options = {"DEFAULT_CLOSED"}
     rows = staticmethod(outline_rows)
+
+
+class VIEW3D_PT_wirewarp_report_helpers(ReportTable, bpy.types.Panel):
+    bl_label = "Helper Wires"
+    bl_options = {"DEFAULT_CLOSED"}
+    rows = staticmethod(helper_rows)
 
 
 class VIEW3D_PT_wirewarp_report_pieces(SidebarPanel, bpy.types.Panel):

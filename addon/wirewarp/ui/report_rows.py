@@ -90,6 +90,15 @@ def outline_rows(report: dict) -> list[ReportRow]:
     return _worst_first(rows)
 
 
+def helper_rows(report: dict) -> list[ReportRow]:
+    """The wires that were added, numbered through all pieces; they may take any length."""
+    helpers = [(piece["index"], wire) for piece in report["pieces"] for wire in piece.get("helper_wires", [])]
+    return [
+        ReportRow(f"Helper {number}, piece {index + 1}", True, _sides(wire, [""]))
+        for number, (index, wire) in enumerate(helpers, start=1)
+    ]
+
+
 def piece_rows(report: dict) -> list[tuple[int, bool, list[str]]]:
     """(index, ok, lines) of each piece, failed ones first."""
     rows = []

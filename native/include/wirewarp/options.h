@@ -7,6 +7,7 @@ namespace wirewarp {
 enum class Method {
   wirewarping,         // paper II-A: all wires rigid, planar angles closest to the surface angles (Eq. 1)
   wirewarp_plus_plus,  // paper II-B: the same, with the lengths of elastic wires chosen for the least distortion
+  refined,             // beyond the paper: the least distorted shape of all those with such lengths
 };
 
 /// Weight of a wire-node in Eq. (1).
@@ -23,9 +24,19 @@ enum class Inner {
 };
 
 struct Options {
-  Method method = Method::wirewarp_plus_plus;
+  Method method = Method::refined;
   NodeWeight node_weight = NodeWeight::length;
   Inner inner = Inner::minimum;
+
+  /// Of the refined method: the shortest wiggle of an outline or wire that is left alone, over the square root of the
+  /// piece's area. Larger: smoother lines, more distortion inside. In [least_fairness, most_fairness].
+  double fairness = 0.1;
+  static constexpr double least_fairness = 0.001;
+  static constexpr double most_fairness = 10;
+
+  /// Of the refined method: after so many factorizations of a Newton system a piece stops at the shape it has. At
+  /// least 1.
+  int max_factorizations = 100;
 
   /// Space between packed pieces, as a fraction of the side of a square with the area of all pieces. In [0, 1].
   double gap = 0.03;

@@ -87,9 +87,10 @@ struct PieceReport {
   int inner_solves = 0;  // factorizations of the inner problem (Eq. 1)
   int outer_iterations = 0;
   int gradient_evaluations = 0;
-  int factorizations = 0;                 // of the interior placement
-  double constraint_residual = 0;         // largest gap of a wire loop at the end / its length
-  double projected_gradient = 0;          // of Eq. (1) at the end, mean node weight 1; NaN: least-norm
+  int factorizations = 0;          // of the interior placement and free flattening; refined: of Newton systems
+  double constraint_residual = 0;  // largest gap of a wire loop at the end / its length; refined: 0, see max_edge_error
+  double projected_gradient = 0;   // of Eq. (1) at the end, mean node weight 1; NaN: least-norm, refined
+  double objective = 0;            // what the refined method minimizes: arap_energy + angle term; NaN: other methods
   std::map<std::string, double> seconds;  // per stage
 };
 

@@ -81,9 +81,16 @@ void check_wire(const FlattenInput& input, const EdgeTable& edges, std::size_t w
 }  // namespace
 
 void check_options(const Options& options) {
-  if (options.gap >= 0 && options.gap <= 1) return;
-  throw FlattenError(ErrorCode::invalid_option,
-                     "The option gap is " + std::to_string(options.gap) + ": it must lie between 0 and 1.");
+  const auto refuse = [](const std::string& name, const std::string& value, const std::string& allowed) {
+    throw FlattenError(ErrorCode::invalid_option, "The option " + name + " is " + value + ": it must " + allowed + ".");
+  };
+  if (!(options.gap >= 0 && options.gap <= 1)) refuse("gap", std::to_string(options.gap), "lie between 0 and 1");
+  if (!(options.fairness >= Options::least_fairness && options.fairness <= Options::most_fairness)) {
+    refuse("fairness", std::to_string(options.fairness), "lie between 0.001 and 10");
+  }
+  if (options.max_factorizations < 1) {
+    refuse("max_factorizations", std::to_string(options.max_factorizations), "be at least 1");
+  }
 }
 
 void check_mesh(const FlattenInput& input) {

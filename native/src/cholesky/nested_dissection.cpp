@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
+#include "cholesky/cut_cover.h"
 #include "index.h"
 
 namespace wirewarp {
@@ -19,7 +21,11 @@ constexpr std::array<std::array<double, 2>, 4> kDirections = {{{1, 0}, {0, 1}, {
 class Dissection {
  public:
   Dissection(const Graph& graph, const Positions2& positions)
-      : graph_(graph), positions_(positions), side_(at(graph.num_vertices()), kOutside), keys_(side_.size()) {}
+      : graph_(graph),
+        positions_(positions),
+        cover_(graph),
+        side_(at(graph.num_vertices()), Side::outside),
+        keys_(side_.size()) {}
 
   DissectionTree run() {
     std::vector<int> vertices(side_.size());
@@ -30,7 +36,6 @@ class Dissection {
 
  private:
   using Iterator = std::vector<int>::iterator;
-  enum Side : char { kOutside, kLower, kUpper, kLowerCut, kUpperCut };
   struct Cut {
     int lower = 0, upper = 0;  // vertices of each half with neighbors in the other
     int smaller() const { return std::min(lower, upper); }
@@ -40,13 +45,11 @@ class Dissection {
   std::vector<int> dissect(Iterator begin, Iterator end) {
     if (begin == end) return {};
     if (end - begin <= kLeafSize) return {append(begin, end, {})};
-    const Side separator = split(begin, end);
-    const auto is_lower = [&](int v) {
-      return side_[at(v)] == kLower || (side_[at(v)] == kLowerCut && separator == kUpperCut);
-    };
-    const auto lower_end = std::partition(begin, end, is_lower);
-    const auto upper_end = std::partition(lower_end, end, [&](int v) { return side_[at(v)] != separator; });
-    for (auto v = begin; v != end; ++v) side_[at(*v)] = kOutside;
+    split(begin, end);
+    const auto is_on = [this](Side side) { return [this, side](int v) { return side_[at(v)] == side; }; };
+    const auto lower_end = std::partition(begin, end, is_on(Side::lower));
+    const auto upper_end = std::partition(lower_end, end, is_on(Side::upper));
+    for (auto v = begin; v != end; ++v) side_[at(*v)] = Side::outside;
 
     std::vector<int> roots = dissect(begin, lower_end);
     for (int root : dissect(lower_end, upper_end)) roots.push_back(root);
@@ -62,48 +65,52 @@ class Dissection {
     return node;
   }
 
-  /// Marks the halves and their cuts in the direction with the smallest separator; says which cut that is.
-  Side split(Iterator begin, Iterator end) {
+  /// Marks the halves in the direction with the smallest cut, and the separator.
+  void split(Iterator begin, Iterator end) {
     Cut best;
     std::size_t best_direction = kDirections.size();
-    Cut cut;
     for (std::size_t d = 0; d < kDirections.size(); ++d) {
-      cut = split(begin, end, kDirections[d]);
+      const Cut cut = halve(begin, end, kDirections[d]);
       if (best_direction < kDirections.size() && cut.smaller() >= best.smaller()) continue;
       best = cut;
       best_direction = d;
     }
-    if (best_direction + 1 != kDirections.size()) split(begin, end, kDirections[best_direction]);
-    return best.lower <= best.upper ? kLowerCut : kUpperCut;
+    if (best_direction + 1 != kDirections.size()) halve(begin, end, kDirections[best_direction]);
+    std::vector<int> cut;
+    std::copy_if(begin, end, std::back_inserter(cut),
+                 [this](int v) { return side_[at(v)] == Side::lower_cut || side_[at(v)] == Side::upper_cut; });
+    cover_.separate(cut, side_);
   }
 
-  Cut split(Iterator begin, Iterator end, const std::array<double, 2>& direction) {
+  /// Marks the halves and their cuts in one direction.
+  Cut halve(Iterator begin, Iterator end, const std::array<double, 2>& direction) {
     const auto middle = keys_.begin() + (end - begin) / 2;
     const auto last = std::transform(begin, end, keys_.begin(), [&](int v) {
       return std::pair{direction[0] * positions_(v, 0) + direction[1] * positions_(v, 1), v};
     });
     std::nth_element(keys_.begin(), middle, last);
-    for (auto key = keys_.begin(); key != middle; ++key) side_[at(key->second)] = kLower;
-    for (auto key = middle; key != last; ++key) side_[at(key->second)] = kUpper;
+    for (auto key = keys_.begin(); key != middle; ++key) side_[at(key->second)] = Side::lower;
+    for (auto key = middle; key != last; ++key) side_[at(key->second)] = Side::upper;
 
     Cut cut;
     for (auto key = keys_.begin(); key != middle; ++key) {
       const int v = key->second;
       for (int i = graph_.start[at(v)]; i < graph_.start[at(v) + 1]; ++i) {
         Side& neighbor = side_[at(graph_.neighbors[at(i)])];
-        if (neighbor == kUpper) {
-          neighbor = kUpperCut;
+        if (neighbor == Side::upper) {
+          neighbor = Side::upper_cut;
           ++cut.upper;
         }
-        if (neighbor == kUpperCut) side_[at(v)] = kLowerCut;
+        if (neighbor == Side::upper_cut) side_[at(v)] = Side::lower_cut;
       }
-      if (side_[at(v)] == kLowerCut) ++cut.lower;
+      if (side_[at(v)] == Side::lower_cut) ++cut.lower;
     }
     return cut;
   }
 
   const Graph& graph_;
   const Positions2& positions_;
+  CutCover cover_;
   std::vector<Side> side_;  // of each vertex of the set that is being split
   std::vector<std::pair<double, int>> keys_;
   DissectionTree tree_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inner/inner_problem.h"
 
+#include <algorithm>
+
 namespace wirewarp {
 namespace {
 
@@ -12,14 +14,25 @@ constexpr int kMaxSteps = 100;
 constexpr double kSmallestStep = 1e-6;
 constexpr double kSufficient = 1e-4;  // share of the promised decrease
 constexpr double kBend = 0.3;         // radians at the edge that turns most
+constexpr double kLongestTurn = 2;    // radians of two edges against each other: beyond, no gap is linear in headings
+constexpr double kHeld = 0.4;         // share of the gap that a whole step leaves only where symmetry is in the way
 
 double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
 
 }  // namespace
 
 InnerSolution InnerProblem::solve(const Eigen::VectorXd& lengths, Inner inner) {
+  return solve_from(Eigen::VectorXd::Zero(eq1_.num_edges()), lengths, inner);
+}
+
+InnerSolution InnerProblem::follow(const InnerSolution& from, const Eigen::VectorXd& lengths) {
+  return solve_from(from.psi, lengths, Inner::minimum);
+}
+
+InnerSolution InnerProblem::solve_from(const Eigen::VectorXd& start, const Eigen::VectorXd& lengths, Inner inner) {
   const int solves_before = kkt_.num_factorizations();
   InnerSolution solution;
+  solution.psi = start;
   solution.is_feasible = close_loops(lengths, solution.psi);
   if (solution.is_feasible) solution.is_minimum = inner == Inner::least_norm || minimize(lengths, solution);
   solution.headings = eq1_.headings(solution.psi);
@@ -42,25 +55,27 @@ Eigen::VectorXd InnerProblem::total_derivative(const InnerSolution& solution, co
 }
 
 /// The paper's least-norm steps: the smallest weighted change of the current angles that closes the linearized loops,
-/// shortened where the gap would not shrink. Where that happens, symmetry holds a wire straight that must bend to
-/// become shorter, which no linearization sees: it is bent once, the way that takes the least effort.
+/// shortened where edges would turn too far or the gap would not shrink. Where it hardly shrinks, symmetry holds a
+/// wire straight that must bend to become shorter, which no linearization sees: it is bent once, the way that takes the
+/// least effort. Leaves the factor of the last step, or of the start where nothing is open.
 bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) {
-  psi = Eigen::VectorXd::Zero(eq1_.num_edges());
-  const Eigen::VectorXd zero = psi;
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(eq1_.num_edges());
   Eigen::VectorXd gap = eq1_.closure(psi, lengths);
   bool has_bent = false;
-  for (int i = 0; i < kMaxSteps && largest(gap) > kRounding; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const Eigen::SparseMatrix<double> jacobian = eq1_.closure_jacobian(psi, lengths);
     kkt_.factor(eq1_.laplacian(), zero, jacobian);
+    if (largest(gap) <= kRounding) return true;
     const KktSystem::Solution closing = kkt_.solve(zero, -gap);
-    double t = 1;
-    while (!(eq1_.closure(psi + t * closing.step, lengths).norm() < (1 - 1e-3 * t) * gap.norm()) && t > kSmallestStep) {
-      t /= 2;
-    }
-    if (t < 1 && !has_bent) {
+    const auto share_left = [&](double t) { return eq1_.closure(psi + t * closing.step, lengths).norm() / gap.norm(); };
+    const double longest = std::min(1.0, kLongestTurn / (closing.step.maxCoeff() - closing.step.minCoeff()));
+    double t = longest;
+    while (!(share_left(t) < 1 - 1e-3 * t) && t > kSmallestStep) t /= 2;
+    const bool is_held = t < longest || (t == 1 && share_left(t) > kHeld);
+    if (is_held && !has_bent) {
       double share = 0.5;
       factor_downhill(eq1_.closure_hessian(psi, lengths, closing.multipliers), jacobian, share);
-      psi += kBend * softest_turn();
+      psi += kBend * softer_turn(eq1_.handedness());
       gap = eq1_.closure(psi, lengths);
       has_bent = true;
       continue;
@@ -108,13 +123,12 @@ bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const
   return false;
 }
 
-/// The change of headings along the closed loops that the factored matrix resists least, largest entry 1: inverse
-/// iteration. It starts from the handedness of the network, so that of two mirror images the same one is found whatever
-/// the numbering.
-Eigen::VectorXd InnerProblem::softest_turn() const {
+/// A change of headings along the closed loops, largest entry 1, on its way to the one that the factored matrix resists
+/// least: a few steps of inverse iteration. Begun at the handedness of the network, of two mirror images the same one
+/// is found whatever the numbering.
+Eigen::VectorXd InnerProblem::softer_turn(Eigen::VectorXd turn) const {
   constexpr int kIterations = 4;
   const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
-  Eigen::VectorXd turn = eq1_.handedness();
   for (int i = 0; i < kIterations; ++i) {
     turn = kkt_.solve(turn, no_gap).step;
     turn.array() -= turn.mean();  // the piece as a whole does not turn
@@ -136,12 +150,20 @@ bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& d
   return true;
 }
 
-/// Leaves a saddle along the softest turn, to either side, as far as that promises more than at_least. The promise is
-/// by the curvature of the Lagrangian, whatever share of it is in the factor.
+/// Leaves a saddle along a soft turn, to either side, as far as that promises more than at_least. The promise is by the
+/// curvature of the Lagrangian, whatever share of it is in the factor. Close to the saddle a turn is sought until one
+/// falls: where the network is symmetric, its handedness may hold little of it.
 bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
                                 Eigen::VectorXd& psi, double& value) const {
-  const Eigen::VectorXd turn = softest_turn();
-  const double fall = -turn.dot(eq1_.laplacian() * turn + closure_hessian.cwiseProduct(turn));
+  constexpr int kMaxSearches = 10;
+  constexpr double kClose = 0.01;  // what is left to gain without leaving, over the value
+  const int searches = at_least < kClose * value ? kMaxSearches : 1;
+  Eigen::VectorXd turn = eq1_.handedness();
+  double fall = 0;
+  for (int i = 0; i < searches && !(fall > 0); ++i) {
+    turn = softer_turn(turn);
+    fall = -turn.dot(eq1_.laplacian() * turn + closure_hessian.cwiseProduct(turn));
+  }
   for (double t = kBend; fall * t * t > at_least && t > kSmallestStep; t /= 2) {
     const double promised = kSufficient * fall * t * t / 2;
     if (move(lengths, turn, t, promised, psi, value) || move(lengths, turn, -t, promised, psi, value)) return true;
@@ -151,20 +173,17 @@ bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::Vec
 
 /// Feasible sequential quadratic programming with the exact Hessian of the Lagrangian: every iterate closes. Ends where
 /// the projected gradient vanishes and the inertia says that this is a minimum; a saddle is left along the direction in
-/// which it falls.
+/// which it falls. The first multipliers are those of the factor that closed the loops.
 bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solution) {
   Eigen::VectorXd& psi = solution.psi;
   Eigen::VectorXd& multipliers = solution.multipliers;
   const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
   double curvature_share = 0.5;
   double value = eq1_.angle_variation(psi);
+  multipliers = kkt_.solve(-eq1_.gradient(psi), no_gap).multipliers;
   for (int i = 0; i < kMaxSteps; ++i) {
     const Eigen::VectorXd gradient = eq1_.gradient(psi);
     const Eigen::SparseMatrix<double> jacobian = eq1_.closure_jacobian(psi, lengths);
-    if (i == 0) {
-      kkt_.factor(eq1_.laplacian(), Eigen::VectorXd::Zero(eq1_.num_edges()), jacobian);
-      multipliers = kkt_.solve(-gradient, no_gap).multipliers;
-    }
     solution.projected_gradient = largest(gradient + jacobian.transpose() * multipliers);
     const Eigen::VectorXd closure_hessian = eq1_.closure_hessian(psi, lengths, multipliers);
     const bool is_convex = factor_downhill(closure_hessian, jacobian, curvature_share);

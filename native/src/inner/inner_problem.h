@@ -30,6 +30,10 @@ class InnerProblem {
   /// loop closes (Inner::least_norm). lengths: positive, scene units, #wire edges.
   InnerSolution solve(const Eigen::VectorXd& lengths, Inner inner);
 
+  /// The local minimum of Eq. (1) for these lengths reached from the solution for others, which keeps to one branch of
+  /// minima where there are several, and takes few factorizations.
+  InnerSolution follow(const InnerSolution& from, const Eigen::VectorXd& lengths);
+
   /// For a function E(φ, l) of the solved network: its derivative by the lengths alone, φ following them along the
   /// minima of Eq. (1). One factorization and one solve, however many lengths there are.
   /// by_headings, by_lengths: ∂E/∂φ, ∂E/∂l at the solution, a minimum. #wire edges each.
@@ -39,12 +43,13 @@ class InnerProblem {
   int num_factorizations() const { return kkt_.num_factorizations(); }
 
  private:
+  InnerSolution solve_from(const Eigen::VectorXd& start, const Eigen::VectorXd& lengths, Inner inner);
   bool close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi);
   bool restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const;
   bool minimize(const Eigen::VectorXd& lengths, InnerSolution& solution);
   bool factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
                        double& share);
-  Eigen::VectorXd softest_turn() const;
+  Eigen::VectorXd softer_turn(Eigen::VectorXd turn) const;
   bool move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& direction, double t, double decrease,
             Eigen::VectorXd& psi, double& value) const;
   bool leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,

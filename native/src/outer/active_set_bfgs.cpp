@@ -2,6 +2,7 @@
 #include "outer/active_set_bfgs.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <vector>
 
 namespace wirewarp {
@@ -18,6 +19,9 @@ void update_hessian(const Eigen::VectorXd& step, Eigen::VectorXd change, Eigen::
   }
   b += change * change.transpose() / step.dot(change) - b_step * b_step.transpose() / curvature;
 }
+
+/// Where the parabola has its minimum that leaves 0 with the given slope and rises by `rise` until 1; not too near 0.
+double shorter_by(double slope, double rise) { return std::clamp(-slope / (2 * (rise - slope)), 0.1, 0.5); }
 
 }  // namespace
 
@@ -55,7 +59,7 @@ BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& l
                            const Eigen::VectorXd& start, double tolerance, int max_evaluations) {
   constexpr double kDecrease = 1e-4;   // of the slope, in the line search
   constexpr double kFirstStep = 0.02;  // largest entry of the first steepest descent step
-  constexpr double kSmallestStep = 1e-8;
+  constexpr double kSmallestStep = 1e-5;
   BoxMinimum best;
   best.x = start;
   ValueAndGradient here = function(start).value();
@@ -70,18 +74,20 @@ BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& l
     }
     const Eigen::VectorXd direction = minimize_model_in_box(here.gradient, hessian, lower - best.x, upper - best.x);
     const double slope = here.gradient.dot(direction);
-    if (-slope <= tolerance * best.value) {
+    const double promised = -slope - direction.dot(hessian * direction) / 2;
+    if (promised <= tolerance * best.value) {
       best.converged = true;
       break;
     }
     std::optional<ValueAndGradient> there;
     Eigen::VectorXd trial;
     double t = 1;
-    for (; t > kSmallestStep && best.evaluations < max_evaluations; t /= 2) {
+    while (t > kSmallestStep && best.evaluations < max_evaluations) {
       trial = (best.x + t * direction).cwiseMax(lower).cwiseMin(upper);
       there = function(trial);
       ++best.evaluations;
       if (there && there->value <= best.value + kDecrease * t * slope) break;
+      t *= there ? shorter_by(slope * t, there->value - best.value) : 0.5;
       there.reset();
     }
     if (!there) break;

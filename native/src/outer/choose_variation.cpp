@@ -4,52 +4,47 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "index.h"
-#include "mesh/geometry.h"
 #include "outer/active_set_bfgs.h"
 #include "outer/free_arap.h"
+#include "outer/length_variation.h"
 
 namespace wirewarp {
 namespace {
 
-constexpr double kTolerance = 3e-7;  // relative decrease that is not worth another step
+constexpr double kTolerance = 1e-6;  // relative decrease that is not worth another step
 constexpr double kIsometry = 1e-14;  // shape error: strains of 1e-7, the rounding of meshes in single precision
 constexpr int kMaxEvaluations = 100;
 constexpr int kFreeIterations = 30;  // local/global steps of the free flattening
 constexpr double kShortest = -0.99;  // 1 + h > 0 on super-elastic parts, with room for the line search
 constexpr double kLongest = 100;
 
-/// h0: the length variations of the elastic parts in a flattening, held within their bounds.
-Eigen::VectorXd variation_of(const Chart& chart, const Positions2& uv, const VariationBounds& bounds) {
-  Eigen::VectorXd variation = Eigen::VectorXd::Zero(bounds.lower.size());
-  for (const int i : bounds.elastic_parts()) {
-    double length_3d = 0;
-    double length_2d = 0;
-    for (const HalfedgeHandle h : chart.wire_parts[at(i)].half_edges) {
-      length_3d += edge_length(chart.mesh, h);
-      length_2d +=
-          (uv.row(chart.mesh.to_vertex_handle(h).idx()) - uv.row(chart.mesh.from_vertex_handle(h).idx())).norm();
-    }
-    variation[i] = length_2d / length_3d - 1;
-  }
-  return variation.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
-}
-
-OuterSolution evaluate(Warp& warp, const Eigen::VectorXd& variation) {
+OuterSolution measured(const Warp& warp, const Eigen::VectorXd& variation, WarpedShape shape) {
   OuterSolution solution;
   solution.variation = variation;
-  solution.shape = warp(variation);
+  solution.shape = std::move(shape);
   solution.inner_solves = solution.shape.inner.num_solves;
   if (solution.shape.inner.is_feasible) solution.shape_error = warp.shape_error(solution.shape);
   return solution;
 }
 
+OuterSolution evaluate(Warp& warp, const Eigen::VectorXd& variation) {
+  return measured(warp, variation, warp(variation));
+}
+
 OuterSolution improve(Warp& warp, const VariationBounds& bounds, OuterSolution start,
                       const BeforeEvaluation& before_evaluation) {
+  if (!start.shape.inner.is_minimum) {  // E has no gradient by h there
+    start.converged = false;
+    return start;
+  }
   const std::vector<int> parts = bounds.elastic_parts();
   const Eigen::VectorXd first = start.variation;
+  const int evaluations_before = start.evaluations;
+  const int free_factorizations = start.free_factorizations;
   bool is_first = true;
   OuterSolution best;
   best.shape_error = std::numeric_limits<double>::infinity();
@@ -58,9 +53,11 @@ OuterSolution improve(Warp& warp, const VariationBounds& bounds, OuterSolution s
     before_evaluation();
     Eigen::VectorXd variation = first;
     variation(parts) = elastic;
-    OuterSolution trial = std::exchange(is_first, false) ? std::move(start) : evaluate(warp, variation);
+    OuterSolution trial = std::exchange(is_first, false)
+                              ? std::move(start)
+                              : measured(warp, variation, warp.follow(best.shape, variation));
     inner_solves += trial.inner_solves;
-    if (!trial.shape.inner.is_feasible) return std::nullopt;
+    if (!trial.shape.inner.is_minimum) return std::nullopt;
     ValueAndGradient result{trial.shape_error, warp.gradient(trial.shape)(parts)};
     ++inner_solves;
     if (trial.shape_error < best.shape_error) best = std::move(trial);
@@ -69,7 +66,8 @@ OuterSolution improve(Warp& warp, const VariationBounds& bounds, OuterSolution s
   const BoxMinimum minimum =
       minimize_in_box(error_of, bounds.lower(parts), bounds.upper(parts), first(parts), kTolerance, kMaxEvaluations);
   best.iterations = minimum.iterations;
-  best.evaluations = minimum.evaluations;
+  best.evaluations = evaluations_before + minimum.evaluations;
+  best.free_factorizations = free_factorizations;
   best.inner_solves = inner_solves;
   best.converged = minimum.converged;
   return best;
@@ -99,27 +97,34 @@ VariationBounds variation_bounds(const Chart& chart, const Options& options) {
   return bounds;
 }
 
-OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
-                               const BeforeEvaluation& before_evaluation) {
+OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
+                              const BeforeEvaluation& before_evaluation) {
   before_evaluation();
   OuterSolution rigid = evaluate(warp, Eigen::VectorXd::Zero(bounds.lower.size()));
   const bool has_rigid = rigid.shape.inner.is_feasible;
   if (bounds.elastic_parts().empty() || (has_rigid && rigid.shape_error < kIsometry)) return rigid;
 
   before_evaluation();
-  const std::optional<Positions2> start = has_rigid ? std::optional(rigid.shape.uv) : std::nullopt;
-  const FreeFlattening free = flatten_freely(chart, kFreeIterations, start);
-  OuterSolution relaxed = evaluate(warp, variation_of(chart, free.uv, bounds));
-  const bool has_relaxed = relaxed.shape.inner.is_feasible;
-  if (!has_rigid && !has_relaxed) return rigid;
-  const bool starts_rigid = !has_relaxed || (has_rigid && rigid.shape_error < relaxed.shape_error);
+  const std::optional<Positions2> layout = has_rigid ? std::optional(rigid.shape.uv) : std::nullopt;
+  const FreeFlattening free = flatten_freely(chart, kFreeIterations, layout);
+  OuterSolution relaxed = evaluate(warp, length_variation(chart, free.uv).cwiseMax(bounds.lower).cwiseMin(bounds.upper));
+  const int inner_solves = rigid.inner_solves + relaxed.inner_solves;
+  const auto rank = [](const OuterSolution& s) {
+    return std::tuple(!s.shape.inner.is_feasible, !s.shape.inner.is_minimum, s.shape_error);
+  };
+  OuterSolution start = std::move(rank(relaxed) <= rank(rigid) ? relaxed : rigid);
+  start.evaluations = 1;  // of the other one
+  start.inner_solves = inner_solves;
+  start.free_factorizations = free.factorizations;
+  return start;
+}
 
-  const int unused_solves = (starts_rigid ? relaxed : rigid).inner_solves;
-  OuterSolution solution = improve(warp, bounds, std::move(starts_rigid ? rigid : relaxed), before_evaluation);
-  solution.inner_solves += unused_solves;
-  solution.evaluations += 1;
-  solution.free_factorizations = free.factorizations;
-  return solution;
+OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
+                               const BeforeEvaluation& before_evaluation) {
+  OuterSolution start = start_variation(chart, warp, bounds, before_evaluation);
+  const bool can_improve =
+      !bounds.elastic_parts().empty() && start.shape.inner.is_feasible && !(start.shape_error < kIsometry);
+  return can_improve ? improve(warp, bounds, std::move(start), before_evaluation) : start;
 }
 
 OuterSolution improve_variation(Warp& warp, const VariationBounds& bounds, const Eigen::VectorXd& start,

@@ -35,9 +35,14 @@ VariationBounds variation_bounds(const Chart& chart, const Options& options);
 /// Called before each evaluation; may throw to cancel.
 using BeforeEvaluation = std::function<void()>;
 
-/// The length variations with the least shape error within the bounds. Starts from the lengths of a free ARAP
-/// flattening, or from h = 0 where that is better; without elastic parts, or where ψ(0) is an isometry, this is ψ(0).
-/// shape.inner is not feasible where neither start exists.
+/// h0, where the search begins: the lengths of a free ARAP flattening within the bounds, or h = 0 where ψ(0) is better,
+/// is an isometry, or no part is elastic. shape.inner is not feasible where neither exists.
+OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
+                              const BeforeEvaluation& before_evaluation);
+
+/// The length variations with the least shape error within the bounds, found from h0; h0 itself where there is nothing
+/// to improve. The wire angles follow from one h to the next, so that E does not jump where Eq. (1) has several minima.
+/// Not converged where they reach no minimum at h0: E has no gradient there.
 OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
                                const BeforeEvaluation& before_evaluation);
 

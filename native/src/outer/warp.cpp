@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outer/warp.h"
 
+#include <utility>
+
 #include "index.h"
 #include "mesh/geometry.h"
 
@@ -28,13 +30,30 @@ Warp::Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weigh
       area_(surface_area(chart.mesh)) {}
 
 WarpedShape Warp::operator()(const Eigen::VectorXd& variation) {
-  WarpedShape shape;
-  shape.lengths = rest_lengths_;
-  for (int e = 0; e < shape.lengths.size(); ++e) {
+  Eigen::VectorXd lengths = lengths_of(variation);
+  InnerSolution inner = inner_problem_.solve(lengths, inner_);
+  return lay_out(std::move(inner), std::move(lengths));
+}
+
+WarpedShape Warp::follow(const WarpedShape& from, const Eigen::VectorXd& variation) {
+  Eigen::VectorXd lengths = lengths_of(variation);
+  InnerSolution inner = inner_problem_.follow(from.inner, lengths);
+  return lay_out(std::move(inner), std::move(lengths));
+}
+
+Eigen::VectorXd Warp::lengths_of(const Eigen::VectorXd& variation) const {
+  Eigen::VectorXd lengths = rest_lengths_;
+  for (int e = 0; e < lengths.size(); ++e) {
     const int part = network_.edges[at(e)].part;
-    if (part >= 0) shape.lengths[e] *= 1 + variation[part];
+    if (part >= 0) lengths[e] *= 1 + variation[part];
   }
-  shape.inner = inner_problem_.solve(shape.lengths, inner_);
+  return lengths;
+}
+
+WarpedShape Warp::lay_out(InnerSolution inner, Eigen::VectorXd lengths) const {
+  WarpedShape shape;
+  shape.inner = std::move(inner);
+  shape.lengths = std::move(lengths);
   if (!shape.inner.is_feasible) return shape;
   shape.uv.resize(num_vertices_, 2);
   layout_.place(shape.inner.headings, shape.lengths, shape.uv);

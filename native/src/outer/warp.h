@@ -26,6 +26,9 @@ class Warp {
   /// ψ(h). variation: h > -1, one per wire part of the chart; boundaries keep their length.
   WarpedShape operator()(const Eigen::VectorXd& variation);
 
+  /// ψ(h) on the branch of another shape, should Eq. (1) have several minima: its angles are reached from that shape's.
+  WarpedShape follow(const WarpedShape& from, const Eigen::VectorXd& variation);
+
   /// E of Eq. (4) over the chart's 3D area.
   double shape_error(const WarpedShape& shape) const;
 
@@ -38,6 +41,8 @@ class Warp {
   int inner_factorizations() const { return inner_problem_.num_factorizations(); }  // of all calls so far
 
  private:
+  Eigen::VectorXd lengths_of(const Eigen::VectorXd& variation) const;
+  WarpedShape lay_out(InnerSolution inner, Eigen::VectorXd lengths) const;
   const WireNetwork& network_;
   int num_vertices_;
   int num_parts_;

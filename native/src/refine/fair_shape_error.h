@@ -6,7 +6,8 @@
 //
 // Hessian of E, with the hat gradients g_i of a triangle as complex numbers and s_i = g_i · i ẑ:
 //
-//   H_ij = 2A g_i·g_j I − A κ s_i s_jᵀ,   κ = 1/|z|      κ > 1 where the triangle is compressed: there H may be indefinite
+//   H_ij = 2A g_i·g_j I − A κ s_i s_jᵀ,   κ = 1/|z|      κ > 1 where the triangle is compressed: there H may be
+//   indefinite
 //
 // The first term is the constant Laplacian. With det J = |z|² − |w|² the barrier has ∇_i det = g_i z − ḡ_i w, and its
 // Hessian without the term that could make it indefinite is 2ωA ∇det ∇detᵀ + ωA (⅒ − det J) M(ḡ_i g_j), M(a + ib) the
@@ -32,15 +33,14 @@ class FairShapeError {
   FairShapeError(const Chart& chart, const WireNetwork& network, double fairness);
 
   /// ω: 10 to begin with.
+  double flip_weight() const { return flip_weight_; }
   void set_flip_weight(double weight) { flip_weight_ = weight; }
 
   /// f, scene units squared. uv: one row per chart vertex.
   double value(const Positions2& uv) const;
   double value_and_gradient(const Positions2& uv, Positions2& gradient) const;
 
-  /// E alone.
-  double shape_error(const Positions2& uv) const { return shape_error_.energy(uv); }
-
+  /// Triangles turned over or without area.
   int count_flips(const Positions2& uv) const;
 
   /// The vertices that the Hessian couples.
@@ -57,7 +57,7 @@ class FairShapeError {
 
  private:
   struct TriangleBlocks {
-    int order[3];                     // corners, by falling vertex index
+    int order[3];                         // corners, by falling vertex index
     VertexMatrix::Block off_diagonal[3];  // (0, 1), (0, 2), (1, 2) in this order
   };
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "refine/newton_system.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "index.h"
 #include "mesh/geometry.h"
@@ -30,8 +32,8 @@ Eigen::VectorXd lumped_mass(const Chart& chart) {
     const auto origin = chart.mesh.point(chart.mesh.from_vertex_handle(h));
     const auto along = chart.mesh.point(chart.mesh.to_vertex_handle(h)) - origin;
     const auto back = chart.mesh.point(chart.mesh.to_vertex_handle(next)) - origin;
-    for (const VertexHandle v : {chart.mesh.from_vertex_handle(h), chart.mesh.to_vertex_handle(h),
-                                 chart.mesh.to_vertex_handle(next)}) {
+    for (const VertexHandle v :
+         {chart.mesh.from_vertex_handle(h), chart.mesh.to_vertex_handle(h), chart.mesh.to_vertex_handle(next)}) {
       mass[v.idx()] += (along % back).norm();
     }
   }
@@ -57,7 +59,15 @@ VertexPair pinned_vertices(const Chart& chart) {
 
 }  // namespace
 
-NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints)
+Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric);
+  const Eigen::ArrayXd magnitudes = eigen.eigenvalues().cwiseAbs();
+  const Eigen::VectorXd positive = magnitudes.max(1e-6 * magnitudes.maxCoeff()).matrix();
+  return eigen.eigenvectors() * positive.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints,
+                           const Positions2& positions)
     : objective_(objective),
       constraints_(constraints),
       matrix_(static_cast<int>(chart.mesh.n_vertices()), coupled_vertices(objective)),
@@ -75,7 +85,8 @@ NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const 
   for (int v = 0; v < mass.size(); ++v) matrix_.add_diagonal(v, mass[v] * Eigen::Matrix2d::Identity());
   matrix_.add_diagonal(pinned_[0], kPin * Eigen::Matrix2d::Identity());
   constant_ = matrix_.values();
-  llt_.analyzePattern(matrix_.lower());
+  cholesky_.emplace(matrix_.lower(), nested_dissection(matrix_.graph(), positions), 2,
+                    std::thread::hardware_concurrency() > 1 ? 2 : 1);
 }
 
 void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
@@ -89,8 +100,7 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
     const double share = multipliers[e] < 0 ? convexity.negative_multipliers : 1;
     const double across = length > 0 ? share * multipliers[e] / length : 0;
     const Eigen::Vector2d d = directions_.row(e).transpose(), n(-d.y(), d.x());
-    const Eigen::Matrix2d block =
-        stiffness_share * stiffness_[e] * d * d.transpose() + across * n * n.transpose();
+    const Eigen::Matrix2d block = stiffness_share * stiffness_[e] * d * d.transpose() + across * n * n.transpose();
     matrix_.add_diagonal(edge.a, block);
     matrix_.add_diagonal(edge.b, block);
     matrix_.add(edge_blocks_[at(e)], -block);
@@ -103,8 +113,7 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
 bool NewtonSystem::factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity) {
   assemble(uv, multipliers, convexity, 1);
   ++num_factorizations_;
-  llt_.factorize(matrix_.lower());
-  return llt_.info() == Eigen::Success;
+  return cholesky_->factorize(matrix_.lower());
 }
 
 Eigen::SparseMatrix<double> NewtonSystem::hessian(const Positions2& uv, const Eigen::VectorXd& multipliers,
@@ -115,9 +124,9 @@ Eigen::SparseMatrix<double> NewtonSystem::hessian(const Positions2& uv, const Ei
 
 Positions2 NewtonSystem::apply_inverse(const Positions2& b) const {
   ++num_solves_;
-  const Eigen::Map<const Eigen::VectorXd> flat(b.data(), b.size());
-  const Eigen::VectorXd x = llt_.solve(flat);
-  return Eigen::Map<const Positions2>(x.data(), b.rows(), 2);
+  Positions2 x = b;
+  cholesky_->solve_in_place(Eigen::Map<Eigen::VectorXd>(x.data(), x.size()));
+  return x;
 }
 
 /// (H + Jᵀ ρ J) d = r₁ + Jᵀ (ρ r₂ − λ), then λ += ρ (J d − r₂): the first row holds after every step, the second is

@@ -10,8 +10,9 @@
 // method for nonlinear constraints in minimization problems, 1969).
 #pragma once
 
-#include <Eigen/SparseCholesky>
+#include <optional>
 
+#include "cholesky/multifrontal_cholesky.h"
 #include "refine/fair_shape_error.h"
 #include "refine/length_constraints.h"
 
@@ -23,10 +24,16 @@ struct Convexity {
   double negative_multipliers;  // share of the curvature of edges with λ < 0
 };
 
+/// A symmetric matrix with the magnitudes of its eigenvalues, none below 1e-6 of the largest: a model that has a
+/// minimum.
+Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric);
+
 class NewtonSystem {
  public:
-  /// objective, constraints: must outlive the system.
-  NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints);
+  /// objective, constraints: must outlive the system. positions: any layout that tells near vertices from far ones,
+  /// for the order of elimination.
+  NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints,
+               const Positions2& positions);
 
   /// Linearizes at uv; false where A is not positive definite. multipliers: λ, #edges.
   bool factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity);
@@ -63,7 +70,7 @@ class NewtonSystem {
   Eigen::ArrayXd constant_;    // values of L + the Hessian of F + 10⁻⁴ M + the pin that never turns
   Eigen::VectorXd stiffness_;  // ρ
   Positions2 directions_;      // d̂
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> llt_;
+  std::optional<MultifrontalCholesky> cholesky_;  // of A
   int num_factorizations_ = 0;
   mutable int num_solves_ = 0;
 };

@@ -3,31 +3,38 @@
 //
 //   min f(u)   subject to   c(u, h) = 0,   |h| <= ε on elastic parts
 //
-// A Newton method on the feasible set. Phase 1 goes from a free flattening to exact lengths, phase 2 along them to the
-// minimum. Every iterate of phase 2 has exact lengths, so it can stop at any step.
+// f is the shape error and the fairness of the wires (refine/fair_shape_error.h), c the lengths
+// (refine/length_constraints.h). A Newton method on the feasible set: one step reaches exact lengths from a start near
+// them, and from there every iterate has exact lengths, so that it can stop anywhere.
 #pragma once
 
 #include <functional>
 
-#include "refine/newton_system.h"
+#include "charts/chart.h"
+#include "topology/wire_network.h"
+#include "wirewarp/types.h"
 
 namespace wirewarp {
 
-struct RefinedSolution {
+struct RefinedShape {
   Positions2 uv;              // one row per chart vertex, scene units
-  Eigen::VectorXd variation;  // h, one per elastic part of the constraints
-  double value = 0;           // f, scene units squared
-  double length_error = 0;    // largest |c| / l
-  int factorizations = 0;
-  int solves = 0;
+  Eigen::VectorXd variation;  // h, one per wire part of the chart; on super-elastic ones what came out
+  double objective = 0;       // f over the 3D area
   int iterations = 0;
-  bool is_exact = false;   // the lengths are
-  bool converged = false;  // the next step promises less than 1e-9 of f
-  bool cancelled = false;
+  int factorizations = 0;
+  bool is_exact = false;   // the lengths are: uv is a flat shape to cut
+  bool converged = false;  // another step promises less than 1e-9 of f
 };
 
-/// start: a flat shape, one row per chart vertex. go_on: asked before each step; false stops at the iterate at hand.
-RefinedSolution refine_shape(const Chart& chart, const WireNetwork& network, double fairness, int max_factorizations,
-                             const Positions2& start, const std::function<bool()>& go_on);
+struct RefinementLimits {
+  int max_factorizations;
+  std::function<bool()> go_on;  // asked before each factorization; false: stop at the iterate at hand
+};
+
+/// Refines a start, one row per chart vertex. network: of all wires but super-elastic ones. fairness: shortest wiggle
+/// of wires that is left alone, over the square root of the area. Not exact where the start is too far from exact
+/// lengths for one step.
+RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
+                          const RefinementLimits& limits);
 
 }  // namespace wirewarp

@@ -8,7 +8,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kExhausted = 1e-6;  // a new basis vector over the first: the Krylov space is invariant
+constexpr double kExhausted = 1e-6;  // an entry beside T's diagonal: its vectors span an invariant space
 constexpr double kSolved = 0.01;     // residual of H d = -g over that of d = 0
 
 }  // namespace
@@ -25,7 +25,7 @@ TangentModel::TangentModel(const Operator& times_hessian,
   double residual = 1;  // of the conjugate gradients for H d = -g, over the first, while H is positive
   double pivot = 1;     // of T
   bool is_positive = true;
-  while (static_cast<int>(basis_.size()) < max_size && norm > kExhausted * first_) {
+  while (static_cast<int>(basis_.size()) < max_size && norm > (basis_.empty() ? 0 : kExhausted)) {
     basis_.push_back(z / norm);
     dual.push_back(r / norm);
     r = times_hessian(basis_.back());

@@ -2,12 +2,13 @@
 // Steps that neither a saddle nor a soft mode can spoil: the quadratic model of f + λᵀc on the tangent space of the
 // length constraints, minimized in a ball.
 //
-//   q(d) = g·d + ½ d·H d   over J d = 0, |d|_G <= Δ      H exact and perhaps indefinite, G a convex part of it, factored
+//   q(d) = g·d + ½ d·H d   over J d = 0, |d|_G <= Δ      H exact and perhaps indefinite, G a convex part of it,
+//   factored
 //
 // The generalized Lanczos method (N. I. M. Gould, S. Lucidi, M. Roma, Ph. L. Toint, Solving the trust-region subproblem
-// using the Lanczos method, SIAM J. Optimization 9 (1999), 504-525): in a basis v_1 … v_k that is orthonormal in G, H is
-// a tridiagonal T, and q restricted to its span is a dense problem of size k, solved for every radius Δ from the same
-// basis. A step of the Krylov space costs one solve with G's factor, a tenth of a factorization or less.
+// using the Lanczos method, SIAM J. Optimization 9 (1999), 504-525): in a basis v_1 … v_k that is orthonormal in G, H
+// is a tridiagonal T, and q restricted to its span is a dense problem of size k, solved for every radius Δ from the
+// same basis. A step of the Krylov space costs one solve with G's factor, a tenth of a factorization or less.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,9 +19,9 @@ namespace wirewarp {
 
 struct ModelStep {
   Eigen::VectorXd d;
-  double length = 0;        // |d|_G
-  double decrease = 0;      // -q(d) > 0
-  bool is_inside = false;   // the ball does not hold it back: a minimum of q
+  double length = 0;       // |d|_G
+  double decrease = 0;     // -q(d) > 0
+  bool is_inside = false;  // the ball does not hold it back: a minimum of q
 };
 
 class TangentModel {
@@ -41,9 +42,9 @@ class TangentModel {
   ModelStep step(double radius) const;
 
  private:
-  double first_ = 0;                     // β₀: g = -β₀ G v₁
-  std::vector<Eigen::VectorXd> basis_;   // v
-  Eigen::VectorXd eigenvalues_;          // of T
+  double first_ = 0;                    // β₀: g = -β₀ G v₁
+  std::vector<Eigen::VectorXd> basis_;  // v
+  Eigen::VectorXd eigenvalues_;         // of T
   Eigen::MatrixXd eigenvectors_;
 };
 

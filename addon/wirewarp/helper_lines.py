@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The helper wires of a flattening as points and edges, on the model and on the flat pieces. No Blender in here."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class HelperLines:
+    """Point k on the model is point k on the pieces. Helper wires number through all pieces, as in the report."""
+
+    on_model: np.ndarray  # (n,3) float64, Blender units, the object's rotation, scale and shear applied
+    on_pieces: np.ndarray  # (n,2) float64, as packed
+    edges: np.ndarray  # (k,2) int32
+    helper: np.ndarray  # (k,) int32, helper wire of each edge
+
+
+def helper_lines(result: Any) -> HelperLines:  # noqa: ANN401
+    """Of all pieces of a FlattenResult that have a layout."""
+    wires = [
+        (wire.points_3d, wire.points_2d)
+        for piece in result.pieces
+        for wire in piece.helper_wires
+        if np.isfinite(wire.points_2d).all()
+    ]
+    sizes = np.array([len(points) for points, _ in wires], dtype=np.int32)
+    last = np.cumsum(sizes) - 1
+    first = np.delete(np.arange(sizes.sum(), dtype=np.int32), last)  # every point but the last of each wire
+    return HelperLines(
+        on_model=np.concatenate([points for points, _ in wires] or [np.empty((0, 3))]),
+        on_pieces=np.concatenate([points for _, points in wires] or [np.empty((0, 2))]),
+        edges=np.column_stack([first, first + 1]).astype(np.int32),
+        helper=np.repeat(np.arange(len(wires), dtype=np.int32), sizes - 1),
+    )

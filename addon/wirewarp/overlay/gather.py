@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the overlay shows of an object, as arrays: read from its mesh as it is seen."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import bmesh
+import bpy
+import numpy as np
+
+from ..foreach import read
+from ..mesh_to_arrays import evaluated_mesh
+from ..wire_attributes import TOLERANCE, WIRE, read_marks
+from .line_marks import LineMarks
+from .surface_arrays import Triangles
+
+
+def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> LineMarks:
+    """Raises ObjectError if an attribute of our name is not ours."""
+    if target.mode == "EDIT":
+        return _lines_in_edit_mode(target.data)
+    with shown_mesh(target, depsgraph) as mesh:
+        return _lines(mesh)
+
+
+@contextmanager
+def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[bpy.types.Mesh]:
+    """The mesh as modifiers and shape keys leave it. Of an object in Object Mode."""
+    if target.modifiers or target.data.shape_keys:
+        with evaluated_mesh(target, depsgraph) as mesh:
+            yield mesh
+    else:
+        yield target.data
+
+
+def _lines(mesh: bpy.types.Mesh) -> LineMarks:
+    marks, seams = read_marks(mesh), read(mesh.edges, "use_seam", bool)
+    rows = np.flatnonzero(seams | (marks.wire_ids != 0))
+    vertices = read(mesh.edges, "vertices", np.int32, 2)[rows]
+    source, pieces = vertices, np.zeros(len(rows), dtype=np.int32)
+    if {"source_vertex", "piece"} <= set(mesh.attributes.keys()):
+        source = read(mesh.attributes["source_vertex"].data, "value", np.int32)[vertices]
+        pieces = _piece_of_edge(mesh)[rows]
+    return LineMarks(
+        ends=read(mesh.vertices, "co", np.float32, 3)[vertices],
+        normals=read(mesh.vertices, "normal", np.float32, 3)[vertices[:, 0]],
+        vertices=source,
+        pieces=pieces,
+        seams=seams[rows],
+        wire_ids=marks.wire_ids[rows],
+        tolerances=marks.tolerances[rows],
+    )
+
+
+def _lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineMarks:
+    """In Edit Mode attributes can be read edge by edge only."""
+    edit = bmesh.from_edit_mesh(mesh)
+    edit.verts.index_update()
+    layers = edit.edges.layers
+    wire, tolerance = layers.int.get(WIRE), layers.float.get(TOLERANCE)
+    source, piece = edit.verts.layers.int.get("source_vertex"), edit.faces.layers.int.get("piece")
+    marked = [edge for edge in edit.edges if not edge.hide and (edge.seam or (wire and edge[wire]))]
+    vertices = [[vertex[source] if source else vertex.index for vertex in edge.verts] for edge in marked]
+    return LineMarks(
+        ends=np.array([[vertex.co[:] for vertex in edge.verts] for edge in marked], np.float32).reshape(-1, 2, 3),
+        normals=np.array([edge.verts[0].normal[:] for edge in marked], np.float32).reshape(-1, 3),
+        vertices=np.array(vertices, dtype=np.int32).reshape(-1, 2),
+        pieces=np.array([_piece_in_edit_mode(edge, piece) for edge in marked], dtype=np.int32),
+        seams=np.array([edge.seam for edge in marked], dtype=bool),
+        wire_ids=np.array([edge[wire] if wire else 0 for edge in marked], dtype=np.int32),
+        tolerances=np.array([edge[tolerance] if tolerance else 0 for edge in marked], dtype=np.float32),
+    )
+
+
+def _piece_in_edit_mode(edge: bmesh.types.BMEdge, layer: bmesh.types.BMLayerItem | None) -> int:
+    return edge.link_faces[0][layer] if layer and edge.link_faces else 0
+
+
+def _piece_of_edge(mesh: bpy.types.Mesh) -> np.ndarray:
+    sizes = read(mesh.polygons, "loop_total", np.int32)
+    piece_of_edge = np.zeros(len(mesh.edges), dtype=np.int32)
+    pieces = read(mesh.attributes["piece"].data, "value", np.int32)
+    piece_of_edge[read(mesh.loops, "edge_index", np.int32)] = np.repeat(pieces, sizes)
+    return piece_of_edge
+
+
+def gather_triangles(mesh: bpy.types.Mesh) -> Triangles:
+    """Of a mesh that is not in Edit Mode."""
+    mesh.calc_loop_triangles()
+    return Triangles(
+        positions=read(mesh.vertices, "co", np.float32, 3),
+        vertices=read(mesh.loop_triangles, "vertices", np.int32, 3),
+        corners=read(mesh.loop_triangles, "loops", np.int32, 3),
+        polygons=read(mesh.loop_triangles, "polygon_index", np.int32),
+    )

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Colored and failing faces as triangles to draw. No Blender in here."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..color_maps import NO_LAYOUT
+
+
+@dataclass(frozen=True)
+class Triangles:
+    """Of a whole mesh."""
+
+    positions: np.ndarray  # (n,3) float32
+    vertices: np.ndarray  # (m,3) int32
+    corners: np.ndarray  # (m,3) int32
+    polygons: np.ndarray  # (m,) int32
+
+
+@dataclass(frozen=True)
+class ColoredTriangles:
+    places: np.ndarray  # (3m,3) float32
+    colors: np.ndarray  # (3m,4) float32, as the screen shows them, sRGB
+
+
+def colored(triangles: Triangles, corner_colors: np.ndarray) -> ColoredTriangles:
+    """corner_colors (l,4): linear."""
+    colors = screen_colors(corner_colors)[triangles.corners.ravel()]
+    return ColoredTriangles(triangles.positions[triangles.vertices.ravel()], np.ascontiguousarray(colors))
+
+
+def on_model(flat_colors: np.ndarray, source_corner: np.ndarray, count: int) -> np.ndarray:
+    """The colors (count,4) at the model's corners, from those at the flat pieces' corners."""
+    colors = np.tile(NO_LAYOUT, (count, 1))
+    colors[source_corner] = flat_colors
+    return colors
+
+
+def places_of(triangles: Triangles, polygons: np.ndarray) -> np.ndarray:
+    """The corners (3k,3) of the triangles of these polygons."""
+    return triangles.positions[triangles.vertices[np.isin(triangles.polygons, polygons)].ravel()]
+
+
+def screen_colors(linear: np.ndarray) -> np.ndarray:
+    """float32 sRGB of linear RGBA."""
+    rgb = np.clip(linear[:, :3], 0, 1)
+    shown = np.where(rgb <= 0.0031308, 12.92 * rgb, 1.055 * rgb ** np.float32(1 / 2.4) - 0.055)
+    return np.column_stack([shown, linear[:, 3]]).astype(np.float32)

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is drawn over models and flat pieces in the 3D view."""
+
+import bpy
+
+from ..report_store import last_report
+from .panel import SidebarPanel
+
+
+class VIEW3D_PT_wirewarp_overlay(SidebarPanel, bpy.types.Panel):
+    bl_label = "Overlay"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout, settings = self.layout, context.scene.wirewarp
+        layout.active = context.space_data.overlay.show_overlays
+        layout.prop(settings, "show_lines")
+        row = layout.row()
+        row.active = settings.show_lines
+        row.prop(settings, "show_names")
+        layout.label(text="Map")
+        layout.prop(settings, "shown_map", text="")
+        active = context.active_object
+        if active and active.type == "MESH" and _names_elements(last_report(active.wirewarp_source or active)):
+            layout.operator("mesh.wirewarp_select_issues", text="Select Failing Elements", icon="RESTRICT_SELECT_OFF")
+
+
+def _names_elements(report: dict | None) -> bool:
+    issues = report["issues"] if report else []
+    return any(issue["vertices"] or issue["edges"] or issue["faces"] for issue in issues)

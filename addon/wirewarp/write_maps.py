@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures as attributes and as colors: on the flat mesh always, on the model if the user wants them there."""
+
+import bpy
+import numpy as np
+
+from .color_maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION, NO_LAYOUT, STRETCH
+from .flat_mesh import FlatMesh
+from .foreach import read
+from .model_maps import ModelMaps
+
+PREFIX = "wirewarp_"  # of the model's attributes, among which are the user's own
+VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "stretch": "FACE", "length_variation": "EDGE"}
+
+
+def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, variation: np.ndarray) -> None:
+    """On a mesh that has none of these attributes. variation: E_L of its edges."""
+    _write_values(mesh, "", flat, variation)
+    _write_colors(mesh, "", flat, variation, np.ones(len(mesh.polygons), dtype=bool))
+    _show(mesh, COLOR_MAPS[0].attribute)
+
+
+def write_model_maps(mesh: bpy.types.Mesh, maps: ModelMaps) -> None:
+    """Replaces those of an earlier run. Colors of the user's own that are shown stay the shown ones."""
+    remove_model_maps(mesh)
+    own = mesh.color_attributes.active_color
+    shown = own.name if own else PREFIX + COLOR_MAPS[0].attribute
+    _write_values(mesh, PREFIX, maps, maps.length_variation)
+    _write_colors(mesh, PREFIX, maps, maps.length_variation, maps.placed)
+    _show(mesh, shown)
+
+
+def remove_model_maps(mesh: bpy.types.Mesh) -> None:
+    for name in [*VALUES, *(each.attribute for each in COLOR_MAPS)]:
+        if PREFIX + name in mesh.attributes:
+            mesh.attributes.remove(mesh.attributes[PREFIX + name])
+
+
+def _write_values(mesh: bpy.types.Mesh, prefix: str, maps: FlatMesh | ModelMaps, variation: np.ndarray) -> None:
+    for name, domain in VALUES.items():
+        values = variation if name == "length_variation" else getattr(maps, name)
+        mesh.attributes.new(prefix + name, "FLOAT", domain).data.foreach_set("value", values)
+
+
+def _write_colors(
+    mesh: bpy.types.Mesh, prefix: str, maps: FlatMesh | ModelMaps, variation: np.ndarray, placed: np.ndarray
+) -> None:
+    """variation of the edges; placed (f,) bool: faces with a layout."""
+    sizes = read(mesh.polygons, "loop_total", np.int32)
+    corner_face = np.repeat(np.arange(len(sizes)), sizes)
+    corner_vertex = read(mesh.loops, "vertex_index", np.int32)
+    ends = read(mesh.edges, "vertices", np.int32, 2).ravel()
+    edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
+    at_vertex = np.bincount(ends, np.repeat(variation, 2), minlength=len(mesh.vertices)) / edges_at  # their mean
+    for color_map, values in (
+        (ASPECT_RATIO, maps.aspect_ratio[corner_face]),
+        (STRETCH, maps.stretch[corner_face]),
+        (ARAP_ENERGY, maps.energy_density[corner_face]),
+        (LENGTH_VARIATION, at_vertex[corner_vertex]),
+    ):
+        colors = np.where(placed[corner_face][:, None], color_map.colors(values), NO_LAYOUT)
+        attribute = mesh.color_attributes.new(prefix + color_map.attribute, "FLOAT_COLOR", "CORNER")
+        attribute.data.foreach_set("color", colors.astype(np.float32).ravel())
+
+
+def _show(mesh: bpy.types.Mesh, name: str) -> None:
+    shown = mesh.color_attributes.find(name)
+    mesh.color_attributes.active_color_index = mesh.color_attributes.render_color_index = shown

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Panels of a bodice as grids in longitude and v of the torso: level rows below, a block up to shoulders and neck."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from . import torso
+from .curves import chord_lengths, cubic_spline, even_parameters
+
+# The left armhole from the front underarm over the shoulder tip to the back underarm: distance x from the middle, and
+# how far down from the shoulder line (0) to the underarm (-1 in front, 1 behind).
+ARMHOLE = np.array(
+    [
+        [0.1700, -1.0], [0.1690, -0.975], [0.1600, -0.90], [0.1510, -0.75], [0.1500, -0.55], [0.1580, -0.32],
+        [0.1670, -0.13], [0.1680, 0.0], [0.1675, 0.13], [0.1630, 0.32], [0.1570, 0.55], [0.1570, 0.77],
+        [0.1640, 0.91], [0.1693, 0.975], [0.1700, 1.0],
+    ]
+)  # fmt: skip
+SHOULDER_TIP = 7  # row of ARMHOLE
+NECK_POINT = 0.072  # x
+
+
+def armhole(half: int) -> np.ndarray:
+    """(n, 2) longitude and v from the underarm to the shoulder tip."""
+    loop = cubic_spline(chord_lengths(ARMHOLE * [4, 1]), ARMHOLE)(np.linspace(0, 1, 1601))
+    x, down = loop[loop[:, 1] <= 0].T if half > 0 else loop[::-1][loop[::-1, 1] >= 0].T
+    v = 1 - np.abs(down) * (1 - torso.UNDERARM_V)
+    curve = np.stack([torso.longitude_at(x, v), v], axis=-1)
+    curve[[0, -1]] = [np.pi / 2, torso.UNDERARM_V], [torso.longitude_at(ARMHOLE[SHOULDER_TIP, 0], 1.0), 1.0]
+    return curve
+
+
+def neckline(depth: float) -> np.ndarray:
+    """(n, 2) from the right neck point to the left; depth of its middle, in v between shoulder line and underarm."""
+    end = np.radians(66)  # not vertical at the neck points, where the columns of the grid are
+    t = np.linspace(-end, end, 400)
+    drop = depth * (1 - torso.UNDERARM_V) * (np.cos(t) - np.cos(end)) / (1 - np.cos(end))
+    return np.stack([torso.longitude_at(NECK_POINT, 1.0) * np.sin(t) / np.sin(end), 1 - drop], axis=-1)
+
+
+def evenly(body: torso.Half, curve: np.ndarray, count: int) -> np.ndarray:
+    """count + 1 points of a curve in longitude and v, at equal distances on the body; its ends are kept exactly."""
+    at = chord_lengths(body.points(curve[:, 0], curve[:, 1]))
+    even = np.linspace(0, 1, count + 1)
+    points = np.stack([np.interp(even, at, curve[:, k]) for k in range(2)], axis=-1)
+    points[[0, -1]] = curve[[0, -1]]
+    return points
+
+
+def level_row(body: torso.Half, v: float, begin: float, end: float, columns: int) -> np.ndarray:
+    """(columns + 1, 2) evenly spaced points of a level row between two longitudes."""
+    phi = even_parameters(lambda t: body.points(t, np.full_like(t, v)), begin, end, columns)
+    return np.stack([phi, np.full_like(phi, v)], axis=-1)
+
+
+def upper_block(
+    bust: np.ndarray, left: np.ndarray, upper: np.ndarray, body: torso.Half, straight: bool = False
+) -> np.ndarray:
+    """(r, c, 2) rows from the bust line (c, 2) to the upper edge (c, 2), as wide as left edge (r, 2) and its mirror.
+
+    All edges run from right to left or from the bust line up. The columns between follow the left edge, or, if they are
+    to be straight, follow it only near it.
+    """
+    t = chord_lengths(body.points(left[:, 0], left[:, 1]))[:, None]
+    across = (1 - t) * bust[:, 0] / bust[-1, 0] + t * upper[:, 0] / upper[-1, 0]  # -1 at the right edge, 1 at the left
+    followed = (1 - t) * left[0, 0] + t * left[-1, 0] if straight else left[:, :1]
+    phi = (followed + (left[:, :1] - followed) * across**4) * across
+    height = (left[:, 1:] - bust[0, 1]) / (1 - bust[0, 1])  # of the left edge in the block, like t from 0 to 1
+    v = bust[0, 1] + (t + (height - t) * across**2) * (upper[:, 1] - bust[0, 1])
+    return np.stack([phi, v], axis=-1)
+
+
+def upper_edge(body: torso.Half, tip: np.ndarray, depth: float, shoulder: int, neck: int) -> np.ndarray:
+    """(2 * shoulder + neck + 1, 2) points over the right shoulder, along the neckline and to the left shoulder."""
+    middle = evenly(body, neckline(depth), neck)
+    ridge = evenly(body, np.linspace(middle[-1], tip, 200), shoulder)
+    return np.concatenate([ridge[::-1] * [-1, 1], middle[1:-1], ridge])

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Limbs and ears sewn into rectangular holes of a grid: loops round a hole, tubes, caps and envelopes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .curves import hermite_curves
+from .shape import ShapeBuilder
+
+
+@dataclass(frozen=True)
+class Hole:
+    """A hole in a grid of quads, half_width columns to both sides of a seam's column."""
+
+    row: int  # its lowest row of vertices
+    column: int
+    rows: int
+    half_width: int
+
+    def cut(self, holes: np.ndarray) -> None:
+        """Marks its quads (r - 1, c - 1) as missing."""
+        columns = slice(self.column - self.half_width, self.column + self.half_width)
+        holes[self.row : self.row + self.rows, columns] = True
+
+    def loop(self, grid: np.ndarray) -> np.ndarray:
+        """Its closed border, counter-clockwise seen from outside, from the seam below it."""
+        left, right = self.column - self.half_width, self.column + self.half_width
+        top = self.row + self.rows
+        return np.concatenate([
+            grid[self.row, self.column : right], grid[self.row : top, right], grid[top, right:left:-1],
+            grid[top : self.row : -1, left], grid[self.row, left : self.column + 1],
+        ])  # fmt: skip
+
+
+def tube(
+    loop: np.ndarray, center: np.ndarray, axis: np.ndarray, radius: float, fullness: float, rows: int
+) -> np.ndarray:
+    """(rows + 1, n + 1, 3) points from a closed loop (n + 1, 3) to a circle round the limb's axis at its center.
+
+    fullness is how far the tube goes straight before it bends.
+    """
+    axis, leave = axis / np.linalg.norm(axis), loop_normal(loop)
+    up = np.array([0.0, 0.0, 1.0]) - axis[2] * axis
+    up /= np.linalg.norm(up)
+    angle = np.linspace(0, 2 * np.pi, len(loop))[:, None]
+    ring = center + radius * (np.sin(angle) * np.cross(up, axis) - np.cos(angle) * up)
+    points = hermite_curves(loop, fullness * leave, ring, fullness * axis, rows)
+    points[:, -1] = points[:, 0]
+    return points
+
+
+def round_end(ring: np.ndarray, rows: int, share: float) -> np.ndarray:
+    """(rows, n, 3) rings of the half ball on a circle (n, 3), the last one with that share of its radius."""
+    center = ring[:-1].mean(axis=0)
+    radius = np.linalg.norm(ring[0] - center)
+    angle = np.linspace(0, np.arccos(share), rows + 1)[1:, None, None]
+    return center + np.cos(angle) * (ring - center) + np.sin(angle) * radius * loop_normal(ring)
+
+
+def loop_normal(loop: np.ndarray) -> np.ndarray:
+    """The unit normal of a closed loop (n + 1, 3), toward the side from where it runs counter-clockwise."""
+    normal = np.cross(loop[:-1] - loop.mean(axis=0), loop[1:] - loop.mean(axis=0)).sum(axis=0)
+    return normal / np.linalg.norm(normal)
+
+
+def add_cap(builder: ShapeBuilder, ring: np.ndarray, height: float, flip: bool) -> np.ndarray:
+    """Closes a tube's round end of 16 edges (17, 3) with a dome; returns the chain over it from vertex 0 to 8."""
+    center = ring[:-1].mean(axis=0)
+    normal = loop_normal(ring) * (-1 if flip else 1)
+    halfway = center + 0.55 * (ring[::2] - center) + (1 - 0.55**2) * height * normal
+    outer, inner = builder.add_points(ring), builder.add_points(halfway)
+    middle = builder.add_points(center + height * normal)
+    for k in range(8):
+        a, b = inner[k], inner[k + 1]
+        builder.add_face((outer[2 * k], outer[2 * k + 1], a), flip)
+        builder.add_face((outer[2 * k + 1], b, a), flip)
+        builder.add_face((outer[2 * k + 1], outer[2 * k + 2], b), flip)
+        builder.add_face((a, b, middle), flip)
+    return np.array([outer[0], inner[0], middle, inner[4], outer[8]])

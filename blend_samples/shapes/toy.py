@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A plush bear: body and head of six gores each, ears, arms and legs in halves, and soles (Fig. 11)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .curves import chord_lengths, cubic_spline, even_parameters
+from .fan import add_sector
+from .limbs import Hole, add_cap, round_end, tube
+from .shape import Shape, ShapeBuilder
+
+# Radius and height of the body from its bottom to the neck, and of the head from the neck to its top, meters.
+BODY = np.array([
+    [0.000, 0.000], [0.042, 0.005], [0.067, 0.028], [0.074, 0.058], [0.067, 0.092], [0.050, 0.118], [0.038, 0.130],
+])  # fmt: skip
+HEAD = np.array([
+    [0.038, 0.130], [0.054, 0.139], [0.071, 0.161], [0.076, 0.187], [0.068, 0.216], [0.042, 0.237], [0.000, 0.244],
+])  # fmt: skip
+DEPTH = 0.94  # front to back against side to side
+SNOUT = np.array([0.0, -0.072, 0.176])
+SNOUT_RISE, SNOUT_SIZE = 0.017, 0.034
+GORES, FAN_ROWS = 6, 8
+COLUMNS = GORES * FAN_ROWS
+FIRST_LONGITUDE = np.radians(150)  # of column 0; 0 is the front and 90 degrees the left, where the arm's seam is
+FRONT, LEFT_LEG, LEFT_ARM, RIGHT_ARM, RIGHT_LEG = 28, 32, 40, 16, 24  # columns
+ARM_CENTER, ARM_AXIS, ARM_RADIUS = np.array([0.120, -0.020, 0.080]), np.array([0.90, -0.32, -0.28]), 0.018
+LEG_CENTER, LEG_AXIS, LEG_RADIUS = np.array([0.066, -0.118, 0.027]), np.array([0.36, -0.93, 0.02]), 0.027
+EAR_RADIUS, EAR_REACH, EAR_BULGE = 0.026, 0.020, 0.007
+EAR_SPAN = np.radians(176)
+TOLERANCE = 0.05
+
+
+def toy(body_rows: int = 15, head_rows: int = 14, limb_rows: int = 9, ear_rows: int = 6) -> Shape:
+    """The bear with elastic lines round belly, head, arms and legs and down the middle of the front."""
+    builder = ShapeBuilder()
+    legs = [Hole(1, column, 4, 2) for column in (LEFT_LEG, RIGHT_LEG)]
+    arms = [Hole(body_rows - 7, column, 4, 2) for column in (LEFT_ARM, RIGHT_ARM)]
+    ears = [Hole(head_rows - 7, column, 6, 1) for column in (LEFT_ARM, RIGHT_ARM)]
+    body = _add_trunk(builder, BODY, body_rows, [*legs, *arms], pole_first=True)
+    head = _add_trunk(builder, HEAD, head_rows, ears, pole_first=False)
+    builder.add_seam(body[-1])
+    builder.add_wire(body[body_rows // 2], "Belly line", TOLERANCE)
+    builder.add_wire(head[4], "Head line", TOLERANCE)
+    builder.add_wire(body[:, FRONT], "Middle of the belly", TOLERANCE)
+    left_arm = tube(builder.points(arms[0].loop(body)), ARM_CENTER, ARM_AXIS, ARM_RADIUS, 0.045, limb_rows)
+    left_arm = np.concatenate([left_arm, round_end(left_arm[-1], 4, 0.4)])
+    left_leg = tube(builder.points(legs[0].loop(body)), LEG_CENTER, LEG_AXIS, LEG_RADIUS, 0.05, limb_rows)
+    for mirror, side in ((1, "Left"), (-1, "Right")):
+        arm = builder.add_grid(left_arm * [mirror, 1, 1], flip=mirror < 0)
+        builder.add_seam(add_cap(builder, left_arm[-1] * [mirror, 1, 1], 0.1 * ARM_RADIUS, flip=mirror < 0))
+        leg = builder.add_grid(left_leg * [mirror, 1, 1], flip=mirror < 0)
+        add_cap(builder, left_leg[-1] * [mirror, 1, 1], 0.25 * LEG_RADIUS, flip=mirror < 0)
+        builder.add_seam(leg[-1])
+        for grid, name in ((arm, "arm"), (leg, "leg")):
+            for chain in (grid[0], grid[:, 0], grid[:, grid.shape[1] // 2]):
+                builder.add_seam(chain)
+            builder.add_wire(grid[limb_rows // 2], f"{side} {name} line", TOLERANCE)
+    for mirror in (1, -1):
+        _add_ear(builder, builder.points(ears[0].loop(head)), ear_rows, mirror)
+    return builder.build("Toy")
+
+
+def _add_trunk(
+    builder: ShapeBuilder, outline: np.ndarray, rows: int, holes: list[Hole], pole_first: bool
+) -> np.ndarray:
+    """Body or head; returns the grid (rows + 1, COLUMNS + 1) between the fan round its pole and the neck."""
+    if not pole_first:
+        outline = outline[::-1]
+    profile = cubic_spline(chord_lengths(outline), outline)
+    share = FAN_ROWS / (FAN_ROWS + rows * 1.12)  # of the profile's length that the fan covers
+    fan_at = even_parameters(profile, 0.0, share, FAN_ROWS)
+    grid_at = even_parameters(profile, share, 1.0, rows)
+    for gore in range(GORES):
+        begin, end = FIRST_LONGITUDE + 2 * np.pi / GORES * np.array([gore, gore + 1])
+        fan = add_sector(
+            builder, lambda row, at: _around(profile(fan_at[row]), at), begin, end, FAN_ROWS, flip=pole_first
+        )
+        builder.add_seam(np.array([row[0] for row in fan]))
+    longitudes = FIRST_LONGITUDE + np.linspace(0, 2 * np.pi, COLUMNS + 1)
+    points = np.array([_around(profile(at), longitudes) for at in (grid_at if pole_first else grid_at[::-1])])
+    missing = np.zeros((rows, COLUMNS), dtype=bool)
+    for hole in holes:
+        hole.cut(missing)
+    grid = builder.add_grid(points, holes=missing)
+    for column in range(0, COLUMNS, FAN_ROWS):
+        through = [hole for hole in holes if hole.column == column]
+        begins = [0, *(hole.row + hole.rows for hole in through)]
+        ends = [*(hole.row for hole in through), rows]
+        for begin, end in zip(begins, ends, strict=True):
+            builder.add_seam(grid[begin : end + 1, column])
+    return grid
+
+
+def _around(profile_point: np.ndarray, longitudes: np.ndarray) -> np.ndarray:
+    """Points at longitudes of one height, with the snout."""
+    radius, height = profile_point
+    x, y = radius * np.sin(longitudes), -radius * DEPTH * np.cos(longitudes)
+    points = np.stack([x, y, np.full_like(x, height)], axis=-1)
+    distance = np.linalg.norm((points - SNOUT) * [1, 1, 1.15], axis=1)
+    return points + SNOUT_RISE * np.exp(-((distance / SNOUT_SIZE) ** 3))[:, None] * [0, -1, -0.15]
+
+
+def _add_ear(builder: ShapeBuilder, left_loop: np.ndarray, rows: int, mirror: int) -> None:
+    """Two halves between the hole's border and a round rim, sewn together along the rim."""
+    half = len(left_loop) // 2
+    bottom, top = left_loop[0], left_loop[half]
+    along = (top - bottom) / np.linalg.norm(top - bottom)
+    out = np.array([along[2], 0.0, -along[0]])
+    across = np.linspace(-1, 1, half + 1)[:, None]
+    angle = across * EAR_SPAN / 2
+    rim = (bottom + top) / 2 + EAR_REACH * out + EAR_RADIUS * (np.sin(angle) * along + np.cos(angle) * out)
+    t = np.linspace(0, 1, rows + 1)[:, None, None]
+    for front, base in ((1, left_loop[half:][::-1]), (-1, left_loop[: half + 1])):
+        bulge = EAR_BULGE * front * np.sin(np.pi * t) * np.cos(across * np.pi / 2) * [0, -1.0, 0]
+        points = ((1 - t) * base + t * rim + bulge) * [mirror, 1, 1]
+        grid = builder.add_grid(points, flip=front * mirror > 0)
+        for chain in (grid[0], grid[-1], grid[:, 0], grid[:, -1]):
+            builder.add_seam(chain)

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/refine_chart.h"
+
+#include <optional>
+
+#include "outer/choose_variation.h"
+#include "outer/free_arap.h"
+#include "topology/process_topology.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr int kFreeIterations = 30;
+
+/// ψ(h⁰): the paper's flat shape, before any h is chosen.
+WarpedShape warp_wires(const Chart& chart, const Options& options) {
+  const std::optional<Chart> refined = process_topology(chart);
+  const Chart& prepared = refined ? *refined : chart;
+  const WireNetwork network = build_wire_network(prepared);
+  Warp warp(prepared, network, options.node_weight, Inner::minimum);
+  WarpedShape shape = start_variation(prepared, warp, variation_bounds(prepared, options), [] {}).shape;
+  if (shape.inner.is_feasible) shape.uv.conservativeResize(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
+  return shape;
+}
+
+}  // namespace
+
+RefinedChart refine_chart(const Chart& chart, const Options& options, const std::function<bool()>& go_on) {
+  const WireNetwork held_network = build_held_network(chart);
+  RefinedChart result;
+  RefinementLimits limits{options.max_factorizations, [&] {
+                            result.was_stopped = result.was_stopped || !go_on();
+                            return !result.was_stopped;
+                          }};
+  result.inner.is_feasible = true;
+  const FreeFlattening free = flatten_freely(chart, kFreeIterations);
+  result.shape = refine_shape(chart, held_network, options.fairness, free.uv, limits);
+  const int used = result.shape.factorizations;
+  if (result.shape.is_exact || result.was_stopped) return result;
+
+  WarpedShape warped = warp_wires(chart, options);
+  result.inner = std::move(warped.inner);
+  if (!result.inner.is_feasible) return result;
+  limits.max_factorizations -= used;
+  result.shape = refine_shape(chart, held_network, options.fairness, warped.uv, limits);
+  result.shape.factorizations += used;
+  return result;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The refined method for one chart: where it starts.
+#pragma once
+
+#include <functional>
+
+#include "inner/inner_problem.h"
+#include "refine/refine_shape.h"
+#include "wirewarp/options.h"
+
+namespace wirewarp {
+
+struct RefinedChart {
+  RefinedShape shape;   // not exact: no flat shape with these lengths was found, or the limits came first
+  InnerSolution inner;  // of the second start; not feasible where even the wires alone do not close
+  bool was_stopped = false;
+};
+
+/// Starts from a free ARAP flattening, one step from exact lengths on most pieces. Where that step fails, the wires are
+/// first flattened alone: the angles of Eq. (1) on the network that process_topology prepares, the other vertices by
+/// interior placement (paper II-A); that shape has exact lengths.
+RefinedChart refine_chart(const Chart& chart, const Options& options, const std::function<bool()>& go_on);
+
+}  // namespace wirewarp

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/tangent_space.h"
+
+#include <utility>
+
+namespace wirewarp {
+
+TangentSpace::TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free)
+    : system_(system), constraints_(constraints), free_(std::move(free)) {
+  lengths_ = constraints.elastic_lengths()(Eigen::all, free_);
+  if (!free_.empty()) by_free_.compute(make_positive(system.hessian_by_variation()(free_, free_)));
+}
+
+/// Stationary are G d + Jᵀλ = r_u and -Tᵀλ = r_h. With λ = λ₀ + ∂λ/∂h Δh that is S Δh = r_h + Tᵀλ₀.
+Eigen::VectorXd TangentSpace::solve(Eigen::VectorXd& force) const {
+  const auto num_free = static_cast<Eigen::Index>(free_.size());
+  const Eigen::Index size = force.size() - num_free;
+  const Positions2 on_vertices = Eigen::Map<const Positions2>(force.data(), size / 2, 2);
+  Eigen::VectorXd result(force.size()), multipliers;
+  Positions2 d;
+  system_.solve(on_vertices, Eigen::VectorXd::Zero(constraints_.size()), d, multipliers);
+  if (num_free > 0) {
+    result.tail(num_free) = by_free_.solve(force.tail(num_free) + lengths_.transpose() * multipliers);
+    system_.solve(on_vertices, lengths_ * result.tail(num_free), d, multipliers);
+  }
+  result.head(size) = Eigen::Map<const Eigen::VectorXd>(d.data(), size);
+
+  Positions2 normal = Positions2::Zero(size / 2, 2);
+  constraints_.add_transposed(system_.directions(), multipliers, normal);
+  force.head(size) -= Eigen::Map<const Eigen::VectorXd>(normal.data(), size);
+  force.tail(num_free) += lengths_.transpose() * multipliers;
+  return result;
+}
+
+Eigen::VectorXd TangentSpace::force_on_vertices(const Positions2& force) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(force.size() + static_cast<Eigen::Index>(free_.size()));
+  result.head(force.size()) = Eigen::Map<const Eigen::VectorXd>(force.data(), force.size());
+  return result;
+}
+
+}  // namespace wirewarp

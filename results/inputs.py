@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What every section of the page is made from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import wirewarp
+from methods import METHODS, Unwraps
+from shapes import Shape
+
+
+@dataclass(frozen=True)
+class Inputs:
+    shapes: dict[str, Shape]  # the samples by name
+    unwraps: Unwraps
+    error_curves: Path  # the program of native/bench/error_curves
+    pictures: Path  # the folder they are written to
+    _flattened: dict[str, dict[str, wirewarp.FlattenResult]] = field(default_factory=dict)
+
+    def by_all_methods(self, name: str) -> dict[str, wirewarp.FlattenResult]:
+        """A sample flattened by each of METHODS, with the tolerances it carries; done once."""
+        if name not in self._flattened:
+            shape = self.shapes[name]
+            self._flattened[name] = {title: method(shape, self.unwraps) for title, method in METHODS.items()}
+        return self._flattened[name]
+
+
+def with_tolerances(shape: Shape, tolerances: list[float]) -> Shape:
+    """The same surface; one tolerance for each wire."""
+    wires = [replace(wire, tolerance=t) for wire, t in zip(shape.wires, tolerances, strict=True)]
+    return replace(shape, wires=wires)

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the page says of a flattening of a whole sample, from the reports on its pieces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import wirewarp
+
+
+@dataclass(frozen=True)
+class Line:
+    """A wire, or a stretch of outline between junctions; lengths in meters."""
+
+    name: str
+    length_3d: float
+    length_2d: float
+
+    @property
+    def change(self) -> float:
+        """Relative: above 0 where it became longer."""
+        return self.length_2d / self.length_3d - 1
+
+    @property
+    def difference(self) -> float:
+        return abs(self.length_2d - self.length_3d)
+
+
+@dataclass(frozen=True)
+class Summary:
+    """Of all pieces. Means are over the area of the surface, so that they do not depend on how fine the mesh is."""
+
+    energy: float  # E of Eq. (4) over the area: the mean of E_A over the triangle's area
+    mean_aspect_ratio: float
+    max_aspect_ratio: float
+    max_face_energy: float  # E_A of Eq. (6) over the triangle's area
+    seam_mismatch: float | None  # meters; None without seams
+    flipped: int
+    overlapping: int
+    angle_rms: float  # of the piece where it is largest, radians
+    angle_max: float
+    outline: list[Line]
+    wires: list[Line]  # whole ones, as marked
+    tolerances: list[float]  # of the wires
+    changes: list[float]  # h of all elastic parts of wires
+
+
+def face_areas(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+
+
+def piece_areas(vertices: np.ndarray, piece: wirewarp.Piece) -> np.ndarray:
+    """(q,) 3D areas of the triangles of a piece; vertices are the surface's."""
+    return face_areas(vertices[piece.source_vertex], piece.faces)
+
+
+def summarize(vertices: np.ndarray, result: wirewarp.FlattenResult) -> Summary:
+    """vertices: of the surface, (n, 3) meters."""
+    metrics = [piece.metrics for piece in result.pieces]
+    area = np.concatenate([piece_areas(vertices, piece) for piece in result.pieces])
+    ratio = np.concatenate([m.face_aspect_ratio for m in metrics])
+    energy = np.concatenate([m.face_arap for m in metrics])
+    parts = [part for piece in result.pieces for part in piece.wires]
+    return Summary(
+        energy=energy.sum() / area.sum(),
+        mean_aspect_ratio=(ratio * area).sum() / area.sum(),
+        max_aspect_ratio=ratio.max(),
+        max_face_energy=(energy / area).max(),
+        seam_mismatch=max((seam.mismatch for seam in result.seams), default=None),
+        flipped=sum(len(m.flipped_faces) for m in metrics),
+        overlapping=sum(len(m.overlapping_faces) for m in metrics),
+        angle_rms=max(m.angle_deviation_rms for m in metrics),
+        angle_max=max(m.angle_deviation_max for m in metrics),
+        outline=[Line("outline", b.length_3d, b.length_2d) for piece in result.pieces for b in piece.boundaries],
+        wires=[Line(wire.name, wire.length_3d, wire.length_2d) for wire in result.wires],
+        tolerances=[wire.tolerance for wire in result.wires],
+        changes=[part.length_2d / part.length_3d - 1 for part in parts if part.kind == "elastic"],
+    )
+
+
+def rigid_wires(found: Summary) -> list[Line]:
+    return [wire for wire, tolerance in zip(found.wires, found.tolerances, strict=True) if tolerance == 0]
+
+
+def worst(lines: list[Line]) -> Line:
+    """The one that is off by most, for its length."""
+    return max(lines, key=lambda line: abs(line.change))

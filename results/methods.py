@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The flattening methods that the page compares, all measured by wirewarp.measure or by the same code in flatten."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import wirewarp
+from arap import arap_map
+from shapes import Shape
+
+Unwraps = dict[str, np.ndarray]  # what unwrap_in_blender.py wrote: (m, 3, 2) corner UVs by "SAMPLE/METHOD"
+
+
+def wires_of(shape: Shape) -> list[wirewarp.Wire]:
+    return [wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires]
+
+
+def flatten(shape: Shape, **options: str) -> wirewarp.FlattenResult:
+    """By WireWarp; options are those of wirewarp.Options."""
+    return wirewarp.flatten(
+        shape.vertices,
+        shape.triangles(),
+        seams=shape.seams,
+        wires=wires_of(shape),
+        options=wirewarp.Options(**options),
+    )
+
+
+def paper_warping(shape: Shape) -> wirewarp.FlattenResult:
+    """WireWarping to the letter: the first angles that close all loops, all nodes weighted the same."""
+    return flatten(shape, method="wirewarping", inner="least-norm", node_weight="uniform")
+
+
+def measure(shape: Shape, corner_uv: np.ndarray) -> wirewarp.FlattenResult:
+    """Any layout (m, 3, 2) in meters."""
+    return wirewarp.measure(shape.vertices, shape.triangles(), corner_uv, seams=shape.seams, wires=wires_of(shape))
+
+
+def blender(shape: Shape, unwraps: Unwraps, method: str) -> wirewarp.FlattenResult:
+    """Blender's unwrap, every island scaled to its area on the model."""
+    corner_uv = unwraps[f"{shape.name}/{method}"]
+    scaled = corner_uv.copy()
+    for piece in measure(shape, corner_uv).pieces:
+        scaled[piece.source_face] *= np.sqrt(piece.metrics.area_3d / abs(piece.metrics.area_2d))
+    return measure(shape, scaled)
+
+
+def arap(shape: Shape, unwraps: Unwraps) -> wirewarp.FlattenResult:
+    """libigl's ARAP, piece by piece, from Blender's angle-based unwrap."""
+    start = blender(shape, unwraps, "ANGLE_BASED")
+    corner_uv = np.empty_like(start.corner_uv)
+    for piece in start.pieces:
+        uv = arap_map(shape.vertices[piece.source_vertex], piece.faces, piece.vertices)
+        corner_uv[piece.source_face] = uv[piece.faces]
+    return measure(shape, corner_uv)
+
+
+METHODS: dict[str, Callable[[Shape, Unwraps], wirewarp.FlattenResult]] = {
+    "Blender angle-based": lambda shape, unwraps: blender(shape, unwraps, "ANGLE_BASED"),
+    "Blender conformal": lambda shape, unwraps: blender(shape, unwraps, "CONFORMAL"),
+    "ARAP": arap,
+    "WireWarping": lambda shape, unwraps: flatten(shape, method="wirewarping"),
+    "WireWarping++": lambda shape, unwraps: flatten(shape, method="wirewarp++"),
+}

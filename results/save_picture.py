@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes a figure as a small PNG, the same bytes in every run."""
+
+from __future__ import annotations
+
+from io import BytesIO
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.figure import Figure
+from PIL import Image
+
+COLORS = 256  # the most of a PNG with a palette
+
+
+def save(figure: Figure, path: Path) -> None:
+    """Keeps the most frequent colors, which are the flat ones of scales and surfaces; others, at the rims of lines and
+    letters, become the nearest of them. Closes the figure."""
+    raw = BytesIO()
+    figure.savefig(raw, format="png", metadata={"Software": None})
+    plt.close(figure)
+    pixels = np.asarray(Image.open(raw).convert("RGB"))
+    colors, of_pixel, count = np.unique(pixels.reshape(-1, 3), axis=0, return_inverse=True, return_counts=True)
+    palette = colors[np.argsort(-count, kind="stable")[:COLORS]]
+    distance = ((colors[:, None, :].astype(np.int32) - palette) ** 2).sum(axis=2)
+    image = Image.fromarray(distance.argmin(axis=1).astype(np.uint8)[of_pixel].reshape(pixels.shape[:2]), mode="P")
+    image.putpalette(palette.tobytes())
+    image.save(path, optimize=True)

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A picture: the model, then one column for each flattening and one row for each map, at one scale."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import wirewarp
+from arrange import arrange
+from maps import Map, draw_piece, draw_scale, scale_of
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from measures import summarize
+from model_view import draw_model, frame
+from palette import ELASTIC, FAINT_INK, INK, RIGID, TURNED_OVER, percent
+from save_picture import save
+from shapes import Shape
+
+MODEL_WIDTH, SCALE_WIDTH = 2.4, 1.15  # inches
+TITLE_HEIGHT, FOOT_HEIGHT = 0.4, 0.5
+
+
+@dataclass(frozen=True)
+class Column:
+    """A flattening with the words above it."""
+
+    title: str
+    shape: Shape  # with the tolerances it was flattened with
+    result: wirewarp.FlattenResult
+
+
+def draw_sheet(
+    path: Path,
+    columns: Sequence[Column],
+    maps: Sequence[Map],
+    view: tuple[float, float],
+    cell_width: float,
+    aspect: float = 1.0,
+    label_wires: bool = False,
+) -> None:
+    """view: degrees the model is turned and tipped; cell_width: of a flattening, inches; aspect: its wished width over
+    height; label_wires writes the length variation at each wire, for surfaces of one piece."""
+    results = [column.result for column in columns]
+    arrangement = arrange(columns[-1].shape.vertices, results, aspect)
+    cell_height = cell_width * arrangement.size[1] / arrangement.size[0]
+    size = np.array([
+        MODEL_WIDTH + len(columns) * cell_width + SCALE_WIDTH, TITLE_HEIGHT + len(maps) * cell_height + FOOT_HEIGHT,
+    ])  # fmt: skip
+    figure = plt.figure(figsize=size)
+
+    def panel(x: float, y: float, width: float, height: float) -> Axes:
+        """Inches from the lower left corner."""
+        return figure.add_axes((x / size[0], y / size[1], width / size[0], height / size[1]))
+
+    model = panel(0.1, FOOT_HEIGHT + 0.2, MODEL_WIDTH - 0.3, size[1] - FOOT_HEIGHT - TITLE_HEIGHT - 0.2)
+    draw_model(model, columns[-1].shape, *view)
+    for row, quantity in enumerate(maps):
+        scale = scale_of(quantity, columns[-1].shape, results)
+        y = FOOT_HEIGHT + (len(maps) - 1 - row) * cell_height
+        for k, column in enumerate(columns):
+            axes = panel(MODEL_WIDTH + k * cell_width, y, cell_width, cell_height)
+            positions = arrangement.positions(k)
+            for piece, uv in zip(column.result.pieces, positions, strict=True):
+                draw_piece(axes, quantity, scale, column.shape, piece, uv)
+            frame(axes, np.zeros(2), arrangement.size)
+            if label_wires and row == 0:
+                _label_wires(axes, column, positions[0])
+        bar = panel(size[0] - SCALE_WIDTH + 0.15, y + 0.06 * cell_height, 0.13, 0.88 * cell_height)
+        draw_scale(bar, quantity, scale, _exceeds(quantity, scale, columns))
+    for k, column in enumerate(columns):
+        middle = (MODEL_WIDTH + (k + 0.5) * cell_width) / size[0]
+        figure.text(middle, 1 - 0.12 / size[1], column.title, ha="center", va="top", fontsize=10)
+        figure.text(middle, (FOOT_HEIGHT - 0.08) / size[1], _summary(column), ha="center", va="top", fontsize=8)
+    _draw_key(figure, columns)
+    save(figure, path)
+
+
+def _exceeds(quantity: Map, scale: plt.Normalize, columns: Sequence[Column]) -> bool:
+    values = [quantity.values(c.shape, piece) for c in columns for piece in c.result.pieces]
+    return bool(max(np.abs(v - quantity.base).max() for v in values) > scale.vmax - quantity.base)
+
+
+def _label_wires(axes: Axes, column: Column, uv: np.ndarray) -> None:
+    """The variation of each wire, beside it at two thirds of its length, off the crossings."""
+    piece = column.result.pieces[0]
+    of_source = {int(v): k for k, v in enumerate(piece.source_vertex)}
+    for wire, report in zip(column.shape.wires, column.result.wires, strict=True):
+        place = uv[of_source[wire.vertices[round(0.72 * (len(wire.vertices) - 1))]]]
+        text = percent(report.length_2d / report.length_3d - 1)
+        box = {"boxstyle": "round,pad=0.2", "facecolor": "white", "edgecolor": FAINT_INK, "linewidth": 0.5}
+        axes.text(*place, text, fontsize=8, ha="center", va="center", bbox=box, zorder=5)
+
+
+def _summary(column: Column) -> str:
+    found = summarize(column.shape.vertices, column.result)
+    return (
+        f"$E$ {found.energy:.4f}   $E_r$ mean {found.mean_aspect_ratio:.3f}, max {found.max_aspect_ratio:.2f}\n"
+        f"$E_A$ max {found.max_face_energy:.3g}   turned over: {found.flipped}"
+    )
+
+
+def _draw_key(figure: Figure, columns: Sequence[Column]) -> None:
+    """What the lines mean, in the lower left corner."""
+    wires = columns[-1].shape.wires
+    handles = [Line2D([], [], color=INK, linewidth=1.0, label="outline or seam")]
+    if any(wire.tolerance == 0 for wire in wires):
+        handles.append(Line2D([], [], color=RIGID, linewidth=2.2, label="rigid wire"))
+    if any(wire.tolerance > 0 for wire in wires):
+        handles.append(Line2D([], [], color=ELASTIC, linewidth=2.2, label="elastic wire"))
+    if any(len(p.metrics.flipped_faces) for c in columns for p in c.result.pieces):
+        handles.append(Patch(color=TURNED_OVER, label="turned over"))
+    figure.legend(handles=handles, loc="lower left", fontsize=8, frameon=False)

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Markdown, and sentences on numbers that stay true whatever the numbers are."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from pathlib import Path
+
+WIDTH = 120  # of a line of the page
+
+
+def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """The first column is text, the others numbers."""
+    lines = [header, [":--", *["--:"] * (len(header) - 1)], *rows]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def picture(alternative: str, path: Path) -> str:
+    return f"![{alternative}](results/{path.name})"
+
+
+def change(before: float, after: float) -> str:
+    """A verb and by how much, such as "falls by 62 %"; "stays as it is" below half a percent."""
+    share = after / before - 1
+    if abs(share) < 0.005:
+        return "stays as it is"
+    return f"{'falls' if share < 0 else 'rises'} by {100 * abs(share):.0f} %"
+
+
+def count(number: int, one: str, many: str) -> str:
+    words = {0: "no", 1: "one", 2: "two", 3: "three", 4: "four", 5: "five", 6: "six"}
+    return f"{words.get(number, str(number))} {one if number == 1 else many}"
+
+
+def millimeters(meters: float) -> str:
+    """Two digits after the point; what is only rounding is 0."""
+    return "0" if meters < 1e-9 else "under 0.01" if meters < 1e-5 else f"{1000 * meters:.2f}"
+
+
+def wrap(page: str) -> str:
+    """Breaks the lines of paragraphs anew; headings, tables, pictures and lists stay."""
+    blocks = page.split("\n\n")
+    return "\n\n".join(
+        block if block.lstrip().startswith(("#", "|", "![", "- ")) else textwrap.fill(block, WIDTH) for block in blocks
+    )

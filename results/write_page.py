@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes docs/results.md and its pictures: the paper's section IV again, on our own geometry.
+
+python results/write_page.py UNWRAPS ERROR_CURVES [--output FILE]
+
+UNWRAPS is what unwrap_in_blender.py wrote, ERROR_CURVES the program built from native/bench/error_curves.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import subprocess
+from pathlib import Path
+
+os.environ["IGL_NUM_THREADS"] = os.environ["OMP_NUM_THREADS"] = "1"  # the same sums in every run
+
+import all_samples  # noqa: E402 (threads are set when the modules are loaded)
+import figure_1  # noqa: E402
+import figure_3  # noqa: E402
+import figure_6  # noqa: E402
+import figure_8  # noqa: E402
+import figure_9  # noqa: E402
+import figure_11  # noqa: E402
+import numpy as np  # noqa: E402
+from inputs import Inputs  # noqa: E402
+from methods import METHODS  # noqa: E402
+from palette import use_style  # noqa: E402
+from shapes import all_shapes  # noqa: E402
+from text import wrap  # noqa: E402
+
+ROOT = Path(__file__).resolve().parent.parent
+SECTIONS = [figure_1, figure_3, figure_6, figure_8, figure_9, figure_11, all_samples]
+
+
+def commit() -> str:
+    command = ["git", "-C", str(ROOT), "describe", "--always", "--dirty"]
+    return subprocess.check_output(command, text=True).strip()
+
+
+def contents(sections: list[str]) -> str:
+    """A list of links to the headings."""
+    headings = [section.partition("\n")[0].removeprefix("## ") for section in sections]
+    anchors = [re.sub(r"[^a-z0-9 -]", "", heading.lower()).replace(" ", "-") for heading in headings]
+    return "\n".join(f"- [{heading}](#{anchor})" for heading, anchor in zip(headings, anchors, strict=True))
+
+
+def opening(version: str, sections: list[str]) -> str:
+    return f"""# Results
+
+Written by `./dev results`, which regenerates every number and picture of this page; commit {version}.
+
+The examples of "WireWarping++" (Zhang, Wang), section IV, on geometry of our own (`blend_samples/shapes/`), with the
+methods the paper compares: {", ".join(METHODS)}. All of them are measured by the same code, `wirewarp.measure`.
+
+{contents(sections)}
+
+**What is measured.** *E* is the ARAP energy of Eq. (4) over the area of the surface, *E_A* that of one triangle,
+Eq. (6), over its area; so *E* is the mean of *E_A*, and neither depends on how fine the mesh is. *E_r* is the larger of
+a triangle's largest stretch and its largest squeeze: 1 only where nothing is distorted. Means are over the area. What
+happens to the length of a line is said of whole wires and of stretches of outline from junction to junction.
+
+**Where ours is not the paper's method.** The angles are the local minimum of Eq. (1) reached from the surface angles,
+where the paper stops at the first angles that close all loops; nodes count by the length of wire around them; the
+gradient of *E* by *h* is exact; and a piece that turns triangles over is said to do so.
+"""
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("unwraps", type=Path)
+    parser.add_argument("error_curves", type=Path)
+    parser.add_argument("--output", type=Path, default=ROOT / "docs" / "results.md")
+    arguments = parser.parse_args()
+
+    version = commit()  # before the page and its pictures change
+    use_style()
+    pictures = arguments.output.with_suffix("")
+    pictures.mkdir(parents=True, exist_ok=True)
+    inputs = Inputs(
+        shapes={shape.name: shape for shape in all_shapes()},
+        unwraps=dict(np.load(arguments.unwraps)),
+        error_curves=arguments.error_curves,
+        pictures=pictures,
+    )
+    sections = [module.section(inputs) for module in SECTIONS]
+    page = wrap("\n".join([opening(version, sections), *sections]))
+    arguments.output.write_text(page.rstrip() + "\n", encoding="utf-8")
+    print(f"wrote {arguments.output}")
+
+
+if __name__ == "__main__":
+    main()

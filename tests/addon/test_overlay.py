@@ -1,0 +1,310 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the overlay draws: which lines, names and surfaces, on models and on flat pieces. Nothing is drawn here."""
+
+from types import SimpleNamespace
+
+import bpy
+import numpy as np
+import pytest
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read, select_edges, select_only
+
+SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), on_line(1, -0.5)
+
+
+@pytest.fixture
+def source():
+    """Two pieces with one wire of each kind, mirrored."""
+    target = grid("Bump", bump)
+    target.scale = (-1, 1, 2)
+    mark_seam(target, SEAM)
+    mark(target, RIGID)
+    mark(target, ELASTIC, kind="ELASTIC", tolerance=0.05)
+    mark(target, FREE, kind="SUPER_ELASTIC")
+    target.data.wirewarp_names[0].name = "Waist"
+    bpy.ops.object.wirewarp_flatten()
+    return target
+
+
+def depsgraph():
+    return bpy.context.evaluated_depsgraph_get()
+
+
+def lines_of(addon, target):
+    return addon.overlay.object_drawing.marked_lines(target, depsgraph())
+
+
+def edges_of(lines):
+    """How many edges of each kind."""
+    return {kind: len(places) // 2 for kind, places in lines.places.items()}
+
+
+def test_lines_of_each_kind_on_the_model_and_on_the_pieces(addon, source):
+    assert edges_of(lines_of(addon, source)) == {"seam": 8, "rigid": 8, "elastic": 8, "free": 8}
+    assert edges_of(lines_of(addon, flat_of(source))) == {"seam": 16, "rigid": 8, "elastic": 8, "free": 8}
+
+
+def test_lines_lie_on_their_edges(addon, source):
+    places = lines_of(addon, source).places
+    assert np.all(np.abs(places["seam"][:, 0]) < 1e-6)
+    for kind, y in (("rigid", 0.0), ("elastic", 0.5), ("free", -0.5)):
+        assert places[kind][:, 1] == pytest.approx(np.full(16, y), abs=1e-6)
+        ends = places[kind].reshape(-1, 2, 3)
+        assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) == pytest.approx(np.full(8, 0.25), abs=0.1)
+
+
+@pytest.mark.parametrize("flat", [False, True])
+def test_edit_mode_shows_the_same_lines_and_names(addon, source, flat):
+    target = flat_of(source) if flat else source
+    before = lines_of(addon, target)
+    select_only(target)
+    bpy.ops.object.mode_set(mode="EDIT")
+    during = lines_of(addon, target)
+    assert during.places.keys() == before.places.keys()
+    for kind, places in before.places.items():
+        assert np.array_equal(during.places[kind], places)
+    texts = [name.text for name in before.names if not name.text.startswith("Piece")]
+    assert sorted(name.text for name in during.names) == sorted(texts)
+
+
+def test_names_are_those_of_the_report(addon, source):
+    on_model = [name.text for name in lines_of(addon, source).names]
+    assert sorted(on_model) == ["Seam 1", "Waist", "Wire 2 ±5%", "Wire 3"]
+    on_pieces = [name.text for name in lines_of(addon, flat_of(source)).names]
+    assert sorted(on_pieces) == sorted(2 * on_model + ["Piece 1", "Piece 2"])
+
+
+def test_names_stand_on_what_they_name(addon, source):
+    lines = lines_of(addon, source)
+    name = next(name for name in lines.names if name.text == "Waist")
+    assert np.linalg.norm(lines.places["rigid"] - name.place, axis=1).min() < 0.25
+    assert abs(name.place[0]) < 0.3  # in the middle
+    assert name.normal[2] > 0.9
+
+
+def test_seams_of_a_model_that_has_changed_are_not_numbered(addon, source):
+    source.data.vertices[40].co.z += 0.1
+    source.data.update()
+    bpy.context.view_layer.update()
+    assert "Seam 1" not in [name.text for name in lines_of(addon, source).names]
+    assert "Seam 1" in [name.text for name in lines_of(addon, flat_of(source)).names]
+
+
+def test_helper_wires_are_drawn_on_both(addon):
+    source = grid("Bump", bump)
+    mark(source, lambda a, b: RIGID(a, b) and max(abs(a[0]), abs(b[0])) < 0.6)
+    bpy.ops.object.wirewarp_flatten()
+    for target in (source, flat_of(source)):
+        helpers = addon.write_helper_wires.find_helper_wires(target)
+        assert helpers.hide_viewport
+        assert edges_of(lines_of(addon, target))["helper"] == len(helpers.data.edges) > 0
+    bpy.ops.object.wirewarp_flatten(helper_wires=False)
+    assert "helper" not in lines_of(addon, source).places
+
+
+def test_lines_follow_the_modifiers_that_are_shown(addon, source):
+    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    bpy.context.view_layer.update()
+    assert edges_of(lines_of(addon, source))["rigid"] == 16
+
+
+def surface_of(addon, target, color_map):
+    return addon.overlay.object_drawing.colored_surface(target, depsgraph(), color_map)
+
+
+def colors_by_face(mesh, surface):
+    mesh.calc_loop_triangles()
+    faces = read(mesh.loop_triangles, "polygon_index", np.int32)
+    return dict(zip(faces.tolist(), surface.colors.reshape(-1, 3, 4)[:, 0].tolist(), strict=True))
+
+
+def test_a_face_has_the_color_of_its_flat_face(addon, source):
+    flat = flat_of(source)
+    color_map = addon.color_maps.STRETCH
+    on_model = colors_by_face(source.data, surface_of(addon, source, color_map))
+    on_pieces = colors_by_face(flat.data, surface_of(addon, flat, color_map))
+    sources = read(flat.data.attributes["source_face"].data, "value", np.int32).tolist()
+    assert len(set(map(tuple, on_model.values()))) > 10
+    assert len(on_pieces) == len(on_model)
+    for face, color in on_pieces.items():
+        assert color == pytest.approx(on_model[sources[face]], abs=1e-6)
+
+
+def test_every_map_can_be_shown(addon, source):
+    items = bpy.context.scene.wirewarp.bl_rna.properties["shown_map"].enum_items
+    wanted = {item.identifier for item in items if item.identifier != "NONE"}
+    assert wanted == {each.attribute.upper() for each in addon.color_maps.COLOR_MAPS}
+    for color_map in addon.color_maps.COLOR_MAPS:
+        assert surface_of(addon, source, color_map).colors.shape == (3 * 128, 4)
+
+
+def test_no_map_on_a_model_that_has_changed(addon, source):
+    source.data.vertices[40].co.z += 0.1
+    source.data.update()
+    bpy.context.view_layer.update()
+    assert surface_of(addon, source, addon.color_maps.STRETCH) is None
+    assert surface_of(addon, flat_of(source), addon.color_maps.STRETCH) is not None
+
+
+def test_a_missing_map_is_explained(addon, source):
+    bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
+
+    def notes():
+        return addon.overlay.shown.missing_maps(list(addon.overlay.shown.drawings(fake_context())))
+
+    assert notes() == []
+    source.data.vertices[40].co.z += 0.1
+    source.data.update()
+    bpy.context.view_layer.update()
+    addon.overlay.cache._forget()
+    assert notes() == ["Changed since: flatten again"]
+    mark(grid("New", bump), RIGID)
+    assert notes() == ["Not flattened yet: no map", "Changed since: flatten again"]
+
+
+def test_a_map_of_a_shape_with_modifiers_lies_on_that_shape(addon, source):
+    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    bpy.context.view_layer.update()
+    assert surface_of(addon, source, addon.color_maps.STRETCH) is None  # the flat pieces are the base mesh's
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    assert len(surface_of(addon, source, addon.color_maps.STRETCH).places) == 3 * 2 * 4 * 64
+
+
+def test_what_failed_is_drawn_on_the_model_and_on_the_pieces(addon):
+    source = grid("Spike", lambda x, y: (x, y, 2 * (1 - x * x) * (1 - y * y)))
+    mark(source, on_line(0, 0.0))
+    mark(source, on_line(1, 0.0))
+    with pytest.raises(RuntimeError, match="turned over"):
+        bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
+    faces = {face for issue in addon.report_store.last_report(source)["issues"] for face in issue["faces"]}
+    for target in (source, flat_of(source)):
+        found = addon.overlay.object_drawing.failures(target)
+        assert len(found.triangles) == 3 * 2 * len(faces)  # of quads
+        assert len(found.lines) > 0
+    centers = addon.overlay.object_drawing.failures(source).triangles.reshape(-1, 6, 3).mean(axis=1)
+    expected = [source.data.polygons[face].center for face in sorted(faces)]
+    assert np.linalg.norm(centers[:, :2] - np.array(expected)[:, :2], axis=1).max() < 0.1
+
+
+def test_the_edges_of_a_bad_input_are_drawn(addon):
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    assert addon.overlay.object_drawing.failures(source) is None
+    source.data.vertices[0].co = source.data.vertices[1].co
+    source.data.update()
+    bpy.context.view_layer.update()
+    with pytest.raises(RuntimeError, match="no area"):
+        bpy.ops.object.wirewarp_flatten()
+    assert len(addon.overlay.object_drawing.failures(source).lines) > 0
+
+
+def fake_context(**space):
+    """A context with a 3D view, which there is none of without a window."""
+    overlay = SimpleNamespace(**({"show_overlays": True} | space))
+    return SimpleNamespace(
+        scene=bpy.context.scene,
+        view_layer=bpy.context.view_layer,
+        visible_objects=list(bpy.context.view_layer.objects),
+        space_data=SimpleNamespace(overlay=overlay),
+    )
+
+
+def test_only_models_and_pieces_are_drawn_and_only_what_is_wanted(addon, source):
+    grid("Bystander", bump)
+    mark_seam(bpy.data.objects["Bystander"], SEAM)
+    drawings, settings = addon.overlay.shown.drawings, bpy.context.scene.wirewarp
+    shown = list(drawings(fake_context()))
+    assert {drawing.target for drawing in shown} == {source, flat_of(source)}
+    assert all(drawing.lines and drawing.surface is None for drawing in shown)
+    settings.shown_map = "ASPECT_RATIO_COLOR"
+    assert all(drawing.surface for drawing in drawings(fake_context()))
+    settings.show_lines = False
+    assert all(drawing.surface and not drawing.lines for drawing in drawings(fake_context()))
+    assert list(drawings(fake_context(show_overlays=False))) == []
+    settings.shown_map = "NONE"
+    assert list(drawings(fake_context())) == []
+
+
+def test_nothing_is_built_again_until_something_changes(addon, source, monkeypatch):
+    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
+    by_target = lambda: {drawing.target: drawing for drawing in addon.overlay.shown.drawings(fake_context())}  # noqa: E731
+    first, again = by_target(), by_target()
+    for target in (source, flat_of(source)):
+        assert first[target].lines is again[target].lines
+    source.location.x += 1
+    bpy.context.view_layer.update()
+    assert by_target()[source].lines is first[source].lines
+    mark(source, on_line(1, 0.25))
+    bpy.context.view_layer.update()
+    changed = by_target()
+    assert len(changed[source].lines.places["rigid"]) == 2 * len(first[source].lines.places["rigid"])
+    assert changed[flat_of(source)].lines is first[flat_of(source)].lines
+
+
+def test_marking_in_edit_mode_is_seen_at_once(addon, source, monkeypatch):
+    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
+    select_edges(source, on_line(1, 0.25))
+    seen = {drawing.target: drawing for drawing in addon.overlay.shown.drawings(fake_context())}
+    bpy.ops.mesh.wirewarp_mark()
+    bpy.context.view_layer.update()
+    after = {drawing.target: drawing for drawing in addon.overlay.shown.drawings(fake_context())}
+    assert edges_of(after[source].lines)["rigid"] == 8 + edges_of(seen[source].lines)["rigid"] == 16
+
+
+class Timers:
+    """Stands in for bpy.app.timers: what is left of real ones keeps the module bpy from closing."""
+
+    def __init__(self):
+        self.running = {}
+
+    def register(self, function, first_interval):
+        self.running[function] = first_interval
+
+    def unregister(self, function):
+        del self.running[function]
+
+    def is_registered(self, function):
+        return function in self.running
+
+
+@pytest.fixture
+def timers(addon, monkeypatch):
+    fake = Timers()
+    app = SimpleNamespace(timers=fake, handlers=bpy.app.handlers)
+    monkeypatch.setattr(addon.overlay.cache, "bpy", SimpleNamespace(app=app))
+    return fake
+
+
+def test_a_build_is_not_repeated_at_once(addon, source, timers, monkeypatch):
+    cache = addon.overlay.cache
+    clock = SimpleNamespace(now=100.0)
+    monkeypatch.setattr(cache, "time", SimpleNamespace(monotonic=lambda: clock.now))
+
+    def build(value):
+        clock.now += 0.05  # seconds
+        return value
+
+    def drawing(version):
+        return cache.kept_drawing(source, "test", (version,), lambda: build(version))
+
+    assert drawing(1) == 1
+    clock.now += 0.4
+    assert drawing(2) == 1
+    assert timers.running == {addon.redraw.redraw_views: pytest.approx(0.05)}
+    clock.now += 0.06
+    assert drawing(2) == 2
+
+
+def test_handlers_and_timers_leave_with_the_add_on(addon, timers):
+    handlers = addon.overlay._handlers
+    before = len(bpy.app.handlers.load_post)
+    assert len(handlers) == 2
+    addon.overlay.cache._redraw_in(60.0)
+    addon.unregister()
+    try:
+        assert handlers == []
+        assert len(bpy.app.handlers.load_post) < before
+        assert timers.running == {}
+    finally:
+        addon.register()
+    assert len(handlers) == 2
+    assert len(bpy.app.handlers.load_post) == before

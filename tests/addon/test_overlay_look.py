@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The overlay can be read: colors that everybody tells apart, a legend and names that do not cover each other."""
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+# Machado, Oliveira, Fernandes 2009, severity 1: linear RGB as people without one kind of cone see it.
+VISIONS = {
+    "normal": np.eye(3),
+    "protanopia": [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
+    "deuteranopia": [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]],
+    "tritanopia": [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.3039]],
+}
+TO_XYZ = np.array([[0.41246, 0.35758, 0.18044], [0.21267, 0.71515, 0.07218], [0.01933, 0.11919, 0.95030]])
+LETTER = 7.0  # pixels wide at interface scale 1
+WHITE = TO_XYZ.sum(axis=1)
+
+
+def lab(srgb, vision):
+    """CIE L*a*b* (D65) of a screen color, as seen with this vision."""
+    srgb = np.array(srgb)
+    linear = np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
+    x, y, z = (TO_XYZ @ np.clip(np.array(VISIONS[vision]) @ linear, 0, 1)) / WHITE
+    fx, fy, fz = (np.cbrt(t) if t > 216 / 24389 else (24389 / 27 * t + 16) / 116 for t in (x, y, z))
+    return np.array([116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)])
+
+
+@pytest.mark.parametrize("vision", list(VISIONS))
+def test_everybody_tells_the_lines_apart(addon, vision):
+    styles = addon.overlay.line_styles.STYLES
+    for (first, a), (second, b) in combinations(styles.items(), 2):
+        distance = np.linalg.norm(lab(a.color, vision) - lab(b.color, vision))
+        assert distance > 30, (first, second)  # 2.3 is just noticeable side by side
+
+
+@pytest.mark.parametrize("vision", list(VISIONS))
+def test_lines_and_their_rims_differ(addon, vision):
+    for style in addon.overlay.line_styles.STYLES.values():
+        assert abs(lab(style.color, vision)[0] - lab(style.rim, vision)[0]) > 40
+
+
+@pytest.mark.parametrize("vision", list(VISIONS))
+def test_equal_steps_of_a_map_are_told_apart_and_in_order(addon, vision):
+    surface_arrays, maps = addon.overlay.surface_arrays, addon.color_maps
+    for color_map in maps.COLOR_MAPS:
+        steps = color_map.colors(np.linspace(color_map.low, color_map.high, 9))
+        seen = np.array([lab(color[:3], vision) for color in surface_arrays.screen_colors(steps)])
+        assert np.linalg.norm(np.diff(seen, axis=0), axis=1).min() > 5
+        lightness = seen[:, 0] if color_map.low >= 0 else seen[4:, 0]  # of two sides, the warm one
+        assert np.all(np.diff(lightness) < 0)
+        if color_map.low < 0:
+            assert np.all(np.diff(seen[:5, 0]) > 0)
+            cold, warm = seen[1, 2], seen[-2, 2]
+            assert warm - cold > 40 or vision == "tritanopia"
+
+
+def lay_out(addon, map_name="STRETCH", notes=(), unit=1.0):
+    styles = list(addon.overlay.line_styles.STYLES.values())
+    color_map = getattr(addon.color_maps, map_name) if map_name else None
+    width = lambda text: LETTER * unit * len(text)  # noqa: E731
+    return addon.overlay.legend.lay_out(styles, notes, color_map, (900.0, 16.0), unit, width)
+
+
+@pytest.mark.parametrize("unit", [1.0, 2.0])
+@pytest.mark.parametrize("map_name", [None, "STRETCH", "LENGTH_VARIATION", "ASPECT_RATIO", "ARAP_ENERGY"])
+def test_the_legend_is_in_its_box_and_nothing_covers_a_text(addon, map_name, unit):
+    legend = lay_out(addon, map_name, ["Changed since: flatten again"], unit)
+    ground = legend.boxes[0]
+    assert (ground.right, ground.bottom) == (900.0, 16.0)
+    texts = [
+        (text.left, text.base, text.left + LETTER * unit * len(text.text), text.base + 9 * unit)
+        for text in legend.texts
+    ]
+    for left, bottom, right, top in [*texts, *((box.left, box.bottom, box.right, box.top) for box in legend.boxes)]:
+        assert ground.left <= left < right <= ground.right
+        assert ground.bottom <= bottom < top <= ground.top
+    for a, b in combinations(texts, 2):
+        assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+
+
+def test_the_legend_says_what_the_colors_mean(addon):
+    texts = [text.text for text in lay_out(addon).texts]
+    assert {style.label for style in addon.overlay.line_styles.STYLES.values()} < set(texts)
+    assert [text for text in texts if "%" in text] == ["≤ -10 %", "-5 %", "0 %", "+5 %", "≥ +10 %"]
+    numbers = [text.text for text in lay_out(addon, "ASPECT_RATIO").texts if text.text[-1].isdigit()]
+    assert numbers == ["1", "1.125", "1.25", "1.375", "≥ 1.5"]
+
+
+def test_without_anything_to_say_there_is_no_legend(addon):
+    legend = addon.overlay.legend.lay_out([], [], None, (900.0, 16.0), 1.0, len)
+    assert (legend.boxes, legend.texts) == ([], [])
+
+
+def test_names_do_not_cover_each_other(addon):
+    rng = np.random.default_rng(1)
+    places = [tuple(place) for place in rng.uniform(0, 300, (60, 2))]
+    sizes = [(40.0 + 5 * (k % 5), 10.0) for k in range(60)]
+    lifts = addon.overlay.spread_names.spread(places, sizes)
+    boxes = [
+        (x, y + lift, x + width, y + lift + height)
+        for (x, y), (width, height), lift in zip(places, sizes, lifts, strict=True)
+        if lift is not None
+    ]
+    assert len(boxes) > 30
+    assert lifts[0] == 0  # the first stands where it should
+    for a, b in combinations(boxes, 2):
+        assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference_cases.h"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "index.h"
+#include "test_meshes.h"
+
+namespace wirewarp::test {
+namespace {
+
+/// Vertices and triangles of a Wavefront OBJ.
+FlattenInput read_obj(std::istream& file) {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::array<int, 3>> faces;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string kind;
+    words >> kind;
+    if (kind == "v") {
+      double x = 0, y = 0, z = 0;
+      words >> x >> y >> z;
+      vertices.emplace_back(x, y, z);
+    }
+    if (kind != "f") continue;
+    std::array<std::string, 3> corners;  // such as 7/3/1: vertex, texture, normal, from 1
+    words >> corners[0] >> corners[1] >> corners[2];
+    faces.push_back({std::stoi(corners[0]) - 1, std::stoi(corners[1]) - 1, std::stoi(corners[2]) - 1});
+  }
+  FlattenInput input;
+  input.vertices.resize(static_cast<Eigen::Index>(vertices.size()), 3);
+  input.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (int v = 0; v < input.vertices.rows(); ++v) input.vertices.row(v) = vertices[at(v)];
+  for (int f = 0; f < input.faces.rows(); ++f) input.faces.row(f) << faces[at(f)][0], faces[at(f)][1], faces[at(f)][2];
+  return input;
+}
+
+}  // namespace
+
+std::optional<FlattenInput> reference_panel(const std::string& name, double tolerance) {
+  const std::filesystem::path panels = std::filesystem::path(WIREWARP_REPOSITORY) / ".." / "shared/meshes/_panels";
+  if (!std::filesystem::exists(panels)) return std::nullopt;
+  std::ifstream mesh(panels / (name + ".obj")), wires(panels / (name + ".wires.json"));
+  FlattenInput input = read_obj(mesh);
+  const nlohmann::json description = nlohmann::json::parse(wires);
+  for (const auto& wire : description.at("wires")) {
+    add_wire(input, wire.at("vertices").get<std::vector<int>>(), tolerance);
+  }
+  return input;
+}
+
+}  // namespace wirewarp::test

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Panels that are no part of this repository: read where a folder `shared` lies beside it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "wirewarp/flatten.h"
+
+namespace wirewarp::test {
+
+/// A panel with all its wires of one tolerance. Empty where the panels are not at hand.
+std::optional<FlattenInput> reference_panel(const std::string& name, double tolerance);
+
+}  // namespace wirewarp::test

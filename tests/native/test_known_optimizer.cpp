@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The outer problem against NLopt: from the same h0, with the same E and gradient, it finds nothing better.
+#include <gtest/gtest.h>
+#include <nlopt.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "outer/choose_variation.h"
+#include "reference_cases.h"
+#include "test_meshes.h"
+#include "topology/process_topology.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kNothingBetter = 1e-4;  // relative
+constexpr double kFree = std::numeric_limits<double>::infinity();
+
+struct OuterCase {
+  std::string name;
+  std::function<std::optional<FlattenInput>()> make_input;
+};
+
+void PrintTo(const OuterCase& outer_case, std::ostream* out) { *out << outer_case.name; }
+
+std::string name_of(const testing::TestParamInfo<OuterCase>& info) { return info.param.name; }
+
+/// E(ψ(h)) over the elastic parts as NLopt calls it, with the least value seen.
+struct ShapeErrorOf {
+  Warp& warp;
+  std::vector<int> parts;
+  Eigen::VectorXd variation;  // of all parts
+  double least = std::numeric_limits<double>::infinity();
+  bool is_defined = true;  // at every h so far
+
+  static double evaluate(unsigned size, const double* elastic, double* gradient, void* data) {
+    ShapeErrorOf& self = *static_cast<ShapeErrorOf*>(data);
+    self.variation(self.parts) = Eigen::Map<const Eigen::VectorXd>(elastic, size);
+    const WarpedShape shape = self.warp(self.variation);
+    if (!shape.inner.is_feasible) {
+      self.is_defined = false;
+      return std::numeric_limits<double>::infinity();
+    }
+    if (gradient != nullptr) Eigen::Map<Eigen::VectorXd>(gradient, size) = self.warp.gradient(shape)(self.parts);
+    const double value = self.warp.shape_error(shape);
+    self.least = std::min(self.least, value);
+    return value;
+  }
+};
+
+/// The least E that an algorithm of NLopt meets from a start within the bounds.
+double least_shape_error(nlopt_algorithm algorithm, Warp& warp, const VariationBounds& bounds,
+                         const Eigen::VectorXd& start) {
+  ShapeErrorOf function{warp, bounds.elastic_parts(), start};
+  const Eigen::VectorXd lower = bounds.lower(function.parts), upper = bounds.upper(function.parts);
+  Eigen::VectorXd elastic = start(function.parts);
+  const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimizer(
+      nlopt_create(algorithm, static_cast<unsigned>(elastic.size())), &nlopt_destroy);
+  nlopt_set_lower_bounds(optimizer.get(), lower.data());
+  nlopt_set_upper_bounds(optimizer.get(), upper.data());
+  nlopt_set_min_objective(optimizer.get(), &ShapeErrorOf::evaluate, &function);
+  nlopt_set_ftol_rel(optimizer.get(), 1e-10);
+  nlopt_set_maxeval(optimizer.get(), 300);
+  double last = 0;
+  // Its code only says why it stopped: near the minimum LD_LBFGS likes to end with a failed line search.
+  nlopt_optimize(optimizer.get(), elastic.data(), &last);
+  EXPECT_TRUE(function.is_defined);
+  return function.least;
+}
+
+class KnownOptimizer : public testing::TestWithParam<OuterCase> {};
+
+TEST_P(KnownOptimizer, FindsNothingBetter) {
+  const std::optional<FlattenInput> input = GetParam().make_input();
+  if (!input) GTEST_SKIP() << "the reference panels are not at hand";
+  const Charts charts = test::charts_of(*input);
+  const std::optional<Chart> refined = process_topology(charts.charts[0]);
+  const Chart& chart = refined ? *refined : charts.charts[0];
+  const WireNetwork network = build_wire_network(chart);
+  for (const NodeWeight weight : {NodeWeight::length, NodeWeight::uniform}) {
+    Warp warp(chart, network, weight, Inner::minimum);
+    const VariationBounds bounds = variation_bounds(chart, Options{});
+    ASSERT_FALSE(bounds.elastic_parts().empty());
+    const OuterSolution start = start_variation(chart, warp, bounds, [] {});
+    const OuterSolution ours = choose_variation(chart, warp, bounds, [] {});
+    for (const nlopt_algorithm algorithm : {NLOPT_LD_SLSQP, NLOPT_LD_LBFGS}) {
+      const double theirs = least_shape_error(algorithm, warp, bounds, start.variation);
+      EXPECT_LT(theirs, start.shape_error);
+      EXPECT_LE(ours.shape_error, theirs * (1 + kNothingBetter)) << nlopt_algorithm_name(algorithm);
+    }
+  }
+}
+
+FlattenInput elastic(FlattenInput input, double tolerance) {
+  for (Wire& wire : input.wires) wire.tolerance = tolerance;
+  return input;
+}
+
+FlattenInput elastic_saddle() {
+  const int n = 16;
+  FlattenInput input = test::saddle(n, 0.3);
+  for (const int line : {3, 7, 12}) {
+    test::add_wire(input, test::grid_row(n, line), 0.03);
+    test::add_wire(input, test::grid_column(n, n, line), 0.1);
+  }
+  return input;
+}
+
+FlattenInput elastic_gore() {
+  const int gores = 6, n = 6;
+  FlattenInput input = test::sphere_of_gores(gores, n, 16);
+  for (const int ring : {3, 7, 11}) test::add_wire(input, test::tube_ring(gores * n, ring), 0.05);
+  return input;
+}
+
+/// A closed wire that touches nothing: the helper wires that join it to the outline count as free.
+FlattenInput elastic_ring() {
+  const int n = 16;
+  FlattenInput input = test::saddle(n, 0.3);
+  const auto vertex = [](int i, int j) { return i + (n + 1) * j; };
+  std::vector<int> ring;
+  for (int k = 4; k < 12; ++k) ring.push_back(vertex(k, 4));
+  for (int k = 4; k < 12; ++k) ring.push_back(vertex(12, k));
+  for (int k = 12; k > 4; --k) ring.push_back(vertex(k, 12));
+  for (int k = 12; k >= 4; --k) ring.push_back(vertex(4, k));
+  test::add_wire(input, ring, 0.05);
+  return input;
+}
+
+std::vector<OuterCase> own_cases() {
+  return {{"quarter_sphere_3_percent", [] { return elastic(test::quarter_sphere(16), 0.03); }},
+          {"quarter_sphere_20_percent", [] { return elastic(test::quarter_sphere(16), 0.2); }},
+          {"quarter_sphere_free", [] { return elastic(test::quarter_sphere(16), kFree); }},
+          {"saddle", elastic_saddle},
+          {"gore", elastic_gore},
+          {"ring", elastic_ring}};
+}
+
+std::vector<OuterCase> reference_cases() {
+  std::vector<OuterCase> cases;
+  for (const std::string panel :
+       {"bodysuit_collar", "wetsuit_seat", "wetsuit_shoulder_upper_chest", "wetsuit_front_bodice", "wetsuit_back"}) {
+    for (const int percent : {3, 20}) {
+      cases.push_back({panel + "_" + std::to_string(percent) + "_percent",
+                       [=] { return test::reference_panel(panel, percent / 100.0); }});
+    }
+  }
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(OwnMeshes, KnownOptimizer, testing::ValuesIn(own_cases()), name_of);
+INSTANTIATE_TEST_SUITE_P(Panels, KnownOptimizer, testing::ValuesIn(reference_cases()), name_of);
+
+}  // namespace
+}  // namespace wirewarp
