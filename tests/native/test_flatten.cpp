@@ -15,6 +15,15 @@ namespace wirewarp {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
+// A millionth of the piece: the refined method stops where another step promises less than 1e-9 of f.
+constexpr double kSame = 1e-6;
+constexpr Method kMethods[] = {Method::wirewarp_plus_plus, Method::refined};
+
+Options by(Method method) {
+  Options options;
+  options.method = method;
+  return options;
+}
 
 /// Largest distance between corresponding rows after the rigid motion that fits best.
 double misfit(Positions2 a, Positions2 b) {
@@ -68,8 +77,11 @@ void expect_promises(const FlattenInput& input, const FlattenResult& result) {
   for (const Piece& piece : result.pieces) {
     EXPECT_FALSE(piece.error.has_value()) << piece.error->what();
     EXPECT_LT(piece.report.constraint_residual, 1e-12);
-    EXPECT_LT(piece.report.projected_gradient, 1e-10);
-    EXPECT_LE(piece.report.factorizations, 1);
+    EXPECT_EQ(piece.report.termination, Termination::converged) << piece.report.message;
+    if (result.method != "refined") {
+      EXPECT_LT(piece.report.projected_gradient, 1e-10);
+      EXPECT_LE(piece.report.factorizations, 1);
+    }
     for (const WireReport& wire : piece.wires) EXPECT_LT(wire.max_edge_error, 1e-9) << wire.name;
     for (const BoundaryReport& boundary : piece.boundaries) EXPECT_LT(boundary.max_edge_error, 1e-9);
   }
@@ -99,7 +111,7 @@ void expect_promises(const FlattenInput& input, const FlattenResult& result) {
 TEST(Flatten, LengthsAreExactOnDoublyCurvedPieces) {
   for (const FlattenInput& input :
        {test::quarter_sphere(12), gores_with_a_wire(), sheet_with_a_dart(16, 0.3), test::saddle(12, 0.4)}) {
-    expect_promises(input, flatten(input));
+    for (const Method method : kMethods) expect_promises(input, flatten(input, by(method)));
   }
 }
 
@@ -120,34 +132,37 @@ TEST(Flatten, DevelopablePiecesAreIsometric) {
     test::add_wire(plate, wire);
   }
   for (const FlattenInput& input : {cylinder, cone, tube, plate, sheet_with_a_dart(8, 0)}) {
-    const FlattenResult result = flatten(input);
-    expect_promises(input, result);
-    for (const Piece& piece : result.pieces) {
-      EXPECT_LT(piece.metrics.arap_energy, 1e-20);
-      EXPECT_NEAR(piece.metrics.face_aspect_ratio.maxCoeff(), 1, 1e-10);
-      EXPECT_NEAR(piece.metrics.area_2d, piece.metrics.area_3d, 1e-10 * piece.metrics.area_3d);
+    for (const Method method : kMethods) {
+      const FlattenResult result = flatten(input, by(method));
+      expect_promises(input, result);
+      for (const Piece& piece : result.pieces) {
+        EXPECT_LT(piece.metrics.arap_energy, 1e-20);
+        EXPECT_NEAR(piece.metrics.face_aspect_ratio.maxCoeff(), 1, 1e-10);
+        EXPECT_NEAR(piece.metrics.area_2d, piece.metrics.area_3d, 1e-10 * piece.metrics.area_3d);
+      }
     }
   }
 }
 
 TEST(Flatten, FollowsRigidMotionAndScale) {
   const FlattenInput input = gores_with_a_wire();
-  const FlattenResult before = flatten(input);
   FlattenInput moved = input;
   const double scale = 250;
   const Eigen::Matrix3d turn = (Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized())).toRotationMatrix();
   moved.vertices = scale * input.vertices * turn.transpose();
   moved.vertices.rowwise() += Eigen::RowVector3d(40, -7, 11);
-  const FlattenResult after = flatten(moved);
-  for (std::size_t i = 0; i < before.pieces.size(); ++i) {
-    EXPECT_LT(misfit(scale * before.pieces[i].vertices, after.pieces[i].vertices), 1e-8 * scale);
-    EXPECT_NEAR(after.pieces[i].metrics.arap_energy, before.pieces[i].metrics.arap_energy, 1e-9);
+  for (const Method method : kMethods) {
+    const FlattenResult before = flatten(input, by(method)), after = flatten(moved, by(method));
+    for (std::size_t i = 0; i < before.pieces.size(); ++i) {
+      EXPECT_LT(misfit(scale * before.pieces[i].vertices, after.pieces[i].vertices), kSame * scale);
+      EXPECT_NEAR(after.pieces[i].metrics.arap_energy, before.pieces[i].metrics.arap_energy, 1e-9);
+    }
   }
 }
 
 /// Flattens a shuffled copy and compares corner by corner.
-void expect_order_is_nothing(const FlattenInput& input) {
-  const FlattenResult before = flatten(input);
+void expect_order_is_nothing(const FlattenInput& input, Method method) {
+  const FlattenResult before = flatten(input, by(method));
   std::mt19937 random(3);
   std::vector<int> new_vertex(static_cast<std::size_t>(input.vertices.rows()));
   std::vector<int> old_face(static_cast<std::size_t>(input.faces.rows()));
@@ -166,7 +181,7 @@ void expect_order_is_nothing(const FlattenInput& input) {
   for (Wire& wire : shuffled.wires) {
     for (int& v : wire.vertices) v = renamed(v);
   }
-  const FlattenResult after = flatten(shuffled);
+  const FlattenResult after = flatten(shuffled, by(method));
 
   Positions2 corners_before(3 * input.faces.rows(), 2);
   Positions2 corners_after(3 * input.faces.rows(), 2);
@@ -177,12 +192,13 @@ void expect_order_is_nothing(const FlattenInput& input) {
       corners_after.row(3 * f + k) = after.corner_uv.block<1, 2>(f, 2 * k);
     }
   }
-  EXPECT_LT(misfit(corners_before, corners_after), 1e-8);
+  EXPECT_LT(misfit(corners_before, corners_after), kSame);
 }
 
 TEST(Flatten, DoesNotDependOnTheOrderOfVerticesFacesAndCorners) {
-  for (const FlattenInput& input : {sheet_with_a_dart(12, 0.3), test::quarter_sphere(16)})
-    expect_order_is_nothing(input);
+  for (const FlattenInput& input : {sheet_with_a_dart(12, 0.3), test::quarter_sphere(16)}) {
+    for (const Method method : kMethods) expect_order_is_nothing(input, method);
+  }
 }
 
 TEST(Flatten, AMirroredSurfaceGivesTheMirroredPiece) {
@@ -190,7 +206,10 @@ TEST(Flatten, AMirroredSurfaceGivesTheMirroredPiece) {
   FlattenInput mirror = input;
   mirror.vertices.col(0) *= -1;
   mirror.faces.col(1).swap(mirror.faces.col(2));
-  EXPECT_LT(misfit(mirrored(flatten(input).pieces[0].vertices), flatten(mirror).pieces[0].vertices), 1e-8);
+  for (const Method method : kMethods) {
+    const Positions2 piece = flatten(input, by(method)).pieces[0].vertices;
+    EXPECT_LT(misfit(mirrored(piece), flatten(mirror, by(method)).pieces[0].vertices), kSame);
+  }
 }
 
 TEST(Flatten, ThePieceFromInsideOnRequest) {
@@ -199,7 +218,7 @@ TEST(Flatten, ThePieceFromInsideOnRequest) {
   options.mirror = true;
   const FlattenResult inside = flatten(input, options);
   expect_promises(input, inside);
-  EXPECT_LT(misfit(mirrored(flatten(input).pieces[0].vertices), inside.pieces[0].vertices), 1e-8);
+  EXPECT_LT(misfit(mirrored(flatten(input).pieces[0].vertices), inside.pieces[0].vertices), 1e-12);
 }
 
 /// The quarter sphere with its columns crowded to one side: grading 1 is even.
@@ -215,13 +234,14 @@ FlattenInput graded_quarter_sphere(int n, double grading) {
   return input;
 }
 
+/// Of the paper's method, which has a weight for nodes.
 double energy(const FlattenInput& input, NodeWeight weight) {
-  Options options;
+  Options options = by(Method::wirewarp_plus_plus);
   options.node_weight = weight;
   return flatten(input, options).pieces[0].metrics.arap_energy;
 }
 
-TEST(Flatten, ConvergesWhenTheSurfaceIsRefined) {
+TEST(Flatten, WirewarpingConvergesWhenTheSurfaceIsRefined) {
   double previous = energy(test::quarter_sphere(24), NodeWeight::length);
   double change = 1;
   for (const int n : {48, 96, 192}) {
@@ -270,13 +290,13 @@ TEST(Flatten, NetworksOfEveryKindKeepTheirLengths) {
   for (int i = 0; i < 5; ++i) wire.push_back(vertex(i, 0));
   for (int j = 1; j <= n; ++j) wire.push_back(vertex(4, j));
   test::add_wire(along, wire);
-  for (const FlattenInput& input : {crossing, meeting, ring, along}) expect_promises(input, flatten(input));
+  for (const FlattenInput& input : {crossing, meeting, ring, along}) {
+    for (const Method method : kMethods) expect_promises(input, flatten(input, by(method)));
+  }
 }
 
 TEST(Flatten, APieceWithFlippedFacesSaysSoAndKeepsItsLengths) {
-  Options options;
-  options.method = Method::wirewarping;
-  const FlattenResult result = flatten(test::quarter_sphere(24), options);
+  const FlattenResult result = flatten(test::quarter_sphere(24), by(Method::wirewarping));
   const Piece& piece = result.pieces[0];
   ASSERT_FALSE(piece.metrics.flipped_faces.empty());
   ASSERT_TRUE(piece.error.has_value());
