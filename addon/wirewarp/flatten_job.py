@@ -2,7 +2,7 @@
 """Arrays of one object to the core library's result. No Blender in here."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from itertools import pairwise
 from types import ModuleType
 from typing import Any
@@ -12,6 +12,7 @@ import numpy as np
 from .element_names import count_faces, name_elements
 from .issues import Issue, ObjectError
 from .mesh_to_arrays import MeshArrays, NamedWire
+from .proposals import looser_wires, seams_on_edges
 
 # What the library advises, by Blender's own names.
 COMMANDS = {
@@ -30,6 +31,7 @@ class FlattenChoices:
     """The operator's settings by the core library's names."""
 
     method: str
+    fairness: float
     node_weight: str
     gap: float
     mirror: bool
@@ -43,9 +45,7 @@ def flatten_arrays(library: ModuleType, arrays: MeshArrays, choices: FlattenChoi
             arrays.triangles,
             seams=arrays.seams,
             wires=[_library_wire(library, wire) for wire in arrays.wires],
-            options=library.Options(
-                method=choices.method, node_weight=choices.node_weight, gap=choices.gap, mirror=choices.mirror
-            ),
+            options=library.Options(**asdict(choices)),
             progress=progress,
         )
     except library.FlattenError as error:
@@ -84,6 +84,8 @@ def issue_of_error(error: Any, arrays: MeshArrays, counted: Sequence[np.ndarray]
         vertices=[int(vertex) for vertex in error.vertices],
         edges=[(int(a), int(b)) for a, b in error.edges],
         faces=faces,
+        proposed_seams=seams_on_edges(error.proposed_seams, arrays),
+        proposed_tolerances=looser_wires(error.proposed_tolerances, arrays),
     )
 
 

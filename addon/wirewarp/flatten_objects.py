@@ -2,7 +2,7 @@
 """Flatten as a whole: everything is computed before anything is written."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from types import ModuleType
 from typing import Any
 
@@ -58,17 +58,18 @@ def compute(
     meters = meters_per_blender_unit(context.scene)
     outcomes = []
     for index, source in enumerate(sources):
+        state = None
         try:
             check_target(source, writes_uv=not use_modifiers)
             arrays = object_to_arrays(source, depsgraph)
+            state = model_state(source)
             result = flatten_arrays(library, arrays, choices, _share(progress, index, len(sources)))
         except ObjectError as error:
             outcome = Outcome(source, failure_report(error.issue))
         else:
             outcome = Outcome(source, object_report(result, arrays, meters), arrays, result)
         outcome.report = _identify(outcome.report, source, use_modifiers)
-        if outcome.arrays:
-            outcome.report["model_state"] = model_state(source)
+        outcome.report |= {"options": asdict(choices), "model_state": state}
         outcome.report["notes"] += left_out(source, outcome.arrays, use_modifiers)
         outcomes.append(outcome)
     return outcomes

@@ -5,6 +5,15 @@ from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True)
+class LooserWire:
+    """A wire that can be kept if it gets this tolerance."""
+
+    name: str
+    tolerance: float
+    edges: list[tuple[int, int]]  # vertex pairs
+
+
+@dataclass(frozen=True)
 class Issue:
     """code is the core library's error code or one of the add-on's own; all indices are of the source mesh."""
 
@@ -14,6 +23,8 @@ class Issue:
     vertices: list[int] = field(default_factory=list)
     edges: list[tuple[int, int]] = field(default_factory=list)  # vertex pairs
     faces: list[int] = field(default_factory=list)  # polygons
+    proposed_seams: list[tuple[int, int]] = field(default_factory=list)  # edges of the mesh as vertex pairs
+    proposed_tolerances: list[LooserWire] = field(default_factory=list)
 
 
 class ObjectError(Exception):

@@ -18,7 +18,7 @@ EDIT_LIMIT = 20_000  # vertices; larger meshes are not compared while in Edit Mo
 
 def model_state(source: bpy.types.Object) -> dict:
     """For the report. Of a model in Object Mode."""
-    return {"mesh": _digest(source.data), "metric": metric(source).tolist()}
+    return _digests(source.data) | {"metric": metric(source).tolist()}
 
 
 def has_changed(source: bpy.types.Object, report: dict) -> bool:
@@ -26,15 +26,28 @@ def has_changed(source: bpy.types.Object, report: dict) -> bool:
     state, mesh = report.get("model_state"), source.data
     if state is None:
         return False
-    now, then = metric(source), np.array(state["metric"])
-    if not np.allclose(now, then, rtol=1e-5, atol=1e-5 * np.abs(then).max()):
+    if _is_scaled(source, state):
         return True
     if mesh.is_editmode and not _comparable_in_edit_mode(mesh):
         return False
     try:
-        return kept(mesh, "digest", _digest) != state["mesh"]
+        return any(state.get(part) != digest for part, digest in kept(mesh, "digests", _digests).items())
     except ObjectError:  # an attribute of our name that was none when the report was made
         return True
+
+
+def has_moved(source: bpy.types.Object, report: dict) -> bool:
+    """Whether geometry or scale are other than when the report was made, whatever its seams and wires are now.
+
+    Of a model in Object Mode; a report that cannot tell counts as one of another model. Raises ObjectError.
+    """
+    state = report.get("model_state")
+    return state is None or _is_scaled(source, state) or _digests(source.data)["shape"] != state.get("shape")
+
+
+def _is_scaled(source: bpy.types.Object, state: dict) -> bool:
+    now, then = metric(source), np.array(state["metric"])
+    return not np.allclose(now, then, rtol=1e-5, atol=1e-5 * np.abs(then).max())
 
 
 def _comparable_in_edit_mode(mesh: bpy.types.Mesh) -> bool:
@@ -42,21 +55,27 @@ def _comparable_in_edit_mode(mesh: bpy.types.Mesh) -> bool:
     return mesh.shape_keys is None and len(bmesh.from_edit_mesh(mesh).verts) <= EDIT_LIMIT
 
 
-def _digest(mesh: bpy.types.Mesh) -> str:
+def _digests(mesh: bpy.types.Mesh) -> dict[str, str]:
+    shape, marks = _gather_edit(mesh) if mesh.is_editmode else _gather(mesh)
+    return {"shape": _digest(shape), "marks": _digest(marks)}
+
+
+def _digest(arrays: list[np.ndarray]) -> str:
     digest = hashlib.blake2b(digest_size=12)
-    for values in _gather_edit(mesh) if mesh.is_editmode else _gather(mesh):
+    for values in arrays:
         digest.update(np.ascontiguousarray(values))
     return digest.hexdigest()
 
 
-def _gather(mesh: bpy.types.Mesh) -> list[np.ndarray]:
-    """Coordinates, corners, seams and wires; the same as _gather_edit finds."""
+def _gather(mesh: bpy.types.Mesh) -> tuple[list[np.ndarray], list[np.ndarray]]:
+    """Coordinates and corners; seams and wires; the same as _gather_edit finds."""
     marks = read_marks(mesh)
     marked = np.flatnonzero(marks.wire_ids).astype(np.int32)
     return [
         read(mesh.vertices, "co", np.float32, 3),
         read(mesh.loops, "vertex_index", np.int32),
         read(mesh.polygons, "loop_total", np.int32),
+    ], [
         np.flatnonzero(read(mesh.edges, "use_seam", bool)).astype(np.int32),
         marked,
         marks.wire_ids[marked],
@@ -64,7 +83,7 @@ def _gather(mesh: bpy.types.Mesh) -> list[np.ndarray]:
     ]
 
 
-def _gather_edit(mesh: bpy.types.Mesh) -> list[np.ndarray]:
+def _gather_edit(mesh: bpy.types.Mesh) -> tuple[list[np.ndarray], list[np.ndarray]]:
     edit = bmesh.from_edit_mesh(mesh)
     edit.verts.index_update()
     wire, tolerance = edit.edges.layers.int.get(WIRE), edit.edges.layers.float.get(TOLERANCE)
@@ -73,6 +92,7 @@ def _gather_edit(mesh: bpy.types.Mesh) -> list[np.ndarray]:
         np.array([vertex.co[:] for vertex in edit.verts], dtype=np.float32),
         np.array([vertex.index for face in edit.faces for vertex in face.verts], dtype=np.int32),
         np.array([len(face.verts) for face in edit.faces], dtype=np.int32),
+    ], [
         np.array([number for number, edge in enumerate(edit.edges) if edge.seam], dtype=np.int32),
         np.array([number for number, _ in marked], dtype=np.int32),
         np.array([edge[wire] for _, edge in marked], dtype=np.int32),

@@ -15,14 +15,24 @@ from .redraw import redraw_views
 
 METHODS = [
     (
-        "WIREWARP_PLUS_PLUS",
-        "WireWarping++",
-        "Rigid wires keep their length; elastic wires, within their tolerance, and free wires get the lengths that "
-        "distort the pieces least",
+        "REFINED",
+        "Refined: least distortion",
+        "Lines and cloth are laid out together, so that the cloth is distorted as little as these lengths allow. "
+        "Elastic wires stay within their tolerance; free wires get the length that is best. The one to use",
     ),
-    ("WIREWARPING", "WireWarping: all wires rigid", "Every wire keeps exactly its length, whatever its tolerance"),
+    (
+        "WIREWARP_PLUS_PLUS",
+        "WireWarping++: lines first",
+        "Lines are laid out first, bent as on the model, and the cloth follows: more distortion, and faces may come "
+        "out turned over. Elastic wires stay within their tolerance; free wires get the length that is best",
+    ),
+    (
+        "WIREWARPING",
+        "WireWarping: all wires rigid",
+        "As WireWarping++, but every wire keeps exactly its length, whatever its tolerance",
+    ),
 ]
-LIBRARY_METHODS = {"WIREWARP_PLUS_PLUS": "wirewarp++", "WIREWARPING": "wirewarping"}
+LIBRARY_METHODS = {"REFINED": "refined", "WIREWARP_PLUS_PLUS": "wirewarp++", "WIREWARPING": "wirewarping"}
 
 
 class FlattenSettings:
@@ -32,7 +42,19 @@ class FlattenSettings:
         name="Method",
         description="How the flat shape is found. Seams and outlines always keep their exact length",
         items=METHODS,
-        default="WIREWARP_PLUS_PLUS",
+        default="REFINED",
+    )
+    fairness: FloatProperty(
+        name="Smooth Outlines",
+        description="How much outlines and wires hold on to the curves they have on the model. More: smoother lines; "
+        "less: less distortion of the cloth, but lines may come out wavy. Lengths are exact either way",
+        min=0.001,
+        max=10.0,
+        soft_min=0.02,
+        soft_max=0.5,
+        default=0.1,
+        precision=3,
+        step=1,
     )
     node_weight: EnumProperty(
         name="Angles",

@@ -22,6 +22,7 @@ def register_ui() -> None:
     report_store.attach()
     mesh_cache.attach()
     overlay.attach()
+    ui.tick.attach()
     bpy.types.VIEW3D_MT_edit_mesh_edges.append(ui.draw_edge_menu)
     bpy.types.VIEW3D_MT_edit_mesh_context_menu.append(ui.draw_context_menu)
 
@@ -29,6 +30,7 @@ def register_ui() -> None:
 def unregister_ui() -> None:
     bpy.types.VIEW3D_MT_edit_mesh_context_menu.remove(ui.draw_context_menu)
     bpy.types.VIEW3D_MT_edit_mesh_edges.remove(ui.draw_edge_menu)
+    ui.tick.detach()
     overlay.detach()
     mesh_cache.detach()
     report_store.detach()

@@ -19,7 +19,11 @@ SCHEMA = "wirewarp-report-1"
 # Chains add up the rounding of their edges; the library itself checks every edge to 1e-9.
 LENGTH_LIMIT = 1e-8
 AT_LIMIT = 1e-6  # an elastic wire this close to its tolerance would go further if it could
-METHOD_NAMES = {"wirewarp++": "WireWarping++", "wirewarping": "WireWarping, all wires rigid"}
+METHOD_NAMES = {
+    "refined": "Refined",
+    "wirewarp++": "WireWarping++",
+    "wirewarping": "WireWarping, all wires rigid",
+}
 
 
 def object_report(result: Any, arrays: MeshArrays, meters: float) -> dict:  # noqa: ANN401
@@ -41,7 +45,7 @@ def object_report(result: Any, arrays: MeshArrays, meters: float) -> dict:  # no
         "seams": [_seam(index, seam, failed, meters) for index, seam in enumerate(result.seams)],
         "wires": wires,
         "issues": [asdict(issue) for issue in issues],
-        "notes": _notes(method, wires),
+        "notes": _notes(method, wires) + _warnings(pieces),
         "seconds": dict(result.report["seconds"]),
     }
 
@@ -87,12 +91,17 @@ def _piece(index: int, piece: Any, arrays: MeshArrays, meters: float) -> dict:  
         "inner_solves": piece.report.inner_solves,
         "outer_iterations": piece.report.outer_iterations,
         "gradient_evaluations": piece.report.gradient_evaluations,
+        "factorizations": piece.report.factorizations,
         "constraint_residual": number(piece.report.constraint_residual),
+        "objective": number(piece.report.objective),
     }
 
 
 def _wire(wire: Any, meters: float) -> dict:  # noqa: ANN401
-    kept = wire.max_edge_error <= LENGTH_LIMIT and abs(wire.variation) <= wire.tolerance + LENGTH_LIMIT
+    if str(wire.kind) == "super_elastic":
+        kept = math.isfinite(wire.length_2d)  # nothing else is promised
+    else:
+        kept = wire.max_edge_error <= LENGTH_LIMIT and abs(wire.variation) <= wire.tolerance + LENGTH_LIMIT
     return {
         "name": wire.name,
         "wire": wire.wire_index,
@@ -159,3 +168,10 @@ def _notes(method: str, wires: list[dict]) -> list[str]:
     if at_limit:
         return [f"At the limit of their tolerance: {', '.join(at_limit)}. A wider one would distort the pieces less."]
     return []
+
+
+def _warnings(pieces: list[dict]) -> list[str]:
+    """Pieces that keep every promise but could be better: those that were cancelled, for one."""
+    return [
+        f"Piece {piece['index'] + 1}: {warning}" for piece in pieces if piece["ok"] for warning in piece["warnings"]
+    ]

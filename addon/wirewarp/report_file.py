@@ -38,7 +38,7 @@ def failure_text(reports: list[dict]) -> str:
 def success_text(reports: list[dict]) -> str:
     pieces = sum(len(report["pieces"]) for report in reports)
     count = f"{pieces} flat piece{'s' if pieces != 1 else ''}"
-    return f"{count}, {kept_text(reports)} ({reports[0]['method_name']})"
+    return f"Ready to cut: {count}, {kept_text(reports)} ({reports[0]['method_name']})"
 
 
 def kept_text(reports: list[dict]) -> str:

@@ -2,7 +2,7 @@
 """The last report of each object, for the panel and for Select Issues.
 
 A run that wrote something leaves its report on the object, so that it is saved with it. A run that wrote nothing must
-leave the file alone: its report is kept here until the next run, undo or file.
+leave the file alone: its report is kept here, until the next run or file, and goes to the object when the user saves.
 """
 
 import json
@@ -54,19 +54,35 @@ def _parse(text: object) -> dict:
 
 
 @persistent
+def _store_unwritten(*_: object) -> None:
+    for source in bpy.data.objects:
+        if source.name_full in _unwritten and source.library is None:
+            store(source, _unwritten[source.name_full])
+
+
+@persistent
+def _forget_incomparable(*_: object) -> None:
+    """After undo: a report stays if it can tell whether the model is still, or again, the one it is of."""
+    for name in [name for name, report in _unwritten.items() if report.get("model_state") is None]:
+        del _unwritten[name]
+
+
+@persistent
 def _forget(*_: object) -> None:
     _unwritten.clear()
     _parsed.clear()
 
 
 def attach() -> None:
-    bpy.app.handlers.undo_post.append(_forget)
-    bpy.app.handlers.redo_post.append(_forget)
+    bpy.app.handlers.save_pre.append(_store_unwritten)
+    bpy.app.handlers.undo_post.append(_forget_incomparable)
+    bpy.app.handlers.redo_post.append(_forget_incomparable)
     bpy.app.handlers.load_post.append(_forget)
 
 
 def detach() -> None:
-    bpy.app.handlers.undo_post.remove(_forget)
-    bpy.app.handlers.redo_post.remove(_forget)
+    bpy.app.handlers.save_pre.remove(_store_unwritten)
+    bpy.app.handlers.undo_post.remove(_forget_incomparable)
+    bpy.app.handlers.redo_post.remove(_forget_incomparable)
     bpy.app.handlers.load_post.remove(_forget)
     _forget()

@@ -20,7 +20,7 @@ def check_indices(target: bpy.types.Object, report: dict) -> None:
     if report.get("with_modifiers"):
         raise object_error(
             "with_modifiers",
-            "The report is of the mesh with modifiers: apply the modifiers, flatten again and select.",
+            "The report is of the mesh with modifiers: apply the modifiers and flatten again.",
         )
     if target.mode == "EDIT":
         target.update_from_editmode()

@@ -87,7 +87,8 @@ def test_an_elastic_wire_stays_within_its_tolerance_and_the_outline_exact(kind, 
     assert_true_lengths(source)
     flat, space = wire_lengths(source, wire)
     change = flat / space - 1
-    assert change == pytest.approx(np.full(8, flat.sum() / space.sum() - 1), abs=2 * FLOAT32)  # shared evenly
+    if math.isfinite(tolerance):
+        assert change == pytest.approx(np.full(8, flat.sum() / space.sum() - 1), abs=2 * FLOAT32)  # shared evenly
     assert 0.01 < np.abs(change).max() <= tolerance + FLOAT32
 
 

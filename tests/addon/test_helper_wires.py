@@ -18,7 +18,7 @@ def source():
     target = grid("Bump", bump)
     target.location, target.rotation_euler, target.scale = (1, 2, 3), (0.3, 0.4, 0.5), (-1, 1.5, 2)
     mark(target, short_line)
-    bpy.ops.object.wirewarp_flatten()
+    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
     return target
 
 
@@ -74,16 +74,16 @@ def test_they_move_with_what_they_lie_on_and_are_in_nobodys_way(source):
 
 def test_again_replaces_and_without_the_option_they_go(source):
     objects, meshes = len(bpy.data.objects), len(bpy.data.meshes)
-    bpy.ops.object.wirewarp_flatten()
+    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
     assert (len(bpy.data.objects), len(bpy.data.meshes)) == (objects, meshes)
-    bpy.ops.object.wirewarp_flatten(helper_wires=False)
+    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS", helper_wires=False)
     assert (len(bpy.data.objects), len(bpy.data.meshes)) == (objects - 2, meshes - 2)
     assert flat_of(source)
 
 
 def test_they_go_when_no_wire_needs_one(source):
     source.data.attributes.remove(source.data.attributes["wirewarp_wire"])
-    bpy.ops.object.wirewarp_flatten()
+    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
     assert helpers_of(source) is helpers_of(flat_of(source)) is None
 
 
@@ -93,6 +93,12 @@ def test_they_are_not_flattened(source):
     select_only(helpers)
     with pytest.raises(RuntimeError, match="Nothing to flatten"):
         bpy.ops.object.wirewarp_flatten()
+
+
+def test_the_refined_method_adds_none(source, addon):
+    bpy.ops.object.wirewarp_flatten()
+    assert reported(addon, source) == []
+    assert helpers_of(source) is helpers_of(flat_of(source)) is None
 
 
 def test_they_are_listed_through_all_pieces(source, addon):

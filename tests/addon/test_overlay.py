@@ -92,12 +92,12 @@ def test_seams_of_a_model_that_has_changed_are_not_numbered(addon, source):
 def test_helper_wires_are_drawn_on_both(addon):
     source = grid("Bump", bump)
     mark(source, lambda a, b: RIGID(a, b) and max(abs(a[0]), abs(b[0])) < 0.6)
-    bpy.ops.object.wirewarp_flatten()
+    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
     for target in (source, flat_of(source)):
         helpers = addon.write_helper_wires.find_helper_wires(target)
         assert helpers.hide_viewport
         assert edges_of(lines_of(addon, target))["helper"] == len(helpers.data.edges) > 0
-    bpy.ops.object.wirewarp_flatten(helper_wires=False)
+    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS", helper_wires=False)
     assert "helper" not in lines_of(addon, source).places
 
 

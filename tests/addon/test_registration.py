@@ -56,13 +56,16 @@ def test_each_kind_of_wire_has_a_tooltip_of_its_own(addon):
 
 def test_the_methods_are_those_of_the_library(addon):
     method = bpy.ops.object.wirewarp_flatten.get_rna_type().properties["method"]
-    assert method.default == bpy.context.scene.wirewarp.method == "WIREWARP_PLUS_PLUS"
+    assert method.default == bpy.context.scene.wirewarp.method == "REFINED"
     library = addon.core.library()
     methods = addon.properties.LIBRARY_METHODS
     assert methods.keys() == set(method.enum_items.keys())
     assert methods[method.default] == library.Options().method
     for name in methods.values():
         assert library.Options(method=name).method == name
+        assert name in addon.report.METHOD_NAMES
+    fairness = bpy.ops.object.wirewarp_flatten.get_rna_type().properties["fairness"]
+    assert fairness.default == pytest.approx(library.Options().fairness)
 
 
 @pytest.fixture
@@ -105,7 +108,7 @@ def test_what_the_caller_leaves_out_is_taken_from_the_scene(addon):
     given = SimpleNamespace(is_property_set=lambda name: name == "gap")
     operator = SimpleNamespace(properties=given, gap=0.25)
     addon.properties.take_settings(operator, settings)
-    assert (operator.mirror, operator.gap, operator.method) == (True, 0.25, "WIREWARP_PLUS_PLUS")
+    assert (operator.mirror, operator.gap, operator.method) == (True, 0.25, "REFINED")
     grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()  # a script's call uses its own properties only
     assert bpy.data.objects["Bump Flat"].data.polygons[0].normal.z > 0

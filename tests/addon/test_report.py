@@ -36,7 +36,7 @@ def test_the_report_states_every_length_in_blender_units_and_metres(source, tmp_
     report = flatten_with_report(tmp_path)
     assert report["units"]["meters_per_blender_unit"] == pytest.approx(0.001)
     (entry,) = report["objects"]
-    assert (report["ok"], entry["ok"], entry["object"], entry["method"]) == (True, True, "Bump", "wirewarp++")
+    assert (report["ok"], entry["ok"], entry["object"], entry["method"]) == (True, True, "Bump", "refined")
     (seam,) = entry["seams"]
     expected = length_on(source, SEAM)
     assert seam["length_3d"] == pytest.approx(expected, rel=1e-6)
@@ -96,6 +96,40 @@ def test_tolerances_are_shown_in_percent(addon, tolerance, text):
     assert addon.tolerance_text.tolerance_text(tolerance) == text
 
 
+def test_pieces_ready_to_cut_are_told_from_those_that_failed(addon):
+    def verdict(*ok):
+        pieces = [{"index": index, "ok": piece} for index, piece in enumerate(ok)]
+        return addon.ui.verdict.verdict(
+            {"ok": bool(ok) and all(ok), "pieces": pieces, "method": "refined", "wires": []}
+        )
+
+    assert verdict(True, True) == [("Ready to cut: 2 pieces, every length kept", "TICK")]
+    failed = ("Do not cut: 1 of 3 pieces failed", "CANCEL")
+    assert verdict(True, False, True) == [failed, ("Ready to cut: pieces 1, 3", "TICK")]
+    assert verdict(False) == [("Do not cut: the piece failed", "CANCEL")]
+    assert verdict() == [("Not flattened", "CANCEL")]
+
+
+def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
+    arrays = addon.mesh_to_arrays.object_to_arrays(grid("Bump", bump), None)
+    choices = addon.flatten_job.FlattenChoices("refined", 0.1, "length", 0.03, False)
+
+    def report_of_run(steps):
+        left = iter(range(steps, 0, -1))
+        result = addon.flatten_job.flatten_arrays(
+            addon.core.library(), arrays, choices, lambda stage, _: stage != "shape" or next(left, 0) > 0
+        )
+        return addon.report.object_report(result, arrays, 1.0)
+
+    first, *_, last = (report_of_run(steps) for steps in range(9))
+    assert not first["ok"]
+    assert "Cancelled before this piece was flat" in first["issues"][0]["sentence"]
+    assert (last["ok"], last["notes"]) == (True, [])
+    stopped = next(report for report in map(report_of_run, range(9)) if report["ok"])
+    assert stopped["pieces"][0]["termination"] == "cancelled"
+    assert stopped["notes"] == ["Piece 1: Cancelled: the lengths are exact, but the shape could be less distorted."]
+
+
 def test_success_says_whether_lengths_were_to_stay(addon):
     def report(method, tolerance):
         return {"method": method, "wires": [{"tolerance": tolerance}]}
@@ -107,9 +141,15 @@ def test_success_says_whether_lengths_were_to_stay(addon):
 
 
 def test_the_method_and_the_settings_reach_the_core(source, tmp_path):
-    even = flatten_with_report(tmp_path, node_weight="UNIFORM")["objects"][0]["pieces"][0]["arap_energy"]
-    by_length = flatten_with_report(tmp_path, node_weight="LENGTH")["objects"][0]["pieces"][0]["arap_energy"]
-    assert even != by_length
+    def piece(**settings):
+        return flatten_with_report(tmp_path, **settings)["objects"][0]["pieces"][0]
+
+    by_length = piece(method="WIREWARP_PLUS_PLUS", node_weight="LENGTH")
+    assert by_length["arap_energy"] != piece(method="WIREWARP_PLUS_PLUS", node_weight="UNIFORM")["arap_energy"]
+    assert piece()["arap_energy"] < by_length["arap_energy"]  # what the refined method is for
+    rough, smooth = piece(fairness=0.02), piece(fairness=1.0)
+    assert rough["arap_energy"] < smooth["arap_energy"]
+    assert rough["angle_deviation_rms"] > smooth["angle_deviation_rms"]
 
 
 def test_the_report_is_saved_with_the_object(source, addon, tmp_path):

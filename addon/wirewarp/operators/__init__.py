@@ -7,6 +7,7 @@ from .mark import MESH_OT_wirewarp_mark
 from .select_issues import MESH_OT_wirewarp_select_issues
 from .select_result import MESH_OT_wirewarp_select_result
 from .select_wire import MESH_OT_wirewarp_select_wire
+from .take_proposal import MESH_OT_wirewarp_take_proposal
 
 CLASSES = (
     MESH_OT_wirewarp_mark,
@@ -14,5 +15,6 @@ CLASSES = (
     MESH_OT_wirewarp_select_wire,
     MESH_OT_wirewarp_select_issues,
     MESH_OT_wirewarp_select_result,
+    MESH_OT_wirewarp_take_proposal,
     OBJECT_OT_wirewarp_flatten,
 )

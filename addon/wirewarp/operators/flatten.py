@@ -11,6 +11,7 @@ from ..properties import LIBRARY_METHODS, FlattenSettings, take_settings
 from ..redraw import redraw_views
 from ..report_file import failure_text, run_report, success_text, write_json
 from ..targets import in_object_mode, mesh_targets
+from ..ui.settings import draw_settings
 from ..unit_text import meters_per_blender_unit
 
 
@@ -87,6 +88,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
     def _compute(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> list:
         choices = FlattenChoices(
             method=LIBRARY_METHODS[self.method],
+            fairness=self.fairness,
             node_weight=self.node_weight.lower(),
             gap=self.gap / 100,
             mirror=self.mirror,
@@ -99,7 +101,4 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
             manager.progress_end()
 
     def draw(self, _context: bpy.types.Context) -> None:
-        layout = self.layout
-        layout.use_property_split = True
-        for name in FlattenSettings.__annotations__:
-            layout.prop(self, name)
+        draw_settings(self.layout, self)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The sidebar tab and the menu entries."""
 
+from . import tick
 from .menus import draw_context_menu, draw_edge_menu
 from .overlay import VIEW3D_PT_wirewarp_overlay
 from .panel import VIEW3D_PT_wirewarp_flatten, VIEW3D_PT_wirewarp_mark
@@ -27,4 +28,4 @@ CLASSES = (
     VIEW3D_PT_wirewarp_report_pieces,
 )
 
-__all__ = ["CLASSES", "draw_context_menu", "draw_edge_menu"]
+__all__ = ["CLASSES", "draw_context_menu", "draw_edge_menu", "tick"]

@@ -6,6 +6,7 @@ import bpy
 from .. import core
 from ..issues import ObjectError
 from ..wire_summary import wires_of
+from .settings import draw_settings
 from .text import draw_sentence
 
 
@@ -67,16 +68,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         button.scale_y = 1.5
         button.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
 
-        layout.prop(settings, "method", text="")  # the names of methods need the whole width
-        column = layout.column()
-        column.use_property_split = True
-        column.use_property_decorate = False
-        column.prop(settings, "node_weight")
-        column.prop(settings, "gap")
-        column.prop(settings, "mirror")
-        column.prop(settings, "use_modifiers")
-        column.prop(settings, "helper_wires")
-        column.prop(settings, "maps_on_model")
+        draw_settings(layout, settings)
         if settings.method == "WIREWARPING" and _has_loose_wires(context):
             draw_sentence(context, layout, "This method keeps elastic and free wires rigid too.", "INFO")
 

@@ -4,12 +4,13 @@
 import bpy
 
 from ..model_state import has_changed
-from ..report_file import kept_text
 from ..report_store import last_report
 from .panel import SidebarPanel
+from .report_issues import draw_issues
 from .report_rows import helper_rows, outline_rows, piece_rows, seam_rows, wire_rows
-from .report_table import SHOWN_ROWS, draw_heading, draw_table
+from .report_table import draw_heading, draw_table
 from .text import draw_sentence
+from .verdict import verdict
 
 
 def shown_report(context: bpy.types.Context) -> dict | None:
@@ -39,30 +40,15 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
             warning = layout.column()
             warning.alert = True
             draw_sentence(context, warning, "The model has changed since: flatten again.", "ERROR")
-        elif report["ok"]:
-            kept = f"{_count(report['pieces'], 'piece')}: {kept_text([report])}"
-            draw_sentence(context, layout, kept, "CHECKMARK")
         else:
-            layout.label(text=_failed_text(report["pieces"]), icon="CANCEL")
+            for text, icon in verdict(report):
+                draw_sentence(context, layout, text, icon)
         if "method_name" in report:
             draw_sentence(context, layout, f"Method: {report['method_name']}")
         if report["issues"]:
-            self._draw_issues(context, report)
+            draw_issues(context, layout.box(), report["issues"])
         for note in report["notes"]:
             draw_sentence(context, layout, note, "INFO")
-
-    def _draw_issues(self, context: bpy.types.Context, report: dict) -> None:
-        box = self.layout.box()
-        for issue in report["issues"][:SHOWN_ROWS]:
-            where = "" if issue["piece"] is None else f"Piece {issue['piece'] + 1}: "
-            draw_sentence(context, box, where + issue["sentence"], "ERROR", spare=16)
-        if len(report["issues"]) > SHOWN_ROWS:
-            box.label(text=f"and {len(report['issues']) - SHOWN_ROWS} more")
-        if any(issue["vertices"] or issue["edges"] or issue["faces"] for issue in report["issues"]):
-            box.operator("mesh.wirewarp_select_issues", icon="RESTRICT_SELECT_OFF")
-        if any(issue["code"] == "multi_user_scale" for issue in report["issues"]):
-            button = box.operator("object.make_single_user", text="Make Single User")
-            button.object = button.obdata = True
 
 
 class ReportTable(SidebarPanel):
@@ -110,7 +96,7 @@ class VIEW3D_PT_wirewarp_report_pieces(SidebarPanel, bpy.types.Panel):
         return bool(shown_report(context)["pieces"])
 
     def draw(self, context: bpy.types.Context) -> None:
-        draw_sentence(context, self.layout, "Without any distortion: distortion 0, stretch 1, angles 0°", "INFO")
+        draw_sentence(context, self.layout, "Without any distortion: distortion 0, aspect ratio 1, angles 0°", "INFO")
         column = self.layout.column(align=True)
         report = shown_report(context)
         flat = "flat_object" in report
@@ -118,13 +104,3 @@ class VIEW3D_PT_wirewarp_report_pieces(SidebarPanel, bpy.types.Panel):
             draw_heading(context, column, lines[0], ok, "PIECE", index if flat else None)
             for line in lines[1:]:
                 column.label(text=line, icon="BLANK1")
-
-
-def _failed_text(pieces: list[dict]) -> str:
-    if not pieces:
-        return "Not flattened"
-    return f"{sum(not piece['ok'] for piece in pieces)} of {_count(pieces, 'piece')} failed"
-
-
-def _count(items: list, name: str) -> str:
-    return f"{len(items)} {name}{'s' if len(items) != 1 else ''}"

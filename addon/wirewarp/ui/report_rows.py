@@ -106,7 +106,7 @@ def piece_rows(report: dict) -> list[tuple[int, bool, list[str]]]:
         lines = [f"Piece {piece['index'] + 1}, {piece['faces']} faces"]
         if piece["has_layout"]:
             lines.append(f"Distortion {piece['arap_energy']:.4f}")
-            lines.append(f"Stretch up to {piece['aspect_ratio_max']:.3f}")
+            lines.append(f"Aspect ratio up to {piece['aspect_ratio_max']:.3f}")
             deviation = math.degrees(piece["angle_deviation_max"])
             lines.append(f"Angles up to {deviation:.1f}° off")
         rows.append((piece["index"], piece["ok"], lines))

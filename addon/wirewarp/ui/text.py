@@ -5,6 +5,8 @@ import textwrap
 
 import bpy
 
+from .tick import green_tick
+
 WIDE = 330  # in Blender's own pixels; the sidebar starts at half of it
 
 
@@ -35,8 +37,14 @@ def broken(context: bpy.types.Context, text: str, spare: int = 0) -> list[str]:
 def draw_sentence(
     context: bpy.types.Context, layout: bpy.types.UILayout, text: str, icon: str = "NONE", spare: int = 0
 ) -> None:
-    """Blender cuts long labels off, so the sentence is broken into lines that fit the region less spare pixels."""
+    """Blender cuts long labels off, so the sentence is broken into lines that fit the region less spare pixels.
+
+    icon is a name of Blender's, or "TICK", which is green.
+    """
     column = layout.column(align=True)
     column.scale_y = 0.8
     for number, line in enumerate(broken(context, text, spare)):
-        column.label(text=line, icon=icon if number == 0 else ("BLANK1" if icon != "NONE" else "NONE"))
+        if number == 0 and icon == "TICK":
+            column.label(text=line, icon_value=green_tick())
+        else:
+            column.label(text=line, icon=icon if number == 0 or icon == "NONE" else "BLANK1")

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The buttons that mend what failed: what they write, when they refuse, and that the piece lies flat then."""
+
+import math
+from types import SimpleNamespace
+
+import bpy
+import numpy as np
+import pytest
+from surfaces import bump, edge_vertices, flat_of, grid, make_object, mark, on_line, read, round_bump, select_only
+
+WIRE = on_line(1, 0.0)
+
+
+def tube(name="Tube", sides=16, rows=6, place=0.0):
+    """Open at both ends, of quads, 1 wide and 3 long."""
+    angles = [2 * math.pi * k / sides for k in range(sides)]
+    vertices = [(place + 0.5 * math.cos(a), 0.5 * math.sin(a), 3 * z / rows) for z in range(rows + 1) for a in angles]
+    faces = [
+        (z * sides + k, z * sides + (k + 1) % sides, (z + 1) * sides + (k + 1) % sides, (z + 1) * sides + k)
+        for z in range(rows)
+        for k in range(sides)
+    ]
+    return make_object(name, vertices, faces)
+
+
+def flatten_fails(match="mark a seam"):
+    with pytest.raises(RuntimeError, match=match):
+        bpy.ops.object.wirewarp_flatten()
+
+
+def take(what="SEAMS", issue=0):
+    return bpy.ops.mesh.wirewarp_take_proposal(what=what, issue=issue)
+
+
+def seams_of(target):
+    return edge_vertices(target.data)[read(target.data.edges, "use_seam", bool)]
+
+
+@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
+def test_a_tube_lies_flat_once_the_proposed_seam_is_marked(addon, mode):
+    source = tube()
+    flatten_fails()
+    bpy.ops.object.mode_set(mode=mode)
+    assert take() == {"FINISHED"}
+    assert source.mode == mode
+    bpy.ops.object.mode_set(mode="OBJECT")
+    ends = read(source.data.vertices, "co", np.float32, 3)[seams_of(source)]
+    assert {0.0, 3.0} <= set(ends[..., 2].ravel().tolist())  # from one opening to the other
+    assert addon.model_state.has_changed(source, addon.report_store.last_report(source))
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    ratio = read(flat_of(source).data.attributes["aspect_ratio"].data, "value", np.float32)
+    assert ratio == pytest.approx(1, abs=1e-4)  # a tube that is cut open is developable
+    assert addon.report_store.last_report(source)["issues"] == []
+
+
+def test_what_is_done_already_is_said():
+    source = tube()
+    flatten_fails()
+    take()
+    before = seams_of(source)
+    assert take() == {"CANCELLED"}
+    assert np.array_equal(seams_of(source), before)
+
+
+def test_one_proposal_leaves_the_others_good():
+    source, other = tube(), tube("Other", place=4.0)
+    select_only(source, other)
+    bpy.ops.object.join()
+    flatten_fails()
+    assert take(issue=0) == take(issue=1) == {"FINISHED"}
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+
+
+def test_the_flat_pieces_of_the_others_take_it_to_the_model():
+    source, other = tube(), grid("Bump", bump)
+    select_only(source, other)
+    bpy.ops.object.join()
+    flatten_fails()
+    select_only(flat_of(source))
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert take() == {"FINISHED"}
+    assert len(seams_of(source)) > 0
+    assert bpy.context.mode == "OBJECT"  # where undo brings back the model too
+
+
+def test_proposals_are_saved_with_the_file(tmp_path):
+    tube()
+    flatten_fails()
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "tube.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "tube.blend"))
+    assert take() == {"FINISHED"}
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+
+
+@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
+def test_a_model_that_has_changed_is_left_alone(mode):
+    source = tube()
+    flatten_fails()
+    source.data.vertices[20].co.x += 0.01
+    bpy.ops.object.mode_set(mode=mode)
+    with pytest.raises(RuntimeError, match='"Tube" has changed since it was flattened: flatten it again'):
+        take()
+    assert source.mode == mode
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert len(seams_of(source)) == 0
+
+
+def test_a_report_of_the_mesh_with_modifiers_is_of_other_edges():
+    source = tube()
+    source.modifiers.new("Finer", "SUBSURF").levels = 1
+    with pytest.raises(RuntimeError, match="mark a seam"):
+        bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    with pytest.raises(RuntimeError, match="apply the modifiers and flatten again"):
+        take()
+
+
+def test_there_is_nothing_to_take():
+    grid("Bump", bump)
+    for flatten in (lambda: None, bpy.ops.object.wirewarp_flatten):
+        flatten()
+        with pytest.raises(RuntimeError, match="proposes no such thing"):
+            take()
+
+
+def neighbors(source, pairs):
+    """Whether the edges lead from each to the next."""
+    return all(set(a) & set(b) for a, b in zip(pairs, pairs[1:], strict=False)) and {
+        tuple(sorted(pair)) for pair in pairs
+    } <= {tuple(sorted(pair)) for pair in edge_vertices(source.data).tolist()}
+
+
+def test_a_proposed_diagonal_goes_round_its_face_the_shorter_way(addon):
+    """The grid has nine vertices a row; pairs of its cells are one hexagon each."""
+    source = grid("Bump", round_bump, faces="ngons")
+    arrays = addon.mesh_to_arrays.object_to_arrays(source, None)
+    around = addon.proposals.seams_on_edges
+    assert around([(20, 21), (21, 20)], arrays) == [(20, 21)]
+    diagonals = {
+        tuple(sorted(map(int, pair)))
+        for triangle in arrays.triangles
+        for pair in zip(triangle, np.roll(triangle, 1), strict=True)
+    } - {tuple(sorted(pair)) for pair in arrays.edges.tolist()}
+    assert len(diagonals) == 3 * len(source.data.polygons)
+
+    def length(pairs):
+        return sum(np.linalg.norm(arrays.vertices[c] - arrays.vertices[d]) for c, d in pairs)
+
+    for a, b in diagonals:
+        way = around([(a, b)], arrays)
+        assert neighbors(source, way)
+        ends, count = np.unique(way, return_counts=True)
+        assert sorted(ends[count == 1]) == [a, b]
+        loops = [list(face.vertices) for face in source.data.polygons if {a, b} <= set(face.vertices)]
+        around_face = min(length(list(zip(loop, np.roll(loop, 1), strict=True))) for loop in loops)
+        assert length(way) <= around_face / 2
+
+
+@pytest.fixture
+def loosen(addon):
+    """A model with two wires, and the proposal of a tolerance for the first, as the library words it."""
+    source = grid("Bump", bump)
+    mark(source, WIRE)
+    mark(source, on_line(1, 0.5), kind="ELASTIC", tolerance=0.2)
+    source.data.wirewarp_names[0].name = "Bust"
+    bpy.ops.object.wirewarp_flatten()
+    arrays = addon.mesh_to_arrays.object_to_arrays(source, None)
+    number = {wire.name: index for index, wire in enumerate(arrays.wires)}
+    proposed = [(number["Bust"], 0.012341), (number["Wire 2"], 0.05)]
+    error = addon.core.library().FlattenError("infeasible_lengths", "Too short.", proposed_tolerances=proposed)
+    piece = SimpleNamespace(
+        error=error, source_face=[], metrics=SimpleNamespace(flipped_faces=[], overlapping_faces=[])
+    )
+    issue = addon.flatten_job.issue_of_piece(piece, 0, arrays)
+    assert [(wire.name, wire.tolerance) for wire in issue.proposed_tolerances] == [("Bust", 0.0124), ("Wire 2", 0.05)]
+    report = addon.report.failure_report(issue) | {"model_state": addon.model_state.model_state(source)}
+    addon.report_store.store(source, report)
+    return source
+
+
+def tolerances_on(source, value):
+    """Of the edges on a line of the model."""
+    places = read(source.data.vertices, "co", np.float32, 3)
+    on = [on_line(1, value)(places[a], places[b]) for a, b in edge_vertices(source.data)]
+    return read(source.data.attributes["wirewarp_tolerance"].data, "value", np.float32)[on]
+
+
+@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
+def test_the_proposed_tolerances_are_written_and_none_becomes_tighter(loosen, addon, mode):
+    bpy.ops.object.mode_set(mode=mode)
+    assert take("TOLERANCES") == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert np.all(tolerances_on(loosen, 0.0) == np.float32(0.0124))
+    assert np.all(tolerances_on(loosen, 0.5) == np.float32(0.2))
+    assert np.all(tolerances_on(loosen, -0.5) == 0)
+    bpy.ops.object.wirewarp_flatten()
+    wires = addon.report_store.last_report(loosen)["wires"]
+    assert {wire["name"]: wire["tolerance"] for wire in wires} == {"Bust": 0.0124, "Wire 2": 0.2}
+
+
+def test_what_is_no_wire_any_more_gets_no_tolerance(loosen):
+    loosen.data.attributes.remove(loosen.data.attributes["wirewarp_wire"])
+    assert take("TOLERANCES") == {"CANCELLED"}
+    assert np.all(tolerances_on(loosen, 0.0) == 0)
+
+
+@pytest.mark.parametrize(
+    ("needed", "proposed"), [(0.03, 0.03), (0.012341, 0.0124), (0.9991, 1.0), (1.0004e-5, 1.01e-5), (2.5, 2.5)]
+)
+def test_tolerances_are_rounded_up(addon, needed, proposed):
+    assert addon.proposals.round_up(needed) == pytest.approx(proposed, rel=1e-12)
