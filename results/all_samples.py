@@ -5,12 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-import numpy as np
 from inputs import Inputs
 from measures import Summary, rigid_wires, summarize, worst
 from methods import METHODS
 from palette import plain_percent
-from text import millimeters, table
+from text import degrees, millimeters, table
 
 
 def worst_line(found: Summary) -> str:
@@ -28,7 +27,7 @@ def worst_wire(found: Summary) -> str:
 
 
 def angles(found: Summary) -> str:
-    return f"{np.degrees(found.angle_rms):.1f}° / {np.degrees(found.angle_max):.1f}°"
+    return f"{degrees(found.angle_rms)} / {degrees(found.angle_max)}"
 
 
 def energy(found: Summary) -> str:
@@ -76,7 +75,8 @@ def section(inputs: Inputs) -> str:
     return f"""## All samples
 
 Blender's unwraps with its default options, each island scaled to its area on the model; ARAP by libigl, from Blender's
-angle-based unwrap; WireWarp with its default options. Wires have the tolerances of the samples, ±5 % on elastic ones;
+angle-based unwrap; WireWarp with its default options but for the method. Wires have the tolerances of the samples,
+±5 % on elastic ones;
 {", ".join(only_rigid)} have only rigid wires, so that WireWarping and WireWarping++ are the same there. What is off by
 less than a nanometer, or a part in 10⁸, is written as 0.
 

@@ -16,7 +16,7 @@ from measures import piece_areas
 from palette import CLOTH, ENERGY_MAP, INK, LENGTH_MAP, RATIO_MAP, TURNED_OVER
 from shapes import Shape
 
-ROUND = (1.0, 1.5, 2.0, 3.0, 5.0)  # ends of scales, times a power of ten
+ROUND = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0)  # ends of scales, times a power of ten
 
 
 @dataclass(frozen=True)

@@ -36,6 +36,7 @@ class Summary:
     max_aspect_ratio: float
     max_face_energy: float  # E_A of Eq. (6) over the triangle's area
     seam_mismatch: float | None  # meters; None without seams
+    worst_edge: float  # of outline and wires: the largest difference from the length the method gave it, relative
     flipped: int
     overlapping: int
     angle_rms: float  # of the piece where it is largest, radians
@@ -44,6 +45,7 @@ class Summary:
     wires: list[Line]  # whole ones, as marked
     tolerances: list[float]  # of the wires
     changes: list[float]  # h of all elastic parts of wires
+    factorizations: int  # of the piece that took the most
 
 
 def face_areas(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
@@ -63,20 +65,23 @@ def summarize(vertices: np.ndarray, result: wirewarp.FlattenResult) -> Summary:
     ratio = np.concatenate([m.face_aspect_ratio for m in metrics])
     energy = np.concatenate([m.face_arap for m in metrics])
     parts = [part for piece in result.pieces for part in piece.wires]
+    outline = [stretch for piece in result.pieces for stretch in piece.boundaries]
     return Summary(
         energy=energy.sum() / area.sum(),
         mean_aspect_ratio=(ratio * area).sum() / area.sum(),
         max_aspect_ratio=ratio.max(),
         max_face_energy=(energy / area).max(),
         seam_mismatch=max((seam.mismatch for seam in result.seams), default=None),
+        worst_edge=max(line.max_edge_error for line in [*outline, *parts]),
         flipped=sum(len(m.flipped_faces) for m in metrics),
         overlapping=sum(len(m.overlapping_faces) for m in metrics),
         angle_rms=max(m.angle_deviation_rms for m in metrics),
         angle_max=max(m.angle_deviation_max for m in metrics),
-        outline=[Line("outline", b.length_3d, b.length_2d) for piece in result.pieces for b in piece.boundaries],
+        outline=[Line("outline", stretch.length_3d, stretch.length_2d) for stretch in outline],
         wires=[Line(wire.name, wire.length_3d, wire.length_2d) for wire in result.wires],
         tolerances=[wire.tolerance for wire in result.wires],
         changes=[part.length_2d / part.length_3d - 1 for part in parts if part.kind == "elastic"],
+        factorizations=max(piece.report.factorizations for piece in result.pieces),
     )
 
 

@@ -17,7 +17,7 @@ def wires_of(shape: Shape) -> list[wirewarp.Wire]:
     return [wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires]
 
 
-def flatten(shape: Shape, **options: str) -> wirewarp.FlattenResult:
+def flatten(shape: Shape, **options: str | float) -> wirewarp.FlattenResult:
     """By WireWarp; options are those of wirewarp.Options."""
     return wirewarp.flatten(
         shape.vertices,
@@ -63,4 +63,6 @@ METHODS: dict[str, Callable[[Shape, Unwraps], wirewarp.FlattenResult]] = {
     "ARAP": arap,
     "WireWarping": lambda shape, unwraps: flatten(shape, method="wirewarping"),
     "WireWarping++": lambda shape, unwraps: flatten(shape, method="wirewarp++"),
+    "Refined": lambda shape, unwraps: flatten(shape, method="refined"),
 }
+KEEPING_LENGTHS = ("WireWarping", "WireWarping++", "Refined")

@@ -23,7 +23,7 @@ from save_picture import save
 from shapes import Shape
 
 MODEL_WIDTH, SCALE_WIDTH = 2.4, 1.15  # inches
-TITLE_HEIGHT, FOOT_HEIGHT = 0.4, 0.5
+TITLE_MARGIN, TITLE_LINE, FOOT_HEIGHT = 0.23, 0.17, 0.5
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,9 @@ def draw_sheet(
     results = [column.result for column in columns]
     arrangement = arrange(columns[-1].shape.vertices, results, aspect)
     cell_height = cell_width * arrangement.size[1] / arrangement.size[0]
+    title_height = TITLE_MARGIN + TITLE_LINE * max(column.title.count("\n") + 1 for column in columns)
     size = np.array([
-        MODEL_WIDTH + len(columns) * cell_width + SCALE_WIDTH, TITLE_HEIGHT + len(maps) * cell_height + FOOT_HEIGHT,
+        MODEL_WIDTH + len(columns) * cell_width + SCALE_WIDTH, title_height + len(maps) * cell_height + FOOT_HEIGHT,
     ])  # fmt: skip
     figure = plt.figure(figsize=size)
 
@@ -58,7 +59,7 @@ def draw_sheet(
         """Inches from the lower left corner."""
         return figure.add_axes((x / size[0], y / size[1], width / size[0], height / size[1]))
 
-    model = panel(0.1, FOOT_HEIGHT + 0.2, MODEL_WIDTH - 0.3, size[1] - FOOT_HEIGHT - TITLE_HEIGHT - 0.2)
+    model = panel(0.1, FOOT_HEIGHT + 0.2, MODEL_WIDTH - 0.3, size[1] - FOOT_HEIGHT - title_height - 0.2)
     draw_model(model, columns[-1].shape, *view)
     for row, quantity in enumerate(maps):
         scale = scale_of(quantity, columns[-1].shape, results)

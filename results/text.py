@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import textwrap
 from collections.abc import Sequence
 from pathlib import Path
@@ -36,6 +37,10 @@ def count(number: int, one: str, many: str) -> str:
 def millimeters(meters: float) -> str:
     """Two digits after the point; what is only rounding is 0."""
     return "0" if meters < 1e-9 else "under 0.01" if meters < 1e-5 else f"{1000 * meters:.2f}"
+
+
+def degrees(radians: float) -> str:
+    return f"{180 / math.pi * radians:.1f}°"
 
 
 def wrap(page: str) -> str:

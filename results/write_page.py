@@ -17,6 +17,7 @@ from pathlib import Path
 os.environ["IGL_NUM_THREADS"] = os.environ["OMP_NUM_THREADS"] = "1"  # the same sums in every run
 
 import all_samples  # noqa: E402 (threads are set when the modules are loaded)
+import beyond_the_paper  # noqa: E402
 import figure_1  # noqa: E402
 import figure_3  # noqa: E402
 import figure_6  # noqa: E402
@@ -31,7 +32,7 @@ from shapes import all_shapes  # noqa: E402
 from text import wrap  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
-SECTIONS = [figure_1, figure_3, figure_6, figure_8, figure_9, figure_11, all_samples]
+SECTIONS = [figure_1, figure_3, figure_6, figure_8, figure_9, figure_11, beyond_the_paper, all_samples]
 
 
 def commit() -> str:
@@ -52,7 +53,8 @@ def opening(version: str, sections: list[str]) -> str:
 Written by `./dev results`, which regenerates every number and picture of this page; commit {version}.
 
 The examples of "WireWarping++" (Zhang, Wang), section IV, on geometry of our own (`blend_samples/shapes/`), with the
-methods the paper compares: {", ".join(METHODS)}. All of them are measured by the same code, `wirewarp.measure`.
+methods the paper compares and with WireWarp's own, the default:
+{", ".join(METHODS)}. All of them are measured by the same code, `wirewarp.measure`.
 
 {contents(sections)}
 
@@ -63,7 +65,8 @@ happens to the length of a line is said of whole wires and of stretches of outli
 
 **Where ours is not the paper's method.** The angles are the local minimum of Eq. (1) reached from the surface angles,
 where the paper stops at the first angles that close all loops; nodes count by the length of wire around them; the
-gradient of *E* by *h* is exact; and a piece that turns triangles over is said to do so.
+gradient of *E* by *h* is exact; and a piece that turns triangles over is said to do so. "Refined" is not in the paper
+at all: [Beyond the paper](#beyond-the-paper) says what it does.
 """
 
 

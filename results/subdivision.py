@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Does E settle as the mesh gets finer? The quarter sphere with rigid wires."""
+
+from __future__ import annotations
+
+from measures import summarize
+from methods import flatten
+from shapes import quarter_sphere
+from text import table
+
+SEGMENTS = (16, 32, 64, 128)
+
+
+def subsection() -> str:
+    rows, found = [], []
+    for segments in SEGMENTS:
+        shape = quarter_sphere(segments)
+        angles, refined = (
+            summarize(shape.vertices, flatten(shape, method=method)) for method in ("wirewarping", "refined")
+        )
+        found.append((angles.energy, refined.energy))
+        rows.append([
+            f"{len(shape.triangles())}",
+            f"{angles.energy:.5f}",
+            f"{refined.energy:.5f}",
+            str(refined.factorizations),
+        ])  # fmt: skip
+    by_angles, by_shape = (abs(b / a - 1) for a, b in zip(*found[-2:], strict=True))
+    return f"""### Subdivision
+
+{table(["triangles", "*E*: WireWarping", "Refined", "factorizations"], rows)}
+
+The quarter sphere with both wires rigid, its mesh finer in every row. From the last but one to the last *E* of
+WireWarping changes by {100 * by_angles:.1f} %, refined by {100 * by_shape:.1f} %.
+"""
