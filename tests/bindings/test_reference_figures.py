@@ -26,12 +26,12 @@ CASES = [
 pytestmark = pytest.mark.skipif(not FIGURES.exists(), reason=NO_FIGURES)
 
 
-def elastic_entries() -> list:
-    """(case, entry) of all results with one tolerance on every wire."""
+def entries(method: str) -> list:
+    """(case, entry) of all results of a method with tolerances, the same one on every wire."""
     if not FIGURES.exists():
         return [pytest.param("", "", id="none", marks=pytest.mark.skip(reason=NO_FIGURES))]
     cases = {name: case for name, case in json.loads(FIGURES.read_text()).items() if isinstance(case, dict)}
-    return [(name, entry) for name, case in cases.items() for entry in case if entry.startswith("wirewarp++")]
+    return [(name, entry) for name, case in cases.items() for entry in case if entry.startswith(f"{method}, tolerance")]
 
 
 def quarter_sphere(n: int) -> tuple[np.ndarray, np.ndarray, list[list[int]]]:
@@ -54,7 +54,8 @@ def read_panel(name: str) -> tuple[np.ndarray, np.ndarray, list[list[int]]]:
     lines = [line.split() for line in (PANELS / f"{name}.obj").read_text().splitlines()]
     vertices = [[float(x) for x in words[1:4]] for words in lines if words[:1] == ["v"]]
     faces = [[int(word.split("/")[0]) - 1 for word in words[1:4]] for words in lines if words[:1] == ["f"]]
-    wires = json.loads((PANELS / f"{name}.wires.json").read_text())["wires"]
+    marked = PANELS / f"{name}.wires.json"
+    wires = json.loads(marked.read_text())["wires"] if marked.exists() else []
     return np.array(vertices), np.array(faces), [wire["vertices"] for wire in wires]
 
 
@@ -71,7 +72,7 @@ def test_rigid_wirewarping(name: str, node_weight: str):
         vertices,
         faces,
         wires=[wirewarp.Wire(wire) for wire in wires],
-        options=wirewarp.Options(node_weight=node_weight),
+        options=wirewarp.Options(method="wirewarping", node_weight=node_weight),
     )
     (piece,) = result.pieces
     assert piece.metrics.arap_energy == pytest.approx(expected["E"], rel=1e-3)
@@ -82,7 +83,7 @@ def test_rigid_wirewarping(name: str, node_weight: str):
         assert chain.max_edge_error < 1e-9
 
 
-@pytest.mark.parametrize(("name", "entry"), elastic_entries())
+@pytest.mark.parametrize(("name", "entry"), entries("wirewarp++"))
 def test_elastic_wires(name: str, entry: str):
     expected = json.loads(FIGURES.read_text())[name][entry]
     tolerance, node_weight = re.fullmatch(r"wirewarp\+\+, tolerance (.*), node weight (.*)", entry).groups()
@@ -98,6 +99,31 @@ def test_elastic_wires(name: str, entry: str):
     assert piece.metrics.arap_energy <= 1.02 * expected["E"]
     assert len(piece.metrics.flipped_faces) <= expected["flipped_faces"]
     assert 0 < piece.report.gradient_evaluations <= 40
+    for part in piece.wires:
+        assert abs(part.variation) <= tolerance + 1e-12
+        assert part.length_2d == pytest.approx((1 + part.variation) * part.length_3d, rel=1e-9)
+    for chain in (*piece.wires, *piece.boundaries):
+        assert chain.max_edge_error < 1e-9
+
+
+@pytest.mark.parametrize(("name", "entry"), entries("refined"))
+def test_refined(name: str, entry: str):
+    expected = json.loads(FIGURES.read_text())[name][entry]
+    tolerance, fairness = map(float, re.fullmatch(r"refined, tolerance (.*), fairness (.*)", entry).groups())
+    vertices, faces, wires = read_case(name)
+    result = wirewarp.flatten(
+        vertices,
+        faces,
+        wires=[wirewarp.Wire(wire, tolerance) for wire in wires],
+        options=wirewarp.Options(method="refined", fairness=fairness),
+    )
+    (piece,) = result.pieces
+    assert piece.error is None  # exact lengths, no flipped face, no overlap
+    assert piece.report.termination == "converged"
+    assert piece.metrics.arap_energy <= 1.01 * expected["E"]
+    assert piece.report.objective <= (1 + 1e-3) * expected["objective"]
+    assert piece.report.factorizations <= 20
+    assert len(piece.metrics.flipped_faces) == len(piece.metrics.overlapping_faces) == 0
     for part in piece.wires:
         assert abs(part.variation) <= tolerance + 1e-12
         assert part.length_2d == pytest.approx((1 + part.variation) * part.length_3d, rel=1e-9)

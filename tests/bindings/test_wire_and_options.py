@@ -112,7 +112,18 @@ def test_what_a_number_raises_is_not_swallowed():
         Wire([0, Broken()])
 
 
-CHANGED = {"method": "wirewarping", "node_weight": "uniform", "inner": "least-norm", "gap": 0.5, "mirror": True}
+CHANGED = {
+    "method": "wirewarping",
+    "node_weight": "uniform",
+    "inner": "least-norm",
+    "fairness": 0.2,
+    "max_factorizations": 7,
+    "gap": 0.5,
+    "mirror": True,
+}
+
+
+METHODS = "'wirewarping' or 'wirewarp++' or 'refined'"
 
 
 @pytest.mark.parametrize(("name", "value"), CHANGED.items())
@@ -127,11 +138,22 @@ def test_an_option_is_the_same_however_it_is_set(name, value):
 @pytest.mark.parametrize(
     ("name", "value", "allowed"),
     [
-        ("method", "magic", "'wirewarping' or 'wirewarp++'"),
-        ("method", 3, "'wirewarping' or 'wirewarp++'"),
-        ("method", None, "'wirewarping' or 'wirewarp++'"),
+        ("method", "magic", METHODS),
+        ("method", 3, METHODS),
+        ("method", None, METHODS),
         ("node_weight", "Length", "'length' or 'uniform'"),
         ("inner", "least_norm", "'minimum' or 'least-norm'"),
+        ("fairness", 0.0009, "0.001 to 10"),
+        ("fairness", 10.1, "0.001 to 10"),
+        ("fairness", -0.1, "0.001 to 10"),
+        ("fairness", math.nan, "0.001 to 10"),
+        ("fairness", math.inf, "0.001 to 10"),
+        ("max_factorizations", 0, "a whole number from 1"),
+        ("max_factorizations", -3, "a whole number from 1"),
+        ("max_factorizations", 2.5, "a whole number from 1"),
+        ("max_factorizations", math.nan, "a whole number from 1"),
+        ("max_factorizations", math.inf, "a whole number from 1"),
+        ("max_factorizations", 2**40, "to 1000000"),
         ("gap", -0.1, "0 to 1"),
         ("gap", 1.5, "0 to 1"),
         ("gap", math.nan, "0 to 1"),
@@ -157,11 +179,22 @@ def test_a_numpy_bool_is_a_bool():
     assert Options(mirror=np.False_).mirror is False
 
 
-@pytest.mark.parametrize("gap", ["0.1", None, True])
-def test_a_gap_is_a_number(gap):
-    with pytest.raises(FlattenError) as caught:
-        Options(gap=gap)
+@pytest.mark.parametrize("name", ["gap", "fairness", "max_factorizations"])
+@pytest.mark.parametrize("value", ["0.1", None, True])
+def test_what_is_to_be_a_number_is_one(name, value):
+    with pytest.raises(FlattenError, match=name) as caught:
+        Options(**{name: value})
     assert caught.value.code is ErrorCode.invalid_type
+
+
+@pytest.mark.parametrize("value", [0.001, 10])
+def test_the_limits_of_fairness_are_allowed(value):
+    assert Options(fairness=value).fairness == value
+
+
+@pytest.mark.parametrize("value", [1, np.int64(12), 100.0])
+def test_any_whole_number_counts_factorizations(value):
+    assert Options(max_factorizations=value).max_factorizations == int(value)
 
 
 def test_an_option_that_does_not_exist_is_an_error():
