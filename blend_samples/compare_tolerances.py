@@ -25,15 +25,15 @@ def flatten_with(shape: Shape, tolerance: float) -> wirewarp.FlattenResult:
 
 
 def distortion(result: wirewarp.FlattenResult) -> str:
-    """Energy over the area of all pieces, the worst stretch ratio, and the largest change of a wire part's length."""
+    """Energy over the area of all pieces, the worst aspect ratio, and the largest change of a wire part's length."""
     metrics = [piece.metrics for piece in result.pieces]
     energy = sum(m.arap_energy * m.area_3d for m in metrics) / sum(m.area_3d for m in metrics)
-    stretch = max(m.face_aspect_ratio.max() for m in metrics)
+    aspect = max(m.face_aspect_ratio.max() for m in metrics)
     change = max(abs(part.variation) for piece in result.pieces for part in piece.wires)
-    return f"{energy:.5f}, {stretch:.2f}, {100 * change:.1f} %"
+    return f"{energy:.5f}, {aspect:.2f}, {100 * change:.1f} %"
 
 
-print("ARAP energy over area, worst stretch ratio, largest change of a wire's length\n")
+print("ARAP energy over area, worst aspect ratio, largest change of a wire's length\n")
 print(f"{'':20}" + "".join(f"{name:>24}" for name in TOLERANCES))
 for sample in all_shapes():
     cells = [distortion(flatten_with(sample, tolerance)) for tolerance in TOLERANCES.values()]

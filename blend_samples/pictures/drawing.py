@@ -69,6 +69,11 @@ class Sheet:
             spline.points.foreach_set("co", np.column_stack([line, np.ones(len(line))]).astype(np.float32).ravel())
         self._add(bpy.data.objects.new("Lines", curve), color)
 
+    def add_rimmed_lines(self, lines: list[np.ndarray], width: float, color: np.ndarray, rim: np.ndarray) -> None:
+        """Lines on a slightly wider rim; they are nearer to the viewer, so that it shows at both sides only."""
+        self.add_lines(lines, 1.6 * width, rim)
+        self.add_lines([line + [0, 0, 0.8 * width] for line in lines], width, color)
+
     def add_text(self, text: str, x: float, y: float, size: float, color: np.ndarray, align: str = "LEFT") -> None:
         """A line of text; y is its base line."""
         curve = bpy.data.curves.new("Text", "FONT")

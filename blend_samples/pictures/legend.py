@@ -6,16 +6,22 @@ from __future__ import annotations
 import numpy as np
 
 from .drawing import Sheet
-from .palette import FAINT_INK, INK, SEAM, WIRE, stretch_colors
+from .palette import FAINT_INK, INK, SEAM, stretch_colors
+from .wire_kinds import WireKind
 
 TEXT, SMALL_TEXT = 0.17, 0.16
 
 
-def draw_line_key(sheet: Sheet, x: float, y: float, width: float) -> None:
-    for name, color in (("seam or edge", SEAM), ("wire", WIRE)):
-        sheet.add_lines([_line((x, y + 0.06), (x + 0.45, y + 0.06))], width, color)
-        sheet.add_text(name, x + 0.57, y, TEXT, INK)
-        x += 2.3
+def draw_line_key(sheet: Sheet, x: float, y: float, width: float, kinds: list[WireKind]) -> None:
+    """A sample of seams and of each kind of wire, two in a row."""
+    for number, kind in enumerate((None, *kinds)):
+        left, base = x + 2.3 * (number % 2), y - 0.23 * (number // 2)
+        sample = [_line((left, base + 0.06), (left + 0.45, base + 0.06))]
+        if kind is None:
+            sheet.add_lines(sample, width, SEAM)
+        else:
+            sheet.add_rimmed_lines(sample, width, kind.color, kind.rim)
+        sheet.add_text(kind.name if kind else "seam or edge", left + 0.57, base, TEXT, INK)
 
 
 def draw_length_scale(sheet: Sheet, x: float, y: float, inches_per_meter: float) -> None:

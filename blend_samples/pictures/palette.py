@@ -19,7 +19,9 @@ INSIDE = linear("#8d8a85")
 INK = linear("#22262e")
 FAINT_INK = linear("#6b7078")
 SEAM = linear("#22262e")
-WIRE = linear("#b5179e")
+# Wires by kind, as the add-on draws them over models and pieces, each with a rim that sets it off from any ground.
+RIGID, ELASTIC, FREE = (linear(color) for color in ("#0048e8", "#ffc400", "#4fc3f7"))
+LIGHT_RIM, DARK_RIM = linear("#ffffff"), linear("#3a3a3a")
 
 # From squeezed over unchanged to stretched: blue, near white, orange.
 _SCALE = [linear(c) for c in ("#08519c", "#5a9bd4", "#f6f4ef", "#f2a03d", "#a63c06")]

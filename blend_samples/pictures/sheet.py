@@ -13,14 +13,15 @@ from .drawing import Box, Sheet
 from .labels import inside_point, seam_labels
 from .legend import draw_color_scale, draw_length_scale, draw_line_key
 from .measure import chains, cloth_stretch
-from .palette import FAINT_INK, INK, INSIDE, MODEL, SEAM, WIRE, lit, round_limit, stretch_colors
+from .palette import FAINT_INK, INK, INSIDE, MODEL, SEAM, lit, round_limit, stretch_colors
 from .surfaces import Flat, Model, read_flat, read_model
+from .wire_kinds import by_kind
 
 WIDTH, HEIGHT = 14.0, 7.9
 MODEL_BOX = Box(-6.65, -2.0, -0.75, 2.75)  # inches
 FLAT_BOX = Box(-1.15, 6.65, -2.7, 3.6)
 TABLE_Y, TABLE_STEP, TABLE_TEXT = -1.12, 0.22, 0.165
-LEGEND_Y = -3.5
+LEGEND_Y = -3.6
 LINE_WIDTH = 0.04
 
 
@@ -33,7 +34,7 @@ def draw_sample(
     """
     sheet = Sheet(WIDTH, HEIGHT)
     body = read_model(model)
-    pieces = read_flat(flat, body)
+    pieces = read_flat(flat)
     turned, normals = body.vertices @ _view(*view).T, body.normals @ _view(*view).T
     scale = min(MODEL_BOX.fit(turned), FLAT_BOX.fit(pieces.vertices))
 
@@ -49,7 +50,8 @@ def draw_sample(
         key = "Large numbers: pieces, small numbers: seams"
         sheet.add_text(key, MODEL_BOX.left, 3.0, TABLE_TEXT, FAINT_INK)
     _draw_lengths(sheet, report)
-    draw_line_key(sheet, MODEL_BOX.left, LEGEND_Y, LINE_WIDTH)
+    kinds = [kind for kind, _ in by_kind(body.wires, body.tolerances)]
+    draw_line_key(sheet, MODEL_BOX.left, LEGEND_Y, LINE_WIDTH, kinds)
     draw_length_scale(sheet, FLAT_BOX.left, LEGEND_Y, scale)
     draw_color_scale(sheet, FLAT_BOX.right - 4.2, FLAT_BOX.right, LEGEND_Y, limit, np.abs(stretch).max())
     sheet.render(path)
@@ -62,14 +64,20 @@ def _draw_model(sheet: Sheet, body: Model, points: np.ndarray, normals: np.ndarr
     colors = lit(normals[body.triangles], MODEL)
     colors[away] = lit(-normals[body.triangles[away]], INSIDE)
     sheet.add_triangles(corners, colors)
-    for edges, color in ((body.seams, SEAM), (body.outline, SEAM), (body.wires, WIRE)):
-        sheet.add_lines([points[chain] for chain in chains(edges)], LINE_WIDTH, color)
+    for edges in (body.seams, body.outline):
+        sheet.add_lines([points[chain] for chain in chains(edges)], LINE_WIDTH, SEAM)
+    _draw_wires(sheet, body, points)
 
 
 def _draw_pieces(sheet: Sheet, pieces: Flat, points: np.ndarray, colors: np.ndarray) -> None:
     sheet.add_triangles(points[pieces.triangles], colors[pieces.triangles])
-    for edges, color in ((pieces.outline, SEAM), (pieces.wires, WIRE)):
-        sheet.add_lines([points[chain] for chain in chains(edges)], LINE_WIDTH, color)
+    sheet.add_lines([points[chain] for chain in chains(pieces.outline)], LINE_WIDTH, SEAM)
+    _draw_wires(sheet, pieces, points)
+
+
+def _draw_wires(sheet: Sheet, surface: Model | Flat, points: np.ndarray) -> None:
+    for kind, edges in by_kind(surface.wires, surface.tolerances):
+        sheet.add_rimmed_lines([points[chain] for chain in chains(edges)], LINE_WIDTH, kind.color, kind.rim)
 
 
 def _draw_numbers(sheet: Sheet, pieces: Flat, points: np.ndarray, report: dict) -> None:

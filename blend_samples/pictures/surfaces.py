@@ -19,6 +19,7 @@ class Model:
     seams: np.ndarray  # (k, 2)
     outline: np.ndarray  # (k, 2), edges of one face
     wires: np.ndarray  # (k, 2)
+    tolerances: np.ndarray  # (k,) of the wires' edges
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,7 @@ class Flat:
     piece: np.ndarray  # (m,) number of the piece, from 0
     outline: np.ndarray  # (k, 2)
     wires: np.ndarray  # (k, 2)
+    tolerances: np.ndarray  # (k,) of the wires' edges
 
 
 def read_model(thing: bpy.types.Object) -> Model:
@@ -38,8 +40,8 @@ def read_model(thing: bpy.types.Object) -> Model:
     mesh = thing.data
     seam = np.empty(len(mesh.edges), dtype=bool)
     mesh.edges.foreach_get("use_seam", seam)
-    wire = _attribute(mesh, "wirewarp_wire") != 0
     edges = _edges(mesh)
+    wire = _attribute(mesh, "wirewarp_wire", np.int32) != 0
     return Model(
         vertices=_vectors(mesh, "co"),
         normals=_vectors(mesh, "normal"),
@@ -47,30 +49,30 @@ def read_model(thing: bpy.types.Object) -> Model:
         seams=edges[seam],
         outline=edges[_face_counts(mesh) == 1],
         wires=edges[wire],
+        tolerances=_attribute(mesh, "wirewarp_tolerance", np.float32)[wire],
     )
 
 
-def read_flat(thing: bpy.types.Object, model: Model) -> Flat:
+def read_flat(thing: bpy.types.Object) -> Flat:
     """The object that the add-on made of the model."""
     mesh = thing.data
-    source = _attribute(mesh, "source_vertex")
     triangles, polygon = _triangles(mesh)
     edges = _edges(mesh)
-    marked = {frozenset(pair) for pair in model.wires.tolist()}
-    wire = np.array([frozenset(pair) in marked for pair in source[edges].tolist()])
+    wire = _attribute(mesh, "wirewarp_wire", np.int32) != 0
     return Flat(
         vertices=_vectors(mesh, "co"),
-        source_vertex=source,
+        source_vertex=_attribute(mesh, "source_vertex", np.int32),
         triangles=triangles,
-        piece=_attribute(mesh, "piece")[polygon],
+        piece=_attribute(mesh, "piece", np.int32)[polygon],
         outline=edges[_face_counts(mesh) == 1],
         wires=edges[wire],
+        tolerances=_attribute(mesh, "wirewarp_tolerance", np.float32)[wire],
     )
 
 
-def _attribute(mesh: bpy.types.Mesh, name: str) -> np.ndarray:
+def _attribute(mesh: bpy.types.Mesh, name: str, dtype: type) -> np.ndarray:
     data = mesh.attributes[name].data
-    values = np.empty(len(data), dtype=np.int32)
+    values = np.empty(len(data), dtype=dtype)
     data.foreach_get("value", values)
     return values
 
