@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <random>
+
+#include "refine/fair_shape_error.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+Positions2 random_positions(Eigen::Index rows, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Positions2 uv(rows, 2);
+  for (double& x : uv.reshaped()) x = normal(random);
+  return uv;
+}
+
+double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
+
+Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues();
+}
+
+/// A bent sheet with crossing wires, and layouts with open, compressed, nearly closed and turned triangles.
+class FairShapeErrorOnASaddle : public testing::Test {
+ protected:
+  static FlattenInput input() {
+    FlattenInput saddle = test::saddle(4, 0.4);
+    test::add_wire(saddle, test::grid_row(4, 2));
+    test::add_wire(saddle, test::grid_column(4, 4, 1), 0.05);
+    return saddle;
+  }
+
+  Positions2 layout(unsigned seed) const {
+    const Positions2 flat = test::planar_positions(chart);
+    return 0.8 * flat + 0.15 * random_positions(flat.rows(), seed);
+  }
+
+  VertexMatrix empty_hessian() {
+    std::vector<VertexPair> pairs;
+    objective.list_pairs(pairs);
+    VertexMatrix hessian(static_cast<int>(chart.mesh.n_vertices()), pairs);
+    objective.attach_to(hessian);
+    return hessian;
+  }
+
+  Eigen::MatrixXd hessian(const Positions2& uv, Curvature curvature) {
+    VertexMatrix matrix = empty_hessian();
+    objective.add_constant_hessian(matrix);
+    objective.add_curvature(uv, curvature, matrix);
+    return Eigen::MatrixXd(Eigen::MatrixXd(matrix.lower()).selfadjointView<Eigen::Lower>());
+  }
+
+  const Charts charts = test::charts_of(input());
+  const Chart& chart = charts.charts.at(0);
+  const WireNetwork network = build_held_network(chart);
+  FairShapeError objective{chart, network, 0.2};
+};
+
+// Central differences along the lines u + t d with h = 1e-6: an error of h² times the third derivative, of rounding
+// over h, and where a triangle crosses the edge of the barrier of h times its second derivative.
+constexpr double kStep = 1e-6, kDifference = 1e-6;
+
+TEST_F(FairShapeErrorOnASaddle, GradientEqualsDifferences) {
+  bool is_barrier_met = false;
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    const Positions2 uv = layout(seed), d = random_positions(uv.rows(), seed + 100);
+    is_barrier_met = is_barrier_met || objective.count_flips(uv) > 0;
+    Positions2 gradient;
+    EXPECT_EQ(objective.value_and_gradient(uv, gradient), objective.value(uv));
+    const double difference = (objective.value(uv + kStep * d) - objective.value(uv - kStep * d)) / (2 * kStep);
+    EXPECT_NEAR(dot(gradient, d), difference, kDifference * gradient.norm() * d.norm());
+  }
+  EXPECT_TRUE(is_barrier_met);
+}
+
+TEST_F(FairShapeErrorOnASaddle, ExactHessianEqualsDifferencesOfTheGradient) {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    const Positions2 uv = layout(seed), d = random_positions(uv.rows(), seed + 100);
+    Positions2 before, after;
+    objective.value_and_gradient(uv - kStep * d, before);
+    objective.value_and_gradient(uv + kStep * d, after);
+    const Positions2 difference = (after - before) / (2 * kStep);
+    const Eigen::VectorXd product =
+        hessian(uv, Curvature::exact) * Eigen::Map<const Eigen::VectorXd>(d.data(), d.size());
+    EXPECT_LT((Eigen::Map<const Positions2>(product.data(), d.rows(), 2) - difference).norm(),
+              kDifference * difference.norm())
+        << seed;
+  }
+}
+
+TEST_F(FairShapeErrorOnASaddle, EveryOtherCurvatureIsAboveTheExactOneAndTheConvexOnesArePositive) {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    const Positions2 uv = layout(seed);
+    const Eigen::MatrixXd exact = hessian(uv, Curvature::exact), open = hessian(uv, Curvature::exact_where_open);
+    const Eigen::MatrixXd convex = hessian(uv, Curvature::convex), none = hessian(uv, Curvature::none);
+    const double rounding = 1e-12 * none.norm();
+    EXPECT_LT(eigenvalues(exact).minCoeff(), -rounding) << "nothing to mend";
+    EXPECT_GT(eigenvalues(open - exact).minCoeff(), -rounding);
+    EXPECT_GT(eigenvalues(convex - open).minCoeff(), -rounding);
+    EXPECT_GT(eigenvalues(none - convex).minCoeff(), -rounding);
+    EXPECT_GT(eigenvalues(convex).minCoeff(), -rounding);
+  }
+}
+
+TEST_F(FairShapeErrorOnASaddle, TheBarrierCountsByItsWeightAndIsSilentOnOpenTriangles) {
+  const Positions2 flat = test::planar_positions(chart), turned = layout(1);
+  ASSERT_GT(objective.count_flips(turned), 0);
+  const double light = objective.value(turned), open = objective.value(flat);
+  objective.set_flip_weight(20);
+  const double heavy = objective.value(turned);
+  objective.set_flip_weight(40);
+  EXPECT_NEAR(objective.value(turned) - heavy, 2 * (heavy - light), 1e-12 * heavy);
+  EXPECT_EQ(objective.value(flat), open);
+}
+
+TEST(FairShapeError, AMirrorImageIsAllFlips) {
+  const Charts charts = test::charts_of(test::flat_rectangle(3, 2, 3, 2));
+  const Chart& chart = charts.charts.at(0);
+  const FairShapeError objective(chart, build_held_network(chart), 0.1);
+  const Positions2 uv = test::planar_positions(chart);
+  EXPECT_EQ(objective.count_flips(uv), 0);
+  EXPECT_EQ(objective.count_flips(uv * Eigen::Vector2d(-1, 1).asDiagonal()), 12);
+  // Without distortion f is 0: nothing but the barrier of the mirror image, det J = -1, and E of it, 4 A.
+  EXPECT_NEAR(objective.value(uv), 0, 1e-25);
+  EXPECT_NEAR(Bending(chart, build_held_network(chart), 0.1, 6).value(uv), 0, 1e-25);
+}
+
+/// A square sheared to a rhombus by β: its lengths along rows and columns are exact, and every corner between a row and
+/// a column is off by β: |r|² = 2 - 2 cos β.
+TEST(Bending, IsTheAngleTermOfEquation1) {
+  const int n = 4;
+  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+  test::add_wire(input, test::grid_row(n, n / 2));
+  test::add_wire(input, test::grid_column(n, n, n / 2), 0.1);
+  test::add_wire(input, test::grid_column(n, n, 1), std::numeric_limits<double>::infinity());  // no corners
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+  const double beta = 0.3, fairness = 0.25;
+  Positions2 uv = test::planar_positions(chart);
+  uv = (uv * (Eigen::Matrix2d() << 1, 0, std::sin(beta), std::cos(beta)).finished()).eval();
+  const int corners = 4 + 4 * 2 + 4;  // of the square, where a wire meets the outline, at the crossing
+  const double mean_length = 1.0 / n;
+  const double expected = 0.5 * corners * std::pow(fairness, 3) / mean_length * (2 - 2 * std::cos(beta));
+  const Bending bending(chart, build_held_network(chart), fairness, 1);
+  EXPECT_NEAR(bending.value(uv), expected, 1e-13);
+  const double moved = bending.value(uv.rowwise() + Eigen::RowVector2d(1e6, -2e6));
+  EXPECT_NEAR(moved, expected, 1e-7) << "positions enter by differences";
+}
+
+TEST(Bending, AWireThatEndsInsideHasNoCornerThere) {
+  const int n = 4;
+  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+  test::add_wire(input, {n + 1 + 1, n + 1 + 2, n + 1 + 3});
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+  // Both half wires turned by γ about the middle: its two corners are off by 2γ, the tails have none.
+  const double gamma = 0.2;
+  Positions2 uv = test::planar_positions(chart);
+  const auto row_of = [&](int v) {
+    return static_cast<int>(std::find(chart.source_vertex.begin(), chart.source_vertex.end(), v) -
+                            chart.source_vertex.begin());
+  };
+  const Eigen::RowVector2d middle = uv.row(row_of(n + 1 + 2));
+  uv.row(row_of(n + 1 + 1)) = middle + Eigen::RowVector2d(-std::cos(gamma), -std::sin(gamma)) / n;
+  uv.row(row_of(n + 1 + 3)) = middle + Eigen::RowVector2d(std::cos(gamma), -std::sin(gamma)) / n;
+  const double expected = 0.5 * 2 * std::pow(0.1, 3) * n * (2 - 2 * std::cos(2 * gamma));
+  EXPECT_NEAR(Bending(chart, build_held_network(chart), 0.1, 1).value(uv), expected, 1e-13);
+}
+
+}  // namespace
+}  // namespace wirewarp

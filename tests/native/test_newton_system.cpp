@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lengths as equations, and the linear system of a Newton step under them, against dense algebra.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "outer/free_arap.h"
+#include "refine/newton_system.h"
+#include "refine/refine_shape.h"
+#include "refine/restore_lengths.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kFree = std::numeric_limits<double>::infinity();
+
+Eigen::VectorXd random_vector(Eigen::Index size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Eigen::VectorXd v(size);
+  for (double& x : v) x = normal(random);
+  return v;
+}
+
+Positions2 as_positions(const Eigen::VectorXd& v) { return Eigen::Map<const Positions2>(v.data(), v.size() / 2, 2); }
+
+Eigen::VectorXd as_vector(const Positions2& p) { return Eigen::Map<const Eigen::VectorXd>(p.data(), p.size()); }
+
+/// Both triangles.
+Eigen::MatrixXd dense(const Eigen::SparseMatrix<double>& lower) {
+  const Eigen::MatrixXd matrix(lower);
+  return matrix.selfadjointView<Eigen::Lower>();
+}
+
+/// A bent sheet with a rigid, two elastic and a free wire.
+class NewtonSystemOnASaddle : public testing::Test {
+ protected:
+  static FlattenInput input() {
+    const int n = 6;
+    FlattenInput saddle = test::saddle(n, 0.3);
+    test::add_wire(saddle, test::grid_row(n, 2));
+    test::add_wire(saddle, test::grid_column(n, n, 2), 0.05);
+    test::add_wire(saddle, test::grid_row(n, 4), kFree);
+    test::add_wire(saddle, test::grid_column(n, n, 4), 0.1);
+    return saddle;
+  }
+
+  Eigen::MatrixXd jacobian(const Positions2& directions) const {
+    Eigen::MatrixXd j(constraints.size(), num_unknowns);
+    for (int k = 0; k < num_unknowns; ++k) {
+      j.col(k) = constraints.apply(directions, as_positions(Eigen::VectorXd::Unit(num_unknowns, k)));
+    }
+    return j;
+  }
+
+  /// H reduced to the null space of J.
+  Eigen::MatrixXd reduced_hessian(const Eigen::VectorXd& multipliers, const Convexity& convexity) {
+    const Eigen::MatrixXd h = dense(system.hessian(uv, multipliers, convexity));
+    const Eigen::MatrixXd space = Eigen::FullPivLU<Eigen::MatrixXd>(jacobian(constraints.directions(uv))).kernel();
+    const Eigen::MatrixXd basis = Eigen::HouseholderQR<Eigen::MatrixXd>(space).householderQ() *
+                                  Eigen::MatrixXd::Identity(num_unknowns, space.cols());
+    return basis.transpose() * h * basis;
+  }
+
+  double lowest_curvature(const Eigen::VectorXd& multipliers, const Convexity& convexity) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(reduced_hessian(multipliers, convexity)).eigenvalues()[0];
+  }
+
+  const Charts charts = test::charts_of(input());
+  const Chart& chart = charts.charts.at(0);
+  const WireNetwork network = build_held_network(chart);
+  const LengthConstraints constraints{chart, network};
+  FairShapeError objective{chart, network, 0.1};
+  const Positions2 uv = flatten_freely(chart, 30).uv;
+  NewtonSystem system{chart, objective, constraints, uv};
+  const int num_unknowns = static_cast<int>(uv.size());
+  const Convexity convex{Curvature::convex, 0}, exact{Curvature::exact, 1};
+};
+
+TEST_F(NewtonSystemOnASaddle, TheJacobianEqualsDifferences) {
+  const double step = 1e-6;
+  const Eigen::VectorXd h = 0.01 * random_vector(constraints.num_elastic(), 1);
+  const Positions2 bent = uv + 0.05 * as_positions(random_vector(num_unknowns, 2));
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const Positions2 d = as_positions(random_vector(num_unknowns, seed + 10));
+    const Eigen::VectorXd dh = random_vector(constraints.num_elastic(), seed + 20);
+    const Eigen::VectorXd difference =
+        (constraints.residual(bent + step * d, h + step * dh) - constraints.residual(bent - step * d, h - step * dh)) /
+        (2 * step);
+    const Positions2 directions = constraints.directions(bent);
+    EXPECT_LT((constraints.apply(directions, d) - constraints.elastic_lengths() * dh - difference).norm(), 1e-8);
+    // The transpose by the same numbers.
+    const Eigen::VectorXd multipliers = random_vector(constraints.size(), seed + 30);
+    Positions2 pulled = Positions2::Zero(uv.rows(), 2);
+    constraints.add_transposed(directions, multipliers, pulled);
+    EXPECT_NEAR(as_vector(pulled).dot(as_vector(d)), multipliers.dot(constraints.apply(directions, d)), 1e-10);
+  }
+}
+
+TEST_F(NewtonSystemOnASaddle, FreeWiresAreNotHeldAndElasticOnesByTheirPart) {
+  const int n = 6, outline = 4 * n;
+  EXPECT_EQ(constraints.size(), outline + 3 * n);
+  ASSERT_EQ(constraints.num_elastic(), 2);
+  const Eigen::VectorXd h = Eigen::Vector2d(0.02, -0.03);
+  const Eigen::VectorXd stretched = constraints.residual(uv, Eigen::Vector2d::Zero()) - constraints.residual(uv, h);
+  int elastic = 0;
+  for (int e = 0; e < constraints.size(); ++e) {
+    const LengthConstraints::Edge& edge = constraints.edges()[static_cast<std::size_t>(e)];
+    EXPECT_NEAR(stretched[e], edge.elastic < 0 ? 0 : h[edge.elastic] * edge.length, 1e-15);
+    elastic += edge.elastic < 0 ? 0 : 1;
+  }
+  EXPECT_EQ(elastic, 2 * n);
+}
+
+TEST_F(NewtonSystemOnASaddle, SolvesTheSystemOfTheNewtonStep) {
+  const Eigen::VectorXd multipliers = 0.01 * random_vector(constraints.size(), 5);
+  ASSERT_TRUE(system.factorize(uv, multipliers, convex));
+  const Positions2 r1 = as_positions(random_vector(num_unknowns, 6));
+  const Eigen::VectorXd r2 = random_vector(constraints.size(), 7);
+  Positions2 d;
+  Eigen::VectorXd solved;
+  system.solve(r1, r2, d, solved);
+  const Positions2 directions = system.directions();
+  EXPECT_LT((constraints.apply(directions, d) - r2).norm(), 1e-9 * r2.norm());
+  const Eigen::SparseMatrix<double> h = system.hessian(uv, multipliers, convex);
+  Positions2 forces = as_positions(h.selfadjointView<Eigen::Lower>() * as_vector(d)) - r1;
+  constraints.add_transposed(directions, solved, forces);
+  EXPECT_LT(forces.norm(), 1e-6 * r1.norm());
+  // One solve moves the lengths to first order, by the least energy: no other d with this J d has less.
+  const Positions2 least = system.least_change(r2);
+  EXPECT_LT((constraints.apply(directions, least) - r2).norm(), 1e-4 * r2.norm());
+  Positions2 unforced;
+  system.solve(Positions2::Zero(uv.rows(), 2), r2, unforced, solved);
+  EXPECT_LT((least - unforced).norm(), 1e-4 * unforced.norm());
+}
+
+TEST_F(NewtonSystemOnASaddle, AFactorExistsExactlyWhereTheHessianIsPositiveUnderTheLengths) {
+  const Eigen::VectorXd shape = random_vector(constraints.size(), 9);
+  int positive = 0, negative = 0;
+  for (const double size : {0.0, 1e-4, 1e-3, 1e-2, 3e-2, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0}) {
+    for (const Convexity& convexity :
+         {convex, exact, Convexity{Curvature::convex, 1}, Convexity{Curvature::exact, 0}}) {
+      const Eigen::VectorXd multipliers = size * shape;
+      const double lowest = lowest_curvature(multipliers, convexity);
+      if (std::abs(lowest) < 1e-5) continue;  // as small as H is next to the stiffness
+      const bool is_positive = system.factorize(uv, multipliers, convexity);
+      EXPECT_EQ(is_positive, lowest > 0) << size << " " << lowest;
+      ++(is_positive ? positive : negative);
+    }
+  }
+  EXPECT_GT(positive, 5);
+  EXPECT_GT(negative, 5);
+}
+
+/// A straight wire in a flat sheet, pressed along: it buckles under enough of it, whatever its symmetry says.
+TEST(NewtonSystem, AWireUnderCompressionIsASaddle) {
+  const int n = 8;
+  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+  test::add_wire(input, test::grid_row(n, n / 2));
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+  const WireNetwork network = build_held_network(chart);
+  const LengthConstraints constraints(chart, network);
+  FairShapeError objective(chart, network, 0.01);
+  const Positions2 uv = test::planar_positions(chart);
+  NewtonSystem system(chart, objective, constraints, uv);
+  Eigen::VectorXd wire = Eigen::VectorXd::Zero(constraints.size());
+  for (std::size_t e = 0; e < network.edges.size(); ++e) wire[static_cast<int>(e)] = network.edges[e].part >= 0 ? 1 : 0;
+  const Convexity exact{Curvature::exact, 1}, convex{Curvature::convex, 0};
+  EXPECT_TRUE(system.factorize(uv, 0 * wire, exact)) << "without distortion the shape is the minimum";
+  EXPECT_TRUE(system.factorize(uv, 100 * wire, exact)) << "a pulled wire is stiff";
+  EXPECT_FALSE(system.factorize(uv, -100 * wire, exact));
+  EXPECT_TRUE(system.factorize(uv, -100 * wire, convex));
+  EXPECT_EQ(system.num_factorizations(), 4);
+}
+
+TEST_F(NewtonSystemOnASaddle, TheHessianByVariationIsThatOfTheDenseSystem) {
+  const Eigen::VectorXd multipliers = 0.01 * random_vector(constraints.size(), 5);
+  ASSERT_TRUE(system.factorize(uv, multipliers, convex));
+  const Eigen::MatrixXd s = system.hessian_by_variation();
+  const Eigen::MatrixXd j = jacobian(system.directions());
+  const Eigen::MatrixXd h = dense(system.hessian(uv, multipliers, convex));
+  // min ½ d·Hd with J d = T h is ½ h·S h: S = Tᵀ (J H⁻¹ Jᵀ)⁻¹ T, the pins make H regular.
+  const Eigen::MatrixXd t = constraints.elastic_lengths();
+  const Eigen::MatrixXd expected = t.transpose() * (j * h.llt().solve(j.transpose())).ldlt().solve(t);
+  EXPECT_LT((s - expected).norm(), 1e-5 * expected.norm());
+}
+
+TEST(MakePositive, TakesMagnitudesOfEigenvalues) {
+  const Eigen::MatrixXd q =
+      Eigen::HouseholderQR<Eigen::MatrixXd>(as_positions(random_vector(8, 1)).leftCols(2).topRows(2)).householderQ();
+  const Eigen::MatrixXd symmetric = q * Eigen::Vector2d(-3, 1e-9).asDiagonal() * q.transpose();
+  const Eigen::MatrixXd expected = q * Eigen::Vector2d(3, 3e-6).asDiagonal() * q.transpose();
+  EXPECT_LT((make_positive(symmetric) - expected).norm(), 1e-12);
+}
+
+TEST_F(NewtonSystemOnASaddle, LengthsAreRestoredFromNearbyAndNotFromFarAway) {
+  ASSERT_TRUE(system.factorize(uv, Eigen::VectorXd::Zero(constraints.size()), Convexity{Curvature::none, 0}));
+  const Eigen::Vector2d h(0.01, -0.02);
+  const Positions2 noise = as_positions(random_vector(num_unknowns, 3));
+  Positions2 near = uv + 1e-3 * noise;
+  EXPECT_TRUE(restore_lengths(constraints, system, h, near));
+  EXPECT_LT(constraints.largest_error(constraints.residual(near, h)), 1e-12);
+  Positions2 far = uv + 2 * noise;
+  EXPECT_FALSE(restore_lengths(constraints, system, h, far));
+}
+
+}  // namespace
+}  // namespace wirewarp
