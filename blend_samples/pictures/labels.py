@@ -7,31 +7,56 @@ import numpy as np
 
 from .surfaces import Flat
 
-
-def inside_point(candidates: np.ndarray, lines: np.ndarray) -> np.ndarray:
-    """The candidate (k, 3) that is farthest from all points of lines (n, 3)."""
-    distance = [np.min(np.linalg.norm(lines - candidate, axis=1)) for candidate in candidates]
-    return candidates[int(np.argmax(distance))]
+ROOM = 0.5  # that a number needs around it, as a share of its usual distance from the seam
+NARROW = 0.6  # of that distance, where the piece is narrow
 
 
-def seam_labels(pieces: Flat, points: np.ndarray, seams: list[dict], offset: float) -> list[tuple[int, np.ndarray]]:
-    """(number, place) beside each side of each seam, offset into the piece, near the middle but clear of the wires."""
+def inside_point(candidates: np.ndarray, lines: np.ndarray) -> tuple[np.ndarray, float]:
+    """The candidate (k, 3) that is farthest from all points of lines (n, 3), and how far it is."""
+    distances = [np.min(np.linalg.norm(lines - candidate, axis=1)) for candidate in candidates]
+    best = int(np.argmax(distances))
+    return candidates[best], distances[best]
+
+
+def seam_labels(
+    pieces: Flat, points: np.ndarray, seams: list[dict], offset: float, taken: list[np.ndarray]
+) -> list[tuple[int, np.ndarray]]:
+    """(number, place) beside each side of each seam, offset into the piece, near its middle.
+
+    They keep clear of all lines, of each other and of the places taken (3,); a seam that finds no room has none.
+    """
     rows_of: dict[frozenset[int], list[int]] = {}
     for row, pair in enumerate(pieces.source_vertex[pieces.outline].tolist()):
         rows_of.setdefault(frozenset(pair), []).append(row)
-    wire_points = points[np.unique(pieces.wires)]
-    labels = []
+    lines = points[np.unique(np.concatenate([pieces.outline, pieces.wires]))]
+    labels: list[tuple[int, np.ndarray]] = []
     for seam in seams:
-        best: tuple[float, list[np.ndarray]] = (-np.inf, [])
-        for step, edge in enumerate(seam["edges"]):
-            places = [_beside(pieces, points, row, offset) for row in rows_of.get(frozenset(edge), [])]
-            if not places:
-                continue  # a piece without a layout
-            clear = min(np.linalg.norm(wire_points - place, axis=1).min() for place in places)
-            off_middle = abs((step + 0.5) / len(seam["edges"]) - 0.5)
-            best = max(best, (min(clear, 1.3 * offset) - offset * off_middle, places), key=lambda choice: choice[0])
-        labels += [(seam["index"] + 1, place) for place in best[1]]
+        rows = [rows_of.get(frozenset(edge), []) for edge in seam["edges"]]  # none in a piece without a layout
+        numbers = [*taken, *(place for _, place in labels)]
+        for distance in (offset, NARROW * offset):
+            room, places = _best_places(pieces, points, rows, distance, (lines, numbers))
+            if room >= ROOM * offset:
+                labels += [(seam["index"] + 1, place) for place in places]
+                break
     return labels
+
+
+def _best_places(
+    pieces: Flat, points: np.ndarray, rows: list[list[int]], offset: float, obstacles: tuple
+) -> tuple[float, list[np.ndarray]]:
+    """The room around, and the places beside, the best edge of a seam; rows: of the outline, for each edge."""
+    lines, numbers = obstacles
+    best: tuple[float, float, list[np.ndarray]] = (-np.inf, 0.0, [])
+    for step, sides in enumerate(rows):
+        places = [_beside(pieces, points, row, offset) for row in sides]
+        if not places:
+            continue
+        room = min(np.linalg.norm(lines - place, axis=1).min() for place in places)
+        for number in numbers:  # they are as large as what is placed: twice the room is needed between them
+            room = min(room, *(np.linalg.norm(number - place) / 2 for place in places))
+        off_middle = abs((step + 0.5) / len(rows) - 0.5)
+        best = max(best, (min(room, offset) - 0.5 * offset * off_middle, room, places), key=lambda choice: choice[0])
+    return best[1], best[2]
 
 
 def _beside(pieces: Flat, points: np.ndarray, row: int, offset: float) -> np.ndarray:

@@ -47,7 +47,7 @@ def draw_sample(
 
     sheet.add_text(report["object"], MODEL_BOX.left, 3.3, 0.38, INK)
     if report["seams"]:
-        key = "Large numbers: pieces, small numbers: seams"
+        key = "Large numbers: pieces, small numbers: seams, where there is room"
         sheet.add_text(key, MODEL_BOX.left, 3.0, TABLE_TEXT, FAINT_INK)
     _draw_lengths(sheet, report)
     kinds = [kind for kind, _ in by_kind(body.wires, body.tolerances)]
@@ -82,14 +82,16 @@ def _draw_wires(sheet: Sheet, surface: Model | Flat, points: np.ndarray) -> None
 
 def _draw_numbers(sheet: Sheet, pieces: Flat, points: np.ndarray, report: dict) -> None:
     """A large number in each piece, a small one on both sides of each seam, as the printed tables count them."""
-    labels = seam_labels(pieces, points, report["seams"], 0.16)
-    for number, place in labels:
-        sheet.add_text(str(number), place[0], place[1] - 0.06, 0.165, INK, "CENTER")
-    taken = [points[np.unique(np.concatenate([pieces.outline, pieces.wires]))], *(place[None] for _, place in labels)]
+    lines = points[np.unique(np.concatenate([pieces.outline, pieces.wires]))]
+    taken = []
     for piece in np.unique(pieces.piece):
         centers = points[pieces.triangles[pieces.piece == piece]].mean(axis=1)
-        x, y, _ = inside_point(centers, np.concatenate(taken))
-        sheet.add_text(str(piece + 1), x, y - 0.12, 0.34, INK, "CENTER")
+        place, room = inside_point(centers, lines)
+        size = float(np.clip(1.8 * room, 0.21, 0.34))
+        sheet.add_text(str(piece + 1), place[0], place[1] - 0.36 * size, size, INK, "CENTER")
+        taken.append(place)
+    for number, place in seam_labels(pieces, points, report["seams"], 0.16, taken):
+        sheet.add_text(str(number), place[0], place[1] - 0.055, 0.15, INK, "CENTER")
 
 
 def _draw_lengths(sheet: Sheet, report: dict) -> None:
