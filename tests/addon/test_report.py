@@ -147,6 +147,8 @@ def test_the_method_and_the_settings_reach_the_core(source, tmp_path):
     by_length = piece(method="WIREWARP_PLUS_PLUS", node_weight="LENGTH")
     assert by_length["arap_energy"] != piece(method="WIREWARP_PLUS_PLUS", node_weight="UNIFORM")["arap_energy"]
     assert piece()["arap_energy"] < by_length["arap_energy"]  # what the refined method is for
+    options = flatten_with_report(tmp_path, fairness=0.25)["objects"][0]["options"]
+    assert (options["method"], options["fairness"]) == ("refined", 0.25)
     rough, smooth = piece(fairness=0.02), piece(fairness=1.0)
     assert rough["arap_energy"] < smooth["arap_energy"]
     assert rough["angle_deviation_rms"] > smooth["angle_deviation_rms"]
