@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read, select_edges, select_only
+from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_edges, select_only
 
 SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), on_line(1, -0.5)
 
@@ -222,6 +222,17 @@ def test_only_models_and_pieces_are_drawn_and_only_what_is_wanted(addon, source)
     assert list(drawings(fake_context(show_overlays=False))) == []
     settings.shown_map = "NONE"
     assert list(drawings(fake_context())) == []
+
+
+def test_a_model_without_marks_of_which_nothing_could_be_flattened_is_drawn(addon):
+    corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    source = make_object("Closed", corners, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
+    assert list(addon.overlay.shown.drawings(fake_context())) == []
+    with pytest.raises(RuntimeError, match="is closed"):
+        bpy.ops.object.wirewarp_flatten()
+    (drawing,) = addon.overlay.shown.drawings(fake_context())
+    assert drawing.target == source
+    assert len(drawing.failures.triangles) == 3 * 4
 
 
 def test_nothing_is_built_again_until_something_changes(addon, source, monkeypatch):

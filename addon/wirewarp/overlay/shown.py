@@ -9,7 +9,7 @@ import bpy
 from ..color_maps import COLOR_MAPS, ColorMap
 from ..issues import ObjectError
 from ..mesh_cache import stamp
-from ..report_store import REPORT, last_report
+from ..report_store import last_report
 from ..wire_attributes import WIRE
 from ..write_flat_object import find_flat_object
 from .cache import Same, kept_drawing
@@ -51,7 +51,7 @@ def drawings(context: bpy.types.Context) -> Iterator[Drawing]:
 
 
 def _concerns_us(target: bpy.types.Object) -> bool:
-    return bool(target.wirewarp_source or REPORT in target or WIRE in target.data.attributes)
+    return bool(target.wirewarp_source or last_report(target) or WIRE in target.data.attributes)
 
 
 def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: ColorMap | None) -> Drawing:
