@@ -5,6 +5,7 @@
 
 #include "outer/choose_variation.h"
 #include "outer/free_arap.h"
+#include "refine/tighten_lengths.h"
 #include "topology/process_topology.h"
 
 namespace wirewarp {
@@ -40,10 +41,18 @@ RefinedChart refine_chart(const Chart& chart, const Options& options, const std:
 
   WarpedShape warped = warp_wires(chart, options);
   result.inner = std::move(warped.inner);
-  if (!result.inner.is_feasible) return result;
   limits.max_factorizations -= used;
-  result.shape = refine_shape(chart, held_network, options.fairness, warped.uv, limits);
-  result.shape.factorizations += used;
+  if (result.inner.is_feasible) {
+    result.shape = refine_shape(chart, held_network, options.fairness, warped.uv, limits);
+    result.shape.factorizations += used;
+    if (result.shape.is_exact || result.was_stopped) return result;
+  }
+
+  result.loose = loosen_lengths(chart, held_network, options.fairness, free.uv, limits.go_on);
+  if (tighten_lengths(chart, held_network, options.fairness, result.loose.uv)) {
+    result.shape = refine_shape(chart, held_network, options.fairness, result.loose.uv, limits);
+    result.shape.factorizations += used + result.loose.factorizations;
+  }
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "inner/inner_problem.h"
+#include "refine/loose_lengths.h"
 #include "refine/refine_shape.h"
 #include "wirewarp/options.h"
 
@@ -13,12 +14,14 @@ namespace wirewarp {
 struct RefinedChart {
   RefinedShape shape;   // not exact: no flat shape with these lengths was found, or the limits came first
   InnerSolution inner;  // of the second start; not feasible where even the wires alone do not close
+  LooseShape loose;     // of the third start, if the second has no exact lengths either
   bool was_stopped = false;
 };
 
 /// Starts from a free ARAP flattening, one step from exact lengths on most pieces. Where that step fails, the wires are
 /// first flattened alone: the angles of Eq. (1) on the network that process_topology prepares, the other vertices by
-/// interior placement (paper II-A); that shape has exact lengths.
+/// interior placement (paper II-A); that shape has exact lengths. Where even this does not exist, the third start is
+/// the shape that breaks lengths at the least price: none, if it finds that they can be kept after all.
 RefinedChart refine_chart(const Chart& chart, const Options& options, const std::function<bool()>& go_on);
 
 }  // namespace wirewarp

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/tighten_lengths.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "index.h"
+#include "outer/length_variation.h"
+#include "refine/newton_system.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kExact = 1e-13;     // |c| / l
+constexpr double kRounding = 1e-11;  // what short edges far from the origin can leave
+constexpr int kMaxFactorizations = 5;
+constexpr int kMaxSteps = 10;  // with one factor
+
+/// The least change for given residuals, Δh among it: springs ρ pull at d and Δh alike, and d is eliminated.
+class LeastChange {
+ public:
+  LeastChange(const LengthConstraints& constraints, const NewtonSystem& system)
+      : constraints_(constraints), system_(system), lengths_(constraints.elastic_lengths()) {
+    const Eigen::MatrixXd stretched = system.stiffness().asDiagonal() * lengths_;
+    Eigen::MatrixXd by_variation = lengths_.transpose() * stretched;
+    for (int w = 0; w < constraints.num_elastic(); ++w) {
+      moves_.push_back(system.least_change(lengths_.col(w)));
+      by_variation.col(w) -= stretched.transpose() * constraints.apply(system.directions(), moves_.back());
+    }
+    by_variation_.compute(by_variation);
+  }
+
+  void step(const Eigen::VectorXd& residual, Positions2& uv, Eigen::VectorXd& variation) const {
+    Positions2 d = system_.least_change(-residual);
+    if (!moves_.empty()) {
+      const Eigen::VectorXd left = residual + constraints_.apply(system_.directions(), d);
+      const Eigen::VectorXd change = by_variation_.solve(lengths_.transpose() * system_.stiffness().cwiseProduct(left));
+      for (std::size_t w = 0; w < moves_.size(); ++w) d += change[static_cast<Eigen::Index>(w)] * moves_[w];
+      variation += change;
+    }
+    uv += d;
+  }
+
+ private:
+  const LengthConstraints& constraints_;
+  const NewtonSystem& system_;
+  Eigen::MatrixXd lengths_;        // T
+  std::vector<Positions2> moves_;  // ∂d/∂h
+  Eigen::LDLT<Eigen::MatrixXd> by_variation_;
+};
+
+bool is_within_tolerance(const Chart& chart, const LengthConstraints& constraints, const Eigen::VectorXd& variation) {
+  for (int w = 0; w < variation.size(); ++w) {
+    if (std::abs(variation[w]) > chart.wire_parts[at(constraints.elastic_parts()[at(w)])].tolerance) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool tighten_lengths(const Chart& chart, const WireNetwork& network, double fairness, Positions2& uv) {
+  const LengthConstraints constraints(chart, network);
+  FairShapeError objective(chart, network, fairness);
+  NewtonSystem system(chart, objective, constraints, uv);
+  Eigen::VectorXd variation = length_variation(chart, uv)(constraints.elastic_parts());
+  const Eigen::VectorXd no_forces = Eigen::VectorXd::Zero(constraints.size());
+  double error = constraints.largest_error(constraints.residual(uv, variation));
+  for (int i = 0; i < kMaxFactorizations && error > kExact; ++i) {
+    if (!system.factorize(uv, no_forces, {Curvature::none, 0})) return false;
+    const LeastChange least_change(constraints, system);
+    for (int k = 0; k < kMaxSteps && error > kExact; ++k) {
+      Positions2 trial = uv;
+      Eigen::VectorXd trial_variation = variation;
+      least_change.step(constraints.residual(uv, variation), trial, trial_variation);
+      const double trial_error = constraints.largest_error(constraints.residual(trial, trial_variation));
+      if (!(trial_error < 0.5 * error)) break;
+      uv = std::move(trial);
+      variation = std::move(trial_variation);
+      error = trial_error;
+    }
+  }
+  return error < kRounding && is_within_tolerance(chart, constraints, variation);
+}
+
+}  // namespace wirewarp
