@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "chart_errors.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include "check_input/sentence.h"
+#include "feasibility/propose_seams.h"
 
 namespace wirewarp {
 
@@ -27,6 +31,68 @@ FlattenError infeasible_lengths(const Chart& chart, const WireNetwork& network, 
                           " in the plane (a gap of " + percent(solution.closure_residual) + " of a loop stays open): " +
                           (in_chart.empty() ? "" : "clear a wire or ") + "mark another seam.",
                       elements);
+}
+
+namespace {
+
+/// "with a tolerance of 0.3 % to 1.2 % on wires 3 and 4 and with wire 7 (waist) free".
+std::string name_tolerances(const std::vector<Wire>& wires, const std::vector<ProposedTolerance>& tolerances) {
+  std::vector<int> elastic, free;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const ProposedTolerance& proposed : tolerances) {
+    if (std::isinf(proposed.tolerance)) {
+      free.push_back(proposed.wire);
+      continue;
+    }
+    elastic.push_back(proposed.wire);
+    least = std::min(least, proposed.tolerance);
+    most = std::max(most, proposed.tolerance);
+  }
+  std::string text;
+  if (!elastic.empty()) {
+    text = "with a tolerance of " + (least < most ? percent(least) + " to " : "") + percent(most) + " on " +
+           name_wires(wires, elastic);
+  }
+  if (free.empty()) return text;
+  return text + (text.empty() ? "" : " and ") + "with " + name_wires(wires, free) + " free";
+}
+
+std::vector<VertexPair> edges_of(const Chart& chart, const std::vector<ProposedTolerance>& tolerances) {
+  std::vector<VertexPair> edges;
+  for (const WirePart& part : chart.wire_parts) {
+    if (part.kind == WireKind::boundary) continue;
+    const bool is_named = std::any_of(tolerances.begin(), tolerances.end(), [&](const ProposedTolerance& proposed) {
+      return proposed.wire == part.wire_index;
+    });
+    if (!is_named) continue;
+    for (const HalfedgeHandle h : part.half_edges) edges.push_back(source_edge(chart, h));
+  }
+  return edges;
+}
+
+}  // namespace
+
+FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires,
+                              std::vector<ProposedTolerance> tolerances) {
+  const std::string piece = "the piece around face " + std::to_string(chart.source_face.front());
+  ErrorElements elements;
+  elements.faces = chart.source_face;
+  if (tolerances.empty()) {
+    for (const HalfEdgeChain& loop : chart.boundary_loops) {
+      for (const HalfedgeHandle h : loop) elements.edges.push_back(source_edge(chart, h));
+    }
+    elements.proposed_seams = propose_seams(chart);
+    return FlattenError(ErrorCode::infeasible_lengths,
+                        "The outline of " + piece +
+                            " cannot keep its length in the plane, whatever the wires do: mark a seam such as " +
+                            name_elements("edge", elements.proposed_seams) + ".",
+                        std::move(elements));
+  }
+  elements.edges = edges_of(chart, tolerances);
+  const std::string message = "Not all wires of " + piece + " can keep their lengths in the plane: it lies flat " +
+                              name_tolerances(wires, tolerances) + ".";
+  elements.proposed_tolerances = std::move(tolerances);
+  return FlattenError(ErrorCode::infeasible_lengths, message, std::move(elements));
 }
 
 FlattenError not_solvable(const Chart& chart) {

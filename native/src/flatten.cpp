@@ -15,7 +15,7 @@
 #include "outer/choose_variation.h"
 #include "packing/pack_pieces.h"
 #include "progress_report.h"
-#include "refine/refine_chart.h"
+#include "refine/infeasible_wires.h"
 #include "topology/process_topology.h"
 
 namespace wirewarp {
@@ -98,9 +98,15 @@ void refine_chart(const Chart& chart, const FlattenInput& input, const Options& 
   begin_stage(go_on, "shape");
   const StageTimer timer(layout.report.seconds, "shape");
   layout.network = build_wire_network(chart);
-  RefinedChart refined = refine_chart(chart, options, [&] { return go_on("shape"); });
-  if (!refined.shape.is_exact && refined.was_stopped) throw cancelled();
-  if (!refined.shape.is_exact) throw infeasible_lengths(chart, *layout.network, input.wires, refined.inner);
+  bool was_stopped = false;
+  const auto may_go_on = [&] { return !(was_stopped = was_stopped || !go_on("shape")); };
+  RefinedChart refined = refine_chart(chart, options, may_go_on);
+  if (!refined.shape.is_exact) {
+    std::vector<ProposedTolerance> tolerances;
+    if (!was_stopped) tolerances = propose_tolerances(chart, options, refined, may_go_on);
+    if (was_stopped) throw cancelled();
+    throw infeasible_wires(chart, input.wires, std::move(tolerances));
+  }
   report_refinement(refined, layout.report);
   layout.variation.assign(refined.shape.variation.begin(), refined.shape.variation.end());
   layout.uv = std::move(refined.shape.uv);

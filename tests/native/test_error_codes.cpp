@@ -246,7 +246,7 @@ TEST(ErrorCodes, InfeasibleLengths) {
   const FlattenError error = carried_by(input);
   EXPECT_EQ(error.code, Code::infeasible_lengths);
   EXPECT_EQ(error.elements.faces.size(), 5u);
-  EXPECT_EQ(error.elements.edges.size(), 10u);
+  EXPECT_EQ(error.elements.edges.size(), 5u);
   expect_names(error, "wires 0, 1, 2, 3 and 4");
 }
 

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/infeasible_wires.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "index.h"
+
+namespace wirewarp {
+namespace {
+
+// Strains that pass for the rounding of the smoothing, 1e-4: first those that are plainly none, then those that may be.
+constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
+constexpr double kUneven = 5e-3;   // unevenness that a larger variation of other wires may take away
+constexpr double kRounded = 1e-3;  // of what is proposed
+constexpr double kLargest = 0.5;
+constexpr double kFree = std::numeric_limits<double>::infinity();
+constexpr int kMaxFactorizations = 2;  // to know that there is a flat shape
+
+using Tolerances = std::map<int, double>;  // by wire
+
+bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
+
+/// Wires that give way in the loose shape, with what they need beyond their tolerance.
+Tolerances find_needs(const Chart& chart, const LooseShape& loose, double kept) {
+  Tolerances needs;
+  for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
+    const WirePart& part = chart.wire_parts[i];
+    const auto p = static_cast<Eigen::Index>(i);
+    const double need = loose.unevenness[p] > kUneven ? kFree : loose.excess[p];
+    if (is_held(part) && need > kept) needs[part.wire_index] = std::max(needs[part.wire_index], need);
+  }
+  return needs;
+}
+
+double rounded_up(double tolerance) {
+  return tolerance > kLargest ? kFree : std::ceil(tolerance / kRounded - 1e-9) * kRounded;
+}
+
+/// The wires' own tolerances and so many times their needs.
+Tolerances widened(const Chart& chart, const Tolerances& needs, double times) {
+  Tolerances tolerances;
+  for (const WirePart& part : chart.wire_parts) {
+    const auto need = needs.find(part.wire_index);
+    if (need == needs.end() || !is_held(part)) continue;
+    tolerances[part.wire_index] = rounded_up(part.tolerance + times * need->second);
+  }
+  return tolerances;
+}
+
+Chart with_tolerances(Chart chart, const Tolerances& tolerances) {
+  for (WirePart& part : chart.wire_parts) {
+    const auto tolerance = tolerances.find(part.wire_index);
+    if (tolerance == tolerances.end() || !is_held(part)) continue;
+    part.tolerance = tolerance->second;
+    part.kind = std::isinf(part.tolerance) ? WireKind::super_elastic : WireKind::elastic;
+  }
+  return chart;
+}
+
+Tolerances all_free(Tolerances tolerances) {
+  for (auto& [wire, tolerance] : tolerances) tolerance = kFree;
+  return tolerances;
+}
+
+Tolerances free_wires(const Chart& chart) {
+  Tolerances tolerances;
+  for (const WirePart& part : chart.wire_parts) {
+    if (is_held(part)) tolerances[part.wire_index] = kFree;
+  }
+  return tolerances;
+}
+
+}  // namespace
+
+std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Options& options,
+                                                  const RefinedChart& refined, const std::function<bool()>& go_on) {
+  const Tolerances plain = find_needs(chart, refined.loose, kKept);
+  const Tolerances possible = find_needs(chart, refined.loose, kPerhapsKept);
+  const Tolerances candidates[] = {widened(chart, plain, 1),
+                                   widened(chart, plain, 2),
+                                   widened(chart, plain, 4),
+                                   widened(chart, possible, 1),
+                                   widened(chart, possible, 2),
+                                   widened(chart, possible, 4),
+                                   all_free(plain),
+                                   all_free(possible),
+                                   free_wires(chart)};
+  Options brief = options;
+  brief.max_factorizations = std::min(options.max_factorizations, kMaxFactorizations);
+  for (const Tolerances& tolerances : candidates) {
+    if (tolerances.empty()) continue;
+    const RefinedChart trial = refine_chart(with_tolerances(chart, tolerances), brief, go_on);
+    if (trial.was_stopped) return {};
+    if (!trial.shape.is_exact) continue;
+    std::vector<ProposedTolerance> proposed;
+    for (const auto& [wire, tolerance] : tolerances) proposed.push_back({wire, tolerance});
+    return proposed;
+  }
+  return {};
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which wires cannot keep their lengths, and the tolerances under which they can.
+#pragma once
+
+#include "refine/refine_chart.h"
+
+namespace wirewarp {
+
+/// Tolerances that make the chart flat, proven by flattening it with them, by rising wire: the smallest found, rounded
+/// up to a tenth of a percent; infinity for a wire that no tolerance up to a half helps. Empty if no such tolerances
+/// are found: then the outline is at fault. refined: of the chart, not exact. Stops early, with nothing, where go_on
+/// says so.
+std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Options& options,
+                                                  const RefinedChart& refined, const std::function<bool()>& go_on);
+
+}  // namespace wirewarp

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Wires that contradict one another: they are named, the proposed tolerances make the piece flat, and nets that can be
+// kept are not refused.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "index.h"
+#include "mesh/edge_table.h"
+#include "outer/free_arap.h"
+#include "refine/loose_lengths.h"
+#include "refine/tighten_lengths.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+using Where = std::function<bool(const Eigen::Vector3d& middle)>;
+
+/// Every inner edge there a rigid wire of its own.
+void add_edges_as_wires(FlattenInput& input, const Where& where) {
+  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+  for (int e = 0; e < edges.num_edges(); ++e) {
+    const auto [a, b] = edges.vertices(e);
+    const Eigen::Vector3d middle = (input.vertices.row(a) + input.vertices.row(b)) / 2;
+    if (edges.num_sides(e) == 2 && where(middle)) test::add_wire(input, {a, b});
+  }
+}
+
+/// All inner rows and columns of an n by n grid: a Chebyshev net, with fewer lengths than a flat shape has freedom.
+void add_lines(FlattenInput& input, int n, double tolerance) {
+  for (int i = 1; i < n; ++i) {
+    test::add_wire(input, test::grid_row(n, i), tolerance);
+    test::add_wire(input, test::grid_column(n, n, i), tolerance);
+  }
+}
+
+std::vector<int> diagonal(int n) {
+  std::vector<int> chain;
+  for (int i = 0; i <= n; ++i) chain.push_back(i + (n + 1) * i);
+  return chain;
+}
+
+/// It may still be turned over or overlap.
+bool has_exact_lengths(const Piece& piece) {
+  return !piece.error || (piece.error->has_layout && piece.error->code != ErrorCode::lengths_not_kept);
+}
+
+bool is_refused(const Piece& piece) { return piece.error && piece.error->code == ErrorCode::infeasible_lengths; }
+
+/// Refuses it, and keeps all lengths once the proposal is taken.
+void expect_mended(FlattenInput input) {
+  const Piece refused = flatten(input).pieces.at(0);
+  ASSERT_TRUE(is_refused(refused));
+  EXPECT_FALSE(refused.error->has_layout);
+  const std::vector<ProposedTolerance>& proposed = refused.error->elements.proposed_tolerances;
+  ASSERT_FALSE(proposed.empty());
+  EXPECT_FALSE(refused.error->elements.edges.empty());
+  for (const ProposedTolerance& p : proposed) {
+    EXPECT_GT(p.tolerance, input.wires.at(at(p.wire)).tolerance);
+    input.wires.at(at(p.wire)).tolerance = p.tolerance;
+  }
+  const Piece mended = flatten(input).pieces.at(0);
+  EXPECT_TRUE(has_exact_lengths(mended)) << mended.error->what();
+}
+
+TEST(InfeasibleWires, EveryEdgeOfACurvedPatchIsMended) {
+  FlattenInput sphere = test::quarter_sphere(5), saddle = test::saddle(6, 0.5);
+  sphere.wires.clear();
+  for (FlattenInput* input : {&sphere, &saddle}) {
+    add_edges_as_wires(*input, [](const Eigen::Vector3d&) { return true; });
+    expect_mended(*input);
+  }
+}
+
+TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
+  // Flat but for a dimple of radius 0.2. A wire that gives way ends where angles do not sum to 2π: at a face that the
+  // dimple touches.
+  const int n = 10;
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    const double r2 = (s - 0.5) * (s - 0.5) + (t - 0.5) * (t - 0.5);
+    return Eigen::Vector3d(s, t, r2 < 0.04 ? 0.04 * std::pow(1 - r2 / 0.04, 2) : 0);
+  });
+  add_edges_as_wires(input,
+                     [](const Eigen::Vector3d& m) { return std::abs(m.x() - 0.5) + std::abs(m.y() - 0.5) < 0.5; });
+  expect_mended(input);
+  const Piece piece = flatten(input).pieces.at(0);
+  for (const ProposedTolerance& p : piece.error->elements.proposed_tolerances) {
+    EXPECT_LE(p.tolerance, 0.2);
+    for (const int v : input.wires[at(p.wire)].vertices) {
+      EXPECT_LT((input.vertices.row(v) - Eigen::RowVector3d(0.5, 0.5, 0)).norm(), 0.2 + 2 * std::sqrt(2) / n);
+    }
+  }
+}
+
+TEST(InfeasibleWires, OneLineTooManyIsMended) {
+  // Rows and columns shear like a fishing net, along one diagonal too. Two more do not let them.
+  const int n = 8;
+  for (const double tolerance : {0.0, 0.01}) {
+    FlattenInput input = test::saddle(n, 0.3);
+    add_lines(input, n, tolerance);
+    test::add_wire(input, diagonal(n));
+    EXPECT_FALSE(is_refused(flatten(input).pieces.at(0)));
+    for (const int offset : {3, -3}) {
+      std::vector<int> chain;
+      for (int j = std::max(0, -offset); j <= n - std::max(0, offset); ++j) chain.push_back(j + offset + (n + 1) * j);
+      test::add_wire(input, chain);
+    }
+    expect_mended(input);
+  }
+}
+
+TEST(InfeasibleWires, NetsThatCanBeKeptAreNotRefused) {
+  // Every second edge of a net of rows and columns, which has fewer edges than a flat shape has freedom.
+  std::mt19937 random(7);
+  const int n = 6;
+  for (int i = 0; i < 12; ++i) {
+    FlattenInput input = i % 2 == 0 ? test::saddle(n, 0.1 + 0.05 * i) : test::make_grid(n, n, [&](double s, double t) {
+      const double x = s - 0.5, y = t - 0.5;
+      return Eigen::Vector3d(x, y, std::sqrt(1 + 0.1 * i - x * x - y * y));
+    });
+    FlattenInput lines = input;
+    add_lines(lines, n, 0);
+    for (const Wire& line : lines.wires) {
+      for (std::size_t k = 0; k + 1 < line.vertices.size(); ++k) {
+        if (random() % 2 == 0) test::add_wire(input, {line.vertices[k], line.vertices[k + 1]});
+      }
+    }
+    const Piece piece = flatten(input).pieces.at(0);
+    EXPECT_TRUE(has_exact_lengths(piece)) << i << ": " << piece.error->what();
+  }
+}
+
+TEST(LooseLengths, NobodyPaysWhereLengthsCanBeKept) {
+  FlattenInput input = test::saddle(8, 0.4);
+  add_lines(input, 8, 0);
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+  const WireNetwork network = build_held_network(chart);
+  LooseShape loose = loosen_lengths(chart, network, 0.1, flatten_freely(chart, 30).uv, [] { return true; });
+  EXPECT_LT(loose.excess.maxCoeff(), 1e-4);  // the last smoothing
+  EXPECT_LT(loose.unevenness.maxCoeff(), 1e-4);
+  EXPECT_LT(loose.boundary_strain, 1e-4);
+  EXPECT_TRUE(tighten_lengths(chart, network, 0.1, loose.uv));
+  for (const WireEdge& edge : network.edges) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
+    const double length =
+        (loose.uv.row(chart.mesh.to_vertex_handle(h).idx()) - loose.uv.row(chart.mesh.from_vertex_handle(h).idx()))
+            .norm();
+    EXPECT_NEAR(length, edge.length, 1e-11 * edge.length);
+  }
+}
+
+TEST(LooseLengths, StopsWhenAsked) {
+  const Charts charts = test::charts_of(test::quarter_sphere(4));
+  const Chart& chart = charts.charts.at(0);
+  const Positions2 start = flatten_freely(chart, 30).uv;
+  const LooseShape loose = loosen_lengths(chart, build_held_network(chart), 0.1, start, [] { return false; });
+  EXPECT_EQ(loose.factorizations, 0);
+  EXPECT_EQ((loose.uv - start).norm(), 0);
+}
+
+TEST(InfeasibleWires, CancellingTheSearchCancelsThePiece) {
+  FlattenInput input = test::saddle(4, 0.5);
+  add_edges_as_wires(input, [](const Eigen::Vector3d&) { return true; });
+  int calls = 0;
+  const FlattenResult result =
+      flatten(input, {}, [&](const std::string& stage, double) { return stage != "shape" || ++calls < 20; });
+  ASSERT_TRUE(result.pieces.at(0).error.has_value());
+  EXPECT_EQ(result.pieces[0].error->code, ErrorCode::cancelled);
+}
+
+}  // namespace
+}  // namespace wirewarp
