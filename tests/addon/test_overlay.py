@@ -179,7 +179,7 @@ def test_what_failed_is_drawn_on_the_model_and_on_the_pieces(addon):
     for target in (source, flat_of(source)):
         found = addon.overlay.object_drawing.failures(target)
         assert len(found.triangles) == 3 * 2 * len(faces)  # of quads
-        assert len(found.lines) > 0
+        assert len(found.lines["failed"]) > 0
     centers = addon.overlay.object_drawing.failures(source).triangles.reshape(-1, 6, 3).mean(axis=1)
     expected = [source.data.polygons[face].center for face in sorted(faces)]
     assert np.linalg.norm(centers[:, :2] - np.array(expected)[:, :2], axis=1).max() < 0.1
@@ -194,7 +194,7 @@ def test_the_edges_of_a_bad_input_are_drawn(addon):
     bpy.context.view_layer.update()
     with pytest.raises(RuntimeError, match="no area"):
         bpy.ops.object.wirewarp_flatten()
-    assert len(addon.overlay.object_drawing.failures(source).lines) > 0
+    assert addon.overlay.object_drawing.failures(source).lines.keys() == {"failed"}
 
 
 def fake_context(**space):
@@ -233,6 +233,9 @@ def test_a_model_without_marks_of_which_nothing_could_be_flattened_is_drawn(addo
     (drawing,) = addon.overlay.shown.drawings(fake_context())
     assert drawing.target == source
     assert len(drawing.failures.triangles) == 3 * 4
+    proposed = addon.report_store.last_report(source)["issues"][0]["proposed_seams"]
+    ends = [corners[vertex] for pair in proposed for vertex in sorted(pair)]
+    assert sorted(map(tuple, drawing.failures.lines["proposed"].tolist())) == sorted(ends)
 
 
 def test_nothing_is_built_again_until_something_changes(addon, source, monkeypatch):

@@ -68,8 +68,7 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[tup
 
 def _draw_legend(context: bpy.types.Context, shown: list[Drawing], unit: float) -> None:
     kinds = {kind for drawing in shown if drawing.lines for kind in drawing.lines.places}
-    if any(drawing.failures for drawing in shown):
-        kinds.add("failed")
+    kinds |= {kind for drawing in shown if drawing.failures for kind in drawing.failures.lines}
     color_map = shown_map(context)
     legend = lay_out(
         [style for kind, style in reversed(STYLES.items()) if kind in kinds],

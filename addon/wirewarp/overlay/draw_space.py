@@ -78,8 +78,8 @@ def _draw_lines(drawing: Drawing, unit: float, is_rim: bool) -> None:
     shader = gpu.shader.from_builtin(LINES)
     shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
     places = dict(drawing.lines.places) if drawing.lines else {}
-    if drawing.failures is not None and len(drawing.failures.lines):
-        places["failed"] = drawing.failures.lines
+    if drawing.failures is not None:
+        places |= drawing.failures.lines
     for kind, style in STYLES.items():
         if kind not in places:
             continue

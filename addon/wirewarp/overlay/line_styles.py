@@ -31,6 +31,7 @@ RIM, RIM_ALPHA = 1.5, 0.6  # of the rim: pixels wider than the line
 STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
     "helper": LineStyle("Helper wire, added", _hex("#ffffff"), 1.5),
+    "proposed": LineStyle("Proposed seam", _hex("#890089"), 6.0),
     "seam": LineStyle("Seam", _hex("#101018"), 4.5),
     "free": LineStyle("Free wire", _hex("#4fc3f7"), 2.5),
     "elastic": LineStyle("Elastic wire", _hex("#ffc400"), 2.5),

@@ -8,6 +8,7 @@ import bpy
 import numpy as np
 
 from ..color_maps import ColorMap
+from ..edge_keys import edge_keys
 from ..foreach import read
 from ..model_state import has_changed
 from ..report_store import last_report
@@ -27,7 +28,7 @@ class Lines:
 
 @dataclass(frozen=True)
 class Failures:
-    lines: np.ndarray  # (2k,3) float32
+    lines: dict[str, np.ndarray]  # (2k,3) float32 for each kind of line: what failed, and what would mend it
     triangles: np.ndarray  # (3m,3) float32
 
 
@@ -109,7 +110,14 @@ def failures(target: bpy.types.Object) -> Failures | None:
             return None
         source = read(mesh.attributes["source_vertex"].data, "value", np.int32)
     faces = _failed_faces(mesh, report["issues"])
-    lines = _failed_edges(mesh, source, report["issues"], faces)
+    edges = read(mesh.edges, "vertices", np.int32, 2)
+    pairs = np.sort(source[edges], axis=1)
+    masks = {
+        "failed": _failed_edges(mesh, pairs, report["issues"], faces),
+        "proposed": _named(pairs, [edge for issue in report["issues"] for edge in issue.get("proposed_seams", [])]),
+    }
+    places = read(mesh.vertices, "co", np.float32, 3)
+    lines = {kind: places[edges[mask].ravel()] for kind, mask in masks.items() if mask.any()}
     return Failures(lines, places_of(gather_triangles(mesh), faces))
 
 
@@ -120,13 +128,17 @@ def _failed_faces(mesh: bpy.types.Mesh, issues: list[dict]) -> np.ndarray:
     return np.flatnonzero(np.isin(read(mesh.attributes["source_face"].data, "value", np.int32), faces))
 
 
-def _failed_edges(mesh: bpy.types.Mesh, source: np.ndarray, issues: list[dict], faces: np.ndarray) -> np.ndarray:
-    """The edges that are named, and all edges of faces and at vertices that are."""
-    edges = read(mesh.edges, "vertices", np.int32, 2)
-    pairs = np.sort(source[edges], axis=1)
-    named = {tuple(sorted(edge)) for issue in issues for edge in issue["edges"]}
-    failed = np.array([(a, b) in named for a, b in pairs.tolist()], dtype=bool) if named else np.zeros(len(edges), bool)
+def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[dict], faces: np.ndarray) -> np.ndarray:
+    """A mask of the edges that are named, and of all edges of faces and at vertices that are."""
+    failed = _named(pairs, [edge for issue in issues for edge in issue["edges"]])
     failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue["vertices"]]).any(axis=1)
     face_of_corner = np.repeat(np.arange(len(mesh.polygons)), read(mesh.polygons, "loop_total", np.int32))
     failed[read(mesh.loops, "edge_index", np.int32)[np.isin(face_of_corner, faces)]] = True
-    return read(mesh.vertices, "co", np.float32, 3)[edges[failed].ravel()]
+    return failed
+
+
+def _named(pairs: np.ndarray, edges: list) -> np.ndarray:
+    """A mask of those pairs of the model's vertices (e,2) that are among the edges."""
+    wanted = np.array(edges, dtype=np.int64).reshape(-1, 2)
+    count = max(int(pairs.max(initial=0)), int(wanted.max(initial=0))) + 1
+    return np.isin(edge_keys(pairs, count), edge_keys(wanted, count))
