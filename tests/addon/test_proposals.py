@@ -198,6 +198,23 @@ def test_the_proposed_tolerances_are_written_and_none_becomes_tighter(loosen, ad
     assert {wire["name"]: wire["tolerance"] for wire in wires} == {"Bust": 0.0124, "Wire 2": 0.2}
 
 
+def inside(a, b):
+    """For edges that are not part of the outline of a grid."""
+    return not any(abs(a[k]) > 1 - 1e-6 and abs(a[k] - b[k]) < 1e-6 for k in (0, 1))
+
+
+def test_wires_that_contradict_one_another_lie_flat_once_they_are_loosened(addon):
+    """A saddle all edges of which are rigid cannot lie flat: no triangle could change."""
+    source = grid("Saddle", lambda x, y: (x, y, 0.25 * x * y), size=4, faces="triangles")
+    mark(source, inside)
+    flatten_fails("flat with")
+    assert take("TOLERANCES") == {"FINISHED"}
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    report = addon.report_store.last_report(source)
+    assert report["ok"]
+    assert any(wire["tolerance"] > 0 for wire in report["wires"])
+
+
 def test_what_is_no_wire_any_more_gets_no_tolerance(loosen):
     loosen.data.attributes.remove(loosen.data.attributes["wirewarp_wire"])
     assert take("TOLERANCES") == {"CANCELLED"}
