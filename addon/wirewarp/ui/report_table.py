@@ -49,7 +49,7 @@ def _draw_narrow(column: bpy.types.UILayout, row: ReportRow, text: LengthText) -
     draw_cells(column, "3D", [text(row.sides[0].length_3d)], 0.4)
     for side in row.sides:
         flat, difference, percent = _flat_numbers(side, text)
-        draw_cells(column, side.label or "Flat", [f"{flat} {text.unit}"], 0.4)
+        draw_cells(column, side.label or "Flat", [f"{flat} {text.unit}" if percent else flat], 0.4)
         if percent:
             draw_cells(column, "   diff.", [f"{difference}  {percent}%"], 0.25)
 
