@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <future>
 #include <stdexcept>
+#include <thread>
 
 #include "index.h"
 
@@ -36,6 +37,8 @@ void add_rows(int num_rows, const double* from, const int* target, int begin, in
 }
 
 }  // namespace
+
+int num_factor_threads() { return std::thread::hardware_concurrency() > 1 ? 2 : 1; }
 
 struct MultifrontalCholesky::Workspace {
   explicit Workspace(int num_tiles) : x(new Tile[at(num_tiles)]), sums(new Tile[at(num_tiles)]) {}

@@ -22,6 +22,9 @@
 
 namespace wirewarp {
 
+/// Threads that a factorization makes use of here: two, or one on a processor with one core.
+int num_factor_threads();
+
 class MultifrontalCholesky {
  public:
   /// Analyzes a pattern and takes all the memory that factorize needs. lower: the lower triangle, compressed. Unknowns

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outer/circle_embedding.h"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
-#include "inner/sparse_lu.h"
+#include "cholesky/matrix_graph.h"
+#include "cholesky/multifrontal_cholesky.h"
 #include "mesh/geometry.h"
 #include "pi.h"
 
@@ -38,75 +42,99 @@ void put_on_circle(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop, double r
   }
 }
 
-/// The system that puts every free point at the weighted mean of its neighbors. Points are the chart's vertices, then
-/// the apexes; those on a loop are fixed where uv has them.
-class MeanOfNeighbors {
+/// The points of the mesh along the two directions in which they spread most.
+Positions2 seen_from_the_side(const HalfEdgeMesh& mesh) {
+  const auto num_vertices = static_cast<Eigen::Index>(mesh.n_vertices());
+  Eigen::MatrixX3d points(num_vertices, 3);
+  for (const VertexHandle v : mesh.vertices())
+    points.row(v.idx()) << mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2];
+  points.rowwise() -= points.colwise().mean().eval();
+  const Eigen::Matrix3d spread = points.transpose() * points;
+  return points * Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().rightCols<2>();
+}
+
+/// Springs between points, which are the chart's vertices, then the apexes; those on a loop are fixed where uv has
+/// them.
+class Springs {
  public:
-  MeanOfNeighbors(const HalfEdgeMesh& mesh, const HalfEdgeChain& fixed_loop, std::size_t num_apexes, Positions2& uv)
+  Springs(const HalfEdgeMesh& mesh, const HalfEdgeChain& fixed_loop, std::size_t num_apexes, Positions2& uv)
       : uv_(uv), row_of_point_(mesh.n_vertices() + num_apexes, 0) {
     for (const HalfedgeHandle h : fixed_loop) row_of_point_[mesh.from_vertex_handle(h).idx()] = -1;
     int num_rows = 0;
     for (int& row : row_of_point_) {
       if (row == 0) row = num_rows++;
     }
-    entries_.reserve(12 * mesh.n_faces());
+    entries_.reserve(9 * mesh.n_faces());
     x_.setZero(num_rows, 2);
   }
 
-  void add_weight(int point, int neighbor, double weight) {
-    const int row = row_of_point_[point], column = row_of_point_[neighbor];
-    if (row < 0) return;
-    entries_.emplace_back(row, row, weight);
-    if (column >= 0) {
-      entries_.emplace_back(row, column, -weight);
-    } else {
-      x_.row(row) += weight * uv_.row(neighbor);
-    }
+  void join(int a, int b, double stiffness) {
+    add_force(a, b, stiffness);
+    add_force(b, a, stiffness);
+    const auto [column, row] = std::minmax(row_of_point_[a], row_of_point_[b]);
+    if (column >= 0) entries_.emplace_back(row, column, -stiffness);
   }
 
-  void solve() {
+  /// Where all springs are at rest. layout: any that tells near points from far ones, for the order of elimination.
+  void relax(const Positions2& layout) {
     if (x_.rows() == 0) return;
-    SparseLu::Matrix matrix(x_.rows(), x_.rows());
-    matrix.setFromTriplets(entries_.begin(), entries_.end());
-    SparseLu(matrix).solve(x_);
+    Eigen::SparseMatrix<double> stiffness(x_.rows(), x_.rows());
+    stiffness.setFromTriplets(entries_.begin(), entries_.end());
+    Positions2 free_layout(x_.rows(), 2);
+    for (Eigen::Index p = 0; p < layout.rows(); ++p) {
+      if (row_of_point_[p] >= 0) free_layout.row(row_of_point_[p]) = layout.row(p);
+    }
+    MultifrontalCholesky cholesky(stiffness, nested_dissection(graph_of(stiffness, 1), free_layout), 1,
+                                  num_factor_threads());
+    if (!cholesky.factorize(stiffness)) throw std::domain_error("embed_on_circle: the springs are not stable");
+    cholesky.solve_in_place(x_);
     for (Eigen::Index v = 0; v < uv_.rows(); ++v) {
       if (row_of_point_[v] >= 0) uv_.row(v) = x_.row(row_of_point_[v]);
     }
   }
 
  private:
+  void add_force(int point, int end, double stiffness) {
+    const int row = row_of_point_[point];
+    if (row < 0) return;
+    entries_.emplace_back(row, row, stiffness);
+    if (row_of_point_[end] < 0) x_.row(row) += stiffness * uv_.row(end);
+  }
+
   Positions2& uv_;
   std::vector<int> row_of_point_;  // -1 where fixed
   std::vector<Eigen::Triplet<double>> entries_;
-  Positions2 x_;  // the right-hand side, then the free points
+  Eigen::MatrixX2d x_;  // the right-hand side, then the free points
 };
 
 /// tan(α/2)/l at every corner, to both its edges.
-void add_faces(const HalfEdgeMesh& mesh, MeanOfNeighbors& system) {
+void add_faces(const HalfEdgeMesh& mesh, Springs& springs) {
   for (const HalfedgeHandle h : mesh.halfedges()) {
     if (mesh.is_boundary(h)) continue;
     const HalfedgeHandle back = mesh.prev_halfedge_handle(h);
     const int corner = mesh.from_vertex_handle(h).idx();
     const double tan_half = std::tan(corner_angle(mesh, h) / 2);
-    system.add_weight(corner, mesh.to_vertex_handle(h).idx(), tan_half / edge_length(mesh, h));
-    system.add_weight(corner, mesh.from_vertex_handle(back).idx(), tan_half / edge_length(mesh, back));
+    springs.join(corner, mesh.to_vertex_handle(h).idx(), tan_half / edge_length(mesh, h));
+    springs.join(corner, mesh.from_vertex_handle(back).idx(), tan_half / edge_length(mesh, back));
   }
 }
 
 /// The cone over a hole, as steep as makes it meet the loop at right angles: radius r = loop length / 2π, weights
-/// tan(π/4) = 1 over the distance. Only their proportions count at the apex.
-void add_cone(const HalfEdgeMesh& mesh, const HalfEdgeChain& hole, int apex, MeanOfNeighbors& system) {
+/// tan(π/4) = 1 over the distance, and l / 2r² at the apex.
+void add_cone(const HalfEdgeMesh& mesh, const HalfEdgeChain& hole, int apex, Springs& springs) {
   const double radius = length_of(mesh, hole) / (2 * kPi);
   for (const HalfedgeHandle h : hole) {
     const int a = mesh.from_vertex_handle(h).idx(), b = mesh.to_vertex_handle(h).idx();
     const double length = edge_length(mesh, h);
-    system.add_weight(a, b, 1 / length);
-    system.add_weight(b, a, 1 / length);
-    for (const int end : {a, b}) {
-      system.add_weight(end, apex, 1 / radius);
-      system.add_weight(apex, end, length);
-    }
+    springs.join(a, b, 2 / length);
+    for (const int end : {a, b}) springs.join(end, apex, (1 + length / (2 * radius)) / radius);
   }
+}
+
+Eigen::RowVector2d middle_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop, const Positions2& layout) {
+  Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
+  for (const HalfedgeHandle h : loop) sum += layout.row(mesh.from_vertex_handle(h).idx());
+  return sum / static_cast<double>(loop.size());
 }
 
 }  // namespace
@@ -118,12 +146,16 @@ Positions2 embed_on_circle(const Chart& chart) {
   put_on_circle(mesh, chart.boundary_loops.front(), std::sqrt(area_of(mesh) / kPi), uv);
 
   const std::size_t num_holes = chart.boundary_loops.size() - 1;
-  MeanOfNeighbors system(mesh, chart.boundary_loops.front(), num_holes, uv);
-  add_faces(mesh, system);
+  Springs springs(mesh, chart.boundary_loops.front(), num_holes, uv);
+  Positions2 layout = seen_from_the_side(mesh);
+  layout.conservativeResize(num_vertices + static_cast<Eigen::Index>(num_holes), 2);
+  add_faces(mesh, springs);
   for (std::size_t hole = 0; hole < num_holes; ++hole) {
-    add_cone(mesh, chart.boundary_loops[hole + 1], num_vertices + static_cast<int>(hole), system);
+    const int apex = num_vertices + static_cast<int>(hole);
+    add_cone(mesh, chart.boundary_loops[hole + 1], apex, springs);
+    layout.row(apex) = middle_of(mesh, chart.boundary_loops[hole + 1], layout);
   }
-  system.solve();
+  springs.relax(layout);
   return uv;
 }
 

@@ -6,12 +6,12 @@
 //   s = K⁻¹g,   d = -s + β d_before,   β = max(0, (g - g_before)·s / g_before·s_before)
 #include "outer/free_arap.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
+#include "cholesky/matrix_graph.h"
+#include "cholesky/multifrontal_cholesky.h"
 #include "outer/circle_embedding.h"
 #include "outer/shape_error.h"
 
@@ -25,38 +25,23 @@ constexpr double kRegularization = 1e-12;  // of the diagonal: far above roundin
 class GlobalStep {
  public:
   /// Doubling one diagonal entry of K holds its vertex: the entries of a gradient sum to 0, so the vertex does not
-  /// move.
-  explicit GlobalStep(Eigen::SparseMatrix<double> hessian) {
+  /// move. positions: for the order of elimination.
+  GlobalStep(Eigen::SparseMatrix<double> hessian, const Positions2& positions)
+      : cholesky_(hessian, nested_dissection(graph_of(hessian, 1), positions), 1, num_factor_threads()) {
     hessian.coeffRef(0, 0) *= 2;
     hessian.diagonal() *= 1 + kRegularization;
-    llt_.compute(hessian);
-    if (llt_.info() != Eigen::Success) throw std::domain_error("GlobalStep: the Laplacian is not positive definite");
+    if (!cholesky_.factorize(hessian)) throw std::domain_error("GlobalStep: the Laplacian is not positive definite");
   }
 
-  /// b := K⁻¹ b, both columns in one sweep over the factor.
-  void solve(Positions2& b) const {
-    using Pair = Eigen::Array2d;
-    const Eigen::SparseMatrix<double>& l = llt_.matrixL().nestedExpression();
-    const auto& pivot_of_vertex = llt_.permutationP().indices();
-    const int* begin = l.outerIndexPtr();
-    const int* rows = l.innerIndexPtr();
-    const double* values = l.valuePtr();
-    std::vector<Pair> x(b.rows());
-    for (Eigen::Index v = 0; v < b.rows(); ++v) x[pivot_of_vertex[v]] = b.row(v).transpose();
-    for (Eigen::Index k = 0; k < l.cols(); ++k) {  // a column's first entry is its pivot
-      const Pair x_k = x[k] /= values[begin[k]];
-      for (int e = begin[k] + 1; e < begin[k + 1]; ++e) x[rows[e]] -= values[e] * x_k;
-    }
-    for (Eigen::Index k = l.cols(); k-- > 0;) {
-      Pair x_k = x[k];
-      for (int e = begin[k] + 1; e < begin[k + 1]; ++e) x_k -= values[e] * x[rows[e]];
-      x[k] = x_k / values[begin[k]];
-    }
-    for (Eigen::Index v = 0; v < b.rows(); ++v) b.row(v) = x[pivot_of_vertex[v]].transpose();
+  /// K⁻¹ b.
+  Positions2 solve(const Positions2& b) const {
+    Eigen::MatrixXd x = b;
+    cholesky_.solve_in_place(x);
+    return x;
   }
 
  private:
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> llt_;  // approximate minimum degree
+  MultifrontalCholesky cholesky_;
 };
 
 /// What the boundary loops enclose, holes taken off; negative in a mirror image.
@@ -88,7 +73,7 @@ FreeFlattening flatten_freely(const Chart& chart, int max_iterations, const std:
   if (signed_area(chart, flat.uv) < 0) flat.uv.col(0) *= -1;
 
   const ShapeError shape_error(chart);
-  const GlobalStep global_step(shape_error.fixed_rotation_hessian());
+  const GlobalStep global_step(shape_error.fixed_rotation_hessian(), flat.uv);
   flat.factorizations = start ? 1 : 2;
 
   Positions2 gradient, other_gradient = Positions2::Zero(flat.uv.rows(), 2);  // before, then after a step
@@ -97,8 +82,7 @@ FreeFlattening flatten_freely(const Chart& chart, int max_iterations, const std:
   double decrease = 1;  // g·s
   while (flat.iterations < max_iterations && !flat.converged) {
     ++flat.iterations;
-    Positions2 step = gradient;
-    global_step.solve(step);
+    const Positions2 step = global_step.solve(gradient);
     const double beta = std::max(0.0, dot(gradient - other_gradient, step) / decrease);
     decrease = dot(gradient, step);
     direction = beta * direction - step;

@@ -4,8 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <thread>
+#include <numeric>
 
+#include "cholesky/matrix_graph.h"
 #include "index.h"
 #include "mesh/geometry.h"
 
@@ -17,6 +18,7 @@ constexpr double kPin = 1e6;
 constexpr double kSmallestStiffness = 1e8;
 constexpr double kStiffness = 1e4;  // over the largest diagonal entry of the Hessian at an edge's ends
 constexpr int kMultiplierSteps = 3;
+constexpr int kColumnsAtOnce = 4;  // what the Cholesky kernels take
 
 std::vector<VertexPair> coupled_vertices(const FairShapeError& objective) {
   std::vector<VertexPair> pairs;
@@ -85,8 +87,16 @@ NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const 
   for (int v = 0; v < mass.size(); ++v) matrix_.add_diagonal(v, mass[v] * Eigen::Matrix2d::Identity());
   matrix_.add_diagonal(pinned_[0], kPin * Eigen::Matrix2d::Identity());
   constant_ = matrix_.values();
-  cholesky_.emplace(matrix_.lower(), nested_dissection(matrix_.graph(), positions), 2,
-                    std::thread::hardware_concurrency() > 1 ? 2 : 1);
+  cholesky_.emplace(matrix_.lower(), nested_dissection(graph_of(matrix_.lower(), 2), positions), 2,
+                    num_factor_threads());
+  std::vector<int> wire_vertices, vertices(at(static_cast<int>(chart.mesh.n_vertices())));
+  for (const LengthConstraints::Edge& edge : constraints.edges()) {
+    wire_vertices.push_back(edge.a);
+    wire_vertices.push_back(edge.b);
+  }
+  std::iota(vertices.begin(), vertices.end(), 0);
+  on_wires_ = cholesky_->branches_to(wire_vertices);
+  everywhere_ = cholesky_->branches_to(vertices);
 }
 
 void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
@@ -122,43 +132,74 @@ Eigen::SparseMatrix<double> NewtonSystem::hessian(const Positions2& uv, const Ei
   return matrix_.lower();
 }
 
-Positions2 NewtonSystem::apply_inverse(const Positions2& b) const {
+/// A⁻¹ Jᵀ of tensions in the wires.
+Positions2 NewtonSystem::response(const Eigen::VectorXd& tensions, Where wanted) const {
   ++num_solves_;
-  Positions2 x = b;
-  cholesky_->solve_in_place(Eigen::Map<Eigen::VectorXd>(x.data(), x.size()));
+  Positions2 x = Positions2::Zero(matrix_.lower().rows() / 2, 2);
+  constraints_.add_transposed(directions_, tensions, x);
+  cholesky_->solve_in_place(Eigen::Map<Eigen::VectorXd>(x.data(), x.size()), on_wires_,
+                            wanted == Where::on_wires ? on_wires_ : everywhere_);
   return x;
 }
 
+/// ρ (J d − r₂)
+Eigen::VectorXd NewtonSystem::excess_tensions(const Positions2& d, const Eigen::VectorXd& r2) const {
+  return stiffness_.cwiseProduct(constraints_.apply(directions_, d) - r2);
+}
+
 /// (H + Jᵀ ρ J) d = r₁ + Jᵀ (ρ r₂ − λ), then λ += ρ (J d − r₂): the first row holds after every step, the second is
-/// better by a factor of about ρ over the stiffness of the surface.
+/// better by a factor of about ρ over the stiffness of the surface. After the first step d changes by −A⁻¹ Jᵀ λ.
 void NewtonSystem::solve(const Positions2& r1, const Eigen::VectorXd& r2, Positions2& d,
                          Eigen::VectorXd& multipliers) const {
-  multipliers = Eigen::VectorXd::Zero(constraints_.size());
-  for (int i = 0; i < kMultiplierSteps; ++i) {
-    Positions2 b = r1;
-    constraints_.add_transposed(directions_, stiffness_.cwiseProduct(r2) - multipliers, b);
-    d = apply_inverse(b);
-    multipliers += stiffness_.cwiseProduct(constraints_.apply(directions_, d) - r2);
+  ++num_solves_;
+  Positions2 first = r1;
+  constraints_.add_transposed(directions_, stiffness_.cwiseProduct(r2), first);
+  cholesky_->solve_in_place(Eigen::Map<Eigen::VectorXd>(first.data(), first.size()));
+  multipliers = excess_tensions(first, r2);
+  for (int i = 1; i < kMultiplierSteps; ++i) {
+    d = first + response(-multipliers, i + 1 < kMultiplierSteps ? Where::on_wires : Where::everywhere);
+    multipliers += excess_tensions(d, r2);
   }
 }
 
+void NewtonSystem::solve(const Eigen::VectorXd& r2, Positions2& d, Eigen::VectorXd& multipliers) const {
+  multipliers = Eigen::VectorXd::Zero(constraints_.size());
+  for (int i = 0; i < kMultiplierSteps; ++i) {
+    d = response(stiffness_.cwiseProduct(r2) - multipliers,
+                 i + 1 < kMultiplierSteps ? Where::on_wires : Where::everywhere);
+    multipliers += excess_tensions(d, r2);
+  }
+}
+
+/// The same steps for several elastic parts at once, on wires alone.
 Eigen::MatrixXd NewtonSystem::hessian_by_variation() const {
   const Eigen::MatrixXd lengths = constraints_.elastic_lengths();
-  const Positions2 zero = Positions2::Zero(matrix_.lower().rows() / 2, 2);
-  Eigen::MatrixXd s(lengths.cols(), lengths.cols());
-  Positions2 d;
-  Eigen::VectorXd multipliers;
-  for (Eigen::Index w = 0; w < lengths.cols(); ++w) {
-    solve(zero, lengths.col(w), d, multipliers);
-    s.col(w) = -lengths.transpose() * multipliers;
+  Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(lengths.rows(), lengths.cols());
+  for (Eigen::Index first = 0; first < lengths.cols(); first += kColumnsAtOnce) {
+    const Eigen::Index columns = std::min<Eigen::Index>(kColumnsAtOnce, lengths.cols() - first);
+    for (int i = 0; i < kMultiplierSteps; ++i) {
+      Eigen::MatrixXd x(matrix_.lower().rows(), columns);
+      Positions2 one;
+      for (Eigen::Index c = 0; c < columns; ++c) {
+        one = Positions2::Zero(x.rows() / 2, 2);
+        constraints_.add_transposed(directions_,
+                                    stiffness_.cwiseProduct(lengths.col(first + c)) - multipliers.col(first + c), one);
+        x.col(c) = Eigen::Map<const Eigen::VectorXd>(one.data(), one.size());
+      }
+      cholesky_->solve_in_place(x, on_wires_, on_wires_);
+      ++num_solves_;
+      for (Eigen::Index c = 0; c < columns; ++c) {
+        one = Eigen::Map<const Positions2>(x.col(c).data(), x.rows() / 2, 2);
+        multipliers.col(first + c) += excess_tensions(one, lengths.col(first + c));
+      }
+    }
   }
+  const Eigen::MatrixXd s = -lengths.transpose() * multipliers;
   return (s + s.transpose()) / 2;
 }
 
-Positions2 NewtonSystem::least_change(const Eigen::VectorXd& r2) const {
-  Positions2 b = Positions2::Zero(matrix_.lower().rows() / 2, 2);
-  constraints_.add_transposed(directions_, stiffness_.cwiseProduct(r2), b);
-  return apply_inverse(b);
+Positions2 NewtonSystem::least_change(const Eigen::VectorXd& r2, Where wanted) const {
+  return response(stiffness_.cwiseProduct(r2), wanted);
 }
 
 }  // namespace wirewarp

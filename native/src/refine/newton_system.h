@@ -11,7 +11,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 
 #include "cholesky/multifrontal_cholesky.h"
 #include "refine/fair_shape_error.h"
@@ -36,10 +35,6 @@ class NewtonSystem {
   NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints,
                const Positions2& positions);
 
-  /// ρ, #edges, from the next factorization on. By default so large that lengths are held.
-  const Eigen::VectorXd& stiffness() const { return stiffness_; }
-  void set_stiffness(Eigen::VectorXd stiffness) { stiffness_ = std::move(stiffness); }
-
   /// Linearizes at uv; false where A is not positive definite. multipliers: λ, #edges.
   bool factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity);
 
@@ -50,14 +45,16 @@ class NewtonSystem {
   /// Solves for d and λ. r1: one row per chart vertex; r2: #edges.
   void solve(const Positions2& r1, const Eigen::VectorXd& r2, Positions2& d, Eigen::VectorXd& multipliers) const;
 
+  /// The same for r₁ = 0.
+  void solve(const Eigen::VectorXd& r2, Positions2& d, Eigen::VectorXd& multipliers) const;
+
   /// S = −Tᵀ ∂λ/∂h: the Hessian by h of the least q(d) = g·d + ½ d·Hd with J d = T h, for all elastic parts.
   Eigen::MatrixXd hessian_by_variation() const;
 
-  /// d with J d = r2, the least in the metric H, to the accuracy of one solve.
-  Positions2 least_change(const Eigen::VectorXd& r2) const;
+  enum class Where { on_wires, everywhere };
 
-  /// A⁻¹ b. One row per chart vertex.
-  Positions2 apply_inverse(const Positions2& b) const;
+  /// d with J d = r2, the least in the metric H, to the accuracy of one solve. Where not wanted it means nothing.
+  Positions2 least_change(const Eigen::VectorXd& r2, Where wanted) const;
 
   /// d̂ of the linearization.
   const Positions2& directions() const { return directions_; }
@@ -68,6 +65,8 @@ class NewtonSystem {
  private:
   void assemble(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
                 double stiffness_share);
+  Positions2 response(const Eigen::VectorXd& tensions, Where wanted) const;
+  Eigen::VectorXd excess_tensions(const Positions2& d, const Eigen::VectorXd& r2) const;
 
   FairShapeError& objective_;
   const LengthConstraints& constraints_;
@@ -78,6 +77,7 @@ class NewtonSystem {
   Eigen::VectorXd stiffness_;  // ρ
   Positions2 directions_;      // d̂
   std::optional<MultifrontalCholesky> cholesky_;  // of A
+  MultifrontalCholesky::Branches on_wires_, everywhere_;
   int num_factorizations_ = 0;
   mutable int num_solves_ = 0;
 };

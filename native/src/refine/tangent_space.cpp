@@ -21,7 +21,11 @@ Eigen::VectorXd TangentSpace::solve(Eigen::VectorXd& force) const {
   system_.solve(on_vertices, Eigen::VectorXd::Zero(constraints_.size()), d, multipliers);
   if (num_free > 0) {
     result.tail(num_free) = by_free_.solve(force.tail(num_free) + lengths_.transpose() * multipliers);
-    system_.solve(on_vertices, lengths_ * result.tail(num_free), d, multipliers);
+    Positions2 by_variation;
+    Eigen::VectorXd change;
+    system_.solve(lengths_ * result.tail(num_free), by_variation, change);
+    d += by_variation;
+    multipliers += change;
   }
   result.head(size) = Eigen::Map<const Eigen::VectorXd>(d.data(), size);
 

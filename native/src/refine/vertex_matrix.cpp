@@ -48,26 +48,4 @@ double VertexMatrix::largest_diagonal(int vertex) const {
   return std::max(value[diagonal_[at(vertex)].left], value[diagonal_[at(vertex)].right]);
 }
 
-Graph VertexMatrix::graph() const {
-  const int* begin = lower_.outerIndexPtr();
-  const int* rows = lower_.innerIndexPtr();
-  const auto num_vertices = diagonal_.size();
-  const auto for_each_pair = [&](const auto& visit) {
-    for (std::size_t v = 0; v < num_vertices; ++v) {
-      for (int i = begin[2 * v] + 2; i < begin[2 * v + 1]; i += 2) visit(v, static_cast<std::size_t>(rows[i] / 2));
-    }
-  };
-  Graph graph;
-  graph.start.assign(num_vertices + 1, 0);
-  for_each_pair([&](std::size_t a, std::size_t b) { ++graph.start[a + 1], ++graph.start[b + 1]; });
-  for (std::size_t v = 0; v < num_vertices; ++v) graph.start[v + 1] += graph.start[v];
-  graph.neighbors.resize(at(graph.start.back()));
-  std::vector<int> next(graph.start.begin(), graph.start.end() - 1);
-  for_each_pair([&](std::size_t a, std::size_t b) {
-    graph.neighbors[at(next[a]++)] = static_cast<int>(b);
-    graph.neighbors[at(next[b]++)] = static_cast<int>(a);
-  });
-  return graph;
-}
-
 }  // namespace wirewarp

@@ -7,7 +7,6 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "cholesky/nested_dissection.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
@@ -47,9 +46,6 @@ class VertexMatrix {
 
   /// Larger of the two diagonal entries of a vertex.
   double largest_diagonal(int vertex) const;
-
-  /// Which vertices are coupled.
-  Graph graph() const;
 
   /// The lower triangle, diagonal included.
   const Eigen::SparseMatrix<double>& lower() const { return lower_; }
