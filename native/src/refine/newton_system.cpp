@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "cholesky/matrix_graph.h"
 #include "index.h"
 #include "mesh/geometry.h"
 
@@ -87,8 +86,7 @@ NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const 
   for (int v = 0; v < mass.size(); ++v) matrix_.add_diagonal(v, mass[v] * Eigen::Matrix2d::Identity());
   matrix_.add_diagonal(pinned_[0], kPin * Eigen::Matrix2d::Identity());
   constant_ = matrix_.values();
-  cholesky_.emplace(matrix_.lower(), nested_dissection(graph_of(matrix_.lower(), 2), positions), 2,
-                    num_factor_threads());
+  cholesky_.emplace(matrix_.lower(), nested_dissection(matrix_.graph(), positions), 2, num_factor_threads());
   std::vector<int> wire_vertices, vertices(at(static_cast<int>(chart.mesh.n_vertices())));
   for (const LengthConstraints::Edge& edge : constraints.edges()) {
     wire_vertices.push_back(edge.a);
@@ -132,6 +130,13 @@ Eigen::SparseMatrix<double> NewtonSystem::hessian(const Positions2& uv, const Ei
   return matrix_.lower();
 }
 
+Positions2 NewtonSystem::apply_inverse(const Positions2& b) const {
+  ++num_solves_;
+  Positions2 x = b;
+  cholesky_->solve_in_place(Eigen::Map<Eigen::VectorXd>(x.data(), x.size()));
+  return x;
+}
+
 /// A⁻¹ Jᵀ of tensions in the wires.
 Positions2 NewtonSystem::response(const Eigen::VectorXd& tensions, Where wanted) const {
   ++num_solves_;
@@ -151,10 +156,9 @@ Eigen::VectorXd NewtonSystem::excess_tensions(const Positions2& d, const Eigen::
 /// better by a factor of about ρ over the stiffness of the surface. After the first step d changes by −A⁻¹ Jᵀ λ.
 void NewtonSystem::solve(const Positions2& r1, const Eigen::VectorXd& r2, Positions2& d,
                          Eigen::VectorXd& multipliers) const {
-  ++num_solves_;
-  Positions2 first = r1;
-  constraints_.add_transposed(directions_, stiffness_.cwiseProduct(r2), first);
-  cholesky_->solve_in_place(Eigen::Map<Eigen::VectorXd>(first.data(), first.size()));
+  Positions2 b = r1;
+  constraints_.add_transposed(directions_, stiffness_.cwiseProduct(r2), b);
+  const Positions2 first = apply_inverse(b);
   multipliers = excess_tensions(first, r2);
   for (int i = 1; i < kMultiplierSteps; ++i) {
     d = first + response(-multipliers, i + 1 < kMultiplierSteps ? Where::on_wires : Where::everywhere);

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "cholesky/multifrontal_cholesky.h"
 #include "refine/fair_shape_error.h"
@@ -35,6 +36,10 @@ class NewtonSystem {
   NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints,
                const Positions2& positions);
 
+  /// ρ, #edges, from the next factorization on. By default so large that lengths are held.
+  const Eigen::VectorXd& stiffness() const { return stiffness_; }
+  void set_stiffness(Eigen::VectorXd stiffness) { stiffness_ = std::move(stiffness); }
+
   /// Linearizes at uv; false where A is not positive definite. multipliers: λ, #edges.
   bool factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity);
 
@@ -54,7 +59,10 @@ class NewtonSystem {
   enum class Where { on_wires, everywhere };
 
   /// d with J d = r2, the least in the metric H, to the accuracy of one solve. Where not wanted it means nothing.
-  Positions2 least_change(const Eigen::VectorXd& r2, Where wanted) const;
+  Positions2 least_change(const Eigen::VectorXd& r2, Where wanted = Where::everywhere) const;
+
+  /// A⁻¹ b. One row per chart vertex.
+  Positions2 apply_inverse(const Positions2& b) const;
 
   /// d̂ of the linearization.
   const Positions2& directions() const { return directions_; }

@@ -7,6 +7,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "cholesky/matrix_graph.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
@@ -46,6 +47,9 @@ class VertexMatrix {
 
   /// Larger of the two diagonal entries of a vertex.
   double largest_diagonal(int vertex) const;
+
+  /// Which vertices are coupled.
+  Graph graph() const { return graph_of(lower_, 2); }
 
   /// The lower triangle, diagonal included.
   const Eigen::SparseMatrix<double>& lower() const { return lower_; }
