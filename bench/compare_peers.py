@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens the benchmark sheet with WireWarp and with libigl's ARAP, one after the other on one core, and writes
+"""Flattens the benchmark sheet with WireWarp and with libigl's ARAP and SLIM, one after the other, and writes
 docs/benchmarks.md: these times and lengths, and those of the core alone from wirewarp_bench's JSON output.
 
 python bench/compare_peers.py NATIVE_JSON [--triangles N ...] [--output FILE]
@@ -13,7 +13,7 @@ import subprocess
 from pathlib import Path
 
 import tables
-from peers import ARAP_ITERATIONS, Comparison, compare
+from peers import ITERATIONS, LARGEST_FOR_SLIM, Comparison, compare
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -37,32 +37,41 @@ def document(benchmarks: list[dict], comparisons: list[Comparison]) -> str:
             "Written by `./dev bench`. The surface is a smoothly bent square sheet of even quads "
             "(`native/bench/bumpy_sheet.h`), with straight wires across it, half of them in each direction.",
             "",
-            f"Machine: {machine()}. Commit: {commit()}. Everything runs on one core.",
+            f"Machine: {machine()}. Commit: {commit()}.",
             "",
-            "## Against libigl's ARAP",
+            "## Against libigl",
             "",
-            f"libigl from PyPI: harmonic start, {ARAP_ITERATIONS} iterations, and no line keeps its length. WireWarp: "
-            "the outline rigid, and two rigid wires or eight elastic ones of ±3 %. All called from Python, turn by "
-            "turn in one process; median seconds. Distortion (ARAP energy over area) and lengths as in the results of "
-            "`wirewarp`: the worst relative error of a whole wire or stretch of outline, and of a single edge of them, "
-            "against the lengths that were chosen, for libigl against those on the surface with eight wires.",
+            f"libigl from PyPI: harmonic start, {ITERATIONS} iterations, and no line keeps its length; SLIM (symmetric "
+            f"Dirichlet energy) up to {LARGEST_FOR_SLIM:,} triangles. WireWarp: the outline rigid, and two or eight "
+            "rigid wires or eight elastic ones of ±3 %. All called from Python, turn by turn in one process on one "
+            "core; median seconds. Distortion (ARAP energy over area) and lengths as in the results of `wirewarp`: the "
+            "worst relative error of a whole wire or stretch of outline, and of a single edge of them, against the "
+            "lengths that were chosen, for libigl against those on the surface with eight wires.",
             "",
             *tables.peer_table(comparisons),
             "",
             tables.growth_sentence(comparisons),
             "",
-            "The runs with elastic wires:",
+            "The runs of the refined method:",
+            "",
+            *tables.refined_table(comparisons),
+            "",
+            "Those of WireWarping++ with elastic wires:",
             "",
             *tables.elastic_table(comparisons),
             "",
             "## Stage by stage",
             "",
-            "Milliseconds of the compiled core. `lengths` solves Eq. (1), with elastic wires also the free ARAP start "
-            "and all evaluations of the shape error E(ψ(h)) with their gradients. Exponents k: milliseconds grow as "
+            "Milliseconds of the compiled core; factorizations use two cores. Exponents k: milliseconds grow as "
             "triangles to the power of k, fitted from 10,000 to 1,000,000. Peak resident memory of the process, the "
-            "mesh included.",
+            "mesh included. First the refined method, whose `shape` is all from the free ARAP start on:",
             "",
-            *tables.stage_table(benchmarks),
+            *tables.stage_table(benchmarks, "refine_sheet"),
+            "",
+            "Then WireWarping++, whose `lengths` solves Eq. (1), with elastic wires also the free ARAP start and all "
+            "evaluations of the shape error E(ψ(h)) with their gradients:",
+            "",
+            *tables.stage_table(benchmarks, "warp_sheet"),
             "",
             "Parts of these measured alone, milliseconds at three numbers of triangles:",
             "",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The benchmark sheet flattened with WireWarp and with libigl's ARAP, turn by turn."""
+"""The benchmark sheet flattened with WireWarp and with libigl's ARAP and SLIM, turn by turn."""
 
 import os
 import statistics
@@ -13,9 +13,11 @@ import igl
 import numpy as np
 import wirewarp
 
-ARAP_ITERATIONS = 10
+ITERATIONS = 10
 PEER = "libigl ARAP"
-ELASTIC = "WireWarp, 8 wires ±3 %"
+SLIM = "libigl SLIM"
+WARPED_ELASTIC = "wirewarp++, 8 wires ±3 %"
+LARGEST_FOR_SLIM = 10_000  # triangles: above, it takes longer than all others together
 
 
 @dataclass
@@ -45,31 +47,54 @@ def bumpy_sheet(triangles: int) -> Sheet:
     )
 
 
-def flatten_rigid(sheet: Sheet) -> wirewarp.FlattenResult:
-    return wirewarp.flatten(sheet.vertices, sheet.faces, wires=sheet.wires(2))
+def flatten(method: str, wires: int, tolerance: float = 0.0) -> Callable[[Sheet], wirewarp.FlattenResult]:
+    options = wirewarp.Options(method=method)
+    return lambda sheet: wirewarp.flatten(
+        sheet.vertices, sheet.faces, wires=sheet.wires(wires, tolerance), options=options
+    )
 
 
-def flatten_elastic(sheet: Sheet) -> wirewarp.FlattenResult:
-    return wirewarp.flatten(sheet.vertices, sheet.faces, wires=sheet.wires(8, 0.03))
-
-
-def libigl_arap_uv(sheet: Sheet) -> np.ndarray:
-    """(m, 3, 2) corner positions: harmonic map to a disk of the sheet's area, then local/global iterations."""
+def harmonic_start(sheet: Sheet) -> tuple[np.ndarray, np.ndarray]:
+    """The harmonic map to a disk of the sheet's area, (n, 2), and the vertices of the outline."""
     vertices, faces = sheet.vertices, sheet.faces
     boundary = igl.boundary_loop(faces)
     radius = np.sqrt(igl.doublearea(vertices, faces).sum() / 2 / np.pi)
     circle = radius * igl.map_vertices_to_circle(vertices, boundary)
-    start = igl.harmonic(vertices, faces, boundary, circle, 1)
+    return igl.harmonic(vertices, faces, boundary, circle, 1), boundary
+
+
+def libigl_arap_uv(sheet: Sheet) -> np.ndarray:
+    """(m, 3, 2) corner positions by local/global iterations."""
+    start, boundary = harmonic_start(sheet)
     data = igl.ARAPData()
-    data.max_iter = ARAP_ITERATIONS
-    igl.arap_precomputation(vertices, faces, 2, boundary[:1].astype(np.int32), data)
-    return igl.arap_solve(start[boundary[:1]], data, start)[faces]
+    data.max_iter = ITERATIONS
+    igl.arap_precomputation(sheet.vertices, sheet.faces, 2, boundary[:1].astype(np.int32), data)
+    return igl.arap_solve(start[boundary[:1]], data, start)[sheet.faces]
+
+
+def libigl_slim_uv(sheet: Sheet) -> np.ndarray:
+    """(m, 3, 2) corner positions of the least symmetric Dirichlet energy, which keeps triangles from flipping."""
+    start, _ = harmonic_start(sheet)
+    nothing_fixed = np.zeros(0, dtype=np.int32), np.zeros((0, 2))
+    data = igl.slim_precompute(
+        sheet.vertices,
+        sheet.faces.astype(np.int32),
+        start,
+        igl.MappingEnergyType.SYMMETRIC_DIRICHLET,
+        *nothing_fixed,
+        0.0,
+    )
+    return igl.slim_solve(data, ITERATIONS)[:, :2][sheet.faces]
 
 
 METHODS: dict[str, Callable[[Sheet], wirewarp.FlattenResult | np.ndarray]] = {
-    "WireWarp, 2 rigid wires": flatten_rigid,
-    ELASTIC: flatten_elastic,
+    "refined, 2 rigid wires": flatten("refined", 2),
+    "refined, 8 rigid wires": flatten("refined", 8),
+    "refined, 8 wires ±3 %": flatten("refined", 8, 0.03),
+    "wirewarp++, 2 rigid wires": flatten("wirewarp++", 2),
+    WARPED_ELASTIC: flatten("wirewarp++", 8, 0.03),
     PEER: libigl_arap_uv,
+    SLIM: libigl_slim_uv,
 }
 
 
@@ -77,18 +102,20 @@ METHODS: dict[str, Callable[[Sheet], wirewarp.FlattenResult | np.ndarray]] = {
 class Comparison:
     triangles: int
     seconds: dict[str, float]  # of each method, the median of its rounds
-    results: dict[str, wirewarp.FlattenResult]  # libigl's measured against 8 rigid wires
+    results: dict[str, wirewarp.FlattenResult]  # those of libigl measured against 8 rigid wires
 
 
 def compare(triangles: int) -> Comparison:
     sheet = bumpy_sheet(triangles)
+    methods = METHODS if triangles <= LARGEST_FOR_SLIM else {n: m for n, m in METHODS.items() if n != SLIM}
     rounds = 5 if triangles <= 100_000 else 1
-    seconds: dict[str, list[float]] = {name: [] for name in METHODS}
+    seconds: dict[str, list[float]] = {name: [] for name in methods}
     results = {}
     for _ in range(rounds):
-        for name, method in METHODS.items():
+        for name, method in methods.items():
             begin = time.perf_counter()
             results[name] = method(sheet)
             seconds[name].append(time.perf_counter() - begin)
-    results[PEER] = wirewarp.measure(sheet.vertices, sheet.faces, results[PEER], wires=sheet.wires(8))
+    for name in results.keys() & {PEER, SLIM}:
+        results[name] = wirewarp.measure(sheet.vertices, sheet.faces, results[name], wires=sheet.wires(8))
     return Comparison(len(sheet.faces), {name: statistics.median(times) for name, times in seconds.items()}, results)

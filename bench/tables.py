@@ -5,18 +5,13 @@ import math
 from collections.abc import Sequence
 from itertools import groupby
 
-from peers import ELASTIC, PEER, Comparison
+from peers import PEER, WARPED_ELASTIC, Comparison
 
-STAGES = {  # of FlattenResult.seconds
-    "charts": "charts",
-    "wires": "network",
-    "interior": "interior",
-    "lengths": "lengths",
-    "packing": "packing",
-    "measure": "measure",
-    "total": "whole run",
+STAGES = {  # of FlattenResult.seconds, by the benchmark of a method
+    "refine_sheet": {"shape": "shape"},
+    "warp_sheet": {"wires": "network", "interior": "interior", "lengths": "lengths"},
 }
-TEXT_COLUMNS = ("method", "part")
+TEXT_COLUMNS = ("method", "part", "termination")
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
@@ -41,21 +36,21 @@ def select(benchmarks: list[dict], name: str) -> list[dict]:
     return [b | arguments_of(b) for b in benchmarks if b["name"].startswith(name + "/")]
 
 
-def stage_table(benchmarks: list[dict]) -> list[str]:
-    """Whole runs, and below each kind of wires how its times grow."""
+def stage_table(benchmarks: list[dict], name: str) -> list[str]:
+    """Whole runs of one method, and below each kind of wires how its times grow."""
+    last_stages = {"packing": "packing", "measure": "measure", "total": "whole run"}
+    stages = {"charts": "charts", **STAGES[name], **last_stages}
     rows = []
-    for (wires, percent), group in groupby(
-        select(benchmarks, "flatten_sheet"), key=lambda run: (run["wires"], run["percent"])
-    ):
+    for (wires, percent), group in groupby(select(benchmarks, name), key=lambda run: (run["wires"], run["percent"])):
         runs = list(group)
         kind = f"{wires}, ±{percent} %" if percent else f"{wires}, rigid"
         for run in runs:
-            times = [f"{run[f'{stage}_ms']:,.3g}" for stage in STAGES]
+            times = [f"{run[f'{stage}_ms']:,.3g}" for stage in stages]
             rows.append((f"{run['triangles']:,}", kind, *times, f"{run['peak_MB']:,.0f}"))
         sizes = [run["triangles"] for run in runs]
-        growth = [f"*{exponent(sizes, [run[f'{stage}_ms'] for run in runs]):.2f}*" for stage in STAGES]
+        growth = [f"*{exponent(sizes, [run[f'{stage}_ms'] for run in runs]):.2f}*" for stage in stages]
         rows.append(("*exponent*", kind, *growth, ""))
-    return table(["triangles", "wires", *STAGES.values(), "peak MB"], rows)
+    return table(["triangles", "wires", *stages.values(), "peak MB"], rows)
 
 
 def part_table(benchmarks: list[dict]) -> list[str]:
@@ -63,7 +58,9 @@ def part_table(benchmarks: list[dict]) -> list[str]:
     names = {
         "placement_factor": "interior placement, factoring",
         "placement_solve": "interior placement, solving",
-        "free_start": "free ARAP start",
+        "circle_embedding": "embedding on a circle",
+        "free_start": "free ARAP from there, the embedding included",
+        "free_start_from_rigid": "free ARAP from the rigid shape",
     }
     rows = []
     for name, what in names.items():
@@ -97,6 +94,7 @@ def gradient_table(benchmarks: list[dict]) -> list[str]:
 def peer_table(comparisons: list[Comparison]) -> list[str]:
     rows = []
     for comparison in comparisons:
+        peer = comparison.seconds[PEER]
         for name, result in comparison.results.items():
             piece = result.pieces[0]
             variations = [(wire, wire.variation) for wire in piece.wires] + [(edge, 0.0) for edge in piece.boundaries]
@@ -106,31 +104,44 @@ def peer_table(comparisons: list[Comparison]) -> list[str]:
                     f"{comparison.triangles:,}",
                     name,
                     f"{comparison.seconds[name]:.3g}",
-                    f"{comparison.seconds[name] / comparison.seconds[PEER]:.2f}",
+                    f"{comparison.seconds[name] / peer:.2f}",
                     f"{piece.metrics.arap_energy:.5f}",
                     f"{line_error:.1e}",
                     f"{max(line.max_edge_error for line, _ in variations):.1e}",
                     str(len(piece.metrics.flipped_faces)),
                 )
             )
-    head = ["triangles", "method", "seconds", "of libigl's", "energy", "worst line", "worst edge", "flipped"]
+    head = ["triangles", "method", "seconds", "of ARAP's", "energy", "worst line", "worst edge", "flipped"]
     return table(head, rows)
 
 
 def elastic_table(comparisons: list[Comparison]) -> list[str]:
-    """What the outer problem did."""
+    """What the outer problem of WireWarping++ did."""
     rows = []
     for comparison in comparisons:
-        report = comparison.results[ELASTIC].pieces[0].report
+        report = comparison.results[WARPED_ELASTIC].pieces[0].report
         counts = (report.gradient_evaluations, report.outer_iterations, report.inner_solves, report.factorizations)
         rows.append((f"{comparison.triangles:,}", *map(str, counts)))
     head = ["triangles", "evaluations of E", "BFGS steps", "factorizations of Eq. (1)", "of interior and free start"]
     return table(head, rows)
 
 
+def refined_table(comparisons: list[Comparison]) -> list[str]:
+    """What the refined method did."""
+    rows = []
+    for comparison in comparisons:
+        for name, result in comparison.results.items():
+            if not name.startswith("refined"):
+                continue
+            report = result.pieces[0].report
+            counts = (str(report.factorizations), str(report.outer_iterations), f"{report.objective:.6f}")
+            rows.append((f"{comparison.triangles:,}", name, *counts, report.termination))
+    return table(["triangles", "method", "factorizations", "steps", "objective", "termination"], rows)
+
+
 def growth_sentence(comparisons: list[Comparison]) -> str:
+    """Of all methods that ran at every size."""
     sizes = [comparison.triangles for comparison in comparisons]
-    growth = (
-        f"{exponent(sizes, [c.seconds[name] for c in comparisons]):.2f} ({name})" for name in comparisons[0].seconds
-    )
+    everywhere = [name for name in comparisons[0].seconds if all(name in c.seconds for c in comparisons)]
+    growth = (f"{exponent(sizes, [c.seconds[name] for c in comparisons]):.2f} ({name})" for name in everywhere)
     return f"Seconds grow as triangles to the power of {', '.join(growth)}."

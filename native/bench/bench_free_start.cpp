@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The free ARAP flattening that h0 is taken from, begun as in a whole run at the rigid shape.
+// The free ARAP flattening: begun at the embedding on a circle, as the refined method does, and that embedding alone;
+// and begun at the rigid shape, as WireWarping++ does for h0.
 #include <benchmark/benchmark.h>
 
 #include "bench_sheet.h"
+#include "outer/circle_embedding.h"
 #include "outer/free_arap.h"
 #include "outer/warp.h"
 
 namespace wirewarp {
 namespace {
 
+void circle_embedding(benchmark::State& state) {
+  const BenchSheet sheet(state);
+  for (auto _ : state) benchmark::DoNotOptimize(embed_on_circle(sheet.chart()));
+}
+
 void free_start(benchmark::State& state) {
+  const BenchSheet sheet(state);
+  int iterations = 0;
+  for (auto _ : state) iterations = flatten_freely(sheet.chart(), 30).iterations;
+  state.counters["iterations"] = iterations;
+}
+
+void free_start_from_rigid(benchmark::State& state) {
   const BenchSheet sheet(state);
   Warp warp(sheet.chart(), sheet.network, NodeWeight::length, Inner::minimum);
   const auto num_parts = static_cast<Eigen::Index>(sheet.chart().wire_parts.size());
@@ -18,10 +32,15 @@ void free_start(benchmark::State& state) {
   for (auto _ : state) iterations = flatten_freely(sheet.chart(), 30, rigid).iterations;
   state.counters["iterations"] = iterations;
 }
-BENCHMARK(free_start)
-    ->ArgNames({"triangles", "wires"})
-    ->ArgsProduct({{10'000, 100'000, 1'000'000}, {8}})
-    ->Unit(benchmark::kMillisecond);
+
+void sizes(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgNames({"triangles", "wires"})
+      ->ArgsProduct({{10'000, 100'000, 1'000'000}, {8}})
+      ->Unit(benchmark::kMillisecond);
+}
+BENCHMARK(circle_embedding)->Apply(sizes);
+BENCHMARK(free_start)->Apply(sizes);
+BENCHMARK(free_start_from_rigid)->Apply(sizes);
 
 }  // namespace
 }  // namespace wirewarp
