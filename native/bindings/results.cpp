@@ -98,12 +98,15 @@ void bind_piece_parts(py::module_& module) {
       .field("inner_solves", &PieceReport::inner_solves, "Factorizations of the inner problem.")
       .field("outer_iterations", &PieceReport::outer_iterations, "Steps over the wires' lengths.")
       .field("gradient_evaluations", &PieceReport::gradient_evaluations, "Gradients with respect to them.")
-      .field("factorizations", &PieceReport::factorizations, "Of the placement of the vertices between wires and the free flattening; refined: of Newton systems.")
-      .field("constraint_residual", &PieceReport::constraint_residual, "Largest gap of a wire loop over its length.")
+      .field("factorizations", &PieceReport::factorizations,
+             "Of the placement of the vertices between wires and the free flattening; refined: of Newton systems.")
+      .field("constraint_residual", &PieceReport::constraint_residual,
+             "Largest gap of a wire loop over its length; refined: largest error of an edge over its length.")
       .field("projected_gradient", &PieceReport::projected_gradient,
-             "Of the inner problem at the end, for a mean node weight of 1; NaN with inner=\"least-norm\".")
+             "Of the inner problem at the end, for a mean node weight of 1; NaN with inner=\"least-norm\" and refined.")
       .field("objective", &PieceReport::objective,
-             "What the refined method minimizes: arap_energy plus the angle term; NaN for other methods.")
+             "What the refined method minimizes: arap_energy plus the angle term, plus a barrier where triangles are "
+             "about to turn over; NaN for other methods.")
       .field("seconds", &PieceReport::seconds, "Per stage.");
 }
 

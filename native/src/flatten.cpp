@@ -2,7 +2,6 @@
 // The pipeline, top-down; the mathematics is in the files it names. native/README.md maps the paper to them.
 #include "wirewarp/flatten.h"
 
-#include <limits>
 #include <stdexcept>
 
 #include "chart_errors.h"
@@ -41,8 +40,8 @@ void report_solution(const OuterSolution& solution, PieceReport& report) {
 }
 
 /// WireWarping and WireWarping++: the wires first, the surface follows (II).
-void warp_chart(const Chart& chart, const FlattenInput& input, const Options& options, const GoOn& go_on,
-                Layout& layout) {
+void flatten_by_warping(const Chart& chart, const FlattenInput& input, const Options& options, const GoOn& go_on,
+                        Layout& layout) {
   std::map<std::string, double>& seconds = layout.report.seconds;
   begin_stage(go_on, "wires");
   std::optional<Chart> refined;
@@ -79,7 +78,7 @@ void report_refinement(const RefinedChart& refined, PieceReport& report) {
   report.inner_solves = refined.inner.num_solves;
   report.outer_iterations = refined.shape.iterations;
   report.factorizations = refined.shape.factorizations;
-  report.projected_gradient = std::numeric_limits<double>::quiet_NaN();
+  report.constraint_residual = refined.shape.length_error;
   report.objective = refined.shape.objective;
   if (refined.was_stopped) {
     report.warnings.push_back("Cancelled: the lengths are exact, but the shape could be less distorted.");
@@ -93,8 +92,8 @@ void report_refinement(const RefinedChart& refined, PieceReport& report) {
 
 /// The refined method: wires and surface at once, under the same exact lengths. Once those are reached, cancelling
 /// leaves the piece at the best shape so far.
-void refine_chart(const Chart& chart, const FlattenInput& input, const Options& options, const GoOn& go_on,
-                  Layout& layout) {
+void flatten_by_refining(const Chart& chart, const FlattenInput& input, const Options& options, const GoOn& go_on,
+                         Layout& layout) {
   begin_stage(go_on, "shape");
   const StageTimer timer(layout.report.seconds, "shape");
   layout.network = build_wire_network(chart);
@@ -126,16 +125,21 @@ const char* name_of(Method method) {
 
 std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& charts, const Options& options,
                                    ProgressReport& progress) {
-  // Shares of a run's time at a million triangles.
-  const std::map<std::string, double> share_done{{"wires", 0.0}, {"interior", 0.1}, {"lengths", 0.6}, {"shape", 0.1}};
+  // Where each stage begins in a chart's share of the time. Nobody knows how many steps the last one takes: each step
+  // is told as a part of what is left.
+  const std::map<std::string, double> begins_at{{"wires", 0.0}, {"interior", 0.1}, {"lengths", 0.6}, {"shape", 0.0}};
+  constexpr double kPerStep = 0.15;
   std::vector<Layout> layouts(charts.charts.size());
   double faces_done = 0;
   for (std::size_t c = 0; c < layouts.size(); ++c) {
     const Chart& chart = charts.charts[c];
     Layout& layout = layouts[c];
     const auto chart_faces = static_cast<double>(chart.source_face.size());
+    double share_done = 0;
     const auto go_on = [&](const char* stage) {
-      const double done = (faces_done + share_done.at(stage) * chart_faces) / static_cast<double>(input.faces.rows());
+      const bool has_begun = begins_at.at(stage) <= share_done;
+      share_done = has_begun ? share_done + kPerStep * (1 - share_done) : begins_at.at(stage);
+      const double done = (faces_done + share_done * chart_faces) / static_cast<double>(input.faces.rows());
       return progress.go_on(stage, 0.2 + 0.7 * done);
     };
     if (chart.error) {
@@ -143,7 +147,8 @@ std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& char
     } else {
       try {
         if (std::optional<FlattenError> error = find_short_outline(chart)) throw std::move(*error);
-        (options.method == Method::refined ? refine_chart : warp_chart)(chart, input, options, go_on, layout);
+        (options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, input, options, go_on,
+                                                                                       layout);
       } catch (const FlattenError& error) {
         layout.error = error;
         if (error.code == ErrorCode::cancelled) layout.report.termination = Termination::cancelled;

@@ -78,7 +78,7 @@ class NewtonSystemOnASaddle : public testing::Test {
   const Positions2 uv = flatten_freely(chart, 30).uv;
   NewtonSystem system{chart, objective, constraints, uv};
   const int num_unknowns = static_cast<int>(uv.size());
-  const Convexity convex{Curvature::convex, 0}, exact{Curvature::exact, 1};
+  const Convexity convex{Curvature::convex, false}, exact{Curvature::exact, true};
 };
 
 TEST_F(NewtonSystemOnASaddle, TheJacobianEqualsDifferences) {
@@ -143,7 +143,7 @@ TEST_F(NewtonSystemOnASaddle, AFactorExistsExactlyWhereTheHessianIsPositiveUnder
   int positive = 0, negative = 0;
   for (const double size : {0.0, 1e-4, 1e-3, 1e-2, 3e-2, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0}) {
     for (const Convexity& convexity :
-         {convex, exact, Convexity{Curvature::convex, 1}, Convexity{Curvature::exact, 0}}) {
+         {convex, exact, Convexity{Curvature::convex, true}, Convexity{Curvature::exact, false}}) {
       const Eigen::VectorXd multipliers = size * shape;
       const double lowest = lowest_curvature(multipliers, convexity);
       if (std::abs(lowest) < 1e-5) continue;  // as small as H is next to the stiffness
@@ -170,7 +170,7 @@ TEST(NewtonSystem, AWireUnderCompressionIsASaddle) {
   NewtonSystem system(chart, objective, constraints, uv);
   Eigen::VectorXd wire = Eigen::VectorXd::Zero(constraints.size());
   for (std::size_t e = 0; e < network.edges.size(); ++e) wire[static_cast<int>(e)] = network.edges[e].part >= 0 ? 1 : 0;
-  const Convexity exact{Curvature::exact, 1}, convex{Curvature::convex, 0};
+  const Convexity exact{Curvature::exact, true}, convex{Curvature::convex, false};
   EXPECT_TRUE(system.factorize(uv, 0 * wire, exact)) << "without distortion the shape is the minimum";
   EXPECT_TRUE(system.factorize(uv, 100 * wire, exact)) << "a pulled wire is stiff";
   EXPECT_FALSE(system.factorize(uv, -100 * wire, exact));
@@ -199,7 +199,7 @@ TEST(MakePositive, TakesMagnitudesOfEigenvalues) {
 }
 
 TEST_F(NewtonSystemOnASaddle, LengthsAreRestoredFromNearbyAndNotFromFarAway) {
-  ASSERT_TRUE(system.factorize(uv, Eigen::VectorXd::Zero(constraints.size()), Convexity{Curvature::none, 0}));
+  ASSERT_TRUE(system.factorize(uv, Eigen::VectorXd::Zero(constraints.size()), Convexity{Curvature::none, false}));
   const Eigen::Vector2d h(0.01, -0.02);
   const Positions2 noise = as_positions(random_vector(num_unknowns, 3));
   Positions2 near = uv + 1e-3 * noise;

@@ -69,7 +69,7 @@ TEST(TangentModel, FindsTheLeastOfAnIndefiniteQuadraticInEveryBall) {
     ASSERT_LT(problem.eigenvalues_in_space(problem.hessian).minCoeff(), 0);
     const TangentModel model = problem.model(kUnknowns);
     EXPECT_EQ(model.size(), kUnknowns - kConstraints);
-    EXPECT_NEAR(model.lowest(), problem.eigenvalues_in_space(problem.hessian).minCoeff(), 1e-8);
+    EXPECT_NEAR(model.lowest_curvature(), problem.eigenvalues_in_space(problem.hessian).minCoeff(), 1e-8);
     for (const double radius : {1e-4, 0.01, 0.3, 1.0, 10.0, 1e3}) {
       const ModelStep step = model.step(radius);
       EXPECT_FALSE(step.is_inside);

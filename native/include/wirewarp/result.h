@@ -2,6 +2,7 @@
 // What a flattening returns. Indices are of the input mesh unless a comment says "piece". Lengths in scene units.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -88,10 +89,11 @@ struct PieceReport {
   int outer_iterations = 0;
   int gradient_evaluations = 0;
   int factorizations = 0;          // of the interior placement and free flattening; refined: of Newton systems
-  double constraint_residual = 0;  // largest gap of a wire loop at the end / its length; refined: 0, see max_edge_error
-  double projected_gradient = 0;   // of Eq. (1) at the end, mean node weight 1; NaN: least-norm, refined
-  double objective = 0;            // what the refined method minimizes: arap_energy + angle term; NaN: other methods
-  std::map<std::string, double> seconds;  // per stage
+  double constraint_residual = 0;  // largest gap of a wire loop at the end / its length; refined: max_edge_error
+  double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // of Eq. (1) at the end, mean node weight 1
+  double objective = std::numeric_limits<double>::quiet_NaN();  // refined: arap_energy + angle term, + a barrier where
+                                                                // triangles are about to turn over
+  std::map<std::string, double> seconds;                        // per stage
 };
 
 /// One flat piece: a chart's planar shape and everything measured on it.

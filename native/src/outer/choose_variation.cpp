@@ -18,7 +18,6 @@ namespace {
 constexpr double kTolerance = 1e-6;  // relative decrease that is not worth another step
 constexpr double kIsometry = 1e-14;  // shape error: strains of 1e-7, the rounding of meshes in single precision
 constexpr int kMaxEvaluations = 100;
-constexpr int kFreeIterations = 30;  // local/global steps of the free flattening
 constexpr double kShortest = -0.99;  // 1 + h > 0 on super-elastic parts, with room for the line search
 constexpr double kLongest = 100;
 
@@ -106,8 +105,9 @@ OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBou
 
   before_evaluation();
   const std::optional<Positions2> layout = has_rigid ? std::optional(rigid.shape.uv) : std::nullopt;
-  const FreeFlattening free = flatten_freely(chart, kFreeIterations, layout);
-  OuterSolution relaxed = evaluate(warp, length_variation(chart, free.uv).cwiseMax(bounds.lower).cwiseMin(bounds.upper));
+  const FreeFlattening free = flatten_freely(chart, kFreeSteps, layout);
+  OuterSolution relaxed =
+      evaluate(warp, length_variation(chart, free.uv).cwiseMax(bounds.lower).cwiseMin(bounds.upper));
   const int inner_solves = rigid.inner_solves + relaxed.inner_solves;
   const auto rank = [](const OuterSolution& s) {
     return std::tuple(!s.shape.inner.is_feasible, !s.shape.inner.is_minimum, s.shape_error);

@@ -20,6 +20,9 @@ struct FreeFlattening {
   bool converged = false;  // the last step lowered E by less than 1e-6 of it
 };
 
+/// Enough for lengths and a start: the rest of the way lowers E by little.
+inline constexpr int kFreeSteps = 30;
+
 /// Takes at most max_iterations steps from the given layout (one row per chart vertex; mirrored if its area is
 /// negative) or, without one, from the embedding on a circle. No step raises E.
 FreeFlattening flatten_freely(const Chart& chart, int max_iterations, const std::optional<Positions2>& start = {});

@@ -13,15 +13,12 @@ using HatGradients = Eigen::Matrix<double, 2, 3>;
 using PerCorner = Eigen::Matrix<double, 2, 3>;
 
 constexpr double kSmallestDeterminant = 0.1;  // where the barrier begins
-constexpr double kOpen = 0.7;                 // |z| of a triangle that is not much compressed
 
 double kappa(double norm_z, Curvature curvature) {
   const double exact = norm_z > 0 ? 2 / norm_z : 1;  // norm_z is 2 |z|
   switch (curvature) {
     case Curvature::exact:
       return exact;
-    case Curvature::exact_where_open:
-      return norm_z >= 2 * kOpen ? exact : 1;
     case Curvature::convex:
       return std::min(exact, 1.0);
     case Curvature::none:

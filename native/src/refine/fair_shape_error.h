@@ -22,9 +22,8 @@ namespace wirewarp {
 /// How much of the negative curvature of E the Hessian keeps.
 enum class Curvature {
   exact,
-  exact_where_open,  // κ <= 1 on triangles compressed below 0.7
-  convex,            // κ <= 1 everywhere: positive semidefinite
-  none,              // κ = 0: the Laplacian
+  convex,  // κ <= 1 everywhere: positive semidefinite
+  none,    // κ = 0: the Laplacian
 };
 
 class FairShapeError {
@@ -46,7 +45,8 @@ class FairShapeError {
   /// The vertices that the Hessian couples.
   void list_pairs(std::vector<VertexPair>& pairs) const;
 
-  /// Looks up the blocks of a matrix that couples those vertices; assemble_hessian() is for it alone from then on.
+  /// Looks up the blocks of a matrix that couples those vertices; add_constant_hessian() and add_curvature() are for it
+  /// alone from then on.
   void attach_to(const VertexMatrix& hessian);
 
   /// Adds what does not depend on positions: twice the cotangent Laplacian, and the Hessian of F.

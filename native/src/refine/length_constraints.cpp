@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "index.h"
+#include "mesh/geometry.h"
 
 namespace wirewarp {
 
-LengthConstraints::LengthConstraints(const Chart& chart, const WireNetwork& network) {
+LengthConstraints::LengthConstraints(const Chart& chart, const WireNetwork& network)
+    : rounding_length_(1e-5 * std::sqrt(surface_area(chart.mesh))) {
   std::vector<int> elastic_of_part(chart.wire_parts.size(), -1);
   for (int part = 0; part < static_cast<int>(chart.wire_parts.size()); ++part) {
     if (chart.wire_parts[at(part)].kind != WireKind::elastic) continue;
@@ -42,8 +45,11 @@ Eigen::VectorXd LengthConstraints::residual(const Positions2& uv, const Eigen::V
 }
 
 double LengthConstraints::largest_error(const Eigen::VectorXd& residual) const {
+  if (!residual.allFinite()) return std::numeric_limits<double>::infinity();
   double largest = 0;
-  for (int e = 0; e < size(); ++e) largest = std::max(largest, std::abs(residual[e]) / edges_[at(e)].length);
+  for (int e = 0; e < size(); ++e) {
+    largest = std::max(largest, std::abs(residual[e]) / (edges_[at(e)].length + rounding_length_));
+  }
   return largest;
 }
 

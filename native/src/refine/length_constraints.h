@@ -38,8 +38,12 @@ class LengthConstraints {
   /// c. #edges, scene units.
   Eigen::VectorXd residual(const Positions2& uv, const Eigen::VectorXd& variation) const;
 
-  /// Largest |c| / l.
+  /// Largest |c| / (l + 10⁻⁵ √area), infinite where a residual is not finite: edges so short that their ends differ by
+  /// little more than the rounding of coordinates are measured against that.
   double largest_error(const Eigen::VectorXd& residual) const;
+
+  static constexpr double exact = 1e-13;  // what steps to exact lengths aim at
+  static constexpr double kept = 1e-10;   // from here on a length counts as kept; the promise is 1e-9
 
   /// d̂, one row per edge; zero where an edge has no length.
   Positions2 directions(const Positions2& uv) const;
@@ -53,6 +57,7 @@ class LengthConstraints {
  private:
   std::vector<Edge> edges_;
   std::vector<int> elastic_parts_;
+  double rounding_length_;  // 10⁻⁵ √area
 };
 
 }  // namespace wirewarp

@@ -105,8 +105,8 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
   for (int e = 0; e < constraints_.size(); ++e) {
     const LengthConstraints::Edge& edge = constraints_.edges()[at(e)];
     const double length = (uv.row(edge.b) - uv.row(edge.a)).norm();
-    const double share = multipliers[e] < 0 ? convexity.negative_multipliers : 1;
-    const double across = length > 0 ? share * multipliers[e] / length : 0;
+    const bool counts = length > 0 && (convexity.keeps_pressure || multipliers[e] > 0);
+    const double across = counts ? multipliers[e] / length : 0;
     const Eigen::Vector2d d = directions_.row(e).transpose(), n(-d.y(), d.x());
     const Eigen::Matrix2d block = stiffness_share * stiffness_[e] * d * d.transpose() + across * n * n.transpose();
     matrix_.add_diagonal(edge.a, block);

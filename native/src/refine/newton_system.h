@@ -22,7 +22,7 @@ namespace wirewarp {
 /// What of the curvature of f + λᵀc goes into H.
 struct Convexity {
   Curvature curvature;
-  double negative_multipliers;  // share of the curvature of edges with λ < 0
+  bool keeps_pressure;  // the negative curvature of edges with λ < 0, which may buckle
 };
 
 /// A symmetric matrix with the magnitudes of its eigenvalues, none below 1e-6 of the largest: a model that has a
@@ -43,7 +43,7 @@ class NewtonSystem {
   /// Linearizes at uv; false where A is not positive definite. multipliers: λ, #edges.
   bool factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity);
 
-  /// H at uv, lower triangle, to multiply with.
+  /// H at uv, with 10⁻⁴ M and the pins, to multiply with; lower triangle.
   Eigen::SparseMatrix<double> hessian(const Positions2& uv, const Eigen::VectorXd& multipliers,
                                       const Convexity& convexity);
 

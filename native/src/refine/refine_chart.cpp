@@ -11,8 +11,6 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kFreeIterations = 30;
-
 /// ψ(h⁰): the paper's flat shape, before any h is chosen.
 WarpedShape warp_wires(const Chart& chart, const Options& options) {
   const std::optional<Chart> refined = process_topology(chart);
@@ -34,7 +32,7 @@ RefinedChart refine_chart(const Chart& chart, const Options& options, const std:
                             return !result.was_stopped;
                           }};
   result.inner.is_feasible = true;
-  const FreeFlattening free = flatten_freely(chart, kFreeIterations);
+  const FreeFlattening free = flatten_freely(chart, kFreeSteps);
   result.shape = refine_shape(chart, held_network, options.fairness, free.uv, limits);
   const int used = result.shape.factorizations;
   if (result.shape.is_exact || result.was_stopped) return result;

@@ -17,20 +17,20 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kNearlyExact = 1e-8;  // |c| / l of a start that needs no step to exact lengths
-constexpr double kWorthwhile = 1e-9;   // decrease that a step must promise, over f
-constexpr double kIsometric = 1e-22;   // the same over the area: strains of 1e-11
-constexpr double kSufficient = 1e-4;   // share of the promised decrease that a Newton step must bring
-constexpr double kTrustworthy = 0.1;   // the same for a step in a ball
-constexpr double kVeryGood = 0.5;      // from here on a larger ball is tried
-constexpr double kShrink = 3;          // of the ball, after a bad step
-constexpr int kMaxRadii = 30;          // 3³⁰: no step, however short, goes down
+constexpr double kWorthwhile = 1e-9;  // decrease that a step must promise, over f
+constexpr double kIsometric = 1e-22;  // the same over the area: strains of 1e-11
+constexpr double kSufficient = 1e-4;  // share of the promised decrease that a Newton step must bring
+constexpr double kTrustworthy = 0.1;  // the same for a step in a ball
+constexpr double kVeryGood = 0.5;     // from here on a larger ball is tried
+constexpr double kShrink = 3;         // of the ball, after a bad step
+constexpr int kMaxRadii = 30;         // 3³⁰: no step, however short, goes down
 constexpr int kMaxKrylovSize = 15;
+constexpr double kFlat = 1e-4;  // negative curvature over that of the convex part which is not worth a step
 constexpr double kStrongestBarrier = 1000;
 
-constexpr Convexity kExactHessian{Curvature::exact, 1};
-constexpr Convexity kConvexHessian{Curvature::convex, 0};
-constexpr Convexity kLaplacian{Curvature::none, 0};
+constexpr Convexity kExactHessian{Curvature::exact, true};
+constexpr Convexity kConvexHessian{Curvature::convex, false};
+constexpr Convexity kLaplacian{Curvature::none, false};
 
 double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
 
@@ -40,7 +40,7 @@ class Refinement {
              const RefinementLimits& limits);
 
   bool reach_exact_lengths();
-  void minimize();
+  void minimize_without_flips();
   RefinedShape shape(const Chart& chart) const;
 
  private:
@@ -56,13 +56,15 @@ class Refinement {
   };
   enum class Outcome { accepted, rejected, not_positive, converged };
 
+  void minimize();
   bool may_go_on() const { return system_.num_factorizations() < limits_.max_factorizations && limits_.go_on(); }
   double worthwhile() const { return std::max(kWorthwhile * now_.value, kIsometric * area_); }
+  double length_error() const { return constraints_.largest_error(constraints_.residual(now_.uv, now_.variation)); }
   Step newton_step() const;
   bool evaluate(Iterate& trial) const;
   Outcome take_newton_step();
-  bool take_step_in_ball();
-  bool search_ball(const TangentSpace& space, const TangentModel& model);
+  Outcome take_step_in_ball();
+  Outcome search_ball(const TangentSpace& space, const std::function<ModelStep(double radius)>& step_in);
   std::vector<int> free_parts() const;
 
   LengthConstraints constraints_;
@@ -126,7 +128,7 @@ bool Refinement::evaluate(Iterate& trial) const {
 /// One Newton step in the metric of the Laplacian.
 bool Refinement::reach_exact_lengths() {
   now_.value = objective_.value_and_gradient(now_.uv, gradient_);
-  is_exact_ = constraints_.largest_error(constraints_.residual(now_.uv, now_.variation)) < kNearlyExact;
+  is_exact_ = length_error() <= LengthConstraints::kept;
   if (is_exact_ || !may_go_on() || !system_.factorize(now_.uv, multipliers_, kLaplacian)) return is_exact_;
   Step step = newton_step();
   Iterate trial{now_.uv + step.d, now_.variation + step.variation};
@@ -142,10 +144,10 @@ Refinement::Outcome Refinement::take_newton_step() {
   if (!system_.factorize(now_.uv, multipliers_, kExactHessian)) return Outcome::not_positive;
   const Step step = newton_step();
   const double slope = dot(gradient_, step.d);
-  const bool is_last = -slope < worthwhile();
+  const bool is_last = std::abs(slope) < worthwhile();
   for (const double t : {1.0, 0.5}) {  // shorter steps are better taken in a ball
     Iterate trial{now_.uv + t * step.d, now_.variation + t * step.variation};
-    if (!evaluate(trial) || trial.value > now_.value + kSufficient * t * slope) continue;
+    if (!evaluate(trial) || !(trial.value <= now_.value + kSufficient * t * slope)) continue;
     now_ = std::move(trial);
     multipliers_ += t * (step.multipliers - multipliers_);
     return is_last ? Outcome::converged : Outcome::accepted;
@@ -164,8 +166,8 @@ std::vector<int> Refinement::free_parts() const {
   return free;
 }
 
-bool Refinement::take_step_in_ball() {
-  if (!system_.factorize(now_.uv, multipliers_, kConvexHessian)) return false;
+Refinement::Outcome Refinement::take_step_in_ball() {
+  if (!system_.factorize(now_.uv, multipliers_, kConvexHessian)) return Outcome::not_positive;
   Positions2 d;
   system_.solve(-gradient_, Eigen::VectorXd::Zero(constraints_.size()), d, multipliers_);
   const TangentSpace space(system_, constraints_, free_parts());
@@ -182,25 +184,28 @@ bool Refinement::take_step_in_ball() {
   const TangentModel model = model_for(gradient_);
   if (radius_ == 0) radius_ = model.convex_length();
   const bool is_stationary = model.convex_length() * model.convex_length() < worthwhile();
-  if (!is_stationary) return search_ball(space, model);
+  if (!is_stationary) return search_ball(space, [&](double radius) { return model.step(radius); });
 
-  // A saddle whose symmetry the gradient has: look where its mirror image would push, a quarter turn from the forces
-  // in the wires.
+  // A saddle. Its way down may be against a symmetry that the gradient has: look for it where a mirror image would
+  // push, a quarter turn from the forces in the wires.
   Positions2 tension = Positions2::Zero(now_.uv.rows(), 2);
   constraints_.add_transposed(system_.directions(), multipliers_, tension);
   Positions2 turned(tension.rows(), 2);
   turned.col(0) = -tension.col(1);
   turned.col(1) = tension.col(0);
-  return search_ball(space, model_for(turned));
+  const TangentModel off_saddle = model_for(turned);
+  if (off_saddle.lowest_curvature() > -kFlat) return Outcome::converged;
+  return search_ball(space, [&](double radius) { return off_saddle.step_along_lowest_curvature(radius); });
 }
 
 /// The largest ball whose step goes down as the model says.
-bool Refinement::search_ball(const TangentSpace& space, const TangentModel& model) {
+Refinement::Outcome Refinement::search_ball(const TangentSpace& space,
+                                            const std::function<ModelStep(double radius)>& step_in) {
   bool found = false;
   Iterate best;
   double best_radius = 0;
   for (int i = 0; i < kMaxRadii; ++i) {
-    const ModelStep step = model.step(radius_);
+    const ModelStep step = step_in(radius_);
     Iterate trial = now_;
     trial.uv += Eigen::Map<const Positions2>(step.d.data(), now_.uv.rows(), 2);
     trial.variation(space.free()) += step.d.tail(static_cast<Eigen::Index>(space.free().size()));
@@ -218,31 +223,35 @@ bool Refinement::search_ball(const TangentSpace& space, const TangentModel& mode
       radius_ = std::min(radius_, step.length) / kShrink;
     }
   }
-  if (!found) return false;
+  if (!found) return Outcome::rejected;
   radius_ = best_radius;
   now_ = std::move(best);
-  return true;
+  return Outcome::accepted;
 }
 
+/// Newton steps where the exact Hessian is positive, steps in a ball where it is not or they fail.
 void Refinement::minimize() {
-  converged_ = false;
-  while (may_go_on()) {
+  Outcome outcome = Outcome::accepted;
+  while (outcome == Outcome::accepted && may_go_on()) {
     now_.value = objective_.value_and_gradient(now_.uv, gradient_);
     ++iterations_;
-    if (is_positive_) {
-      const Outcome outcome = take_newton_step();
-      converged_ = outcome == Outcome::converged;
-      if (converged_) break;
-      if (outcome == Outcome::accepted) continue;
-      is_positive_ = false;
-      if (!may_go_on()) break;
-    }
-    if (!take_step_in_ball()) break;
+    outcome = Outcome::not_positive;
+    if (is_positive_) outcome = take_newton_step();
+    is_positive_ = outcome == Outcome::accepted;
+    const bool failed = outcome == Outcome::not_positive || outcome == Outcome::rejected;
+    if (failed && may_go_on()) outcome = take_step_in_ball();
   }
-  // A barrier too weak to keep every triangle open.
-  if (!converged_ || objective_.flip_weight() >= kStrongestBarrier || objective_.count_flips(now_.uv) == 0) return;
-  objective_.set_flip_weight(10 * objective_.flip_weight());
+  converged_ = outcome == Outcome::converged;
+}
+
+/// Minimizes, with a stronger barrier as long as triangles are turned over.
+void Refinement::minimize_without_flips() {
   minimize();
+  while (objective_.flip_weight() < kStrongestBarrier && may_go_on() && objective_.count_flips(now_.uv) > 0) {
+    objective_.set_flip_weight(10 * objective_.flip_weight());
+    is_positive_ = true;
+    minimize();
+  }
 }
 
 RefinedShape Refinement::shape(const Chart& chart) const {
@@ -256,6 +265,7 @@ RefinedShape Refinement::shape(const Chart& chart) const {
   shape.objective = now_.value / area_;
   shape.iterations = iterations_;
   shape.factorizations = system_.num_factorizations();
+  shape.length_error = length_error();
   shape.is_exact = is_exact_;
   shape.converged = converged_;
   return shape;
@@ -266,7 +276,7 @@ RefinedShape Refinement::shape(const Chart& chart) const {
 RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
                           const RefinementLimits& limits) {
   Refinement refinement(chart, network, fairness, start, limits);
-  if (refinement.reach_exact_lengths()) refinement.minimize();
+  if (refinement.reach_exact_lengths()) refinement.minimize_without_flips();
   return refinement.shape(chart);
 }
 

@@ -20,6 +20,7 @@ struct RefinedShape {
   Positions2 uv;              // one row per chart vertex, scene units
   Eigen::VectorXd variation;  // h, one per wire part of the chart; on super-elastic ones what came out
   double objective = 0;       // f over the 3D area
+  double length_error = 0;    // largest, over the length of its edge
   int iterations = 0;
   int factorizations = 0;
   bool is_exact = false;   // the lengths are: uv is a flat shape to cut

@@ -4,8 +4,6 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kExact = 1e-13;     // |c| / l
-constexpr double kRounding = 1e-11;  // what short edges far from the origin can leave
 constexpr int kMaxSteps = 10;
 
 }  // namespace
@@ -18,7 +16,7 @@ bool restore_lengths(const LengthConstraints& constraints, const NewtonSystem& s
   Eigen::VectorXd residual = constraints.residual(uv, variation);
   Eigen::VectorXd restored = Eigen::VectorXd::Zero(constraints.size());
   double error = constraints.largest_error(residual);
-  for (int i = 0; i < kMaxSteps && error > kExact; ++i) {
+  for (int i = 0; i < kMaxSteps && error > LengthConstraints::exact; ++i) {
     const Positions2 trial = on_wires + system.least_change(-residual, Where::on_wires);
     const Eigen::VectorXd trial_residual = constraints.residual(trial, variation);
     const double trial_error = constraints.largest_error(trial_residual);
@@ -28,7 +26,7 @@ bool restore_lengths(const LengthConstraints& constraints, const NewtonSystem& s
     residual = trial_residual;
     error = trial_error;
   }
-  if (!(error < kRounding)) return false;
+  if (error > LengthConstraints::kept) return false;
   uv += system.least_change(-restored, Where::everywhere);
   for (const LengthConstraints::Edge& edge : constraints.edges()) {
     for (const int v : {edge.a, edge.b}) uv.row(v) = on_wires.row(v);

@@ -5,8 +5,9 @@
 
 namespace wirewarp {
 
-/// Moves uv to exact lengths, |c| <= 1e-13 l, by chord steps with the factor at hand: each is the least change in its
-/// metric. False where a step does not halve the error: then uv, left as it was, is too far from the linearization.
+/// Moves uv to exact lengths by chord steps with the factor at hand, each the least change in its metric, for as long
+/// as they halve the error. False where lengths are not kept by then: uv, left as it was, is too far from the
+/// linearization.
 bool restore_lengths(const LengthConstraints& constraints, const NewtonSystem& system, const Eigen::VectorXd& variation,
                      Positions2& uv);
 

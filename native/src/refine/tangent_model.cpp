@@ -77,10 +77,22 @@ ModelStep TangentModel::step(double radius) const {
   }
   step.length = y.norm();
   step.decrease = force.dot(y) - 0.5 * y.dot(eigenvalues_.cwiseProduct(y));
-  const Eigen::VectorXd coefficients = eigenvectors_ * y;
-  step.d = Eigen::VectorXd::Zero(basis_.front().size());
-  for (std::size_t j = 0; j < basis_.size(); ++j) step.d += coefficients[static_cast<Eigen::Index>(j)] * basis_[j];
+  step.d = combine(eigenvectors_ * y);
   return step;
+}
+
+ModelStep TangentModel::step_along_lowest_curvature(double radius) const {
+  ModelStep step;
+  step.length = radius;
+  step.decrease = -0.5 * eigenvalues_[0] * radius * radius;
+  step.d = combine(radius * eigenvectors_.col(0));
+  return step;
+}
+
+Eigen::VectorXd TangentModel::combine(const Eigen::VectorXd& coefficients) const {
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(basis_.front().size());
+  for (std::size_t j = 0; j < basis_.size(); ++j) d += coefficients[static_cast<Eigen::Index>(j)] * basis_[j];
+  return d;
 }
 
 }  // namespace wirewarp

@@ -37,11 +37,19 @@ class TangentModel {
   double convex_length() const { return first_; }
 
   int size() const { return static_cast<int>(basis_.size()); }
-  double lowest() const { return eigenvalues_[0]; }
+
+  /// Least d·Hd over |d|²_G in the span; 0 if it is empty.
+  double lowest_curvature() const { return basis_.empty() ? 0 : eigenvalues_[0]; }
+
   /// The minimum of q in the span and the ball.
   ModelStep step(double radius) const;
 
+  /// A step of length radius along the lowest curvature, as if there were no gradient.
+  ModelStep step_along_lowest_curvature(double radius) const;
+
  private:
+  Eigen::VectorXd combine(const Eigen::VectorXd& coefficients) const;
+
   double first_ = 0;                    // β₀: g = -β₀ G v₁
   std::vector<Eigen::VectorXd> basis_;  // v
   Eigen::VectorXd eigenvalues_;         // of T

@@ -13,8 +13,6 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kExact = 1e-13;     // |c| / l
-constexpr double kRounding = 1e-11;  // what short edges far from the origin can leave
 constexpr int kMaxFactorizations = 5;
 constexpr int kMaxSteps = 10;  // with one factor
 
@@ -67,10 +65,10 @@ bool tighten_lengths(const Chart& chart, const WireNetwork& network, double fair
   Eigen::VectorXd variation = length_variation(chart, uv)(constraints.elastic_parts());
   const Eigen::VectorXd no_forces = Eigen::VectorXd::Zero(constraints.size());
   double error = constraints.largest_error(constraints.residual(uv, variation));
-  for (int i = 0; i < kMaxFactorizations && error > kExact; ++i) {
-    if (!system.factorize(uv, no_forces, {Curvature::none, 0})) return false;
+  for (int i = 0; i < kMaxFactorizations && error > LengthConstraints::exact; ++i) {
+    if (!system.factorize(uv, no_forces, {Curvature::none, false})) return false;
     const LeastChange least_change(constraints, system);
-    for (int k = 0; k < kMaxSteps && error > kExact; ++k) {
+    for (int k = 0; k < kMaxSteps && error > LengthConstraints::exact; ++k) {
       Positions2 trial = uv;
       Eigen::VectorXd trial_variation = variation;
       least_change.step(constraints.residual(uv, variation), trial, trial_variation);
@@ -81,7 +79,7 @@ bool tighten_lengths(const Chart& chart, const WireNetwork& network, double fair
       error = trial_error;
     }
   }
-  return error < kRounding && is_within_tolerance(chart, constraints, variation);
+  return error <= LengthConstraints::kept && is_within_tolerance(chart, constraints, variation);
 }
 
 }  // namespace wirewarp
