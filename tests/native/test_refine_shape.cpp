@@ -384,5 +384,17 @@ TEST(RefineShape, IsNeverAboveTheWarpOfTheSameLengths) {
   }
 }
 
+TEST(RefineShape, LeavesASaddleUnderANetOfWires) {
+  const int n = 12;
+  FlattenInput input = test::saddle(n, 0.9);
+  for (const int i : {3, 6, 9}) {
+    test::add_wire(input, test::grid_row(n, i));
+    test::add_wire(input, test::grid_column(n, n, i));
+  }
+  const Case panel(input);
+  const RefinedShape shape = refine_chart(panel.chart, Options{}, [] { return true; }).shape;
+  EXPECT_TRUE(shape.is_exact && shape.converged);
+}
+
 }  // namespace
 }  // namespace wirewarp

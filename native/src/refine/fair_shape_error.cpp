@@ -12,6 +12,7 @@ namespace {
 using HatGradients = Eigen::Matrix<double, 2, 3>;
 using PerCorner = Eigen::Matrix<double, 2, 3>;
 
+constexpr double kOpen = 0.7;                 // |z| of a triangle that is not much compressed
 constexpr double kSmallestDeterminant = 0.1;  // where the barrier begins
 
 double kappa(double norm_z, Curvature curvature) {
@@ -19,6 +20,8 @@ double kappa(double norm_z, Curvature curvature) {
   switch (curvature) {
     case Curvature::exact:
       return exact;
+    case Curvature::exact_where_open:
+      return norm_z >= 2 * kOpen ? exact : std::min(exact, 1.0);
     case Curvature::convex:
       return std::min(exact, 1.0);
     case Curvature::none:

@@ -22,8 +22,9 @@ namespace wirewarp {
 /// How much of the negative curvature of E the Hessian keeps.
 enum class Curvature {
   exact,
-  convex,  // κ <= 1 everywhere: positive semidefinite
-  none,    // κ = 0: the Laplacian
+  exact_where_open,  // κ <= 1 on triangles compressed below 0.7
+  convex,            // κ <= 1 everywhere: positive semidefinite
+  none,              // κ = 0: the Laplacian
 };
 
 class FairShapeError {

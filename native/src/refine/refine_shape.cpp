@@ -29,6 +29,7 @@ constexpr double kFlat = 1e-4;  // negative curvature over that of the convex pa
 constexpr double kStrongestBarrier = 1000;
 
 constexpr Convexity kExactHessian{Curvature::exact, true};
+constexpr Convexity kOpenHessian{Curvature::exact_where_open, true};
 constexpr Convexity kConvexHessian{Curvature::convex, false};
 constexpr Convexity kLaplacian{Curvature::none, false};
 
@@ -141,11 +142,15 @@ bool Refinement::reach_exact_lengths() {
 }
 
 Refinement::Outcome Refinement::take_newton_step() {
-  if (!system_.factorize(now_.uv, multipliers_, kExactHessian)) return Outcome::not_positive;
+  const bool is_exact = system_.factorize(now_.uv, multipliers_, kExactHessian);
+  // Triangles that are nearly points bend f down more than anything else: a step without their share opens them.
+  const bool try_open = !is_exact && objective_.count_flips(now_.uv) > 0 && may_go_on();
+  if (!is_exact && !(try_open && system_.factorize(now_.uv, multipliers_, kOpenHessian))) return Outcome::not_positive;
   const Step step = newton_step();
   const double slope = dot(gradient_, step.d);
   const bool is_last = std::abs(slope) < worthwhile();
-  for (const double t : {1.0, 0.5}) {  // shorter steps are better taken in a ball
+  if (is_last && !is_exact) return Outcome::rejected;  // perhaps a saddle
+  for (const double t : {1.0, 0.5}) {                  // shorter steps are better taken in a ball
     Iterate trial{now_.uv + t * step.d, now_.variation + t * step.variation};
     if (!evaluate(trial) || !(trial.value <= now_.value + kSufficient * t * slope)) continue;
     now_ = std::move(trial);
