@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <ostream>
 
 #include "charts/chart_faults.h"
 #include "feasibility/cut_to_disk.h"
@@ -166,6 +167,9 @@ struct Case {
 };
 
 std::string name_of(const testing::TestParamInfo<Case>& test) { return test.param.name; }
+
+/// For the names of tests in a report.
+void PrintTo(const Case& shape, std::ostream* out) { *out << shape.name; }
 
 class ProposedSeams : public testing::TestWithParam<Case> {};
 
