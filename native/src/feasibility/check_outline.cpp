@@ -38,14 +38,19 @@ std::string name_loop(const Chart& chart, const OutlineLoop& loop) {
   return number(loop.length) + " long at " + name_elements("vertex", std::vector<int>{source_of_loop(chart, loop)});
 }
 
-/// " (the others are 0.2 long at vertex 7 and 0.1 long at vertex 9)", nothing for a single loop.
-std::string name_other_loops(const Chart& chart, const std::vector<OutlineLoop>& loops) {
-  if (loops.size() < 2) return "";
-  std::string names;
-  for (std::size_t i = 1; i < loops.size(); ++i) {
-    names += (i == 1 ? "" : i + 1 == loops.size() ? " and " : ", ") + name_loop(chart, loops[i]);
+/// "its outline, 0.4 long at vertex 3," or "its outlines, 0.4 long at vertex 3 and 0.2 long at vertex 7,".
+std::string name_outlines(const Chart& chart, const std::vector<OutlineLoop>& loops) {
+  std::string names = loops.size() == 1 ? "its outline, " : "its outlines, ";
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    names += (i == 0 ? "" : i + 1 == loops.size() ? " and " : ", ") + name_loop(chart, loops[i]);
   }
-  return (loops.size() == 2 ? " (the other is " : " (the others are ") + names + ")";
+  return names + ",";
+}
+
+std::string what_to_do(std::size_t num_loops) {
+  if (num_loops == 1) return "needs another seam";
+  if (num_loops == 2) return "is a tube and needs a seam from one opening to the other";
+  return "needs seams between its " + std::to_string(num_loops) + " openings";
 }
 
 }  // namespace
@@ -62,15 +67,12 @@ std::optional<FlattenError> find_short_outline(const Chart& chart) {
   }
   elements.faces = chart.source_face;
   elements.proposed_seams = propose_seams(chart);
-  const bool is_tube = outline.loops.size() > 1;
   const std::string message =
       "The piece around face " + std::to_string(chart.source_face.front()) + " (" +
-      std::to_string(chart.source_face.size()) + " triangles) cannot lie flat: " +
-      (is_tube ? "the longest of its " + std::to_string(outline.loops.size()) + " outlines, " : "its outline, ") +
-      name_loop(chart, outline.loops.front()) + name_other_loops(chart, outline.loops) + ", can hold no more than " +
-      percent(share) + " of its area (a distortion of at least " + number(least_shape_error(share)) +
-      "): " + (is_tube ? "mark a seam between its outlines, such as " : "mark a seam such as ") +
-      name_elements("edge", elements.proposed_seams) + ".";
+      std::to_string(chart.source_face.size()) + " triangles) " + what_to_do(outline.loops.size()) +
+      ", such as along " + name_elements("edge", elements.proposed_seams) + ": " + name_outlines(chart, outline.loops) +
+      " can hold no more than " + percent(share) + " of its area in the plane (a distortion of at least " +
+      number(least_shape_error(share)) + ").";
   return FlattenError(ErrorCode::boundary_too_short, message, std::move(elements));
 }
 
