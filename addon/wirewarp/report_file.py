@@ -4,6 +4,7 @@
 import json
 from pathlib import Path
 
+from .cloth import aspect_ratio, strain_text, strained_pieces
 from .report import SCHEMA
 
 SHOWN_SENTENCES = 4
@@ -30,12 +31,18 @@ def failure_text(reports: list[dict]) -> str:
         for report in reports
         for issue in report["issues"]
     ]
-    hidden = len(lines) - SHOWN_SENTENCES
-    more = [f"And {hidden} more: see the report in the sidebar."] if hidden > 0 else []
-    return "\n".join(lines[:SHOWN_SENTENCES] + more)
+    return _capped(lines)
+
+
+def strained_text(reports: list[dict]) -> str:
+    """Which of the pieces that keep their lengths no cloth can follow, one line each; "" if none."""
+    strained = [(report["object"], piece) for report in reports for piece in strained_pieces(report)]
+    strained.sort(key=lambda entry: aspect_ratio(entry[1]), reverse=True)
+    return _capped([strain_text(f"{name}, piece {piece['index'] + 1},", piece) for name, piece in strained])
 
 
 def success_text(reports: list[dict]) -> str:
+    """Of reports without an issue and without a strained piece."""
     pieces = sum(len(report["pieces"]) for report in reports)
     count = f"{pieces} flat piece{'s' if pieces != 1 else ''}"
     return f"Ready to cut: {count}, {kept_text(reports)} ({reports[0]['method_name']})"
@@ -47,6 +54,12 @@ def kept_text(reports: list[dict]) -> str:
         wire["tolerance"] != 0 for report in reports if report["method"] != "wirewarping" for wire in report["wires"]
     )
     return "every length kept or within its tolerance" if loose else "every length kept"
+
+
+def _capped(lines: list[str]) -> str:
+    hidden = len(lines) - SHOWN_SENTENCES
+    more = [f"And {hidden} more: see the report in the sidebar."] if hidden > 0 else []
+    return "\n".join(lines[:SHOWN_SENTENCES] + more)
 
 
 def _piece_name(issue: dict) -> str:

@@ -6,7 +6,7 @@ import math
 
 import bpy
 import pytest
-from surfaces import bump, edge_lengths, edge_vertices, grid, mark, mark_seam, on_line, read, select_only
+from surfaces import bump, edge_lengths, edge_vertices, grid, half_cylinder, mark, mark_seam, on_line, read, select_only
 
 WIRE, SEAM = on_line(1, 0.0), on_line(0, 0.0)
 
@@ -97,17 +97,85 @@ def test_tolerances_are_shown_in_percent(addon, tolerance, text):
 
 
 def test_pieces_ready_to_cut_are_told_from_those_that_failed(addon):
-    def verdict(*ok):
-        pieces = [{"index": index, "ok": piece} for index, piece in enumerate(ok)]
-        return addon.ui.verdict.verdict(
-            {"ok": bool(ok) and all(ok), "pieces": pieces, "method": "refined", "wires": []}
-        )
+    def verdict(*aspect_ratios):
+        lines = addon.ui.verdict.verdict(report_of_pieces(*aspect_ratios))
+        return [(line.text, line.icon) for line in lines]
 
-    assert verdict(True, True) == [("Ready to cut: 2 pieces, every length kept", "TICK")]
+    assert verdict(1.0, 1.25) == [("Ready to cut: 2 pieces, every length kept", "TICK")]
     failed = ("Do not cut: 1 of 3 pieces failed", "CANCEL")
-    assert verdict(True, False, True) == [failed, ("Ready to cut: pieces 1, 3", "TICK")]
-    assert verdict(False) == [("Do not cut: the piece failed", "CANCEL")]
+    assert verdict(1.0, None, 1.0) == [failed, ("Ready to cut: pieces 1, 3", "TICK")]
+    assert verdict(None) == [("Do not cut: the piece failed", "CANCEL")]
     assert verdict() == [("Not flattened", "CANCEL")]
+
+
+def report_of_pieces(*aspect_ratios, name="Bump"):
+    """Pieces of these largest aspect ratios; None: a piece that failed."""
+    pieces = [
+        {"index": index, "ok": ratio is not None, "aspect_ratio_max": ratio}
+        for index, ratio in enumerate(aspect_ratios)
+    ]
+    ok = bool(pieces) and None not in aspect_ratios
+    return {"object": name, "ok": ok, "pieces": pieces, "method": "refined", "method_name": "Refined", "wires": []}
+
+
+def strain_sentence(piece, percent):
+    return (
+        f"Lengths kept, but piece {piece} must stretch or ease by up to {percent} %: "
+        "a seam or a dart there would relieve it"
+    )
+
+
+def test_pieces_that_cloth_cannot_follow_are_not_ready_to_cut(addon):
+    verdict = addon.ui.verdict.verdict
+    assert verdict(report_of_pieces(1.65)) == [(strain_sentence(1, 65), "ERROR", 0)]
+    assert verdict(report_of_pieces(1.65, None, 1.1, 14.0)) == [
+        ("Do not cut: 1 of 4 pieces failed", "CANCEL", None),
+        (strain_sentence(4, 1300), "ERROR", 3),
+        (strain_sentence(1, 65), "ERROR", 0),
+        ("Ready to cut: piece 3", "TICK", None),
+    ]
+    *shown, more = verdict(report_of_pieces(1.3, 1.4, 1.5, 1.6, 1.7, 1.8))
+    assert [line.piece for line in shown] == [5, 4, 3, 2]
+    assert more.text == "And 2 more: see Pieces below"
+    report = report_of_pieces(1.0)
+    report["pieces"][0]["aspect_ratio_max"] = None  # "inf": a face squeezed to a line
+    (line,) = verdict(report)
+    assert "piece 1 must stretch or ease more than any cloth can" in line.text
+
+
+def test_the_message_after_flattening_names_the_pieces_that_cloth_cannot_follow(addon):
+    strained_text = addon.report_file.strained_text
+    fine = report_of_pieces(1.0, 1.25)
+    assert strained_text([fine]) == ""
+    assert addon.report_file.success_text([fine]) == "Ready to cut: 2 flat pieces, every length kept (Refined)"
+    lines = strained_text([report_of_pieces(1.3, name="A"), report_of_pieces(1.0, 1.65, name="B")]).split("\n")
+    assert [line.split(":")[0] for line in lines] == [
+        "Lengths kept, but B, piece 2, must stretch or ease by up to 65 %",
+        "Lengths kept, but A, piece 1, must stretch or ease by up to 30 %",
+    ]
+
+
+def half_sphere(x, y):
+    """The square's rings of cells laid on the circles of latitude of a half sphere."""
+    polar, angle = max(abs(x), abs(y)) * math.pi / 2, math.atan2(y, x)
+    return (math.sin(polar) * math.cos(angle), math.sin(polar) * math.sin(angle), math.cos(polar))
+
+
+def test_a_half_sphere_keeps_its_lengths_but_is_not_ready_to_cut(addon, tmp_path):
+    grid("Half Sphere", half_sphere)
+    (report,) = flatten_with_report(tmp_path)["objects"]
+    assert report["ok"]
+    # No rim of length 2 pi encloses more than pi, half the area: some face is squeezed by sqrt(2) one way at least.
+    assert report["pieces"][0]["aspect_ratio_max"] > 1.4
+    (line,) = addon.ui.verdict.verdict(report)
+    assert (line.icon, line.piece) == ("ERROR", 0)
+    assert line.text.startswith("Lengths kept, but piece 1 must stretch or ease by up to")
+
+
+def test_a_strip_of_a_cylinder_is_ready_to_cut(addon, tmp_path):
+    grid("Half Cylinder", half_cylinder)
+    (report,) = flatten_with_report(tmp_path)["objects"]
+    assert addon.ui.verdict.verdict(report) == [("Ready to cut: 1 piece, every length kept", "TICK", None)]
 
 
 def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):

@@ -9,7 +9,7 @@ from ..flatten_job import FlattenChoices
 from ..flatten_objects import compute, write
 from ..properties import LIBRARY_METHODS, FlattenSettings, take_settings
 from ..redraw import redraw_views
-from ..report_file import failure_text, run_report, success_text, write_json
+from ..report_file import failure_text, run_report, strained_text, success_text, write_json
 from ..targets import in_object_mode, mesh_targets
 from ..ui.settings import draw_settings
 from ..unit_text import meters_per_blender_unit
@@ -57,7 +57,9 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
             self._write_report(context, report_file, reports)
         if all(report["ok"] for report in reports):
             notes = [note for report in reports for note in report["notes"]]
-            self.report({"WARNING" if notes else "INFO"}, "\n".join([success_text(reports), *notes]))
+            strained = strained_text(reports)
+            text = "\n".join([strained or success_text(reports), *notes])
+            self.report({"WARNING" if strained or notes else "INFO"}, text)
         else:
             self.report({"ERROR"}, failure_text(reports))
         return {"FINISHED"} if anything else {"CANCELLED"}

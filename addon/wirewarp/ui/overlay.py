@@ -21,7 +21,7 @@ class VIEW3D_PT_wirewarp_overlay(SidebarPanel, bpy.types.Panel):
         layout.prop(settings, "shown_map", text="")
         active = context.active_object
         if active and active.type == "MESH" and _names_elements(last_report(active.wirewarp_source or active)):
-            layout.operator("mesh.wirewarp_select_issues", text="Select Failing Elements", icon="RESTRICT_SELECT_OFF")
+            layout.operator("mesh.wirewarp_select_issues", icon="RESTRICT_SELECT_OFF")
 
 
 def _names_elements(report: dict | None) -> bool:

@@ -8,7 +8,7 @@ from ..report_store import last_report
 from .panel import SidebarPanel
 from .report_issues import draw_issues
 from .report_rows import helper_rows, outline_rows, piece_rows, seam_rows, wire_rows
-from .report_table import draw_heading, draw_table
+from .report_table import draw_heading, draw_select, draw_table
 from .text import draw_sentence
 from .verdict import verdict
 
@@ -41,14 +41,21 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
             warning.alert = True
             draw_sentence(context, warning, "The model has changed since: flatten again.", "ERROR")
         else:
-            for text, icon in verdict(report):
-                draw_sentence(context, layout, text, icon)
+            self._draw_verdict(context, report)
         if "method_name" in report:
             draw_sentence(context, layout, f"Method: {report['method_name']}")
         if report["issues"]:
             draw_issues(context, layout.box(), report["issues"])
         for note in report["notes"]:
             draw_sentence(context, layout, note, "INFO")
+
+    def _draw_verdict(self, context: bpy.types.Context, report: dict) -> None:
+        for line in verdict(report):
+            selectable = line.piece is not None and "flat_object" in report
+            row = self.layout.row(align=True)
+            draw_sentence(context, row, line.text, line.icon, spare=22 if selectable else 0)
+            if selectable:
+                draw_select(row, "PIECE", line.piece)
 
 
 class ReportTable(SidebarPanel):

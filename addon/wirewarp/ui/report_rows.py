@@ -4,6 +4,7 @@
 import math
 from dataclasses import dataclass
 
+from ..cloth import aspect_ratio
 from ..tolerance_text import tolerance_text
 
 
@@ -100,13 +101,13 @@ def helper_rows(report: dict) -> list[ReportRow]:
 
 
 def piece_rows(report: dict) -> list[tuple[int, bool, list[str]]]:
-    """(index, ok, lines) of each piece, failed ones first."""
+    """(index, ok, lines) of each piece, failed ones first, then by their aspect ratio."""
     rows = []
-    for piece in sorted(report["pieces"], key=lambda piece: piece["ok"]):
+    for piece in sorted(report["pieces"], key=lambda piece: (piece["ok"], -aspect_ratio(piece))):
         lines = [f"Piece {piece['index'] + 1}, {piece['faces']} faces"]
         if piece["has_layout"]:
             lines.append(f"Distortion {piece['arap_energy']:.4f}")
-            lines.append(f"Aspect ratio up to {piece['aspect_ratio_max']:.3f}")
+            lines.append(f"Aspect ratio up to {aspect_ratio(piece):.3f}")
             deviation = math.degrees(piece["angle_deviation_max"])
             lines.append(f"Angles up to {deviation:.1f}° off")
         rows.append((piece["index"], piece["ok"], lines))

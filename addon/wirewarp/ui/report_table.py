@@ -35,8 +35,12 @@ def draw_heading(
     for number, line in enumerate(broken(context, name, spare=0 if index is None else 22)):
         text.label(text=line, icon="BLANK1" if number else "CHECKMARK" if ok else "CANCEL")
     if index is not None:
-        button = row.operator("mesh.wirewarp_select_result", text="", icon="RESTRICT_SELECT_OFF", emboss=False)
-        button.what, button.index = what, index
+        draw_select(row, what, index)
+
+
+def draw_select(row: bpy.types.UILayout, what: str, index: int) -> None:
+    button = row.operator("mesh.wirewarp_select_result", text="", icon="RESTRICT_SELECT_OFF", emboss=False)
+    button.what, button.index = what, index
 
 
 def _draw_wide(column: bpy.types.UILayout, row: ReportRow, text: LengthText) -> None:
