@@ -74,7 +74,7 @@ void flatten_by_warping(const Chart& chart, const FlattenInput& input, const Opt
   layout.uv = std::move(solution.shape.uv);
 }
 
-void report_refinement(const RefinedChart& refined, PieceReport& report) {
+void report_refinement(const ChartRefinement& refined, PieceReport& report) {
   report.inner_solves = refined.inner.num_solves;
   report.outer_iterations = refined.shape.iterations;
   report.factorizations = refined.shape.factorizations;
@@ -99,7 +99,7 @@ void flatten_by_refining(const Chart& chart, const FlattenInput& input, const Op
   layout.network = build_wire_network(chart);
   bool was_stopped = false;
   const auto may_go_on = [&] { return !(was_stopped = was_stopped || !go_on("shape")); };
-  RefinedChart refined = refine_chart(chart, options, may_go_on);
+  ChartRefinement refined = refine_chart(chart, options, may_go_on);
   if (!refined.shape.is_exact) {
     std::vector<ProposedTolerance> tolerances;
     if (!was_stopped) tolerances = propose_tolerances(chart, options, refined, may_go_on);

@@ -339,7 +339,7 @@ TEST(RefineShape, CancelledAtAnyMomentItIsExactOrSaysSo) {
     const RefinedShape whole = refine_chart(panel.chart, Options{}, [&] { return ++questions > 0; }).shape;
     for (int last = 1; last <= questions; ++last) {
       int asked = 0;
-      const RefinedChart stopped = refine_chart(panel.chart, Options{}, [&] { return ++asked < last; });
+      const ChartRefinement stopped = refine_chart(panel.chart, Options{}, [&] { return ++asked < last; });
       EXPECT_TRUE(stopped.was_stopped);
       EXPECT_EQ(asked, last) << "not asked again after a no";
       if (!stopped.shape.is_exact) continue;

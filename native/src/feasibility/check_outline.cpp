@@ -48,9 +48,9 @@ std::string name_outlines(const Chart& chart, const std::vector<OutlineLoop>& lo
 }
 
 std::string what_to_do(std::size_t num_loops) {
-  if (num_loops == 1) return "needs another seam";
-  if (num_loops == 2) return "is a tube and needs a seam from one opening to the other";
-  return "needs seams between its " + std::to_string(num_loops) + " openings";
+  if (num_loops == 1) return "cannot lie flat: mark another seam";
+  if (num_loops == 2) return "is a tube: mark a seam from one opening to the other";
+  return "cannot lie flat: mark seams between its " + std::to_string(num_loops) + " openings";
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ std::optional<FlattenError> find_short_outline(const Chart& chart) {
   const std::string message =
       "The piece around face " + std::to_string(chart.source_face.front()) + " (" +
       std::to_string(chart.source_face.size()) + " triangles) " + what_to_do(outline.loops.size()) +
-      ", such as along " + name_elements("edge", elements.proposed_seams) + ": " + name_outlines(chart, outline.loops) +
+      ", such as along " + name_elements("edge", elements.proposed_seams) + "; " + name_outlines(chart, outline.loops) +
       " can hold no more than " + percent(share) + " of its area in the plane (a distortion of at least " +
       number(least_shape_error(share)) + ").";
   return FlattenError(ErrorCode::boundary_too_short, message, std::move(elements));

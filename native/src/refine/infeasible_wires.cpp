@@ -76,7 +76,7 @@ Tolerances free_wires(const Chart& chart) {
 }  // namespace
 
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Options& options,
-                                                  const RefinedChart& refined, const std::function<bool()>& go_on) {
+                                                  const ChartRefinement& refined, const std::function<bool()>& go_on) {
   const Tolerances plain = find_needs(chart, refined.loose, kKept);
   const Tolerances possible = find_needs(chart, refined.loose, kPerhapsKept);
   const Tolerances candidates[] = {widened(chart, plain, 1),
@@ -92,7 +92,7 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Opti
   brief.max_factorizations = std::min(options.max_factorizations, kMaxFactorizations);
   for (const Tolerances& tolerances : candidates) {
     if (tolerances.empty()) continue;
-    const RefinedChart trial = refine_chart(with_tolerances(chart, tolerances), brief, go_on);
+    const ChartRefinement trial = refine_chart(with_tolerances(chart, tolerances), brief, go_on);
     if (trial.was_stopped) return {};
     if (!trial.shape.is_exact) continue;
     std::vector<ProposedTolerance> proposed;

@@ -11,6 +11,6 @@ namespace wirewarp {
 /// are found: then the outline is at fault. refined: of the chart, not exact. Stops early, with nothing, where go_on
 /// says so.
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Options& options,
-                                                  const RefinedChart& refined, const std::function<bool()>& go_on);
+                                                  const ChartRefinement& refined, const std::function<bool()>& go_on);
 
 }  // namespace wirewarp

@@ -24,9 +24,9 @@ WarpedShape warp_wires(const Chart& chart, const Options& options) {
 
 }  // namespace
 
-RefinedChart refine_chart(const Chart& chart, const Options& options, const std::function<bool()>& go_on) {
+ChartRefinement refine_chart(const Chart& chart, const Options& options, const std::function<bool()>& go_on) {
   const WireNetwork held_network = build_held_network(chart);
-  RefinedChart result;
+  ChartRefinement result;
   RefinementLimits limits{options.max_factorizations, [&] {
                             result.was_stopped = result.was_stopped || !go_on();
                             return !result.was_stopped;

@@ -11,7 +11,7 @@
 
 namespace wirewarp {
 
-struct RefinedChart {
+struct ChartRefinement {
   RefinedShape shape;   // not exact: no flat shape with these lengths was found, or the limits came first
   InnerSolution inner;  // of the second start; not feasible where even the wires alone do not close
   LooseShape loose;     // of the third start, if the second has no exact lengths either
@@ -22,6 +22,6 @@ struct RefinedChart {
 /// first flattened alone: the angles of Eq. (1) on the network that process_topology prepares, the other vertices by
 /// interior placement (paper II-A); that shape has exact lengths. Where even this does not exist, the third start is
 /// the shape that breaks lengths at the least price: none, if it finds that they can be kept after all.
-RefinedChart refine_chart(const Chart& chart, const Options& options, const std::function<bool()>& go_on);
+ChartRefinement refine_chart(const Chart& chart, const Options& options, const std::function<bool()>& go_on);
 
 }  // namespace wirewarp
