@@ -3,6 +3,7 @@
 
 import json
 import math
+from types import SimpleNamespace
 
 import bpy
 import pytest
@@ -153,6 +154,14 @@ def test_the_message_after_flattening_names_the_pieces_that_cloth_cannot_follow(
         "Lengths kept, but B, piece 2, must stretch or ease by up to 65 %",
         "Lengths kept, but A, piece 1, must stretch or ease by up to 30 %",
     ]
+
+
+def test_a_narrow_sidebar_does_not_part_a_number_from_its_percent_sign(addon):
+    system = SimpleNamespace(ui_scale=1.0)
+    for width in range(150, 400, 5):
+        context = SimpleNamespace(region=SimpleNamespace(width=width), preferences=SimpleNamespace(system=system))
+        lines = addon.ui.text.broken(context, strain_sentence(1, 65))
+        assert any("65\N{NO-BREAK SPACE}%" in line for line in lines)
 
 
 def half_sphere(x, y):

@@ -29,9 +29,9 @@ def draw_cells(layout: bpy.types.UILayout, label: str, cells: list[str], label_s
 
 
 def broken(context: bpy.types.Context, text: str, spare: int = 0) -> list[str]:
-    """The text in lines that fit the region beside an icon; spare: pixels to leave free."""
+    """The text in lines that fit the region beside an icon, no number apart from its %; spare: pixels to leave free."""
     width = (context.region.width / context.preferences.system.ui_scale - 68 - spare) / 6.2
-    return textwrap.wrap(text, max(12, int(width)))
+    return textwrap.wrap(text.replace(" %", "\N{NO-BREAK SPACE}%"), max(12, int(width)))
 
 
 def draw_sentence(
