@@ -41,7 +41,7 @@ def document(benchmarks: list[dict], comparisons: list[Comparison]) -> str:
             "",
             "## Against libigl",
             "",
-            f"libigl from PyPI: harmonic start, {ITERATIONS} iterations, and no line keeps its length; SLIM (symmetric "
+            f"libigl (its Python package): harmonic start, {ITERATIONS} iterations, and no line keeps its length; SLIM (symmetric "
             f"Dirichlet energy) up to {LARGEST_FOR_SLIM:,} triangles. WireWarp: the outline rigid, and two or eight "
             "rigid wires or eight elastic ones of ±3 %. All called from Python, turn by turn in one process on one "
             "core; median seconds. Distortion (ARAP energy over area) and lengths as in the results of `wirewarp`: the "
