@@ -131,7 +131,6 @@ Eigen::SparseMatrix<double> NewtonSystem::hessian(const Positions2& uv, const Ei
 }
 
 Positions2 NewtonSystem::apply_inverse(const Positions2& b) const {
-  ++num_solves_;
   Positions2 x = b;
   cholesky_->solve_in_place(Eigen::Map<Eigen::VectorXd>(x.data(), x.size()));
   return x;
@@ -139,7 +138,6 @@ Positions2 NewtonSystem::apply_inverse(const Positions2& b) const {
 
 /// A⁻¹ Jᵀ of tensions in the wires.
 Positions2 NewtonSystem::response(const Eigen::VectorXd& tensions, Where wanted) const {
-  ++num_solves_;
   Positions2 x = Positions2::Zero(matrix_.lower().rows() / 2, 2);
   constraints_.add_transposed(directions_, tensions, x);
   cholesky_->solve_in_place(Eigen::Map<Eigen::VectorXd>(x.data(), x.size()), on_wires_,
@@ -191,7 +189,6 @@ Eigen::MatrixXd NewtonSystem::hessian_by_variation() const {
         x.col(c) = Eigen::Map<const Eigen::VectorXd>(one.data(), one.size());
       }
       cholesky_->solve_in_place(x, on_wires_, on_wires_);
-      ++num_solves_;
       for (Eigen::Index c = 0; c < columns; ++c) {
         one = Eigen::Map<const Positions2>(x.col(c).data(), x.rows() / 2, 2);
         multipliers.col(first + c) += excess_tensions(one, lengths.col(first + c));

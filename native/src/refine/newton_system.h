@@ -68,7 +68,6 @@ class NewtonSystem {
   const Positions2& directions() const { return directions_; }
 
   int num_factorizations() const { return num_factorizations_; }
-  int num_solves() const { return num_solves_; }
 
  private:
   void assemble(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
@@ -87,7 +86,6 @@ class NewtonSystem {
   std::optional<MultifrontalCholesky> cholesky_;  // of A
   MultifrontalCholesky::Branches on_wires_, everywhere_;
   int num_factorizations_ = 0;
-  mutable int num_solves_ = 0;
 };
 
 }  // namespace wirewarp
