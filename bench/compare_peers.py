@@ -42,11 +42,11 @@ def document(benchmarks: list[dict], comparisons: list[Comparison]) -> str:
             "## Against libigl",
             "",
             f"libigl as a Python package: harmonic start, {ITERATIONS} iterations, and no line keeps its length; SLIM "
-            f"(symmetric Dirichlet energy) up to {LARGEST_FOR_SLIM:,} triangles. WireWarp: the outline rigid, and two or "
-            "eight rigid wires or eight elastic ones of ±3 %. All called from Python, turn by turn in one process on one "
-            "core; median seconds. Distortion (ARAP energy over area) and lengths as in the results of `wirewarp`: the "
-            "worst relative error of a whole wire or stretch of outline, and of a single edge of them, against the "
-            "lengths that were chosen, for libigl against those on the surface with eight wires.",
+            f"(symmetric Dirichlet energy) up to {LARGEST_FOR_SLIM:,} triangles. WireWarp: the outline rigid, and two "
+            "or eight rigid wires or eight elastic ones of ±3 %. All called from Python, turn by turn in one process "
+            "on one core; median seconds. Distortion (ARAP energy over area) and lengths as in the results of "
+            "`wirewarp`: the worst relative error of a whole wire or stretch of outline, and of a single edge of "
+            "them, against the lengths that were chosen, for libigl against those on the surface with eight wires.",
             "",
             *tables.peer_table(comparisons),
             "",
