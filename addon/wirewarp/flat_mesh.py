@@ -5,6 +5,7 @@ The flat mesh has the source's own faces, quads and n-gons included, so that its
 nothing else. Measures taken per triangle are put together per face: energies add up, of ratios the worst counts.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,6 +13,8 @@ import numpy as np
 
 from .flatten_job import has_layout
 from .mesh_to_arrays import MeshArrays
+from .pieces.identity import PieceIdentity
+from .triangle_areas import triangle_areas
 
 
 @dataclass(frozen=True)
@@ -26,6 +29,7 @@ class FlatMesh:
     source_corner: np.ndarray  # (l,) int32, corner (loop) of the source
     source_face: np.ndarray  # (f,) int32, face of the source
     piece: np.ndarray  # (f,) int32, piece of each face
+    piece_id: np.ndarray  # (f,) int32, by which the piece is known again in the next run
     failed: np.ndarray  # (f,) bool, the piece breaks a promise
     arap_energy: np.ndarray  # (f,) float32, Eq. (6)
     energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
@@ -33,7 +37,7 @@ class FlatMesh:
     stretch: np.ndarray  # (f,) float32: 0.1 is cloth that the model stretches by 10 %, in the mean of all directions
 
 
-def flat_mesh(result: Any, arrays: MeshArrays) -> FlatMesh:  # noqa: ANN401
+def flat_mesh(result: Any, arrays: MeshArrays, identities: Sequence[PieceIdentity]) -> FlatMesh:  # noqa: ANN401
     """The pieces of a FlattenResult side by side, as packed."""
     vertices, source_vertex, flat_triangles, piece_of_triangle, energy, ratio = _join_pieces(result, arrays)
     placed = has_layout(result.corner_uv)
@@ -50,8 +54,8 @@ def flat_mesh(result: Any, arrays: MeshArrays) -> FlatMesh:  # noqa: ANN401
     piece = piece_of_triangle[first_triangle][kept]
     source_corner = _loops_of(arrays, kept)
     face_energy = np.add.reduceat(energy, first_triangle)[kept]
-    face_area = np.add.reduceat(_areas(arrays.vertices, arrays.triangles), first_triangle)[kept]
-    flat_area = np.add.reduceat(_areas(_in_space(vertices), flat_triangles), first_triangle)[kept]
+    face_area = np.add.reduceat(triangle_areas(arrays.vertices, arrays.triangles), first_triangle)[kept]
+    flat_area = np.add.reduceat(triangle_areas(_in_space(vertices), flat_triangles), first_triangle)[kept]
     return FlatMesh(
         vertices=vertices,
         source_vertex=source_vertex,
@@ -61,6 +65,7 @@ def flat_mesh(result: Any, arrays: MeshArrays) -> FlatMesh:  # noqa: ANN401
         source_corner=source_corner.astype(np.int32),
         source_face=np.flatnonzero(kept).astype(np.int32),
         piece=piece,
+        piece_id=np.array([identity.piece_id for identity in identities], dtype=np.int32)[piece],
         failed=failed_piece[piece],
         arap_energy=face_energy.astype(np.float32),
         energy_density=(face_energy / face_area).astype(np.float32),
@@ -115,10 +120,3 @@ def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
 
 def _in_space(points: np.ndarray) -> np.ndarray:
     return np.column_stack([points, np.zeros(len(points))])
-
-
-def _areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    x, y, z = (np.ascontiguousarray(column)[triangles] for column in vertices.T)  # (m,3), one per corner
-    ux, uy, uz = (each[:, 1] - each[:, 0] for each in (x, y, z))
-    vx, vy, vz = (each[:, 2] - each[:, 0] for each in (x, y, z))
-    return np.sqrt((uy * vz - uz * vy) ** 2 + (uz * vx - ux * vz) ** 2 + (ux * vy - uy * vx) ** 2) / 2

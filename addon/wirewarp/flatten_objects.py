@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flatten as a whole: everything is computed before anything is written."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from types import ModuleType
 from typing import Any
@@ -18,6 +18,8 @@ from .left_out import left_out
 from .mesh_to_arrays import MeshArrays, element_counts, object_to_arrays
 from .model_maps import model_maps
 from .model_state import model_state
+from .pieces.identity import PieceIdentity, identify_pieces
+from .pieces.records import known_pieces, write_pieces
 from .properties import FlattenSettings
 from .report import failure_report, object_report
 from .report_store import remember, store
@@ -38,6 +40,7 @@ class Outcome:
     report: dict
     arrays: MeshArrays | None = None
     result: Any = None
+    pieces: Sequence[PieceIdentity] = ()
 
     @property
     def has_layout(self) -> bool:
@@ -67,7 +70,10 @@ def compute(
         except ObjectError as error:
             outcome = Outcome(source, failure_report(error.issue))
         else:
-            outcome = Outcome(source, object_report(result, arrays, meters), arrays, result)
+            # Results with modifiers are not written to the model: only the flat pieces know the last ids.
+            known = known_pieces(source, arrays, find_flat_object(source) if use_modifiers else None)
+            pieces = identify_pieces(result, arrays, known)
+            outcome = Outcome(source, object_report(result, arrays, pieces, meters), arrays, result, pieces)
         outcome.report = _identify(outcome.report, source, use_modifiers)
         outcome.report |= {"options": asdict(choices), "model_state": state}
         outcome.report["notes"] += left_out(source, outcome.arrays, use_modifiers)
@@ -83,9 +89,10 @@ def write(context: bpy.types.Context, outcomes: list[Outcome], settings: Flatten
                 outcome.report["notes"].append("Nothing was written: the flat pieces are those of an earlier run.")
             remember(outcome.source, outcome.report)
             continue
-        pieces = flat_mesh(outcome.result, outcome.arrays)
+        pieces = flat_mesh(outcome.result, outcome.arrays, outcome.pieces)
         if outcome.source.data.library is None:
             update_names(outcome.source.data, [wire.chain.wire_id for wire in outcome.arrays.wires])
+        write_pieces(outcome.source, outcome.result, outcome.arrays, outcome.pieces, not settings.use_modifiers)
         flat = write_flat_object(context.scene, outcome.source, pieces, outcome.arrays)
         if not settings.use_modifiers:
             _write_to_model(outcome, pieces, flat, settings.maps_on_model)

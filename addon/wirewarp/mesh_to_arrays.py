@@ -10,6 +10,8 @@ import numpy as np
 
 from .foreach import read
 from .issues import object_error
+from .pieces.attribute import read_piece_ids
+from .pieces.face_regions import FaceRegions, face_regions
 from .wire_attributes import read_marks
 from .wire_chains import WireChain, chains_of_marks
 from .wire_names import names_of
@@ -35,6 +37,8 @@ class MeshArrays:
     edges: np.ndarray  # (e,2) int32
     seams: np.ndarray  # (k,2) int32
     wires: list[NamedWire]
+    piece_ids: np.ndarray  # (f,) int32, of the pieces that the polygons were in when last flattened; 0 none
+    regions: FaceRegions
     loose_marks: int  # edges without a face that are marked as wires: they are left out
     mirrored: bool
 
@@ -43,9 +47,9 @@ def object_to_arrays(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | 
     """The object's base mesh, or with a depsgraph the mesh that its modifiers make. Raises ObjectError."""
     linear = linear_part(source)
     if depsgraph is None:
-        return _mesh_to_arrays(source.data, source.data, linear)
+        return _mesh_to_arrays(source.data, source, linear)
     with evaluated_mesh(source, depsgraph) as mesh:
-        return _mesh_to_arrays(mesh, source.data, linear)
+        return _mesh_to_arrays(mesh, source, linear)
 
 
 def linear_part(source: bpy.types.Object) -> np.ndarray:
@@ -81,7 +85,7 @@ def evaluated_mesh(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> 
         evaluated.to_mesh_clear()
 
 
-def _mesh_to_arrays(mesh: bpy.types.Mesh, named: bpy.types.Mesh, linear: np.ndarray) -> MeshArrays:
+def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.ndarray) -> MeshArrays:
     mirrored = bool(np.linalg.det(linear) < 0)
     mesh.calc_loop_triangles()
     # A mirrored object's faces still look outward in Blender, but their corners run the other way round.
@@ -105,8 +109,10 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, named: bpy.types.Mesh, linear: np.ndar
         edges=edges,
         seams=edges[read(mesh.edges, "use_seam", bool) & in_face],  # a loose edge cuts nothing
         wires=_name_wires(
-            named, chains_of_marks(edges, np.where(in_face, marks.wire_ids, 0), marks.tolerances, vertices)
+            source.data, chains_of_marks(edges, np.where(in_face, marks.wire_ids, 0), marks.tolerances, vertices)
         ),
+        piece_ids=read_piece_ids(mesh),
+        regions=face_regions(source, mesh),
         loose_marks=int(np.count_nonzero(marks.wire_ids[~in_face])),
         mirrored=mirrored,
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Settings kept with the scene, wire names kept with the mesh, and the link from a flat object to its source."""
+"""Settings kept with the scene, names of wires with the mesh, of pieces with the object, and how objects are linked."""
 
 import bpy
 from bpy.props import (
@@ -162,12 +162,20 @@ class WIREWARP_PG_wire_name(bpy.types.PropertyGroup):
     wire_id: IntProperty(name="Wire Id", options={"HIDDEN"})
 
 
-CLASSES = (WIREWARP_PG_settings, WIREWARP_PG_wire_name)
+class WIREWARP_PG_piece(bpy.types.PropertyGroup):
+    """The name (PropertyGroup.name) of the piece with this id."""
+
+    piece_id: IntProperty(name="Piece Id", options={"HIDDEN"})
+
+
+CLASSES = (WIREWARP_PG_settings, WIREWARP_PG_wire_name, WIREWARP_PG_piece)
 
 
 def attach() -> None:
     bpy.types.Scene.wirewarp = PointerProperty(type=WIREWARP_PG_settings)
     bpy.types.Mesh.wirewarp_names = CollectionProperty(type=WIREWARP_PG_wire_name)
+    bpy.types.Object.wirewarp_pieces = CollectionProperty(type=WIREWARP_PG_piece)
+    bpy.types.Object.wirewarp_active_piece = IntProperty(name="Active Piece", description="In the list of pieces")
     bpy.types.Object.wirewarp_source = PointerProperty(
         name="Flattened From",
         description="The object these flat pieces were made from",
@@ -183,5 +191,7 @@ def attach() -> None:
 def detach() -> None:
     del bpy.types.Object.wirewarp_helpers_of
     del bpy.types.Object.wirewarp_source
+    del bpy.types.Object.wirewarp_active_piece
+    del bpy.types.Object.wirewarp_pieces
     del bpy.types.Mesh.wirewarp_names
     del bpy.types.Scene.wirewarp

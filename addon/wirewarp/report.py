@@ -6,6 +6,7 @@ Every length stands twice: in Blender units under its name and in metres under i
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -14,6 +15,7 @@ import numpy as np
 from .flatten_job import issue_of_piece, polygons_of
 from .issues import Issue
 from .mesh_to_arrays import MeshArrays
+from .pieces.identity import PieceIdentity
 
 SCHEMA = "wirewarp-report-1"
 # Chains add up the rounding of their edges; the library itself checks every edge to 1e-9.
@@ -26,14 +28,22 @@ METHOD_NAMES = {
 }
 
 
-def object_report(result: Any, arrays: MeshArrays, meters: float) -> dict:  # noqa: ANN401
-    """The report of one object; meters: metres in a Blender unit."""
+def object_report(
+    result: Any,  # noqa: ANN401
+    arrays: MeshArrays,
+    identities: Sequence[PieceIdentity],
+    meters: float,
+) -> dict:
+    """The report of one object; identities of its pieces; meters: metres in a Blender unit."""
     issues = [
         issue_of_piece(piece, index, arrays) for index, piece in enumerate(result.pieces) if piece.error is not None
     ]
     failed = {issue.piece for issue in issues}
     method = result.report["method"]
-    pieces = [_piece(index, piece, arrays, meters) for index, piece in enumerate(result.pieces)]
+    pieces = [
+        {"index": index, **asdict(identity), **_piece(piece, arrays, meters)}
+        for index, (identity, piece) in enumerate(zip(identities, result.pieces, strict=True))
+    ]
     at_limit = {part["wire"] for piece in pieces for part in piece["wires"] if part["at_limit"]}
     wires = [_wire(wire, meters) | {"at_limit": wire.wire_index in at_limit} for wire in result.wires]
     return {
@@ -63,11 +73,10 @@ def failure_report(issue: Issue) -> dict:
     }
 
 
-def _piece(index: int, piece: Any, arrays: MeshArrays, meters: float) -> dict:  # noqa: ANN401
+def _piece(piece: Any, arrays: MeshArrays, meters: float) -> dict:  # noqa: ANN401
     metrics = piece.metrics
     aspect = metrics.face_aspect_ratio
     return {
-        "index": index,
         "ok": piece.error is None,
         "has_layout": bool(np.isfinite(piece.vertices).all() and len(piece.vertices)),
         "faces": len(polygons_of(arrays, piece.source_face)),
@@ -172,6 +181,4 @@ def _notes(method: str, wires: list[dict]) -> list[str]:
 
 def _warnings(pieces: list[dict]) -> list[str]:
     """Pieces that keep every promise but could be better: those that were cancelled, for one."""
-    return [
-        f"Piece {piece['index'] + 1}: {warning}" for piece in pieces if piece["ok"] for warning in piece["warnings"]
-    ]
+    return [f"{piece['name']}: {warning}" for piece in pieces if piece["ok"] for warning in piece["warnings"]]

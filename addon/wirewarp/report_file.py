@@ -27,7 +27,7 @@ def write_json(path: Path, report: dict) -> None:
 def failure_text(reports: list[dict]) -> str:
     """What failed, one line each."""
     lines = [
-        f"{report['object']}{_piece_name(issue)}: {issue['sentence']}"
+        f"{report['object']}{_piece_name(report, issue)}: {issue['sentence']}"
         for report in reports
         for issue in report["issues"]
     ]
@@ -38,7 +38,7 @@ def strained_text(reports: list[dict]) -> str:
     """Which of the pieces that keep their lengths no cloth can follow, one line each; "" if none."""
     strained = [(report["object"], piece) for report in reports for piece in strained_pieces(report)]
     strained.sort(key=lambda entry: aspect_ratio(entry[1]), reverse=True)
-    return _capped([strain_text(f"{name}, piece {piece['index'] + 1},", piece) for name, piece in strained])
+    return _capped([strain_text(f"{name}, {piece['name']},", piece) for name, piece in strained])
 
 
 def success_text(reports: list[dict]) -> str:
@@ -62,5 +62,5 @@ def _capped(lines: list[str]) -> str:
     return "\n".join(lines[:SHOWN_SENTENCES] + more)
 
 
-def _piece_name(issue: dict) -> str:
-    return "" if issue["piece"] is None else f", piece {issue['piece'] + 1}"
+def _piece_name(report: dict, issue: dict) -> str:
+    return "" if issue["piece"] is None else f", {report['pieces'][issue['piece']]['name']}"

@@ -11,6 +11,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from .issues import Issue
+from .pieces.records import piece_names
 from .report import SCHEMA, failure_report
 
 REPORT = "wirewarp_report"
@@ -30,7 +31,16 @@ def remember(source: bpy.types.Object, report: dict) -> None:
 
 
 def last_report(source: bpy.types.Object) -> dict | None:
-    """The report of the last run, None if there was none."""
+    """The report of the last run, its pieces by the names they have now. None if there was none."""
+    report = _find(source)
+    if report and report["pieces"]:
+        names = piece_names(source)
+        for piece in report["pieces"]:
+            piece["name"] = names.get(piece["piece_id"], piece["name"])
+    return report
+
+
+def _find(source: bpy.types.Object) -> dict | None:
     if source.name_full in _unwritten:
         return _unwritten[source.name_full]
     text = source.get(REPORT)
@@ -47,6 +57,8 @@ def _parse(text: object) -> dict:
     except json.JSONDecodeError:
         report = None
     if isinstance(report, dict) and report.get("schema") == SCHEMA:
+        for number, piece in enumerate(report["pieces"], start=1):  # an earlier version's have no names
+            report["pieces"][number - 1] = {"piece_id": 0, "name": f"Piece {number}", **piece}
         return report
     return failure_report(
         Issue("unreadable_report", "The stored report is not one of this version of WireWarp: flatten again.")

@@ -9,6 +9,7 @@ import numpy as np
 
 from .issues import Issue, ObjectError, object_error
 from .mesh_to_arrays import linear_part, metric
+from .pieces.attribute import check_piece_attribute
 from .wire_attributes import check_attributes
 from .write_uv import check_uv_room
 
@@ -34,6 +35,7 @@ def check_target(target: bpy.types.Object, writes_uv: bool) -> None:
             "make it local with Object > Relations > Make Local > Selected Objects and Data.",
         )
     check_attributes(target.data)
+    check_piece_attribute(target.data)
     if writes_uv:
         check_uv_room(target.data)
         _check_users(target)

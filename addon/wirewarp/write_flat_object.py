@@ -10,6 +10,8 @@ from .flat_marks import FlatMarks, flat_marks
 from .flat_mesh import FlatMesh, edge_length_variation
 from .foreach import read
 from .mesh_to_arrays import MeshArrays
+from .pieces.attribute import PIECE
+from .pieces.records import FACE_COUNT
 from .wire_attributes import TOLERANCE, WIRE
 from .wire_names import copy_names
 from .write_maps import write_flat_maps
@@ -81,6 +83,8 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) 
     _add(mesh, "source_corner", "INT", "CORNER", flat.source_corner)
     _add(mesh, "source_face", "INT", "FACE", flat.source_face)
     _add(mesh, "piece", "INT", "FACE", flat.piece)
+    _add(mesh, PIECE, "INT", "FACE", flat.piece_id)
+    mesh[FACE_COUNT] = len(arrays.polygon_starts)
     write_flat_maps(mesh, flat, edge_length_variation(flat, edges, arrays))
     _write_marks(mesh, flat_marks(flat, edges, arrays))
 

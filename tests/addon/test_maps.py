@@ -102,7 +102,7 @@ def test_a_face_without_a_layout_has_no_color_of_the_scale(addon):
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.primitive_uv_sphere_add(segments=8, ring_count=4, location=(9, 0, 0))  # closed: no layout
     bpy.ops.object.mode_set(mode="OBJECT")
-    with pytest.raises(RuntimeError, match="piece 2"):
+    with pytest.raises(RuntimeError, match="Sheet, Left: "):
         bpy.ops.object.wirewarp_flatten(maps_on_model=True)
     ratio = attribute(source.data, "wirewarp_aspect_ratio")
     assert (ratio[:64] >= 1).all()

@@ -62,7 +62,7 @@ def test_edit_mode_shows_the_same_lines_and_names(addon, source, flat):
     assert during.places.keys() == before.places.keys()
     for kind, places in before.places.items():
         assert np.array_equal(during.places[kind], places)
-    texts = [name.text for name in before.names if not name.text.startswith("Piece")]
+    texts = [name.text for name in before.names if not name.text.startswith("Top")]
     assert sorted(name.text for name in during.names) == sorted(texts)
 
 
@@ -70,7 +70,7 @@ def test_names_are_those_of_the_report(addon, source):
     on_model = [name.text for name in lines_of(addon, source).names]
     assert sorted(on_model) == ["Seam 1", "Waist", "Wire 2 ±5%", "Wire 3"]
     on_pieces = [name.text for name in lines_of(addon, flat_of(source)).names]
-    assert sorted(on_pieces) == sorted(2 * on_model + ["Piece 1", "Piece 2"])
+    assert sorted(on_pieces) == sorted(2 * on_model + ["Top Left", "Top Right"])
 
 
 def test_names_stand_on_what_they_name(addon, source):

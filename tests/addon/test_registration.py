@@ -22,7 +22,7 @@ def test_register_and_unregister_twice(addon):
 
 
 def test_every_class_of_the_add_on_is_registered(addon):
-    bases = (bpy.types.Operator, bpy.types.Panel, bpy.types.PropertyGroup)
+    bases = (bpy.types.Operator, bpy.types.Panel, bpy.types.PropertyGroup, bpy.types.UIList)
     modules = [module for name, module in sys.modules.items() if name.startswith(f"{addon.__name__}.")]
     found = {
         cls

@@ -104,7 +104,7 @@ def test_pieces_ready_to_cut_are_told_from_those_that_failed(addon):
 
     assert verdict(1.0, 1.25) == [("Ready to cut: 2 pieces, every length kept", "TICK")]
     failed = ("Do not cut: 1 of 3 pieces failed", "CANCEL")
-    assert verdict(1.0, None, 1.0) == [failed, ("Ready to cut: pieces 1, 3", "TICK")]
+    assert verdict(1.0, None, 1.0) == [failed, ("Ready to cut: Piece 1, Piece 3", "TICK")]
     assert verdict(None) == [("Do not cut: the piece failed", "CANCEL")]
     assert verdict() == [("Not flattened", "CANCEL")]
 
@@ -112,7 +112,7 @@ def test_pieces_ready_to_cut_are_told_from_those_that_failed(addon):
 def report_of_pieces(*aspect_ratios, name="Bump"):
     """Pieces of these largest aspect ratios; None: a piece that failed."""
     pieces = [
-        {"index": index, "ok": ratio is not None, "aspect_ratio_max": ratio}
+        {"index": index, "name": f"Piece {index + 1}", "ok": ratio is not None, "aspect_ratio_max": ratio}
         for index, ratio in enumerate(aspect_ratios)
     ]
     ok = bool(pieces) and None not in aspect_ratios
@@ -121,7 +121,7 @@ def report_of_pieces(*aspect_ratios, name="Bump"):
 
 def strain_sentence(piece, percent):
     return (
-        f"Lengths kept, but piece {piece} must stretch or ease by up to {percent} %: "
+        f"Lengths kept, but Piece {piece} must stretch or ease by up to {percent} %: "
         "a seam or a dart there would relieve it"
     )
 
@@ -133,7 +133,7 @@ def test_pieces_that_cloth_cannot_follow_are_not_ready_to_cut(addon):
         ("Do not cut: 1 of 4 pieces failed", "CANCEL", None),
         (strain_sentence(4, 1300), "ERROR", 3),
         (strain_sentence(1, 65), "ERROR", 0),
-        ("Ready to cut: piece 3", "TICK", None),
+        ("Ready to cut: Piece 3", "TICK", None),
     ]
     *shown, more = verdict(report_of_pieces(1.3, 1.4, 1.5, 1.6, 1.7, 1.8))
     assert [line.piece for line in shown] == [5, 4, 3, 2]
@@ -141,7 +141,7 @@ def test_pieces_that_cloth_cannot_follow_are_not_ready_to_cut(addon):
     report = report_of_pieces(1.0)
     report["pieces"][0]["aspect_ratio_max"] = None  # "inf": a face squeezed to a line
     (line,) = verdict(report)
-    assert "piece 1 must stretch or ease more than any cloth can" in line.text
+    assert "Piece 1 must stretch or ease more than any cloth can" in line.text
 
 
 def test_the_message_after_flattening_names_the_pieces_that_cloth_cannot_follow(addon):
@@ -151,8 +151,8 @@ def test_the_message_after_flattening_names_the_pieces_that_cloth_cannot_follow(
     assert addon.report_file.success_text([fine]) == "Ready to cut: 2 flat pieces, every length kept (Refined)"
     lines = strained_text([report_of_pieces(1.3, name="A"), report_of_pieces(1.0, 1.65, name="B")]).split("\n")
     assert [line.split(":")[0] for line in lines] == [
-        "Lengths kept, but B, piece 2, must stretch or ease by up to 65 %",
-        "Lengths kept, but A, piece 1, must stretch or ease by up to 30 %",
+        "Lengths kept, but B, Piece 2, must stretch or ease by up to 65 %",
+        "Lengths kept, but A, Piece 1, must stretch or ease by up to 30 %",
     ]
 
 
@@ -178,7 +178,7 @@ def test_a_half_sphere_keeps_its_lengths_but_is_not_ready_to_cut(addon, tmp_path
     assert report["pieces"][0]["aspect_ratio_max"] > 1.4
     (line,) = addon.ui.verdict.verdict(report)
     assert (line.icon, line.piece) == ("ERROR", 0)
-    assert line.text.startswith("Lengths kept, but piece 1 must stretch or ease by up to")
+    assert line.text.startswith("Lengths kept, but Top must stretch or ease by up to")
 
 
 def test_a_strip_of_a_cylinder_is_ready_to_cut(addon, tmp_path):
@@ -189,6 +189,7 @@ def test_a_strip_of_a_cylinder_is_ready_to_cut(addon, tmp_path):
 
 def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
     arrays = addon.mesh_to_arrays.object_to_arrays(grid("Bump", bump), None)
+    identities = [addon.pieces.identity.PieceIdentity(1, "Top")]
     choices = addon.flatten_job.FlattenChoices("refined", 0.1, "length", 0.03, False)
 
     def report_of_run(steps):
@@ -196,7 +197,7 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
         result = addon.flatten_job.flatten_arrays(
             addon.core.library(), arrays, choices, lambda stage, _: stage != "shape" or next(left, 0) > 0
         )
-        return addon.report.object_report(result, arrays, 1.0)
+        return addon.report.object_report(result, arrays, identities, 1.0)
 
     first, *_, last = (report_of_run(steps) for steps in range(9))
     assert not first["ok"]
@@ -204,7 +205,7 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
     assert (last["ok"], last["notes"]) == (True, [])
     stopped = next(report for report in map(report_of_run, range(9)) if report["ok"])
     assert stopped["pieces"][0]["termination"] == "cancelled"
-    assert stopped["notes"] == ["Piece 1: Cancelled: the lengths are exact, but the shape could be less distorted."]
+    assert stopped["notes"] == ["Top: Cancelled: the lengths are exact, but the shape could be less distorted."]
 
 
 def test_success_says_whether_lengths_were_to_stay(addon):
@@ -255,9 +256,10 @@ def test_rows_are_worst_first(addon):
         lengths = {"length_3d": 1.0, "length_2d": [1.0], "difference": [0.0], "percent": [percent]}
         return {"index": index, "pieces": [0], "ok": ok, **lengths}
 
-    report = {"seams": [seam(0, 0.1), seam(1, -0.5), seam(2, None, ok=False), seam(3, 1e-12), seam(4, 2e-12)]}
+    report = {"pieces": [{"name": "Front"}]}
+    report["seams"] = [seam(0, 0.1), seam(1, -0.5), seam(2, None, ok=False), seam(3, 1e-12), seam(4, 2e-12)]
     rows = addon.ui.report_rows.seam_rows(report)
-    assert [row.name for row in rows] == [f"Seam {k}, in piece 1" for k in (3, 2, 1, 4, 5)]
+    assert [row.name for row in rows] == [f"Seam {k}, Front" for k in (3, 2, 1, 4, 5)]
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,8 @@ from ..color_maps import ColorMap
 from ..edge_keys import edge_keys
 from ..foreach import read
 from ..model_state import has_changed
+from ..pieces.attribute import PIECE
+from ..pieces.records import piece_names
 from ..report_store import last_report
 from ..wire_names import names_of
 from ..write_flat_object import find_flat_object
@@ -35,8 +37,8 @@ class Failures:
 def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
     """Seams, wires and helper wires of a model or of flat pieces. Raises ObjectError as gather_lines does."""
     marks, names = gather_lines(target, depsgraph), []
-    if target.wirewarp_source and target.mode == "OBJECT" and "piece" in target.data.attributes:
-        names += _piece_names(target.data)
+    if target.wirewarp_source and target.mode == "OBJECT" and PIECE in target.data.attributes:
+        names += _piece_names(target)
     names += wire_line_names(marks, names_of(target.data, marks.wire_ids[marks.wire_ids != 0].tolist()))
     report = current_report(target)
     if report:
@@ -69,16 +71,17 @@ def _seam_of_edge(report: dict) -> Mapping[tuple[int, int], int]:
     return {(min(edge), max(edge)): seam["index"] for seam in report["seams"] for edge in seam["edges"]}
 
 
-def _piece_names(mesh: bpy.types.Mesh) -> list[Name]:
+def _piece_names(flat: bpy.types.Object) -> list[Name]:
     """At the face nearest to each piece's middle."""
-    pieces = read(mesh.attributes["piece"].data, "value", np.int32)
+    mesh, text_of = flat.data, piece_names(flat.wirewarp_source)
+    pieces = read(mesh.attributes[PIECE].data, "value", np.int32)
     centers = read(mesh.polygons, "center", np.float32, 3)
     names = []
     for piece in np.unique(pieces).tolist():
         own = centers[pieces == piece]
         middle = (own.min(axis=0) + own.max(axis=0)) / 2
         place = own[np.argmin(np.linalg.norm(own - middle, axis=1))]
-        names.append(Name(f"Piece {piece + 1}", place, np.array([0.0, 0.0, 1.0])))
+        names.append(Name(text_of.get(piece, ""), place, np.array([0.0, 0.0, 1.0])))
     return names
 
 

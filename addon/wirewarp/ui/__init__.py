@@ -5,6 +5,7 @@ from . import tick
 from .menus import draw_context_menu, draw_edge_menu
 from .overlay import VIEW3D_PT_wirewarp_overlay
 from .panel import VIEW3D_PT_wirewarp_flatten, VIEW3D_PT_wirewarp_mark
+from .piece_list import VIEW3D_PT_wirewarp_pieces, WIREWARP_UL_pieces
 from .report import (
     VIEW3D_PT_wirewarp_report,
     VIEW3D_PT_wirewarp_report_helpers,
@@ -19,6 +20,8 @@ CLASSES = (
     VIEW3D_PT_wirewarp_mark,
     VIEW3D_PT_wirewarp_wires,
     VIEW3D_PT_wirewarp_flatten,
+    WIREWARP_UL_pieces,
+    VIEW3D_PT_wirewarp_pieces,
     VIEW3D_PT_wirewarp_overlay,
     VIEW3D_PT_wirewarp_report,
     VIEW3D_PT_wirewarp_report_seams,

@@ -45,7 +45,7 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
         if "method_name" in report:
             draw_sentence(context, layout, f"Method: {report['method_name']}")
         if report["issues"]:
-            draw_issues(context, layout.box(), report["issues"])
+            draw_issues(context, layout.box(), report)
         for note in report["notes"]:
             draw_sentence(context, layout, note, "INFO")
 

@@ -8,9 +8,10 @@ from .report_table import SHOWN_ROWS
 from .text import draw_sentence
 
 
-def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, issues: list[dict]) -> None:
+def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: dict) -> None:
+    issues = report["issues"]
     for index, issue in enumerate(issues[:SHOWN_ROWS]):
-        where = "" if issue["piece"] is None else f"Piece {issue['piece'] + 1}: "
+        where = "" if issue["piece"] is None else f"{report['pieces'][issue['piece']]['name']}: "
         draw_sentence(context, layout, where + issue["sentence"], "ERROR", spare=16)
         _draw_proposals(context, layout, index, issue)
     if len(issues) > SHOWN_ROWS:

@@ -36,11 +36,10 @@ class ReportRow:
 def seam_rows(report: dict) -> list[ReportRow]:
     rows = []
     for seam in report["seams"]:
-        pieces = [piece + 1 for piece in seam["pieces"]]
-        between = "in piece" if len(set(pieces)) == 1 else "pieces"
-        name = f"Seam {seam['index'] + 1}, {between} {', '.join(map(str, dict.fromkeys(pieces)))}"
+        pieces = [report["pieces"][piece]["name"] for piece in seam["pieces"]]
+        name = f"Seam {seam['index'] + 1}, {', '.join(dict.fromkeys(pieces))}"
         sides = range(1, len(pieces) + 1)
-        labels = [f"Side {k}" for k in sides] if len(set(pieces)) == 1 else [f"Piece {piece}" for piece in pieces]
+        labels = [f"Side {k}" for k in sides] if len(set(pieces)) == 1 else pieces
         rows.append(ReportRow(name, seam["ok"], _sides(seam, labels), seam=seam["index"]))
     return _worst_first(rows)
 
@@ -49,18 +48,10 @@ def wire_rows(report: dict) -> list[ReportRow]:
     """Whole wires, and under each the pieces its parts lie in."""
     rows = []
     for wire in report["wires"]:
-        parts = [
-            (piece["index"], part)
-            for piece in report["pieces"]
-            for part in piece["wires"]
-            if part["wire"] == wire["wire"]
+        places = [
+            piece["name"] for piece in report["pieces"] for part in piece["wires"] if part["wire"] == wire["wire"]
         ]
-        places = list(dict.fromkeys(index + 1 for index, _ in parts))
-        name = (
-            f"{wire['name']}, piece{'s' if len(places) > 1 else ''} {', '.join(map(str, places))}"
-            if places
-            else wire["name"]
-        )
+        name = ", ".join([wire["name"], *dict.fromkeys(places)])
         rows.append(
             ReportRow(name, wire["ok"], _sides(wire, [""]), _tolerance(report["method"], wire), wire["at_limit"])
         )
@@ -86,17 +77,17 @@ def outline_rows(report: dict) -> list[ReportRow]:
     for piece in report["pieces"]:
         free = [chain for chain in piece["outline"] if chain["seam"] is None]
         for number, chain in enumerate(free, start=1):
-            name = f"Piece {piece['index'] + 1}, open edge {number}"
+            name = f"{piece['name']}, open edge {number}"
             rows.append(ReportRow(name, chain["ok"], _sides(chain, [""])))
     return _worst_first(rows)
 
 
 def helper_rows(report: dict) -> list[ReportRow]:
     """The wires that were added, numbered through all pieces; they may take any length."""
-    helpers = [(piece["index"], wire) for piece in report["pieces"] for wire in piece.get("helper_wires", [])]
+    helpers = [(piece["name"], wire) for piece in report["pieces"] for wire in piece.get("helper_wires", [])]
     return [
-        ReportRow(f"Helper {number}, piece {index + 1}", True, _sides(wire, [""]))
-        for number, (index, wire) in enumerate(helpers, start=1)
+        ReportRow(f"Helper {number}, {name}", True, _sides(wire, [""]))
+        for number, (name, wire) in enumerate(helpers, start=1)
     ]
 
 
@@ -104,7 +95,7 @@ def piece_rows(report: dict) -> list[tuple[int, bool, list[str]]]:
     """(index, ok, lines) of each piece, failed ones first, then by their aspect ratio."""
     rows = []
     for piece in sorted(report["pieces"], key=lambda piece: (piece["ok"], -aspect_ratio(piece))):
-        lines = [f"Piece {piece['index'] + 1}, {piece['faces']} faces"]
+        lines = [f"{piece['name']}, {piece['faces']} faces"]
         if piece["has_layout"]:
             lines.append(f"Distortion {piece['arap_energy']:.4f}")
             lines.append(f"Aspect ratio up to {aspect_ratio(piece):.3f}")

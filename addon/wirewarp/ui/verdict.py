@@ -19,7 +19,7 @@ def verdict(report: dict) -> list[VerdictLine]:
     if not pieces:
         return [VerdictLine("Not flattened", "CANCEL")]
     strained = strained_pieces(report)
-    good = [str(piece["index"] + 1) for piece in pieces if piece["ok"] and piece not in strained]
+    good = [piece["name"] for piece in pieces if piece["ok"] and piece not in strained]
     count = "1 piece" if len(pieces) == 1 else f"{len(pieces)} pieces"
     lines = []
     if not report["ok"]:
@@ -29,14 +29,13 @@ def verdict(report: dict) -> list[VerdictLine]:
     if len(good) == len(pieces):
         lines.append(VerdictLine(f"Ready to cut: {count}, {kept_text([report])}", "TICK"))
     elif good:
-        lines.append(VerdictLine(f"Ready to cut: piece{'s' if len(good) > 1 else ''} {', '.join(good)}", "TICK"))
+        lines.append(VerdictLine(f"Ready to cut: {', '.join(good)}", "TICK"))
     return lines
 
 
 def _strained_lines(strained: list[dict]) -> list[VerdictLine]:
     lines = [
-        VerdictLine(strain_text(f"piece {piece['index'] + 1}", piece), "ERROR", piece["index"])
-        for piece in strained[:SHOWN_SENTENCES]
+        VerdictLine(strain_text(piece["name"], piece), "ERROR", piece["index"]) for piece in strained[:SHOWN_SENTENCES]
     ]
     hidden = len(strained) - SHOWN_SENTENCES
     more = [VerdictLine(f"And {hidden} more: see Pieces below", "BLANK1")] if hidden > 0 else []

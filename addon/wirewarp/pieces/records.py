@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The list of pieces on the model's object, where the user renames them, and the ids on its faces."""
+
+from typing import Any
+
+import bpy
+import numpy as np
+
+from ..foreach import read
+from ..mesh_to_arrays import MeshArrays
+from .attribute import PIECE, write_piece_ids
+from .identity import KnownPieces, PieceIdentity, ids_by_face
+
+FACE_COUNT = "wirewarp_source_faces"  # of the mesh that was flattened, on the flat mesh
+
+
+def piece_names(source: bpy.types.Object) -> dict[int, str]:
+    """By id, in the order of the last report."""
+    return {entry.piece_id: entry.name for entry in source.wirewarp_pieces}
+
+
+def known_pieces(source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Object | None) -> KnownPieces:
+    """By the ids on the model or, if given, on its flat pieces, which have those of the last run in any case."""
+    ids = _ids_of_flat_pieces(flat.data, len(arrays.piece_ids)) if flat else arrays.piece_ids
+    return KnownPieces(ids if ids.any() else arrays.piece_ids, piece_names(source))
+
+
+def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
+    """(face_count,) int32 for the model; zeros if it is not, face by face, the one that was flattened."""
+    ids = np.zeros(face_count, dtype=np.int32)
+    if mesh.get(FACE_COUNT) == face_count and {"source_face", PIECE} <= set(mesh.attributes.keys()):
+        faces = read(mesh.attributes["source_face"].data, "value", np.int32)
+        inside = (faces >= 0) & (faces < face_count)  # new faces, made by hand, carry none or any
+        ids[faces[inside]] = read(mesh.attributes[PIECE].data, "value", np.int32)[inside]
+    return ids
+
+
+def write_pieces(
+    source: bpy.types.Object,
+    result: Any,  # noqa: ANN401
+    arrays: MeshArrays,
+    identities: list[PieceIdentity],
+    on_model: bool,
+) -> None:
+    """on_model: the arrays are those of the base mesh, and it may be written."""
+    source.wirewarp_pieces.clear()
+    for identity in identities:
+        entry = source.wirewarp_pieces.add()
+        entry.piece_id, entry.name = identity.piece_id, identity.name
+    if on_model:
+        write_piece_ids(source.data, ids_by_face(result, arrays, identities))

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pieces named after the side of the model they lie on. No Blender in here."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+# By axis, towards minus and plus. As on a person who looks along -Y, Blender's front: the left hand is at +X.
+SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
+HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # of two pieces on one side
+FACES_ONE_WAY = 0.3  # of 1, a flat piece; one that winds around (a sleeve) is told by its place
+BESIDE = 0.05  # of the model's size; one that winds around its middle (a ball) has no side
+NO_SIDE = "Around"
+
+
+def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
+    """ "Front", or "Front Left" beside "Front Right"; more pieces than two of one side are called the same.
+
+    normals (p,3): the mean normal of each piece, of length 1 if it is flat. offsets (p,3): from the middle of the
+    model to that of the piece, as a share of the model's size.
+    """
+    names = [_side(normal, offset) for normal, offset in zip(normals, offsets, strict=True)]
+    for side in dict.fromkeys(names):
+        pair = [index for index, name in enumerate(names) if name == side]
+        if len(pair) == 2:
+            halves = _halves(side, offsets[pair[1]] - offsets[pair[0]])
+            for index, half in zip(pair, halves, strict=True):
+                names[index] = f"{side} {half}".rstrip()
+    return names
+
+
+def _side(normal: np.ndarray, offset: np.ndarray) -> str:
+    if np.linalg.norm(normal) < FACES_ONE_WAY and np.linalg.norm(offset) < BESIDE:
+        return NO_SIDE
+    direction = normal if np.linalg.norm(normal) >= FACES_ONE_WAY else offset
+    axis = int(np.argmax(np.abs(direction)))
+    return SIDES[axis][int(direction[axis] > 0)]
+
+
+def _halves(side: str, apart: np.ndarray) -> tuple[str, str]:
+    """What tells two pieces of one side from each other, the second being this far from the first; "" if nothing."""
+    axis = int(np.argmax(np.abs(apart)))
+    if np.abs(apart[axis]) < BESIDE or side in SIDES[axis]:  # one lies in or behind the other
+        return "", ""
+    lower, upper = HALVES[axis]
+    return (lower, upper) if apart[axis] > 0 else (upper, lower)
+
+
+def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
+    """The names wanted, each with a number where several want it or where it is taken already."""
+    used = set(taken)
+    names = []
+    for name in wanted:
+        number = 2 if name in used else 1
+        if number == 1 and wanted.count(name) == 1 and f"{name} 1" not in used:
+            names.append(name)
+        else:
+            while f"{name} {number}" in used:
+                number += 1
+            names.append(f"{name} {number}")
+        used.add(names[-1])
+    return names

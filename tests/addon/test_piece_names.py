@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What pieces are called, and that they are still called so after the model was changed."""
+
+import json
+import math
+
+import bmesh
+import bpy
+import numpy as np
+import pytest
+from surfaces import bump, flat_of, grid, make_object, mark_seam, on_line, read, select_edges, select_only
+
+TURN = [2 * math.pi * k / 8 for k in range(8)]
+TUBE_FACES = [[k, (k + 1) % 8, (k + 1) % 8 + 8, k + 8] for k in range(8)]
+HALVES = ["Top Left", "Top Right"]
+
+
+def names_of(source):
+    return [entry.name for entry in source.wirewarp_pieces]
+
+
+def flatten(source, **settings):
+    if source.mode == "OBJECT":
+        select_only(source)
+    bpy.ops.object.wirewarp_flatten(**settings)
+    return names_of(source)
+
+
+def rename(source, old, new):
+    next(entry for entry in source.wirewarp_pieces if entry.name == old).name = new
+
+
+@pytest.fixture
+def source():
+    """Two pieces, at -x and +x."""
+    target = grid("Bump", bump)
+    mark_seam(target, on_line(0, 0.0))
+    return target
+
+
+def middle_of(source, name):
+    """On the model, of the faces that carry the piece's id."""
+    piece_id = next(entry.piece_id for entry in source.wirewarp_pieces if entry.name == name)
+    ids = read(source.data.attributes["wirewarp_piece"].data, "value", np.int32)
+    return read(source.data.polygons, "center", np.float32, 3)[ids == piece_id].mean(axis=0)
+
+
+def test_pieces_are_named_after_their_side(source):
+    assert sorted(flatten(source)) == HALVES
+    assert middle_of(source, "Top Left")[0] > 0.4  # the wearer's left, who looks along -Y
+    assert middle_of(source, "Top Right")[0] < -0.4
+
+
+def test_sides_as_seen_with_the_object_turned(source):
+    source.rotation_euler = (np.pi / 2, 0, 0)  # its top now looks along -Y
+    assert sorted(flatten(source)) == ["Front Left", "Front Right"]
+
+
+def cube():
+    bpy.ops.mesh.primitive_cube_add()
+    target = bpy.context.active_object
+    target.data.edges.foreach_set("use_seam", [True] * len(target.data.edges))
+    return target
+
+
+def test_the_six_sides_of_a_cube():
+    target = cube()
+    assert sorted(flatten(target)) == ["Back", "Bottom", "Front", "Left", "Right", "Top"]
+    expected = {"Back": (0, 1, 0), "Bottom": (0, 0, -1), "Left": (1, 0, 0)}
+    for name, place in expected.items():
+        assert middle_of(target, name) == pytest.approx(place)
+
+
+def test_what_winds_around_is_named_after_its_place():
+    sleeves = [
+        make_object(f"Tube {x}", [(x + math.cos(a), math.sin(a), z) for z in (0, 3) for a in TURN], TUBE_FACES)
+        for x in (-4, 4)
+    ]
+    for sleeve in sleeves:
+        sleeve.data.edges.foreach_set("use_seam", [set(edge.vertices) == {0, 8} for edge in sleeve.data.edges])
+    assert flatten(sleeves[0]) == ["Around"]
+    sleeves[0].wirewarp_pieces.clear()
+    select_only(*sleeves)
+    bpy.ops.object.join()
+    assert sorted(flatten(sleeves[0])) == ["Left", "Right"]
+    assert middle_of(sleeves[0], "Left")[0] > 3
+
+
+def test_more_than_two_of_one_side_are_numbered():
+    target = grid("Bump", bump)
+    for line in (-0.5, 0.0, 0.5):
+        mark_seam(target, on_line(0, line))
+    assert sorted(flatten(target)) == ["Top 1", "Top 2", "Top 3", "Top 4"]
+
+
+def fill_group(target, name, wanted):
+    vertices = [vertex.index for vertex in target.data.vertices if wanted(vertex.co)]
+    target.vertex_groups.new(name=name).add(vertices, 1.0, "REPLACE")
+
+
+def test_a_vertex_group_gives_its_name_to_the_piece_it_covers(source):
+    fill_group(source, "All", lambda _: True)  # tells nothing
+    fill_group(source, "Sleeve", lambda co: co.x > -0.3)  # a little of the other piece too
+    source.vertex_groups.new(name="Empty")
+    assert sorted(flatten(source)) == ["Sleeve", "Top Right"]
+    assert middle_of(source, "Sleeve")[0] > 0
+
+
+def test_a_weak_weight_is_no_membership(source):
+    source.vertex_groups.new(name="Faint").add(range(81), 0.3, "REPLACE")
+    fill_group(source, "Half", lambda co: co.x > 0.6)  # not most of the piece
+    assert sorted(flatten(source)) == HALVES
+
+
+def test_a_material_gives_its_name_where_materials_differ(source):
+    for name in ("Felt", "Silk"):
+        source.data.materials.append(bpy.data.materials.new(name))
+    assert sorted(flatten(source)) == HALVES  # all of felt
+    source.wirewarp_pieces.clear()
+    source.data.polygons.foreach_set("material_index", [int(face.center.x > 0) for face in source.data.polygons])
+    assert sorted(flatten(source)) == ["Felt", "Silk"]
+    assert middle_of(source, "Silk")[0] > 0
+
+
+def test_a_name_given_by_the_user_stays_when_the_model_is_reshaped_and_subdivided(source, addon):
+    flatten(source)
+    rename(source, "Top Left", "Sleeve")
+    for vertex in source.data.vertices:
+        vertex.co.z *= 2
+    select_edges(source, lambda *_: True)
+    bpy.ops.mesh.subdivide()
+    assert sorted(flatten(source)) == ["Sleeve", "Top Right"]
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert len(source.data.polygons) == 256
+    assert middle_of(source, "Sleeve")[0] > 0
+
+
+def test_of_two_parts_of_a_piece_the_larger_keeps_the_name(source):
+    flatten(source)
+    rename(source, "Top Left", "Sleeve")
+    mark_seam(source, on_line(0, 0.75))
+    names = flatten(source)
+    assert sorted(names) == ["Sleeve", "Top", "Top Right"]
+    assert middle_of(source, "Top")[0] == pytest.approx(0.875)
+    assert 0 < middle_of(source, "Sleeve")[0] < 0.75
+
+
+def test_a_piece_made_of_two_takes_the_name_of_the_larger(source):
+    mark_seam(source, on_line(0, 0.75))
+    flatten(source)
+    kept = next(entry.name for entry in source.wirewarp_pieces if 0 < middle_of(source, entry.name)[0] < 0.75)
+    rename(source, kept, "Sleeve")
+    select_edges(source, on_line(0, 0.75))
+    bpy.ops.mesh.mark_seam(clear=True)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    names = flatten(source)
+    assert len(names) == 2
+    assert "Sleeve" in names
+
+
+def test_joined_and_copied_pieces_keep_what_they_can(source):
+    flatten(source)
+    rename(source, "Top Left", "Sleeve")
+    select_only(source)
+    bpy.ops.object.duplicate()
+    copy = bpy.context.active_object
+    assert sorted(names_of(copy)) == ["Sleeve", "Top Right"]
+    copy.location.x = 5
+    select_only(source, copy)
+    bpy.ops.object.join()
+    names = flatten(source)
+    assert len(set(names)) == 4
+    assert {"Sleeve", "Top Right"} < set(names)  # on one of each pair of equals
+    assert len({entry.piece_id for entry in source.wirewarp_pieces}) == 4
+
+
+def test_one_name_given_to_two_pieces_is_numbered_in_the_next_run(source):
+    flatten(source)
+    for entry in source.wirewarp_pieces:
+        entry.name = "Sleeve"
+    assert sorted(flatten(source)) == ["Sleeve", "Sleeve 2"]
+    source.wirewarp_pieces[0].name = ""
+    assert "" not in flatten(source)
+
+
+def test_names_in_the_report_and_the_overlay_follow_a_renaming_at_once(source, addon, tmp_path):
+    path = tmp_path / "report.json"
+    names = flatten(source, report_path=str(path))
+    (entry,) = json.loads(path.read_text())["objects"]
+    assert [piece["name"] for piece in entry["pieces"]] == names
+    assert [piece["piece_id"] for piece in entry["pieces"]] == [entry.piece_id for entry in source.wirewarp_pieces]
+    rename(source, "Top Left", "Sleeve")
+    report = addon.report_store.last_report(source)
+    assert sorted(piece["name"] for piece in report["pieces"]) == ["Sleeve", "Top Right"]
+    (row,) = addon.ui.report_rows.seam_rows(report)
+    assert sorted(side.label for side in row.sides) == ["Sleeve", "Top Right"]
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    drawn = [name.text for name in addon.overlay.object_drawing.marked_lines(flat_of(source), depsgraph).names]
+    assert {"Sleeve", "Top Right"} <= set(drawn)
+
+
+def test_with_modifiers_names_come_and_stay_without_writing_to_the_mesh(source):
+    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    assert sorted(flatten(source, use_modifiers=True)) == HALVES
+    rename(source, "Top Left", "Sleeve")
+    assert sorted(flatten(source, use_modifiers=True)) == ["Sleeve", "Top Right"]
+    assert "wirewarp_piece" not in source.data.attributes
+
+
+def test_a_flat_object_edited_by_hand_does_not_confuse_names(source):
+    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    flatten(source, use_modifiers=True)
+    rename(source, "Top Left", "Sleeve")
+    flat = flat_of(source)
+    edit = bmesh.new()
+    edit.from_mesh(flat.data)
+    edit.faces.ensure_lookup_table()
+    bmesh.ops.delete(edit, geom=edit.faces[:40], context="FACES")
+    edit.faces.ensure_lookup_table()
+    edit.faces[0][edit.faces.layers.int["source_face"]] = 10**6
+    edit.to_mesh(flat.data)
+    edit.free()
+    assert sorted(flatten(source, use_modifiers=True)) == ["Sleeve", "Top Right"]
+
+
+def test_an_attribute_of_our_name_that_is_not_ours_is_refused(source):
+    source.data.attributes.new("wirewarp_piece", "FLOAT", "POINT")
+    with pytest.raises(RuntimeError, match='attribute "wirewarp_piece" of mesh "Bump" is not of type INT on faces'):
+        flatten(source)
+    assert "Bump Flat" not in bpy.data.objects
+
+
+def test_a_report_without_names_numbers_the_pieces(source, addon):
+    flatten(source)
+    report = json.loads(source["wirewarp_report"])
+    for piece in report["pieces"]:
+        del piece["name"], piece["piece_id"]
+    source["wirewarp_report"] = json.dumps(report)
+    assert [piece["name"] for piece in addon.report_store.last_report(source)["pieces"]] == ["Piece 1", "Piece 2"]
