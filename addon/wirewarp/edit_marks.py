@@ -11,29 +11,32 @@ import numpy as np
 from .issues import Issue, ObjectError
 from .marking import plan_wires
 from .mesh_to_arrays import linear_part
+from .repair_wires import repair_names
 from .wire_attributes import edit_layers, new_wire_id
-from .wire_names import update_names
+
+OUTLINES_ARE_RIGID = "Outlines are rigid, or the two sides of a seam would not match"
 
 
-def mark_selected(targets: Sequence[bpy.types.Object], tolerance: float) -> int:
-    """The selected edges become wires, one a chain. Returns the number of wires, 0 if nothing is selected.
+def mark_selected(targets: Sequence[bpy.types.Object], tolerance: float) -> tuple[int, int]:
+    """The selected edges become wires, one a chain. Returns the numbers of wires and of edges that were left out.
 
-    Raises ObjectError, with nothing marked, on an edge without a face, and where a tolerance is asked for on an edge
-    that is rigid anyway.
+    Where a tolerance is asked for, edges of seams and outlines are left out: they are rigid anyway. Raises ObjectError,
+    with nothing marked, if no other edge is selected, and on an edge without a face.
     """
     for target in targets:
         _refuse_loose(target)
-    if tolerance > 0:
-        for target in targets:
-            _refuse_outlines(target)
-    return sum(_mark_object(target, tolerance) for target in targets)
+    left_out = [edge for target in targets for edge in _outline_edges(target)] if tolerance > 0 else []
+    if left_out and len(left_out) == sum(map(_count_selected, targets)):
+        raise _all_on_outlines(targets, left_out)
+    return sum(_mark_object(target, tolerance) for target in targets), len(left_out)
 
 
 def _mark_object(target: bpy.types.Object, tolerance: float) -> int:
     edit, wire_layer, tolerance_layer = edit_layers(target.data)
-    selected = _selected_edges(edit)
+    selected = [edge for edge in _selected_edges(edit) if tolerance == 0 or not _is_outline(edge)]
     if not selected:
         return 0
+    _repair(target.data, edit, wire_layer)
     edit.verts.index_update()
     edges = np.array([[vertex.index for vertex in edge.verts] for edge in selected])
     present = np.array([edge[wire_layer] for edge in selected])
@@ -63,34 +66,42 @@ def _selected_edges(edit: bmesh.types.BMesh) -> list[bmesh.types.BMEdge]:
     return [edge for edge in edit.edges if edge.select and not edge.hide]
 
 
+def _count_selected(target: bpy.types.Object) -> int:
+    edit = bmesh.from_edit_mesh(target.data)
+    return len(_selected_edges(edit))
+
+
+def _is_outline(edge: bmesh.types.BMEdge) -> bool:
+    return edge.seam or len(edge.link_faces) != 2
+
+
 def _refuse_loose(target: bpy.types.Object) -> None:
     edit = bmesh.from_edit_mesh(target.data)  # its edges live as long as this does
     loose = [edge for edge in _selected_edges(edit) if not edge.link_faces]
     if loose:
         count = "1 selected edge belongs" if len(loose) == 1 else f"{len(loose)} selected edges belong"
-        raise _edges_error(
-            "loose_edge",
+        sentence = (
             f'{count} to no face of "{target.name}", so there is nothing to flatten along it: leave such edges out, or '
-            "delete them with Mesh > Clean Up > Delete Loose.",
-            loose,
+            "delete them with Mesh > Clean Up > Delete Loose."
         )
+        raise ObjectError(Issue("loose_edge", sentence, edges=_pairs(loose)))
 
 
-def _refuse_outlines(target: bpy.types.Object) -> None:
+def _outline_edges(target: bpy.types.Object) -> list[tuple[int, int]]:
+    """Those of the selected edges that lie on a seam or outline, as vertex pairs."""
     edit = bmesh.from_edit_mesh(target.data)
-    rigid = [edge for edge in _selected_edges(edit) if edge.seam or len(edge.link_faces) != 2]
-    if rigid:
-        count = "1 selected edge lies" if len(rigid) == 1 else f"{len(rigid)} selected edges lie"
-        raise _edges_error(
-            "tolerance_on_outline",
-            f'{count} on a seam or outline of "{target.name}". Outlines are rigid, or the two sides of a seam '
-            "would not match: leave these edges out, or mark them rigid.",
-            rigid,
-        )
+    return _pairs([edge for edge in _selected_edges(edit) if _is_outline(edge)])
 
 
-def _edges_error(code: str, sentence: str, edges: list[bmesh.types.BMEdge]) -> ObjectError:
-    return ObjectError(Issue(code, sentence, edges=[tuple(vertex.index for vertex in edge.verts) for edge in edges]))
+def _all_on_outlines(targets: Sequence[bpy.types.Object], edges: list[tuple[int, int]]) -> ObjectError:
+    count = "1 selected edge lies" if len(edges) == 1 else f"{len(edges)} selected edges lie"
+    names = " and ".join(f'"{target.name}"' for target in targets)
+    sentence = f"{count} on a seam or outline of {names}. {OUTLINES_ARE_RIGID}: select other edges, or mark them rigid."
+    return ObjectError(Issue("tolerance_on_outline", sentence, edges=edges))
+
+
+def _pairs(edges: list[bmesh.types.BMEdge]) -> list[tuple[int, int]]:
+    return [tuple(vertex.index for vertex in edge.verts) for edge in edges]
 
 
 def _positions(target: bpy.types.Object, edit: bmesh.types.BMesh) -> np.ndarray:
@@ -99,5 +110,11 @@ def _positions(target: bpy.types.Object, edit: bmesh.types.BMesh) -> np.ndarray:
 
 
 def _finish(mesh: bpy.types.Mesh, edit: bmesh.types.BMesh, wire_layer: bmesh.types.BMLayerItem) -> None:
-    update_names(mesh, [wire_id for wire_id in (edge[wire_layer] for edge in edit.edges) if wire_id])
+    _repair(mesh, edit, wire_layer)
     bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
+
+
+def _repair(mesh: bpy.types.Mesh, edit: bmesh.types.BMesh, wire_layer: bmesh.types.BMLayerItem) -> None:
+    edit.edges.ensure_lookup_table()
+    for row, wire_id in repair_names(mesh).items():
+        edit.edges[row][wire_layer] = wire_id

@@ -25,6 +25,7 @@ from .report import failure_report, object_report
 from .report_store import remember, store
 from .targets import check_target
 from .unit_text import meters_per_blender_unit
+from .wire_attributes import wires_on
 from .wire_names import update_names
 from .write_flat_object import find_flat_object, our_collection, show_flat_object, write_flat_object
 from .write_helper_wires import remove_helper_wires, write_helper_wires
@@ -91,7 +92,7 @@ def write(context: bpy.types.Context, outcomes: list[Outcome], settings: Flatten
             continue
         pieces = flat_mesh(outcome.result, outcome.arrays, outcome.pieces)
         if outcome.source.data.library is None:
-            update_names(outcome.source.data, [wire.chain.wire_id for wire in outcome.arrays.wires])
+            update_names(outcome.source.data, wires_on(outcome.source.data))
         write_pieces(outcome.source, outcome.result, outcome.arrays, outcome.pieces, not settings.use_modifiers)
         flat = write_flat_object(context.scene, outcome.source, pieces, outcome.arrays)
         if not settings.use_modifiers:

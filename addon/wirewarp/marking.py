@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which selected edges become which wire. No Blender in here."""
+"""Which selected edges become which wire, and with which id. No Blender in here."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from .wire_chains import split_into_chains
+
+MAX_ID = 2**31 - 1
 
 
 @dataclass(frozen=True)
@@ -30,3 +32,17 @@ def plan_wires(
         whole = len(ids) == 1 and np.count_nonzero(present) == edges_of_wire[ids[0]]
         planned.append(PlannedWire(chain.edges, ids[0] if whole else 0))
     return planned
+
+
+def own_ids(wire_ids: Sequence[int]) -> list[int]:
+    """An id for each wire, its own where it is the first with that: a wire that was copied or cut in two has several.
+
+    The others get the next number that is no wire's; the same ones each time.
+    """
+    taken, own = set(wire_ids), dict[int, None]()
+    for wire_id in wire_ids:
+        free = wire_id
+        while free in own or (free != wire_id and free in taken):
+            free = free % MAX_ID + 1
+        own[free] = None
+    return list(own)

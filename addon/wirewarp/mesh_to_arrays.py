@@ -3,18 +3,19 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
 
 from .foreach import read
 from .issues import object_error
+from .marking import own_ids
 from .pieces.attribute import read_piece_ids
 from .pieces.face_regions import FaceRegions, face_regions
 from .wire_attributes import read_marks
 from .wire_chains import WireChain, chains_of_marks
-from .wire_names import names_of
+from .wire_names import chain_names
 
 
 @dataclass(frozen=True)
@@ -119,11 +120,9 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
 
 
 def _name_wires(named: bpy.types.Mesh, chains: list[WireChain]) -> list[NamedWire]:
-    wires: list[NamedWire] = []
-    count: dict[str, int] = {}
-    names = names_of(named, [chain.wire_id for chain in chains])
-    for chain in chains:
-        name = names[chain.wire_id]
-        count[name] = count.get(name, 0) + 1
-        wires.append(NamedWire(name if count[name] == 1 else f"{name} ({count[name]})", chain))
-    return wires
+    """Each with a name and an id of its own."""
+    ids = [chain.wire_id for chain in chains]
+    return [
+        NamedWire(name, replace(chain, wire_id=own))
+        for name, own, chain in zip(chain_names(named, ids), own_ids(ids), chains, strict=True)
+    ]

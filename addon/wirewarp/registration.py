@@ -23,13 +23,11 @@ def register_ui() -> None:
     mesh_cache.attach()
     overlay.attach()
     ui.tick.attach()
-    bpy.types.VIEW3D_MT_edit_mesh_edges.append(ui.draw_edge_menu)
-    bpy.types.VIEW3D_MT_edit_mesh_context_menu.append(ui.draw_context_menu)
+    ui.menus.attach()
 
 
 def unregister_ui() -> None:
-    bpy.types.VIEW3D_MT_edit_mesh_context_menu.remove(ui.draw_context_menu)
-    bpy.types.VIEW3D_MT_edit_mesh_edges.remove(ui.draw_edge_menu)
+    ui.menus.detach()
     ui.tick.detach()
     overlay.detach()
     mesh_cache.detach()

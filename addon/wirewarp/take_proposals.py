@@ -6,7 +6,7 @@ import numpy as np
 
 from .edge_keys import edge_keys
 from .foreach import read
-from .wire_attributes import TOLERANCE, read_marks
+from .wire_attributes import read_marks, write_marks
 
 
 def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:
@@ -21,14 +21,12 @@ def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:
 def loosen_wires(mesh: bpy.types.Mesh, wires: list[dict]) -> int:
     """Gives the edges of each proposed wire its tolerance, unless theirs is wider. Returns how many edges changed."""
     marks = read_marks(mesh)
-    tolerances = marks.tolerances.copy()
+    before, tolerances = marks.tolerances.copy(), marks.tolerances
     for wire in wires:
         rows = _mask(mesh, wire["edges"]) & (marks.wire_ids != 0)  # what is no wire any more stays so
         tolerances[rows] = np.maximum(tolerances[rows], np.float32(wire["tolerance"]))
-    attribute = mesh.attributes.get(TOLERANCE) or mesh.attributes.new(TOLERANCE, "FLOAT", "EDGE")
-    attribute.data.foreach_set("value", tolerances)
-    mesh.update()
-    return int(np.count_nonzero(tolerances != marks.tolerances))
+    write_marks(mesh, marks)
+    return int(np.count_nonzero(tolerances != before))
 
 
 def _mask(mesh: bpy.types.Mesh, pairs: list) -> np.ndarray:

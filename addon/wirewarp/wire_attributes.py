@@ -13,6 +13,7 @@ import bpy
 import numpy as np
 
 from .issues import object_error
+from .marking import MAX_ID
 
 WIRE = "wirewarp_wire"
 TOLERANCE = "wirewarp_tolerance"
@@ -29,7 +30,7 @@ class EdgeMarks:
 
 def new_wire_id() -> int:
     """Random, so that joined and appended meshes keep their wires apart."""
-    return random.randint(1, 2**31 - 1)
+    return random.randint(1, MAX_ID)
 
 
 def check_attributes(mesh: bpy.types.Mesh) -> None:
@@ -53,6 +54,20 @@ def read_marks(mesh: bpy.types.Mesh) -> EdgeMarks:
     if TOLERANCE in mesh.attributes:
         mesh.attributes[TOLERANCE].data.foreach_get("value", marks.tolerances)
     return marks
+
+
+def write_marks(mesh: bpy.types.Mesh, marks: EdgeMarks) -> None:
+    """To a mesh that is not in Edit Mode."""
+    for name, values in ((WIRE, marks.wire_ids), (TOLERANCE, marks.tolerances)):
+        attribute = mesh.attributes.get(name) or mesh.attributes.new(name, _EXPECTED[name], "EDGE")
+        attribute.data.foreach_set("value", values)
+    mesh.update()
+
+
+def wires_on(mesh: bpy.types.Mesh) -> list[int]:
+    """The ids of a mesh that is not in Edit Mode, in its order."""
+    wire_ids = read_marks(mesh).wire_ids
+    return list(dict.fromkeys(wire_ids[wire_ids != 0].tolist()))
 
 
 def edit_layers(mesh: bpy.types.Mesh) -> tuple:

@@ -24,7 +24,8 @@ class WireChain:
 
     wire_id: int
     tolerance: float
-    vertices: list[int]
+    edges: list[int]  # rows of the edge array, in order along the run
+    vertices: list[int]  # one more than edges
 
 
 def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
@@ -49,7 +50,7 @@ def chains_of_marks(
     for edge, wire_id, tolerance in zip(marked.tolist(), wire_ids[marked].tolist(), tolerances[marked], strict=True):
         groups.setdefault((wire_id, shortest_double(tolerance)), []).append(edge)
     return [
-        WireChain(wire_id, tolerance, chain.vertices)
+        WireChain(wire_id, tolerance, [members[edge] for edge in chain.edges], chain.vertices)
         for (wire_id, tolerance), members in groups.items()
         for chain in split_into_chains(edges[members], positions)
     ]

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Names of wires, kept in a list on the mesh. A wire without an entry (a joined mesh's) gets one when it is needed."""
+"""Names of wires, kept in a list on the mesh by their ids.
 
-from collections.abc import Iterable
+A wire without an entry gets one when the list is next written: a joined mesh's wire the name it had there, others the
+next free number.
+"""
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import bpy
 
@@ -17,38 +21,62 @@ def list_position(mesh: bpy.types.Mesh, wire_id: int) -> int:
 
 
 def names_of(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> dict[int, str]:
-    """The name of each id, in their order; those without an entry get the next free number."""
+    """The name of each id."""
     present = dict.fromkeys(wire_ids)
     names = {entry.wire_id: entry.name for entry in mesh.wirewarp_names if entry.wire_id in present}
     taken = set(names.values())
-    for wire_id in present:
-        if wire_id not in names:
-            names[wire_id] = _free_name(taken)
-            taken.add(names[wire_id])
+    unnamed = [wire_id for wire_id in present if wire_id not in names]
+    brought = _names_elsewhere(mesh, unnamed) if unnamed else {}
+    for wire_id in unnamed:
+        names[wire_id] = _numbered(brought[wire_id], taken) if wire_id in brought else _free_name(taken)
+        taken.add(names[wire_id])
     return names
+
+
+def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
+    """The name of each wire; where several have one id or one name: Bust, Bust (2) and so on."""
+    names, taken = names_of(mesh, wire_ids), dict[str, None]()
+    for wire_id in wire_ids:
+        taken[_numbered(names[wire_id], taken)] = None
+    return list(taken)
 
 
 def update_names(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> None:
     """One entry for each of the ids that are on the mesh; entries of vanished wires go."""
-    names = names_of(mesh, wire_ids)
+    write_names(mesh, names_of(mesh, wire_ids))
+
+
+def write_names(mesh: bpy.types.Mesh, names: Mapping[int, str]) -> None:
+    """Makes the list say these names of these ids and nothing else; entries keep their places."""
     for index in reversed(range(len(mesh.wirewarp_names))):
         if mesh.wirewarp_names[index].wire_id not in names:
             mesh.wirewarp_names.remove(index)
-    known = {entry.wire_id for entry in mesh.wirewarp_names}
     for wire_id, name in names.items():
-        if wire_id not in known:
-            entry = mesh.wirewarp_names.add()
-            entry.wire_id, entry.name = wire_id, name
+        entry = find_name(mesh, wire_id) or mesh.wirewarp_names.add()
+        entry.wire_id, entry.name = wire_id, name
 
 
-def copy_names(source: bpy.types.Mesh, target: bpy.types.Mesh) -> None:
-    target.wirewarp_names.clear()
-    for entry in source.wirewarp_names:
-        copied = target.wirewarp_names.add()
-        copied.wire_id, copied.name = entry.wire_id, entry.name
+def _names_elsewhere(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> dict[int, str]:
+    """Joining keeps one mesh's list of names; the others' meshes are there until the file is saved."""
+    return {
+        entry.wire_id: entry.name
+        for other in bpy.data.meshes
+        if other != mesh
+        for entry in other.wirewarp_names
+        if entry.wire_id in wire_ids
+    }
 
 
-def _free_name(taken: set[str]) -> str:
+def _numbered(name: str, taken: Collection[str]) -> str:
+    number = 2
+    numbered = name
+    while numbered in taken:
+        numbered = f"{name} ({number})"
+        number += 1
+    return numbered
+
+
+def _free_name(taken: Collection[str]) -> str:
     number = len(taken) + 1
     while f"Wire {number}" in taken:
         number += 1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the list of wires shows, gathered from the edge attributes and kept until the mesh changes."""
+"""The wires of a mesh, gathered from the edge attributes and kept until the mesh changes."""
 
 from dataclasses import dataclass
 
@@ -10,13 +10,19 @@ import numpy as np
 from .foreach import read
 from .mesh_cache import kept
 from .wire_attributes import TOLERANCE, WIRE, read_marks
+from .wire_chains import chains_of_marks
+from .wire_names import chain_names, find_name, list_position
 
 
 @dataclass(frozen=True)
 class WireSummary:
+    """A wire as flattening will see it: one run of edges with one id and one tolerance."""
+
     wire_id: int
     tolerance: float
+    edges: list[int]  # of the mesh, in order along the wire
     edge_vectors: np.ndarray  # (k,3) in the mesh's own space
+    shares_id: bool  # with an earlier one: a wire that was copied or cut in two
 
     def length(self, linear: np.ndarray) -> float:
         """In Blender units, for an object with this linear part."""
@@ -24,43 +30,64 @@ class WireSummary:
 
 
 def wires_of(target: bpy.types.Object) -> list[WireSummary]:
-    """One entry per id and tolerance. Raises ObjectError if an attribute is not ours."""
-    return kept(target.data, "wires", _summarize)
+    """In the order of the mesh. Raises ObjectError if an attribute is not ours."""
+    return kept(target.data, "wires", find_wires)
 
 
-def _summarize(mesh: bpy.types.Mesh) -> list[WireSummary]:
-    gather = _gather_edit if mesh.is_editmode else _gather
-    return _group(*gather(mesh))
+def listed_wires(target: bpy.types.Object) -> list[tuple[str, WireSummary]]:
+    """With their names, in the order of the list of names. Raises ObjectError as wires_of does."""
+    wires = wires_of(target)
+    named = zip(chain_names(target.data, [wire.wire_id for wire in wires]), wires, strict=True)
+    return sorted(named, key=lambda each: list_position(target.data, each[1].wire_id))
 
 
-def _gather(mesh: bpy.types.Mesh) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Ids (k,), tolerances (k,) and vectors (k,3) of the marked edges."""
+def editable_name(mesh: bpy.types.Mesh, wire: WireSummary) -> bpy.types.PropertyGroup | None:
+    """The entry in the list of names that is this wire's and no other's."""
+    return None if wire.shares_id else find_name(mesh, wire.wire_id)
+
+
+@dataclass(frozen=True)
+class _Marked:
+    """The marked edges."""
+
+    rows: np.ndarray  # (k,) of the mesh's edges
+    vertices: np.ndarray  # (k,2) of the mesh
+    ends: np.ndarray  # (k,2,3)
+    wire_ids: np.ndarray  # (k,)
+    tolerances: np.ndarray  # (k,)
+
+
+def find_wires(mesh: bpy.types.Mesh) -> list[WireSummary]:
+    """As wires_of, read anew."""
+    marked = (_gather_edit if mesh.is_editmode else _gather)(mesh)
+    numbers, edges = np.unique(marked.vertices, return_inverse=True)
+    edges, positions = edges.reshape(-1, 2), np.empty((len(numbers), 3))
+    positions[edges] = marked.ends
+    vectors, seen, wires = marked.ends[:, 1] - marked.ends[:, 0], set(), []
+    for chain in chains_of_marks(edges, marked.wire_ids, marked.tolerances, positions):
+        rows, shares_id = marked.rows[chain.edges].tolist(), chain.wire_id in seen
+        wires.append(WireSummary(chain.wire_id, chain.tolerance, rows, vectors[chain.edges], shares_id))
+        seen.add(chain.wire_id)
+    return wires
+
+
+def _gather(mesh: bpy.types.Mesh) -> _Marked:
     marks = read_marks(mesh)
-    marked = np.flatnonzero(marks.wire_ids)
-    if not len(marked):
-        return _nothing()
-    ends = read(mesh.edges, "vertices", np.int32, 2)[marked]
-    positions = read(mesh.vertices, "co", np.float32, 3).astype(np.float64)
-    return marks.wire_ids[marked], marks.tolerances[marked], positions[ends[:, 1]] - positions[ends[:, 0]]
+    rows = np.flatnonzero(marks.wire_ids)
+    vertices = read(mesh.edges, "vertices", np.int32, 2)[rows]
+    ends = read(mesh.vertices, "co", np.float32, 3).astype(np.float64)[vertices]
+    return _Marked(rows, vertices, ends, marks.wire_ids[rows], marks.tolerances[rows])
 
 
-def _gather_edit(mesh: bpy.types.Mesh) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _gather_edit(mesh: bpy.types.Mesh) -> _Marked:
     edit = bmesh.from_edit_mesh(mesh)
     wire, tolerance = edit.edges.layers.int.get(WIRE), edit.edges.layers.float.get(TOLERANCE)
-    marked = [edge for edge in edit.edges if edge[wire]] if wire and tolerance else []
-    if not marked:
-        return _nothing()
-    vectors = [edge.verts[1].co - edge.verts[0].co for edge in marked]
-    return np.array([edge[wire] for edge in marked]), np.array([edge[tolerance] for edge in marked]), np.array(vectors)
-
-
-def _nothing() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    return np.empty(0, np.int32), np.empty(0, np.float32), np.empty((0, 3))
-
-
-def _group(wire_ids: np.ndarray, tolerances: np.ndarray, vectors: np.ndarray) -> list[WireSummary]:
-    keys = dict.fromkeys(zip(wire_ids.tolist(), tolerances.tolist(), strict=True))
-    return [
-        WireSummary(wire_id, tolerance, vectors[(wire_ids == wire_id) & (tolerances == tolerance)])
-        for wire_id, tolerance in keys
-    ]
+    marked = [(row, edge) for row, edge in enumerate(edit.edges) if edge[wire]] if wire else []
+    edit.verts.index_update()
+    return _Marked(
+        rows=np.array([row for row, _ in marked], dtype=np.int32),
+        vertices=np.array([[v.index for v in edge.verts] for _, edge in marked], np.int32).reshape(-1, 2),
+        ends=np.array([[v.co[:] for v in edge.verts] for _, edge in marked], np.float64).reshape(-1, 2, 3),
+        wire_ids=np.array([edge[wire] for _, edge in marked], dtype=np.int32),
+        tolerances=np.array([edge[tolerance] if tolerance else 0 for _, edge in marked], dtype=np.float32),
+    )

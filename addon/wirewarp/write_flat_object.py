@@ -13,7 +13,7 @@ from .mesh_to_arrays import MeshArrays
 from .pieces.attribute import PIECE
 from .pieces.records import FACE_COUNT
 from .wire_attributes import TOLERANCE, WIRE
-from .wire_names import copy_names
+from .wire_names import write_names
 from .write_maps import write_flat_maps
 
 COLLECTION = "WireWarp"
@@ -32,7 +32,7 @@ def write_flat_object(
         our_collection(scene).objects.link(target)
     target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
     _write_mesh(target.data, flat, arrays)
-    copy_names(source.data, target.data)
+    write_names(target.data, {wire.chain.wire_id: wire.name for wire in arrays.wires})
     show_failed(target.data, flat.failed)
     return target
 

@@ -52,11 +52,9 @@ def test_join_keeps_both_objects_wires(marked):
     assert wire_marks(marked.data) == both
 
 
-def test_subdividing_keeps_the_wires_on_their_lines(marked):
+def test_join_into_an_object_without_marks(marked):
     before = wire_marks(marked.data)
-    select_only(marked)
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.mesh.subdivide()
-    bpy.ops.object.mode_set(mode="OBJECT")
-    assert wire_marks(marked.data) == {key: 2 * count for key, count in before.items()}
+    bare = grid("Bare", bump)
+    select_only(bare, marked)
+    bpy.ops.object.join()
+    assert wire_marks(bare.data) == before

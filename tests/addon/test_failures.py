@@ -226,16 +226,6 @@ def test_select_issues_without_issues():
     assert len(edge_vertices(source.data)) > 144
 
 
-def test_select_wire():
-    source = grid("Bump", bump)
-    mark(source, on_line(1, 0.0), on_line(0, 0.0), kind="SUPER_ELASTIC")
-    wire = source.data.wirewarp_names[1].wire_id
-    bpy.ops.mesh.wirewarp_select_wire(wire_id=wire, tolerance=float("inf"))
-    bpy.ops.object.mode_set(mode="OBJECT")
-    ids = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
-    assert selected(source, "edges") == set(np.flatnonzero(ids == wire))
-
-
 def test_blenders_own_command_is_named_where_there_is_one(addon):
     source = grid("Bump", bump)
     source.data.polygons[0].flip()

@@ -115,6 +115,36 @@ def test_no_tolerance_on_seams_and_outlines(kind, place):
     assert wire_marks(target.data) == {}
 
 
+@pytest.mark.parametrize("place", ["seam", "outline"])
+def test_a_tolerance_is_marked_on_the_rest_of_a_line_that_meets_a_seam_or_outline(place, capfd):
+    target = grid("Bump", bump)
+    mark_seam(target, NORTH_SOUTH)
+    beside = NORTH_SOUTH if place == "seam" else on_line(0, 1.0)
+    select_edges(target, EAST_WEST, beside)
+    assert bpy.ops.mesh.wirewarp_mark(kind="ELASTIC", tolerance=0.05) == {"FINISHED"}
+    assert "1 wire marked, but not 8 selected edges that lie on a seam or outline" in capfd.readouterr().out
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert list(wire_marks(target.data).values()) == [8]
+    assert not any(beside(*ends) for ends in ends_of_marked(target))
+
+
+def test_a_rigid_wire_keeps_its_marks_on_a_seam_when_it_is_marked_elastic():
+    target = grid("Bump", bump)
+    mark_seam(target, lambda a, b: EAST_WEST(a, b) and a.x + b.x > 0)
+    mark(target, EAST_WEST)
+    mark(target, EAST_WEST, kind="ELASTIC", tolerance=0.05)
+    assert sorted((round(tolerance, 4), count) for (_, tolerance), count in wire_marks(target.data).items()) == [
+        (0.0, 4),
+        (0.05, 4),
+    ]
+
+
+def ends_of_marked(target):
+    mesh = target.data
+    ids = mesh.attributes["wirewarp_wire"].data
+    return [tuple(mesh.vertices[v].co for v in edge.vertices) for edge in mesh.edges if ids[edge.index].value]
+
+
 def grid_with_a_loose_edge():
     target = grid("Bump", bump)
     count = len(target.data.vertices)

@@ -21,6 +21,18 @@ def test_register_and_unregister_twice(addon):
     assert [len(bpy.app.handlers.undo_post), len(bpy.app.handlers.depsgraph_update_post)] == handlers
 
 
+def test_menu_entries_come_and_go(addon):
+    def ours():
+        menus = addon.ui.menus.ADDED
+        return [draw in getattr(bpy.types, name)._dyn_ui_initialize() for name, draw in menus.items()]
+
+    assert ours() == [True] * 4
+    addon.unregister()
+    gone = ours()
+    addon.register()
+    assert gone == [False] * 4
+
+
 def test_every_class_of_the_add_on_is_registered(addon):
     bases = (bpy.types.Operator, bpy.types.Panel, bpy.types.PropertyGroup, bpy.types.UIList)
     modules = [module for name, module in sys.modules.items() if name.startswith(f"{addon.__name__}.")]

@@ -285,14 +285,15 @@ def test_without_a_report_file_nothing_is_written_to_disk(source, tmp_path):
     assert sum(read(source.data.edges, "use_seam", bool)) == 8
 
 
-def test_a_wire_without_a_name_has_the_same_one_in_the_report_and_in_the_list(source, addon):
+def test_joined_wires_have_the_names_they_had_in_the_report_and_in_the_list(source, addon):
     source.data.wirewarp_names[0].name = "Bust"
-    other = grid("Other", bump)
-    mark(other, WIRE)
-    select_only(source, other)
+    other, third = grid("Other", bump), grid("Third", bump)
+    for target, name in ((other, "Hip"), (third, "Bust")):
+        mark(target, WIRE)
+        target.data.wirewarp_names[0].name = name
+    select_only(source, other, third)
     bpy.ops.object.join()  # keeps the names of the first mesh only
     bpy.ops.object.wirewarp_flatten()
-    wires = addon.report_store.last_report(source)["wires"]
-    assert (
-        [wire["name"] for wire in wires] == [entry.name for entry in source.data.wirewarp_names] == ["Bust", "Wire 2"]
-    )
+    wires = [wire["name"] for wire in addon.report_store.last_report(source)["wires"]]
+    assert wires == [entry.name for entry in source.data.wirewarp_names]
+    assert sorted(wires) == ["Bust", "Bust (2)", "Hip"]

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The operators: thin, each over its work module."""
 
+from .change_wire import MESH_OT_wirewarp_change_wire
 from .clear import MESH_OT_wirewarp_clear
 from .flatten import OBJECT_OT_wirewarp_flatten
 from .mark import MESH_OT_wirewarp_mark
+from .seams_from_uv import MESH_OT_wirewarp_seams_from_uv_islands
 from .select_issues import MESH_OT_wirewarp_select_issues
 from .select_result import MESH_OT_wirewarp_select_result
 from .select_wire import MESH_OT_wirewarp_select_wire
@@ -12,7 +14,9 @@ from .take_proposal import MESH_OT_wirewarp_take_proposal
 CLASSES = (
     MESH_OT_wirewarp_mark,
     MESH_OT_wirewarp_clear,
+    MESH_OT_wirewarp_change_wire,
     MESH_OT_wirewarp_select_wire,
+    MESH_OT_wirewarp_seams_from_uv_islands,
     MESH_OT_wirewarp_select_issues,
     MESH_OT_wirewarp_select_result,
     MESH_OT_wirewarp_take_proposal,

@@ -1,27 +1,33 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import bpy
 import numpy as np
-from bpy.props import FloatProperty, IntProperty
+from bpy.props import IntProperty
 
+from ..change_wire import wire_at
 from ..foreach import read
-from ..issues import ObjectError
+from ..issues import ObjectError, object_error
 from ..selection import select_elements
-from ..wire_attributes import read_marks
+from ..wire_summary import find_wires
 
 
 class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
     """Select this wire's edges in Edit Mode"""
 
     bl_idname = "mesh.wirewarp_select_wire"
-    bl_label = "Select Wire"
+    bl_label = "Select Whole Wires"
     bl_options = {"REGISTER", "UNDO"}
 
-    wire_id: IntProperty(name="Wire Id", description="The wire's id on the edges", options={"HIDDEN"})
-    tolerance: FloatProperty(
-        name="Tolerance",
-        description="Edges of one id with different tolerances are different wires",
+    edge: IntProperty(
+        name="Edge",
+        description="Any edge of the wire, by its index; -1: the wires of all selected edges",
+        min=-1,
+        default=-1,
         options={"HIDDEN"},
     )
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        return cls.__doc__ if properties.edge >= 0 else "Select all edges of the wires of which an edge is selected"
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -33,15 +39,16 @@ class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
         if context.mode == "EDIT_MESH":
             bpy.ops.object.mode_set(mode="OBJECT")
         try:
-            select_elements(context, target, edges=self._edges(target.data))
+            rows = wire_at(target, self.edge).edges if self.edge >= 0 else self._rows_of_selected(target)
+            select_elements(context, target, edges=read(target.data.edges, "vertices", np.int32, 2)[rows])
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         return {"FINISHED"}
 
-    def _edges(self, mesh: bpy.types.Mesh) -> np.ndarray:
-        marks = read_marks(mesh)
-        # A property cannot hold infinity: it becomes the largest number.
-        tolerances = np.minimum(marks.tolerances, np.finfo(np.float32).max)
-        members = (marks.wire_ids == self.wire_id) & (tolerances == np.float32(self.tolerance))
-        return read(mesh.edges, "vertices", np.int32, 2)[members]
+    def _rows_of_selected(self, target: bpy.types.Object) -> list[int]:
+        selected = read(target.data.edges, "select", bool)
+        found = [wire.edges for wire in find_wires(target.data) if selected[wire.edges].any()]
+        if not found:
+            raise object_error("no_wire", "No selected edge is a wire: select an edge of the wire first.")
+        return [row for rows in found for row in rows]

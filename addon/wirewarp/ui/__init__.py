@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The sidebar tab and the menu entries."""
 
-from . import tick
-from .menus import draw_context_menu, draw_edge_menu
+from . import menus, tick
 from .overlay import VIEW3D_PT_wirewarp_overlay
 from .panel import VIEW3D_PT_wirewarp_flatten, VIEW3D_PT_wirewarp_mark
 from .piece_list import VIEW3D_PT_wirewarp_pieces, WIREWARP_UL_pieces
@@ -31,4 +30,4 @@ CLASSES = (
     VIEW3D_PT_wirewarp_report_pieces,
 )
 
-__all__ = ["CLASSES", "draw_context_menu", "draw_edge_menu", "tick"]
+__all__ = ["CLASSES", "menus", "tick"]

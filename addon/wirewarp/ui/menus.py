@@ -1,18 +1,46 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marking from the Edge menu (Ctrl+E) and the context menu of edge selection."""
+"""Our commands in Blender's menus, by which F3 finds them too."""
 
 import bpy
 
 
 def draw_edge_menu(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
+    """Edge (Ctrl+E)."""
     layout = menu.layout
     layout.separator()
     layout.operator("mesh.wirewarp_mark", text="Mark Rigid Wire").kind = "RIGID"
     layout.operator("mesh.wirewarp_mark", text="Mark Elastic Wire").kind = "ELASTIC"
     layout.operator("mesh.wirewarp_mark", text="Mark Free Wire").kind = "SUPER_ELASTIC"
     layout.operator("mesh.wirewarp_clear")
+    layout.operator("mesh.wirewarp_select_wire").edge = -1
+    layout.operator("mesh.wirewarp_seams_from_uv_islands")
 
 
 def draw_context_menu(menu: bpy.types.Menu, context: bpy.types.Context) -> None:
+    """The right mouse button on selected edges."""
     if context.tool_settings.mesh_select_mode[1]:
         draw_edge_menu(menu, context)
+
+
+def draw_flatten_entry(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
+    """Object, and UV in Edit Mode."""
+    menu.layout.separator()
+    menu.layout.operator("object.wirewarp_flatten", text="Flatten to Pattern")
+
+
+ADDED = {
+    "VIEW3D_MT_edit_mesh_edges": draw_edge_menu,
+    "VIEW3D_MT_edit_mesh_context_menu": draw_context_menu,
+    "VIEW3D_MT_object": draw_flatten_entry,
+    "VIEW3D_MT_uv_map": draw_flatten_entry,
+}
+
+
+def attach() -> None:
+    for name, draw in ADDED.items():
+        getattr(bpy.types, name).append(draw)
+
+
+def detach() -> None:
+    for name, draw in ADDED.items():
+        getattr(bpy.types, name).remove(draw)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The list of wires: name, kind, length; a click selects."""
+"""The list of wires: name, kind, length. A click selects, or changes one."""
 
 import bpy
 import numpy as np
@@ -7,8 +7,7 @@ import numpy as np
 from ..issues import ObjectError
 from ..tolerance_text import tolerance_text
 from ..unit_text import length_text
-from ..wire_names import find_name, list_position
-from ..wire_summary import WireSummary, wires_of
+from ..wire_summary import WireSummary, editable_name, listed_wires
 from .panel import SidebarPanel
 from .text import draw_sentence, is_wide
 
@@ -26,7 +25,7 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         target = context.active_object
         try:
-            wires = sorted(wires_of(target), key=lambda wire: list_position(target.data, wire.wire_id))
+            wires = listed_wires(target)
         except ObjectError as error:
             draw_sentence(context, self.layout, str(error), "ERROR")
             return
@@ -36,16 +35,16 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
         linear = np.array(target.matrix_world, dtype=np.float64)[:3, :3]
         text = length_text(context.scene)
         column = self.layout.column(align=True)
-        for number, wire in enumerate(wires[:SHOWN_WIRES], start=1):
-            name, figures = self._lines(context, column)
-            self._draw_name(name, target.data, wire, number)
-            figures.label(text=tolerance_text(wire.tolerance))
+        for name, wire in wires[:SHOWN_WIRES]:
+            first, figures = self._lines(context, column)
+            self._draw_name(first, target.data, name, wire)
+            self._change_button(figures, tolerance_text(wire.tolerance), wire)
             last = figures.row()
             last.alignment = "RIGHT"
             last.label(text=text.number(wire.length(linear)))
         if len(wires) > SHOWN_WIRES:
             self.layout.label(text=f"and {len(wires) - SHOWN_WIRES} more")
-        total = sum(wire.length(linear) for wire in wires)
+        total = sum(wire.length(linear) for _, wire in wires)
         self.layout.label(text=f"{len(wires)} wire{'s' if len(wires) != 1 else ''}, {text(total)} in all")
 
     def _lines(
@@ -60,12 +59,13 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
         figures.scale_y = 0.8
         return name, figures.split(factor=0.5)
 
-    def _draw_name(self, row: bpy.types.UILayout, mesh: bpy.types.Mesh, wire: WireSummary, number: int) -> None:
-        button = row.operator("mesh.wirewarp_select_wire", text="", icon="RESTRICT_SELECT_OFF")
-        button.wire_id = wire.wire_id
-        button.tolerance = min(wire.tolerance, float(np.finfo(np.float32).max))
-        named = find_name(mesh, wire.wire_id)
-        if named:
-            row.prop(named, "name", text="")
+    def _draw_name(self, row: bpy.types.UILayout, mesh: bpy.types.Mesh, name: str, wire: WireSummary) -> None:
+        row.operator("mesh.wirewarp_select_wire", text="", icon="RESTRICT_SELECT_OFF").edge = wire.edges[0]
+        entry = editable_name(mesh, wire)
+        if entry:
+            row.prop(entry, "name", text="")
         else:
-            row.label(text=f"Wire {number}")
+            self._change_button(row, name, wire)
+
+    def _change_button(self, layout: bpy.types.UILayout, text: str, wire: WireSummary) -> None:
+        layout.operator("mesh.wirewarp_change_wire", text=text).edge = wire.edges[0]

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A new name and tolerance for one wire. Of meshes in Object Mode."""
+
+import bpy
+import numpy as np
+
+from .edit_marks import OUTLINES_ARE_RIGID
+from .foreach import read
+from .issues import object_error
+from .repair_wires import repair_names
+from .wire_attributes import read_marks, write_marks
+from .wire_names import find_name
+from .wire_summary import WireSummary, find_wires
+
+
+def wire_at(target: bpy.types.Object, edge: int) -> WireSummary:
+    """The wire that this edge of the mesh belongs to. Raises ObjectError if it is none's."""
+    for wire in find_wires(target.data):
+        if edge in wire.edges:
+            return wire
+    raise object_error("no_wire", f'Edge {edge} of "{target.name}" belongs to no wire.')
+
+
+def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float) -> int:
+    """Changes the wire that this edge belongs to; name "": it keeps its own.
+
+    Returns how many of its edges lie on seams and outlines, which stay as they are if a tolerance is asked for. Raises
+    ObjectError, with nothing changed, if those are all.
+    """
+    mesh = target.data
+    rows = np.array(wire_at(target, edge).edges)
+    outline = _outline_mask(mesh)[rows] if tolerance > 0 else np.zeros(len(rows), dtype=bool)
+    if outline.all():
+        sentence = (
+            f'All of this wire lies on a seam or outline of "{target.name}". {OUTLINES_ARE_RIGID}: leave it rigid.'
+        )
+        raise object_error("tolerance_on_outline", sentence)
+    marks = read_marks(mesh)
+    marks.tolerances[rows[~outline]] = tolerance
+    write_marks(mesh, marks)
+    for row, wire_id in repair_names(mesh).items():
+        marks.wire_ids[row] = wire_id
+    write_marks(mesh, marks)
+    if name:
+        find_name(mesh, int(marks.wire_ids[rows[~outline][0]])).name = name
+    return int(outline.sum())
+
+
+def _outline_mask(mesh: bpy.types.Mesh) -> np.ndarray:
+    faces = np.bincount(read(mesh.loops, "edge_index", np.int32), minlength=len(mesh.edges))
+    return read(mesh.edges, "use_seam", bool) | (faces != 2)

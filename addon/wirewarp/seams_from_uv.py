@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Seams along the borders of UV islands. Of meshes in Object Mode."""
+
+from collections.abc import Sequence
+
+import bpy
+import numpy as np
+
+from .foreach import read
+from .issues import object_error
+from .uv_islands import island_borders
+
+
+def seams_from_uv(targets: Sequence[bpy.types.Object]) -> int:
+    """Marks the borders of the active UV maps' islands; seams that are there stay. Returns the number of new ones.
+
+    Raises ObjectError, with nothing marked, if one has no UV map.
+    """
+    for target in targets:
+        if target.data.uv_layers.active is None:
+            raise object_error("no_uv_map", f'"{target.name}" has no UV map: unwrap it first (UV > Unwrap).')
+    return sum(_mark_borders(target.data) for target in targets)
+
+
+def _mark_borders(mesh: bpy.types.Mesh) -> int:
+    before = read(mesh.edges, "use_seam", bool)
+    borders = island_borders(
+        read(mesh.loops, "edge_index", np.int32),
+        read(mesh.loops, "vertex_index", np.int32),
+        _next_loops(mesh),
+        read(mesh.uv_layers.active.data, "uv", np.float32, 2),
+        len(mesh.edges),
+    )
+    mesh.edges.foreach_set("use_seam", before | borders)
+    mesh.update()
+    return int(np.count_nonzero(borders & ~before))
+
+
+def _next_loops(mesh: bpy.types.Mesh) -> np.ndarray:
+    starts = read(mesh.polygons, "loop_start", np.int32)
+    sizes = read(mesh.polygons, "loop_total", np.int32)
+    following = np.arange(1, len(mesh.loops) + 1, dtype=np.int32)
+    following[starts + sizes - 1] = starts
+    return following

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Seams from UV islands."""
+
+import bpy
+import numpy as np
+import pytest
+from surfaces import bump, edge_vertices, grid, mark_seam, on_line, read, select_edges, select_only
+
+CUT, ACROSS = on_line(0, 0.0), on_line(1, 0.0)
+
+
+def with_islands(faces="quads"):
+    """A grid whose map, in its own x and y, has the faces right of x = 0 moved aside."""
+    target = grid("Bump", bump, faces=faces)
+    mesh = target.data
+    layer = mesh.uv_layers.new(name="Map")
+    for face in mesh.polygons:
+        for loop in face.loop_indices:
+            x, y, _ = mesh.vertices[mesh.loops[loop].vertex_index].co
+            layer.data[loop].uv = (x + 5 * (face.center.x > 0), y)
+    return target
+
+
+def seam_edges(mesh):
+    return set(map(tuple, np.sort(edge_vertices(mesh)[read(mesh.edges, "use_seam", bool)], axis=1).tolist()))
+
+
+def edges_on(mesh, *lines):
+    ends = ((pair, [mesh.vertices[v].co for v in pair]) for pair in np.sort(edge_vertices(mesh), axis=1).tolist())
+    return {tuple(pair) for pair, (a, b) in ends if any(line(a, b) for line in lines)}
+
+
+@pytest.mark.parametrize("faces", ["quads", "triangles", "ngons"])
+def test_the_borders_of_islands_become_seams_and_present_ones_stay(faces):
+    target = with_islands(faces)
+    mark_seam(target, ACROSS)
+    present = edges_on(target.data, ACROSS)
+    select_edges(target)
+    assert bpy.ops.mesh.wirewarp_seams_from_uv_islands() == {"FINISHED"}
+    assert target.mode == "EDIT"
+    bpy.ops.object.mode_set(mode="OBJECT")
+    borders = edges_on(target.data, CUT)
+    assert len(borders) == 8
+    assert seam_edges(target.data) == borders | present
+
+
+def test_a_map_of_one_island_adds_nothing():
+    target = with_islands()
+    layer = target.data.uv_layers.active
+    for loop, corner in zip(target.data.loops, layer.data, strict=True):
+        corner.uv = target.data.vertices[loop.vertex_index].co.xy
+    select_edges(target)
+    assert bpy.ops.mesh.wirewarp_seams_from_uv_islands() == {"CANCELLED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert seam_edges(target.data) == set()
+
+
+def test_without_a_map_nothing_is_marked():
+    first, second = with_islands(), grid("Bare", bump)
+    select_only(first, second)
+    bpy.ops.object.mode_set(mode="EDIT")
+    with pytest.raises(RuntimeError, match='"Bare" has no UV map'):
+        bpy.ops.mesh.wirewarp_seams_from_uv_islands()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert seam_edges(first.data) == set()

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The list of wires follows the marks, and changes them: names, kinds, tolerances."""
+
+import math
+
+import bpy
+import numpy as np
+import pytest
+from surfaces import bump, grid, mark, mark_seam, on_line, read, select_edges, select_only, wire_marks
+
+EAST_WEST, NORTH_SOUTH = on_line(1, 0.0), on_line(0, 0.0)
+
+
+@pytest.fixture
+def source():
+    """Two crossing wires, Bust (rigid) and Middle (elastic)."""
+    target = grid("Bump", bump)
+    mark(target, EAST_WEST)
+    mark(target, NORTH_SOUTH, kind="ELASTIC", tolerance=0.05)
+    for entry, name in zip(target.data.wirewarp_names, ("Bust", "Middle"), strict=True):
+        entry.name = name
+    return target
+
+
+def listed(addon, target):
+    """Name, tolerance and number of edges of each line."""
+    bpy.context.view_layer.update()
+    return [(name, wire.tolerance, len(wire.edges)) for name, wire in addon.wire_summary.listed_wires(target)]
+
+
+def edge_of(addon, target, wanted):
+    return next(wire.edges[0] for name, wire in addon.wire_summary.listed_wires(target) if name == wanted)
+
+
+def in_edit_mode(target, line, operator, **settings):
+    select_edges(target, line)
+    operator(**settings)
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
+def test_names_kinds_and_tolerances_are_changed_from_the_list(addon, source, mode):
+    select_only(source)
+    bpy.ops.object.mode_set(mode=mode)
+    edge = edge_of(addon, source, "Bust")
+    change = bpy.ops.mesh.wirewarp_change_wire
+    assert change(edge=edge, name="Waist", kind="ELASTIC", tolerance=0.02) == {"FINISHED"}
+    assert listed(addon, source) == [("Waist", 0.02, 8), ("Middle", 0.05, 8)]
+    assert change(edge=edge, kind="SUPER_ELASTIC") == {"FINISHED"}
+    assert listed(addon, source) == [("Waist", math.inf, 8), ("Middle", 0.05, 8)]
+    assert source.mode == mode
+
+
+def test_a_wire_that_lost_its_middle_is_two(addon, source):
+    in_edit_mode(source, lambda a, b: EAST_WEST(a, b) and abs(a.x + b.x) < 1, bpy.ops.mesh.wirewarp_clear)
+    assert listed(addon, source) == [("Bust", 0, 2), ("Middle", 0.05, 8), ("Bust (2)", 0, 2)]
+    assert [entry.name for entry in source.data.wirewarp_names] == ["Bust", "Middle", "Bust (2)"]
+    assert len(wire_marks(source.data)) == 3
+
+
+def test_one_id_with_two_tolerances_is_two_wires_and_both_keep_theirs(addon, source):
+    rows = [row for row, ends in enumerate(ends_of(source)) if EAST_WEST(*ends) and ends[0].x + ends[1].x > 0]
+    for row in rows:
+        source.data.attributes["wirewarp_tolerance"].data[row].value = 0.1
+    source.data.update()
+    before = listed(addon, source)
+    assert sorted(name for name, _, _ in before) == ["Bust", "Bust (2)", "Middle"]
+    assert sorted((tolerance, count) for _, tolerance, count in before) == [(0, 4), (0.05, 8), (0.1, 4)]
+    assert len({wire for wire, _ in wire_marks(source.data)}) == 2
+    mark(source, on_line(1, 0.5))  # any marking mends the ids
+    assert sorted(listed(addon, source)) == sorted([*before, ("Wire 4", 0, 8)])
+    assert len({wire for wire, _ in wire_marks(source.data)}) == 4
+
+
+def ends_of(target):
+    return [tuple(target.data.vertices[v].co for v in edge.vertices) for edge in target.data.edges]
+
+
+def test_a_wire_that_was_copied_is_changed_alone(addon, source):
+    select_edges(source, lambda *_: True)
+    bpy.ops.mesh.duplicate_move(TRANSFORM_OT_translate={"value": (0, 0, 3)})
+    bpy.ops.object.mode_set(mode="OBJECT")
+    both = [("Bust", 0, 8), ("Bust (2)", 0, 8), ("Middle", 0.05, 8), ("Middle (2)", 0.05, 8)]
+    assert sorted(listed(addon, source)) == sorted(both)
+    bpy.ops.mesh.wirewarp_change_wire(edge=edge_of(addon, source, "Middle (2)"), name="Back", kind="RIGID")
+    assert sorted(listed(addon, source)) == sorted([*both[:3], ("Back", 0, 8)])
+
+
+def test_joined_copies_are_wires_of_their_own(addon, source):
+    bpy.ops.object.duplicate()
+    bpy.context.active_object.location.z = 3
+    select_only(source, bpy.context.active_object)
+    bpy.ops.object.join()
+    names = ["Bust", "Bust (2)", "Middle", "Middle (2)"]
+    assert sorted(name for name, _, _ in listed(addon, source)) == names
+    bpy.ops.object.wirewarp_flatten()
+    report = addon.report_store.last_report(source)
+    assert sorted(wire["name"] for wire in report["wires"]) == names
+    flat = bpy.data.objects["Bump Flat"]
+    assert sorted(entry.name for entry in flat.data.wirewarp_names) == names
+    assert len(wire_marks(flat.data)) == 4
+
+
+def test_a_wire_whose_edges_are_gone_vanishes(addon, source):
+    in_edit_mode(source, EAST_WEST, bpy.ops.mesh.delete, type="EDGE")
+    assert listed(addon, source) == [("Middle", 0.05, 8)]
+
+
+def test_part_of_a_wire_on_a_seam_gets_no_tolerance(addon, source, capfd):
+    mark_seam(source, lambda a, b: EAST_WEST(a, b) and a.x + b.x > 0)
+    edge = edge_of(addon, source, "Bust")
+    assert bpy.ops.mesh.wirewarp_change_wire(edge=edge, kind="ELASTIC", tolerance=0.03) == {"FINISHED"}
+    assert "but not 4 edges that lie on a seam or outline" in capfd.readouterr().out
+    assert sorted(tolerance for _, tolerance, _ in listed(addon, source)) == [0, 0.03, 0.05]
+
+
+def test_a_wire_all_on_a_seam_stays_rigid(addon, source):
+    mark_seam(source, EAST_WEST)
+    before = wire_marks(source.data)
+    with pytest.raises(RuntimeError, match='All of this wire lies on a seam or outline of "Bump".*leave it rigid'):
+        bpy.ops.mesh.wirewarp_change_wire(edge=edge_of(addon, source, "Bust"), name="No", kind="SUPER_ELASTIC")
+    assert wire_marks(source.data) == before
+    assert listed(addon, source)[0][0] == "Bust"
+
+
+def test_what_is_no_wire_is_not_changed_or_selected(source):
+    with pytest.raises(RuntimeError, match='Edge 0 of "Bump" belongs to no wire'):
+        bpy.ops.mesh.wirewarp_change_wire(edge=0)
+    with pytest.raises(RuntimeError, match='Edge 0 of "Bump" belongs to no wire'):
+        bpy.ops.mesh.wirewarp_select_wire(edge=0)
+    select_edges(source, on_line(1, 0.5))
+    with pytest.raises(RuntimeError, match="No selected edge is a wire"):
+        bpy.ops.mesh.wirewarp_select_wire()
+
+
+def test_an_elastic_wire_needs_a_tolerance(addon, source):
+    with pytest.raises(RuntimeError, match="needs a tolerance above 0"):
+        bpy.ops.mesh.wirewarp_change_wire(edge=edge_of(addon, source, "Bust"), kind="ELASTIC", tolerance=0)
+
+
+def test_wires_of_flat_pieces_are_changed_on_the_model(source):
+    bpy.ops.object.wirewarp_flatten()
+    select_only(bpy.data.objects["Bump Flat"])
+    assert not bpy.ops.mesh.wirewarp_change_wire.poll()
+
+
+@pytest.mark.parametrize("by", ["list", "selected edge"])
+def test_a_whole_wire_is_selected(addon, source, by):
+    edge = edge_of(addon, source, "Middle")
+    if by == "list":
+        bpy.ops.mesh.wirewarp_select_wire(edge=edge)
+    else:
+        ends = ends_of(source)[edge]
+        select_edges(source, lambda a, b: {a.to_tuple(), b.to_tuple()} == {end.to_tuple() for end in ends})
+        bpy.ops.mesh.wirewarp_select_wire()
+    assert source.mode == "EDIT"
+    bpy.ops.object.mode_set(mode="OBJECT")
+    selected = np.flatnonzero(read(source.data.edges, "select", bool)).tolist()
+    assert selected == [row for row, ends in enumerate(ends_of(source)) if NORTH_SOUTH(*ends)]
+
+
+def test_wires_of_one_id_each_get_one_of_their_own(addon):
+    own_ids, last = addon.marking.own_ids, addon.marking.MAX_ID
+    assert own_ids([5, 9, 5, 5, 6]) == [5, 9, 7, 8, 6]
+    assert own_ids([last, last]) == [last, 1]
