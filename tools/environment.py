@@ -24,6 +24,10 @@ class StepError(Exception):
     """A step could not be done; the message is one sentence for the user."""
 
 
+class NotTestedError(Exception):
+    """A step needs what this machine lacks; the message says what, in a clause."""
+
+
 def say(text: str) -> None:
     print(f"dev: {text}", flush=True)
 
@@ -137,6 +141,13 @@ def find_python(version: str) -> Path | None:
         if os.access(pyenv / "versions", os.R_OK):
             candidates += sorted((pyenv / "versions").glob(f"{version}*/bin/{name}"), reverse=True)
     return next((c for c in candidates if os.access(c, os.X_OK) and is_python(c, version)), None)
+
+
+def require_python(version: str) -> Path:
+    python = find_python(version)
+    if not python:
+        raise NotTestedError(f"there is no CPython {version} with headers on PATH or in pyenv")
+    return python
 
 
 def is_python(candidate: Path, version: str) -> bool:

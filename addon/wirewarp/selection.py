@@ -49,6 +49,7 @@ def select_elements(
     target.select_set(True)
 
     mesh = target.data
+    _mend_edge_selection(mesh)
     edge_mask, loose_vertices = _find_edges(mesh, edges)
     face_mask = _mask(len(mesh.polygons), faces)
     vertex_mask = _mask(len(mesh.vertices), [*vertices, *loose_vertices])
@@ -64,6 +65,13 @@ def select_elements(
         hidden = read(elements, "hide", bool)
         elements.foreach_set("hide", hidden & ~mask)
     bpy.ops.object.mode_set(mode="EDIT")
+
+
+def _mend_edge_selection(mesh: bpy.types.Mesh) -> None:
+    """Blender 5.0 gives the edges of new meshes this attribute in a wrong type, and crashes when they are selected."""
+    selection = mesh.attributes.get(".select_edge")
+    if selection is not None and selection.data_type != "BOOLEAN":
+        mesh.attributes.remove(selection)
 
 
 def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:

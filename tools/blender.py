@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The add-on's tests in every Blender there is to be had, on the zips that users install.
+
+Debian's Blender 3.4 is the whole program; the later ones are the module `bpy` in a Python of their own, which runs the
+same extension system without a window.
+"""
+
+import shutil
+from pathlib import Path
+
+from tools.environment import BUILD, ROOT, require_apt, require_python, run, venv
+from tools.package import extension_zip, legacy_zip
+
+PYTEST = "pytest==9.2.0"
+BLENDER_APT = ("blender", "python3-numpy", "python3-pytest")
+BPY_APT = ("libgl1", "libice6", "libsm6", "libxfixes3", "libxi6", "libxkbcommon0", "libxrender1")
+NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # both ABIs: those of Blender up to 5.0 and from 5.1 on
+BPY = {"bpy==4.2.23": "3.11", "bpy==4.5.15": "3.11", "bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
+
+
+def blender_folder(name: str) -> dict[str, str]:
+    """A fresh private place for add-ons and settings, so that neither the user's nor the last run's are met."""
+    folder = BUILD / "blender" / name
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    parts = {"SCRIPTS": "scripts", "CONFIG": "config", "DATAFILES": "datafiles"}
+    for part in parts.values():
+        (folder / part).mkdir()
+    return {"BLENDER_USER_RESOURCES": str(folder)} | {f"BLENDER_USER_{k}": str(folder / v) for k, v in parts.items()}
+
+
+def blender(*arguments: str | Path) -> list[str | Path]:
+    return ["/usr/bin/blender", "--background", "--factory-startup", "--python-exit-code", "1", *arguments]
+
+
+def debian_blender_tests() -> None:
+    require_apt(*BLENDER_APT)
+    runner = ROOT / "tests" / "addon" / "run_in_blender.py"
+    settings = blender_folder("test-debian") | {"WIREWARP_ZIP": str(legacy_zip())}
+    run(blender("--python", runner, "--", "-q", "tests/addon"), **settings)
+
+
+def bpy_python(requirement: str) -> Path:
+    version = BPY[requirement]
+    return venv(requirement.replace("==", "-"), require_python(version), requirement, PYTEST, NUMPY[version])
+
+
+def bpy_tests(requirement: str) -> None:
+    require_apt(*BPY_APT)
+    python = bpy_python(requirement)
+    scripts = "lib/*/site-packages/bpy/*/scripts"
+    (blender_ext,) = python.parent.parent.glob(f"{scripts}/addons_core/bl_pkg/cli/blender_ext.py")
+    run([python, blender_ext, "validate", extension_zip()])
+    settings = blender_folder(f"test-{python.parent.parent.name}") | {"WIREWARP_ZIP": str(extension_zip())}
+    run([python, "tests/addon/run_in_blender.py", "--", "-q", "tests/addon"], **settings)
