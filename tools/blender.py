@@ -8,8 +8,9 @@ same extension system without a window.
 import shutil
 from pathlib import Path
 
+from tools.blender_window import WINDOW_APT
 from tools.environment import BUILD, ROOT, require_apt, require_python, run, venv
-from tools.package import extension_zip, legacy_zip
+from tools.package import DEBIAN_PYTHON, extension_zip, legacy_zip
 
 PYTEST = "pytest==9.2.0"
 BLENDER_APT = ("blender", "python3-numpy", "python3-pytest")
@@ -38,6 +39,12 @@ def debian_blender_tests() -> None:
     runner = ROOT / "tests" / "addon" / "run_in_blender.py"
     settings = blender_folder("test-debian") | {"WIREWARP_ZIP": str(legacy_zip())}
     run(blender("--python", runner, "--", "-q", "tests/addon"), **settings)
+
+
+def window_tests() -> None:
+    require_apt(*BLENDER_APT, *WINDOW_APT)
+    python = venv("repository", DEBIAN_PYTHON, PYTEST)
+    run([python, "-m", "pytest", "-q", "tests/window"], WIREWARP_ZIP=str(legacy_zip()))
 
 
 def bpy_python(requirement: str) -> Path:

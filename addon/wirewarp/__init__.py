@@ -2,8 +2,9 @@
 """WireWarp: flat pieces with exact seam and wire lengths.
 
 Marking:    operators/mark -> edit_marks -> marking, wire_chains; the marks are edge attributes (wire_attributes).
-Flattening: operators/flatten -> flatten_objects: targets (may it be written?) -> mesh_to_arrays -> flatten_job (the
-            core library) -> report, write_uv, flat_mesh, write_flat_object. All is computed before anything is written.
+Flattening: operators/flatten -> read_models: targets (may it be written?), mesh_to_arrays -> solve_models, in a window
+            in a thread (window_run): flatten_job (the core library), report, flat_mesh -> write_results: write_uv,
+            write_flat_object, report_store. All is computed before anything is written.
 Mending:    operators/take_proposal -> take_proposals writes what the report proposes (proposals) to the model.
 Showing:    ui/, from wire_summary and report_store; overlay/ draws over models and flat pieces in the 3D view.
 """

@@ -3,7 +3,7 @@
 
 import bpy
 
-from . import mesh_cache, operators, overlay, properties, report_store, ui
+from . import mesh_cache, operators, overlay, properties, report_store, ui, window_run
 
 CLASSES = (*properties.CLASSES, *operators.CLASSES, *ui.CLASSES)
 
@@ -24,9 +24,11 @@ def register_ui() -> None:
     overlay.attach()
     ui.tick.attach()
     ui.menus.attach()
+    window_run.attach()
 
 
 def unregister_ui() -> None:
+    window_run.detach()
     ui.menus.detach()
     ui.tick.detach()
     overlay.detach()

@@ -24,6 +24,15 @@ def write_json(path: Path, report: dict) -> None:
     path.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
+def run_message(reports: list[dict]) -> tuple[str, str]:
+    """How loudly Blender shows what became of the run (INFO, WARNING or ERROR), and the text."""
+    if not all(report["ok"] for report in reports):
+        return "ERROR", failure_text(reports)
+    notes = [note for report in reports for note in report["notes"]]
+    strained = strained_text(reports)
+    return "WARNING" if strained or notes else "INFO", "\n".join([strained or success_text(reports), *notes])
+
+
 def failure_text(reports: list[dict]) -> str:
     """What failed, one line each."""
     lines = [

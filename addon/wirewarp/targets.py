@@ -25,6 +25,18 @@ def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
     ]
 
 
+def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Object]) -> str:
+    """Why there is none, as a sentence; empty if there are sources."""
+    if sources:
+        return ""
+    active = context.view_layer.objects.active
+    if active and active.type == "MESH" and not active.visible_get():
+        return f'Nothing to flatten: "{active.name}" is hidden. Show it in the Outliner and select it.'
+    if any(target.wirewarp_source for target in context.selected_objects):
+        return "Nothing to flatten: flat pieces are not flattened again. Select the model."
+    return "Nothing to flatten: select a mesh object."
+
+
 def check_target(target: bpy.types.Object, writes_uv: bool) -> None:
     """Raises ObjectError if the results cannot be written. writes_uv: the base mesh gets them too."""
     linear_part(target)

@@ -1,18 +1,30 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+import traceback
+from functools import partial
 from pathlib import Path
 
 import bpy
 from bpy.props import StringProperty
 
-from .. import core
+from .. import core, window_run
 from ..flatten_job import FlattenChoices
-from ..flatten_objects import compute, write
+from ..issues import Issue
 from ..properties import LIBRARY_METHODS, FlattenSettings, take_settings
+from ..read_models import is_current, read_models
 from ..redraw import redraw_views
-from ..report_file import failure_text, run_report, strained_text, success_text, write_json
-from ..targets import in_object_mode, mesh_targets
+from ..report_file import run_message, run_report, write_json
+from ..solve_models import CancelledError, Model, Outcome, Solver, failed_report, solve_models
+from ..targets import in_object_mode, mesh_targets, nothing_to_flatten
 from ..ui.settings import draw_settings
+from ..undo_step import hold_whole_file
 from ..unit_text import meters_per_blender_unit
+from ..write_results import write_results
+
+# What a user may do during a run: look around.
+HARMLESS = {"MIDDLEMOUSE", "MOUSEMOVE", "INBETWEEN_MOUSEMOVE", "HOME", "NUMPAD_PERIOD"} | {
+    f"NUMPAD_{digit}" for digit in range(10)
+}
+HARMLESS_KINDS = ("TIMER", "WHEEL", "TRACKPAD", "NDOF", "WINDOW")
 
 
 class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
@@ -37,47 +49,114 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
         return False
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        """In a window: solves in a thread, while modal() waits."""
         take_settings(self, context.scene.wirewarp)
-        return self.execute(context)
-
-    def execute(self, context: bpy.types.Context) -> set[str]:
-        report_file = Path(bpy.path.abspath(self.report_path)) if self.report_path else None
+        if bpy.app.background:
+            return self.execute(context)
         sources = mesh_targets(context)
-        refusal = core.problem() or self._refusal(context, sources, report_file)
-        if refusal:
-            self.report({"ERROR"}, refusal)
+        if self._is_refused(context, sources):
             return {"CANCELLED"}
         with in_object_mode(context):
-            outcomes = self._compute(context, sources)
-            anything = any(outcome.has_layout for outcome in outcomes)
-            write(context, outcomes, self)
+            self._models = read_models(context, sources, self.use_modifiers)
+        what = sources[0].name if len(sources) == 1 else f"{len(sources)} objects"
+        self._run = window_run.begin(context, what, self._solver(context, self._models))
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        if event.type == "ESC" and event.value == "PRESS":
+            self._run.cancel()
+        if event.type == "TIMER" and self._run.is_done():
+            return self._finish_run(context)
+        harmless = event.type in HARMLESS or event.type.startswith(HARMLESS_KINDS)
+        return {"PASS_THROUGH" if harmless else "RUNNING_MODAL"}
+
+    def cancel(self, _context: bpy.types.Context) -> None:
+        """Blender ends the run: its window closes or another file is opened."""
+        window_run.stop()
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        """In a script and for Adjust Last Operation: all at once."""
+        sources = mesh_targets(context)
+        if self._is_refused(context, sources):
+            return {"CANCELLED"}
+        with in_object_mode(context):
+            models = read_models(context, sources, self.use_modifiers)
+            outcomes = self._solve_waiting(context, models)
+            self._write(context, outcomes)
+        return self._tell(context, outcomes)
+
+    def _solve_waiting(self, context: bpy.types.Context, models: list[Model]) -> list[Outcome]:
+        manager = context.window_manager
+
+        def progress(_stage: str, fraction: float) -> bool:
+            manager.progress_update(fraction)
+            return True
+
+        manager.progress_begin(0.0, 1.0)
+        try:
+            return self._solver(context, models)(progress)
+        finally:
+            manager.progress_end()
+
+    def _finish_run(self, context: bpy.types.Context) -> set[str]:
+        try:
+            outcomes = self._run.result()
+        except CancelledError:
+            return self._give_up(context, "cancelled", "Flattening was cancelled: nothing was written.", "WARNING")
+        except Exception as error:
+            traceback.print_exc()
+            sentence = f"Flattening failed, nothing was written: {error or type(error).__name__}. This is a fault of "
+            sentence += "WireWarp: please report it with what Blender's console says."
+            return self._give_up(context, "internal_error", sentence, "ERROR")
+        with in_object_mode(context):
+            changed = [m.facts["object"] for m in self._models if not is_current(context, m, self.use_modifiers)]
+            if not changed:
+                self._write(context, outcomes)
+        if changed:
+            names = ", ".join(f'"{name}"' for name in changed)
+            sentence = f"{names} changed while it was flattened, nothing was written: flatten again."
+            return self._give_up(context, "changed", sentence, "ERROR")
+        return self._tell(context, outcomes)
+
+    def _give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
+        """Ends a run of which nothing is written but the report file."""
+        redraw_views()
+        self._write_report(context, [failed_report(model, Issue(code, sentence)) for model in self._models])
+        self.report({level}, sentence)
+        return {"CANCELLED"}
+
+    def _write(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
+        write_results(context, outcomes, self)
+        hold_whole_file()
+
+    def _tell(self, context: bpy.types.Context, outcomes: list[Outcome]) -> set[str]:
         redraw_views()  # Blender does so by itself after a run that changed data, but not after one that failed
         reports = [outcome.report for outcome in outcomes]
-        if report_file:
-            self._write_report(context, report_file, reports)
-        if all(report["ok"] for report in reports):
-            notes = [note for report in reports for note in report["notes"]]
-            strained = strained_text(reports)
-            text = "\n".join([strained or success_text(reports), *notes])
-            self.report({"WARNING" if strained or notes else "INFO"}, text)
-        else:
-            self.report({"ERROR"}, failure_text(reports))
-        return {"FINISHED"} if anything else {"CANCELLED"}
+        self._write_report(context, reports)
+        level, text = run_message(reports)
+        self.report({level}, text)
+        return {"FINISHED" if any(outcome.pieces for outcome in outcomes) else "CANCELLED"}
 
-    def _refusal(self, context: bpy.types.Context, sources: list[bpy.types.Object], report_file: Path | None) -> str:
-        """Why nothing can be done at all, as a sentence."""
-        if not sources:
-            active = context.view_layer.objects.active
-            if active and active.type == "MESH" and not active.visible_get():
-                return f'Nothing to flatten: "{active.name}" is hidden. Show it in the Outliner and select it.'
-            if any(target.wirewarp_source for target in context.selected_objects):
-                return "Nothing to flatten: flat pieces are not flattened again. Select the model."
-            return "Nothing to flatten: select a mesh object."
-        if report_file and not report_file.parent.is_dir():
-            return f'The report cannot be written: there is no folder "{report_file.parent}".'
-        return ""
+    def _is_refused(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> bool:
+        """Whether nothing can be done at all; says why."""
+        path = self._report_file()
+        refusal = core.problem() or nothing_to_flatten(context, sources)
+        if window_run.is_running():
+            refusal = "Flatten is at work: wait for its end, or press Esc."
+        if not refusal and path and not path.parent.is_dir():
+            refusal = f'The report cannot be written: there is no folder "{path.parent}".'
+        if refusal:
+            self.report({"ERROR"}, refusal)
+        return bool(refusal)
 
-    def _write_report(self, context: bpy.types.Context, path: Path, reports: list[dict]) -> None:
+    def _report_file(self) -> Path | None:
+        return Path(bpy.path.abspath(self.report_path)) if self.report_path else None
+
+    def _write_report(self, context: bpy.types.Context, reports: list[dict]) -> None:
+        path = self._report_file()
+        if path is None:
+            return
         units = {
             "meters_per_blender_unit": meters_per_blender_unit(context.scene),
             "system": context.scene.unit_settings.system,
@@ -87,7 +166,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
         except OSError as error:
             self.report({"ERROR"}, f"The report cannot be written: {error}.")
 
-    def _compute(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> list:
+    def _solver(self, context: bpy.types.Context, models: list[Model]) -> Solver:
         choices = FlattenChoices(
             method=LIBRARY_METHODS[self.method],
             fairness=self.fairness,
@@ -95,12 +174,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSettings, bpy.types.Operator):
             gap=self.gap / 100,
             mirror=self.mirror,
         )
-        manager = context.window_manager
-        manager.progress_begin(0.0, 1.0)
-        try:
-            return compute(context, core.library(), sources, choices, self.use_modifiers, manager.progress_update)
-        finally:
-            manager.progress_end()
+        return partial(solve_models, core.library(), models, choices, meters_per_blender_unit(context.scene))
 
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)

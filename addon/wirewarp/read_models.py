@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Objects in Object Mode to models that can be solved without Blender; and whether they are still the same."""
+
+import bpy
+import numpy as np
+
+from .issues import ObjectError
+from .left_out import left_out
+from .mesh_to_arrays import element_counts, object_to_arrays
+from .model_state import has_changed, model_state
+from .pieces.records import known_pieces
+from .solve_models import Model
+from .targets import check_target
+from .write_flat_object import find_flat_object
+
+
+def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], use_modifiers: bool) -> list[Model]:
+    """What cannot be flattened becomes a model with an issue."""
+    depsgraph = _updated_depsgraph(context, use_modifiers)
+    return [_read(source, depsgraph) for source in sources]
+
+
+def find_source(model: Model) -> bpy.types.Object | None:
+    """The object that the model was read from; None if it is gone or has another name."""
+    return next((candidate for candidate in bpy.data.objects if candidate.name_full == model.name), None)
+
+
+def is_current(context: bpy.types.Context, model: Model, use_modifiers: bool) -> bool:
+    """Whether the object is still as it was read, in Object Mode."""
+    depsgraph = _updated_depsgraph(context, use_modifiers)
+    source = find_source(model)
+    if source is None or has_changed(source, {"model_state": model.state}):
+        return False
+    if depsgraph is None or model.arrays is None:
+        return True
+    arrays = object_to_arrays(source, depsgraph)
+    return np.array_equal(arrays.vertices, model.arrays.vertices) and np.array_equal(arrays.edges, model.arrays.edges)
+
+
+def _updated_depsgraph(context: bpy.types.Context, use_modifiers: bool) -> bpy.types.Depsgraph | None:
+    context.view_layer.update()
+    return context.evaluated_depsgraph_get() if use_modifiers else None
+
+
+def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None) -> Model:
+    use_modifiers = depsgraph is not None
+    names = {"object": source.name, "mesh": source.data.name, "with_modifiers": use_modifiers}
+    facts = names | {"counts": element_counts(source.data)}
+    arrays = known = state = issue = None
+    try:
+        check_target(source, writes_uv=not use_modifiers)
+        arrays = object_to_arrays(source, depsgraph)
+        # Results with modifiers are not written to the model: only the flat pieces know the last ids.
+        known = known_pieces(source, arrays, find_flat_object(source) if use_modifiers else None)
+        state = model_state(source)
+    except ObjectError as error:
+        issue = error.issue
+    notes = left_out(source, arrays, use_modifiers)
+    return Model(source.name_full, facts, state, notes, arrays, known, issue)

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From models as read to results as they will be written. No Blender in here, so that it may run in a thread."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from types import ModuleType
+from typing import Any
+
+from .flat_mesh import FlatMesh, flat_mesh
+from .flatten_job import FlattenChoices, Progress, flatten_arrays, has_layout
+from .issues import Issue, ObjectError
+from .mesh_to_arrays import MeshArrays
+from .pieces.identity import KnownPieces, PieceIdentity, identify_pieces
+from .report import failure_report, object_report
+
+
+class CancelledError(Exception):
+    """The user wants no result."""
+
+
+@dataclass(frozen=True)
+class Model:
+    """One object as read, by its name: the object itself may be gone before the results are there."""
+
+    name: str  # with the library's, Object.name_full
+    facts: dict  # what its report begins with: names and numbers of elements
+    state: dict | None  # see model_state; None if it could not be read
+    notes: list[str]
+    arrays: MeshArrays | None = None
+    known: KnownPieces | None = None
+    issue: Issue | None = None  # why it cannot be flattened
+
+
+@dataclass
+class Outcome:
+    """What became of one model; without a result it could not be flattened at all."""
+
+    model: Model
+    report: dict
+    result: Any = None
+    identities: Sequence[PieceIdentity] = ()
+    pieces: FlatMesh | None = None  # None: there is no layout to write
+
+
+Solver = Callable[[Progress], list[Outcome]]
+
+
+def solve_models(
+    library: ModuleType, models: list[Model], choices: FlattenChoices, meters: float, progress: Progress
+) -> list[Outcome]:
+    """Flattens every model; meters: in a Blender unit. Raises CancelledError if progress returned False."""
+    outcomes = []
+    for index, model in enumerate(models):
+        share = _Share(progress, index, len(models))
+        outcome = _solve(library, model, choices, meters, share)
+        if share.cancelled:
+            raise CancelledError
+        outcomes.append(outcome)
+    return outcomes
+
+
+def failed_report(model: Model, issue: Issue) -> dict:
+    """The report of a model that was not flattened."""
+    return model.facts | failure_report(issue) | {"model_state": model.state}
+
+
+def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: float, progress: Progress) -> Outcome:
+    try:
+        if model.issue:
+            raise ObjectError(model.issue)
+        result = flatten_arrays(library, model.arrays, choices, progress)
+    except ObjectError as error:
+        outcome = Outcome(model, failed_report(model, error.issue))
+    else:
+        outcome = _outcome(model, result, meters)
+    outcome.report["options"] = asdict(choices)
+    outcome.report["notes"] += model.notes
+    return outcome
+
+
+def _outcome(model: Model, result: Any, meters: float) -> Outcome:  # noqa: ANN401
+    identities = identify_pieces(result, model.arrays, model.known)
+    report = object_report(result, model.arrays, identities, meters)
+    any_layout = bool(has_layout(result.corner_uv).any())
+    pieces = flat_mesh(result, model.arrays, identities) if any_layout else None
+    return Outcome(model, model.facts | report | {"model_state": model.state}, result, identities, pieces)
+
+
+class _Share:
+    """The library's progress of one model as a part of the whole."""
+
+    def __init__(self, progress: Progress, index: int, count: int) -> None:
+        self._progress, self._index, self._count = progress, index, count
+        self.cancelled = False
+
+    def __call__(self, stage: str, fraction: float) -> bool:
+        if not self._progress(stage, (self._index + fraction) / self._count):
+            self.cancelled = True
+        return not self.cancelled

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writing what was solved, in Object Mode, once all of it is there."""
+
+import bpy
+import numpy as np
+
+from .foreach import read
+from .helper_lines import helper_lines
+from .model_maps import model_maps
+from .pieces.records import write_pieces
+from .properties import FlattenSettings
+from .read_models import find_source
+from .report_store import remember, store
+from .solve_models import Outcome
+from .wire_attributes import wires_on
+from .wire_names import update_names
+from .write_flat_object import find_flat_object, our_collection, show_flat_object, write_flat_object
+from .write_helper_wires import remove_helper_wires, write_helper_wires
+from .write_maps import remove_model_maps, write_model_maps
+from .write_uv import UV_LAYER, write_uv
+
+
+def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings: FlattenSettings) -> None:
+    """Writes UV layer, flat object, maps, helper wires and report of every object that has a layout."""
+    for outcome in outcomes:
+        source, arrays = find_source(outcome.model), outcome.model.arrays
+        if outcome.pieces is None:
+            if find_flat_object(source):
+                outcome.report["notes"].append("Nothing was written: the flat pieces are those of an earlier run.")
+            remember(source, outcome.report)
+            continue
+        if source.data.library is None:
+            update_names(source.data, wires_on(source.data))
+        write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
+        flat = write_flat_object(context.scene, source, outcome.pieces, arrays)
+        if not settings.use_modifiers:
+            _write_to_model(source, outcome, flat, settings.maps_on_model)
+        _write_helper_wires(context.scene, source, outcome, flat, settings.helper_wires)
+        context.view_layer.update()
+        outcome.report["flat_object"] = flat.name
+        outcome.report["notes"] += show_flat_object(context.view_layer, flat)
+        store(source, outcome.report)
+
+
+def _write_to_model(source: bpy.types.Object, outcome: Outcome, flat: bpy.types.Object, maps: bool) -> None:
+    mesh, arrays = source.data, outcome.model.arrays
+    scale = write_uv(mesh, outcome.result.corner_uv, arrays)
+    outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": scale}
+    if maps:
+        flat_edges = read(flat.data.edges, "vertices", np.int32, 2)
+        write_model_maps(mesh, model_maps(outcome.pieces, flat_edges, arrays))
+    else:
+        remove_model_maps(mesh)
+
+
+def _write_helper_wires(
+    scene: bpy.types.Scene, source: bpy.types.Object, outcome: Outcome, flat: bpy.types.Object, shown: bool
+) -> None:
+    if shown:
+        write_helper_wires(our_collection(scene), source, flat, helper_lines(outcome.result))
+    else:
+        remove_helper_wires(source, flat)

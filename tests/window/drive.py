@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs in Blender: installs WireWarp, then drives the window through a tour, a generator function of a script.
+
+blender ... --enable-event-simulate --python-expr "import drive; drive.main()" -- SCRIPT FUNCTION
+
+A tour yields a condition (any function without arguments) wherever Blender is to go on until it is true. Its script
+imports this module by the name `drive`. Blender exits with 0 after the tour, and with 1 if it raises or waits too long.
+"""
+
+import importlib
+import os
+import sys
+import time
+import traceback
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import bpy
+
+TICK = 0.02  # seconds
+PATIENCE = 120.0  # seconds until a condition counts as never true: machines without a graphics card are slow
+Tour = Iterator[Callable[[], bool]]
+
+
+def install(path: str) -> None:
+    bpy.ops.preferences.addon_install(filepath=path, overwrite=True)
+    bpy.ops.preferences.addon_enable(module="wirewarp_addon")
+
+
+def view_area() -> bpy.types.Area:
+    return next(area for area in bpy.context.window_manager.windows[0].screen.areas if area.type == "VIEW_3D")
+
+
+def region(kind: str) -> bpy.types.Region:
+    """Of the 3D view: WINDOW, UI (the sidebar), HEADER."""
+    return next(each for each in view_area().regions if each.type == kind)
+
+
+def in_view() -> object:
+    """For `with`: operators run as if called in the 3D view."""
+    window = bpy.context.window_manager.windows[0]
+    return bpy.context.temp_override(window=window, area=view_area(), region=region("WINDOW"))
+
+
+def middle(of: bpy.types.Region) -> tuple[int, int]:
+    return of.x + of.width // 2, of.y + of.height // 2
+
+
+def send(kind: str, value: str = "PRESS", at: tuple[int, int] | None = None, **modifiers: bool) -> None:
+    """One event, by default over the middle of the 3D view."""
+    x, y = at or middle(region("WINDOW"))
+    bpy.context.window_manager.windows[0].event_simulate(type=kind, value=value, x=x, y=y, **modifiers)
+
+
+def press(kind: str, at: tuple[int, int] | None = None, **modifiers: bool) -> Tour:
+    """A key or mouse button down and up, the mouse brought there first."""
+    for kind_now, value in (("MOUSEMOVE", "NOTHING"), (kind, "PRESS"), (kind, "RELEASE")):
+        send(kind_now, value, at, **modifiers)
+        yield from ticks(2)
+
+
+def ticks(count: int) -> Tour:
+    """Lets the window handle its events and redraw."""
+    for _ in range(count):
+        yield lambda: True
+
+
+def open_tab(panel: type) -> Tour:
+    """Shows the sidebar with the tab of this panel. Blender 3.4 has no other way than to click the tabs one by one."""
+    drawn = []
+    view_area().spaces.active.show_region_ui = True
+    yield lambda: region("UI").width > 1
+    panel.append(lambda _panel, _context: drawn.append(True))
+    sidebar = region("UI")
+    for y in range(sidebar.y + sidebar.height - 40, sidebar.y, -20):
+        yield from press("LEFTMOUSE", (sidebar.x + sidebar.width - 12, y))
+        if drawn:
+            return
+    raise AssertionError(f"no tab of the sidebar shows {panel.__name__}")
+
+
+def click_button(command: str) -> Tour:
+    """Clicks the button of the sidebar that runs this operator: that of which Blender copies this command."""
+    sidebar = region("UI")
+    window = bpy.context.window_manager.windows[0]
+    for y in range(sidebar.y + sidebar.height - 20, sidebar.y, -12):
+        place = (sidebar.x + sidebar.width // 2 - 20, y)
+        send("MOUSEMOVE", "NOTHING", (place[0], y + 1))
+        send("MOUSEMOVE", "NOTHING", place)
+        yield from ticks(2)
+        with bpy.context.temp_override(window=window, area=view_area(), region=sidebar):
+            if bpy.ops.ui.copy_python_command_button.poll():
+                bpy.ops.ui.copy_python_command_button()
+        if window_manager().clipboard.startswith(command):
+            yield from press("LEFTMOUSE", place)
+            return
+    raise AssertionError(f"no button of the sidebar runs {command}")
+
+
+def window_manager() -> bpy.types.WindowManager:
+    return bpy.context.window_manager
+
+
+def screenshot(name: str) -> None:
+    """The whole window as NAME.png among the pictures."""
+    window = window_manager().windows[0]
+    with bpy.context.temp_override(window=window, area=view_area()):
+        bpy.ops.screen.screenshot(filepath=str(Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.png"))
+
+
+class Driver:
+    """Steps through the tour, a step each tick of a timer."""
+
+    def __init__(self, name: str, tour: Tour) -> None:
+        self._name, self._tour = name, tour
+        self._condition: Callable[[], bool] = lambda: True
+        self._deadline = 0.0
+
+    def __call__(self) -> float:
+        try:
+            if self._condition():
+                self._condition = next(self._tour)
+                self._deadline = time.monotonic() + PATIENCE
+            elif time.monotonic() > self._deadline:
+                self._tour.throw(TimeoutError(f"waited {PATIENCE:.0f} s"))
+        except StopIteration:
+            leave(0)
+        except BaseException:
+            traceback.print_exc()
+            screenshot(f"{self._name} failed")
+            leave(1)
+        return TICK
+
+
+def leave(code: int) -> None:
+    """At once: Blender would swallow an exception of a timer, and ask whether to save."""
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(code)
+
+
+def main() -> None:
+    """Must be called from this module as imported: of a script that it runs itself, Blender clears the names."""
+    script, name = sys.argv[sys.argv.index("--") + 1 :]
+    sys.path.insert(0, str(Path(script).parent))
+    install(os.environ["WIREWARP_ZIP"])
+    bpy.context.preferences.view.show_splash = False
+    tour = getattr(importlib.import_module(Path(script).stem), name)()
+    bpy.app.timers.register(Driver(name, tour), first_interval=0.5, persistent=True)

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tours through Blender's window; test_window.py runs each in a Blender of its own, drive.py drives."""
+
+import sys
+from pathlib import Path
+
+import bpy
+import drive
+
+sys.path.insert(0, str(Path(__file__).parent.parent / "addon"))
+
+import wirewarp_addon
+from surfaces import bump, flat_of, grid, mark, on_line
+
+window_run = wirewarp_addon.window_run
+
+
+def contents(source: bpy.types.Object) -> tuple:
+    """All that a run may change in the file."""
+    blocks = (bpy.data.objects, bpy.data.meshes, bpy.data.collections, bpy.data.materials)
+    mesh = source.data
+    return (
+        [sorted(block.name for block in kind) for kind in blocks],
+        [layer.name for layer in mesh.uv_layers],
+        source.get("wirewarp_report"),
+        mesh.get("wirewarp_uv_scale"),
+        sorted(attribute.name for attribute in mesh.attributes),
+    )
+
+
+def remember() -> None:
+    """What a script made is no undo step by itself."""
+    with drive.in_view():
+        bpy.ops.ed.undo_push(message="Made")
+
+
+def flatten() -> drive.Tour:
+    with drive.in_view():
+        bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
+    assert window_run.is_running()
+    yield lambda: not window_run.is_running()
+
+
+def undo() -> drive.Tour:
+    yield from drive.press("Z", ctrl=True)
+
+
+def redo() -> drive.Tour:
+    yield from drive.press("Z", ctrl=True, shift=True)
+
+
+def panel_button() -> drive.Tour:
+    """The button of the sidebar flattens."""
+    source = grid("Bump", bump)
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
+    yield from drive.click_button("bpy.ops.object.wirewarp_flatten(")
+    yield lambda: "Bump Flat" in bpy.data.objects and not window_run.is_running()
+    assert len(flat_of(source).data.polygons) == 64
+    yield from drive.ticks(10)
+    drive.screenshot("panel_button")
+
+
+def marked_bump() -> bpy.types.Object:
+    """With a wire along its middle."""
+    source = grid("Bump", bump)
+    mark(source, on_line(1, 0.0))
+    remember()
+    return source
+
+
+def one_undo_step() -> drive.Tour:
+    """Undo takes back all that a run wrote, and redo brings it back."""
+    before = contents(marked_bump())
+    yield from flatten()
+    after = contents(bpy.data.objects["Bump"])
+    assert before != after
+    yield from undo()
+    yield lambda: contents(bpy.data.objects["Bump"]) == before
+    yield from redo()
+    yield lambda: contents(bpy.data.objects["Bump"]) == after
+
+
+def one_undo_step_in_edit_mode() -> drive.Tour:
+    source = marked_bump()
+    with drive.in_view():
+        bpy.ops.object.mode_set("EXEC_DEFAULT", True, mode="EDIT")
+        bpy.ops.mesh.select_all("EXEC_DEFAULT", True, action="SELECT")
+        before = contents(source)
+    yield from flatten()
+    assert bpy.context.mode == "EDIT_MESH"
+    after = contents(bpy.data.objects["Bump"])
+    assert before != after
+    yield from undo()
+    yield lambda: contents(bpy.data.objects["Bump"]) == before
+    assert bpy.context.mode == "EDIT_MESH"
+    yield from redo()
+    yield lambda: contents(bpy.data.objects["Bump"]) == after
+    assert bpy.context.mode == "EDIT_MESH"

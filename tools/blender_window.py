@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Starts Debian's Blender with its window on a virtual screen of its own, and in it a script's tour."""
+
+import os
+import signal
+import subprocess
+from pathlib import Path
+
+WINDOW_APT = ("xvfb", "xauth", "libgl1-mesa-dri")
+SCREEN = "-screen 0 1600x900x24 +extension GLX +render -noreset"
+DRIVER = Path(__file__).resolve().parent.parent / "tests" / "window"
+DRIVE = f"import sys; sys.path.insert(0, {str(DRIVER)!r}); import drive; drive.main()"
+
+
+def run_tour(script: Path, name: str, environment: dict[str, str], seconds: float) -> tuple[int, str]:
+    """Runs the generator function `name` of `script` in the window; returns its exit code and output.
+
+    See tests/window/drive.py for what such a function may do.
+
+    environment: for Blender; WIREWARP_ZIP names the zip to install, BLENDER_USER_SCRIPTS and _CONFIG empty folders,
+    WIREWARP_PICTURES the folder for pictures. A tour that takes longer than `seconds` is stopped: exit code -9.
+    """
+    blender = ["/usr/bin/blender", "--factory-startup", "--no-window-focus"]
+    blender += ["--window-geometry", "0", "0", "1600", "900", "--enable-event-simulate"]
+    blender += ["--python-exit-code", "1", "--python-expr", DRIVE]
+    command = ["/usr/bin/xvfb-run", "-a", "-s", SCREEN, *blender, "--", str(script), name]
+    started = subprocess.Popen(
+        command,
+        env={**environment, "LIBGL_ALWAYS_SOFTWARE": "1"},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+        start_new_session=True,
+    )
+    try:
+        output, _ = started.communicate(timeout=seconds)
+    except subprocess.TimeoutExpired:
+        os.killpg(started.pid, signal.SIGKILL)
+        output, _ = started.communicate()
+        output += f"\nstopped after {seconds:.0f} s"
+    return started.returncode, output
