@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A library that is missing, foreign or broken: the add-on registers, says so in its panel, and goes again."""
+
+import re
+import shutil
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import bpy
+import pytest
+from surfaces import bump, grid
+
+
+class LabelsOnly:
+    """A panel's layout that keeps the labels."""
+
+    def __init__(self):
+        self.text = ""
+
+    def column(self, align):
+        return self
+
+    def label(self, text, icon):
+        self.text += f"{text} "
+
+
+def panel_text(addon):
+    layout = LabelsOnly()
+    region = SimpleNamespace(width=300)
+    preferences = SimpleNamespace(system=SimpleNamespace(ui_scale=1.0))
+    context = SimpleNamespace(region=region, preferences=preferences)
+    addon.ui.panel.VIEW3D_PT_wirewarp_mark.draw(SimpleNamespace(layout=layout), context)
+    return layout.text
+
+
+@pytest.fixture
+def library_copy(addon, tmp_path, monkeypatch):
+    """A copy of the library's files that the add-on finds, instead of its own, when it registers again."""
+    installed = Path(addon.core.library().__file__).parent
+    name = addon.core.library().__name__
+    copy = tmp_path / "wirewarp"
+    shutil.copytree(installed, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    loaded = {key: sys.modules[key] for key in list(sys.modules) if key == name or key.startswith(f"{name}.")}
+    for key in loaded:
+        del sys.modules[key]
+    with monkeypatch.context() as patch:
+        patch.setattr(addon.core, "_INSIDE", "no such folder")
+        patch.syspath_prepend(tmp_path)
+        yield copy
+    for key in [key for key in sys.modules if key == "wirewarp" or key.startswith("wirewarp.")]:
+        del sys.modules[key]
+    sys.modules.update(loaded)
+    addon.core.load(addon.VERSION)
+    assert not addon.core.problem()
+
+
+def module_in(folder):
+    return next(file for file in folder.glob("_wirewarp.*") if file.suffix != ".pyi")
+
+
+def check_sentence(addon, sentence):
+    """Registers the add-on anew: the sentence (a regular expression) is in the panel, and Flatten answers with it."""
+    addon.unregister()
+    addon.register()
+    assert re.search(sentence, panel_text(addon))
+    assert not addon.ui.panel.VIEW3D_PT_wirewarp_flatten.poll(bpy.context)
+    grid("Bump", bump)
+    with pytest.raises(RuntimeError, match=sentence):
+        bpy.ops.object.wirewarp_flatten()
+    with pytest.raises(addon.core.LibraryError, match=sentence):
+        addon.core.library()
+    addon.unregister()
+    addon.register()
+
+
+def test_no_library(addon, library_copy, monkeypatch):
+    for file in library_copy.iterdir():
+        file.unlink()
+    library_copy.rmdir()
+    # The extension's own library lies on the path, too.
+    monkeypatch.setattr(sys, "path", [folder for folder in sys.path if not Path(folder, "wirewarp").is_dir()])
+    check_sentence(addon, "library is not installed beside the add-on. Remove WireWarp, restart Blender, and install")
+
+
+@pytest.mark.parametrize(
+    ("suffix", "made_for"),
+    [
+        (".cpython-39-x86_64-linux-gnu.so", "Python 3.9 on Linux on x86-64"),
+        (".cp311-win_amd64.pyd", "Python 3.11 on Windows on x86-64"),
+        (".cpython-27-amiga.so", "Python 2.7 on amiga"),
+    ],
+)
+def test_a_library_for_another_python_or_system(addon, library_copy, suffix, made_for):
+    module = module_in(library_copy)
+    module.rename(module.with_name(f"_wirewarp{suffix}"))
+    here = f"this Blender has Python 3.{sys.version_info.minor} on Linux"
+    check_sentence(addon, rf"is made for {made_for}; {here}\. Remove WireWarp")
+
+
+def test_a_library_of_another_version(addon, library_copy):
+    (library_copy / "__init__.py").write_text('__version__ = "99.0.0"\n')
+    check_sentence(addon, rf"add-on is WireWarp {addon.VERSION} but the library found is 99\.0\.0\. Remove WireWarp")
+
+
+def test_another_package_of_the_same_name(addon, library_copy):
+    (library_copy / "__init__.py").write_text("")
+    check_sentence(addon, "the library found is of an unknown version. Remove WireWarp")
+
+
+@pytest.mark.parametrize("content", [b"", b"\x7fELF", b"not a library " * 1000])
+def test_a_damaged_library(addon, library_copy, content):
+    module_in(library_copy).write_bytes(content)
+    check_sentence(addon, r"library does not load \(.+\): it may be damaged\. Remove WireWarp")
+
+
+def test_a_library_for_a_newer_system(addon, library_copy):
+    module = module_in(library_copy)
+    content, count = re.subn(rb"GLIBC_2\.\d\d\0", b"GLIBC_2.99\0", module.read_bytes())
+    assert count
+    module.write_bytes(content)
+    check_sentence(addon, r"needs the C library glibc 2\.99 or newer, and this system has 2\.\d+: use a newer Linux")
