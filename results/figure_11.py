@@ -9,7 +9,7 @@ from measures import summarize
 from methods import KEEPING_LENGTHS
 from palette import plain_percent
 from sheet import Column, draw_sheet
-from text import change, count, millimeters, picture, table
+from text import change, count, differ, millimeters, picture, table
 
 VIEWS = {"Toy": (-24, 10), "Armchair cover": (-34, 26)}
 HEADER = ["", "pieces", "*E*", "max *E_r*", "worst outline", "most changed elastic wire", "seam sides differ, mm"]
@@ -51,6 +51,6 @@ def section(inputs: Inputs) -> str:
 {table(HEADER, rows)}
 
 {" ".join(sentences)} Outlines and seams stay rigid; how much a tolerance on the wires across a piece gains depends on
-how much of its distortion the outline fixes already. Two sides of a seam differ by at most {millimeters(mismatch)} mm.
+how much of its distortion the outline fixes already. Two sides of a seam {differ(mismatch)}.
 The paper shows pieces for a toy and for furniture, without figures; our bear and armchair are others.
 """

@@ -9,7 +9,7 @@ from measures import Summary, rigid_wires, summarize, worst
 from methods import KEEPING_LENGTHS
 from palette import plain_percent
 from sheet import Column, draw_sheet
-from text import change, millimeters, picture, table
+from text import change, differ, millimeters, picture, table
 
 DRAWN = ("Blender angle-based", "ARAP", *KEEPING_LENGTHS)
 SHEETS = {"lengths": LENGTHS, "aspect_ratio": ASPECT_RATIO, "energy": ARAP_ENERGY}
@@ -62,8 +62,8 @@ and under the methods above is one error more. ARAP has the least *E* by its def
 of the methods that keep
 no lengths do not fit together, nor do their wires keep their lengths: two sides of one seam
 differ by {millimeters(peers[best_peer].seam_mismatch)} mm ({best_peer}) to
-{millimeters(peers[worst_peer].seam_mismatch)} mm ({worst_peer}). Between the pieces of WireWarping,
-WireWarping++ and Refined it is at most {millimeters(max(found[name].seam_mismatch for name in KEEPING_LENGTHS))} mm.
+{millimeters(peers[worst_peer].seam_mismatch)} mm ({worst_peer}). Under WireWarping,
+WireWarping++ and Refined they {differ(max(found[name].seam_mismatch for name in KEEPING_LENGTHS))}.
 From WireWarping to WireWarping++ *E* {change(rigid.energy, elastic.energy)}, the largest *E_r*
 {change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)} and the largest *E_A*
 {change(rigid.max_face_energy, elastic.max_face_energy)}. So far as the paper. From

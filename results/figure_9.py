@@ -9,7 +9,7 @@ from measures import summarize
 from methods import KEEPING_LENGTHS
 from palette import percent
 from sheet import Column, draw_sheet
-from text import change, count, millimeters, picture, table
+from text import change, count, differ, picture, table
 
 
 def section(inputs: Inputs) -> str:
@@ -34,8 +34,8 @@ def section(inputs: Inputs) -> str:
 {picture("Upper body of a wetsuit: model, pieces, maps", path)}
 
 The suit is cut into {pieces}; bust and waist line are rigid, the other wires may change by ±5 %. The outline and the
-rigid wires keep their lengths in all three flattenings, and two sides of a seam differ by at most
-{millimeters(max(s.seam_mismatch for s in found))} mm.
+rigid wires keep their lengths in all three flattenings, and two sides of a seam
+{differ(max(s.seam_mismatch for s in found))}.
 From WireWarping to WireWarping++ *E* {change(rigid.energy, elastic.energy)}, the largest *E_r*
 {change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)}; of {len(elastic.changes)} elastic parts of wires
 {count(at_limit, "lies", "lie")} at the limit of the tolerance. The paper shows the elastic result alone. The refined

@@ -39,6 +39,13 @@ def millimeters(meters: float) -> str:
     return "0" if meters < 1e-9 else "under 0.01" if meters < 1e-5 else f"{1000 * meters:.2f}"
 
 
+def differ(meters: float) -> str:
+    """Of two sides of a seam, as a verb: "differ by at most 1.20 mm"."""
+    if meters < 1e-9:
+        return "differ by rounding errors only"
+    return "differ by less than 0.01 mm" if meters < 1e-5 else f"differ by at most {millimeters(meters)} mm"
+
+
 def degrees(radians: float) -> str:
     return f"{180 / math.pi * radians:.1f}°"
 

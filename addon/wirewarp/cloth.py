@@ -5,6 +5,7 @@ import math
 
 # Of the aspect ratio. A plain limit, not one of a certain cloth: by more than a quarter hardly any stretches or eases.
 CLOTH_LIMIT = 1.25
+LESSER = 0.5  # of stretch and ease, the lesser is worth words from this share of the greater
 
 
 def aspect_ratio(piece: dict) -> float:
@@ -21,9 +22,39 @@ def strained_pieces(report: dict) -> list[dict]:
 
 def strain_text(name: str, piece: dict) -> str:
     """The sentence of one such piece, called by this name."""
-    return f"Lengths kept, but {name} must stretch or ease {_amount(piece)}: a seam or a dart there would relieve it"
+    return f"Lengths kept, but {name} must {piece_strain_words(piece)}: a seam or a dart there would relieve it"
 
 
-def _amount(piece: dict) -> str:
-    strain = aspect_ratio(piece) - 1
-    return "more than any cloth can" if math.isinf(strain) else f"by up to {100 * strain:.0f} %"
+def piece_strain_words(piece: dict) -> str:
+    return strain_words(largest(piece["stretch_max"]), largest(piece["ease_max"]))
+
+
+def strain_words(stretch: float, ease: float) -> str:
+    """What cloth must do, of shares of its flat length: "stretch up to 12 % and ease in up to 9 %"."""
+    if math.isinf(stretch):
+        return "stretch more than any cloth can"
+    worth = _worth_words([("stretch", stretch), ("ease in", ease)])
+    return " and ".join(f"{verb} up to {percent_text(share)}" for verb, share in worth)
+
+
+def strain_figures(stretch: float, ease: float) -> str:
+    """The same in short: "stretch 12 %, ease 9 %"."""
+    worth = _worth_words([("stretch", stretch), ("ease", ease)])
+    return ", ".join(f"{noun} {percent_text(share)}" for noun, share in worth)
+
+
+def _worth_words(strains: list[tuple[str, float]]) -> list[tuple[str, float]]:
+    """The greater, and the lesser where it is not much less."""
+    greatest = max(share for _, share in strains)
+    return [(word, share) for word, share in strains if share >= LESSER * greatest]
+
+
+def percent_text(share: float) -> str:
+    if math.isinf(share):
+        return "beyond measure"
+    return f"{100 * share:.0f} %" if share >= 0.0995 else f"{100 * share:.1f} %"
+
+
+def largest(share: float | None) -> float:
+    """A stretch or ease of the report, where JSON has no infinity."""
+    return math.inf if share is None else share

@@ -27,6 +27,13 @@ class Issue:
     proposed_tolerances: list[LooserWire] = field(default_factory=list)
 
 
+@dataclass(frozen=True)
+class Hint(Issue):
+    """What would make a good piece better."""
+
+    short: str = ""  # the sentence without the advice, for a list under it
+
+
 class ObjectError(Exception):
     """One object cannot be flattened or written; the others can."""
 

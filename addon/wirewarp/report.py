@@ -13,11 +13,13 @@ from typing import Any
 import numpy as np
 
 from .flatten_job import issue_of_piece, polygons_of
+from .hints import strain_hints, wire_hints
 from .issues import Issue
 from .mesh_to_arrays import MeshArrays
 from .pieces.identity import PieceIdentity
+from .strain import PieceStrain, piece_strain, triangles_around
 
-SCHEMA = "wirewarp-report-1"
+SCHEMA = "wirewarp-report-2"
 # Chains add up the rounding of their edges; the library itself checks every edge to 1e-9.
 LENGTH_LIMIT = 1e-8
 AT_LIMIT = 1e-6  # an elastic wire this close to its tolerance would go further if it could
@@ -40,12 +42,19 @@ def object_report(
     ]
     failed = {issue.piece for issue in issues}
     method = result.report["method"]
+    strains = [piece_strain(piece, arrays) if _has_layout(piece) else None for piece in result.pieces]
     pieces = [
-        {"index": index, **asdict(identity), **_piece(piece, arrays, meters)}
-        for index, (identity, piece) in enumerate(zip(identities, result.pieces, strict=True))
+        {"index": index, **asdict(identity), **_piece(piece, arrays, meters), **_strain(piece, strain, arrays)}
+        for index, (identity, piece, strain) in enumerate(zip(identities, result.pieces, strains, strict=True))
     ]
     at_limit = {part["wire"] for piece in pieces for part in piece["wires"] if part["at_limit"]}
-    wires = [_wire(wire, meters) | {"at_limit": wire.wire_index in at_limit} for wire in result.wires]
+    wires = [
+        _wire(wire, meters)
+        | {"at_limit": wire.wire_index in at_limit, "vertices": arrays.wires[wire.wire_index].chain.vertices}
+        for wire in result.wires
+    ]
+    good = [None if index in failed else strain for index, strain in enumerate(strains)]
+    hints = wire_hints(wires) + strain_hints(result.pieces, good, arrays)
     return {
         "schema": SCHEMA,
         "ok": not issues,
@@ -55,6 +64,7 @@ def object_report(
         "seams": [_seam(index, seam, failed, meters) for index, seam in enumerate(result.seams)],
         "wires": wires,
         "issues": [asdict(issue) for issue in issues],
+        "hints": [asdict(hint) for hint in hints],
         "notes": _notes(method, wires) + _warnings(pieces),
         "seconds": dict(result.report["seconds"]),
     }
@@ -69,6 +79,7 @@ def failure_report(issue: Issue) -> dict:
         "seams": [],
         "wires": [],
         "issues": [asdict(issue)],
+        "hints": [],
         "notes": [],
     }
 
@@ -78,7 +89,7 @@ def _piece(piece: Any, arrays: MeshArrays, meters: float) -> dict:  # noqa: ANN4
     aspect = metrics.face_aspect_ratio
     return {
         "ok": piece.error is None,
-        "has_layout": bool(np.isfinite(piece.vertices).all() and len(piece.vertices)),
+        "has_layout": _has_layout(piece),
         "faces": len(polygons_of(arrays, piece.source_face)),
         "triangles": len(piece.source_face),
         "area_3d": number(metrics.area_3d),
@@ -106,6 +117,21 @@ def _piece(piece: Any, arrays: MeshArrays, meters: float) -> dict:  # noqa: ANN4
     }
 
 
+def _has_layout(piece: Any) -> bool:  # noqa: ANN401
+    return bool(np.isfinite(piece.vertices).all() and len(piece.vertices))
+
+
+def _strain(piece: Any, strain: PieceStrain | None, arrays: MeshArrays) -> dict:  # noqa: ANN401
+    """The largest stretch and ease of the cloth, and the faces around the place where it is that."""
+    found = {}
+    for name in ("stretch", "ease"):
+        shares = getattr(strain, name) if strain else []
+        faces = triangles_around(piece, int(np.argmax(shares))) if len(shares) else []
+        found[f"{name}_max"] = number(np.max(shares)) if len(shares) else None
+        found[f"{name}_faces"] = polygons_of(arrays, np.asarray(piece.source_face)[faces]) if len(faces) else []
+    return found
+
+
 def _wire(wire: Any, meters: float) -> dict:  # noqa: ANN401
     if str(wire.kind) == "super_elastic":
         kept = math.isfinite(wire.length_2d)  # nothing else is promised
@@ -130,7 +156,7 @@ def _helper(wire: Any, meters: float) -> dict:  # noqa: ANN401
 def _outline(chain: Any, meters: float) -> dict:  # noqa: ANN401
     return {
         "seam": chain.seam,
-        "edges": len(chain.vertices) - 1,
+        "vertices": [int(vertex) for vertex in chain.vertices],
         **lengths(chain.length_3d, [chain.length_2d], meters),
         "ok": bool(chain.max_edge_error <= LENGTH_LIMIT),
     }
@@ -173,9 +199,6 @@ def _notes(method: str, wires: list[dict]) -> list[str]:
     loose = [wire["name"] for wire in wires if wire["tolerance"] != 0]
     if method == "wirewarping" and loose:
         return [f"Kept rigid by this method, tolerance not used: {', '.join(loose)}."]
-    at_limit = [wire["name"] for wire in wires if wire["at_limit"]]
-    if at_limit:
-        return [f"At the limit of their tolerance: {', '.join(at_limit)}. A wider one would distort the pieces less."]
     return []
 
 

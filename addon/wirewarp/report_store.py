@@ -57,8 +57,6 @@ def _parse(text: object) -> dict:
     except json.JSONDecodeError:
         report = None
     if isinstance(report, dict) and report.get("schema") == SCHEMA:
-        for number, piece in enumerate(report["pieces"], start=1):  # an earlier version's have no names
-            report["pieces"][number - 1] = {"piece_id": 0, "name": f"Piece {number}", **piece}
         return report
     return failure_report(
         Issue("unreadable_report", "The stored report is not one of this version of WireWarp: flatten again.")

@@ -38,7 +38,8 @@ def select_elements(
     """Makes `target` the active object and enters its Edit Mode with these elements selected, and no others.
 
     edges are vertex pairs; a pair that is no edge of the mesh (the diagonal of a quad) selects its two vertices. The
-    selection mode is the coarsest that can show everything. Raises ObjectError if the object cannot be shown.
+    selection mode is the coarsest that can show everything, and the view goes there. Raises ObjectError if the object
+    cannot be shown.
     """
     _show(context, target)
     if context.mode == "EDIT_MESH":
@@ -65,6 +66,20 @@ def select_elements(
         hidden = read(elements, "hide", bool)
         elements.foreach_set("hide", hidden & ~mask)
     bpy.ops.object.mode_set(mode="EDIT")
+    _frame(context)
+
+
+def _frame(context: bpy.types.Context) -> None:
+    """Moves the 3D view that the button is in, or the largest there is; without a window there is none."""
+    if context.window is None:
+        return
+    areas = [area for area in context.window.screen.areas if area.type == "VIEW_3D"]
+    if not areas:
+        return
+    area = context.area if context.area in areas else max(areas, key=lambda each: each.width * each.height)
+    region = next(region for region in area.regions if region.type == "WINDOW")
+    with context.temp_override(area=area, region=region):
+        bpy.ops.view3d.view_selected()
 
 
 def _mend_edge_selection(mesh: bpy.types.Mesh) -> None:

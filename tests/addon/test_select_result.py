@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, edge_vertices, flat_of, grid, mark_seam, on_line, read, select_only
+from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, select_only
 
 SEAM = on_line(0, 0.0)
 
@@ -43,9 +43,10 @@ def test_both_sides_of_a_seam_on_the_flat_pieces(source, mode):
 
 
 @pytest.mark.parametrize("index", [0, 1])
-def test_a_flat_piece_from_the_model(source, index):
-    bpy.ops.mesh.wirewarp_select_result(what="PIECE", index=index)
+def test_a_piece_among_the_flat_ones(source, index):
     flat = flat_of(source)
+    select_only(flat)
+    bpy.ops.mesh.wirewarp_select_result(what="PIECE", index=index)
     faces = selected(flat, "polygons")
     pieces = read(flat.data.attributes["piece"].data, "value", np.int32)
     assert np.array_equal(faces, np.flatnonzero(pieces == index))
@@ -57,15 +58,21 @@ def select_fails(match, **what):
 
 
 def test_what_is_not_there_is_said(source):
-    select_fails('report of "Bump" has no such seam', what="SEAM", index=1)
+    select_fails('report of "Bump" has no such entry', what="SEAM", index=1)
+    select_fails('report of "Bump" has no such entry', what="OUTLINE", index=2)
     bpy.data.objects.remove(flat_of(source))
     select_fails('no flat pieces to this report: flatten "Bump" again', what="PIECE", index=0)
-    other = grid("Other", bump)
-    select_fails('report of "Other" has no such piece', what="PIECE", index=0)
+    grid("Other", bump)
+    select_fails('"Other" has not been flattened yet', what="PIECE", index=0)
+
+
+def test_of_a_mesh_with_modifiers_the_flat_pieces_are_shown():
+    target = grid("Other", bump)
+    mark_seam(target, SEAM)
+    target.modifiers.new("Finer", "SUBSURF").levels = 1
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    mark_seam(other, SEAM)
-    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    select_fails("of the mesh with modifiers", what="SEAM", index=0)
+    bpy.ops.mesh.wirewarp_select_result(what="SEAM", index=0)
+    assert len(selected(flat_of(target), "edges")) == 32  # both sides, each edge of the model in two
 
 
 def test_a_model_that_has_changed_is_said(source):
@@ -73,3 +80,95 @@ def test_a_model_that_has_changed_is_said(source):
     bpy.ops.mesh.select_all(action="SELECT")
     bpy.ops.mesh.subdivide()
     select_fails('"Bump" has changed since it was flattened', what="SEAM", index=0)
+
+
+@pytest.fixture
+def wired(source):
+    mark(source, on_line(1, 0.0), kind="ELASTIC", tolerance=0.001)
+    bpy.ops.object.wirewarp_flatten()
+    return source
+
+
+def places(target, edges):
+    """The edges' ends (k,2,3)."""
+    return read(target.data.vertices, "co", np.float32, 3)[edge_vertices(target.data)[edges]]
+
+
+@pytest.mark.parametrize("what", ["WIRE", "HINT"])
+def test_a_wire_on_the_model_and_on_the_flat_pieces(wired, what):
+    bpy.ops.mesh.wirewarp_select_result(what=what, index=0)
+    edges = selected(wired, "edges")
+    assert len(edges) == 8
+    assert (places(wired, edges)[..., 1] == 0).all()
+    flat = flat_of(wired)
+    select_only(flat)
+    bpy.ops.mesh.wirewarp_select_result(what=what, index=0)
+    edges = selected(flat, "edges")  # and back in Object Mode, where attributes can be read
+    ids = read(flat.data.attributes["wirewarp_wire"].data, "value", np.int32)
+    assert np.array_equal(edges, np.flatnonzero(ids))
+
+
+def test_an_open_edge_is_one_stretch_of_one_piece(source, addon):
+    report = addon.report_store.last_report(source)
+    for index, (_, _, chain) in enumerate(addon.report_names.open_edges(report)):
+        select_only(source)
+        bpy.ops.mesh.wirewarp_select_result(what="OUTLINE", index=index)
+        edges = selected(source, "edges")
+        assert len(edges) == 16  # half of the square's outline
+        assert edge_lengths(source)[edges].sum() == pytest.approx(chain["length_3d"], rel=1e-6)
+        side = np.sign(places(source, edges)[..., 0].mean())
+        assert (side * places(source, edges)[..., 0] >= 0).all()
+        select_only(flat_of(source))
+        bpy.ops.mesh.wirewarp_select_result(what="OUTLINE", index=index)
+        edges = selected(flat_of(source), "edges")
+        assert edge_lengths(flat_of(source))[edges].sum() == pytest.approx(chain["length_2d"][0], rel=1e-6)
+
+
+def test_a_piece_on_the_model(source):
+    bpy.ops.mesh.wirewarp_select_result(what="PIECE", index=1)
+    first = selected(source, "polygons")
+    bpy.ops.mesh.wirewarp_select_result(what="PIECE", index=0)
+    assert sorted([*first, *selected(source, "polygons")]) == list(range(64))
+    assert len(first) == 32
+
+
+@pytest.mark.parametrize("what", ["STRETCH", "EASE"])
+def test_where_the_cloth_is_strained_most(source, addon, what):
+    piece = addon.report_store.last_report(source)["pieces"][1]
+    bpy.ops.mesh.wirewarp_select_result(what=what, index=1)
+    faces = selected(source, "polygons")
+    assert faces.tolist() == piece[f"{what.lower()}_faces"]
+    assert 0 < len(faces) < 32  # a place in the piece, not all of it
+    select_only(flat_of(source))
+    bpy.ops.mesh.wirewarp_select_result(what=what, index=1)
+    on_flat = selected(flat_of(source), "polygons")
+    sources = read(flat_of(source).data.attributes["source_face"].data, "value", np.int32)
+    assert sorted(sources[on_flat]) == sorted(faces)
+
+
+def test_one_of_several_issues():
+    source = grid("Bump", bump)
+    bpy.ops.mesh.primitive_cube_add(location=(4, 0, 0))
+    cube = bpy.context.object
+    select_only(source, cube)
+    bpy.ops.object.join()
+    with pytest.raises(RuntimeError, match="is closed: mark a seam"):
+        bpy.ops.object.wirewarp_flatten()
+    select_only(flat_of(source))  # where the cube is not
+    bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
+    assert selected(source, "polygons").tolist() == list(range(64, 70))
+
+
+@pytest.mark.parametrize("name", ["select_result", "take_proposal", "select_issues"])
+def test_buttons_say_what_they_do(addon, name):
+    properties = bpy.context.window_manager.operator_properties_last(f"mesh.wirewarp_{name}")
+    operator = getattr(bpy.types, f"MESH_OT_wirewarp_{name}")
+    if name == "select_issues":
+        assert operator.description(bpy.context, properties) == ""  # its own sentence
+        return
+    said = []
+    for item in properties.rna_type.properties["what"].enum_items:
+        properties.what = item.identifier
+        said.append(operator.description(bpy.context, properties))
+    assert len(set(said)) == len(said)
+    assert all(said)

@@ -1,82 +1,68 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import bpy
-import numpy as np
 from bpy.props import EnumProperty, IntProperty
 
-from ..foreach import read
-from ..issues import ObjectError, object_error
-from ..report_store import last_report
+from ..flat_sources import flat_sources
+from ..issues import object_error
+from ..report_elements import Elements, elements_of, faces_of_piece, on_flat
 from ..selection import check_indices, select_elements
-from ..write_flat_object import find_flat_object
+from .report_operator import ReportOperator
 
 
-class MESH_OT_wirewarp_select_result(bpy.types.Operator):
-    """Select this part of the report in Edit Mode"""
+class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
+    """Select this part of the report in Edit Mode and show it"""
 
     bl_idname = "mesh.wirewarp_select_result"
     bl_label = "Select in Report"
-    bl_options = {"REGISTER", "UNDO"}
 
     what: EnumProperty(
         name="What",
         description="What to select",
         items=[
-            ("SEAM", "Seam", "The seam: on the model, or both its sides on the flat pieces if these are active"),
-            ("PIECE", "Piece", "The piece, among the flat pieces"),
+            ("SEAM", "Seam", "Select and show the seam: on the model, or all its sides if flat pieces are active"),
+            ("WIRE", "Wire", "Select and show the wire: on the model, or on the flat pieces if these are active"),
+            ("OUTLINE", "Open Edge", "Select and show this stretch of outline: on the model, or on active flat pieces"),
+            ("PIECE", "Piece", "Select and show the piece: on the model, or on the flat pieces if these are active"),
+            ("STRETCH", "Largest Stretch", "Select and show where the cloth of this piece must stretch most"),
+            ("EASE", "Largest Ease", "Select and show where the cloth of this piece must be eased in most"),
+            ("ISSUE", "Issue", "Select and show what the sentence is about"),
+            ("HINT", "Hint", "Select and show the place: on the model, or on the flat pieces if these are active"),
         ],
         options={"HIDDEN"},
     )
     index: IntProperty(name="Index", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
 
-    @classmethod
-    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
-        item = cls.bl_rna.properties["what"].enum_items[properties.what]
-        return f"Select in Edit Mode. {item.description}"
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        return active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}
-
-    def execute(self, context: bpy.types.Context) -> set[str]:
-        if context.mode == "EDIT_MESH":
-            bpy.ops.object.mode_set(mode="OBJECT")
-        active = context.active_object
-        try:
-            self._select(context, active.wirewarp_source or active, on_flat=active.wirewarp_source is not None)
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
+        elements = elements_of(report, self.what, self.index)
+        if elements is None:
+            raise object_error("not_in_report", f'The report of "{source.name}" has no such entry.')
+        # The elements of a mesh with modifiers are to be had on the flat pieces only.
+        wants_flat = context.active_object != source or report["with_modifiers"]
+        if wants_flat and self._lies_flat(report, elements):
+            _leave_edit_mode(context)
+            flat, sources = flat_sources(source, report)
+            _select(context, flat, on_flat(elements, sources))
+            return {"FINISHED"}
+        check_indices(source, report)
+        _leave_edit_mode(context)
+        if elements.whole_piece:
+            _, sources = flat_sources(source, report)
+            elements = Elements(faces=faces_of_piece(elements.piece, sources))
+        _select(context, source, elements)
         return {"FINISHED"}
 
-    def _select(self, context: bpy.types.Context, source: bpy.types.Object, on_flat: bool) -> None:
-        report = last_report(source)
-        listed = report[f"{self.what.lower()}s"] if report else []
-        if self.index >= len(listed):
-            raise object_error("not_in_report", f'The report of "{source.name}" has no such {self.what.lower()}.')
-        if self.what == "SEAM" and not on_flat:
-            check_indices(source, report)
-            select_elements(context, source, edges=listed[self.index]["edges"])
-            return
-        flat = find_flat_object(source)
-        if (
-            flat is None
-            or "flat_object" not in report
-            or not {"piece", "source_vertex"} <= set(flat.data.attributes.keys())
-        ):
-            raise object_error(
-                "no_flat_pieces", f'There are no flat pieces to this report: flatten "{source.name}" again.'
-            )
-        if self.what == "PIECE":
-            pieces = read(flat.data.attributes["piece"].data, "value", np.int32)
-            select_elements(context, flat, faces=np.flatnonzero(pieces == self.index))
-        else:
-            select_elements(context, flat, edges=_flat_edges(flat.data, listed[self.index]["edges"]))
+    def _lies_flat(self, report: dict, elements: Elements) -> bool:
+        """What failed may be about a piece, or a whole model, that has no flat shape."""
+        if self.what != "ISSUE":
+            return True
+        return elements.piece is not None and report["pieces"][elements.piece]["has_layout"]
 
 
-def _flat_edges(mesh: bpy.types.Mesh, source_edges: list) -> np.ndarray:
-    """The edges (k,2) of flat pieces that come from these vertex pairs of the model."""
-    edges = read(mesh.edges, "vertices", np.int32, 2)
-    sources = np.sort(read(mesh.attributes["source_vertex"].data, "value", np.int32)[edges], axis=1)
-    wanted = {tuple(sorted(pair)) for pair in source_edges}
-    return edges[[tuple(pair) in wanted for pair in sources.tolist()]]
+def _leave_edit_mode(context: bpy.types.Context) -> None:
+    """Where attributes cannot be read."""
+    if context.mode == "EDIT_MESH":
+        bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def _select(context: bpy.types.Context, target: bpy.types.Object, elements: Elements) -> None:
+    select_elements(context, target, elements.vertices, elements.edges, elements.faces)

@@ -2,21 +2,20 @@
 import bpy
 from bpy.props import EnumProperty, IntProperty
 
-from ..issues import ObjectError, object_error
+from ..issues import object_error
 from ..model_state import has_moved
 from ..redraw import redraw_views
-from ..report_store import last_report
 from ..selection import check_indices
 from ..take_proposals import loosen_wires, mark_seams
 from ..targets import in_object_mode
+from .report_operator import ReportOperator
 
 
-class MESH_OT_wirewarp_take_proposal(bpy.types.Operator):
+class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
     """Mend the model as the report proposes"""
 
     bl_idname = "mesh.wirewarp_take_proposal"
     bl_label = "Take Proposal"
-    bl_options = {"REGISTER", "UNDO"}
 
     what: EnumProperty(
         name="What",
@@ -29,25 +28,11 @@ class MESH_OT_wirewarp_take_proposal(bpy.types.Operator):
     )
     issue: IntProperty(name="Issue", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
 
-    @classmethod
-    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
-        return cls.bl_rna.properties["what"].enum_items[properties.what].description
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        return active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}
-
-    def execute(self, context: bpy.types.Context) -> set[str]:
-        target = context.active_object.wirewarp_source or context.active_object
-        if context.mode == "EDIT_MESH" and target.mode != "EDIT":
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
+        if context.mode == "EDIT_MESH" and source.mode != "EDIT":
             bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
-        try:
-            with in_object_mode(context):
-                count = self._take(target)
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        with in_object_mode(context):
+            count = self._take(source, report)
         redraw_views()
         if count == 0:
             self.report({"INFO"}, "Done already: flatten again")
@@ -57,15 +42,14 @@ class MESH_OT_wirewarp_take_proposal(bpy.types.Operator):
         self.report({"INFO"}, f"{edges} {done}: flatten again")
         return {"FINISHED"}
 
-    def _take(self, target: bpy.types.Object) -> int:
+    def _take(self, source: bpy.types.Object, report: dict) -> int:
         """Returns the number of edges that were changed. Raises ObjectError."""
-        report = last_report(target)
-        issues = report["issues"] if report else []
         key = "proposed_seams" if self.what == "SEAMS" else "proposed_tolerances"
-        proposed = issues[self.issue].get(key) if self.issue < len(issues) else None
+        issues = report["issues"]
+        proposed = issues[self.issue][key] if self.issue < len(issues) else None
         if not proposed:
-            raise object_error("not_in_report", f'The report of "{target.name}" proposes no such thing.')
-        check_indices(target, report)
-        if has_moved(target, report):
-            raise object_error("changed", f'"{target.name}" has changed since it was flattened: flatten it again.')
-        return (mark_seams if self.what == "SEAMS" else loosen_wires)(target.data, proposed)
+            raise object_error("not_in_report", f'The report of "{source.name}" proposes no such thing.')
+        check_indices(source, report)
+        if has_moved(source, report):
+            raise object_error("changed", f'"{source.name}" has changed since it was flattened: flatten it again.')
+        return (mark_seams if self.what == "SEAMS" else loosen_wires)(source.data, proposed)

@@ -21,13 +21,13 @@ CLASSES = (
     VIEW3D_PT_wirewarp_flatten,
     WIREWARP_UL_pieces,
     VIEW3D_PT_wirewarp_pieces,
-    VIEW3D_PT_wirewarp_overlay,
     VIEW3D_PT_wirewarp_report,
     VIEW3D_PT_wirewarp_report_seams,
     VIEW3D_PT_wirewarp_report_wires,
     VIEW3D_PT_wirewarp_report_outlines,
-    VIEW3D_PT_wirewarp_report_helpers,
     VIEW3D_PT_wirewarp_report_pieces,
+    VIEW3D_PT_wirewarp_report_helpers,
+    VIEW3D_PT_wirewarp_overlay,
 )
 
 __all__ = ["CLASSES", "menus", "tick"]

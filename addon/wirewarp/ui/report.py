@@ -5,12 +5,15 @@ import bpy
 
 from ..model_state import has_changed
 from ..report_store import last_report
+from ..unit_text import length_text
 from .panel import SidebarPanel
-from .report_issues import draw_issues
-from .report_rows import helper_rows, outline_rows, piece_rows, seam_rows, wire_rows
-from .report_table import draw_heading, draw_select, draw_table
-from .text import draw_sentence
-from .verdict import verdict
+from .report_pieces import draw_pieces
+from .report_rows import largest_difference
+from .report_sentences import draw_hints, draw_issues
+from .report_table import draw_table
+from .report_tables import tables_of
+from .text import draw_sentence, is_wide
+from .tick import green_tick
 
 
 def shown_report(context: bpy.types.Context) -> dict | None:
@@ -41,73 +44,84 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
             warning.alert = True
             draw_sentence(context, warning, "The model has changed since: flatten again.", "ERROR")
         else:
-            self._draw_verdict(context, report)
+            for line in tables_of(report).verdict:
+                draw_sentence(context, layout, line.text, line.icon)
         if "method_name" in report:
             draw_sentence(context, layout, f"Method: {report['method_name']}")
         if report["issues"]:
             draw_issues(context, layout.box(), report)
+        if report["hints"]:
+            draw_hints(context, layout, report)
         for note in report["notes"]:
             draw_sentence(context, layout, note, "INFO")
-
-    def _draw_verdict(self, context: bpy.types.Context, report: dict) -> None:
-        for line in verdict(report):
-            selectable = line.piece is not None and "flat_object" in report
-            row = self.layout.row(align=True)
-            draw_sentence(context, row, line.text, line.icon, spare=22 if selectable else 0)
-            if selectable:
-                draw_select(row, "PIECE", line.piece)
+        if report["pieces"]:
+            layout.operator("object.wirewarp_copy_report", icon="COPYDOWN")
 
 
-class ReportTable(SidebarPanel):
-    """A sub-panel with one table. Subclasses say which rows."""
+class ReportSection(SidebarPanel):
+    """A sub-panel with one table, of which the header says the worst. Subclasses say which rows."""
 
     bl_parent_id = "VIEW3D_PT_wirewarp_report"
+    bl_options = {"DEFAULT_CLOSED"}
+    table = ""  # of ReportTables
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return bool(cls.rows(shown_report(context)))
-
-    def draw(self, context: bpy.types.Context) -> None:
-        draw_table(context, self.layout, self.rows(shown_report(context)))
-
-
-class VIEW3D_PT_wirewarp_report_seams(ReportTable, bpy.types.Panel):
-    bl_label = "Seams"
-    rows = staticmethod(seam_rows)
-
-
-class VIEW3D_PT_wirewarp_report_wires(ReportTable, bpy.types.Panel):
-    bl_label = "Wires"
-    rows = staticmethod(wire_rows)
-
-
-class VIEW3D_PT_wirewarp_report_outlines(ReportTable, bpy.types.Panel):
-    bl_label = "Outlines"
-    bl_options = {"DEFAULT_CLOSED"}
-    rows = staticmethod(outline_rows)
-
-
-class VIEW3D_PT_wirewarp_report_helpers(ReportTable, bpy.types.Panel):
-    bl_label = "Helper Wires"
-    bl_options = {"DEFAULT_CLOSED"}
-    rows = staticmethod(helper_rows)
-
-
-class VIEW3D_PT_wirewarp_report_pieces(SidebarPanel, bpy.types.Panel):
-    bl_label = "Pieces"
-    bl_parent_id = "VIEW3D_PT_wirewarp_report"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return bool(shown_report(context)["pieces"])
-
-    def draw(self, context: bpy.types.Context) -> None:
-        draw_sentence(context, self.layout, "Without any distortion: distortion 0, aspect ratio 1, angles 0°", "INFO")
-        column = self.layout.column(align=True)
+    def rows(cls, context: bpy.types.Context) -> list:
         report = shown_report(context)
-        flat = "flat_object" in report
-        for index, ok, lines in piece_rows(report):
-            draw_heading(context, column, lines[0], ok, "PIECE", index if flat else None)
-            for line in lines[1:]:
-                column.label(text=line, icon="BLANK1")
+        return getattr(tables_of(report), cls.table) if report else []
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return bool(cls.rows(context))
+
+    def draw_header_preset(self, context: bpy.types.Context) -> None:
+        rows = self.rows(context)
+        row = self.layout.row(align=True)
+        row.label(text=self.summary(context, rows))
+        if all(each.ok for each in rows):
+            row.label(text="", icon_value=green_tick())
+        else:
+            row.label(text="", icon="CANCEL")
+
+    def summary(self, context: bpy.types.Context, rows: list) -> str:
+        """The largest difference; the number of rows where there is room."""
+        largest = largest_difference(rows)
+        text = "" if largest is None else length_text(context.scene)(largest)
+        return f"{len(rows)}: {text}" if is_wide(context) else text
+
+    def draw(self, context: bpy.types.Context) -> None:
+        draw_table(context, self.layout, self.rows(context))
+
+
+class VIEW3D_PT_wirewarp_report_seams(ReportSection, bpy.types.Panel):
+    bl_label = "Seams"
+    table = "seams"
+
+
+class VIEW3D_PT_wirewarp_report_wires(ReportSection, bpy.types.Panel):
+    bl_label = "Wires"
+    table = "wires"
+
+
+class VIEW3D_PT_wirewarp_report_outlines(ReportSection, bpy.types.Panel):
+    bl_label = "Outlines"
+    table = "outlines"
+
+
+class VIEW3D_PT_wirewarp_report_pieces(ReportSection, bpy.types.Panel):
+    bl_label = "Area, Stretch"
+    table = "pieces"
+
+    def summary(self, _context: bpy.types.Context, rows: list) -> str:
+        return f"{len(rows)}"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        draw_pieces(context, self.layout, self.rows(context))
+
+
+class VIEW3D_PT_wirewarp_report_helpers(ReportSection, bpy.types.Panel):
+    bl_label = "Helper Wires"
+    table = "helpers"
+
+    def summary(self, _context: bpy.types.Context, rows: list) -> str:
+        return f"{len(rows)}"

@@ -4,7 +4,8 @@
 import math
 from dataclasses import dataclass
 
-from ..cloth import aspect_ratio
+from ..cloth import aspect_ratio, largest
+from ..report_names import open_edges, piece_name, piece_names, pieces_of_wires, seam_name, side_names
 from ..tolerance_text import tolerance_text
 
 
@@ -22,9 +23,10 @@ class ReportRow:
     name: str
     ok: bool
     sides: list[Side]
-    tolerance: str = ""  # of an elastic or free wire, and what came of it
+    what: str | None = None  # for the button that selects it
+    index: int = 0
+    note: str = ""  # of a wire: where it lies, its tolerance and what came of that
     at_limit: bool = False
-    seam: int | None = None  # for the button that selects it
 
     @property
     def badness(self) -> float:
@@ -33,29 +35,44 @@ class ReportRow:
         return math.inf if not self.ok else round(worst, 6)  # rounding errors do not make an order
 
 
+@dataclass(frozen=True)
+class PieceRow:
+    index: int
+    name: str
+    ok: bool
+    has_layout: bool
+    area_3d: float
+    area_2d: float | None
+    stretch: float  # largest, as shares of the flat length; inf where a face has no area
+    ease: float
+
+
 def seam_rows(report: dict) -> list[ReportRow]:
-    rows = []
-    for seam in report["seams"]:
-        pieces = [report["pieces"][piece]["name"] for piece in seam["pieces"]]
-        name = f"Seam {seam['index'] + 1}, {', '.join(dict.fromkeys(pieces))}"
-        sides = range(1, len(pieces) + 1)
-        labels = [f"Side {k}" for k in sides] if len(set(pieces)) == 1 else pieces
-        rows.append(ReportRow(name, seam["ok"], _sides(seam, labels), seam=seam["index"]))
-    return _worst_first(rows)
+    return _worst_first([
+        ReportRow(seam_name(report, seam), seam["ok"], _sides(seam, side_names(report, seam)), "SEAM", seam["index"])
+        for seam in report["seams"]
+    ])  # fmt: skip
 
 
 def wire_rows(report: dict) -> list[ReportRow]:
-    """Whole wires, and under each the pieces its parts lie in."""
-    rows = []
-    for wire in report["wires"]:
-        places = [
-            piece["name"] for piece in report["pieces"] for part in piece["wires"] if part["wire"] == wire["wire"]
-        ]
-        name = ", ".join([wire["name"], *dict.fromkeys(places)])
-        rows.append(
-            ReportRow(name, wire["ok"], _sides(wire, [""]), _tolerance(report["method"], wire), wire["at_limit"])
+    """Whole wires, with the pieces that their parts lie in."""
+    pieces = pieces_of_wires(report)
+    return _worst_first([
+        ReportRow(
+            name=wire["name"],
+            ok=wire["ok"],
+            sides=_sides(wire, ["Flat"]),
+            what="WIRE",
+            index=index,
+            note=_note(piece_names(report, pieces[wire["wire"]]), _tolerance(report["method"], wire)),
+            at_limit=wire["at_limit"],
         )
-    return _worst_first(rows)
+        for index, wire in enumerate(report["wires"])
+    ])  # fmt: skip
+
+
+def _note(places: str, tolerance: str) -> str:
+    return "; ".join(filter(None, [places, tolerance]))
 
 
 def _tolerance(method: str, wire: dict) -> str:
@@ -73,36 +90,49 @@ def _tolerance(method: str, wire: dict) -> str:
 
 def outline_rows(report: dict) -> list[ReportRow]:
     """Stretches of outline that are no seam's side: hems, necklines, armholes."""
-    rows = []
-    for piece in report["pieces"]:
-        free = [chain for chain in piece["outline"] if chain["seam"] is None]
-        for number, chain in enumerate(free, start=1):
-            name = f"{piece['name']}, open edge {number}"
-            rows.append(ReportRow(name, chain["ok"], _sides(chain, [""])))
-    return _worst_first(rows)
+    return _worst_first([
+        ReportRow(name, chain["ok"], _sides(chain, ["Flat"]), "OUTLINE", index)
+        for index, (name, _, chain) in enumerate(open_edges(report))
+    ])  # fmt: skip
 
 
 def helper_rows(report: dict) -> list[ReportRow]:
     """The wires that were added, numbered through all pieces; they may take any length."""
-    helpers = [(piece["name"], wire) for piece in report["pieces"] for wire in piece.get("helper_wires", [])]
+    helpers = [(piece["index"], wire) for piece in report["pieces"] for wire in piece["helper_wires"]]
     return [
-        ReportRow(f"Helper {number}, {name}", True, _sides(wire, [""]))
-        for number, (name, wire) in enumerate(helpers, start=1)
+        ReportRow(f"Helper {number}: {piece_name(report, index)}", True, _sides(wire, ["Flat"]))
+        for number, (index, wire) in enumerate(helpers, start=1)
     ]
 
 
-def piece_rows(report: dict) -> list[tuple[int, bool, list[str]]]:
-    """(index, ok, lines) of each piece, failed ones first, then by their aspect ratio."""
-    rows = []
-    for piece in sorted(report["pieces"], key=lambda piece: (piece["ok"], -aspect_ratio(piece))):
-        lines = [f"{piece['name']}, {piece['faces']} faces"]
-        if piece["has_layout"]:
-            lines.append(f"Distortion {piece['arap_energy']:.4f}")
-            lines.append(f"Aspect ratio up to {aspect_ratio(piece):.3f}")
-            deviation = math.degrees(piece["angle_deviation_max"])
-            lines.append(f"Angles up to {deviation:.1f}° off")
-        rows.append((piece["index"], piece["ok"], lines))
-    return rows
+def piece_rows(report: dict) -> list[PieceRow]:
+    """Failed ones first, then by how much their cloth is strained."""
+    return [
+        PieceRow(
+            index=piece["index"],
+            name=piece_name(report, piece["index"]),
+            ok=piece["ok"],
+            has_layout=piece["has_layout"],
+            area_3d=piece["area_3d"],
+            area_2d=piece["area_2d"],
+            stretch=largest(piece["stretch_max"]),
+            ease=largest(piece["ease_max"]),
+        )
+        for piece in sorted(report["pieces"], key=lambda piece: (piece["ok"], -aspect_ratio(piece)))
+    ]
+
+
+def merged(sides: list[Side], texts: list[tuple[str, ...]]) -> list[tuple[str, tuple[str, ...]]]:
+    """(label, text) of the sides of a seam, put together if all read the same: "Both sides"."""
+    if len(sides) > 1 and len(set(texts)) == 1:
+        return [("Both sides" if len(sides) == 2 else f"All {len(sides)} sides", texts[0])]
+    return [(side.label, text) for side, text in zip(sides, texts, strict=True)]
+
+
+def largest_difference(rows: list[ReportRow]) -> float | None:
+    """Of all sides that have a layout, without its sign."""
+    differences = [side.difference for row in rows for side in row.sides]
+    return max((abs(difference) for difference in differences if difference is not None), default=None)
 
 
 def _sides(entry: dict, labels: list[str]) -> list[Side]:

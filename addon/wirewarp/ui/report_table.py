@@ -4,10 +4,12 @@
 import bpy
 
 from ..unit_text import LengthText, length_text
-from .report_rows import ReportRow, Side
+from .report_rows import ReportRow, Side, merged
 from .text import broken, draw_cells, is_wide
+from .tick import green_tick
 
 SHOWN_ROWS = 8
+MOST_ROWS = 100  # more make Blender slow to draw
 
 
 def draw_table(context: bpy.types.Context, layout: bpy.types.UILayout, rows: list[ReportRow]) -> None:
@@ -15,27 +17,49 @@ def draw_table(context: bpy.types.Context, layout: bpy.types.UILayout, rows: lis
     column = layout.column(align=True)
     wide = is_wide(context)
     if wide:
-        draw_cells(column, "", [f"3D {text.unit}", f"Flat {text.unit}", "Diff.", "%"], 0.2)
-    for row in rows if context.scene.wirewarp.show_all else rows[:SHOWN_ROWS]:
-        draw_heading(context, column, row.name, row.ok, "SEAM", row.seam)
-        if row.tolerance:
-            column.label(text=row.tolerance, icon="INFO" if row.at_limit else "BLANK1")
+        draw_cells(column, "", [f"Model {text.unit}", f"Flat {text.unit}", "Diff.", "%"], 0.2)
+    for row in rows[: shown_rows(context)]:
+        draw_heading(context, column, row.name, row.ok, row.what, row.index)
+        if row.note:
+            draw_note(context, column, row.note, "INFO" if row.at_limit else "BLANK1")
         (_draw_wide if wide else _draw_narrow)(column, row, text)
         column.separator(factor=0.7)
-    if len(rows) > SHOWN_ROWS:
-        layout.prop(context.scene.wirewarp, "show_all", text=f"Show All {len(rows)}")
+    draw_more(context, layout, len(rows))
+
+
+def shown_rows(context: bpy.types.Context) -> int:
+    return MOST_ROWS if context.scene.wirewarp.show_all else SHOWN_ROWS
+
+
+def draw_more(context: bpy.types.Context, layout: bpy.types.UILayout, count: int) -> None:
+    """The switch that shows more of a long list."""
+    if count > SHOWN_ROWS:
+        text = f"Show all {count}" if count <= MOST_ROWS else f"Show {MOST_ROWS} of {count}"
+        layout.prop(context.scene.wirewarp, "show_all", text=text)
 
 
 def draw_heading(
-    context: bpy.types.Context, layout: bpy.types.UILayout, name: str, ok: bool, what: str, index: int | None
+    context: bpy.types.Context, layout: bpy.types.UILayout, name: str, ok: bool, what: str | None, index: int
 ) -> None:
-    """A name with its tick or cross and, where there is an index, the button that selects it."""
+    """A name with its tick or cross and, where there is something to select, the button for it."""
     row = layout.row(align=True)
     text = row.column(align=True)
-    for number, line in enumerate(broken(context, name, spare=0 if index is None else 22)):
-        text.label(text=line, icon="BLANK1" if number else "CHECKMARK" if ok else "CANCEL")
-    if index is not None:
+    lines = broken(context, name, spare=22 if what else 0)
+    text.scale_y = 1 if len(lines) == 1 else 0.8
+    for number, line in enumerate(lines):
+        if number == 0 and ok:
+            text.label(text=line, icon_value=green_tick())
+        else:
+            text.label(text=line, icon="BLANK1" if number else "CANCEL")
+    if what:
         draw_select(row, what, index)
+
+
+def draw_note(context: bpy.types.Context, layout: bpy.types.UILayout, note: str, icon: str) -> None:
+    column = layout.column(align=True)
+    column.scale_y = 0.8
+    for number, line in enumerate(broken(context, note)):
+        column.label(text=line, icon="BLANK1" if number else icon)
 
 
 def draw_select(row: bpy.types.UILayout, what: str, index: int) -> None:
@@ -44,18 +68,20 @@ def draw_select(row: bpy.types.UILayout, what: str, index: int) -> None:
 
 
 def _draw_wide(column: bpy.types.UILayout, row: ReportRow, text: LengthText) -> None:
-    for side in row.sides:
-        flat, difference, percent = _flat_numbers(side, text)
-        draw_cells(column, side.label, [text.number(side.length_3d), flat, difference, percent], 0.2)
+    for label, numbers in _flat_lines(row, text):
+        draw_cells(column, label, [text.number(row.sides[0].length_3d), *numbers], 0.2)
 
 
 def _draw_narrow(column: bpy.types.UILayout, row: ReportRow, text: LengthText) -> None:
-    draw_cells(column, "3D", [text(row.sides[0].length_3d)], 0.4)
-    for side in row.sides:
-        flat, difference, percent = _flat_numbers(side, text)
-        draw_cells(column, side.label or "Flat", [f"{flat} {text.unit}" if percent else flat], 0.4)
+    draw_cells(column, "Model", [text(row.sides[0].length_3d)], 0.4)
+    for label, (flat, difference, percent) in _flat_lines(row, text):
+        draw_cells(column, label, [f"{flat} {text.unit}" if percent else flat], 0.4)
         if percent:
-            draw_cells(column, "   diff.", [f"{difference}  {percent}%"], 0.25)
+            draw_cells(column, " diff.", [f"{difference} {text.unit}  {percent}%"], 0.25)
+
+
+def _flat_lines(row: ReportRow, text: LengthText) -> list[tuple[str, tuple[str, ...]]]:
+    return merged(row.sides, [_flat_numbers(side, text) for side in row.sides])
 
 
 def _flat_numbers(side: Side, text: LengthText) -> tuple[str, str, str]:

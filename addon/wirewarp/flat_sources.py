@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reading from a flat mesh what of the model its elements are."""
+
+import bpy
+import numpy as np
+
+from .foreach import read
+from .issues import object_error
+from .report_elements import FlatSources
+from .write_flat_object import find_flat_object
+
+
+def flat_sources(source: bpy.types.Object, report: dict) -> tuple[bpy.types.Object, FlatSources]:
+    """The flat object of the model, in Object Mode. Raises ObjectError if there is none to this report."""
+    flat = find_flat_object(source)
+    if (
+        flat is None
+        or "flat_object" not in report
+        or not {"piece", "source_vertex", "source_face"} <= set(flat.data.attributes.keys())
+    ):
+        raise object_error("no_flat_pieces", f'There are no flat pieces to this report: flatten "{source.name}" again.')
+    mesh = flat.data
+    return flat, FlatSources(
+        vertices=read(mesh.attributes["source_vertex"].data, "value", np.int32),
+        edges=read(mesh.edges, "vertices", np.int32, 2),
+        faces=read(mesh.attributes["source_face"].data, "value", np.int32),
+        piece=read(mesh.attributes["piece"].data, "value", np.int32),
+        loop_vertices=read(mesh.loops, "vertex_index", np.int32),
+        face_sizes=read(mesh.polygons, "loop_total", np.int32),
+    )

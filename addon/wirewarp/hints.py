@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What would make good pieces better, and where, as sentences with their place. No Blender in here."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from .cloth import strain_figures, strain_words
+from .flatten_job import polygons_of
+from .issues import Hint
+from .mesh_to_arrays import MeshArrays
+from .strain import PieceStrain, connected_regions
+from .tolerance_text import tolerance_text
+
+# Where a dart is worth a thought: pieces are cut beyond it too, but no longer lie on the model without being pulled.
+# A plain limit for cloth of which nothing is known; what gives more, like neoprene, needs no dart there.
+STRAIN_LIMIT = 0.08
+MOST_REGIONS = 4  # of all pieces: the rest is less than the least of these
+
+
+@dataclass(frozen=True)
+class Region:
+    """Triangles of one piece that hang together and must stretch or ease more than the limit."""
+
+    piece: int
+    triangles: np.ndarray  # of the input
+    stretch: float
+    ease: float
+    amount: float  # strain times area: what a dart there would have to take up
+
+
+def strain_hints(pieces: Sequence[Any], strains: Sequence[PieceStrain | None], arrays: MeshArrays) -> list[Hint]:
+    """Where the cloth is strained most, largest amount first. strains: None for a piece that failed."""
+    regions = [
+        region
+        for index, (piece, strain) in enumerate(zip(pieces, strains, strict=True))
+        if strain is not None
+        for region in _regions(index, piece, strain, arrays)
+    ]
+    regions.sort(key=lambda region: -region.amount)
+    return [
+        Hint(
+            "strained",
+            f"{words[0].upper()}{words[1:]} near here: a dart or a seam here would relieve it.",
+            short=strain_figures(region.stretch, region.ease),
+            piece=region.piece,
+            faces=polygons_of(arrays, region.triangles),
+        )
+        for region in regions[:MOST_REGIONS]
+        for words in [strain_words(region.stretch, region.ease)]
+    ]
+
+
+def wire_hints(wires: list[dict]) -> list[Hint]:
+    """Elastic wires of a report that would go further if they could; the largest change first."""
+    at_limit = [wire for wire in wires if wire["at_limit"]]
+    at_limit.sort(key=lambda wire: -abs(wire["difference"][0] or 0))
+    return [
+        Hint(
+            "wire_at_limit",
+            f"The wire {wire['name']} is at its limit: a wider tolerance would lower the distortion.",
+            short=f"{wire['name']} {tolerance_text(wire['tolerance'])}",
+            edges=list(pairwise(wire["vertices"])),
+        )
+        for wire in at_limit
+    ]
+
+
+def _regions(index: int, piece: Any, strain: PieceStrain, arrays: MeshArrays) -> list[Region]:  # noqa: ANN401
+    worst = np.maximum(strain.stretch, strain.ease)
+    areas = _areas(arrays.vertices[arrays.triangles[piece.source_face]])
+    return [
+        Region(
+            piece=index,
+            triangles=np.asarray(piece.source_face)[members],
+            stretch=float(strain.stretch[members].max()),
+            ease=float(strain.ease[members].max()),
+            amount=float(worst[members] @ areas[members]),
+        )
+        for members in connected_regions(piece, worst > STRAIN_LIMIT)
+    ]
+
+
+def _areas(corners: np.ndarray) -> np.ndarray:
+    return np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2

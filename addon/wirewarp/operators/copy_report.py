@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import bpy
+
+from ..report_csv import report_csv
+from ..unit_text import length_text
+from .report_operator import ReportOperator
+
+
+class OBJECT_OT_wirewarp_copy_report(ReportOperator, bpy.types.Operator):
+    """Copy all lengths and areas of the report to the clipboard, as a table in the scene's units for spreadsheets"""
+
+    bl_idname = "object.wirewarp_copy_report"
+    bl_label = "Copy as CSV"
+    bl_options = {"REGISTER"}
+
+    def act(self, context: bpy.types.Context, _source: bpy.types.Object, report: dict) -> set[str]:
+        table = report_csv(report, length_text(context.scene))
+        context.window_manager.clipboard = table
+        lines = table.count("\n") - 1
+        self.report({"INFO"}, f"{lines} lines copied")
+        return {"FINISHED"}

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How far the cloth of a flat piece must stretch, or be eased in, to lie on the model. No Blender in here.
+
+All shares are of the flat length: a stretch of 0.1 is cloth drawn out by a tenth in the direction where that is most,
+an ease of 0.1 is cloth taken in by a tenth.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .edge_keys import edge_keys
+from .mesh_to_arrays import MeshArrays
+
+
+@dataclass(frozen=True)
+class PieceStrain:
+    """Per triangle of a piece with a layout."""
+
+    stretch: np.ndarray  # (q,) at least 0; inf where the flat triangle has no area
+    ease: np.ndarray  # (q,) from 0 to 1
+
+
+def piece_strain(piece: Any, arrays: MeshArrays) -> PieceStrain:  # noqa: ANN401
+    """From the principal stretches of the map from flat to model, the singular values of its gradient."""
+    flat = np.asarray(piece.vertices)[piece.faces]
+    model = arrays.vertices[arrays.triangles[piece.source_face]]
+    a, b = (flat[:, k] - flat[:, 0] for k in (1, 2))
+    p, q = (model[:, k] - model[:, 0] for k in (1, 2))
+    determinant = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        x = (p * b[:, 1:] - q * a[:, 1:]) / determinant[:, None]  # where the model goes as the flat goes along x
+        y = (q * a[:, :1] - p * b[:, :1]) / determinant[:, None]
+        xx, xy, yy = ((u * v).sum(axis=1) for u, v in ((x, x), (x, y), (y, y)))
+        middle, spread = (xx + yy) / 2, np.hypot((xx - yy) / 2, xy)
+        longest, shortest = np.sqrt(middle + spread), np.sqrt(np.maximum(middle - spread, 0))
+    squeezed = determinant == 0
+    return PieceStrain(
+        stretch=np.where(squeezed, np.inf, np.maximum(longest - 1, 0)),
+        ease=np.where(squeezed, 0, np.maximum(1 - shortest, 0)),
+    )
+
+
+def triangles_around(piece: Any, triangle: int) -> np.ndarray:  # noqa: ANN401
+    """The triangles (k,) of a piece that share a vertex with one of them, itself included."""
+    return np.flatnonzero(np.isin(piece.faces, piece.faces[triangle]).any(axis=1))
+
+
+def connected_regions(piece: Any, members: np.ndarray) -> list[np.ndarray]:  # noqa: ANN401
+    """The triangles of the mask members (q,) in groups that hang together by edges of the piece."""
+    triangles = np.flatnonzero(members)
+    neighbors = _neighbors(np.asarray(piece.faces)[triangles], len(piece.vertices))
+    labels = np.arange(len(triangles))
+    while True:  # each takes the lowest label around; following labels to theirs takes long ways in few rounds
+        lowest = np.minimum(labels, labels[neighbors].min(axis=1))
+        lowest = lowest[lowest]
+        if np.array_equal(lowest, labels):
+            break
+        labels = lowest
+    order = np.argsort(labels, kind="stable")
+    starts = np.flatnonzero(np.diff(labels[order], prepend=-1))
+    return [triangles[group] for group in np.split(order, starts[1:])] if len(triangles) else []
+
+
+def _neighbors(faces: np.ndarray, vertex_count: int) -> np.ndarray:
+    """(t,3) the triangle across each side, itself where there is none; faces (t,3)."""
+    keys = edge_keys(faces[:, [0, 1, 1, 2, 2, 0]], vertex_count)
+    sides = np.argsort(keys, kind="stable")
+    pairs = np.flatnonzero(keys[sides][1:] == keys[sides][:-1])
+    owner = np.arange(len(keys)) // 3
+    across = owner.copy()
+    first, second = sides[pairs], sides[pairs + 1]
+    across[first], across[second] = owner[second], owner[first]
+    return across.reshape(-1, 3)

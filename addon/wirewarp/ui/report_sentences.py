@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What failed and what could be better: a sentence each, with the buttons that show the place and that mend it."""
+
+import bpy
+
+from ..report_names import with_piece
+from ..tolerance_text import tolerance_text
+from .report_table import SHOWN_ROWS, draw_select
+from .text import draw_sentence
+
+SHOWN_HINTS = 5
+ADVICE = {
+    "wire_at_limit": "A wider tolerance on these wires would lower the distortion:",
+    "strained": "A dart or a seam here would relieve the cloth:",
+}
+
+
+def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: dict) -> None:
+    issues = report["issues"]
+    for index, issue in enumerate(issues[:SHOWN_ROWS]):
+        _draw_entry(context, layout, with_piece(report, issue), issue, "ISSUE", index)
+        _draw_proposals(context, layout, index, issue)
+    if len(issues) > SHOWN_ROWS:
+        layout.label(text=f"and {len(issues) - SHOWN_ROWS} more")
+    if sum(map(_has_place, issues)) > 1:
+        layout.operator("mesh.wirewarp_select_issues", text="Select All Issues", icon="RESTRICT_SELECT_OFF")
+    if any(issue["code"] == "multi_user_scale" for issue in issues):
+        button = layout.operator("object.make_single_user", text="Make Single User")
+        button.object = button.obdata = True
+
+
+def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: dict) -> None:
+    """Under the advice, the places where it would help."""
+    for code, advice in ADVICE.items():
+        hints = [(index, hint) for index, hint in enumerate(report["hints"]) if hint["code"] == code]
+        if not hints:
+            continue
+        column = layout.column(align=True)
+        draw_sentence(context, column, advice, "INFO")
+        for index, hint in hints[:SHOWN_HINTS]:
+            _draw_entry(context, column, with_piece(report, hint, "short"), hint, "HINT", index)
+        if len(hints) > SHOWN_HINTS:
+            column.label(text=f"and {len(hints) - SHOWN_HINTS} more", icon="BLANK1")
+
+
+def _draw_entry(
+    context: bpy.types.Context, layout: bpy.types.UILayout, text: str, entry: dict, what: str, index: int
+) -> None:
+    """The text, and the button that selects what it is about."""
+    row = layout.row(align=True)
+    placed = _has_place(entry)
+    spare = (16 if what == "ISSUE" else 0) + (22 if placed else 0)
+    draw_sentence(context, row, text, "ERROR" if what == "ISSUE" else "DOT", spare)
+    if placed:
+        draw_select(row, what, index)
+
+
+def _has_place(entry: dict) -> bool:
+    return bool(entry["vertices"] or entry["edges"] or entry["faces"])
+
+
+def _draw_proposals(context: bpy.types.Context, layout: bpy.types.UILayout, index: int, issue: dict) -> None:
+    seams, wires = issue["proposed_seams"], issue["proposed_tolerances"]
+    if seams:
+        count = "1 Edge" if len(seams) == 1 else f"{len(seams)} Edges"
+        _draw_button(layout, "SEAMS", index, f"Mark {count} as Seam", "EDGESEL")
+    if wires:
+        named = ", ".join(f"{wire['name']} {tolerance_text(wire['tolerance'])}" for wire in wires[:SHOWN_ROWS])
+        named += f" and {len(wires) - SHOWN_ROWS} more" if len(wires) > SHOWN_ROWS else ""
+        draw_sentence(context, layout, named, "BLANK1", spare=16)
+        _draw_button(layout, "TOLERANCES", index, "Loosen Wires", "FIXED_SIZE")
+
+
+def _draw_button(layout: bpy.types.UILayout, what: str, index: int, text: str, icon: str) -> None:
+    button = layout.operator("mesh.wirewarp_take_proposal", text=text, icon=icon)
+    button.what, button.issue = what, index

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the panel shows of a report, made once a report: drawing the sidebar must not depend on the size of it."""
+
+from dataclasses import dataclass
+
+from ..report_names import piece_name
+from .report_rows import PieceRow, ReportRow, helper_rows, outline_rows, piece_rows, seam_rows, wire_rows
+from .verdict import VerdictLine, verdict
+
+
+@dataclass(frozen=True)
+class ReportTables:
+    verdict: list[VerdictLine]
+    seams: list[ReportRow]
+    wires: list[ReportRow]
+    outlines: list[ReportRow]
+    helpers: list[ReportRow]
+    pieces: list[PieceRow]
+
+
+_report: dict | None = None
+_names: list[str] = []
+_tables: ReportTables | None = None
+
+
+def tables_of(report: dict) -> ReportTables:
+    """Of the report that was shown last, as long as its pieces keep their names."""
+    global _report, _names, _tables
+    names = [piece_name(report, index) for index in range(len(report["pieces"]))]
+    if _tables is None or report is not _report or names != _names:
+        _report, _names = report, names
+        _tables = ReportTables(
+            verdict=verdict(report),
+            seams=seam_rows(report),
+            wires=wire_rows(report),
+            outlines=outline_rows(report),
+            helpers=helper_rows(report),
+            pieces=piece_rows(report),
+        )
+    return _tables

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What would make good pieces better: how cloth is strained, and where."""
+
+import math
+from types import SimpleNamespace
+
+import bpy
+import numpy as np
+import pytest
+from surfaces import bump, grid, half_cylinder, mark, mark_seam, on_line, select_only
+
+
+def flattened(addon, target, **settings):
+    select_only(target)
+    bpy.ops.object.wirewarp_flatten(**settings)
+    return addon.report_store.last_report(target)
+
+
+def triangle_piece(flat):
+    """A piece of one triangle, and its model: the right angle with sides of 1."""
+    model = SimpleNamespace(
+        vertices=np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 1]]),  # upright, so that the flat one lies elsewhere
+        triangles=np.array([[0, 1, 2]]),
+    )
+    piece = SimpleNamespace(vertices=np.array(flat, float), faces=np.array([[0, 1, 2]]), source_face=np.array([0]))
+    return piece, model
+
+
+@pytest.mark.parametrize(
+    ("flat", "stretch", "ease"),
+    [
+        ([[0, 0], [1, 0], [0, 1]], 0, 0),
+        ([[5, 5], [5, 6], [4, 5]], 0, 0),  # moved and turned
+        ([[0, 0], [0.8, 0], [0, 1]], 0.25, 0),  # cloth of 0.8 has to cover 1
+        ([[0, 0], [1.25, 0], [0, 1]], 0, 0.2),  # cloth of 1.25 has to go into 1
+        ([[0, 0], [0.8, 0], [0, 1.25]], 0.25, 0.2),
+        # Sheared by k, (1, 0) and (k, 1): singular values s and 1/s with s - 1/s = k; for k = 1.5 that is s = 2.
+        ([[0, 0], [1, 0], [1.5, 1]], 1.0, 0.5),
+        ([[0, 0], [1, 0], [2, 0]], math.inf, 0),
+    ],
+)
+def test_stretch_and_ease_are_the_principal_ones_of_flat_cloth(addon, flat, stretch, ease):
+    strain = addon.strain.piece_strain(*triangle_piece(flat))
+    assert strain.stretch == pytest.approx([stretch], abs=1e-12)
+    assert strain.ease == pytest.approx([ease], abs=1e-12)
+
+
+def test_regions_hang_together_by_edges(addon):
+    size = 6
+    row = size + 1
+    corners = [y * row + x for y in range(size) for x in range(size)]
+    faces = np.array([f for i in corners for f in ([i, i + 1, i + row + 1], [i, i + row + 1, i + row])])
+    piece = SimpleNamespace(faces=faces, vertices=np.zeros((row * row, 2)))
+    cells = np.zeros((size, size), dtype=bool)
+    cells[0, :] = cells[:, 0] = True  # an L,
+    cells[4, 4] = cells[5, 5] = True  # and two cells that touch at a corner only
+    members = np.repeat(cells.ravel(), 2)
+    regions = addon.strain.connected_regions(piece, members)
+    assert sorted(len(region) for region in regions) == [2, 2, 22]
+    assert sorted(np.concatenate(regions)) == np.flatnonzero(members).tolist()
+    assert addon.strain.connected_regions(piece, np.zeros(len(faces), dtype=bool)) == []
+
+
+def test_a_winding_region_is_one(addon):
+    count = 300
+    order = np.random.default_rng(1).permutation(count)  # neighbors far apart in number
+    strip = np.array([[k, k + 1, k + 2] for k in range(count)])
+    piece = SimpleNamespace(faces=strip[order], vertices=np.zeros((count + 2, 2)))
+    (region,) = addon.strain.connected_regions(piece, np.ones(count, dtype=bool))
+    assert len(region) == count
+
+
+def two_bumps(x, y):
+    """Flat but for two domes, the one on the right higher."""
+    height = sum(h * math.exp(-((x - c) ** 2 + y * y) / 0.05) for c, h in ((-0.5, 0.22), (0.5, 0.32)))
+    return (x, y, height)
+
+
+def test_the_places_of_most_strain_are_named_largest_first(addon):
+    target = grid("Two Bumps", two_bumps, size=32)
+    report = flattened(addon, target)
+    hints = [hint for hint in report["hints"] if hint["code"] == "strained"]
+    assert 2 <= len(hints) <= 4
+    centers = np.array([polygon.center for polygon in target.data.polygons])
+    places = [centers[hint["faces"]].mean(axis=0) for hint in hints[:2]]
+    assert np.hypot(places[0][0] - 0.5, places[0][1]) < 0.2
+    assert hints[0]["sentence"].endswith("near here: a dart or a seam here would relieve it.")
+    assert f"{report['pieces'][0]['stretch_max'] * 100:.0f} %" in hints[0]["sentence"]
+    for hint in hints:
+        assert 0 < len(hint["faces"]) < len(target.data.polygons) / 2
+
+
+def test_developable_pieces_need_no_advice(addon):
+    report = flattened(addon, grid("Half Cylinder", half_cylinder))
+    assert report["hints"] == []
+    assert report["pieces"][0]["stretch_max"] == pytest.approx(0, abs=1e-6)
+    assert report["pieces"][0]["ease_max"] == pytest.approx(0, abs=1e-6)
+
+
+def test_wires_at_their_limit_are_advised_longest_change_first(addon):
+    target = grid("Bump", bump)
+    mark(target, on_line(1, 0.0), kind="ELASTIC", tolerance=0.001)
+    mark(target, on_line(0, 0.5), kind="ELASTIC", tolerance=0.002)
+    report = flattened(addon, target)
+    wires = [hint for hint in report["hints"] if hint["code"] == "wire_at_limit"]
+    assert [hint["sentence"] for hint in wires] == [
+        "The wire Wire 2 is at its limit: a wider tolerance would lower the distortion.",
+        "The wire Wire 1 is at its limit: a wider tolerance would lower the distortion.",
+    ]
+    assert all(len(hint["edges"]) == 8 for hint in wires)
+
+
+def test_what_failed_gets_no_advice(addon):
+    source = grid("Bump", lambda x, y: (x, y, 1.5 * (1 - x * x) * (1 - y * y)))
+    mark_seam(source, on_line(0, 0.0))
+    bpy.ops.mesh.primitive_cube_add(location=(4, 0, 0))
+    cube = bpy.context.object
+    select_only(source, cube)
+    bpy.ops.object.join()
+    with pytest.raises(RuntimeError, match="is closed"):
+        bpy.ops.object.wirewarp_flatten()
+    report = addon.report_store.last_report(source)
+    failed = [piece["index"] for piece in report["pieces"] if not piece["ok"]]
+    assert report["hints"]
+    assert not {hint["piece"] for hint in report["hints"]} & set(failed)
+    assert [report["pieces"][index]["stretch_max"] for index in failed] == [None]
+
+
+@pytest.mark.parametrize(
+    ("stretch", "ease", "words", "figures"),
+    [
+        (0.12, 0.09, "stretch up to 12 % and ease in up to 9.0 %", "stretch 12 %, ease 9.0 %"),
+        (0.12, 0.01, "stretch up to 12 %", "stretch 12 %"),
+        (0.0, 0.34, "ease in up to 34 %", "ease 34 %"),
+        (math.inf, 0.1, "stretch more than any cloth can", "stretch beyond measure"),
+    ],
+)
+def test_strain_in_words(addon, stretch, ease, words, figures):
+    assert addon.cloth.strain_words(stretch, ease) == words
+    assert addon.cloth.strain_figures(stretch, ease) == figures

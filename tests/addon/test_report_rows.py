@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tables of the panel, and the one for spreadsheets."""
+
+import csv
+import io
+from types import SimpleNamespace
+
+import bpy
+import pytest
+from surfaces import bump, grid, mark, mark_seam, on_line
+
+WIRE, SEAM = on_line(1, 0.0), on_line(0, 0.0)
+
+
+@pytest.fixture
+def report(addon):
+    """A dome in two pieces with a free wire across."""
+    target = grid("Bump", bump)
+    mark_seam(target, SEAM)
+    mark(target, WIRE, kind="SUPER_ELASTIC")
+    bpy.ops.object.wirewarp_flatten()
+    return addon.report_store.last_report(target)
+
+
+def lengths(percent, length=1.0):
+    flat = None if percent is None else length * (1 + percent / 100)
+    difference = None if percent is None else flat - length
+    return {"length_3d": length, "length_2d": [flat], "difference": [difference], "percent": [percent]}
+
+
+def test_rows_are_worst_first(addon):
+    def seam(index, percent, ok=True):
+        return {"index": index, "pieces": [0], "ok": ok, **lengths(percent)}
+
+    seams = [seam(0, 0.1), seam(1, -0.5), seam(2, None, ok=False), seam(3, 1e-12), seam(4, 2e-12)]
+    rows = addon.ui.report_rows.seam_rows({"pieces": [{"index": 0}], "seams": seams})
+    assert [row.name for row in rows] == [f"Seam {k}: Piece 1" for k in (3, 2, 1, 4, 5)]
+    assert [row.index for row in rows] == [2, 1, 0, 3, 4]  # what its button selects
+    assert addon.ui.report_rows.largest_difference(rows) == pytest.approx(0.005)
+    assert addon.ui.report_rows.largest_difference(rows[:1]) is None  # no layout
+
+
+def test_every_kind_of_element_has_its_rows(addon, report):
+    tables = addon.ui.report_tables.tables_of(report)
+    (seam,) = tables.seams
+    assert (seam.name, [side.label for side in seam.sides]) == ("Seam 1: Piece 1, Piece 2", ["Piece 1", "Piece 2"])
+    (wire,) = tables.wires
+    assert (wire.name, wire.note) == ("Wire 1", "Piece 1, Piece 2; free")
+    assert sorted(row.name for row in tables.outlines) == ["Piece 1, open edge", "Piece 2, open edge"]
+    pieces = tables.pieces
+    assert sorted(row.name for row in pieces) == ["Piece 1", "Piece 2"]
+    assert all(row.stretch > 0 and row.area_3d > row.area_2d > 0 for row in pieces)
+
+
+def test_rows_are_made_once_a_report(addon, report):
+    tables = addon.ui.report_tables.tables_of(report)
+    assert addon.ui.report_tables.tables_of(report) is tables
+    assert addon.ui.report_tables.tables_of(dict(report)) is not tables
+
+
+def test_the_report_is_parsed_once(addon, report):
+    assert addon.report_store.last_report(bpy.data.objects["Bump"]) is report
+
+
+def test_sides_that_read_the_same_are_put_together(addon):
+    side = SimpleNamespace
+    same, other = ("1.00", "0.00", "0.000"), ("1.01", "+0.01", "+1.000")
+    merged = addon.ui.report_rows.merged
+    two = [side(label="Front"), side(label="Back")]
+    assert merged(two, [same, same]) == [("Both sides", same)]
+    assert merged(two, [same, other]) == [("Front", same), ("Back", other)]
+    assert merged([*two, side(label="Piping")], [same] * 3) == [("All 3 sides", same)]
+    assert merged([side(label="Flat")], [same]) == [("Flat", same)]
+
+
+def table_of(addon, report):
+    text = addon.report_csv.report_csv(report, addon.unit_text.length_text(bpy.context.scene))
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+def test_the_table_for_spreadsheets_has_every_line_in_the_scenes_units(addon, report):
+    settings = bpy.context.scene.unit_settings
+    settings.system, settings.length_unit, settings.scale_length = "METRIC", "CENTIMETERS", 0.1
+    lines = table_of(addon, report)
+    assert [line["Kind"] for line in lines] == ["Seam", "Seam", "Wire", "Open edge", "Open edge", "Piece", "Piece"]
+    first, second = lines[:2]
+    assert [first["Name"], first["Piece"], second["Piece"]] == ["Seam 1", "Piece 1", "Piece 2"]
+    assert float(first["Flat length (cm)"]) == pytest.approx(10 * report["seams"][0]["length_2d"][0], rel=1e-6)
+    assert float(first["Length on model (cm)"]) == pytest.approx(10 * report["seams"][0]["length_3d"], rel=1e-6)
+    assert (first["Tolerance (%)"], first["Kept"]) == ("0", "yes")
+    wire = lines[2]
+    assert (wire["Name"], wire["Piece"], wire["Tolerance (%)"]) == ("Wire 1", "Piece 1, Piece 2", "free")
+    assert float(wire["Difference (%)"]) == pytest.approx(report["wires"][0]["percent"][0], rel=1e-5)
+    piece = lines[-1]
+    assert float(piece["Area on model (cm²)"]) == pytest.approx(100 * report["pieces"][1]["area_3d"], rel=1e-6)
+    assert float(piece["Largest stretch (%)"]) == pytest.approx(100 * report["pieces"][1]["stretch_max"], rel=1e-6)
+    assert piece["Length on model (cm)"] == ""
+
+
+def test_a_wire_of_any_name_stays_one_line_of_the_table(addon, report):
+    report["wires"][0]["name"] = 'Waist, "high"\nline'
+    assert table_of(addon, report)[2]["Name"] == 'Waist, "high"\nline'
+
+
+def test_without_a_layout_the_table_has_no_flat_numbers(addon):
+    bpy.ops.mesh.primitive_cube_add()
+    with pytest.raises(RuntimeError, match="is closed"):
+        bpy.ops.object.wirewarp_flatten()
+    (piece,) = table_of(addon, addon.report_store.last_report(bpy.context.object))
+    assert float(piece["Area on model (m²)"]) == pytest.approx(24)
+    assert [piece[title] for title in ("Flat area (m²)", "Area difference (%)", "Largest stretch (%)", "Kept")] == [
+        "", "", "", "no",
+    ]  # fmt: skip
+
+
+def test_there_must_be_a_report_to_copy():
+    grid("Bump", bump)
+    with pytest.raises(RuntimeError, match='"Bump" has not been flattened yet'):
+        bpy.ops.object.wirewarp_copy_report()
