@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What pieces are called, and that they are still called so after the model was changed."""
 
-import json
 import math
 
 import bmesh
@@ -228,12 +227,3 @@ def test_an_attribute_of_our_name_that_is_not_ours_is_refused(source):
     with pytest.raises(RuntimeError, match='attribute "wirewarp_piece" of mesh "Bump" is not of type INT on faces'):
         flatten(source)
     assert "Bump Flat" not in bpy.data.objects
-
-
-def test_a_report_without_names_numbers_the_pieces(source, addon):
-    flatten(source)
-    report = json.loads(source["wirewarp_report"])
-    for piece in report["pieces"]:
-        del piece["name"], piece["piece_id"]
-    source["wirewarp_report"] = json.dumps(report)
-    assert [piece["name"] for piece in addon.report_store.last_report(source)["pieces"]] == ["Piece 1", "Piece 2"]

@@ -161,8 +161,8 @@ def test_the_message_after_flattening_names_the_pieces_that_cloth_cannot_follow(
     assert addon.report_file.success_text([fine]) == "Ready to cut: 2 flat pieces, every length kept (Refined)"
     lines = strained_text([report_of_pieces(1.3, name="A"), report_of_pieces(1.0, 1.65, name="B")]).split("\n")
     assert [line.split(":")[0] for line in lines] == [
-        "Lengths kept, but B, piece 2, must stretch up to 65 %",
-        "Lengths kept, but A, piece 1, must stretch up to 30 %",
+        "Lengths kept, but B, Piece 2, must stretch up to 65 %",
+        "Lengths kept, but A, Piece 1, must stretch up to 30 %",
     ]
 
 
@@ -188,7 +188,7 @@ def test_a_half_sphere_keeps_its_lengths_but_is_not_ready_to_cut(addon, tmp_path
     assert report["pieces"][0]["aspect_ratio_max"] > 1.4
     (line,) = addon.ui.verdict.verdict(report)
     assert line.icon == "ERROR"
-    assert line.text.startswith("Piece 1: lengths kept, but the cloth must stretch up to")
+    assert line.text.startswith("Top: lengths kept, but the cloth must stretch up to")
 
 
 def test_a_strip_of_a_cylinder_is_ready_to_cut(addon, tmp_path):

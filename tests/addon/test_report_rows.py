@@ -33,8 +33,8 @@ def test_rows_are_worst_first(addon):
         return {"index": index, "pieces": [0], "ok": ok, **lengths(percent)}
 
     seams = [seam(0, 0.1), seam(1, -0.5), seam(2, None, ok=False), seam(3, 1e-12), seam(4, 2e-12)]
-    rows = addon.ui.report_rows.seam_rows({"pieces": [{"index": 0}], "seams": seams})
-    assert [row.name for row in rows] == [f"Seam {k}: Piece 1" for k in (3, 2, 1, 4, 5)]
+    rows = addon.ui.report_rows.seam_rows({"pieces": [{"name": "Front"}], "seams": seams})
+    assert [row.name for row in rows] == [f"Seam {k}: Front" for k in (3, 2, 1, 4, 5)]
     assert [row.index for row in rows] == [2, 1, 0, 3, 4]  # what its button selects
     assert addon.ui.report_rows.largest_difference(rows) == pytest.approx(0.005)
     assert addon.ui.report_rows.largest_difference(rows[:1]) is None  # no layout
@@ -43,19 +43,22 @@ def test_rows_are_worst_first(addon):
 def test_every_kind_of_element_has_its_rows(addon, report):
     tables = addon.ui.report_tables.tables_of(report)
     (seam,) = tables.seams
-    assert (seam.name, [side.label for side in seam.sides]) == ("Seam 1: Piece 1, Piece 2", ["Piece 1", "Piece 2"])
+    assert (seam.name, [side.label for side in seam.sides]) == ("Seam 1: Top Right, Top Left", ["Top Right", "Top Left"])
     (wire,) = tables.wires
-    assert (wire.name, wire.note) == ("Wire 1", "Piece 1, Piece 2; free")
-    assert sorted(row.name for row in tables.outlines) == ["Piece 1, open edge", "Piece 2, open edge"]
+    assert (wire.name, wire.note) == ("Wire 1", "Top Right, Top Left; free")
+    assert sorted(row.name for row in tables.outlines) == ["Top Left, open edge", "Top Right, open edge"]
     pieces = tables.pieces
-    assert sorted(row.name for row in pieces) == ["Piece 1", "Piece 2"]
+    assert sorted(row.name for row in pieces) == ["Top Left", "Top Right"]
     assert all(row.stretch > 0 and row.area_3d > row.area_2d > 0 for row in pieces)
 
 
 def test_rows_are_made_once_a_report(addon, report):
     tables = addon.ui.report_tables.tables_of(report)
     assert addon.ui.report_tables.tables_of(report) is tables
-    assert addon.ui.report_tables.tables_of(dict(report)) is not tables
+    report["pieces"][0]["name"] = "Front"  # as the user renames it
+    renamed = addon.ui.report_tables.tables_of(report)
+    assert renamed.seams[0].name == "Seam 1: Front, Top Left"
+    assert addon.ui.report_tables.tables_of(dict(report)) is not renamed
 
 
 def test_the_report_is_parsed_once(addon, report):
@@ -84,12 +87,12 @@ def test_the_table_for_spreadsheets_has_every_line_in_the_scenes_units(addon, re
     lines = table_of(addon, report)
     assert [line["Kind"] for line in lines] == ["Seam", "Seam", "Wire", "Open edge", "Open edge", "Piece", "Piece"]
     first, second = lines[:2]
-    assert [first["Name"], first["Piece"], second["Piece"]] == ["Seam 1", "Piece 1", "Piece 2"]
+    assert [first["Name"], first["Piece"], second["Piece"]] == ["Seam 1", "Top Right", "Top Left"]
     assert float(first["Flat length (cm)"]) == pytest.approx(10 * report["seams"][0]["length_2d"][0], rel=1e-6)
     assert float(first["Length on model (cm)"]) == pytest.approx(10 * report["seams"][0]["length_3d"], rel=1e-6)
     assert (first["Tolerance (%)"], first["Kept"]) == ("0", "yes")
     wire = lines[2]
-    assert (wire["Name"], wire["Piece"], wire["Tolerance (%)"]) == ("Wire 1", "Piece 1, Piece 2", "free")
+    assert (wire["Name"], wire["Piece"], wire["Tolerance (%)"]) == ("Wire 1", "Top Right, Top Left", "free")
     assert float(wire["Difference (%)"]) == pytest.approx(report["wires"][0]["percent"][0], rel=1e-5)
     piece = lines[-1]
     assert float(piece["Area on model (cm²)"]) == pytest.approx(100 * report["pieces"][1]["area_3d"], rel=1e-6)
