@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What pieces are called, and that they are still called so after the model was changed."""
 
+import json
 import math
 
 import bmesh
