@@ -17,6 +17,7 @@ from .wire_names import write_names
 from .write_maps import write_flat_maps
 
 COLLECTION = "WireWarp"
+FLAT_LENGTH = "flat_length"  # edge attribute: by it an edit by hand is seen
 
 
 def write_flat_object(
@@ -87,6 +88,8 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) 
     mesh[FACE_COUNT] = len(arrays.polygon_starts)
     write_flat_maps(mesh, flat, edge_length_variation(flat, edges, arrays))
     _write_marks(mesh, flat_marks(flat, edges, arrays))
+    ends = flat.vertices[edges]
+    _add(mesh, FLAT_LENGTH, "FLOAT", "EDGE", np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).astype(np.float32))
 
 
 def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:

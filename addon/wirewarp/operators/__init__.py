@@ -4,6 +4,7 @@
 from .change_wire import MESH_OT_wirewarp_change_wire
 from .clear import MESH_OT_wirewarp_clear
 from .copy_report import OBJECT_OT_wirewarp_copy_report
+from .export_svg import OBJECT_OT_wirewarp_export_svg
 from .flatten import OBJECT_OT_wirewarp_flatten
 from .mark import MESH_OT_wirewarp_mark
 from .seams_from_uv import MESH_OT_wirewarp_seams_from_uv_islands
@@ -23,4 +24,5 @@ CLASSES = (
     MESH_OT_wirewarp_take_proposal,
     OBJECT_OT_wirewarp_flatten,
     OBJECT_OT_wirewarp_copy_report,
+    OBJECT_OT_wirewarp_export_svg,
 )

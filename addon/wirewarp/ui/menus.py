@@ -28,11 +28,16 @@ def draw_flatten_entry(menu: bpy.types.Menu, _context: bpy.types.Context) -> Non
     menu.layout.operator("object.wirewarp_flatten", text="Flatten to Pattern")
 
 
+def draw_export_entry(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
+    menu.layout.operator("object.wirewarp_export_svg", text="WireWarp Pattern (.svg)")
+
+
 ADDED = {
     "VIEW3D_MT_edit_mesh_edges": draw_edge_menu,
     "VIEW3D_MT_edit_mesh_context_menu": draw_context_menu,
     "VIEW3D_MT_object": draw_flatten_entry,
     "VIEW3D_MT_uv_map": draw_flatten_entry,
+    "TOPBAR_MT_file_export": draw_export_entry,
 }
 
 

@@ -41,3 +41,4 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         self.layout.template_list(
             "WIREWARP_UL_pieces", "", source, "wirewarp_pieces", source, "wirewarp_active_piece", rows=rows
         )
+        self.layout.operator("object.wirewarp_export_svg", icon="EXPORT")

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+from pathlib import Path
+
+import bpy
+from bpy.props import BoolProperty, FloatProperty, StringProperty
+from bpy_extras.io_utils import ExportHelper
+
+from ..issues import ObjectError
+from ..pattern.pattern import Pattern
+from ..pattern.svg import page_size, write_svg
+from ..read_pattern import read_pattern
+from ..targets import in_object_mode
+from ..ui.text import draw_sentence
+
+
+class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
+    """Write the flat pieces of the active object to an SVG file in true size, with wires, notches and names"""
+
+    bl_idname = "object.wirewarp_export_svg"
+    bl_label = "Export Pattern"
+
+    filename_ext = ".svg"
+    filter_glob: StringProperty(description="The files shown", default="*.svg", options={"HIDDEN"})
+    notch_spacing: FloatProperty(
+        name="Notches Every",
+        description="Distance in millimeters of notches along seams, from the same end on both sides. Ends of wires "
+        "always get one. 0: no others",
+        min=0.0,
+        soft_max=500.0,
+        default=100.0,
+        precision=1,
+        step=1000,
+    )
+    failed_pieces: BoolProperty(
+        name="Failed Pieces",
+        description="Write pieces too that broke a promise. Look at them only: they are not to be cut",
+        default=False,
+    )
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}:
+            return True
+        cls.poll_message_set("Select a model that has been flattened, or its flat pieces")
+        return False
+
+    def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        source = _source(context)
+        if not self.filepath:
+            self.filepath = str(Path(bpy.data.filepath).parent / f"{source.name} Pattern.svg")
+        try:
+            self._sizes = _size_sentences(self._pattern(context, failed_too=True))
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return super().invoke(context, event)
+
+    def draw(self, context: bpy.types.Context) -> None:
+        for sentence in self._sizes:
+            draw_sentence(context, self.layout, sentence)
+        column = self.layout.column()
+        column.use_property_split, column.use_property_decorate = True, False
+        column.prop(self, "notch_spacing", text="Notches Every (mm)")
+        column.prop(self, "failed_pieces")
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        path = Path(bpy.path.abspath(self.filepath))
+        try:
+            pattern = self._pattern(context, self.failed_pieces)
+            write_svg(path, pattern)
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        except OSError as error:
+            self.report({"ERROR"}, f"The pattern cannot be written: {error}.")
+            return {"CANCELLED"}
+        self.report({"INFO"}, f'"{path.name}": {" ".join(_size_sentences(pattern))} Print at 100 %.')
+        return {"FINISHED"}
+
+    def _pattern(self, context: bpy.types.Context, failed_too: bool) -> Pattern:
+        source = _source(context)
+        with in_object_mode(context):
+            return read_pattern(context.scene, source, self.notch_spacing, failed_too)
+
+
+def _source(context: bpy.types.Context) -> bpy.types.Object:
+    return context.active_object.wirewarp_source or context.active_object
+
+
+def _size_sentences(pattern: Pattern) -> list[str]:
+    width, height = page_size(pattern)
+    wide, high = pattern.largest.size
+    count = "1 piece" if len(pattern.pieces) == 1 else f"{len(pattern.pieces)} pieces"
+    return [
+        f"{count} on {width:.0f} × {height:.0f} mm.",
+        f"The largest, {pattern.largest.name}: {wide:.0f} × {high:.0f} mm.",
+    ]

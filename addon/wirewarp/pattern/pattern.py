@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a pattern consists of, whatever it is written to. Everything is in millimeters, y upwards."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class PatternWire:
+    name: str
+    kind: str  # "rigid", "elastic" or "free"
+    points: np.ndarray  # (k,2); a closed wire repeats its first point
+
+
+@dataclass(frozen=True)
+class Notch:
+    """A mark on the outline where the other side of a seam, or a wire, meets it."""
+
+    point: np.ndarray  # (2,)
+    inward: np.ndarray  # (2,) unit vector, into the piece
+    kind: str  # "wire": a wire ends here; "seam": at a measured length along the seam
+
+
+@dataclass(frozen=True)
+class PieceText:
+    lines: tuple[str, ...]
+    center: np.ndarray  # (2,), inside the piece
+    height: float  # of a line's letters
+    angle: float  # degrees counterclockwise: 0, or 90 where the piece is narrow
+
+
+@dataclass(frozen=True)
+class PatternPiece:
+    name: str
+    outlines: list[np.ndarray]  # (k,2) each, closed without repeating the first point; holes too
+    wires: list[PatternWire]
+    notches: list[Notch]
+    text: PieceText
+
+    @property
+    def size(self) -> np.ndarray:
+        """Width and height."""
+        low, high = bounds(self.outlines)
+        return high - low
+
+
+@dataclass(frozen=True)
+class Pattern:
+    title: str
+    pieces: list[PatternPiece]
+
+    @property
+    def bounds(self) -> tuple[np.ndarray, np.ndarray]:
+        """The lowest and the highest corner."""
+        return bounds([outline for piece in self.pieces for outline in piece.outlines])
+
+    @property
+    def largest(self) -> PatternPiece:
+        """By the area of its box: what a sheet must have room for."""
+        return max(self.pieces, key=lambda piece: float(np.prod(piece.size)))
+
+
+def bounds(outlines: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    points = np.concatenate(outlines)
+    return points.min(axis=0), points.max(axis=0)

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pattern of a model's flat pieces, as they lie in their object; only of pieces that may be cut."""
+
+import bpy
+import numpy as np
+
+from .foreach import read
+from .issues import object_error
+from .model_state import has_changed
+from .pattern.flat_pieces import FlatPieces
+from .pattern.make_pattern import PieceLabel, make_pattern
+from .pattern.pattern import Pattern
+from .report_store import last_report
+from .unit_text import length_text, meters_per_blender_unit
+from .wire_attributes import read_marks
+from .wire_names import names_of
+from .write_flat_object import FLAT_LENGTH, find_flat_object
+
+NEEDED = {"piece", "source_vertex", FLAT_LENGTH}
+# Of lengths in single precision, relative to the length and to the largest coordinate: pieces may have been moved.
+LENGTH_ERROR, PLACE_ERROR = 1e-5, 1e-6
+
+
+def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: float, failed_too: bool) -> Pattern:
+    """Of a model, in Object Mode. spacing: of notches along seams, in millimeters; failed_too: pieces with errors too.
+
+    Raises ObjectError where there are no pieces, or none that are true.
+    """
+    report, flat = _current_pieces(source)
+    failed = [piece["name"] for piece in report["pieces"] if not piece["ok"]]
+    if failed and not failed_too:
+        raise object_error(
+            "failed_pieces",
+            f"Not to be cut: {', '.join(failed)}. See the report for what is wrong, or choose Failed Pieces to export "
+            "them all the same.",
+        )
+    text, millimeters = length_text(scene), 1000 * meters_per_blender_unit(scene)
+    labels = {
+        piece["index"]: PieceLabel(piece["name"], (piece["name"], text.area(piece["area_2d"])))
+        for piece in report["pieces"]
+        if piece["has_layout"]
+    }
+    seams = [seam["edges"] for seam in report["seams"]]
+    pieces = _read_pieces(flat.data, millimeters)
+    wire_ids = np.unique(pieces.wire_ids[pieces.wire_ids != 0]).tolist()
+    return make_pattern(source.name, pieces, labels, names_of(source.data, wire_ids), seams, spacing)
+
+
+def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
+    report, flat = last_report(source), find_flat_object(source)
+    if report is None or flat is None or "flat_object" not in report:
+        raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')
+    if has_changed(source, report):
+        raise object_error("changed", f'"{source.name}" has changed since it was flattened: flatten it again.')
+    if not set(flat.data.attributes.keys()) >= NEEDED or _is_edited(flat.data, report):
+        raise object_error(
+            "edited_pieces",
+            f'The pieces in "{flat.name}" were changed by hand, and their lengths are not those of the model any more: '
+            f'flatten "{source.name}" again. Moving and turning whole pieces is fine.',
+        )
+    return report, flat
+
+
+def _is_edited(mesh: bpy.types.Mesh, report: dict) -> bool:
+    """Whether faces are gone or new, or edges longer or shorter than they were laid out."""
+    pieces = read(mesh.attributes["piece"].data, "value", np.int32)
+    faces = [piece["faces"] if piece["has_layout"] else 0 for piece in report["pieces"]]
+    if np.any((pieces < 0) | (pieces >= len(faces))) or np.bincount(pieces, minlength=len(faces)).tolist() != faces:
+        return True
+    places = read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64)
+    ends = places[read(mesh.edges, "vertices", np.int32, 2)]
+    laid_out = read(mesh.attributes[FLAT_LENGTH].data, "value", np.float32)
+    change = np.abs(np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1) - laid_out)
+    return bool(np.any(change > LENGTH_ERROR * laid_out + PLACE_ERROR * np.abs(places).max()))
+
+
+def _read_pieces(mesh: bpy.types.Mesh, millimeters: float) -> FlatPieces:
+    marks = read_marks(mesh)
+    return FlatPieces(
+        vertices=read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64) * millimeters,
+        source_vertex=read(mesh.attributes["source_vertex"].data, "value", np.int32),
+        loop_vertices=read(mesh.loops, "vertex_index", np.int32),
+        face_sizes=read(mesh.polygons, "loop_total", np.int32),
+        face_piece=read(mesh.attributes["piece"].data, "value", np.int32),
+        edges=read(mesh.edges, "vertices", np.int32, 2),
+        wire_ids=marks.wire_ids,
+        tolerances=marks.tolerances,
+    )
