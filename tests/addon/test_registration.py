@@ -26,11 +26,11 @@ def test_menu_entries_come_and_go(addon):
         menus = addon.ui.menus.ADDED
         return [draw in getattr(bpy.types, name)._dyn_ui_initialize() for name, draw in menus.items()]
 
-    assert ours() == [True] * 4
+    assert all(ours())
     addon.unregister()
     gone = ours()
     addon.register()
-    assert gone == [False] * 4
+    assert not any(gone)
 
 
 def test_every_class_of_the_add_on_is_registered(addon):
