@@ -184,4 +184,14 @@ double read_number(py::handle value, const std::string& name) {
   return array.attr("item")().cast<double>();
 }
 
+std::array<double, 3> read_triple(py::handle value, const std::string& name) {
+  const py::array array = as_array(value, name);
+  check_kind(array, value, name, "fiu", "real numbers");
+  if (array.ndim() != 1 || array.size() != 3) {
+    throw FlattenError(ErrorCode::invalid_shape, name + " has the shape " + shape_text(array) + "; it must be (3,).");
+  }
+  const py::array_t<double, kPlain> values(array);
+  return {values.at(0), values.at(1), values.at(2)};
+}
+
 }  // namespace wirewarp::bindings

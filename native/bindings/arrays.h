@@ -6,6 +6,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,9 @@ std::vector<int> read_chain(py::handle value);
 
 /// One real number; throws invalid_type, calling it `name`.
 double read_number(py::handle value, const std::string& name);
+
+/// Three real numbers in a row; throws invalid_type or invalid_shape, calling them `name`.
+std::array<double, 3> read_triple(py::handle value, const std::string& name);
 
 /// The name of the type of a value, for messages.
 std::string type_name(py::handle value);

@@ -23,6 +23,11 @@ inline constexpr Named<NodeWeight> kNodeWeights[] = {{NodeWeight::length, "lengt
 
 inline constexpr Named<Inner> kInners[] = {{Inner::minimum, "minimum"}, {Inner::least_norm, "least-norm"}};
 
+inline constexpr Named<PieceLayout> kPieceLayouts[] = {{PieceLayout::packed, "packed"}, {PieceLayout::row, "row"}};
+
+inline constexpr Named<Orientation> kOrientations[] = {
+    {Orientation::wire, "wire"}, {Orientation::boundary, "boundary"}, {Orientation::up, "up"}};
+
 /// The string of a value that its table holds.
 template <class Enum, std::size_t N>
 const char* name_of(Enum value, const Named<Enum> (&names)[N]) {

@@ -2,7 +2,10 @@
 // wirewarp.Options: the enums as strings, every value checked when it is set.
 #include "wirewarp/options.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "arrays.h"
 #include "bind.h"
@@ -40,13 +43,29 @@ double read_fairness(py::handle value) {
   return fairness;
 }
 
-int read_max_factorizations(py::handle value) {
-  const double number = read_number(value, "Option max_factorizations");
-  if (!(number >= 1 && number <= 1e6 && number == std::floor(number))) {
-    refuse("max_factorizations", value, "a whole number from 1 to 1000000");
+int read_whole_number(py::handle value, const std::string& name, int least, int most) {
+  const double number = read_number(value, "Option " + name);
+  if (!(number >= least && number <= most && number == std::floor(number))) {
+    refuse(name, value, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
   }
   return static_cast<int>(number);
 }
+
+int read_max_factorizations(py::handle value) { return read_whole_number(value, "max_factorizations", 1, 1000000); }
+
+int read_grain(py::handle value) { return read_whole_number(value, "grain", -1, std::numeric_limits<int>::max()); }
+
+std::array<double, 3> read_up(py::handle value) {
+  const std::array<double, 3> up = read_triple(value, "Option up");
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  const auto is_zero = [](double x) { return x == 0; };
+  if (!std::all_of(up.begin(), up.end(), is_finite) || std::all_of(up.begin(), up.end(), is_zero)) {
+    refuse("up", value, "finite and not zero");
+  }
+  return up;
+}
+
+py::tuple up_of(const Options& options) { return py::make_tuple(options.up[0], options.up[1], options.up[2]); }
 
 bool read_bool(py::handle value, const std::string& name) {
   const py::object numpy_bool = py::module_::import("numpy").attr("bool_");
@@ -74,14 +93,19 @@ void bind_options(py::module_& module) {
                          "How to flatten. A value that is not known or out of range raises FlattenError "
                          "(invalid_option), here and when an attribute is set.");
   record.def(py::init([](const py::object& method, const py::object& node_weight, const py::object& inner,
-                         const py::object& fairness, const py::object& max_factorizations, const py::object& gap,
-                         const py::object& mirror) {
+                         const py::object& fairness, const py::object& max_factorizations, const py::object& layout,
+                         const py::object& orientation, const py::object& grain, const py::object& up,
+                         const py::object& gap, const py::object& mirror) {
                Options options;
                options.method = read_enum(method, "method", kMethods);
                options.node_weight = read_enum(node_weight, "node_weight", kNodeWeights);
                options.inner = read_enum(inner, "inner", kInners);
                options.fairness = read_fairness(fairness);
                options.max_factorizations = read_max_factorizations(max_factorizations);
+               options.layout = read_enum(layout, "layout", kPieceLayouts);
+               options.orientation = read_enum(orientation, "orientation", kOrientations);
+               options.grain = read_grain(grain);
+               options.up = read_up(up);
                options.gap = read_gap(gap);
                options.mirror = read_bool(mirror, "mirror");
                return options;
@@ -89,8 +113,10 @@ void bind_options(py::module_& module) {
              py::kw_only(), py::arg("method") = name_of(defaults.method, kMethods),
              py::arg("node_weight") = name_of(defaults.node_weight, kNodeWeights),
              py::arg("inner") = name_of(defaults.inner, kInners), py::arg("fairness") = defaults.fairness,
-             py::arg("max_factorizations") = defaults.max_factorizations, py::arg("gap") = defaults.gap,
-             py::arg("mirror") = defaults.mirror);
+             py::arg("max_factorizations") = defaults.max_factorizations,
+             py::arg("layout") = name_of(defaults.layout, kPieceLayouts),
+             py::arg("orientation") = name_of(defaults.orientation, kOrientations), py::arg("grain") = defaults.grain,
+             py::arg("up") = up_of(defaults), py::arg("gap") = defaults.gap, py::arg("mirror") = defaults.mirror);
 
   bind_enum(record, "method", &Options::method, kMethods, "How wire lengths and the shape are found.");
   bind_enum(record, "node_weight", &Options::node_weight, kNodeWeights,
@@ -108,10 +134,26 @@ void bind_options(py::module_& module) {
       [](Options& options, const py::object& value) { options.max_factorizations = read_max_factorizations(value); },
       "Refined method: after so many factorizations a piece stops at the shape it has, at least 1.");
   record.listed("max_factorizations");
+  bind_enum(record, "layout", &Options::layout, kPieceLayouts,
+            "Where the pieces lie: 'packed', near-square, or 'row', from left to right in their order on one line.");
+  bind_enum(record, "orientation", &Options::orientation, kOrientations,
+            "What stands upright in each piece: 'wire', its wire grain, without wires its longest stretch of outline "
+            "between junctions; 'boundary', its longest straight stretch of outline; 'up', the direction up in space, "
+            "where the piece is level as by 'wire'.");
+  record.def_property(
+      "grain", [](const Options& options) { return options.grain; },
+      [](Options& options, const py::object& value) { options.grain = read_grain(value); },
+      "Index of the wire that stands upright for orientation 'wire'. -1, and in pieces it does not run through: the "
+      "piece's first wire.");
+  record.listed("grain");
+  record.def_property(
+      "up", &up_of, [](Options& options, const py::object& value) { options.up = read_up(value); },
+      "(3,) the direction in space that points up in each piece for orientation 'up'; finite, not zero.");
+  record.listed("up");
   record.def_property(
       "gap", [](const Options& options) { return options.gap; },
       [](Options& options, const py::object& value) { options.gap = read_gap(value); },
-      "Space between packed pieces over the side of a square with the area of all pieces, 0 to 1.");
+      "Space between pieces over the side of a square with the area of all pieces, 0 to 1.");
   record.listed("gap");
   record.def_property(
       "mirror", [](const Options& options) { return options.mirror; },

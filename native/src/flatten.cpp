@@ -164,7 +164,7 @@ std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& char
 void pack(const Charts& charts, const Options& options, std::vector<Layout>& layouts) {
   std::vector<Positions2> shapes;
   for (Layout& layout : layouts) shapes.push_back(std::move(layout.uv));
-  shapes = pack_pieces(charts.charts, shapes, options.gap, options.mirror);
+  shapes = pack_pieces(charts.charts, shapes, options);
   for (std::size_t c = 0; c < layouts.size(); ++c) layouts[c].uv = std::move(shapes[c]);
 }
 
@@ -177,7 +177,7 @@ FlattenResult flatten(const FlattenInput& input, const Options& options, const P
     const StageTimer total(seconds, "total");
     ProgressReport report(progress);
 
-    check_options(options);
+    check_options(options, input.wires.size());
     check_mesh(input);
     const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
     check_seams_and_wires(input, edges);

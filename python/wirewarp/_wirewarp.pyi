@@ -15,6 +15,13 @@ class Options:
     inner: Literal["minimum", "least-norm"]
     fairness: float
     max_factorizations: int
+    layout: Literal["packed", "row"]
+    orientation: Literal["wire", "boundary", "up"]
+    grain: int
+    @property
+    def up(self) -> tuple[float, float, float]: ...
+    @up.setter
+    def up(self, value: npt.ArrayLike) -> None: ...
     gap: float
     mirror: bool
     def __init__(
@@ -25,6 +32,10 @@ class Options:
         inner: Literal["minimum", "least-norm"] = "minimum",
         fairness: float = 0.1,
         max_factorizations: int = 100,
+        layout: Literal["packed", "row"] = "packed",
+        orientation: Literal["wire", "boundary", "up"] = "wire",
+        grain: int = -1,
+        up: npt.ArrayLike = (0.0, 0.0, 1.0),
         gap: float = 0.03,
         mirror: bool = False,
     ) -> None: ...

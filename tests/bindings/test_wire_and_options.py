@@ -118,6 +118,10 @@ CHANGED = {
     "inner": "least-norm",
     "fairness": 0.2,
     "max_factorizations": 7,
+    "layout": "row",
+    "orientation": "boundary",
+    "grain": 3,
+    "up": (0.0, -2.0, 0.5),
     "gap": 0.5,
     "mirror": True,
 }
@@ -132,7 +136,8 @@ def test_an_option_is_the_same_however_it_is_set(name, value):
     assert getattr(later, name) != value
     setattr(later, name, value)
     assert getattr(later, name) == getattr(Options(**{name: value}), name) == value
-    assert later.to_dict() == Options().to_dict() | {name: value}
+    listed = list(value) if isinstance(value, tuple) else value
+    assert later.to_dict() == Options().to_dict() | {name: listed}
 
 
 @pytest.mark.parametrize(
@@ -154,6 +159,14 @@ def test_an_option_is_the_same_however_it_is_set(name, value):
         ("max_factorizations", math.nan, "a whole number from 1"),
         ("max_factorizations", math.inf, "a whole number from 1"),
         ("max_factorizations", 2**40, "to 1000000"),
+        ("layout", "column", "'packed' or 'row'"),
+        ("orientation", "grain", "'wire' or 'boundary' or 'up'"),
+        ("grain", -2, "a whole number from -1"),
+        ("grain", 0.5, "a whole number from -1"),
+        ("grain", 2**40, "to 2147483647"),
+        ("up", (0, 0, 0), "finite and not zero"),
+        ("up", (0, math.nan, 1), "finite and not zero"),
+        ("up", (0, math.inf, 1), "finite and not zero"),
         ("gap", -0.1, "0 to 1"),
         ("gap", 1.5, "0 to 1"),
         ("gap", math.nan, "0 to 1"),
@@ -179,12 +192,30 @@ def test_a_numpy_bool_is_a_bool():
     assert Options(mirror=np.False_).mirror is False
 
 
-@pytest.mark.parametrize("name", ["gap", "fairness", "max_factorizations"])
+@pytest.mark.parametrize("name", ["gap", "fairness", "max_factorizations", "grain"])
 @pytest.mark.parametrize("value", ["0.1", None, True])
 def test_what_is_to_be_a_number_is_one(name, value):
     with pytest.raises(FlattenError, match=name) as caught:
         Options(**{name: value})
     assert caught.value.code is ErrorCode.invalid_type
+
+
+@pytest.mark.parametrize(
+    ("value", "code"),
+    [
+        ("up", ErrorCode.invalid_type),
+        (("a", "b", "c"), ErrorCode.invalid_type),
+        ((True, False, True), ErrorCode.invalid_type),
+        (1.0, ErrorCode.invalid_shape),
+        ((0, 1), ErrorCode.invalid_shape),
+        ([[0, 0, 1]], ErrorCode.invalid_shape),
+    ],
+)
+def test_up_is_three_numbers(value, code):
+    with pytest.raises(FlattenError, match="up") as caught:
+        Options(up=value)
+    assert caught.value.code is code
+    assert Options(up=np.array([0, 3, 0], np.int8)).up == (0.0, 3.0, 0.0)
 
 
 @pytest.mark.parametrize("value", [0.001, 10])

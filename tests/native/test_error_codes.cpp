@@ -148,6 +148,16 @@ TEST(ErrorCodes, InvalidOption) {
     options.gap = bad;
     EXPECT_EQ(thrown_by(input, options).code, Code::invalid_option);
   }
+  for (const int bad : {-2, 0}) {  // the input has no wires
+    Options options;
+    options.grain = bad;
+    EXPECT_EQ(thrown_by(input, options).code, Code::invalid_option);
+  }
+  for (const std::array<double, 3>& bad : {std::array<double, 3>{0, 0, 0}, {0, std::nan(""), 1}}) {
+    Options options;
+    options.up = bad;
+    EXPECT_EQ(thrown_by(input, options).code, Code::invalid_option);
+  }
 }
 
 TEST(ErrorCodes, CornersOfTheWrongNumberOfFaces) {

@@ -21,7 +21,9 @@ Positions2 turned(const Positions2& uv, double angle) {
 
 /// The layout of the only chart, packed alone.
 Positions2 pack_one(const Charts& charts, const Positions2& uv, bool mirror = false) {
-  return pack_pieces(charts.charts, {uv}, 0.03, mirror).at(0);
+  Options options;
+  options.mirror = mirror;
+  return pack_pieces(charts.charts, {uv}, options).at(0);
 }
 
 TEST(PackBoxes, NoTwoOverlapAndTheGapIsKept) {
@@ -98,7 +100,7 @@ TEST(PackPieces, WithoutWiresTheLongestChainOfTheOutlineStandsUpright) {
   const Charts charts = charts_of(input);
   ASSERT_EQ(charts.charts.size(), 2u);
   const std::vector<Positions2> layouts = {planar_positions(charts.charts[0]), planar_positions(charts.charts[1])};
-  const std::vector<Positions2> packed = pack_pieces(charts.charts, layouts, 0, false);
+  const std::vector<Positions2> packed = pack_pieces(charts.charts, layouts, {});
   for (const Positions2& piece : packed) {
     // Upright: both seam and outline chord run along x in the layout, 4 long.
     const Eigen::RowVector2d size = piece.colwise().maxCoeff() - piece.colwise().minCoeff();
@@ -130,7 +132,7 @@ TEST(PackPieces, LengthsSurviveAndPiecesAreApart) {
     layouts.push_back(turned(uv, static_cast<double>(c)));
   }
   layouts[2].resize(0, 2);  // this piece has no layout
-  const std::vector<Positions2> packed = pack_pieces(charts.charts, layouts, 0.05, false);
+  const std::vector<Positions2> packed = pack_pieces(charts.charts, layouts, {});
   ASSERT_EQ(packed.size(), 6u);
   EXPECT_EQ(packed[2].rows(), 0);
   for (std::size_t c = 0; c < 6; ++c) {
@@ -150,6 +152,26 @@ TEST(PackPieces, LengthsSurviveAndPiecesAreApart) {
                                       packed[d].colwise().maxCoeff().transpose());
       EXPECT_TRUE(c_box.intersection(d_box).isEmpty()) << c << " and " << d;
     }
+  }
+}
+
+TEST(PackPieces, InARowTheyStandOnOneLineInTheirOrder) {
+  FlattenInput input = test::flat_rectangle(12, 4, 6, 2);
+  test::add_seam(input, test::grid_column(12, 4, 2));
+  test::add_seam(input, test::grid_column(12, 4, 5));
+  const Charts charts = charts_of(input);
+  ASSERT_EQ(charts.charts.size(), 3u);
+  std::vector<Positions2> layouts;
+  for (const Chart& chart : charts.charts) layouts.push_back(planar_positions(chart));
+  Options options;
+  options.layout = PieceLayout::row;
+  options.gap = 0.25;
+  const std::vector<Positions2> packed = pack_pieces(charts.charts, layouts, options);
+  double left = 0;
+  for (const Positions2& piece : packed) {
+    EXPECT_NEAR(piece.col(0).minCoeff(), left, 1e-13);
+    EXPECT_EQ(piece.col(1).minCoeff(), 0);
+    left = piece.col(0).maxCoeff() + 0.25 * std::sqrt(12.0);
   }
 }
 

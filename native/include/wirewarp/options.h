@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 namespace wirewarp {
 
 /// How wire lengths and the shape are found. The default is the best method there is.
@@ -23,6 +25,19 @@ enum class Inner {
                // comparison
 };
 
+/// Where the pieces lie.
+enum class PieceLayout {
+  packed,  // near-square
+  row,     // side by side from left to right in their order, standing on one line
+};
+
+/// What stands upright in each piece.
+enum class Orientation {
+  wire,      // its wire Options::grain; without wires the longest chain of its outline
+  boundary,  // its longest straight stretch of outline, the piece on the left of it
+  up,        // Options::up: the direction in which the surface rises most on average; where it is level as by wire
+};
+
 struct Options {
   Method method = Method::refined;
   NodeWeight node_weight = NodeWeight::length;
@@ -38,7 +53,17 @@ struct Options {
   /// least 1.
   int max_factorizations = 100;
 
-  /// Space between packed pieces, as a fraction of the side of a square with the area of all pieces. In [0, 1].
+  PieceLayout layout = PieceLayout::packed;
+  Orientation orientation = Orientation::wire;
+
+  /// Of Orientation::wire: index of the input's wire that stands upright in the pieces it runs through. -1, and in the
+  /// other pieces: the piece's first wire. In [-1, number of wires).
+  int grain = -1;
+
+  /// Of Orientation::up: a direction in space, of any length but 0; finite.
+  std::array<double, 3> up = {0, 0, 1};
+
+  /// Space between pieces, as a fraction of the side of a square with the area of all pieces. In [0, 1].
   double gap = 0.03;
 
   /// true: the pieces as seen from inside (from behind the front faces).

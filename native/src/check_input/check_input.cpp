@@ -80,7 +80,7 @@ void check_wire(const FlattenInput& input, const EdgeTable& edges, std::size_t w
 
 }  // namespace
 
-void check_options(const Options& options) {
+void check_options(const Options& options, std::size_t num_wires) {
   const auto refuse = [](const std::string& name, const std::string& value, const std::string& allowed) {
     throw FlattenError(ErrorCode::invalid_option, "The option " + name + " is " + value + ": it must " + allowed + ".");
   };
@@ -90,6 +90,15 @@ void check_options(const Options& options) {
   }
   if (options.max_factorizations < 1) {
     refuse("max_factorizations", std::to_string(options.max_factorizations), "be at least 1");
+  }
+  if (options.grain < -1 || options.grain >= static_cast<std::ptrdiff_t>(num_wires)) {
+    refuse("grain", std::to_string(options.grain),
+           "be -1 or the index of one of the " + std::to_string(num_wires) + " wires");
+  }
+  const Eigen::Vector3d up(options.up[0], options.up[1], options.up[2]);
+  if (!up.allFinite() || up.isZero(0)) {
+    refuse("up", std::to_string(up.x()) + ", " + std::to_string(up.y()) + ", " + std::to_string(up.z()),
+           "be finite and not zero");
   }
 }
 

@@ -10,8 +10,8 @@ namespace wirewarp {
 /// Coordinates must be smaller in magnitude, scene units.
 constexpr double kCoordinateLimit = 1e60;
 
-/// Throws invalid_option unless every option is in its documented range.
-void check_options(const Options& options);
+/// Throws invalid_option unless every option is in its documented range for an input with so many wires.
+void check_options(const Options& options, std::size_t num_wires);
 
 /// Throws empty_mesh, vertex_out_of_range or non_finite_coordinates (or too large ones).
 void check_mesh(const FlattenInput& input);

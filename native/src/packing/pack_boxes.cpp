@@ -100,4 +100,12 @@ Positions2 pack_boxes(const Positions2& sizes, double gap) {
   return best.corners;
 }
 
+Positions2 place_in_row(const Positions2& sizes, double gap) {
+  Positions2 corners = Positions2::Zero(sizes.rows(), 2);
+  for (Eigen::Index box = 1; box < sizes.rows(); ++box) {
+    corners(box, 0) = corners(box - 1, 0) + sizes(box - 1, 0) + gap;
+  }
+  return corners;
+}
+
 }  // namespace wirewarp

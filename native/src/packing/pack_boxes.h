@@ -10,4 +10,7 @@ namespace wirewarp {
 /// for sizes that differ by rounding only.
 Positions2 pack_boxes(const Positions2& sizes, double gap);
 
+/// Places the same boxes side by side from left to right in their order, all at y = 0.
+Positions2 place_in_row(const Positions2& sizes, double gap);
+
 }  // namespace wirewarp

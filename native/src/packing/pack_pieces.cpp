@@ -44,7 +44,7 @@ Positions2 mirror_image(const Positions2& uv) {
 }
 
 std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, const std::vector<Positions2>& layouts,
-                                    double gap, bool mirror) {
+                                    const Options& options) {
   std::vector<Positions2> packed(layouts.size());
   std::vector<std::size_t> pieces;  // those with a layout
   double area = 0;
@@ -52,15 +52,17 @@ std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, const std:
     if (layouts[i].rows() == 0) continue;
     pieces.push_back(i);
     area += outline_area(charts[i], layouts[i]);
-    const Eigen::Vector2d up = upright_direction(charts[i], layouts[i]);
-    packed[i] = mirror ? stand_upright(mirror_image(layouts[i]), {-up.x(), up.y()}) : stand_upright(layouts[i], up);
+    const Eigen::Vector2d up = upright_direction(charts[i], layouts[i], options);
+    packed[i] =
+        options.mirror ? stand_upright(mirror_image(layouts[i]), {-up.x(), up.y()}) : stand_upright(layouts[i], up);
   }
 
   Positions2 sizes(static_cast<Eigen::Index>(pieces.size()), 2);
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     sizes.row(static_cast<Eigen::Index>(k)) = packed[pieces[k]].colwise().maxCoeff();
   }
-  const Positions2 corners = pack_boxes(sizes, gap * std::sqrt(area));
+  const double gap = options.gap * std::sqrt(area);
+  const Positions2 corners = options.layout == PieceLayout::row ? place_in_row(sizes, gap) : pack_boxes(sizes, gap);
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     packed[pieces[k]].rowwise() += corners.row(static_cast<Eigen::Index>(k));
   }

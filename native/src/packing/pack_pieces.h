@@ -6,13 +6,13 @@
 
 namespace wirewarp {
 
-/// Turns each layout (rotation only) so that its upright_direction() is +y, mirrors it if asked, and packs the pieces'
-/// bounding boxes near-square without overlap, the lower-left corner at the origin.
+/// Turns each layout (rotation only) so that its upright_direction() is +y, mirrors it if asked, and lays the pieces'
+/// bounding boxes out as Options::layout says, without overlap, the lower-left corner at the origin.
 ///
-/// layouts: one per chart, one row per chart vertex, scene units; no rows: no layout, skipped. gap: see Options::gap.
-/// Rotation and translation move each coordinate by a few units of rounding.
+/// layouts: one per chart, one row per chart vertex, scene units; no rows: no layout, skipped. options: layout,
+/// orientation, grain, up, gap and mirror. Rotation and translation move each coordinate by a few units of rounding.
 std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, const std::vector<Positions2>& layouts,
-                                    double gap, bool mirror);
+                                    const Options& options);
 
 /// The same layout seen from the other side, exactly: x negated.
 Positions2 mirror_image(const Positions2& uv);

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "mesh/geometry.h"
+#include "packing/rising_direction.h"
+#include "packing/straightest_outline.h"
 
 namespace wirewarp {
 namespace {
@@ -91,12 +93,23 @@ const HalfEdgeChain& longest_boundary_chain(const Chart& chart) {
   return *best;
 }
 
+/// The chain that stands upright in Orientation::wire.
+const HalfEdgeChain& grain_of(const Chart& chart, int grain) {
+  if (chart.wire_parts.empty()) return longest_boundary_chain(chart);
+  const auto chosen = std::find_if(chart.wire_parts.begin(), chart.wire_parts.end(),
+                                   [&](const WirePart& part) { return part.wire_index == grain; });
+  return (chosen != chart.wire_parts.end() ? *chosen : chart.wire_parts.front()).half_edges;
+}
+
 }  // namespace
 
-Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv) {
-  const HalfEdgeChain& chain =
-      chart.wire_parts.empty() ? longest_boundary_chain(chart) : chart.wire_parts.front().half_edges;
-  return direction_of(chart, chain, uv);
+Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, const Options& options) {
+  if (options.orientation == Orientation::boundary) return straightest_outline(chart, uv);
+  if (options.orientation == Orientation::up) {
+    const Eigen::Vector2d rising = rising_direction(chart, uv, {options.up[0], options.up[1], options.up[2]});
+    if (!rising.isZero(0)) return rising;
+  }
+  return direction_of(chart, grain_of(chart, options.grain), uv);
 }
 
 }  // namespace wirewarp
