@@ -11,6 +11,7 @@ namespace py = pybind11;
 void bind_options(py::module_& module);
 void bind_wire(py::module_& module);
 void bind_results(py::module_& module);
+void bind_cache(py::module_& module);
 void bind_flatten(py::module_& module);
 
 }  // namespace wirewarp::bindings

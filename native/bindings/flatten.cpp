@@ -6,6 +6,7 @@
 #include "bind.h"
 #include "errors.h"
 #include "progress.h"
+#include "wirewarp/cache.h"
 
 namespace wirewarp::bindings {
 namespace {
@@ -31,21 +32,30 @@ Options read_options(py::handle value) {
   throw FlattenError(ErrorCode::invalid_type, "options must be Options or None, not " + type_name(value) + ".");
 }
 
+Cache* read_cache(py::handle value) {
+  if (value.is_none()) return nullptr;
+  if (py::isinstance<Cache>(value)) return value.cast<Cache*>();
+  throw FlattenError(ErrorCode::invalid_type, "cache must be a Cache or None, not " + type_name(value) + ".");
+}
+
 FlattenInput read_input(py::handle vertices, py::handle faces, py::handle seams, py::handle wires) {
   return {read_vertices(vertices), read_faces(faces), read_seams(seams), read_wires(wires)};
 }
 
 FlattenResult run_flatten(const py::object& vertices, const py::object& faces, const py::object& seams,
-                          const py::object& wires, const py::object& options, const py::object& progress) {
+                          const py::object& wires, const py::object& options, const py::object& progress,
+                          const py::object& cache) {
   const FlattenInput input = read_input(vertices, faces, seams, wires);
   const Options checked_options = read_options(options);
+  Cache* const solved_before = read_cache(cache);
   PythonProgress python_progress(progress);
   FlattenResult result;
   try {
     const py::gil_scoped_release no_gil;
-    result = flatten(input, checked_options, [&](const std::string& stage, double fraction) {
+    const auto report = [&](const std::string& stage, double fraction) {
       return python_progress.report(stage, fraction);
-    });
+    };
+    result = flatten(input, checked_options, report, solved_before);
   } catch (const FlattenError&) {
     python_progress.rethrow();
     throw;
@@ -72,6 +82,7 @@ wires: Wire objects.
 options: Options; None for the defaults.
 progress: called as progress(stage, fraction); returning False cancels the pieces that are not flat yet, an exception
     cancels and is raised again. The last stage, "measure", runs to its end.
+cache: a Cache: pieces that did not change since its last run are not solved again.
 
 Raises FlattenError if the input is not a mesh with seams and wires. A region that cannot be flattened carries its
 FlattenError in Piece.error and spares the others.)";
@@ -87,7 +98,7 @@ The other arguments are those of flatten().)";
 void bind_flatten(py::module_& module) {
   module.def("flatten", &run_flatten, py::arg("vertices"), py::arg("faces"), py::kw_only(),
              py::arg("seams") = py::none(), py::arg("wires") = py::tuple(), py::arg("options") = py::none(),
-             py::arg("progress") = py::none(), kFlattenDoc);
+             py::arg("progress") = py::none(), py::arg("cache") = py::none(), kFlattenDoc);
   module.def("measure", &run_measure, py::arg("vertices"), py::arg("faces"), py::arg("corner_uv"),
              py::arg("seams") = py::none(), py::arg("wires") = py::tuple(), kMeasureDoc);
 }

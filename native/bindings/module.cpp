@@ -11,5 +11,6 @@ PYBIND11_MODULE(_wirewarp, module) {
   bind_options(module);
   bind_wire(module);
   bind_results(module);
+  bind_cache(module);
   bind_flatten(module);
 }

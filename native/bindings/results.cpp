@@ -25,6 +25,7 @@ py::dict run_report(const FlattenResult& result) {
   report["method"] = result.method;
   report["pieces"] = result.pieces.size();
   report["failed_pieces"] = failed;
+  report["reused_pieces"] = result.reused_pieces;
   report["faces"] = result.corner_uv.rows();
   report["seconds"] = result.seconds;
   return report;
@@ -138,7 +139,8 @@ void bind_results(py::module_& module) {
       .field("wires", &FlattenResult::wires, "One WireReport per whole wire.")
       .field(
           "report", [](const FlattenResult& result, py::handle) { return run_report(result); },
-          "method, numbers of pieces, failed_pieces and faces, and seconds per stage.");
+          "method, numbers of pieces, failed_pieces, reused_pieces (taken from the cache) and faces, and seconds per "
+          "stage.");
 }
 
 }  // namespace wirewarp::bindings

@@ -15,6 +15,7 @@
 #include "packing/pack_pieces.h"
 #include "progress_report.h"
 #include "refine/infeasible_wires.h"
+#include "reuse/reuse.h"
 #include "topology/process_topology.h"
 
 namespace wirewarp {
@@ -123,17 +124,31 @@ const char* name_of(Method method) {
   throw std::logic_error("not a Method");
 }
 
+/// The layout of a sound chart, or why it has none.
+Layout solve_chart(const Chart& chart, const FlattenInput& input, const Options& options, const GoOn& go_on) {
+  Layout layout;
+  try {
+    if (std::optional<FlattenError> error = find_short_outline(chart)) throw std::move(*error);
+    (options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, input, options, go_on,
+                                                                                   layout);
+  } catch (const FlattenError& error) {
+    layout.error = error;
+    if (error.code == ErrorCode::cancelled) layout.report.termination = Termination::cancelled;
+  } catch (const std::domain_error&) {  // a factorization broke down
+    layout.error = not_solvable(chart);
+  }
+  return layout;
+}
+
 std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& charts, const Options& options,
-                                   ProgressReport& progress) {
+                                   ProgressReport& progress, Reuse& reuse) {
   // Where each stage begins in a chart's share of the time. Nobody knows how many steps the last one takes: each step
   // is told as a part of what is left.
   const std::map<std::string, double> begins_at{{"wires", 0.0}, {"interior", 0.1}, {"lengths", 0.6}, {"shape", 0.0}};
   constexpr double kPerStep = 0.15;
-  std::vector<Layout> layouts(charts.charts.size());
+  std::vector<Layout> layouts;
   double faces_done = 0;
-  for (std::size_t c = 0; c < layouts.size(); ++c) {
-    const Chart& chart = charts.charts[c];
-    Layout& layout = layouts[c];
+  for (const Chart& chart : charts.charts) {
     const auto chart_faces = static_cast<double>(chart.source_face.size());
     double share_done = 0;
     const auto go_on = [&](const char* stage) {
@@ -143,18 +158,9 @@ std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& char
       return progress.go_on(stage, 0.2 + 0.7 * done);
     };
     if (chart.error) {
-      layout.error = with_proposed_seams(*chart.error, chart);
+      layouts.emplace_back().error = with_proposed_seams(*chart.error, chart);
     } else {
-      try {
-        if (std::optional<FlattenError> error = find_short_outline(chart)) throw std::move(*error);
-        (options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, input, options, go_on,
-                                                                                       layout);
-      } catch (const FlattenError& error) {
-        layout.error = error;
-        if (error.code == ErrorCode::cancelled) layout.report.termination = Termination::cancelled;
-      } catch (const std::domain_error&) {  // a factorization broke down
-        layout.error = not_solvable(chart);
-      }
+      layouts.push_back(reuse.layout_of(chart, [&] { return solve_chart(chart, input, options, go_on); }));
     }
     faces_done += chart_faces;
   }
@@ -170,7 +176,7 @@ void pack(const Charts& charts, const Options& options, std::vector<Layout>& lay
 
 }  // namespace
 
-FlattenResult flatten(const FlattenInput& input, const Options& options, const Progress& progress) {
+FlattenResult flatten(const FlattenInput& input, const Options& options, const Progress& progress, Cache* cache) {
   std::map<std::string, double> seconds;
   FlattenResult result;
   {
@@ -188,7 +194,9 @@ FlattenResult flatten(const FlattenInput& input, const Options& options, const P
       const StageTimer timer(seconds, "charts");
       charts = cut_into_charts(input, edges);
     }
-    std::vector<Layout> layouts = flatten_charts(input, charts, options, report);
+    Reuse reuse(cache, input, options);
+    std::vector<Layout> layouts = flatten_charts(input, charts, options, report, reuse);
+    reuse.finish();
     report.go_on("measure", 0.9);
     {
       const StageTimer timer(seconds, "packing");
@@ -196,6 +204,7 @@ FlattenResult flatten(const FlattenInput& input, const Options& options, const P
     }
     const StageTimer timer(seconds, "measure");
     result = assemble_result(input, charts, std::move(layouts), options.mirror);
+    result.reused_pieces = reuse.num_reused();
     report.go_on("measure", 1);
   }
   for (const Piece& piece : result.pieces) {

@@ -4,6 +4,7 @@
 from ._errors import ErrorCode, FlattenError
 from ._wirewarp import (
     BoundaryReport,
+    Cache,
     FlattenResult,
     HelperWire,
     Metrics,
@@ -20,6 +21,7 @@ from ._wirewarp import (
 
 __all__ = [
     "BoundaryReport",
+    "Cache",
     "ErrorCode",
     "FlattenError",
     "FlattenResult",

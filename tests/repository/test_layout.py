@@ -24,6 +24,7 @@ LAYERS = [
     "refine",
     "packing",
     "metrics",
+    "reuse",
 ]
 
 

@@ -26,14 +26,18 @@ struct FlattenInput {
   std::vector<Wire> wires;
 };
 
+class Cache;
+
 /// Called with the stage ("charts", "wires", "lengths", "interior", "measure") and the fraction of the whole run in
 /// [0, 1]; returning false cancels the pieces that are not flat yet. "measure" comes when all are: it runs to its end.
 using Progress = std::function<bool(const std::string& stage, double fraction)>;
 
-/// Flattens every chart of the input; pieces packed near-square without overlap, front faces with positive area.
+/// Flattens every chart of the input; pieces laid out without overlap, front faces with positive area.
 /// Throws FlattenError if the input is not a mesh with seams and wires or an option is out of range; a chart that
-/// cannot be flattened carries its FlattenError in its Piece and spares the others. Safe to call from several threads.
-FlattenResult flatten(const FlattenInput& input, const Options& options = {}, const Progress& progress = {});
+/// cannot be flattened carries its FlattenError in its Piece and spares the others. With a cache (wirewarp/cache.h),
+/// charts that are as they were in its last run are not solved again. Safe to call from several threads.
+FlattenResult flatten(const FlattenInput& input, const Options& options = {}, const Progress& progress = {},
+                      Cache* cache = nullptr);
 
 /// The measures and the guarantee of flatten() for a flattening made elsewhere, in scene units. No packing, no scaling:
 /// corner_uv is returned as given. A chart with a corner that is not finite and below 1e60 in magnitude has no_layout.

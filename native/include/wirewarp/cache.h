@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Solved charts kept from one run of flatten() to the next, so that only those that changed are solved again.
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+namespace wirewarp {
+
+struct SolvedCharts;
+
+/// Handed to flatten() again and again, it holds the charts of the last run: a chart whose geometry, outline, wires,
+/// tolerances and solver options are the same bit for bit takes its shape from there, and the result is the one that a
+/// run without a cache gives. Charts that were cancelled are not kept, failed ones are. It holds about as much memory
+/// as the pieces take. Several threads may use one cache at once; it then holds the charts of the run that ended last.
+class Cache {
+ public:
+  Cache();
+
+  /// Charts held.
+  int size() const;
+
+  /// Forgets them.
+  void clear();
+
+ private:
+  friend class Reuse;
+
+  std::shared_ptr<const SolvedCharts> solved() const;
+  void hold(std::shared_ptr<const SolvedCharts> solved);
+
+  mutable std::mutex mutex_;
+  std::shared_ptr<const SolvedCharts> solved_;  // never null
+};
+
+}  // namespace wirewarp

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Only pieces that changed are solved again, and nobody can tell from the result."""
+
+import math
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+import wirewarp
+from surfaces import chain_edges, column_chain, grid, half_cylinder
+from wirewarp import Cache, ErrorCode, Options, Wire
+
+COLUMNS, ROWS = 12, 6
+
+
+@pytest.fixture
+def sheet():
+    """Arguments of flatten(): three bumps in a row with seams between them, a wire across each."""
+
+    def point(u, v):
+        return 3 * u, v, 0.2 * abs(math.sin(3 * math.pi * u)) * math.sin(3 * v)
+
+    vertices, faces = grid(COLUMNS, ROWS, point)
+    seams = [*chain_edges(column_chain(COLUMNS, ROWS, 4)), *chain_edges(column_chain(COLUMNS, ROWS, 8))]
+    wires = [Wire(column_chain(COLUMNS, ROWS, i), 0.02, f"wire {i}") for i in (2, 6, 10)]
+    return {"vertices": vertices, "faces": faces, "seams": seams, "wires": wires}
+
+
+def contents(result):
+    """All of a result but the time it took and what was reused."""
+    plain = result.to_dict()
+    del plain["report"]
+    for piece in plain["pieces"]:
+        del piece["report"]["seconds"]
+    return plain
+
+
+def run_again(cache, arguments, reused):
+    """A run with the cache equals one without; so many pieces come from it."""
+    result = wirewarp.flatten(**arguments, cache=cache)
+    fresh = wirewarp.flatten(**arguments)
+    assert contents(result) == contents(fresh)
+    assert np.array_equal(result.corner_uv, fresh.corner_uv, equal_nan=True)
+    assert result.report["reused_pieces"] == reused
+    assert fresh.report["reused_pieces"] == 0
+    return result
+
+
+def test_the_same_input_is_not_solved_again(sheet):
+    cache = Cache()
+    run_again(cache, sheet, 0)
+    assert cache.size == 3
+    stages = []
+    wirewarp.flatten(**sheet, cache=cache, progress=lambda stage, fraction: stages.append(stage))
+    assert set(stages) == {"charts", "measure"}
+    result = run_again(cache, sheet, 3)
+    assert [piece.report.seconds for piece in result.pieces] == [{}] * 3
+
+
+def test_only_the_piece_of_a_changed_wire_is_solved(sheet):
+    cache = Cache()
+    run_again(cache, sheet, 0)
+    chain = sheet["wires"][1].vertices
+    run_again(cache, sheet | {"wires": [sheet["wires"][0], Wire(chain, 0.04, "wire 6"), sheet["wires"][2]]}, 2)
+    run_again(cache, sheet | {"wires": [sheet["wires"][0], sheet["wires"][2]]}, 2)
+    # The last run is what counts, and names do not.
+    run_again(cache, sheet | {"wires": [Wire(wire.vertices, wire.tolerance) for wire in sheet["wires"]]}, 2)
+
+
+def test_a_moved_vertex_changes_its_pieces(sheet):
+    cache = Cache()
+    run_again(cache, sheet, 0)
+    for vertex, reused in ((1, 2), (4, 1)):  # in the first piece; on the seam between the first two
+        moved = sheet["vertices"].copy()
+        moved[vertex, 2] = np.nextafter(moved[vertex, 2], 1)
+        run_again(cache, sheet | {"vertices": moved}, reused)
+        run_again(cache, sheet, reused)
+
+
+def test_a_new_seam_changes_its_piece(sheet):
+    cache = Cache()
+    run_again(cache, sheet, 0)
+    dart = chain_edges(column_chain(COLUMNS, ROWS, 9)[:4])
+    run_again(cache, sheet | {"seams": [*sheet["seams"], *dart]}, 2)
+
+
+def test_another_numbering_elsewhere_changes_nothing(sheet):
+    """Vertices and faces that are added before all others shift every index."""
+    cache = Cache()
+    run_again(cache, sheet, 0)
+    more = half_cylinder()
+    n = len(more[0])
+    shifted = {
+        "vertices": np.concatenate([more[0] + 10, sheet["vertices"]]),
+        "faces": np.concatenate([more[1], sheet["faces"] + n]),
+        "seams": np.array(sheet["seams"]) + n,
+        "wires": [Wire([0, 1]), *(Wire(wire.vertices + n, wire.tolerance, wire.name) for wire in sheet["wires"])],
+    }
+    result = run_again(cache, shifted, 3)
+    assert len(result.pieces) == 4
+
+
+CHANGED = {
+    "method": ("wirewarp++", 0),
+    "node_weight": ("uniform", 0),
+    "inner": ("least-norm", 0),
+    "fairness": (0.2, 0),
+    "max_factorizations": (2, 0),
+    "layout": ("row", 3),
+    "orientation": ("boundary", 3),
+    "grain": (1, 3),
+    "up": ((0, 1, 0), 3),
+    "gap": (0.2, 3),
+    "mirror": (True, 3),
+}
+
+
+@pytest.mark.parametrize("name", Options().to_dict())
+def test_options_of_the_solver_count_and_those_of_the_layout_do_not(sheet, name):
+    value, reused = CHANGED[name]
+    cache = Cache()
+    run_again(cache, sheet, 0)
+    run_again(cache, sheet | {"options": Options(**{name: value})}, reused)
+
+
+def test_an_error_is_reused_only_where_it_names_the_same():
+    vertices, faces = grid(8, 8, lambda u, v: (u, v, 5 * math.sin(math.pi * u) * math.sin(math.pi * v)))
+    cache = Cache()
+    first = run_again(cache, {"vertices": vertices, "faces": faces}, 0)
+    assert first.pieces[0].error.code is ErrorCode.boundary_too_short
+    run_again(cache, {"vertices": vertices, "faces": faces}, 1)
+    shifted = {"vertices": np.concatenate([[[5.0, 5, 5]], vertices]), "faces": faces + 1}
+    again = run_again(cache, shifted, 0)
+    assert again.pieces[0].error.faces == first.pieces[0].error.faces
+    assert again.pieces[0].error.vertices != first.pieces[0].error.vertices
+
+
+def test_a_cancelled_piece_is_solved_next_time(sheet):
+    cache = Cache()
+    cancelled = wirewarp.flatten(**sheet, cache=cache, progress=lambda stage, fraction: fraction < 0.5)
+    assert [piece.report.termination for piece in cancelled.pieces] == ["converged", "cancelled", "cancelled"]
+    assert cache.size == 1
+    run_again(cache, sheet, 1)
+
+
+def test_a_cancelled_run_does_not_lose_what_it_did_not_need_to_solve(sheet):
+    cache = Cache()
+    run_again(cache, sheet, 0)
+    vertices = sheet["vertices"].copy()
+    vertices[1, 2] += 0.01
+    wirewarp.flatten(**(sheet | {"vertices": vertices}), cache=cache, progress=lambda *call: False)
+    assert cache.size == 2
+    run_again(cache, sheet | {"vertices": vertices}, 2)
+
+
+def test_threads_share_a_cache(sheet):
+    cache = Cache()
+    expected = contents(wirewarp.flatten(**sheet))
+    with ThreadPoolExecutor(4) as pool:
+        results = list(pool.map(lambda _: contents(wirewarp.flatten(**sheet, cache=cache)), range(8)))
+    assert results == [expected] * 8
+    assert cache.size == 3
+
+
+def test_a_cleared_cache_knows_nothing(sheet):
+    cache = Cache()
+    run_again(cache, sheet, 0)
+    assert repr(cache) == "Cache(size=3)"
+    cache.clear()
+    assert cache.size == 0
+    run_again(cache, sheet, 0)
+
+
+def test_a_cache_is_a_cache(sheet):
+    with pytest.raises(wirewarp.FlattenError, match="cache must be a Cache or None, not dict") as caught:
+        wirewarp.flatten(**sheet, cache={})
+    assert caught.value.code is ErrorCode.invalid_type

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Charts that did not change take their shape from the cache; tests/bindings/test_cache.py has the rest.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+#include <vector>
+
+#include "reuse/chart_key.h"
+#include "test_meshes.h"
+#include "wirewarp/cache.h"
+
+namespace wirewarp {
+namespace {
+
+/// Two domes side by side, a seam between them, a wire along each.
+FlattenInput two_domes() {
+  FlattenInput input = test::make_grid(16, 8, [](double s, double t) {
+    return Eigen::Vector3d(4 * s, 2 * t, 0.3 * std::abs(std::sin(2 * 3.141592653589793 * s)) * std::sin(3 * t));
+  });
+  test::add_seam(input, test::grid_column(16, 8, 8));
+  test::add_wire(input, test::grid_column(16, 8, 4));
+  test::add_wire(input, test::grid_column(16, 8, 12), 0.02);
+  return input;
+}
+
+std::string key_of(const FlattenInput& input, std::size_t chart) {
+  return solution_key(test::charts_of(input).charts.at(chart), {});
+}
+
+TEST(SolutionKey, KnowsWhatTheShapeDependsOnAndNothingElse) {
+  const FlattenInput input = two_domes();
+  FlattenInput changed = input;
+  EXPECT_EQ(key_of(changed, 0), key_of(input, 0));
+  changed.wires[1].tolerance = 0.03;
+  EXPECT_EQ(key_of(changed, 0), key_of(input, 0));
+  EXPECT_NE(key_of(changed, 1), key_of(input, 1));
+  changed = input;
+  changed.vertices(0, 2) = std::nextafter(changed.vertices(0, 2), 1);
+  EXPECT_NE(key_of(changed, 0), key_of(input, 0));
+  EXPECT_EQ(key_of(changed, 1), key_of(input, 1));
+  changed = input;
+  test::add_seam(changed, {test::grid_row(16, 4)[6], test::grid_row(16, 4)[7]});  // a slit: the same faces
+  EXPECT_NE(key_of(changed, 0), key_of(input, 0));
+  EXPECT_EQ(key_of(changed, 1), key_of(input, 1));
+  changed = input;
+  std::swap(changed.wires[0], changed.wires[1]);
+  EXPECT_EQ(key_of(changed, 0), key_of(input, 0)) << "a wire's number is a name only";
+  changed.faces.row(0) << input.faces(0, 1), input.faces(0, 2), input.faces(0, 0);
+  EXPECT_NE(key_of(changed, 0), key_of(input, 0));
+}
+
+TEST(Cache, ThreadsMayShareIt) {
+  const FlattenInput input = two_domes();
+  const FlattenResult alone = flatten(input);
+  Cache cache;
+  flatten(input, {}, {}, &cache);
+  std::vector<FlattenResult> results(4);
+  std::vector<std::thread> threads;
+  for (FlattenResult& result : results) {
+    threads.emplace_back([&] {
+      for (int i = 0; i < 3; ++i) result = flatten(input, {}, {}, &cache);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const FlattenResult& result : results) {
+    EXPECT_EQ(result.reused_pieces, 2);
+    EXPECT_EQ(result.corner_uv, alone.corner_uv);
+  }
+}
+
+TEST(Cache, IsLeftAloneByInputThatIsRefused) {
+  Cache cache;
+  flatten(two_domes(), {}, {}, &cache);
+  FlattenInput bad = two_domes();
+  bad.wires[0].tolerance = -1;
+  EXPECT_THROW(flatten(bad, {}, {}, &cache), FlattenError);
+  EXPECT_EQ(cache.size(), 2);
+  cache.clear();
+  EXPECT_EQ(cache.size(), 0);
+}
+
+}  // namespace
+}  // namespace wirewarp
