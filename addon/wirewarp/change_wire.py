@@ -7,6 +7,7 @@ import numpy as np
 from .edit_marks import OUTLINES_ARE_RIGID
 from .foreach import read
 from .issues import object_error
+from .mesh_to_arrays import faces_at_edges
 from .repair_wires import repair_names
 from .wire_attributes import read_marks, write_marks
 from .wire_names import find_name
@@ -47,5 +48,4 @@ def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float
 
 
 def _outline_mask(mesh: bpy.types.Mesh) -> np.ndarray:
-    faces = np.bincount(read(mesh.loops, "edge_index", np.int32), minlength=len(mesh.edges))
-    return read(mesh.edges, "use_seam", bool) | (faces != 2)
+    return read(mesh.edges, "use_seam", bool) | (faces_at_edges(mesh) != 2)

@@ -31,10 +31,10 @@ class ColorMap:
         rgb = stops[lower] * (1 - share) + stops[lower + 1] * share
         return np.column_stack([rgb, np.ones(len(rgb), dtype=np.float32)]).astype(np.float32)
 
-    def number(self, value: float) -> str:
+    def number(self, value: float, digits: int = 4) -> str:
         """A value as the scale writes it; of a scale with two sides, with its sign."""
         sign = "+" if self.low < 0 < value else ""
-        return f"{sign}{100 * value:.4g} %" if self.is_percent else f"{sign}{value:.4g}"
+        return f"{sign}{100 * value:.{digits}g} %" if self.is_percent else f"{sign}{value:.{digits}g}"
 
 
 ASPECT_RATIO = ColorMap("aspect_ratio_color", "Aspect ratio", 1.0, 1.5)

@@ -72,6 +72,19 @@ def metric(source: bpy.types.Object) -> np.ndarray:
     return np.append((linear.T @ linear).ravel(), np.linalg.det(linear))
 
 
+def faces_at_edges(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(e,) how many faces each edge has."""
+    return np.bincount(read(mesh.loops, "edge_index", np.int32), minlength=len(mesh.edges))
+
+
+def next_loops(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(l,) int32, the next corner of its face for each corner."""
+    starts, sizes = read(mesh.polygons, "loop_start", np.int32), read(mesh.polygons, "loop_total", np.int32)
+    following = np.arange(1, len(mesh.loops) + 1, dtype=np.int32)
+    following[starts + sizes - 1] = starts
+    return following
+
+
 def element_counts(mesh: bpy.types.Mesh) -> dict[str, int]:
     """By which a report sees that its mesh has changed since."""
     return {"vertices": len(mesh.vertices), "edges": len(mesh.edges), "faces": len(mesh.polygons)}
@@ -96,7 +109,7 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
     vertices = read(mesh.vertices, "co", np.float32, 3).astype(np.float64) @ linear.T
     edges = read(mesh.edges, "vertices", np.int32, 2)
     sizes = read(mesh.polygons, "loop_total", np.int32)
-    in_face = np.bincount(read(mesh.loops, "edge_index", np.int32), minlength=len(edges)) > 0
+    in_face = faces_at_edges(mesh) > 0
     marks = read_marks(mesh)
     return MeshArrays(
         vertices=vertices,

@@ -5,8 +5,8 @@ import bpy
 
 
 def redraw_views() -> None:
-    """All 3D views with their sidebars."""
+    """All 3D views and UV editors with their sidebars."""
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
-            if area.type == "VIEW_3D":
+            if area.type in {"VIEW_3D", "IMAGE_EDITOR"}:
                 area.tag_redraw()

@@ -8,6 +8,7 @@ import numpy as np
 
 from .foreach import read
 from .issues import object_error
+from .mesh_to_arrays import next_loops
 from .uv_islands import island_borders
 
 
@@ -27,18 +28,10 @@ def _mark_borders(mesh: bpy.types.Mesh) -> int:
     borders = island_borders(
         read(mesh.loops, "edge_index", np.int32),
         read(mesh.loops, "vertex_index", np.int32),
-        _next_loops(mesh),
+        next_loops(mesh),
         read(mesh.uv_layers.active.data, "uv", np.float32, 2),
         len(mesh.edges),
     )
     mesh.edges.foreach_set("use_seam", before | borders)
     mesh.update()
     return int(np.count_nonzero(borders & ~before))
-
-
-def _next_loops(mesh: bpy.types.Mesh) -> np.ndarray:
-    starts = read(mesh.polygons, "loop_start", np.int32)
-    sizes = read(mesh.polygons, "loop_total", np.int32)
-    following = np.arange(1, len(mesh.loops) + 1, dtype=np.int32)
-    following[starts + sizes - 1] = starts
-    return following

@@ -10,6 +10,7 @@ from .foreach import read
 from .model_maps import ModelMaps
 
 PREFIX = "wirewarp_"  # of the model's attributes, among which are the user's own
+RANGES = "wirewarp_map_ranges"  # on the flat mesh: the smallest and the largest value of each map
 VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "stretch": "FACE", "length_variation": "EDGE"}
 
 
@@ -17,6 +18,11 @@ def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, variation: np.ndarray)
     """On a mesh that has none of these attributes. variation: E_L of its edges."""
     _write_values(mesh, "", flat, variation)
     _write_colors(mesh, "", flat, variation, np.ones(len(mesh.polygons), dtype=bool))
+    values = {ASPECT_RATIO: flat.aspect_ratio, STRETCH: flat.stretch, ARAP_ENERGY: flat.energy_density}
+    mesh[RANGES] = {
+        color_map.attribute: [float(measured.min()), float(measured.max())]
+        for color_map, measured in (values | {LENGTH_VARIATION: variation}).items()
+    }
     _show(mesh, COLOR_MAPS[0].attribute)
 
 

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the overlay draws: which lines, names and surfaces, on models and on flat pieces. Nothing is drawn here."""
 
-from types import SimpleNamespace
-
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_edges, select_only
+from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_only
+from view_context import view_context
 
 SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), on_line(1, -0.5)
 
@@ -39,8 +38,9 @@ def edges_of(lines):
 
 
 def test_lines_of_each_kind_on_the_model_and_on_the_pieces(addon, source):
-    assert edges_of(lines_of(addon, source)) == {"seam": 8, "rigid": 8, "elastic": 8, "free": 8}
-    assert edges_of(lines_of(addon, flat_of(source))) == {"seam": 16, "rigid": 8, "elastic": 8, "free": 8}
+    wires = {"rigid": 8, "elastic": 8, "free": 8}
+    assert edges_of(lines_of(addon, source)) == {"seam": 8, "outline": 32, **wires}
+    assert edges_of(lines_of(addon, flat_of(source))) == {"seam": 16, "outline": 32, **wires}
 
 
 def test_lines_lie_on_their_edges(addon, source):
@@ -149,7 +149,7 @@ def test_a_missing_map_is_explained(addon, source):
     bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
 
     def notes():
-        return addon.overlay.shown.missing_maps(list(addon.overlay.shown.drawings(fake_context())))
+        return addon.overlay.shown.missing_maps(list(addon.overlay.shown.drawings(view_context())))
 
     assert notes() == []
     source.data.vertices[40].co.z += 0.1
@@ -177,10 +177,10 @@ def test_what_failed_is_drawn_on_the_model_and_on_the_pieces(addon):
         bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
     faces = {face for issue in addon.report_store.last_report(source)["issues"] for face in issue["faces"]}
     for target in (source, flat_of(source)):
-        found = addon.overlay.object_drawing.failures(target)
+        found = addon.overlay.failure_drawing.failures(target)
         assert len(found.triangles) == 3 * 2 * len(faces)  # of quads
         assert len(found.lines["failed"]) > 0
-    centers = addon.overlay.object_drawing.failures(source).triangles.reshape(-1, 6, 3).mean(axis=1)
+    centers = addon.overlay.failure_drawing.failures(source).triangles.reshape(-1, 6, 3).mean(axis=1)
     expected = [source.data.polygons[face].center for face in sorted(faces)]
     assert np.linalg.norm(centers[:, :2] - np.array(expected)[:, :2], axis=1).max() < 0.1
 
@@ -188,137 +188,40 @@ def test_what_failed_is_drawn_on_the_model_and_on_the_pieces(addon):
 def test_the_edges_of_a_bad_input_are_drawn(addon):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
-    assert addon.overlay.object_drawing.failures(source) is None
+    assert addon.overlay.failure_drawing.failures(source) is None
     source.data.vertices[0].co = source.data.vertices[1].co
     source.data.update()
     bpy.context.view_layer.update()
     with pytest.raises(RuntimeError, match="no area"):
         bpy.ops.object.wirewarp_flatten()
-    assert addon.overlay.object_drawing.failures(source).lines.keys() == {"failed"}
-
-
-def fake_context(**space):
-    """A context with a 3D view, which there is none of without a window."""
-    overlay = SimpleNamespace(**({"show_overlays": True} | space))
-    return SimpleNamespace(
-        scene=bpy.context.scene,
-        view_layer=bpy.context.view_layer,
-        visible_objects=list(bpy.context.view_layer.objects),
-        space_data=SimpleNamespace(overlay=overlay),
-    )
+    assert addon.overlay.failure_drawing.failures(source).lines.keys() == {"failed"}
 
 
 def test_only_models_and_pieces_are_drawn_and_only_what_is_wanted(addon, source):
     grid("Bystander", bump)
     mark_seam(bpy.data.objects["Bystander"], SEAM)
     drawings, settings = addon.overlay.shown.drawings, bpy.context.scene.wirewarp
-    shown = list(drawings(fake_context()))
+    shown = list(drawings(view_context()))
     assert {drawing.target for drawing in shown} == {source, flat_of(source)}
     assert all(drawing.lines and drawing.surface is None for drawing in shown)
     settings.shown_map = "ASPECT_RATIO_COLOR"
-    assert all(drawing.surface for drawing in drawings(fake_context()))
+    assert all(drawing.surface for drawing in drawings(view_context()))
     settings.show_lines = False
-    assert all(drawing.surface and not drawing.lines for drawing in drawings(fake_context()))
-    assert list(drawings(fake_context(show_overlays=False))) == []
+    assert all(drawing.surface and not drawing.lines for drawing in drawings(view_context()))
+    assert list(drawings(view_context(show_overlays=False))) == []
     settings.shown_map = "NONE"
-    assert list(drawings(fake_context())) == []
+    assert list(drawings(view_context())) == []
 
 
 def test_a_model_without_marks_of_which_nothing_could_be_flattened_is_drawn(addon):
     corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     source = make_object("Closed", corners, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
-    assert list(addon.overlay.shown.drawings(fake_context())) == []
+    assert list(addon.overlay.shown.drawings(view_context())) == []
     with pytest.raises(RuntimeError, match="is closed"):
         bpy.ops.object.wirewarp_flatten()
-    (drawing,) = addon.overlay.shown.drawings(fake_context())
+    (drawing,) = addon.overlay.shown.drawings(view_context())
     assert drawing.target == source
     assert len(drawing.failures.triangles) == 3 * 4
     proposed = addon.report_store.last_report(source)["issues"][0]["proposed_seams"]
     ends = [corners[vertex] for pair in proposed for vertex in sorted(pair)]
     assert sorted(map(tuple, drawing.failures.lines["proposed"].tolist())) == sorted(ends)
-
-
-def test_nothing_is_built_again_until_something_changes(addon, source, monkeypatch):
-    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
-    by_target = lambda: {drawing.target: drawing for drawing in addon.overlay.shown.drawings(fake_context())}  # noqa: E731
-    first, again = by_target(), by_target()
-    for target in (source, flat_of(source)):
-        assert first[target].lines is again[target].lines
-    source.location.x += 1
-    bpy.context.view_layer.update()
-    assert by_target()[source].lines is first[source].lines
-    mark(source, on_line(1, 0.25))
-    bpy.context.view_layer.update()
-    changed = by_target()
-    assert len(changed[source].lines.places["rigid"]) == 2 * len(first[source].lines.places["rigid"])
-    assert changed[flat_of(source)].lines is first[flat_of(source)].lines
-
-
-def test_marking_in_edit_mode_is_seen_at_once(addon, source, monkeypatch):
-    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
-    select_edges(source, on_line(1, 0.25))
-    seen = {drawing.target: drawing for drawing in addon.overlay.shown.drawings(fake_context())}
-    bpy.ops.mesh.wirewarp_mark()
-    bpy.context.view_layer.update()
-    after = {drawing.target: drawing for drawing in addon.overlay.shown.drawings(fake_context())}
-    assert edges_of(after[source].lines)["rigid"] == 8 + edges_of(seen[source].lines)["rigid"] == 16
-
-
-class Timers:
-    """Stands in for bpy.app.timers: what is left of real ones keeps the module bpy from closing."""
-
-    def __init__(self):
-        self.running = {}
-
-    def register(self, function, first_interval):
-        self.running[function] = first_interval
-
-    def unregister(self, function):
-        del self.running[function]
-
-    def is_registered(self, function):
-        return function in self.running
-
-
-@pytest.fixture
-def timers(addon, monkeypatch):
-    fake = Timers()
-    app = SimpleNamespace(timers=fake, handlers=bpy.app.handlers)
-    monkeypatch.setattr(addon.overlay.cache, "bpy", SimpleNamespace(app=app))
-    return fake
-
-
-def test_a_build_is_not_repeated_at_once(addon, source, timers, monkeypatch):
-    cache = addon.overlay.cache
-    clock = SimpleNamespace(now=100.0)
-    monkeypatch.setattr(cache, "time", SimpleNamespace(monotonic=lambda: clock.now))
-
-    def build(value):
-        clock.now += 0.05  # seconds
-        return value
-
-    def drawing(version):
-        return cache.kept_drawing(source, "test", (version,), lambda: build(version))
-
-    assert drawing(1) == 1
-    clock.now += 0.4
-    assert drawing(2) == 1
-    assert timers.running == {addon.redraw.redraw_views: pytest.approx(0.05)}
-    clock.now += 0.06
-    assert drawing(2) == 2
-
-
-def test_handlers_and_timers_leave_with_the_add_on(addon, timers):
-    handlers = addon.overlay._handlers
-    before = len(bpy.app.handlers.load_post)
-    assert len(handlers) == 2
-    addon.overlay.cache._redraw_in(60.0)
-    addon.unregister()
-    try:
-        assert handlers == []
-        assert len(bpy.app.handlers.load_post) < before
-        assert timers.running == {}
-    finally:
-        addon.register()
-    assert len(handlers) == 2
-    assert len(bpy.app.handlers.load_post) == before

@@ -35,6 +35,34 @@ def test_everybody_tells_the_lines_apart(addon, vision):
         assert distance > 30, (first, second)  # 2.3 is just noticeable side by side
 
 
+def test_kinds_of_wires_are_told_apart_without_color(addon):
+    styles = addon.overlay.line_styles.STYLES
+    rigid, elastic, free = (styles[kind] for kind in ("rigid", "elastic", "free"))
+    assert rigid.dash is None
+    assert elastic.dash[0] > 2 * free.dash[0]
+    assert styles["seam"].width > 1.5 * rigid.width
+
+
+def dash_lengths(addon, points, dash, gap):
+    """Of the dashes on a line through these points, as a person sees them: what touches is one."""
+    ends = np.array([points[:-1], points[1:]], dtype=np.float32).transpose(1, 0, 2)
+    offsets = np.concatenate([[0], np.cumsum(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))[:-1]])
+    pieces = addon.overlay.wire_runs.cut_into_dashes(ends, offsets, dash, gap).reshape(-1, 2, 3)
+    lengths = []
+    for k, (a, b) in enumerate(pieces):
+        if k and np.allclose(pieces[k - 1, 1], a, atol=1e-6):
+            lengths[-1] += np.linalg.norm(b - a)
+        else:
+            lengths.append(np.linalg.norm(b - a))
+    return lengths
+
+
+@pytest.mark.parametrize("count", [1, 3, 1000])
+def test_dashes_are_as_long_whatever_the_edges_are(addon, count):
+    line = [(x, 0, 0) for x in np.linspace(0, 10, count + 1)]
+    assert dash_lengths(addon, line, 2, 1) == pytest.approx([2, 2, 2, 1], abs=1e-4)
+
+
 @pytest.mark.parametrize("vision", list(VISIONS))
 def test_lines_and_their_rims_differ(addon, vision):
     for style in addon.overlay.line_styles.STYLES.values():
@@ -56,11 +84,11 @@ def test_equal_steps_of_a_map_are_told_apart_and_in_order(addon, vision):
             assert warm - cold > 40 or vision == "tritanopia"
 
 
-def lay_out(addon, map_name="STRETCH", notes=(), unit=1.0):
+def lay_out(addon, map_name="STRETCH", notes=(), unit=1.0, extremes=(-0.031, 0.234)):
     styles = list(addon.overlay.line_styles.STYLES.values())
     color_map = getattr(addon.color_maps, map_name) if map_name else None
     width = lambda text: LETTER * unit * len(text)  # noqa: E731
-    return addon.overlay.legend.lay_out(styles, notes, color_map, (900.0, 16.0), unit, width)
+    return addon.overlay.legend.lay_out(styles, notes, color_map, extremes, (900.0, 16.0), unit, width)
 
 
 @pytest.mark.parametrize("unit", [1.0, 2.0])
@@ -83,13 +111,18 @@ def test_the_legend_is_in_its_box_and_nothing_covers_a_text(addon, map_name, uni
 def test_the_legend_says_what_the_colors_mean(addon):
     texts = [text.text for text in lay_out(addon).texts]
     assert {style.label for style in addon.overlay.line_styles.STYLES.values()} < set(texts)
-    assert [text for text in texts if "%" in text] == ["≤ -10 %", "-5 %", "0 %", "+5 %", "≥ +10 %"]
-    numbers = [text.text for text in lay_out(addon, "ASPECT_RATIO").texts if text.text[-1].isdigit()]
-    assert numbers == ["1", "1.125", "1.25", "1.375", "≥ 1.5"]
+    numbers = ["≤ -10 %", "-5 %", "0 %", "+5 %", "≥ +10 %"]
+    assert [text for text in texts if "%" in text] == ["Stretch of the cloth: -3.1 % to +23.4 %", *numbers]
+    texts = [text.text for text in lay_out(addon, "ASPECT_RATIO", extremes=(1.0, 1.837)).texts]
+    assert [text for text in texts if text[-1].isdigit()] == [
+        "Aspect ratio: up to 1.84",
+        *("1", "1.125", "1.25", "1.375", "≥ 1.5"),
+    ]
+    assert "Aspect ratio" in [text.text for text in lay_out(addon, "ASPECT_RATIO", extremes=None).texts]
 
 
 def test_without_anything_to_say_there_is_no_legend(addon):
-    legend = addon.overlay.legend.lay_out([], [], None, (900.0, 16.0), 1.0, len)
+    legend = addon.overlay.legend.lay_out([], [], None, None, (900.0, 16.0), 1.0, len)
     assert (legend.boxes, legend.texts) == ([], [])
 
 

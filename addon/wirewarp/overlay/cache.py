@@ -3,10 +3,11 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from typing import TypeVar
 
 import bpy
+import numpy as np
 from bpy.app.handlers import persistent
 
 from ..redraw import redraw_views
@@ -49,9 +50,26 @@ def kept_drawing(owner: bpy.types.Object, what: str, made_of: tuple, build: Call
         _redraw_in(entry.rests_until - now)
         return entry.value
     value = build()
+    if entry and is_same(entry.value, value):
+        value = entry.value  # so that nothing is made anew of it: a mesh in Edit Mode changes with every selection
     done = time.monotonic()
     _entries[key] = _Entry(made_of, value, done + min(IDLE_SHARE * (done - now), MAX_IDLE))
     return value
+
+
+def is_same(first: object, second: object) -> bool:
+    """Equal, arrays in dataclasses, dicts and lists included."""
+    if type(first) is not type(second):
+        return False
+    if isinstance(first, np.ndarray):
+        return np.array_equal(first, second)
+    if isinstance(first, dict):
+        return first.keys() == second.keys() and all(is_same(value, second[key]) for key, value in first.items())
+    if isinstance(first, list | tuple):
+        return len(first) == len(second) and all(map(is_same, first, second))
+    if is_dataclass(first):
+        return all(is_same(getattr(first, each.name), getattr(second, each.name)) for each in fields(first))
+    return first == second
 
 
 def _redraw_in(seconds: float) -> None:

@@ -1,24 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes names and the legend over a 3D view."""
+"""Names and legend of a 3D view."""
 
 from collections.abc import Iterator
 
-import blf
 import bpy
-import gpu
-import numpy as np
 from bpy_extras.view3d_utils import location_3d_to_region_2d
-from gpu_extras.batch import batch_for_shader
 from mathutils import Vector
 
-from .legend import Box, Text, lay_out
-from .line_styles import STYLES
-from .shown import Drawing, drawings, missing_maps, shown_map
-from .spread_names import spread
-
-FONT, FONT_SIZE, MARGIN = 0, 12, 16
-MAX_NAMES = 150
-LABEL, NAME_COLOR, LEGEND_COLOR = (0.08, 0.08, 0.08, 0.65), (1.0, 1.0, 1.0), (0.9, 0.9, 0.9)
+from .shown import Drawing, drawings, extremes, missing_maps, shown_map
+from .write_screen import MAX_NAMES, write_legend, write_names
 
 
 def draw_screen() -> None:
@@ -28,24 +18,12 @@ def draw_screen() -> None:
     if not shown:
         return
     unit = context.preferences.system.ui_scale
-    blf.size(FONT, FONT_SIZE * unit)
     if context.scene.wirewarp.show_names:
-        _draw_names(context, shown)
-    _draw_legend(context, shown, unit)
-
-
-def _draw_names(context: bpy.types.Context, shown: list[Drawing]) -> None:
-    """Those on the side of the surface that is seen."""
-    found = [name for drawing in shown for name in _names_in_view(context, drawing)][:MAX_NAMES]
-    sizes = [blf.dimensions(FONT, text) for text, _, _ in found]
-    places = [(x - width / 2, y + height / 2) for (_, x, y), (width, height) in zip(found, sizes, strict=True)]
-    texts, boxes = [], []
-    for (text, _, _), (left, base), size, lift in zip(found, places, sizes, spread(places, sizes), strict=True):
-        if lift is not None:
-            texts.append(Text(text, left, base + lift))
-            boxes.append(_label(texts[-1], size))
-    _fill(boxes)
-    _write(texts, NAME_COLOR)
+        write_names((name for drawing in shown for name in _names_in_view(context, drawing)), unit)
+    kinds = {kind for drawing in shown if drawing.lines for kind in drawing.lines.places}
+    kinds |= {kind for drawing in shown if drawing.failures for kind in drawing.failures.lines}
+    color_map = shown_map(context)
+    write_legend(context, kinds, unit, missing_maps(shown) if color_map else [], color_map, extremes(shown))
 
 
 def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[tuple[str, float, float]]:
@@ -64,52 +42,3 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[tup
         point = location_3d_to_region_2d(context.region, view, place)
         if point:
             yield name.text, point.x, point.y
-
-
-def _draw_legend(context: bpy.types.Context, shown: list[Drawing], unit: float) -> None:
-    kinds = {kind for drawing in shown if drawing.lines for kind in drawing.lines.places}
-    kinds |= {kind for drawing in shown if drawing.failures for kind in drawing.failures.lines}
-    color_map = shown_map(context)
-    legend = lay_out(
-        [style for kind, style in reversed(STYLES.items()) if kind in kinds],
-        missing_maps(shown) if color_map else [],
-        color_map,
-        _corner(context, unit),
-        unit,
-        lambda text: blf.dimensions(FONT, text)[0],
-    )
-    _fill(legend.boxes)
-    _write(legend.texts, LEGEND_COLOR)
-
-
-def _corner(context: bpy.types.Context, unit: float) -> tuple[float, float]:
-    """Left of the sidebar, where it lies over the view."""
-    sidebar = next(region for region in context.area.regions if region.type == "UI")
-    over = context.preferences.system.use_region_overlap and sidebar.width > 1
-    return context.region.width - (sidebar.width if over else 0) - MARGIN * unit, MARGIN * unit
-
-
-def _label(text: Text, size: tuple[float, float]) -> Box:
-    """Dark ground, on which a name can be read whatever is below."""
-    (width, height), aside = size, 0.3 * size[1]
-    return Box(text.left - aside, text.base - aside, text.left + width + aside, text.base + height + aside, LABEL)
-
-
-def _fill(boxes: list[Box]) -> None:
-    if not boxes:
-        return
-    left, bottom, right, top = np.array([(box.left, box.bottom, box.right, box.top) for box in boxes], np.float32).T
-    corners = np.array([(left, bottom), (right, bottom), (right, top), (left, bottom), (right, top), (left, top)])
-    places = np.ascontiguousarray(corners.transpose(2, 0, 1).reshape(-1, 2))
-    colors = np.array([(*box.color, 1.0)[:4] for box in boxes], np.float32).repeat(6, axis=0)
-    shader = gpu.shader.from_builtin("SMOOTH_COLOR")
-    gpu.state.blend_set("ALPHA")
-    batch_for_shader(shader, "TRIS", {"pos": places, "color": colors}).draw(shader)
-    gpu.state.blend_set("NONE")
-
-
-def _write(texts: list[Text], color: tuple[float, float, float]) -> None:
-    blf.color(FONT, *color, 1.0)
-    for text in texts:
-        blf.position(FONT, round(text.left), round(text.base), 0)
-        blf.draw(FONT, text.text)

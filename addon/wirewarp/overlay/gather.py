@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 
 from ..foreach import read
-from ..mesh_to_arrays import evaluated_mesh
+from ..mesh_to_arrays import evaluated_mesh, faces_at_edges
 from ..wire_attributes import TOLERANCE, WIRE, read_marks
 from .line_marks import LineMarks
 from .surface_arrays import Triangles
@@ -35,7 +35,8 @@ def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iter
 
 def _lines(mesh: bpy.types.Mesh) -> LineMarks:
     marks, seams = read_marks(mesh), read(mesh.edges, "use_seam", bool)
-    rows = np.flatnonzero(seams | (marks.wire_ids != 0))
+    outlines = faces_at_edges(mesh) == 1
+    rows = np.flatnonzero(seams | outlines | (marks.wire_ids != 0))
     vertices = read(mesh.edges, "vertices", np.int32, 2)[rows]
     source, pieces = vertices, np.zeros(len(rows), dtype=np.int32)
     if {"source_vertex", "piece"} <= set(mesh.attributes.keys()):
@@ -47,6 +48,7 @@ def _lines(mesh: bpy.types.Mesh) -> LineMarks:
         vertices=source,
         pieces=pieces,
         seams=seams[rows],
+        outlines=outlines[rows],
         wire_ids=marks.wire_ids[rows],
         tolerances=marks.tolerances[rows],
     )
@@ -59,7 +61,7 @@ def _lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineMarks:
     layers = edit.edges.layers
     wire, tolerance = layers.int.get(WIRE), layers.float.get(TOLERANCE)
     source, piece = edit.verts.layers.int.get("source_vertex"), edit.faces.layers.int.get("piece")
-    marked = [edge for edge in edit.edges if not edge.hide and (edge.seam or (wire and edge[wire]))]
+    marked = [edge for edge in edit.edges if not edge.hide and (edge.seam or edge.is_boundary or (wire and edge[wire]))]
     vertices = [[vertex[source] if source else vertex.index for vertex in edge.verts] for edge in marked]
     return LineMarks(
         ends=np.array([[vertex.co[:] for vertex in edge.verts] for edge in marked], np.float32).reshape(-1, 2, 3),
@@ -67,6 +69,7 @@ def _lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineMarks:
         vertices=np.array(vertices, dtype=np.int32).reshape(-1, 2),
         pieces=np.array([_piece_in_edit_mode(edge, piece) for edge in marked], dtype=np.int32),
         seams=np.array([edge.seam for edge in marked], dtype=bool),
+        outlines=np.array([edge.is_boundary for edge in marked], dtype=bool),
         wire_ids=np.array([edge[wire] if wire else 0 for edge in marked], dtype=np.int32),
         tolerances=np.array([edge[tolerance] if tolerance else 0 for edge in marked], dtype=np.float32),
     )

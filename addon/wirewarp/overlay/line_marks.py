@@ -1,24 +1,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marked edges of a model or of flat pieces: sorted by kind to be drawn, and named. No Blender in here."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..tolerance_text import tolerance_text
-from ..wire_chains import shortest_double
+from .line_styles import STYLES
+from .wire_runs import WireRun, cut_into_dashes
+
+VIEW_SIZE = 800  # pixels that an object is wide or high in a usual view: in it dashes have the length of their style
 
 
 @dataclass(frozen=True)
 class LineMarks:
-    """Every edge that is a seam or part of a wire."""
+    """Every edge that is a seam, part of an outline or part of a wire."""
 
     ends: np.ndarray  # (k,2,3) float32, in the object's own space
     normals: np.ndarray  # (k,3) float32, of the surface
     vertices: np.ndarray  # (k,2) int32, of the model
     pieces: np.ndarray  # (k,) int32, on the flat pieces; 0 on the model
     seams: np.ndarray  # (k,) bool
+    outlines: np.ndarray  # (k,) bool, has one face only
     wire_ids: np.ndarray  # (k,) int32, 0 none
     tolerances: np.ndarray  # (k,) float32
 
@@ -34,25 +38,44 @@ class Name:
 
 def lines_by_kind(marks: LineMarks) -> dict[str, np.ndarray]:
     """The ends (2k,3) of the edges of each kind that there is, two rows an edge."""
+    return {kind: marks.ends[mask].reshape(-1, 3) for kind, mask in _members(marks).items() if mask.any()}
+
+
+def dashes_by_kind(marks: LineMarks, runs: Sequence[WireRun]) -> dict[str, np.ndarray]:
+    """The ends (2m,3) of the dashes of each kind that is drawn with dashes."""
+    if not len(marks.ends):
+        return {}
+    pixel = np.ptp(marks.ends.reshape(-1, 3), axis=0).max() / VIEW_SIZE
+    dashes = {}
+    for kind, mask in _members(marks).items():
+        style = STYLES[kind]
+        own = [run for run in runs if mask[run.rows[0]]]
+        if style.dash and own:
+            ends = np.concatenate([run.ends for run in own])
+            offsets = np.concatenate([run.offsets for run in own])
+            dashes[kind] = cut_into_dashes(ends, offsets, *(pixel * length for length in style.dash))
+    return dashes
+
+
+def _members(marks: LineMarks) -> dict[str, np.ndarray]:
+    """A mask of each kind's edges."""
     wires = marks.wire_ids != 0
-    members = {
+    return {
+        "outline": marks.outlines & ~marks.seams,
         "seam": marks.seams,
         "rigid": wires & (marks.tolerances == 0),
         "elastic": wires & (marks.tolerances > 0) & np.isfinite(marks.tolerances),
         "free": wires & np.isinf(marks.tolerances),
     }
-    return {kind: marks.ends[mask].reshape(-1, 3) for kind, mask in members.items() if mask.any()}
 
 
-def wire_line_names(marks: LineMarks, names: Mapping[int, str]) -> list[Name]:
-    """Of each wire in each piece, in the middle of it; elastic ones with their tolerance."""
+def wire_line_names(marks: LineMarks, runs: Sequence[WireRun], names: Sequence[str]) -> list[Name]:
+    """Of each wire in each piece, in the middle of it; elastic ones with their tolerance. names: one for each run."""
     named = []
-    for wire_id, tolerance, piece in _groups(marks.wire_ids, marks.tolerances, marks.pieces):
-        members = (marks.wire_ids == wire_id) & (marks.tolerances == tolerance) & (marks.pieces == piece)
-        text = names[int(wire_id)]
-        if 0 < tolerance < np.inf:
-            text += f" {tolerance_text(shortest_double(tolerance))}"
-        named.append(_name_in_middle(text, marks, members))
+    for run, name in zip(runs, names, strict=True):
+        text = f"{name} {tolerance_text(run.tolerance)}" if 0 < run.tolerance < np.inf else name
+        for piece in np.unique(marks.pieces[run.rows]).tolist():
+            named.append(_name_in_middle(text, marks, run.rows[marks.pieces[run.rows] == piece]))
     return named
 
 
@@ -61,7 +84,7 @@ def seam_line_names(marks: LineMarks, seam_of_edge: Mapping[tuple[int, int], int
     pairs = np.sort(marks.vertices, axis=1).tolist()
     numbers = np.array([1 + seam_of_edge.get((a, b), -1) for a, b in pairs], dtype=np.int32)
     return [
-        _name_in_middle(f"Seam {number}", marks, (numbers == number) & (marks.pieces == piece))
+        _name_in_middle(f"Seam {number}", marks, np.flatnonzero((numbers == number) & (marks.pieces == piece)))
         for number, piece in _groups(numbers, marks.pieces)
     ]
 
@@ -72,9 +95,8 @@ def _groups(first: np.ndarray, *others: np.ndarray) -> list[tuple]:
     return list(dict.fromkeys(zip(*(column[present] for column in (first, *others)), strict=True)))
 
 
-def _name_in_middle(text: str, marks: LineMarks, members: np.ndarray) -> Name:
+def _name_in_middle(text: str, marks: LineMarks, rows: np.ndarray) -> Name:
     """At the edge nearest to the mean of all, so that it is on the line, however that bends."""
-    rows = np.flatnonzero(members)
     middles = marks.ends[rows].mean(axis=1)
     nearest = np.argmin(np.linalg.norm(middles - middles.mean(axis=0), axis=1))
     return Name(text, middles[nearest], marks.normals[rows[nearest]])

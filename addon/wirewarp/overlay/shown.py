@@ -13,8 +13,9 @@ from ..report_store import last_report
 from ..wire_attributes import WIRE
 from ..write_flat_object import find_flat_object
 from .cache import Same, kept_drawing
-from .object_drawing import Failures, Lines, colored_surface, failures, marked_lines
-from .surface_arrays import ColoredTriangles
+from .failure_drawing import Failures, failures
+from .object_drawing import Lines, colored_surface, marked_lines
+from .surface_arrays import ColoredTriangles, Extremes
 
 MODES = {"OBJECT", "EDIT"}
 
@@ -38,6 +39,12 @@ def missing_maps(shown: Sequence[Drawing]) -> list[str]:
     never = [target for target in without if last_report(target.wirewarp_source or target) is None]
     notes = ["Not flattened yet: no map"] if never else []
     return notes + (["Changed since: flatten again"] if len(never) < len(without) else [])
+
+
+def extremes(shown: Sequence[Drawing]) -> Extremes | None:
+    """The smallest and the largest value of the map on all of them."""
+    found = [each.surface.extremes for each in shown if each.surface and each.surface.extremes]
+    return (min(low for low, _ in found), max(high for _, high in found)) if found else None
 
 
 def drawings(context: bpy.types.Context) -> Iterator[Drawing]:
@@ -74,4 +81,4 @@ def _lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
     try:
         return marked_lines(target, depsgraph)
     except ObjectError:
-        return Lines({}, [])  # an attribute of our name is another's; the list of wires says so
+        return Lines({}, {}, [])  # an attribute of our name is another's; the list of wires says so

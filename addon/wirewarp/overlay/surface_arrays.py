@@ -7,6 +7,8 @@ import numpy as np
 
 from ..color_maps import NO_LAYOUT
 
+Extremes = tuple[float, float]  # the smallest and the largest value of a map, whatever its colors can tell
+
 
 @dataclass(frozen=True)
 class Triangles:
@@ -22,12 +24,13 @@ class Triangles:
 class ColoredTriangles:
     places: np.ndarray  # (3m,3) float32
     colors: np.ndarray  # (3m,4) float32, as the screen shows them, sRGB
+    extremes: Extremes | None
 
 
-def colored(triangles: Triangles, corner_colors: np.ndarray) -> ColoredTriangles:
+def colored(triangles: Triangles, corner_colors: np.ndarray, extremes: Extremes | None) -> ColoredTriangles:
     """corner_colors (l,4): linear."""
     colors = screen_colors(corner_colors)[triangles.corners.ravel()]
-    return ColoredTriangles(triangles.positions[triangles.vertices.ravel()], np.ascontiguousarray(colors))
+    return ColoredTriangles(triangles.positions[triangles.vertices.ravel()], np.ascontiguousarray(colors), extremes)
 
 
 def on_model(flat_colors: np.ndarray, source_corner: np.ndarray, count: int) -> np.ndarray:
@@ -35,11 +38,6 @@ def on_model(flat_colors: np.ndarray, source_corner: np.ndarray, count: int) -> 
     colors = np.tile(NO_LAYOUT, (count, 1))
     colors[source_corner] = flat_colors
     return colors
-
-
-def places_of(triangles: Triangles, polygons: np.ndarray) -> np.ndarray:
-    """The corners (3k,3) of the triangles of these polygons."""
-    return triangles.positions[triangles.vertices[np.isin(triangles.polygons, polygons)].ravel()]
 
 
 def screen_colors(linear: np.ndarray) -> np.ndarray:

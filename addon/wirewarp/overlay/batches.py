@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Arrays to what the GPU draws, sent there only when they change. In the matrix that is set."""
+
+import bpy
+import gpu
+import numpy as np
+from gpu_extras.batch import batch_for_shader
+
+from .cache import Same, kept_drawing
+from .failure_drawing import Failures
+from .line_styles import RIM, RIM_ALPHA, STYLES
+from .object_drawing import Lines
+from .surface_arrays import ColoredTriangles
+
+FAILED_ALPHA = 0.6
+LINES, TRIANGLES, COLORED = "POLYLINE_UNIFORM_COLOR", "UNIFORM_COLOR", "SMOOTH_COLOR"
+
+
+def draw_lines(
+    owner: bpy.types.Object, space: str, lines: Lines | None, failed: Failures | None, unit: float, is_rim: bool
+) -> None:
+    """The lines or the rims below them; unit: pixels in a pixel at interface scale 1."""
+    shader = gpu.shader.from_builtin(LINES)
+    shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
+    places = (lines.places if lines else {}) | (failed.lines if failed else {})
+    dashes = lines.dashes if lines else {}
+    for kind, style in STYLES.items():
+        shader.uniform_float("color", (*style.rim, RIM_ALPHA) if is_rim else (*style.color, 1.0))
+        for what, arrays, width in ((kind, places, style.line_width), (f"{kind} dashes", dashes, style.width)):
+            if kind in arrays:
+                batch = _batch(owner, f"{space} {what}", arrays[kind], LINES, "LINES", pos=arrays[kind])
+                shader.uniform_float("lineWidth", (width + (RIM if is_rim else 0)) * unit)
+                batch.draw(shader)
+
+
+def draw_failed(owner: bpy.types.Object, what: str, triangles: np.ndarray) -> None:
+    """triangles (3m,3)."""
+    shader = gpu.shader.from_builtin(TRIANGLES)
+    shader.uniform_float("color", (*STYLES["failed"].color, FAILED_ALPHA))
+    _batch(owner, what, triangles, TRIANGLES, "TRIS", pos=triangles).draw(shader)
+
+
+def draw_colored(owner: bpy.types.Object, what: str, surface: ColoredTriangles) -> None:
+    batch = _batch(owner, what, surface, COLORED, "TRIS", pos=surface.places, color=surface.colors)
+    batch.draw(gpu.shader.from_builtin(COLORED))
+
+
+def _batch(
+    owner: bpy.types.Object, what: str, made_of: object, shader: str, primitive: str, **content: object
+) -> gpu.types.GPUBatch:
+    return kept_drawing(
+        owner,
+        f"batch of {what}",
+        (Same(made_of),),
+        lambda: batch_for_shader(gpu.shader.from_builtin(shader), primitive, content),
+    )

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws lines, names and legend in a UV editor."""
+
+from collections.abc import Iterator
+
+import bpy
+import gpu
+
+from .batches import draw_failed, draw_lines
+from .uv_drawing import UvDrawing, uv_drawings
+from .write_screen import write_legend, write_names
+
+
+def draw_map() -> None:
+    """The handler for POST_VIEW: what is drawn has the coordinates of the map."""
+    context = bpy.context
+    shown = list(uv_drawings(context))
+    if not shown:
+        return
+    unit, blend = context.preferences.system.ui_scale, gpu.state.blend_get()
+    gpu.state.blend_set("ALPHA")
+    for drawing in shown:
+        if drawing.failures is not None and len(drawing.failures.triangles):
+            draw_failed(drawing.target, "uv failed faces", drawing.failures.triangles)
+    for is_rim in (True, False):
+        for drawing in shown:
+            draw_lines(drawing.target, "uv", drawing.lines, drawing.failures, unit, is_rim)
+    gpu.state.blend_set(blend)
+
+
+def draw_map_names() -> None:
+    """The handler for POST_PIXEL."""
+    context = bpy.context
+    shown = list(uv_drawings(context))
+    if not shown:
+        return
+    unit = context.preferences.system.ui_scale
+    if context.scene.wirewarp.show_names:
+        write_names((name for drawing in shown for name in _names_in_view(context, drawing)), unit)
+    kinds = {kind for drawing in shown for kind in drawing.lines.places}
+    kinds |= {kind for drawing in shown if drawing.failures for kind in drawing.failures.lines}
+    write_legend(context, kinds, unit)
+
+
+def _names_in_view(context: bpy.types.Context, drawing: UvDrawing) -> Iterator[tuple[str, float, float]]:
+    """Texts with their places in the region."""
+    region = context.region
+    for name in drawing.lines.names:
+        x, y = region.view2d.view_to_region(*name.place[:2].tolist(), clip=False)
+        if 0 <= x <= region.width and 0 <= y <= region.height:
+            yield name.text, x, y

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the last report complains about, and what would mend it, of one object: arrays, no GPU."""
+
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+from ..edge_keys import edge_keys
+from ..foreach import read
+from ..mesh_to_arrays import next_loops
+from .gather import gather_triangles
+from .gather_uv import uv_places
+from .object_drawing import current_report
+
+
+@dataclass(frozen=True)
+class Failures:
+    lines: dict[str, np.ndarray]  # (2k,3) float32 for each kind of line: what failed, and what would mend it
+    triangles: np.ndarray  # (3m,3) float32
+
+
+@dataclass(frozen=True)
+class _Elements:
+    """Of the object's own mesh."""
+
+    edges: dict[str, np.ndarray]  # (e,) bool for each kind of line that there is
+    faces: np.ndarray  # (f,) polygons
+
+
+def failures(target: bpy.types.Object) -> Failures | None:
+    """On the model, or on its flat pieces. Of an object in Object Mode."""
+    found = _elements(target)
+    if found is None:
+        return None
+    mesh = target.data
+    places, edges = read(mesh.vertices, "co", np.float32, 3), read(mesh.edges, "vertices", np.int32, 2)
+    triangles = gather_triangles(mesh)
+    failed = triangles.vertices[np.isin(triangles.polygons, found.faces)]
+    lines = {kind: places[edges[mask].ravel()] for kind, mask in found.edges.items()}
+    return Failures(lines, places[failed.ravel()])
+
+
+def uv_failures(model: bpy.types.Object) -> Failures | None:
+    """In the map of the pieces. Of an object in Object Mode."""
+    found = _elements(model)
+    if found is None:
+        return None
+    mesh = model.data
+    places, edge_of_loop, following = uv_places(mesh), read(mesh.loops, "edge_index", np.int32), next_loops(mesh)
+    triangles = gather_triangles(mesh)
+    failed = triangles.corners[np.isin(triangles.polygons, found.faces)]
+    lines = {}
+    for kind, mask in found.edges.items():
+        loops = np.flatnonzero(mask[edge_of_loop])
+        lines[kind] = places[np.column_stack([loops, following[loops]]).ravel()]
+    return Failures(lines, places[failed.ravel()])
+
+
+def _elements(target: bpy.types.Object) -> _Elements | None:
+    """None if there are none, or if the report's are not those of this mesh."""
+    report = current_report(target)
+    if report is None or report.get("with_modifiers") or not report["issues"]:
+        return None
+    mesh, source = target.data, np.arange(len(target.data.vertices))
+    if target.wirewarp_source:
+        if not {"source_vertex", "source_face"} <= set(mesh.attributes.keys()):
+            return None
+        source = read(mesh.attributes["source_vertex"].data, "value", np.int32)
+    faces = _failed_faces(mesh, report["issues"])
+    pairs = np.sort(source[read(mesh.edges, "vertices", np.int32, 2)], axis=1)
+    masks = {
+        "failed": _failed_edges(mesh, pairs, report["issues"], faces),
+        "proposed": _named(pairs, [edge for issue in report["issues"] for edge in issue.get("proposed_seams", [])]),
+    }
+    return _Elements({kind: mask for kind, mask in masks.items() if mask.any()}, faces)
+
+
+def _failed_faces(mesh: bpy.types.Mesh, issues: list[dict]) -> np.ndarray:
+    faces = np.array([face for issue in issues for face in issue["faces"]], dtype=np.int32)
+    if "source_face" not in mesh.attributes:
+        return faces
+    return np.flatnonzero(np.isin(read(mesh.attributes["source_face"].data, "value", np.int32), faces))
+
+
+def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[dict], faces: np.ndarray) -> np.ndarray:
+    """A mask of the edges that are named, and of all edges of faces and at vertices that are."""
+    failed = _named(pairs, [edge for issue in issues for edge in issue["edges"]])
+    failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue["vertices"]]).any(axis=1)
+    face_of_corner = np.repeat(np.arange(len(mesh.polygons)), read(mesh.polygons, "loop_total", np.int32))
+    failed[read(mesh.loops, "edge_index", np.int32)[np.isin(face_of_corner, faces)]] = True
+    return failed
+
+
+def _named(pairs: np.ndarray, edges: list) -> np.ndarray:
+    """A mask of those pairs of the model's vertices (e,2) that are among the edges."""
+    wanted = np.array(edges, dtype=np.int64).reshape(-1, 2)
+    count = max(int(pairs.max(initial=0)), int(wanted.max(initial=0))) + 1
+    return np.isin(edge_keys(pairs, count), edge_keys(wanted, count))

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes names and the legend over a view."""
+
+from collections.abc import Iterable, Sequence
+
+import blf
+import bpy
+import gpu
+import numpy as np
+from gpu_extras.batch import batch_for_shader
+
+from ..color_maps import ColorMap
+from .legend import Box, Text, lay_out
+from .line_styles import STYLES
+from .spread_names import spread
+from .surface_arrays import Extremes
+
+FONT, FONT_SIZE, MARGIN = 0, 12, 16
+MAX_NAMES = 150
+LABEL, NAME_COLOR, LEGEND_COLOR = (0.08, 0.08, 0.08, 0.65), (1.0, 1.0, 1.0), (0.9, 0.9, 0.9)
+
+
+def write_names(found: Iterable[tuple[str, float, float]], unit: float) -> None:
+    """Texts with their places in the region; what does not fit is left out. unit: see draw_lines."""
+    found = list(found)[:MAX_NAMES]
+    blf.size(FONT, FONT_SIZE * unit)
+    sizes = [blf.dimensions(FONT, text) for text, _, _ in found]
+    places = [(x - width / 2, y + height / 2) for (_, x, y), (width, height) in zip(found, sizes, strict=True)]
+    texts, boxes = [], []
+    for (text, _, _), (left, base), size, lift in zip(found, places, sizes, spread(places, sizes), strict=True):
+        if lift is not None:
+            texts.append(Text(text, left, base + lift))
+            boxes.append(_label(texts[-1], size))
+    _fill(boxes)
+    _write(texts, NAME_COLOR)
+
+
+def write_legend(
+    context: bpy.types.Context,
+    kinds: set[str],
+    unit: float,
+    notes: Sequence[str] = (),
+    color_map: ColorMap | None = None,
+    extremes: Extremes | None = None,
+) -> None:
+    """Of these kinds of line, in the lower right corner."""
+    blf.size(FONT, FONT_SIZE * unit)
+    legend = lay_out(
+        [style for kind, style in reversed(STYLES.items()) if kind in kinds],
+        notes,
+        color_map,
+        extremes,
+        _corner(context, unit),
+        unit,
+        lambda text: blf.dimensions(FONT, text)[0],
+    )
+    _fill(legend.boxes)
+    _write(legend.texts, LEGEND_COLOR)
+
+
+def _corner(context: bpy.types.Context, unit: float) -> tuple[float, float]:
+    """Left of the sidebar, where it lies over the view."""
+    sidebar = next(region for region in context.area.regions if region.type == "UI")
+    over = context.preferences.system.use_region_overlap and sidebar.width > 1
+    return context.region.width - (sidebar.width if over else 0) - MARGIN * unit, MARGIN * unit
+
+
+def _label(text: Text, size: tuple[float, float]) -> Box:
+    """Dark ground, on which a name can be read whatever is below."""
+    (width, height), aside = size, 0.3 * size[1]
+    return Box(text.left - aside, text.base - aside, text.left + width + aside, text.base + height + aside, LABEL)
+
+
+def _fill(boxes: list[Box]) -> None:
+    if not boxes:
+        return
+    left, bottom, right, top = np.array([(box.left, box.bottom, box.right, box.top) for box in boxes], np.float32).T
+    corners = np.array([(left, bottom), (right, bottom), (right, top), (left, bottom), (right, top), (left, top)])
+    places = np.ascontiguousarray(corners.transpose(2, 0, 1).reshape(-1, 2))
+    colors = np.array([(*box.color, 1.0)[:4] for box in boxes], np.float32).repeat(6, axis=0)
+    shader = gpu.shader.from_builtin("SMOOTH_COLOR")
+    gpu.state.blend_set("ALPHA")
+    batch_for_shader(shader, "TRIS", {"pos": places, "color": colors}).draw(shader)
+    gpu.state.blend_set("NONE")
+
+
+def _write(texts: list[Text], color: tuple[float, float, float]) -> None:
+    blf.color(FONT, *color, 1.0)
+    for text in texts:
+        blf.position(FONT, round(text.left), round(text.base), 0)
+        blf.draw(FONT, text.text)

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The overlay costs nothing while nothing changes, and leaves with the add-on."""
+
+from types import SimpleNamespace
+
+import bpy
+import pytest
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges
+from view_context import view_context
+
+SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), on_line(1, -0.5)
+
+
+@pytest.fixture
+def source():
+    """Two pieces with one wire of each kind."""
+    target = grid("Bump", bump)
+    mark_seam(target, SEAM)
+    mark(target, RIGID)
+    mark(target, ELASTIC, kind="ELASTIC", tolerance=0.05)
+    mark(target, FREE, kind="SUPER_ELASTIC")
+    bpy.ops.object.wirewarp_flatten()
+    return target
+
+
+def rigid_edges(lines):
+    return len(lines.places["rigid"]) // 2
+
+
+def test_nothing_is_built_again_until_something_changes(addon, source, monkeypatch):
+    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
+    by_target = lambda: {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}  # noqa: E731
+    first, again = by_target(), by_target()
+    for target in (source, flat_of(source)):
+        assert first[target].lines is again[target].lines
+    source.location.x += 1
+    bpy.context.view_layer.update()
+    assert by_target()[source].lines is first[source].lines
+    mark(source, on_line(1, 0.25))
+    bpy.context.view_layer.update()
+    changed = by_target()
+    assert rigid_edges(changed[source].lines) == 2 * rigid_edges(first[source].lines)
+    assert changed[flat_of(source)].lines is first[flat_of(source)].lines
+
+
+def test_marking_in_edit_mode_is_seen_at_once(addon, source, monkeypatch):
+    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
+    select_edges(source, on_line(1, 0.25))
+    seen = {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}
+    bpy.ops.mesh.wirewarp_mark()
+    bpy.context.view_layer.update()
+    after = {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}
+    assert rigid_edges(after[source].lines) == 8 + rigid_edges(seen[source].lines) == 16
+
+
+def test_a_selection_in_edit_mode_builds_nothing_new(addon, source, monkeypatch):
+    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
+    select_edges(source, RIGID)
+    first = {drawing.target: drawing.lines for drawing in addon.overlay.shown.drawings(view_context())}
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.context.view_layer.update()
+    again = {drawing.target: drawing.lines for drawing in addon.overlay.shown.drawings(view_context())}
+    assert again[source] is first[source]
+    bpy.ops.transform.translate(value=(0, 0, 0.1))
+    bpy.context.view_layer.update()
+    moved = {drawing.target: drawing.lines for drawing in addon.overlay.shown.drawings(view_context())}
+    assert moved[source] is not first[source]
+
+
+class Gpu:
+    """Stands in for the module gpu, which draws nothing without a window: counts what is sent to it and drawn."""
+
+    def __init__(self):
+        self.sent, self.drawn = [], 0
+        self.shader = SimpleNamespace(from_builtin=lambda _: SimpleNamespace(uniform_float=lambda *_: None))
+        self.state = SimpleNamespace(viewport_get=lambda: (0, 0, 800, 600))
+
+    def batch_for_shader(self, _shader, primitive, content):
+        self.sent.append((primitive, len(content["pos"])))
+        return SimpleNamespace(draw=self.draw)
+
+    def draw(self, _shader):
+        self.drawn += 1
+
+
+def test_batches_are_sent_once_until_marks_change(addon, source, monkeypatch):
+    gpu, batches = Gpu(), addon.overlay.batches
+    monkeypatch.setattr(batches, "gpu", gpu)
+    monkeypatch.setattr(batches, "batch_for_shader", gpu.batch_for_shader)
+    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
+
+    def redraw():
+        gpu.sent.clear()
+        for drawing in addon.overlay.shown.drawings(view_context()):
+            batches.draw_lines(drawing.target, "", drawing.lines, drawing.failures, 1.0, is_rim=False)
+        return len(gpu.sent)
+
+    kinds = 5 + 2  # two of them with dashes
+    assert redraw() == 2 * kinds  # model and pieces
+    drawn = gpu.drawn
+    assert redraw() == 0
+    assert gpu.drawn == 2 * drawn == 4 * kinds
+    mark(source, on_line(1, 0.25))
+    bpy.context.view_layer.update()
+    assert redraw() == kinds
+
+
+class Timers:
+    """Stands in for bpy.app.timers: what is left of real ones keeps the module bpy from closing."""
+
+    def __init__(self):
+        self.running = {}
+
+    def register(self, function, first_interval):
+        self.running[function] = first_interval
+
+    def unregister(self, function):
+        del self.running[function]
+
+    def is_registered(self, function):
+        return function in self.running
+
+
+@pytest.fixture
+def timers(addon, monkeypatch):
+    fake = Timers()
+    app = SimpleNamespace(timers=fake, handlers=bpy.app.handlers)
+    monkeypatch.setattr(addon.overlay.cache, "bpy", SimpleNamespace(app=app))
+    return fake
+
+
+def test_a_build_is_not_repeated_at_once(addon, source, timers, monkeypatch):
+    cache = addon.overlay.cache
+    clock = SimpleNamespace(now=100.0)
+    monkeypatch.setattr(cache, "time", SimpleNamespace(monotonic=lambda: clock.now))
+
+    def build(value):
+        clock.now += 0.05  # seconds
+        return value
+
+    def drawing(version):
+        return cache.kept_drawing(source, "test", (version,), lambda: build(version))
+
+    assert drawing(1) == 1
+    clock.now += 0.4
+    assert drawing(2) == 1
+    assert timers.running == {addon.redraw.redraw_views: pytest.approx(0.05)}
+    clock.now += 0.06
+    assert drawing(2) == 2
+
+
+def handlers_of(addon):
+    """How many of Blender's handlers of each kind are ours."""
+    kinds = {name: getattr(bpy.app.handlers, name) for name in dir(bpy.app.handlers)}
+    return {
+        name: sum(handler.__module__.startswith(addon.__name__) for handler in handlers)
+        for name, handlers in kinds.items()
+        if isinstance(handlers, list)
+    }
+
+
+def test_handlers_and_timers_leave_with_the_add_on(addon, timers):
+    drawn, before = addon.overlay._added, handlers_of(addon)
+    spaces = [space for space, _ in drawn]
+    assert spaces == 2 * [bpy.types.SpaceView3D] + 2 * [bpy.types.SpaceImageEditor]
+    addon.overlay.cache._redraw_in(60.0)
+    addon.unregister()
+    try:
+        assert drawn == []  # each is taken out of Blender as it is taken out of the list
+        assert sum(handlers_of(addon).values()) == 0 < sum(before.values())
+        assert timers.running == {}
+    finally:
+        addon.register()
+    assert [space for space, _ in drawn] == spaces
+    assert handlers_of(addon) == before
