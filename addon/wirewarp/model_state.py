@@ -21,6 +21,16 @@ def model_state(source: bpy.types.Object) -> dict:
     return _digests(source.data) | {"metric": metric(source).tolist()}
 
 
+def present_state(source: bpy.types.Object) -> dict | None:
+    """As model_state, in Edit Mode too; None where that would be slow or cannot be compared."""
+    if source.data.is_editmode and not _comparable_in_edit_mode(source.data):
+        return None
+    try:
+        return kept(source.data, "digests", _digests) | {"metric": metric(source).tolist()}
+    except ObjectError:  # an attribute of our name that is none
+        return None
+
+
 def has_changed(source: bpy.types.Object, report: dict) -> bool:
     """Whether geometry, seams, wires or scale are other than when the report was made."""
     state, mesh = report.get("model_state"), source.data

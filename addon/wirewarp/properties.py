@@ -11,6 +11,7 @@ from bpy.props import (
     PointerProperty,
 )
 
+from .auto_update import note_change
 from .redraw import redraw_views
 
 METHODS = [
@@ -119,7 +120,19 @@ def _redraw(_settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> 
     redraw_views()
 
 
+def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
+    if settings.auto_update:
+        note_change()
+
+
 class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
+    auto_update: BoolProperty(
+        name="Auto",
+        description="Flatten models that have flat pieces again by itself when seams, wires, shape or scale change. "
+        "While a model of more than 20,000 vertices is in Edit Mode, its pieces wait",
+        default=False,
+        update=_look_for_changes,
+    )
     tolerance_percent: FloatProperty(
         name="Tolerance ±%",
         description="How much an elastic wire may become longer or shorter: a bound on the total length of each part "

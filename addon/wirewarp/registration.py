@@ -3,7 +3,7 @@
 
 import bpy
 
-from . import mesh_cache, operators, overlay, properties, report_store, ui, window_run
+from . import auto_update, mesh_cache, operators, overlay, properties, report_store, ui, window_run
 
 CLASSES = (*properties.CLASSES, *operators.CLASSES, *ui.CLASSES)
 
@@ -25,9 +25,11 @@ def register_ui() -> None:
     ui.tick.attach()
     ui.menus.attach()
     window_run.attach()
+    auto_update.attach()
 
 
 def unregister_ui() -> None:
+    auto_update.detach()
     window_run.detach()
     ui.menus.detach()
     ui.tick.detach()

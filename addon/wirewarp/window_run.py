@@ -4,6 +4,8 @@
 However a run ends, be it done, cancelled, by another file or because the add-on goes, it ends in stop().
 """
 
+import time
+
 import bpy
 from bpy.app.handlers import persistent
 
@@ -11,6 +13,7 @@ from .solve_models import Outcome, Solver
 from .solve_thread import SolveThread
 
 POLL_SECONDS = 0.02
+UNSEEN_SECONDS = 0.3  # a line that is gone at once would only flicker
 _current: "WindowRun | None" = None
 
 
@@ -36,6 +39,7 @@ class WindowRun:
     def __init__(self, context: bpy.types.Context, what: str, solve: Solver) -> None:
         self._what = what
         self._manager, self._workspace = context.window_manager, context.workspace
+        self._begun = time.monotonic()
         self._timer = self._manager.event_timer_add(POLL_SECONDS, window=context.window)
         self._thread = SolveThread(solve)
 
@@ -44,9 +48,10 @@ class WindowRun:
 
     def is_done(self) -> bool:
         """Also shows how far it is."""
-        percent = f"{100 * self._thread.fraction:.0f} %"
-        key = "stopping..." if self._thread.cancelled else "Esc: cancel"
-        self._workspace.status_text_set(f"Flattening {self._what}: {percent}    {key}")
+        if time.monotonic() - self._begun > UNSEEN_SECONDS:
+            percent = f"{100 * self._thread.fraction:.0f} %"
+            key = "stopping..." if self._thread.cancelled else "Esc: cancel"
+            self._workspace.status_text_set(f"Flattening {self._what}: {percent}    {key}")
         return self._thread.is_done()
 
     def result(self) -> list[Outcome]:

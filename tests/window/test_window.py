@@ -26,6 +26,7 @@ def blender_environment(folder: Path) -> dict[str, str]:
         "panel_button",
         "one_undo_step",
         "one_undo_step_in_edit_mode",
+        "auto_update",
     ],
 )
 def test_window(name, tmp_path):

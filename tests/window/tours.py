@@ -10,7 +10,7 @@ import drive
 sys.path.insert(0, str(Path(__file__).parent.parent / "addon"))
 
 import wirewarp_addon
-from surfaces import bump, flat_of, grid, mark, on_line
+from surfaces import bump, flat_of, grid, mark, on_line, select_edges
 
 window_run = wirewarp_addon.window_run
 
@@ -96,3 +96,32 @@ def one_undo_step_in_edit_mode() -> drive.Tour:
     yield from redo()
     yield lambda: contents(bpy.data.objects["Bump"]) == after
     assert bpy.context.mode == "EDIT_MESH"
+
+
+def flat_vertices(source: bpy.types.Object) -> int:
+    return len(flat_of(source).data.vertices)
+
+
+def auto_update() -> drive.Tour:
+    """Marking a seam in Edit Mode makes the pieces again, in one undo step with the mark."""
+    source = marked_bump()
+    yield from flatten()
+    bpy.context.scene.wirewarp.auto_update = True
+    select_edges(source, on_line(0, 0.0))
+    remember()
+    yield from drive.ticks(20)
+    assert (flat_vertices(source), bpy.context.mode) == (81, "EDIT_MESH")
+    with drive.in_view():
+        bpy.ops.mesh.mark_seam("INVOKE_DEFAULT", True, clear=False)
+    yield lambda: flat_vertices(source) == 90
+    yield lambda: not window_run.is_running()
+    assert bpy.context.mode == "EDIT_MESH"
+    drive.screenshot("auto_update")
+    yield from undo()
+    yield lambda: flat_vertices(bpy.data.objects["Bump"]) == 81
+    bpy.context.window_manager.print_undo_steps()
+    yield from drive.ticks(50)
+    assert flat_vertices(bpy.data.objects["Bump"]) == 81
+    assert bpy.context.mode == "EDIT_MESH"
+    yield from redo()
+    yield lambda: flat_vertices(bpy.data.objects["Bump"]) == 90

@@ -12,6 +12,7 @@ from .select_issues import MESH_OT_wirewarp_select_issues
 from .select_result import MESH_OT_wirewarp_select_result
 from .select_wire import MESH_OT_wirewarp_select_wire
 from .take_proposal import MESH_OT_wirewarp_take_proposal
+from .update import OBJECT_OT_wirewarp_update, WM_OT_wirewarp_watch
 
 CLASSES = (
     MESH_OT_wirewarp_mark,
@@ -25,4 +26,6 @@ CLASSES = (
     OBJECT_OT_wirewarp_flatten,
     OBJECT_OT_wirewarp_copy_report,
     OBJECT_OT_wirewarp_export_svg,
+    OBJECT_OT_wirewarp_update,
+    WM_OT_wirewarp_watch,
 )

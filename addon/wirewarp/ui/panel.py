@@ -65,9 +65,10 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         settings = context.scene.wirewarp
-        button = layout.column()
-        button.scale_y = 1.5
-        button.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
+        row = layout.row(align=True)
+        row.scale_y = 1.5
+        row.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
+        row.prop(settings, "auto_update", text="", icon="FILE_REFRESH")
 
         draw_settings(layout, settings)
         if settings.method == "WIREWARPING" and _has_loose_wires(context):

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""When flat pieces are to be made again by themselves: what has changed since, and whether the user is at rest.
+
+A handler only notes that something changed and sets a timer. The timer's event reaches the operator wm.wirewarp_watch
+by the keymap, and so only while no tool that is still going on (moving, a knife) keeps events to itself: leaving Edit
+Mode under such a tool would crash Blender. That operator runs the update, with an undo step like any other operator.
+"""
+
+import bpy
+from bpy.app.handlers import persistent
+
+from . import model_state
+from .report_store import last_report
+
+REST_SECONDS = 0.05
+WATCH = "wm.wirewarp_watch"
+_timer: bpy.types.Timer | None = None
+_undone = False
+_tried: dict[str, dict | None] = {}  # by object: the state in which it was left as it is
+_keymap_items: list[tuple[bpy.types.KeyMap, bpy.types.KeyMapItem]] = []
+
+
+def note_change() -> None:
+    """Something may have changed: look into it soon."""
+    global _timer
+    if _timer is None and not bpy.app.background:
+        manager = bpy.context.window_manager
+        _timer = manager.event_timer_add(REST_SECONDS, window=manager.windows[0])
+
+
+def is_due() -> bool:
+    return _timer is not None
+
+
+def forget_change() -> None:
+    global _timer
+    if _timer is not None:
+        bpy.context.window_manager.event_timer_remove(_timer)
+        _timer = None
+
+
+def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
+    """The models that differ from their flat pieces, each once for each of its states; nothing is due after that.
+
+    After undo none does: what was taken back must not be made again behind the user's back.
+    """
+    global _undone
+    forget_change()
+    changed = [source for source in _flattened(context) if _has_changed(source)]
+    for source in changed:
+        _tried[source.name_full] = model_state.present_state(source)
+    if _undone:
+        changed, _undone = [], False
+    return changed
+
+
+def _flattened(context: bpy.types.Context) -> list[bpy.types.Object]:
+    """The models of this view layer that have flat pieces."""
+    objects = context.view_layer.objects
+    sources = dict.fromkeys(flat.wirewarp_source for flat in context.scene.objects if flat.wirewarp_source)
+    return [source for source in sources if objects.get(source.name) == source and source.library is None]
+
+
+def _has_changed(source: bpy.types.Object) -> bool:
+    report, tried = last_report(source), _tried.get(source.name_full)
+    if tried is not None and not model_state.has_changed(source, {"model_state": tried}):
+        return False
+    return report is not None and model_state.has_changed(source, report)
+
+
+@persistent
+def _on_update(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
+    if depsgraph.mode == "VIEWPORT" and scene.wirewarp.auto_update:
+        if any(isinstance(update.id, (bpy.types.Mesh, bpy.types.Object)) for update in depsgraph.updates):
+            note_change()
+
+
+@persistent
+def _on_undo(*_: object) -> None:
+    global _undone
+    if bpy.context.scene.wirewarp.auto_update:
+        _undone = True
+        note_change()
+
+
+@persistent
+def _on_load(*_: object) -> None:
+    global _undone
+    _undone = False
+    _tried.clear()
+    forget_change()
+
+
+def attach() -> None:
+    bpy.app.handlers.depsgraph_update_post.append(_on_update)
+    bpy.app.handlers.undo_post.append(_on_undo)
+    bpy.app.handlers.redo_post.append(_on_undo)
+    bpy.app.handlers.load_pre.append(_on_load)
+    keyconfig = bpy.context.window_manager.keyconfigs.addon
+    if keyconfig:  # none in background
+        keymap = keyconfig.keymaps.new(name="Window")
+        _keymap_items.append((keymap, keymap.keymap_items.new(WATCH, "TIMER", "ANY", any=True)))
+
+
+def detach() -> None:
+    for keymap, item in _keymap_items:
+        keymap.keymap_items.remove(item)
+    _keymap_items.clear()
+    bpy.app.handlers.load_pre.remove(_on_load)
+    bpy.app.handlers.redo_post.remove(_on_undo)
+    bpy.app.handlers.undo_post.remove(_on_undo)
+    bpy.app.handlers.depsgraph_update_post.remove(_on_update)
+    _on_load()

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What Flatten and its automatic update have in common: read, solve, write; in a window with a thread, else at once."""
+
+import traceback
+from functools import partial
+from pathlib import Path
+
+import bpy
+
+from .. import core, window_run
+from ..flatten_job import FlattenChoices
+from ..issues import Issue
+from ..properties import LIBRARY_METHODS, FlattenSettings
+from ..read_models import is_current, read_models
+from ..redraw import redraw_views
+from ..report_file import run_message, run_report, write_json
+from ..solve_models import CancelledError, Model, Outcome, Solver, failed_report, solve_models
+from ..targets import in_object_mode
+from ..undo_step import hold_whole_file
+from ..unit_text import meters_per_blender_unit
+from ..write_results import write_results
+
+# What a user may do during a run: look around.
+HARMLESS = {"MIDDLEMOUSE", "MOUSEMOVE", "INBETWEEN_MOUSEMOVE", "HOME", "NUMPAD_PERIOD"} | {
+    f"NUMPAD_{digit}" for digit in range(10)
+}
+HARMLESS_KINDS = ("TIMER", "WHEEL", "TRACKPAD", "NDOF", "WINDOW")
+
+
+class FlattenSteps(FlattenSettings):
+    """Mixed into operators. modal() belongs to what begin_run() has begun."""
+
+    @property
+    def report_file(self) -> Path | None:
+        """Where the report goes as JSON."""
+        return None
+
+    def begin_run(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
+        """Reads now and solves in a thread, while modal() waits for it."""
+        with in_object_mode(context):
+            self._models = read_models(context, sources, self.use_modifiers)
+        what = sources[0].name if len(sources) == 1 else f"{len(sources)} objects"
+        self._run = window_run.begin(context, what, self._solver(context, self._models))
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        if event.type == "ESC" and event.value == "PRESS":
+            self._run.cancel()
+        if event.type == "TIMER" and self._run.is_done():
+            return self._finish_run(context)
+        return {"PASS_THROUGH" if self.lets_pass(event) else "RUNNING_MODAL"}
+
+    def lets_pass(self, event: bpy.types.Event) -> bool:
+        """Whether the user may do this during the run."""
+        return event.type in HARMLESS or event.type.startswith(HARMLESS_KINDS)
+
+    def cancel(self, _context: bpy.types.Context) -> None:
+        """Blender ends the run: its window closes or another file is opened."""
+        window_run.stop()
+
+    def flatten_now(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
+        """All at once; Blender waits."""
+        with in_object_mode(context):
+            models = read_models(context, sources, self.use_modifiers)
+            outcomes = self._solve_waiting(context, models)
+            self._write(context, outcomes)
+        return self._tell(context, outcomes)
+
+    def message(self, level: str, text: str) -> None:
+        """What became of it, to the user; level: INFO, WARNING or ERROR."""
+        self.report({level}, text)
+
+    def _solve_waiting(self, context: bpy.types.Context, models: list[Model]) -> list[Outcome]:
+        manager = context.window_manager
+
+        def progress(_stage: str, fraction: float) -> bool:
+            manager.progress_update(fraction)
+            return True
+
+        manager.progress_begin(0.0, 1.0)
+        try:
+            return self._solver(context, models)(progress)
+        finally:
+            manager.progress_end()
+
+    def _solver(self, context: bpy.types.Context, models: list[Model]) -> Solver:
+        choices = FlattenChoices(
+            method=LIBRARY_METHODS[self.method],
+            fairness=self.fairness,
+            node_weight=self.node_weight.lower(),
+            gap=self.gap / 100,
+            mirror=self.mirror,
+        )
+        return partial(solve_models, core.library(), models, choices, meters_per_blender_unit(context.scene))
+
+    def _finish_run(self, context: bpy.types.Context) -> set[str]:
+        try:
+            outcomes = self._run.result()
+        except CancelledError:
+            return self.give_up(context, "cancelled", "Flattening was cancelled: nothing was written.", "WARNING")
+        except Exception as error:
+            traceback.print_exc()
+            sentence = f"Flattening failed, nothing was written: {str(error) or type(error).__name__}. "
+            sentence += "This is a fault of WireWarp: please report it with what Blender's console says."
+            return self.give_up(context, "internal_error", sentence, "ERROR")
+        with in_object_mode(context):
+            changed = [m.facts["object"] for m in self._models if not is_current(context, m, self.use_modifiers)]
+            if not changed:
+                self._write(context, outcomes)
+        if changed:
+            names = ", ".join(f'"{name}"' for name in changed)
+            sentence = f"{names} changed while it was flattened, nothing was written: flatten again."
+            return self.give_up(context, "changed", sentence, "ERROR")
+        return self._tell(context, outcomes)
+
+    def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
+        """Ends a run of which nothing is written but the report file."""
+        redraw_views()
+        self._write_report(context, [failed_report(model, Issue(code, sentence)) for model in self._models])
+        self.message(level, sentence)
+        return {"CANCELLED"}
+
+    def _write(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
+        write_results(context, outcomes, self)
+        hold_whole_file()
+
+    def _tell(self, context: bpy.types.Context, outcomes: list[Outcome]) -> set[str]:
+        redraw_views()  # Blender does so by itself after a run that changed data, but not after one that failed
+        reports = [outcome.report for outcome in outcomes]
+        self._write_report(context, reports)
+        self.message(*run_message(reports))
+        return {"FINISHED" if any(outcome.pieces for outcome in outcomes) else "CANCELLED"}
+
+    def _write_report(self, context: bpy.types.Context, reports: list[dict]) -> None:
+        if self.report_file is None:
+            return
+        units = {
+            "meters_per_blender_unit": meters_per_blender_unit(context.scene),
+            "system": context.scene.unit_settings.system,
+        }
+        try:
+            write_json(self.report_file, run_report(core.library().__version__, units, reports))
+        except OSError as error:
+            self.report({"ERROR"}, f"The report cannot be written: {error}.")

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import bpy
+
+from .. import auto_update, core, window_run
+from ..properties import take_settings
+from .flatten_steps import FlattenSteps
+
+
+class OBJECT_OT_wirewarp_update(FlattenSteps, bpy.types.Operator):
+    """Flatten again what has changed"""
+
+    # In the undo step of the operator that changed it, if that was the last: see join_undo_step.
+    bl_idname = "object.wirewarp_update"
+    bl_label = "Update Flat Pieces"
+    bl_options = {"INTERNAL", "UNDO_GROUPED"}
+    bl_undo_group = "Update Flat Pieces"
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        take_settings(self, context.scene.wirewarp)
+        sources = auto_update.take_changed(context)
+        return self.begin_run(context, sources) if sources else {"CANCELLED"}
+
+    def lets_pass(self, _event: bpy.types.Event) -> bool:
+        """Everything: if the user goes on marking, this run ends without a result and the next one begins."""
+        return True
+
+    def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
+        """A model that changed meanwhile is due again already."""
+        return {"CANCELLED"} if code == "changed" else super().give_up(context, code, sentence, level)
+
+    def message(self, level: str, text: str) -> None:
+        """Without the window that an error opens: the report has it, and the user is still at work."""
+        self.report({"WARNING" if level == "ERROR" else level}, text)
+
+
+class WM_OT_wirewarp_watch(bpy.types.Operator):
+    """Look whether flat pieces are to be made again"""
+
+    bl_idname = "wm.wirewarp_watch"
+    bl_label = "Watch for Changes"
+    bl_options = {"INTERNAL"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """A change in another mode, or during a run, waits for its end."""
+        return auto_update.is_due() and context.mode in {"OBJECT", "EDIT_MESH"} and not window_run.is_running()
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        if context.scene.wirewarp.auto_update and not core.problem():
+            join_undo_step(context.window_manager)
+            bpy.ops.object.wirewarp_update("INVOKE_DEFAULT", True)
+        else:
+            auto_update.forget_change()
+        return {"PASS_THROUGH"}
+
+
+def join_undo_step(manager: bpy.types.WindowManager) -> None:
+    """Lets the update go into the undo step of the last operator.
+
+    With a step of its own, undo would first take back the pieces alone, and leave them at odds with the marks. Blender
+    joins steps of one undo group, and takes an operator's group when it is registered.
+    """
+    group = manager.operators[-1].name if manager.operators else OBJECT_OT_wirewarp_update.bl_label
+    if OBJECT_OT_wirewarp_update.bl_undo_group != group:
+        bpy.utils.unregister_class(OBJECT_OT_wirewarp_update)
+        OBJECT_OT_wirewarp_update.bl_undo_group = group
+        bpy.utils.register_class(OBJECT_OT_wirewarp_update)
