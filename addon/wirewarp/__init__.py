@@ -5,6 +5,7 @@ Marking:    operators/mark -> edit_marks -> marking, wire_chains; the marks are 
 Flattening: operators/flatten -> read_models: targets (may it be written?), mesh_to_arrays -> solve_models, in a window
             in a thread (window_run): flatten_job (the core library), report, flat_mesh -> write_results: write_uv,
             write_flat_object, report_store. All is computed before anything is written.
+Updating:   auto_update notes changes, operators/update flattens again what has flat pieces.
 Mending:    operators/take_proposal -> take_proposals writes what the report proposes (proposals) to the model.
 Showing:    ui/, from wire_summary and report_store; overlay/ draws over models and flat pieces in the 3D view.
 """

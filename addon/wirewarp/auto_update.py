@@ -70,9 +70,10 @@ def _has_changed(source: bpy.types.Object) -> bool:
 
 @persistent
 def _on_update(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
-    if depsgraph.mode == "VIEWPORT" and scene.wirewarp.auto_update:
-        if any(isinstance(update.id, (bpy.types.Mesh, bpy.types.Object)) for update in depsgraph.updates):
-            note_change()
+    if depsgraph.mode != "VIEWPORT" or not scene.wirewarp.auto_update:
+        return
+    if any(isinstance(update.id, (bpy.types.Mesh, bpy.types.Object)) for update in depsgraph.updates):
+        note_change()
 
 
 @persistent
