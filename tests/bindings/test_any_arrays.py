@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whatever a script passes: the same result as from plain arrays of the same numbers, or a FlattenError; never a crash,
+and never a change of the caller's arrays."""
+
+import numpy as np
+import pytest
+import wirewarp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+from surfaces import half_cylinder
+
+VERTICES, FACES = half_cylinder()
+
+# Byte orders, sizes and kinds that are none of the library's own included.
+NUMBERS = st.one_of(hnp.integer_dtypes(), hnp.unsigned_integer_dtypes(), hnp.floating_dtypes(), hnp.boolean_dtypes())
+ANY_DTYPE = st.one_of(NUMBERS, hnp.complex_number_dtypes(), hnp.byte_string_dtypes(), hnp.datetime64_dtypes())
+ANY_SHAPE = hnp.array_shapes(min_dims=0, max_dims=4, min_side=0, max_side=5)
+HUGE = st.one_of(st.integers(-3, 200), st.sampled_from([2**31 - 1, 2**31, -(2**31) - 1, 2**63 - 1, -(2**63), 2**64]))
+
+
+@st.composite
+def rearranged(draw, array):
+    """The same numbers in another dtype that holds them, order, stride and writability."""
+    held = [d for d in ("i1", "i2", "i4", "i8", "f4", "f8", "g") if (array.astype(d) == array).all()]
+    dtype = np.dtype(draw(st.sampled_from(held))).newbyteorder(draw(st.sampled_from("<>")))
+    steps = draw(st.tuples(st.sampled_from([1, 2, 3, -1, -2]), st.sampled_from([1, 2, -1])))
+    wide = np.zeros([abs(step) * size for step, size in zip(steps, array.shape, strict=True)], dtype=dtype)
+    if draw(st.booleans()):
+        wide = np.asfortranarray(wide)
+    view = wide[:: steps[0], :: steps[1]]
+    view[:] = array
+    view.flags.writeable = draw(st.booleans())
+    return view
+
+
+@settings(deadline=None, max_examples=100)
+@given(st.data())
+def test_any_arrangement_of_the_same_numbers_gives_the_same_bits(data):
+    vertices = np.round(VERTICES * 8)  # numbers that small dtypes hold
+    expected = wirewarp.flatten(vertices, FACES).corner_uv
+    passed = data.draw(rearranged(vertices)), data.draw(rearranged(FACES))
+    before = [array.copy() for array in passed]
+    if np.issubdtype(passed[1].dtype, np.floating):
+        with pytest.raises(wirewarp.FlattenError) as caught:  # indices are whole numbers
+            wirewarp.flatten(*passed)
+        assert caught.value.code == "invalid_type"
+    else:
+        assert np.array_equal(wirewarp.flatten(*passed).corner_uv, expected)
+    for array, copy in zip(passed, before, strict=True):
+        assert np.array_equal(array, copy)
+
+
+def flattens_or_refuses(**arguments):
+    try:
+        result = wirewarp.flatten(**{"vertices": VERTICES, "faces": FACES} | arguments)
+    except wirewarp.FlattenError as error:
+        assert str(error).endswith(".")
+    else:
+        assert result.corner_uv.shape == (len(arguments.get("faces", FACES)), 3, 2)
+
+
+@settings(deadline=None, max_examples=150)
+@given(st.sampled_from(["vertices", "faces", "seams"]), hnp.arrays(ANY_DTYPE, ANY_SHAPE))
+def test_any_array_is_flattened_or_refused(argument, array):
+    flattens_or_refuses(**{argument: array})
+
+
+@settings(deadline=None, max_examples=150)
+@given(st.lists(st.lists(HUGE, min_size=3, max_size=3), max_size=6))
+def test_any_faces_are_flattened_or_refused(faces):
+    flattens_or_refuses(faces=faces)
+
+
+@settings(deadline=None, max_examples=100)
+@given(st.lists(st.lists(HUGE, min_size=2, max_size=2), max_size=6))
+def test_any_seams_are_flattened_or_refused(seams):
+    flattens_or_refuses(seams=seams)
+
+
+@settings(deadline=None, max_examples=150)
+@given(st.lists(HUGE, max_size=6), st.one_of(st.floats(), st.integers(), st.none(), st.text(max_size=3)), st.text())
+def test_any_wire_is_flattened_or_refused(vertices, tolerance, name):
+    try:
+        wire = wirewarp.Wire(vertices, tolerance=tolerance, name=name)
+    except wirewarp.FlattenError as error:
+        assert str(error).endswith(".")
+    else:
+        flattens_or_refuses(wires=[wire])
+
+
+@settings(deadline=None, max_examples=100)
+@given(hnp.arrays(NUMBERS, st.one_of(ANY_SHAPE, st.just((len(FACES), 3, 2)))))
+def test_any_corner_coordinates_are_measured_or_refused(corner_uv):
+    try:
+        result = wirewarp.measure(VERTICES, FACES, corner_uv)
+    except wirewarp.FlattenError as error:
+        assert str(error).endswith(".")
+    else:
+        assert len(result.pieces) == 1

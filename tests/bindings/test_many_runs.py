@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Over many runs: cancelled at every step, and none leaves memory behind."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import wirewarp
+from surfaces import spherical_patch
+
+METHODS = ["refined", "wirewarp++", "wirewarping"]
+VERTICES, FACES = spherical_patch(columns=10, rows=10)
+WIRES = [wirewarp.Wire(range(55, 66), tolerance=0.03)]  # the middle row
+
+
+def flatten(method, progress=None):
+    return wirewarp.flatten(
+        VERTICES, FACES, wires=WIRES, options=wirewarp.Options(method=method), progress=progress
+    ).pieces[0]
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_cancelled_at_every_call_a_piece_is_cancelled_or_exact(method):
+    calls = []
+    whole = flatten(method, lambda *call: calls.append(call))
+    assert whole.error is None
+    for last in range(len(calls)):
+        asked = []
+        piece = flatten(method, lambda *call, asked=asked, last=last: asked.append(call) or len(asked) <= last)
+        if piece.error is None:  # the guarantee holds whenever there is no error
+            assert piece.report.termination in ("cancelled", "converged", "stalled")
+            assert piece.metrics.arap_energy >= 0.999 * whole.metrics.arap_energy
+        else:
+            assert piece.error.code == "cancelled"
+            assert np.isnan(piece.vertices).all()
+
+
+def resident_megabytes():
+    pages = int(Path("/proc/self/statm").read_text().split()[1])
+    return pages * 4096 / 2**20
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_thousand_runs_leave_no_memory_behind(method):
+    """One result is about 0.2 MB: a leak of a hundredth of it would show."""
+
+    def run(times):
+        for number in range(times):
+            flatten(method, progress=lambda *_, number=number: number % 3 > 0)  # every third is cancelled at once
+            with pytest.raises(wirewarp.FlattenError):
+                wirewarp.flatten(VERTICES, FACES + len(VERTICES))
+
+    run(100)  # until the allocator has what it needs
+    before = resident_megabytes()
+    run(1000)
+    assert resident_megabytes() - before < 2

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planar_overlap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wirewarp::test {
+namespace {
+
+/// How far the second triangle stays outside the first, measured at right angles to its sides; negative: not at all.
+double distance_beyond(const PlanarTriangle& first, const PlanarTriangle& second) {
+  double farthest = -1e300;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector2d side = first[(k + 1) % 3] - first[k];
+    const Eigen::Vector2d outward = Eigen::Vector2d(side.y(), -side.x()) / side.norm();
+    double nearest = 1e300;
+    for (const Eigen::Vector2d& corner : second) nearest = std::min(nearest, outward.dot(corner - first[k]));
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
+}  // namespace
+
+long double doubled_area(const PlanarTriangle& t) {
+  const auto x = [&](std::size_t k) { return static_cast<long double>(t[k].x()) - static_cast<long double>(t[0].x()); };
+  const auto y = [&](std::size_t k) { return static_cast<long double>(t[k].y()) - static_cast<long double>(t[0].y()); };
+  return x(1) * y(2) - x(2) * y(1);
+}
+
+std::pair<int, int> find_overlap(const std::vector<PlanarTriangle>& triangles) {
+  struct Box {
+    Eigen::Vector2d low;
+    Eigen::Vector2d high;
+  };
+  std::vector<Box> boxes;
+  double size = 0;
+  for (const PlanarTriangle& t : triangles) {
+    boxes.push_back({t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])});
+    size = std::max({size, boxes.back().low.cwiseAbs().maxCoeff(), boxes.back().high.cwiseAbs().maxCoeff()});
+  }
+  const double rounding = 1e-9 * size;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t j = i + 1; j < triangles.size(); ++j) {
+      if ((boxes[i].low.array() > boxes[j].high.array()).any() ||
+          (boxes[j].low.array() > boxes[i].high.array()).any()) {
+        continue;
+      }
+      const double apart =
+          std::max(distance_beyond(triangles[i], triangles[j]), distance_beyond(triangles[j], triangles[i]));
+      if (apart < -rounding) return {static_cast<int>(i), static_cast<int>(j)};
+    }
+  }
+  return {-1, -1};
+}
+
+}  // namespace wirewarp::test

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Extreme but legal: what no modeler would draw, and some file holds.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "judge.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+
+Eigen::Vector3d dome(double s, double t) { return {s, t, 0.2 * std::cos(kPi * (s - 0.5)) * std::cos(kPi * (t - 0.5))}; }
+
+FlattenInput dome_with_wire() {
+  FlattenInput input = test::make_grid(10, 10, dome);
+  test::add_wire(input, test::grid_row(10, 5));
+  return input;
+}
+
+/// Flat with every promise kept, by every method.
+void expect_flat(const FlattenInput& input) {
+  for (const Method method : {Method::refined, Method::wirewarp_plus_plus, Method::wirewarping}) {
+    Options options;
+    options.method = method;
+    const FlattenResult result = flatten(input, options);
+    for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
+    EXPECT_EQ(test::broken_promises(input, options, result), std::vector<std::string>{}) << result.method;
+  }
+}
+
+TEST(ExtremeInput, AnglesOfAMillionth) {
+  FlattenInput input = dome_with_wire();
+  for (const int v : test::grid_row(10, 5)) {  // the wire lies a millionth above the row below it
+    input.vertices.row(v) = input.vertices.row(v - 11) + 1e-5 * (input.vertices.row(v) - input.vertices.row(v - 11));
+  }
+  expect_flat(input);
+}
+
+TEST(ExtremeInput, EdgesThatDifferByAMillion) {
+  FlattenInput input = test::make_grid(10, 10, [](double s, double t) { return dome(std::pow(1e-6, 1 - s), t); });
+  test::add_wire(input, test::grid_row(10, 5));
+  expect_flat(input);
+}
+
+TEST(ExtremeInput, AMillionSidesAway) {
+  FlattenInput input = dome_with_wire();
+  input.vertices.rowwise() += Eigen::RowVector3d(1e6, -1e6, 1e6);
+  expect_flat(input);
+}
+
+TEST(ExtremeInput, TinyAndHuge) {
+  for (const double size : {1e-4, 1e5}) {
+    FlattenInput input = dome_with_wire();
+    input.vertices *= size;
+    expect_flat(input);
+  }
+}
+
+TEST(ExtremeInput, AThousandChartsOfOneTriangleInTheSamePlace) {
+  FlattenInput input;
+  input.vertices.resize(3000, 3);
+  input.faces.resize(1000, 3);
+  for (int f = 0; f < 1000; ++f) {
+    input.vertices.middleRows(3 * f, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0;
+    input.faces.row(f) << 3 * f, 3 * f + 1, 3 * f + 2;
+  }
+  const FlattenResult result = flatten(input);
+  EXPECT_EQ(result.pieces.size(), 1000U);
+  expect_flat(input);
+}
+
+TEST(ExtremeInput, AWireOnEveryEdgeOfAFlatPatch) {
+  FlattenInput input = test::flat_rectangle(12, 12, 1, 1);
+  std::set<VertexPair> edges;
+  for (int f = 0; f < input.faces.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = input.faces(f, k);
+      const int b = input.faces(f, (k + 1) % 3);
+      if (edges.insert({std::min(a, b), std::max(a, b)}).second) test::add_wire(input, {a, b});
+    }
+  }
+  expect_flat(input);
+}
+
+TEST(ExtremeInput, FiveHundredWiresOnOneChart) {
+  FlattenInput input = test::make_grid(60, 60, dome);
+  for (int row = 2; row < 58 && input.wires.size() < 500; row += 2) {
+    const std::vector<int> chain = test::grid_row(60, row);
+    for (std::size_t i = 2; i < 55 && input.wires.size() < 500; i += 3) {
+      test::add_wire(input, {chain[i], chain[i + 1], chain[i + 2]});
+    }
+  }
+  ASSERT_EQ(input.wires.size(), 500U);
+  const FlattenResult result = flatten(input);
+  EXPECT_FALSE(result.pieces[0].error);
+  EXPECT_EQ(test::broken_promises(input, {}, result), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace wirewarp

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// wirewarp_random_cases FIRST COUNT: flattens the random cases with the seeds FIRST, FIRST + 1, ..., and judges each.
+// Exit 1 if a promise was broken or an expected error did not come; a case that takes a minute ends the program.
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <map>
+
+#include "judge.h"
+#include "random_case.h"
+
+namespace wirewarp::test {
+namespace {
+
+constexpr unsigned kSecondsPerCase = 60;
+std::array<char, 64> current_case{};  // for the handler, which may not allocate
+
+void give_up(int) {
+  const ssize_t written = write(STDERR_FILENO, current_case.data(), current_case.size());
+  _exit(written > 0 ? 2 : 3);
+}
+
+struct Outcome {
+  std::string name;  // "flat", or the code of the error
+  std::vector<std::string> broken;
+};
+
+Outcome judge_errors(const RandomCase& random_case, const FlattenResult& result) {
+  Outcome outcome{"flat", {}};
+  bool found = false;
+  for (const Piece& piece : result.pieces) {
+    if (!piece.error) continue;
+    outcome.name = describe(piece.error->code).name;
+    found = found || piece.error->code == random_case.fault;
+  }
+  if (random_case.fault && !found) {
+    outcome.broken.push_back(std::string("expected ") + describe(*random_case.fault).name + ", got " + outcome.name);
+  }
+  return outcome;
+}
+
+Outcome run(const RandomCase& random_case) {
+  try {
+    const FlattenResult result = flatten(random_case.input, random_case.options);
+    Outcome outcome = judge_errors(random_case, result);
+    for (std::string& sentence : broken_promises(random_case.input, random_case.options, result))
+      outcome.broken.push_back(std::move(sentence));
+    return outcome;
+  } catch (const FlattenError& error) {
+    Outcome outcome{describe(error.code).name, faults_of_error(error, random_case.input)};
+    if (random_case.fault != error.code) {
+      outcome.broken.push_back(std::string("unexpected error: ") + error.what());
+    }
+    return outcome;
+  } catch (const std::exception& error) {
+    return {"exception", {std::string("untyped exception: ") + error.what()}};
+  }
+}
+
+int run_all(std::uint64_t first, std::uint64_t count) {
+  std::map<std::string, int> outcomes;
+  int failures = 0;
+  std::signal(SIGALRM, give_up);
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    std::snprintf(current_case.data(), current_case.size(), "seed %llu takes too long\n",
+                  static_cast<unsigned long long>(seed));
+    alarm(kSecondsPerCase);
+    const RandomCase random_case = make_random_case(seed);
+    const Outcome outcome = run(random_case);
+    ++outcomes[outcome.name];
+    if (outcome.broken.empty()) continue;
+    ++failures;
+    std::printf("seed %llu:%s\n", static_cast<unsigned long long>(seed), (" " + random_case.description).c_str());
+    for (const std::string& sentence : outcome.broken) std::printf("    %s\n", sentence.c_str());
+  }
+  alarm(0);
+  for (const auto& [name, times] : outcomes) std::printf("%6d %s\n", times, name.c_str());
+  std::printf("%llu passed, %d failed\n", static_cast<unsigned long long>(count) - static_cast<unsigned>(failures),
+              failures);
+  return failures > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace wirewarp::test
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: wirewarp_random_cases FIRST_SEED COUNT\n");
+    return 2;
+  }
+  return wirewarp::test::run_all(std::strtoull(argv[1], nullptr, 10), std::strtoull(argv[2], nullptr, 10));
+}

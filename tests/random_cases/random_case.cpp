@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "random_case.h"
+
+#include "random_faults.h"
+#include "random_mesh.h"
+#include "random_network.h"
+
+namespace wirewarp::test {
+namespace {
+
+Options random_options(RandomStream& random) {
+  Options options;
+  const int method = random.below(5);
+  options.method = method == 0 ? Method::wirewarping : method == 1 ? Method::wirewarp_plus_plus : Method::refined;
+  if (random.chance(0.3)) options.node_weight = NodeWeight::uniform;
+  if (random.chance(0.1)) options.inner = Inner::least_norm;
+  if (random.chance(0.3)) options.fairness = random.across_scales(Options::least_fairness, Options::most_fairness);
+  if (random.chance(0.1)) options.max_factorizations = random.whole(1, 5);
+  if (random.chance(0.2)) options.gap = random.uniform();
+  options.mirror = random.chance(0.2);
+  return options;
+}
+
+const char* name_of(Method method) {
+  return method == Method::refined ? "refined" : method == Method::wirewarping ? "wirewarping" : "wirewarp++";
+}
+
+}  // namespace
+
+RandomCase make_random_case(std::uint64_t seed) {
+  RandomStream random(seed);
+  RandomCase result;
+  result.options = random_options(random);
+  result.description = name_of(result.options.method);
+  result.input = random_mesh(random, result.description);
+  add_random_seams(random, result.input, result.description);
+  add_random_wires(random, result.input, result.description);
+  if (random.chance(0.15)) {
+    result.fault = add_random_fault(random, result.input, result.options);
+    result.description += std::string(" with ") + describe(*result.fault).name;
+  }
+  return result;
+}
+
+}  // namespace wirewarp::test

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "random_faults.h"
+
+#include <Eigen/Geometry>
+#include <limits>
+
+namespace wirewarp::test {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+void append_face(FlattenInput& input, int a, int b, int c) {
+  input.faces.conservativeResize(input.faces.rows() + 1, 3);
+  input.faces.bottomRows(1) << a, b, c;
+}
+
+int append_vertex(FlattenInput& input, const Eigen::Vector3d& position) {
+  input.vertices.conservativeResize(input.vertices.rows() + 1, 3);
+  input.vertices.bottomRows(1) = position.transpose();
+  return static_cast<int>(input.vertices.rows()) - 1;
+}
+
+/// Seams would make a third face at an edge legal, and would cut a turned face from its neighbors.
+void clear_marks(FlattenInput& input) {
+  input.seams.resize(0, 2);
+  input.wires.clear();
+}
+
+int face_with_neighbor(RandomStream& random, const FlattenInput& input) {
+  std::vector<int> found;
+  for (int f = 0; f < input.faces.rows(); ++f) {
+    for (int g = 0; g < input.faces.rows(); ++g) {
+      for (int k = 0; k < 9; ++k) {  // the edges run opposite ways
+        const bool shared = input.faces(f, k / 3) == input.faces(g, (k + 1) % 3) &&
+                            input.faces(f, (k / 3 + 1) % 3) == input.faces(g, k % 3);
+        if (f != g && shared && (found.empty() || found.back() != f)) found.push_back(f);
+      }
+    }
+  }
+  return found.empty() ? -1 : random.pick(found);
+}
+
+}  // namespace
+
+ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& options) {
+  const int f = random.below(static_cast<int>(input.faces.rows()));
+  const int a = input.faces(f, 0);
+  const int b = input.faces(f, 1);
+  const int c = input.faces(f, 2);
+  const int num_vertices = static_cast<int>(input.vertices.rows());
+  switch (random.below(16)) {
+    case 0:
+      input.faces.resize(0, 3);
+      return ErrorCode::empty_mesh;
+    case 1:
+      input.faces(f, random.below(3)) =
+          random.chance(0.5) ? -1 - random.below(1000) : num_vertices + random.below(1000);
+      return ErrorCode::vertex_out_of_range;
+    case 2:
+      input.vertices(a, random.below(3)) =
+          random.pick(std::vector<double>{kNan, std::numeric_limits<double>::infinity(), -1e300});
+      return ErrorCode::non_finite_coordinates;
+    case 3:
+      input.seams.resize(1, 2);
+      input.seams << a, a;
+      return ErrorCode::seam_not_an_edge;
+    case 4:
+      input.wires.push_back({{a, append_vertex(input, {0, 0, 0})}, 0, "loose"});
+      return ErrorCode::wire_not_an_edge;
+    case 5:
+      input.wires.push_back({random.chance(0.5) ? std::vector<int>{} : std::vector<int>{a}, 0, "short"});
+      return ErrorCode::wire_too_short;
+    case 6:
+      input.wires = {{{a, b, c}, 0, "first"}, {{c, b}, 0.1, "second"}};
+      return ErrorCode::edge_in_two_wires;
+    case 7:
+      input.wires = {{{a, b}, random.pick(std::vector<double>{-1e-300, -1, kNan}), "bad"}};
+      return ErrorCode::invalid_tolerance;
+    case 8:
+      clear_marks(input);
+      append_face(input, a, b, a);
+      return ErrorCode::repeated_vertex_in_face;
+    case 9:
+      clear_marks(input);
+      append_face(input, b, c, a);
+      return ErrorCode::repeated_face;
+    case 10: {
+      clear_marks(input);
+      const int between = append_vertex(input, (input.vertices.row(a) + input.vertices.row(b)).transpose() / 2);
+      append_face(input, a, b, between);
+      return ErrorCode::zero_area_face;
+    }
+    case 11: {
+      clear_marks(input);
+      const Eigen::Vector3d side = input.vertices.row(b) - input.vertices.row(a);
+      const Eigen::Vector3d other = input.vertices.row(c) - input.vertices.row(a);
+      const Eigen::Vector3d up = input.vertices.row(a).transpose() + side.cross(other).normalized() * side.norm();
+      append_face(input, b, a, append_vertex(input, up));
+      append_face(input, b, a, append_vertex(input, up + 0.3 * side));  // three at least at a-b
+      return ErrorCode::non_manifold_edge;
+    }
+    case 12: {
+      clear_marks(input);
+      const Eigen::Vector3d side = input.vertices.row(b) - input.vertices.row(a);
+      const Eigen::Vector3d other = input.vertices.row(c) - input.vertices.row(a);
+      const Eigen::Vector3d at = input.vertices.row(a);
+      append_face(input, a, append_vertex(input, at - side), append_vertex(input, at - other));
+      return ErrorCode::non_manifold_vertex;
+    }
+    case 13: {
+      clear_marks(input);
+      const int turned = face_with_neighbor(random, input);
+      if (turned < 0) {  // a lone triangle has none
+        options.gap = -1;
+        return ErrorCode::invalid_option;
+      }
+      std::swap(input.faces(turned, 0), input.faces(turned, 1));
+      return ErrorCode::inconsistent_orientation;
+    }
+    case 14:
+      options.fairness = random.pick(std::vector<double>{0, -1, 1e9, kNan});
+      return ErrorCode::invalid_option;
+    default:
+      options.max_factorizations = -random.below(3);
+      return ErrorCode::invalid_option;
+  }
+}
+
+}  // namespace wirewarp::test

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "random_network.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <queue>
+#include <set>
+
+namespace wirewarp::test {
+namespace {
+
+using Edge = VertexPair;  // the smaller vertex first
+
+Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// The edges of a mesh by vertex, and how many faces each has.
+struct EdgeGraph {
+  std::vector<std::vector<int>> neighbors;
+  std::map<Edge, int> num_faces;
+
+  explicit EdgeGraph(const FlattenInput& input) : neighbors(static_cast<std::size_t>(input.vertices.rows())) {
+    for (int f = 0; f < input.faces.rows(); ++f) {
+      for (int k = 0; k < 3; ++k) ++num_faces[edge_of(input.faces(f, k), input.faces(f, (k + 1) % 3))];
+    }
+    for (const auto& [edge, count] : num_faces) {
+      neighbors[static_cast<std::size_t>(edge[0])].push_back(edge[1]);
+      neighbors[static_cast<std::size_t>(edge[1])].push_back(edge[0]);
+    }
+  }
+
+  std::vector<int> border_vertices() const {
+    std::set<int> found;
+    for (const auto& [edge, count] : num_faces) {
+      if (count == 1) found.insert(edge.begin(), edge.end());
+    }
+    return {found.begin(), found.end()};
+  }
+};
+
+/// From vertex to vertex along edges that `used` does not hold, which it then does. May end soon; may cross itself.
+std::vector<int> random_walk(RandomStream& random, const EdgeGraph& graph, int from, int steps, std::set<Edge>& used) {
+  std::vector<int> chain{from};
+  for (int i = 0; i < steps; ++i) {
+    std::vector<int> open;
+    for (const int next : graph.neighbors[static_cast<std::size_t>(chain.back())]) {
+      if (!used.count(edge_of(chain.back(), next))) open.push_back(next);
+    }
+    if (open.empty()) break;
+    const int next = random.pick(open);
+    used.insert(edge_of(chain.back(), next));
+    chain.push_back(next);
+  }
+  return chain;
+}
+
+/// The path of fewest edges along edges that `used` does not hold, which it then does; one vertex if there is none.
+std::vector<int> short_path(const EdgeGraph& graph, int from, int to, std::set<Edge>& used) {
+  std::map<int, int> previous{{from, from}};
+  std::queue<int> front;
+  front.push(from);
+  while (!front.empty() && !previous.count(to)) {
+    const int v = front.front();
+    front.pop();
+    for (const int next : graph.neighbors[static_cast<std::size_t>(v)]) {
+      if (previous.count(next) || used.count(edge_of(v, next))) continue;
+      previous[next] = v;
+      front.push(next);
+    }
+  }
+  if (!previous.count(to)) return {from};
+  std::vector<int> chain{to};
+  while (chain.back() != from) {
+    used.insert(edge_of(chain.back(), previous[chain.back()]));
+    chain.push_back(previous[chain.back()]);
+  }
+  return chain;
+}
+
+std::vector<int> random_chain(RandomStream& random, const EdgeGraph& graph, const std::vector<int>& used_vertices,
+                              std::set<Edge>& used) {
+  const std::vector<int> border = graph.border_vertices();
+  const int from = random.chance(0.5) && !border.empty() ? random.pick(border) : random.pick(used_vertices);
+  if (random.chance(0.4)) return random_walk(random, graph, from, random.whole(1, 12), used);
+  const int to = random.chance(0.6) && !border.empty() ? random.pick(border) : random.pick(used_vertices);
+  std::vector<int> chain = short_path(graph, from, to, used);
+  if (chain.size() > 2 && random.chance(0.2)) {  // back another way: closed
+    std::vector<int> back = short_path(graph, to, from, used);
+    if (back.size() > 1) {
+      std::reverse(chain.begin(), chain.end());
+      std::reverse(back.begin(), back.end());
+      chain.insert(chain.end(), back.begin() + 1, back.end());
+    }
+  }
+  return chain;
+}
+
+std::vector<int> vertices_of_faces(const FlattenInput& input) {
+  const std::set<int> found(input.faces.data(), input.faces.data() + input.faces.size());
+  return {found.begin(), found.end()};
+}
+
+}  // namespace
+
+void add_random_seams(RandomStream& random, FlattenInput& input, std::string& description) {
+  const int count = random.chance(0.5) ? 0 : random.whole(1, 4);
+  const EdgeGraph graph(input);
+  const std::vector<int> vertices = vertices_of_faces(input);
+  std::set<Edge> seams;
+  for (int i = 0; i < count; ++i) random_chain(random, graph, vertices, seams);
+  input.seams.resize(static_cast<Eigen::Index>(seams.size()), 2);
+  Eigen::Index row = 0;
+  for (const Edge& seam : seams) {
+    const bool turned = random.chance(0.5);
+    input.seams.row(row++) << seam[turned ? 1 : 0], seam[turned ? 0 : 1];
+  }
+  if (count > 0) description += " seams";
+}
+
+void add_random_wires(RandomStream& random, FlattenInput& input, std::string& description) {
+  const int count = random.chance(0.05) ? random.whole(20, 80) : random.chance(0.3) ? 0 : random.whole(1, 5);
+  const bool all_rigid = random.chance(0.2);
+  const EdgeGraph graph(input);
+  const std::vector<int> vertices = vertices_of_faces(input);
+  const std::vector<double> tolerances{0, 0, 0.001, 0.03, 0.05, 0.2, 0.999, std::numeric_limits<double>::infinity()};
+  std::set<Edge> used;
+  for (int i = 0; i < count; ++i) {
+    const std::vector<int> chain = random_chain(random, graph, vertices, used);
+    if (chain.size() < 2) continue;
+    input.wires.push_back({chain, all_rigid ? 0 : random.pick(tolerances), "wire " + std::to_string(i)});
+  }
+  if (!input.wires.empty()) description += " " + std::to_string(input.wires.size()) + "-wires";
+}
+
+}  // namespace wirewarp::test

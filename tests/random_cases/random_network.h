@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "random_stream.h"
+#include "wirewarp/flatten.h"
+
+namespace wirewarp::test {
+
+/// Adds random seams: walks along edges, shortest paths from border to border, or none.
+void add_random_seams(RandomStream& random, FlattenInput& input, std::string& description);
+
+/// Adds random wires of every kind: walks and shortest paths along edges that no wire has yet, closed ones, ones on
+/// seams and outlines; sometimes very many.
+void add_random_wires(RandomStream& random, FlattenInput& input, std::string& description);
+
+}  // namespace wirewarp::test

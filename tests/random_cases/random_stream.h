@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace wirewarp::test {
+
+/// Random numbers that a seed fixes on every platform: the engine is standardized, the distributions of the standard
+/// library are not.
+class RandomStream {
+ public:
+  explicit RandomStream(std::uint64_t seed) : engine_(seed) {}
+
+  /// In [0, 1).
+  double uniform() { return std::ldexp(static_cast<double>(engine_() >> 11), -53); }
+
+  /// In [low, high).
+  double between(double low, double high) { return low + (high - low) * uniform(); }
+
+  /// In [low, high), every power of ten alike; low > 0.
+  double across_scales(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
+
+  /// In [0, count).
+  int below(int count) { return static_cast<int>(uniform() * count); }
+
+  /// In [low, high].
+  int whole(int low, int high) { return low + below(high - low + 1); }
+
+  bool chance(double probability) { return uniform() < probability; }
+
+  template <typename T>
+  const T& pick(const std::vector<T>& values) {
+    return values[static_cast<std::size_t>(below(static_cast<int>(values.size())))];
+  }
+
+  template <typename T>
+  void shuffle(std::vector<T>& values) {
+    for (int i = static_cast<int>(values.size()) - 1; i > 0; --i) {
+      using std::swap;
+      swap(values[static_cast<std::size_t>(i)], values[static_cast<std::size_t>(below(i + 1))]);
+    }
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+}  // namespace wirewarp::test
