@@ -22,11 +22,8 @@ def strained_pieces(report: dict) -> list[dict]:
 
 def strain_text(name: str, piece: dict) -> str:
     """The sentence of one such piece, called by this name."""
-    return f"Lengths kept, but {name} must {piece_strain_words(piece)}: a seam or a dart there would relieve it"
-
-
-def piece_strain_words(piece: dict) -> str:
-    return strain_words(largest(piece["stretch_max"]), largest(piece["ease_max"]))
+    words = strain_words(largest(piece["stretch_max"]), largest(piece["ease_max"]))
+    return f"Lengths kept, but {name} must {words}: a seam or a dart there would relieve it"
 
 
 def strain_words(stretch: float, ease: float) -> str:

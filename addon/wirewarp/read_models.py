@@ -6,18 +6,21 @@ import numpy as np
 
 from .issues import ObjectError
 from .left_out import left_out
+from .length_units import LengthText
 from .mesh_to_arrays import element_counts, object_to_arrays
 from .model_state import has_changed, model_state
 from .pieces.records import known_pieces
 from .solve_models import Model
 from .targets import check_target
+from .unit_text import length_text
 from .write_flat_object import find_flat_object
 
 
 def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], use_modifiers: bool) -> list[Model]:
     """What cannot be flattened becomes a model with an issue."""
     depsgraph = _updated_depsgraph(context, use_modifiers)
-    return [_read(source, depsgraph) for source in sources]
+    units = length_text(context.scene)
+    return [_read(source, depsgraph, units) for source in sources]
 
 
 def find_source(model: Model) -> bpy.types.Object | None:
@@ -42,7 +45,7 @@ def _updated_depsgraph(context: bpy.types.Context, use_modifiers: bool) -> bpy.t
     return context.evaluated_depsgraph_get() if use_modifiers else None
 
 
-def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None) -> Model:
+def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None, units: LengthText) -> Model:
     use_modifiers = depsgraph is not None
     names = {"object": source.name, "mesh": source.data.name, "with_modifiers": use_modifiers}
     facts = names | {"counts": element_counts(source.data)}
@@ -56,4 +59,4 @@ def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None) -> Mo
     except ObjectError as error:
         issue = error.issue
     notes = left_out(source, arrays, use_modifiers)
-    return Model(source.name_full, facts, state, notes, arrays, known, issue)
+    return Model(source.name_full, facts, state, notes, units, arrays, known, issue)

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report as a table for spreadsheets, in the scene's units."""
+"""The report as a table for spreadsheets, in one unit. No Blender in here."""
 
 import csv
 import io
 from collections.abc import Iterator
 
+from .length_units import LengthText
 from .report_names import open_edges, piece_name, piece_names, pieces_of_wires, side_names
-from .unit_text import LengthText
 
 DIGITS = 6  # after the point
 

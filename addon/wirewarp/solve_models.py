@@ -9,8 +9,10 @@ from typing import Any
 from .flat_mesh import FlatMesh, flat_mesh
 from .flatten_job import FlattenChoices, Progress, flatten_arrays, has_layout
 from .issues import Issue, ObjectError
+from .length_units import LengthText
 from .mesh_to_arrays import MeshArrays
 from .pieces.identity import KnownPieces, PieceIdentity, identify_pieces
+from .plain_sentence import plain_sentence
 from .report import failure_report, object_report
 
 
@@ -26,6 +28,7 @@ class Model:
     facts: dict  # what its report begins with: names and numbers of elements
     state: dict | None  # see model_state; None if it could not be read
     notes: list[str]
+    units: LengthText  # for sentences
     arrays: MeshArrays | None = None
     known: KnownPieces | None = None
     issue: Issue | None = None  # why it cannot be flattened
@@ -75,6 +78,8 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
         outcome = _outcome(model, result, meters)
     outcome.report["options"] = asdict(choices)
     outcome.report["notes"] += model.notes
+    for issue in outcome.report["issues"]:
+        issue["sentence"] = plain_sentence(issue["sentence"], model.units)
     return outcome
 
 

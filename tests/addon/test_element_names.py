@@ -48,3 +48,24 @@ def test_names(addon, sentence, faces, expected):
 )
 def test_counts(addon, sentence, counts, expected):
     assert addon.element_names.count_faces(sentence, counts) == expected
+
+
+@pytest.mark.parametrize(
+    ("sentence", "expected"),
+    [
+        (
+            "The piece around face 0 (24 faces) is a tube: mark a seam, such as along edge 46-47; its outlines, 0.3134 "
+            "long at vertex 3 and 1.2e-05 long at vertex 0, can hold no more than 6.23 % of its area in the plane (a "
+            "distortion of at least 0.875).",
+            "The piece is a tube: mark a seam, such as along edge 46-47; its outlines, 313 mm long at vertex 3 and "
+            "0.012 mm long at vertex 0, can hold no more than 6.23 % of its area in the plane.",
+        ),
+        ("Wire 4 of the piece around face 7 is as long as its outline.", None),
+        ("The outline of the piece around face 7 cannot keep", "The outline of the piece cannot keep"),
+        ("Its outline, 12000 long at vertex 1,", "Its outline, 12000000 mm long at vertex 1,"),
+    ],
+)
+def test_sentences_have_units(addon, sentence, expected):
+    units = addon.length_units.LengthText("mm", 1000.0)
+    expected = expected or "Wire 4 of the piece is as long as its outline."
+    assert addon.plain_sentence.plain_sentence(sentence, units) == expected

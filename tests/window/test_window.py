@@ -27,6 +27,8 @@ def blender_environment(folder: Path) -> dict[str, str]:
         "one_undo_step",
         "one_undo_step_in_edit_mode",
         "auto_update",
+        "report_shows_the_place",
+        "copies_the_report",
     ],
 )
 def test_window(name, tmp_path):

@@ -10,7 +10,7 @@ import drive
 sys.path.insert(0, str(Path(__file__).parent.parent / "addon"))
 
 import wirewarp_addon
-from surfaces import bump, flat_of, grid, mark, on_line, select_edges
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges
 
 window_run = wirewarp_addon.window_run
 
@@ -125,3 +125,33 @@ def auto_update() -> drive.Tour:
     assert bpy.context.mode == "EDIT_MESH"
     yield from redo()
     yield lambda: flat_vertices(bpy.data.objects["Bump"]) == 90
+
+
+def report_shows_the_place() -> drive.Tour:
+    """A button of the report selects in Edit Mode and moves the view there, on the model and on the flat pieces."""
+    source = grid("Bump", bump)
+    mark_seam(source, on_line(0, 0.0))
+    remember()
+    yield from flatten()
+    view = drive.view_area().spaces.active.region_3d
+    for target in (source, flat_of(source)):
+        bpy.context.view_layer.objects.active = target
+        before = view.view_location.copy()
+        with drive.in_view():
+            bpy.ops.mesh.wirewarp_select_result("INVOKE_DEFAULT", True, what="OUTLINE", index=0)
+            assert (bpy.context.mode, bpy.context.object) == ("EDIT_MESH", target)
+        yield lambda before=before: (view.view_location - before).length > 0.2  # a half of the dome, which is 2 wide
+        with drive.in_view():
+            bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def copies_the_report() -> drive.Tour:
+    """As a table to the clipboard, of which there is none without a window."""
+    source = grid("Bump", bump)
+    mark(source, on_line(1, 0.0))
+    yield from flatten()
+    with drive.in_view():
+        bpy.ops.object.wirewarp_copy_report("INVOKE_DEFAULT", True)
+    yield lambda: drive.window_manager().clipboard.startswith("Kind,Name,Piece,Length on model (m)")
+    kinds = [line.split(",")[0] for line in drive.window_manager().clipboard.splitlines()[1:]]
+    assert kinds == ["Wire", "Open edge", "Piece"]

@@ -4,7 +4,8 @@
 import bpy
 
 from ..cloth import percent_text
-from ..unit_text import LengthText, length_text
+from ..length_units import LengthText
+from ..unit_text import length_text
 from .report_rows import PieceRow
 from .report_table import draw_heading, draw_more, draw_select, shown_rows
 from .text import draw_cells, draw_sentence

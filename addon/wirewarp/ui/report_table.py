@@ -3,7 +3,8 @@
 
 import bpy
 
-from ..unit_text import LengthText, length_text
+from ..length_units import LengthText
+from ..unit_text import length_text
 from .report_rows import ReportRow, Side, merged
 from .text import broken, draw_cells, is_wide
 from .tick import green_tick

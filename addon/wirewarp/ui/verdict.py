@@ -3,11 +3,11 @@
 
 from typing import NamedTuple
 
-from ..cloth import piece_strain_words, strained_pieces
-from ..report_file import SHOWN_SENTENCES, kept_text
-from ..report_names import piece_name, piece_names
+from ..cloth import largest, strain_words, strained_pieces
+from ..report_file import kept_text
+from ..report_names import piece_names
 
-SHOWN_NAMES = 12
+SHOWN_NAMES = 4
 
 
 class VerdictLine(NamedTuple):
@@ -27,24 +27,23 @@ def verdict(report: dict) -> list[VerdictLine]:
     if not report["ok"]:
         failed = f"{sum(not piece['ok'] for piece in pieces)} of {count}" if len(pieces) > 1 else "the piece"
         lines.append(VerdictLine(f"Do not cut: {failed} failed", "CANCEL"))
-    lines += _strained_lines(report, strained)
+    if strained:
+        lines.append(_strained_line(report, strained))
     if len(good) == len(pieces):
         lines.append(VerdictLine(f"Ready to cut: {count}, {kept_text([report])}", "TICK"))
     elif good:
-        lines.append(VerdictLine(f"Ready to cut: {_capped(report, good)}", "TICK"))
+        lines.append(VerdictLine(f"Ready to cut: {_others(report, good)}", "TICK"))
     return lines
 
 
-def _strained_lines(report: dict, strained: list[dict]) -> list[VerdictLine]:
-    lines = []
-    for piece in strained[:SHOWN_SENTENCES]:
-        name = piece_name(report, piece["index"])
-        lines.append(VerdictLine(f"{name}: lengths kept, but the cloth must {piece_strain_words(piece)}", "ERROR"))
-    hidden = len(strained) - SHOWN_SENTENCES
-    more = [VerdictLine(f"And {hidden} more: see Area, Stretch below", "BLANK1")] if hidden > 0 else []
-    return lines + more
+def _strained_line(report: dict, strained: list[dict]) -> VerdictLine:
+    names = piece_names(report, [piece["index"] for piece in strained[:SHOWN_NAMES]])
+    hidden = len(strained) - SHOWN_NAMES
+    more = f" and {hidden} more" if hidden > 0 else ""
+    words = strain_words(*(max(largest(piece[name]) for piece in strained) for name in ("stretch_max", "ease_max")))
+    return VerdictLine(f"{names}{more}: lengths kept, but the cloth must {words}", "ERROR")
 
 
-def _capped(report: dict, pieces: list[int]) -> str:
-    hidden = len(pieces) - SHOWN_NAMES
-    return piece_names(report, pieces[:SHOWN_NAMES]) + (f" and {hidden} more" if hidden > 0 else "")
+def _others(report: dict, good: list[int]) -> str:
+    """The good pieces among others."""
+    return piece_names(report, good) if len(good) <= SHOWN_NAMES else f"the other {len(good)} pieces"
