@@ -16,7 +16,7 @@ def ruff() -> Path:
 
 
 def cpp_sources() -> list[Path]:
-    folders = (ROOT / "native", ROOT / "tests" / "native")
+    folders = (ROOT / "native", ROOT / "tests")
     return sorted(p for folder in folders for suffix in ("*.h", "*.cpp") for p in folder.rglob(suffix))
 
 

@@ -26,7 +26,8 @@ def any_marks(raw: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarra
         a, b = bytes_.ConsumeIntInRange(0, count - 1), bytes_.ConsumeIntInRange(0, count - 1)
         if a == b or (b, a) in pairs:
             continue
-        wire_id = bytes_.ConsumeIntInRange(-(2**31), 2**31 - 1) if bytes_.ConsumeBool() else bytes_.ConsumeIntInRange(0, 3)
+        low, high = (-(2**31), 2**31 - 1) if bytes_.ConsumeBool() else (0, 3)
+        wire_id = bytes_.ConsumeIntInRange(low, high)
         (tolerance,) = struct.unpack("f", bytes_.ConsumeBytes(4).ljust(4, b"\0"))
         pairs[a, b] = wire_id, tolerance
     edges = np.array(list(pairs), dtype=np.int32).reshape(-1, 2)

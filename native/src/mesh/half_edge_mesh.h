@@ -3,10 +3,14 @@
 #pragma once
 
 // GCC 12 takes the points that OpenMesh grows its arrays with for uninitialized.
+#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
+#endif
 #include <OpenMesh/Core/Mesh/Traits.hh>
 
 namespace wirewarp {

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Building and testing the core, with expected input and with random one."""
+
+from tools.environment import BUILD, ROOT, require_apt, run, run_quietly, venv
+from tools.package import BUILD_APT, DEBIAN_PYTHON
+
+NATIVE_APT = (*BUILD_APT, "libgtest-dev", "libnlopt-dev", "nlohmann-json3-dev")
+FUZZ_APT = (*BUILD_APT, "clang", "libclang-rt-14-dev")
+ATHERIS = ("atheris==3.0.0", "numpy==1.26.4")  # libFuzzer for Python
+FEW_CASES, MANY_CASES = 1_000, 10_000
+FLATTEN_SECONDS, READER_SECONDS = 600, 120
+
+
+def build_native(preset: str, *targets: str) -> None:
+    run_quietly(f"configuring build/{preset}", ["cmake", "--preset", preset])
+    only = ["--target", *targets] if targets else []
+    run_quietly(f"building build/{preset}", ["cmake", "--build", "--preset", preset, *only])
+
+
+def native_tests(preset: str) -> None:
+    require_apt(*NATIVE_APT)
+    build_native(preset)
+    run(["ctest", "--preset", preset, "-j2", "--progress"])
+
+
+def random_cases(count: int = FEW_CASES) -> None:
+    """The first so many random cases, under the sanitizers."""
+    require_apt(*NATIVE_APT)
+    build_native("asan", "wirewarp_random_cases")
+    run([BUILD / "asan" / "wirewarp_random_cases", "0", str(count)])
+
+
+def fuzz() -> None:
+    """Many random cases, then inputs that a fuzzer finds, to flatten() and to the add-on's reader of wires.
+
+    What a fuzzer has found interesting is kept in build/fuzz, and is where the next run begins.
+    """
+    random_cases(MANY_CASES)
+    require_apt(*FUZZ_APT)
+    build_native("fuzz", "wirewarp_fuzz")
+    corpora = {name: BUILD / "fuzz" / f"{name}_corpus" for name in ("flatten", "reader")}
+    for corpus in corpora.values():
+        corpus.mkdir(exist_ok=True)
+    options = ["-timeout=60", "-print_final_stats=1", f"-artifact_prefix={BUILD / 'fuzz'}/"]
+    run([BUILD / "fuzz" / "wirewarp_fuzz", f"-max_total_time={FLATTEN_SECONDS}", *options, corpora["flatten"]])
+    python = venv("fuzz", DEBIAN_PYTHON, *ATHERIS)
+    reader = ROOT / "tests" / "fuzz" / "fuzz_wire_reader.py"
+    run([python, reader, f"-max_total_time={READER_SECONDS}", *options, corpora["reader"]])
