@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The helper wires of a flattening as points and edges, on the model and on the flat pieces. No Blender in here."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+from .pieces.motion import Motion
 
 
 @dataclass(frozen=True)
@@ -12,16 +15,16 @@ class HelperLines:
     """Point k on the model is point k on the pieces. Helper wires number through all pieces, as in the report."""
 
     on_model: np.ndarray  # (n,3) float64, Blender units, the object's rotation, scale and shear applied
-    on_pieces: np.ndarray  # (n,2) float64, as packed
+    on_pieces: np.ndarray  # (n,2) float64
     edges: np.ndarray  # (k,2) int32
     helper: np.ndarray  # (k,) int32, helper wire of each edge
 
 
-def helper_lines(result: Any) -> HelperLines:  # noqa: ANN401
-    """Of all pieces of a FlattenResult that have a layout."""
+def helper_lines(result: Any, motions: Sequence[Motion]) -> HelperLines:  # noqa: ANN401
+    """Of all pieces of a FlattenResult that have a layout; motions: one per piece, to where it lies."""
     wires = [
-        (wire.points_3d, wire.points_2d)
-        for piece in result.pieces
+        (wire.points_3d, motion(wire.points_2d))
+        for piece, motion in zip(result.pieces, motions, strict=True)
         for wire in piece.helper_wires
         if np.isfinite(wire.points_2d).all()
     ]

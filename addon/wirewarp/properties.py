@@ -84,6 +84,12 @@ class FlattenSettings:
         default=3.0,
         precision=1,
     )
+    keep_places: BoolProperty(
+        name="Keep Places",
+        description="Pieces stay where they lie in the flat object, moved or turned as you have left them; new pieces go "
+        "beside them. Another gap or layout moves them all. Off: all pieces are laid out anew",
+        default=True,
+    )
     mirror: BoolProperty(
         name="Mirrored",
         description="Draw the pieces as seen from inside, from behind the faces, instead of from outside",

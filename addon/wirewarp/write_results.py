@@ -4,13 +4,16 @@
 import bpy
 import numpy as np
 
+from .flat_mesh import FlatMesh
 from .foreach import read
-from .helper_lines import helper_lines
+from .helper_lines import HelperLines, helper_lines
 from .model_maps import model_maps
+from .pieces.keep_places import crowded_note, motions_in_order, pieces_in_place, wants_new_layout
+from .pieces.motion import Motion
 from .pieces.records import write_pieces
 from .properties import FlattenSettings
 from .read_models import find_source
-from .report_store import remember, store
+from .report_store import last_report, remember, store
 from .solve_models import Outcome
 from .wire_attributes import wires_on
 from .wire_names import update_names
@@ -32,10 +35,12 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         if source.data.library is None:
             update_names(source.data, wires_on(source.data))
         write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
-        flat = write_flat_object(context.scene, source, outcome.pieces, arrays)
+        pieces, motions = _place(source, outcome, settings.keep_places)
+        flat = write_flat_object(context.scene, source, pieces, arrays)
         if not settings.use_modifiers:
             _write_to_model(source, outcome, flat, settings.maps_on_model)
-        _write_helper_wires(context.scene, source, outcome, flat, settings.helper_wires)
+        lines = helper_lines(outcome.result, motions) if settings.helper_wires else None
+        _write_helper_wires(context.scene, source, flat, lines)
         context.view_layer.update()
         outcome.report["flat_object"] = flat.name
         outcome.report["notes"] += show_flat_object(context.view_layer, flat)
@@ -53,10 +58,22 @@ def _write_to_model(source: bpy.types.Object, outcome: Outcome, flat: bpy.types.
         remove_model_maps(mesh)
 
 
+def _place(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> tuple[FlatMesh, list[Motion]]:
+    """The pieces where they lay before, if they are to stay there, and how each was moved for that."""
+    options, earlier = outcome.report["options"], find_flat_object(source)
+    if not keep_places or wants_new_layout(options, last_report(source)):
+        earlier = None
+    pieces, motions, crowded = pieces_in_place(outcome.pieces, earlier, options["gap"])
+    if crowded:
+        name_of = {identity.piece_id: identity.name for identity in outcome.identities}
+        outcome.report["notes"].append(crowded_note([name_of[piece_id] for piece_id in crowded]))
+    return pieces, motions_in_order(motions, outcome.identities)
+
+
 def _write_helper_wires(
-    scene: bpy.types.Scene, source: bpy.types.Object, outcome: Outcome, flat: bpy.types.Object, shown: bool
+    scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, lines: HelperLines | None
 ) -> None:
-    if shown:
-        write_helper_wires(our_collection(scene), source, flat, helper_lines(outcome.result))
+    if lines:
+        write_helper_wires(our_collection(scene), source, flat, lines)
     else:
         remove_helper_wires(source, flat)

@@ -171,7 +171,7 @@ def test_notches_lead_into_the_piece_and_stand_at_ends_of_wires(source, tmp_path
         for notch in notches:
             assert steps(notch) == pytest.approx([5], abs=ROUNDED)
             assert min(np.linalg.norm(end - notch[0]) for end in (wire[0], wire[-1])) < ROUNDED
-            assert addon.pattern.interior._depths(notch[1:], outline[:-1], outline[1:])[0] > 2
+            assert addon.pattern.interior._depths(notch[1:], addon.polygons.Segments(outline[:-1], outline[1:]))[0] > 2
 
 
 def test_a_wire_that_ends_at_a_seam_has_a_notch_on_the_other_side_too(tmp_path):

@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 
+from ..polygons import AT_ONCE, Segments, are_inside
 from .pattern import PieceText
 
 WIDE = 3.0  # room for text is sought this much wider than high
@@ -46,34 +47,39 @@ def _turned(
 def innermost_point(outlines: list[np.ndarray], lines_inside: list[np.ndarray]) -> tuple[np.ndarray, float]:
     """About the point (2,) inside closed outlines (k,2) that is farthest from all lines, and its distance."""
     closed = [np.concatenate([outline, outline[:1]]) for outline in outlines]
-    a, b = (np.concatenate([points[side] for points in closed]) for side in (slice(-1), slice(1, None)))
-    low, high = a.min(axis=0), a.max(axis=0)
+    outline, inside = _segments(closed), _segments(lines_inside)
+    low, high = outline.box
     center, reach = (low + high) / 2, (high - low) / 2
     best = -math.inf
     for _ in range(ROUNDS):
         offsets = np.linspace(-1, 1, STEPS + 1)
         x, y = np.meshgrid(center[0] + reach[0] * offsets, center[1] + reach[1] * offsets)
         points = np.column_stack([x.ravel(), y.ravel()])
-        depths = _depths(points, a, b)
-        for line in lines_inside:
-            depths = np.minimum(depths, np.abs(_depths(points, line[:-1], line[1:])))
+        depths = np.minimum(_depths(points, outline), _distances(points, inside))
         if depths.max() > best:
             best, center = float(depths.max()), points[np.argmax(depths)]
         reach = reach * 3 / STEPS
     return center, best
 
 
-def _depths(points: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """(p,) the distance of points (p,2) from the nearest of the segments a to b (s,2); negative outside of them."""
+def _segments(lines: list[np.ndarray]) -> Segments:
+    """Of lines (k,2) from point to point."""
+    nothing = [np.empty((0, 2))]
+    return Segments(*(np.concatenate([line[part] for line in lines] or nothing) for part in (slice(-1), slice(1, None))))
+
+
+def _depths(points: np.ndarray, outline: Segments) -> np.ndarray:
+    """(p,) the distance of points (p,2) from the nearest segment; negative outside of the outline."""
+    nearest = _distances(points, outline)
+    return np.where(are_inside(points, outline), nearest, -nearest)
+
+
+def _distances(points: np.ndarray, segments: Segments) -> np.ndarray:
     nearest = np.full(len(points), np.inf)
-    inside = np.zeros(len(points), dtype=bool)
-    for start in range(0, len(a), 512):  # not all at once, for memory's sake
-        p, q = a[start : start + 512], b[start : start + 512]
-        along, to = q - p, points[:, None] - p
+    step = AT_ONCE // len(points)
+    for start in range(0, len(segments.a), step):
+        a, b = (ends[start : start + step] for ends in segments)
+        along, to = b - a, points[:, None] - a
         share = np.clip((to * along).sum(axis=2) / np.maximum((along**2).sum(axis=1), np.finfo(float).tiny), 0, 1)
         nearest = np.minimum(nearest, np.linalg.norm(to - share[..., None] * along, axis=2).min(axis=1))
-        crosses = (p[:, 1] > points[:, 1:]) != (q[:, 1] > points[:, 1:])
-        with np.errstate(divide="ignore", invalid="ignore"):
-            at = p[:, 0] + (points[:, 1:] - p[:, 1]) / along[:, 1] * along[:, 0]
-        inside ^= (crosses & (points[:, :1] < at)).sum(axis=1) % 2 == 1
-    return np.where(inside, nearest, -nearest)
+    return nearest

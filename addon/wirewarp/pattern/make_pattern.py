@@ -33,7 +33,7 @@ def make_pattern(
     spacing: float,
 ) -> Pattern:
     """flat: in millimeters; labels by piece: the pieces wanted; wire_names by id; seams, spacing: see place_notches."""
-    outline = outline_edges(flat)
+    outline = outline_edges(flat.vertices, flat.loop_vertices, flat.face_sizes, flat.face_piece)
     notches = place_notches(flat, outline, seams, spacing)
     wires = _wires_by_piece(flat, outline.edges, wire_names)
     pieces = []

@@ -5,8 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .flat_pieces import FlatPieces
-
 
 @dataclass(frozen=True)
 class OutlineEdges:
@@ -17,15 +15,18 @@ class OutlineEdges:
     inward: np.ndarray  # (b,2) unit vectors
 
 
-def outline_edges(flat: FlatPieces) -> OutlineEdges:
-    starts = np.cumsum(flat.face_sizes) - flat.face_sizes
-    following = np.arange(1, len(flat.loop_vertices) + 1)
-    following[starts + flat.face_sizes - 1] = starts
-    edges = np.column_stack([flat.loop_vertices, flat.loop_vertices[following]]).astype(np.int64)
-    count = len(flat.vertices)
+def outline_edges(
+    vertices: np.ndarray, loop_vertices: np.ndarray, face_sizes: np.ndarray, face_piece: np.ndarray
+) -> OutlineEdges:
+    """vertices (n,2); loop_vertices (l,): the corners of one face after those of the other; by face: size and piece."""
+    starts = np.cumsum(face_sizes) - face_sizes
+    following = np.arange(1, len(loop_vertices) + 1)
+    following[starts + face_sizes - 1] = starts
+    edges = np.column_stack([loop_vertices, loop_vertices[following]]).astype(np.int64)
+    count = len(vertices)
     lonely = ~np.isin(edges @ (count, 1), edges @ (1, count))
-    edges, piece = edges[lonely], np.repeat(flat.face_piece, flat.face_sizes)[lonely]
-    return OutlineEdges(edges, piece, _inward(flat.vertices, edges, piece))
+    edges, piece = edges[lonely], np.repeat(face_piece, face_sizes)[lonely]
+    return OutlineEdges(edges, piece, _inward(vertices, edges, piece))
 
 
 def _inward(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.ndarray:

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From the flat object of an earlier run to the places of the new pieces."""
+
+from dataclasses import replace
+
+import bpy
+import numpy as np
+
+from ..flat_mesh import FlatMesh
+from ..foreach import read
+from .attribute import PIECE
+from .identity import PieceIdentity
+from .motion import STAY, Motion
+from .places import LaidOut, find_places, laid_out
+
+LAYOUT_OPTIONS = ("gap", "mirror")  # of the report: with other ones the user wants another layout
+
+
+def pieces_in_place(
+    flat: FlatMesh, earlier: bpy.types.Object | None, gap: float
+) -> tuple[FlatMesh, dict[int, Motion], list[int]]:
+    """The pieces where they lie in the flat object `earlier`, if there is one.
+
+    Also how each was moved for it, by its id, and the ids of those that lie elsewhere now because they have grown into
+    others. gap: see find_places.
+    """
+    known = _read(earlier.data) if earlier else None
+    if known is None:
+        return flat, {}, []
+    places = find_places(laid_out(flat), known, gap)
+    vertices = flat.vertices.copy()
+    corner_piece = np.repeat(flat.piece_id, flat.polygon_sizes)
+    for piece_id, motion in places.motions.items():
+        own = np.unique(flat.loop_vertices[corner_piece == piece_id])
+        vertices[own] = motion(vertices[own])
+    return replace(flat, vertices=vertices), places.motions, places.crowded
+
+
+def motions_in_order(motions: dict[int, Motion], identities: list[PieceIdentity]) -> list[Motion]:
+    """One per piece of the result."""
+    return [motions.get(identity.piece_id, STAY) for identity in identities]
+
+
+def wants_new_layout(options: dict, earlier_report: dict | None) -> bool:
+    """Whether a run with these options lays out otherwise than the last one."""
+    before = (earlier_report or {}).get("options", {})
+    return any(options[name] != before.get(name) for name in LAYOUT_OPTIONS)
+
+
+def crowded_note(names: list[str]) -> str:
+    subject = f"{names[0]} has" if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]} have"
+    return f"{subject} grown into other pieces and now {'lies' if len(names) == 1 else 'lie'} beside them."
+
+
+def _read(mesh: bpy.types.Mesh) -> LaidOut | None:
+    """None where the user has left nothing to go by."""
+    places = read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64)
+    if not len(mesh.polygons) or not {"source_vertex", PIECE} <= set(mesh.attributes.keys()):
+        return None
+    if not np.isfinite(places).all():
+        return None
+    return LaidOut(
+        vertices=places,
+        source_vertex=read(mesh.attributes["source_vertex"].data, "value", np.int32),
+        loop_vertices=read(mesh.loops, "vertex_index", np.int32),
+        face_sizes=read(mesh.polygons, "loop_total", np.int32),
+        piece_id=read(mesh.attributes[PIECE].data, "value", np.int32),
+    )
