@@ -18,7 +18,7 @@ class Segments(NamedTuple):
 
 
 def are_inside(points: np.ndarray, outline: Segments) -> np.ndarray:
-    """(p,) bool: whether a ray from each of the points (p,2) to the right crosses the outline an odd number of times."""
+    """(p,) bool: whether a ray from each point (p,2) to the right crosses the outline an odd number of times."""
     inside = np.zeros(len(points), dtype=bool)
     step = max(1, AT_ONCE // max(len(points), 1))
     x, y = points[:, :1], points[:, 1:]

@@ -86,8 +86,8 @@ class FlattenSettings:
     )
     keep_places: BoolProperty(
         name="Keep Places",
-        description="Pieces stay where they lie in the flat object, moved or turned as you have left them; new pieces go "
-        "beside them. Another gap or layout moves them all. Off: all pieces are laid out anew",
+        description="Pieces stay where they lie in the flat object, moved or turned as you have left them; new pieces "
+        "go beside them. Another gap or layout moves them all. Off: all pieces are laid out anew",
         default=True,
     )
     mirror: BoolProperty(

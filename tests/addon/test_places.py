@@ -7,7 +7,19 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, select_edges, select_only
+from surfaces import (
+    bump,
+    edge_lengths,
+    edge_vertices,
+    flat_of,
+    grid,
+    mark,
+    mark_seam,
+    on_line,
+    read,
+    select_edges,
+    select_only,
+)
 
 SEAM = on_line(0, 0.0)
 NEAR = 1e-5  # of coordinates of about 10, in single precision
@@ -78,7 +90,8 @@ def assert_true(source):
 def boxes(source):
     flat = flat_of(source).data
     places = read(flat.vertices, "co", np.float32, 3)[:, :2]
-    return {name: (places[own].min(axis=0), places[own].max(axis=0)) for name in names_of(source) if (own := vertices_of(source, name))}
+    own = {name: places[vertices_of(source, name)] for name in names_of(source)}
+    return {name: (points.min(axis=0), points.max(axis=0)) for name, points in own.items()}
 
 
 def are_apart(first, second):

@@ -64,8 +64,9 @@ def innermost_point(outlines: list[np.ndarray], lines_inside: list[np.ndarray]) 
 
 def _segments(lines: list[np.ndarray]) -> Segments:
     """Of lines (k,2) from point to point."""
-    nothing = [np.empty((0, 2))]
-    return Segments(*(np.concatenate([line[part] for line in lines] or nothing) for part in (slice(-1), slice(1, None))))
+    nothing = np.empty((0, 2))
+    starts, ends = [line[:-1] for line in lines], [line[1:] for line in lines]
+    return Segments(np.concatenate([nothing, *starts]), np.concatenate([nothing, *ends]))
 
 
 def _depths(points: np.ndarray, outline: Segments) -> np.ndarray:

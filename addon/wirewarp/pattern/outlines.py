@@ -39,7 +39,7 @@ def _inward(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.nd
     cross = (a - origin)[:, 0] * (b - origin)[:, 1] - (a - origin)[:, 1] * (b - origin)[:, 0]
     side = np.sign(np.bincount(row, cross))[row]
     left = np.column_stack([-along[:, 1], along[:, 0]])
-    return left * (side / np.linalg.norm(along, axis=1))[:, None]
+    return left * (side / np.maximum(np.linalg.norm(along, axis=1), np.finfo(float).tiny))[:, None]
 
 
 def outline_loops(outline: OutlineEdges, piece: int) -> list[np.ndarray]:

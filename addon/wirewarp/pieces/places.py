@@ -10,7 +10,7 @@ from ..pattern.outlines import outline_edges
 from ..polygons import Segments, overlap
 from .motion import STAY, Motion, fit_motion
 
-LIKE = 0.3  # of a piece's size: where it differs more from the earlier one, its vertices are not the same ones any more
+LIKE = 0.7  # correlation of a piece with the earlier one; below it their vertices are not the same ones any more
 
 
 @dataclass(frozen=True)
@@ -88,9 +88,8 @@ def _fit(now: _Piece, then: _Piece) -> Motion | None:
         return None
     points, places = now.points[rows[0][first]], then.points[rows[1][second]]
     motion = fit_motion(points, places)
-    size = np.sqrt(((places - places.mean(axis=0)) ** 2).sum(axis=1).mean())
-    error = np.sqrt(((motion(points) - places) ** 2).sum(axis=1).mean())
-    return motion if error <= LIKE * size else None
+    moved, goal = (each - each.mean(axis=0) for each in (motion(points), places))
+    return motion if (moved * goal).sum() > LIKE * np.linalg.norm(moved) * np.linalg.norm(goal) else None
 
 
 def _only_once(sources: np.ndarray) -> np.ndarray:
