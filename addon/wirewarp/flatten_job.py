@@ -33,6 +33,8 @@ class FlattenChoices:
     method: str
     fairness: float
     node_weight: str
+    layout: str
+    orientation: str
     gap: float
     mirror: bool
 
@@ -45,11 +47,17 @@ def flatten_arrays(library: ModuleType, arrays: MeshArrays, choices: FlattenChoi
             arrays.triangles,
             seams=arrays.seams,
             wires=[_library_wire(library, wire) for wire in arrays.wires],
-            options=library.Options(**asdict(choices)),
+            options=library.Options(**asdict(choices), grain=_grain_index(arrays)),
             progress=progress,
         )
     except library.FlattenError as error:
         raise ObjectError(issue_of_error(error, arrays)) from error
+
+
+def _grain_index(arrays: MeshArrays) -> int:
+    """Of the grain wire among the wires; -1: there is none, or none any more."""
+    ids = [wire.chain.wire_id for wire in arrays.wires]
+    return ids.index(arrays.grain_wire) if arrays.grain_wire in ids else -1
 
 
 def _library_wire(library: ModuleType, wire: NamedWire) -> Any:  # noqa: ANN401

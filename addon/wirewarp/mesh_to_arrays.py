@@ -38,6 +38,7 @@ class MeshArrays:
     edges: np.ndarray  # (e,2) int32
     seams: np.ndarray  # (k,2) int32
     wires: list[NamedWire]
+    grain_wire: int  # id of the wire that stands upright in its pieces; 0: none was chosen
     piece_ids: np.ndarray  # (f,) int32, of the pieces that the polygons were in when last flattened; 0 none
     regions: FaceRegions
     loose_marks: int  # edges without a face that are marked as wires: they are left out
@@ -125,6 +126,7 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
         wires=_name_wires(
             source.data, chains_of_marks(edges, np.where(in_face, marks.wire_ids, 0), marks.tolerances, vertices)
         ),
+        grain_wire=source.data.wirewarp_grain,
         piece_ids=read_piece_ids(mesh),
         regions=face_regions(source, mesh),
         loose_marks=int(np.count_nonzero(marks.wire_ids[~in_face])),

@@ -74,6 +74,30 @@ class FlattenSettings:
         ],
         default="LENGTH",
     )
+    layout_kind: EnumProperty(
+        name="Layout",
+        description="How the pieces lie beside each other",
+        items=[
+            ("PACKED", "Packed", "Close together in about a square"),
+            ("ROW", "One Row", "Side by side from left to right, standing on one line"),
+        ],
+        default="PACKED",
+    )
+    orientation: EnumProperty(
+        name="Upright",
+        description="What stands upright in each flat piece",
+        items=[
+            (
+                "WIRE",
+                "Grain Wire",
+                "The wire with the arrow in the list of wires; in pieces that it does not cross their first wire, "
+                "and without wires the longest stretch of outline",
+            ),
+            ("BOUNDARY", "Longest Straight Edge", "The longest straight stretch of the outline"),
+            ("UP", "World Up", "What points up on the model, along Z"),
+        ],
+        default="WIRE",
+    )
     gap: FloatProperty(
         name="Gap",
         description="Space between the pieces, in percent of the side of a square as large as all pieces together",
@@ -193,6 +217,9 @@ CLASSES = (WIREWARP_PG_settings, WIREWARP_PG_wire_name, WIREWARP_PG_piece)
 def attach() -> None:
     bpy.types.Scene.wirewarp = PointerProperty(type=WIREWARP_PG_settings)
     bpy.types.Mesh.wirewarp_names = CollectionProperty(type=WIREWARP_PG_wire_name)
+    bpy.types.Mesh.wirewarp_grain = IntProperty(
+        name="Grain Wire", description="Id of the wire that stands upright in the flat pieces it runs through, 0: none"
+    )
     bpy.types.Object.wirewarp_pieces = CollectionProperty(type=WIREWARP_PG_piece)
     bpy.types.Object.wirewarp_active_piece = IntProperty(name="Active Piece", description="In the list of pieces")
     bpy.types.Object.wirewarp_source = PointerProperty(
@@ -212,5 +239,6 @@ def detach() -> None:
     del bpy.types.Object.wirewarp_source
     del bpy.types.Object.wirewarp_active_piece
     del bpy.types.Object.wirewarp_pieces
+    del bpy.types.Mesh.wirewarp_grain
     del bpy.types.Mesh.wirewarp_names
     del bpy.types.Scene.wirewarp

@@ -76,7 +76,7 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
         outcome = Outcome(model, failed_report(model, error.issue))
     else:
         outcome = _outcome(model, result, meters)
-    outcome.report["options"] = asdict(choices)
+    outcome.report["options"] = asdict(choices) | {"grain_wire": model.arrays.grain_wire if model.arrays else 0}
     outcome.report["notes"] += model.notes
     for issue in outcome.report["issues"]:
         issue["sentence"] = plain_sentence(issue["sentence"], model.units)

@@ -197,7 +197,7 @@ def test_a_strip_of_a_cylinder_is_ready_to_cut(addon, tmp_path):
 def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
     arrays = addon.mesh_to_arrays.object_to_arrays(grid("Bump", bump), None)
     identities = [addon.pieces.identity.PieceIdentity(1, "Top")]
-    choices = addon.flatten_job.FlattenChoices("refined", 0.1, "length", 0.03, False)
+    choices = addon.flatten_job.FlattenChoices("refined", 0.1, "length", "packed", "wire", 0.03, False)
 
     def report_of_run(steps):
         left = iter(range(steps, 0, -1))

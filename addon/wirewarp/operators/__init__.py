@@ -6,6 +6,7 @@ from .clear import MESH_OT_wirewarp_clear
 from .copy_report import OBJECT_OT_wirewarp_copy_report
 from .export_svg import OBJECT_OT_wirewarp_export_svg
 from .flatten import OBJECT_OT_wirewarp_flatten
+from .grain_wire import MESH_OT_wirewarp_grain_wire
 from .mark import MESH_OT_wirewarp_mark
 from .seams_from_uv import MESH_OT_wirewarp_seams_from_uv_islands
 from .select_issues import MESH_OT_wirewarp_select_issues
@@ -18,6 +19,7 @@ CLASSES = (
     MESH_OT_wirewarp_mark,
     MESH_OT_wirewarp_clear,
     MESH_OT_wirewarp_change_wire,
+    MESH_OT_wirewarp_grain_wire,
     MESH_OT_wirewarp_select_wire,
     MESH_OT_wirewarp_seams_from_uv_islands,
     MESH_OT_wirewarp_select_issues,

@@ -89,6 +89,8 @@ class FlattenSteps(FlattenSettings):
             method=LIBRARY_METHODS[self.method],
             fairness=self.fairness,
             node_weight=self.node_weight.lower(),
+            layout=self.layout_kind.lower(),
+            orientation=self.orientation.lower(),
             gap=self.gap / 100,
             mirror=self.mirror,
         )

@@ -13,7 +13,8 @@ from .identity import PieceIdentity
 from .motion import STAY, Motion
 from .places import LaidOut, find_places, laid_out
 
-LAYOUT_OPTIONS = ("gap", "mirror")  # of the report: with other ones the user wants another layout
+# Of the report: with other ones the user wants another layout.
+LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "gap", "mirror")
 
 
 def pieces_in_place(

@@ -66,6 +66,10 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
             row.prop(entry, "name", text="")
         else:
             self._change_button(row, name, wire)
+        is_grain = mesh.wirewarp_grain == wire.wire_id
+        row.operator(
+            "mesh.wirewarp_grain_wire", text="", icon="EMPTY_SINGLE_ARROW", depress=is_grain
+        ).edge = wire.edges[0]
 
     def _change_button(self, layout: bpy.types.UILayout, text: str, wire: WireSummary) -> None:
         layout.operator("mesh.wirewarp_change_wire", text=text).edge = wire.edges[0]
