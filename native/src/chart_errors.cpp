@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "check_input/sentence.h"
 #include "feasibility/propose_seams.h"
@@ -12,26 +11,6 @@
 namespace wirewarp {
 
 FlattenError cancelled() { return FlattenError(ErrorCode::cancelled, "Cancelled before this piece was flat."); }
-
-FlattenError infeasible_lengths(const Chart& chart, const WireNetwork& network, const std::vector<Wire>& wires,
-                                const InnerSolution& solution) {
-  std::set<int> in_chart;
-  for (const WirePart& part : chart.wire_parts) {
-    if (part.kind != WireKind::boundary) in_chart.insert(part.wire_index);
-  }
-  const std::string names = in_chart.empty() ? "" : " and " + name_wires(wires, {in_chart.begin(), in_chart.end()});
-  ErrorElements elements;
-  for (const WireEdge& edge : network.edges) {
-    elements.edges.push_back(source_edge(chart, chart.mesh.halfedge_handle(edge.edge, 0)));
-  }
-  elements.faces = chart.source_face;
-  return FlattenError(ErrorCode::infeasible_lengths,
-                      "The outline" + names + " of the piece around face " + std::to_string(chart.source_face.front()) +
-                          " cannot keep " + (in_chart.empty() ? "its length" : "their lengths") +
-                          " in the plane (a gap of " + percent(solution.closure_residual) + " of a loop stays open): " +
-                          (in_chart.empty() ? "" : "clear a wire or ") + "mark another seam.",
-                      elements);
-}
 
 namespace {
 
@@ -72,7 +51,7 @@ std::vector<VertexPair> edges_of(const Chart& chart, const std::vector<ProposedT
 
 }  // namespace
 
-FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires,
+FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, Method method,
                               std::vector<ProposedTolerance> tolerances) {
   const std::string piece = "the piece around face " + std::to_string(chart.source_face.front());
   ErrorElements elements;
@@ -90,9 +69,18 @@ FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires
   }
   elements.edges = edges_of(chart, tolerances);
   const std::string message = "Not all wires of " + piece + " can keep their lengths in the plane: it lies flat " +
-                              name_tolerances(wires, tolerances) + ".";
+                              name_tolerances(wires, tolerances) +
+                              (method == Method::refined ? "." : ", by the refined method.");
   elements.proposed_tolerances = std::move(tolerances);
   return FlattenError(ErrorCode::infeasible_lengths, message, std::move(elements));
+}
+
+FlattenError needs_refinement(const Chart& chart) {
+  return FlattenError(ErrorCode::infeasible_lengths,
+                      "The wires of the piece around face " + std::to_string(chart.source_face.front()) +
+                          " do not close in the plane by their angles alone: take the refined method, which keeps all "
+                          "lengths.",
+                      {{}, {}, chart.source_face});
 }
 
 FlattenError not_solvable(const Chart& chart) {

@@ -2,21 +2,20 @@
 // Why a sound chart has no flat shape.
 #pragma once
 
-#include "inner/inner_problem.h"
+#include "charts/chart.h"
 
 namespace wirewarp {
 
 /// The caller's progress function asked to stop.
 FlattenError cancelled();
 
-/// The outline and the rigid wires contradict one another. solution: of Eq. (1), not feasible.
-FlattenError infeasible_lengths(const Chart& chart, const WireNetwork& network, const std::vector<Wire>& wires,
-                                const InnerSolution& solution);
-
-/// The outline and the wires contradict one another, whatever shape they take. tolerances: that settle it, proven;
-/// empty where the outline contradicts itself, for which a seam is proposed.
-FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires,
+/// The outline and the wires contradict one another, whatever shape they take. tolerances: that settle it, proven with
+/// the refined method; empty where the outline contradicts itself, for which a seam is proposed.
+FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, Method method,
                               std::vector<ProposedTolerance> tolerances);
+
+/// The paper's methods find no angles under which the wires close, although the lengths can be kept.
+FlattenError needs_refinement(const Chart& chart);
 
 /// A factorization broke down.
 FlattenError not_solvable(const Chart& chart);

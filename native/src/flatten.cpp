@@ -40,6 +40,15 @@ void report_solution(const OuterSolution& solution, PieceReport& report) {
   report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
 }
 
+/// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
+FlattenError explain_infeasible(const Chart& chart, const FlattenInput& input, const Options& options,
+                                const ChartRefinement& refined, const std::function<bool()>& go_on) {
+  if (refined.was_stopped) return cancelled();
+  std::vector<ProposedTolerance> tolerances = propose_tolerances(chart, options, refined, go_on);
+  if (!go_on()) return cancelled();
+  return infeasible_wires(chart, input.wires, options.method, std::move(tolerances));
+}
+
 /// WireWarping and WireWarping++: the wires first, the surface follows (II).
 void flatten_by_warping(const Chart& chart, const FlattenInput& input, const Options& options, const GoOn& go_on,
                         Layout& layout) {
@@ -66,7 +75,10 @@ void flatten_by_warping(const Chart& chart, const FlattenInput& input, const Opt
   OuterSolution solution =
       choose_variation(prepared, *warp, bounds, [&] { begin_stage(go_on, "lengths"); });  // II-B, Algorithm 1
   if (!solution.shape.inner.is_feasible) {
-    throw infeasible_lengths(chart, *layout.network, input.wires, solution.shape.inner);
+    const auto may_go_on = [&] { return go_on("lengths"); };
+    const ChartRefinement refined_shape = refine_chart(chart, options, may_go_on);
+    if (refined_shape.shape.is_exact && !refined_shape.was_stopped) throw needs_refinement(chart);
+    throw explain_infeasible(chart, input, options, refined_shape, may_go_on);
   }
   report_solution(solution, layout.report);
   layout.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
@@ -98,15 +110,9 @@ void flatten_by_refining(const Chart& chart, const FlattenInput& input, const Op
   begin_stage(go_on, "shape");
   const StageTimer timer(layout.report.seconds, "shape");
   layout.network = build_wire_network(chart);
-  bool was_stopped = false;
-  const auto may_go_on = [&] { return !(was_stopped = was_stopped || !go_on("shape")); };
+  const auto may_go_on = [&] { return go_on("shape"); };
   ChartRefinement refined = refine_chart(chart, options, may_go_on);
-  if (!refined.shape.is_exact) {
-    std::vector<ProposedTolerance> tolerances;
-    if (!was_stopped) tolerances = propose_tolerances(chart, options, refined, may_go_on);
-    if (was_stopped) throw cancelled();
-    throw infeasible_wires(chart, input.wires, std::move(tolerances));
-  }
+  if (!refined.shape.is_exact) throw explain_infeasible(chart, input, options, refined, may_go_on);
   report_refinement(refined, layout.report);
   layout.variation.assign(refined.shape.variation.begin(), refined.shape.variation.end());
   layout.uv = std::move(refined.shape.uv);

@@ -162,6 +162,25 @@ TEST(LooseLengths, StopsWhenAsked) {
   EXPECT_EQ((loose.uv - start).norm(), 0);
 }
 
+TEST(InfeasibleWires, ThePapersMethodsProposeWhatTheRefinedOneKeeps) {
+  FlattenInput input = test::saddle(4, 0.5);
+  add_edges_as_wires(input, [](const Eigen::Vector3d&) { return true; });
+  for (const Method method : {Method::wirewarping, Method::wirewarp_plus_plus}) {
+    Options options;
+    options.method = method;
+    const Piece refused = flatten(input, options).pieces.at(0);
+    ASSERT_TRUE(is_refused(refused));
+    EXPECT_NE(std::string(refused.error->what()).find("by the refined method"), std::string::npos);
+    ASSERT_FALSE(refused.error->elements.proposed_tolerances.empty());
+    FlattenInput looser = input;
+    for (const ProposedTolerance& p : refused.error->elements.proposed_tolerances) {
+      looser.wires.at(at(p.wire)).tolerance = p.tolerance;
+    }
+    const Piece mended = flatten(looser).pieces.at(0);
+    EXPECT_TRUE(has_exact_lengths(mended)) << mended.error->what();
+  }
+}
+
 TEST(InfeasibleWires, CancellingTheSearchCancelsThePiece) {
   FlattenInput input = test::saddle(4, 0.5);
   add_edges_as_wires(input, [](const Eigen::Vector3d&) { return true; });

@@ -232,6 +232,24 @@ TEST(ProposedSeamsOfATube, ThatIsCutFlattenWithoutDistortion) {
   EXPECT_LT(result.pieces[0].metrics.arap_energy, 1e-12);
 }
 
+TEST(ProposedSeamsOfABand, MendWhatTheOutlinesCouldHold) {
+  // Waistbands, straight and flared, and a belt on a ball: so narrow that their outlines could hold them.
+  const FlattenInput flared = test::make_tube(32, 2, [](double s, double t) {
+    const double radius = 1 - 0.1 * t;
+    return Eigen::Vector3d(radius * std::cos(2 * kPi * s), radius * std::sin(2 * kPi * s), 0.3 * t);
+  });
+  for (FlattenInput input : {test::cylinder_tube(32, 2, 1, 0.3), flared, test::sphere_band(32, 4, 0.2)}) {
+    const FlattenResult folded = flatten(input);
+    ASSERT_TRUE(has_proposal(folded.pieces.at(0)));
+    const ErrorCode code = folded.pieces[0].error->code;
+    EXPECT_TRUE(code == ErrorCode::flipped_faces || code == ErrorCode::overlapping_faces);
+    EXPECT_TRUE(folded.pieces[0].error->has_layout);
+    FlattenResult result;
+    EXPECT_EQ(follow_proposals(input, result), 1);
+    EXPECT_EQ(codes_of(result), std::vector<ErrorCode>{});
+  }
+}
+
 TEST(CutToDisk, CutsEachHandleTwiceAndJoinsTheLoops) {
   FlattenInput two_handles = cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; });
   for (const int dropped_faces : {1, 3}) {  // one loop; two: the first and the last triangle lie apart

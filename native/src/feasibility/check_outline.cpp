@@ -35,10 +35,12 @@ int source_of_loop(const Chart& chart, const OutlineLoop& loop) {
 }
 
 std::string name_loop(const Chart& chart, const OutlineLoop& loop) {
-  return number(loop.length) + " long at " + name_elements("vertex", std::vector<int>{source_of_loop(chart, loop)});
+  return number(loop.length) + " units long at " +
+         name_elements("vertex", std::vector<int>{source_of_loop(chart, loop)});
 }
 
-/// "its outline, 0.4 long at vertex 3," or "its outlines, 0.4 long at vertex 3 and 0.2 long at vertex 7,".
+/// "its outline, 0.4 units long at vertex 3," or "its outlines, 0.4 units long at vertex 3 and 0.2 units long at vertex
+/// 7,".
 std::string name_outlines(const Chart& chart, const std::vector<OutlineLoop>& loops) {
   std::string names = loops.size() == 1 ? "its outline, " : "its outlines, ";
   for (std::size_t i = 0; i < loops.size(); ++i) {

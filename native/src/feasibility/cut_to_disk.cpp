@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "disjoint_sets.h"
-#include "feasibility/shortest_paths.h"
 #include "mesh/geometry.h"
+#include "mesh/shortest_paths.h"
 
 namespace wirewarp {
 namespace {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "feasibility/isoperimetric.h"
-#include "feasibility/shortest_paths.h"
 #include "index.h"
 #include "mesh/geometry.h"
+#include "mesh/shortest_paths.h"
 
 namespace wirewarp {
 namespace {

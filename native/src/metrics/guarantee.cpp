@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "check_input/sentence.h"
+#include "feasibility/propose_seams.h"
 #include "index.h"
 
 namespace wirewarp {
@@ -96,6 +97,18 @@ FlattenError wrong_lengths(const Chart& chart, const std::vector<Wire>& wires, c
                       std::move(elements), true);
 }
 
+/// A piece that lies over itself: a ring is to be cut open, anything else as the remedy says.
+FlattenError folded(ErrorCode code, const Chart& chart, const std::vector<int>& faces, const std::string& what,
+                    std::string remedy) {
+  ErrorElements elements{{}, {}, faces};
+  if (chart.boundary_loops.size() > 1) {
+    elements.proposed_seams = propose_seams(chart);
+    remedy = "mark a seam from one of its outlines to the next, such as along " +
+             name_elements("edge", elements.proposed_seams) + ".";
+  }
+  return FlattenError(code, what + ": " + remedy, std::move(elements), true);
+}
+
 }  // namespace
 
 std::optional<FlattenError> check_guarantee(const Chart& chart, const WireNetwork& network,
@@ -106,17 +119,16 @@ std::optional<FlattenError> check_guarantee(const Chart& chart, const WireNetwor
   if (!wrong.empty() || !beyond.empty()) return wrong_lengths(chart, wires, wrong, beyond, metrics);
 
   if (!metrics.flipped_faces.empty()) {
-    return FlattenError(ErrorCode::flipped_faces,
-                        "The piece is turned over at " + name_elements("face", metrics.flipped_faces) +
-                            also(0, metrics.overlapping_faces.size()) + ": add a seam or a dart there" +
-                            (has_wires(chart) ? ", or remove or loosen a wire nearby." : "."),
-                        {{}, {}, metrics.flipped_faces}, true);
+    const std::string loosen = has_wires(chart) ? ", or remove or loosen a wire nearby." : ".";
+    return folded(ErrorCode::flipped_faces, chart, metrics.flipped_faces,
+                  "The piece is turned over at " + name_elements("face", metrics.flipped_faces) +
+                      also(0, metrics.overlapping_faces.size()),
+                  "add a seam or a dart there" + loosen);
   }
   if (!metrics.overlapping_faces.empty()) {
-    return FlattenError(ErrorCode::overlapping_faces,
-                        "The piece covers itself at " + name_elements("face", metrics.overlapping_faces) +
-                            ": cut it in two with a seam, or add a dart there.",
-                        {{}, {}, metrics.overlapping_faces}, true);
+    return folded(ErrorCode::overlapping_faces, chart, metrics.overlapping_faces,
+                  "The piece covers itself at " + name_elements("face", metrics.overlapping_faces),
+                  "cut it in two with a seam, or add a dart there.");
   }
   return std::nullopt;
 }

@@ -127,9 +127,4 @@ OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBo
   return can_improve ? improve(warp, bounds, std::move(start), before_evaluation) : start;
 }
 
-OuterSolution improve_variation(Warp& warp, const VariationBounds& bounds, const Eigen::VectorXd& start,
-                                const BeforeEvaluation& before_evaluation) {
-  return improve(warp, bounds, evaluate(warp, start), before_evaluation);
-}
-
 }  // namespace wirewarp

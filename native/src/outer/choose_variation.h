@@ -46,8 +46,4 @@ OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBou
 OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
                                const BeforeEvaluation& before_evaluation);
 
-/// The same from a given start h, one per wire part, within the bounds and with ψ(h) defined.
-OuterSolution improve_variation(Warp& warp, const VariationBounds& bounds, const Eigen::VectorXd& start,
-                                const BeforeEvaluation& before_evaluation);
-
 }  // namespace wirewarp

@@ -2,11 +2,9 @@
 #include "topology/shortest_path.h"
 
 #include <algorithm>
-#include <limits>
-#include <queue>
 #include <stdexcept>
 
-#include "mesh/geometry.h"
+#include "mesh/shortest_paths.h"
 #include "pi.h"
 #include "topology/embed_path.h"
 #include "topology/straightest_geodesic.h"
@@ -41,36 +39,17 @@ bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, Strip& strip, Stri
 std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const WireMask& wires,
                                              const std::vector<VertexHandle>& sources,
                                              const std::vector<char>& is_target) {
-  using Entry = std::pair<double, int>;  // distance, vertex
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  std::vector<double> distance(mesh.n_vertices(), std::numeric_limits<double>::infinity());
-  std::vector<VertexHandle> previous(mesh.n_vertices());
-  for (const VertexHandle v : sources) {
-    distance[at(v.idx())] = 0;
-    queue.emplace(0.0, v.idx());
-  }
-  while (!queue.empty()) {
-    const auto [reached, index] = queue.top();
-    queue.pop();
-    VertexHandle v(index);
-    if (reached > distance[at(index)]) continue;
-    if (is_target[at(index)]) {
-      std::vector<VertexHandle> path;
-      for (; v.is_valid(); v = previous[at(v.idx())]) path.push_back(v);
-      std::reverse(path.begin(), path.end());
-      return path;
-    }
-    for (const HalfedgeHandle h : mesh.voh_range(v)) {
-      const VertexHandle next = mesh.to_vertex_handle(h);
-      const bool is_barrier = wires.has(mesh.edge_handle(h)) || (wires.has(next) && !is_target[at(next.idx())]);
-      const double length = reached + edge_length(mesh, h);
-      if (is_barrier || length >= distance[at(next.idx())]) continue;
-      distance[at(next.idx())] = length;
-      previous[at(next.idx())] = v;
-      queue.emplace(length, next.idx());
-    }
-  }
-  return {};
+  const auto ends_at = [&](VertexHandle v) { return is_target[at(v.idx())] != 0; };
+  const auto may_follow = [&](HalfedgeHandle h) {
+    const VertexHandle next = mesh.to_vertex_handle(h);
+    return !wires.has(mesh.edge_handle(h)) && (!wires.has(next) || ends_at(next));
+  };
+  const ShortestPaths paths = shortest_paths(mesh, sources, {may_follow, ends_at});
+  if (!paths.end.is_valid()) return {};
+  std::vector<VertexHandle> path{paths.end};
+  for (const HalfedgeHandle h : path_back(mesh, paths, paths.end)) path.push_back(mesh.from_vertex_handle(h));
+  std::reverse(path.begin(), path.end());
+  return path;
 }
 
 SurfacePath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path) {

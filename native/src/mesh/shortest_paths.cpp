@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "feasibility/shortest_paths.h"
+#include "mesh/shortest_paths.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <queue>
 
@@ -11,11 +10,12 @@
 
 namespace wirewarp {
 
-ShortestPaths shortest_paths(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& sources) {
+ShortestPaths shortest_paths(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& sources,
+                             const PathRules& rules) {
   using Entry = std::pair<double, int>;  // distance, vertex
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   ShortestPaths paths{std::vector<double>(mesh.n_vertices(), std::numeric_limits<double>::infinity()),
-                      std::vector<HalfedgeHandle>(mesh.n_vertices())};
+                      std::vector<HalfedgeHandle>(mesh.n_vertices()), VertexHandle()};
   for (const VertexHandle v : sources) {
     paths.distance[at(v.idx())] = 0;
     queue.emplace(0.0, v.idx());
@@ -24,10 +24,14 @@ ShortestPaths shortest_paths(const HalfEdgeMesh& mesh, const std::vector<VertexH
     const auto [reached, index] = queue.top();
     queue.pop();
     if (reached > paths.distance[at(index)]) continue;
+    if (rules.ends_at && rules.ends_at(VertexHandle(index))) {
+      paths.end = VertexHandle(index);
+      break;
+    }
     for (const HalfedgeHandle h : mesh.voh_range(VertexHandle(index))) {
       const int next = mesh.to_vertex_handle(h).idx();
       const double length = reached + edge_length(mesh, h);
-      if (length >= paths.distance[at(next)]) continue;
+      if (length >= paths.distance[at(next)] || (rules.may_follow && !rules.may_follow(h))) continue;
       paths.distance[at(next)] = length;
       paths.arrival[at(next)] = h;
       queue.emplace(length, next);
