@@ -77,9 +77,8 @@ FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires
 
 FlattenError needs_refinement(const Chart& chart) {
   return FlattenError(ErrorCode::infeasible_lengths,
-                      "The wires of the piece around face " + std::to_string(chart.source_face.front()) +
-                          " do not close in the plane by their angles alone: take the refined method, which keeps all "
-                          "lengths.",
+                      "Bent first, the wires of the piece around face " + std::to_string(chart.source_face.front()) +
+                          " find no flat shape: take the refined method, which keeps them within their tolerances.",
                       {{}, {}, chart.source_face});
 }
 

@@ -14,7 +14,7 @@ FlattenError cancelled();
 FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, Method method,
                               std::vector<ProposedTolerance> tolerances);
 
-/// The paper's methods find no angles under which the wires close, although the lengths can be kept.
+/// The paper's methods find no angles under which the wires close; the refined one keeps the lengths.
 FlattenError needs_refinement(const Chart& chart);
 
 /// A factorization broke down.

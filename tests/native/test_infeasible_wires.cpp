@@ -178,6 +178,10 @@ TEST(InfeasibleWires, ThePapersMethodsProposeWhatTheRefinedOneKeeps) {
     }
     const Piece mended = flatten(looser).pieces.at(0);
     EXPECT_TRUE(has_exact_lengths(mended)) << mended.error->what();
+    if (method != Method::wirewarping) continue;
+    const Piece still_rigid = flatten(looser, options).pieces.at(0);  // it knows no tolerances
+    ASSERT_TRUE(is_refused(still_rigid));
+    EXPECT_NE(std::string(still_rigid.error->what()).find("take the refined method"), std::string::npos);
   }
 }
 
