@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flattens the benchmark sheet with WireWarp and with libigl's ARAP and SLIM, one after the other, and writes
-docs/benchmarks.md: these times and lengths, and those of the core alone from wirewarp_bench's JSON output.
+docs/benchmarks.md: these times and lengths, those of the core alone from wirewarp_bench's JSON output, and those in
+Blender from that of flatten_in_blender.py.
 
-python bench/compare_peers.py NATIVE_JSON [--triangles N ...] [--output FILE]
+python bench/compare_peers.py NATIVE_JSON BLENDER_JSON [--triangles N ...] [--output FILE]
 """
 
 import argparse
@@ -29,7 +30,7 @@ def commit() -> str:
     return subprocess.check_output(command, text=True).strip()
 
 
-def document(benchmarks: list[dict], comparisons: list[Comparison]) -> str:
+def document(benchmarks: list[dict], in_blender: dict, comparisons: list[Comparison]) -> str:
     return "\n".join(
         [
             "# Benchmarks",
@@ -59,6 +60,14 @@ def document(benchmarks: list[dict], comparisons: list[Comparison]) -> str:
             "Those of WireWarping++ with elastic wires:",
             "",
             *tables.elastic_table(comparisons),
+            "",
+            "## In Blender",
+            "",
+            f"Flatten from end to end in Blender {in_blender['blender']}, against Blender's angle-based unwrap of the "
+            "same sheet, turn by turn in one process on one core; median seconds. Two rigid wires. Reading the model and "
+            "writing UV map, flat pieces and maps as a share of Flatten.",
+            "",
+            *tables.blender_table(in_blender["runs"]),
             "",
             "## Stage by stage",
             "",
@@ -93,6 +102,7 @@ def document(benchmarks: list[dict], comparisons: list[Comparison]) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("native_json", type=Path, help="what wirewarp_bench --benchmark_out=FILE wrote")
+    parser.add_argument("blender_json", type=Path, help="what flatten_in_blender.py wrote")
     parser.add_argument("--triangles", type=int, nargs="+", default=[10_000, 100_000, 1_000_000])
     parser.add_argument("--output", type=Path, default=ROOT / "docs" / "benchmarks.md")
     arguments = parser.parse_args()
@@ -100,7 +110,8 @@ def main() -> None:
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     comparisons = [compare(triangles) for triangles in arguments.triangles]
     benchmarks = json.loads(arguments.native_json.read_text())["benchmarks"]
-    arguments.output.write_text(document(benchmarks, comparisons), encoding="utf-8")
+    in_blender = json.loads(arguments.blender_json.read_text())
+    arguments.output.write_text(document(benchmarks, in_blender, comparisons), encoding="utf-8")
     print(f"wrote {arguments.output}")
 
 

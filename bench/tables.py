@@ -91,6 +91,15 @@ def gradient_table(benchmarks: list[dict]) -> list[str]:
     return table(head, rows)
 
 
+def blender_table(runs: list[dict]) -> list[str]:
+    rows = []
+    for run in runs:
+        flatten, unwrap, ours = run["flatten"], run["unwrap"], run["read_and_write"]
+        times = [f"{seconds:.3g}" for seconds in (flatten, unwrap)]
+        rows.append((f"{run['triangles']:,}", *times, f"{flatten / unwrap:.2f}", f"{100 * ours / flatten:.0f} %"))
+    return table(["triangles", "Flatten", "unwrap", "ratio", "reading and writing"], rows)
+
+
 def peer_table(comparisons: list[Comparison]) -> list[str]:
     rows = []
     for comparison in comparisons:

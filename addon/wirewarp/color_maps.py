@@ -26,10 +26,10 @@ class ColorMap:
         """(k,4) float32 linear RGBA; values beyond the scale get its end's color."""
         stops = np.array(self.stops, dtype=np.float32)
         place = np.clip((values - self.low) / (self.high - self.low), 0, 1) * (len(stops) - 1)
-        lower = np.minimum(place.astype(np.int32), len(stops) - 2)
-        share = (place - lower).astype(np.float32)[:, None]
-        rgb = stops[lower] * (1 - share) + stops[lower + 1] * share
-        return np.column_stack([rgb, np.ones(len(rgb), dtype=np.float32)]).astype(np.float32)
+        colors = np.ones((len(values), 4), dtype=np.float32)
+        for channel in range(3):
+            colors[:, channel] = np.interp(place, np.arange(len(stops)), stops[:, channel])
+        return colors
 
     def number(self, value: float, digits: int = 4) -> str:
         """A value as the scale writes it; of a scale with two sides, with its sign."""

@@ -39,8 +39,17 @@ class FlattenChoices:
     mirror: bool
 
 
-def flatten_arrays(library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, progress: Progress) -> Any:  # noqa: ANN401
-    """The library's FlattenResult. Raises ObjectError if the mesh as a whole is refused."""
+def flatten_arrays(
+    library: ModuleType,
+    arrays: MeshArrays,
+    choices: FlattenChoices,
+    progress: Progress,
+    solved: Any = None,  # noqa: ANN401
+) -> Any:  # noqa: ANN401
+    """The library's FlattenResult; solved: a Cache with pieces that need not be solved again.
+
+    Raises ObjectError if the mesh as a whole is refused.
+    """
     try:
         return library.flatten(
             arrays.vertices,
@@ -49,6 +58,7 @@ def flatten_arrays(library: ModuleType, arrays: MeshArrays, choices: FlattenChoi
             wires=[_library_wire(library, wire) for wire in arrays.wires],
             options=library.Options(**asdict(choices), grain=_grain_index(arrays)),
             progress=progress,
+            cache=solved,
         )
     except library.FlattenError as error:
         raise ObjectError(issue_of_error(error, arrays)) from error

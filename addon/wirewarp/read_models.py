@@ -11,6 +11,7 @@ from .mesh_to_arrays import element_counts, object_to_arrays
 from .model_state import has_changed, model_state
 from .pieces.records import known_pieces
 from .solve_models import Model
+from .solved_pieces import solved_pieces
 from .targets import check_target
 from .unit_text import length_text
 from .write_flat_object import find_flat_object
@@ -49,14 +50,15 @@ def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None, units
     use_modifiers = depsgraph is not None
     names = {"object": source.name, "mesh": source.data.name, "with_modifiers": use_modifiers}
     facts = names | {"counts": element_counts(source.data)}
-    arrays = known = state = issue = None
+    arrays = known = state = solved = issue = None
     try:
         check_target(source, writes_uv=not use_modifiers)
         arrays = object_to_arrays(source, depsgraph)
         # Results with modifiers are not written to the model: only the flat pieces know the last ids.
         known = known_pieces(source, arrays, find_flat_object(source) if use_modifiers else None)
         state = model_state(source)
+        solved = solved_pieces(source)
     except ObjectError as error:
         issue = error.issue
     notes = left_out(source, arrays, use_modifiers)
-    return Model(source.name_full, facts, state, notes, units, arrays, known, issue)
+    return Model(source.name_full, facts, state, notes, units, arrays, known, solved, issue)

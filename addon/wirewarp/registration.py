@@ -3,7 +3,7 @@
 
 import bpy
 
-from . import auto_update, mesh_cache, operators, overlay, properties, report_store, ui, window_run
+from . import auto_update, mesh_cache, operators, overlay, properties, report_store, solved_pieces, ui, window_run
 
 CLASSES = (*properties.CLASSES, *operators.CLASSES, *ui.CLASSES)
 
@@ -24,6 +24,7 @@ def register_ui() -> None:
     overlay.attach()
     ui.tick.attach()
     ui.menus.attach()
+    solved_pieces.attach()
     window_run.attach()
     auto_update.attach()
 
@@ -31,6 +32,7 @@ def register_ui() -> None:
 def unregister_ui() -> None:
     auto_update.detach()
     window_run.detach()
+    solved_pieces.detach()
     ui.menus.detach()
     ui.tick.detach()
     overlay.detach()

@@ -64,8 +64,9 @@ def object_report(
         "seams": [_seam(index, seam, failed, meters) for index, seam in enumerate(result.seams)],
         "wires": wires,
         "issues": [asdict(issue) for issue in issues],
-        "hints": [asdict(hint) for hint in hints],
+        "hints": [dict(vars(hint)) for hint in hints],
         "notes": _notes(method, wires) + _warnings(pieces),
+        "reused_pieces": result.report["reused_pieces"],
         "seconds": dict(result.report["seconds"]),
     }
 

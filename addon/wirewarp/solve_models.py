@@ -31,6 +31,7 @@ class Model:
     units: LengthText  # for sentences
     arrays: MeshArrays | None = None
     known: KnownPieces | None = None
+    solved: Any = None  # wirewarp.Cache, the pieces of the last run
     issue: Issue | None = None  # why it cannot be flattened
 
 
@@ -71,7 +72,7 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
     try:
         if model.issue:
             raise ObjectError(model.issue)
-        result = flatten_arrays(library, model.arrays, choices, progress)
+        result = flatten_arrays(library, model.arrays, choices, progress, model.solved)
     except ObjectError as error:
         outcome = Outcome(model, failed_report(model, error.issue))
     else:

@@ -58,15 +58,17 @@ def _write_colors(
     ends = read(mesh.edges, "vertices", np.int32, 2).ravel()
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
     at_vertex = np.bincount(ends, np.repeat(variation, 2), minlength=len(mesh.vertices)) / edges_at  # their mean
-    for color_map, values in (
-        (ASPECT_RATIO, maps.aspect_ratio[corner_face]),
-        (STRETCH, maps.stretch[corner_face]),
-        (ARAP_ENERGY, maps.energy_density[corner_face]),
-        (LENGTH_VARIATION, at_vertex[corner_vertex]),
+    unplaced = np.flatnonzero(~placed[corner_face])
+    for color_map, values, at_corner in (
+        (ASPECT_RATIO, maps.aspect_ratio, corner_face),
+        (STRETCH, maps.stretch, corner_face),
+        (ARAP_ENERGY, maps.energy_density, corner_face),
+        (LENGTH_VARIATION, at_vertex, corner_vertex),
     ):
-        colors = np.where(placed[corner_face][:, None], color_map.colors(values), NO_LAYOUT)
+        colors = np.take(color_map.colors(values), at_corner, axis=0)
+        colors[unplaced] = NO_LAYOUT
         attribute = mesh.color_attributes.new(prefix + color_map.attribute, "FLOAT_COLOR", "CORNER")
-        attribute.data.foreach_set("color", colors.astype(np.float32).ravel())
+        attribute.data.foreach_set("color", colors.ravel())
 
 
 def _show(mesh: bpy.types.Mesh, name: str) -> None:

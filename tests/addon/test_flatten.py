@@ -339,3 +339,24 @@ def test_the_source_keeps_its_shape_and_selection():
     assert np.array_equal(read(source.data.vertices, "co", np.float32, 3), before)
     assert bpy.context.active_object == source
     assert bpy.context.selected_objects == [source]
+
+
+def test_only_pieces_that_changed_are_solved_again(addon):
+    source = grid("Bump", bump)
+    mark_seam(source, on_line(0, 0.0))
+
+    def reused_pieces():
+        bpy.ops.object.wirewarp_flatten()
+        return addon.report_store.last_report(source)["reused_pieces"]
+
+    assert [reused_pieces(), reused_pieces()] == [0, 2]
+    before = uv_of(source.data)
+    mark(source, on_line(0, 0.5))  # in one of the two
+    assert reused_pieces() == 1
+    mark(source, on_line(0, -0.5))
+    source.scale.x = 1.1
+    assert reused_pieces() == 0
+    assert not np.allclose(uv_of(source.data), before)
+    addon.solved_pieces.detach()  # as another file does
+    addon.solved_pieces.attach()
+    assert reused_pieces() == 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on in Blender's real window on a virtual screen. Each tour of tours.py runs in a Blender of its own."""
+"""The add-on in Blender's real window on a virtual screen. Each tour runs in a Blender of its own."""
 
 import os
 from pathlib import Path
@@ -8,7 +8,6 @@ import pytest
 
 from tools.blender_window import run_tour
 
-TOURS = Path(__file__).with_name("tours.py")
 SECONDS = 400.0  # for a slow machine; a tour takes about ten
 
 
@@ -20,17 +19,29 @@ def blender_environment(folder: Path) -> dict[str, str]:
     return dict(os.environ) | {name: str(folder / part) for name, part in parts.items()}
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
+TOURS = {
+    "tours": [
         "panel_button",
         "one_undo_step",
         "one_undo_step_in_edit_mode",
         "auto_update",
+        "settings_can_be_adjusted_after_a_run",
         "report_shows_the_place",
         "copies_the_report",
     ],
-)
-def test_window(name, tmp_path):
-    code, output = run_tour(TOURS, name, blender_environment(tmp_path), SECONDS)
+    "run_tours": [
+        "escape_cancels",
+        "only_one_run",
+        "a_changed_model_is_not_written",
+        "a_fault_of_the_core_is_told",
+        "another_file_ends_the_run",
+        "unregistering_ends_the_run",
+    ],
+}
+
+
+@pytest.mark.parametrize(("script", "name"), [(script, name) for script, names in TOURS.items() for name in names])
+def test_window(script, name, tmp_path):
+    file = Path(__file__).with_name(f"{script}.py")
+    code, output = run_tour(file, name, blender_environment(tmp_path), SECONDS)
     assert code == 0, output

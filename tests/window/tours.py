@@ -1,52 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tours through Blender's window; test_window.py runs each in a Blender of its own, drive.py drives."""
 
-import sys
-from pathlib import Path
-
 import bpy
 import drive
-
-sys.path.insert(0, str(Path(__file__).parent.parent / "addon"))
-
-import wirewarp_addon
+from stage import contents, flatten, marked_bump, redo, remember, undo, window_run
 from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges
-
-window_run = wirewarp_addon.window_run
-
-
-def contents(source: bpy.types.Object) -> tuple:
-    """All that a run may change in the file."""
-    blocks = (bpy.data.objects, bpy.data.meshes, bpy.data.collections, bpy.data.materials)
-    mesh = source.data
-    return (
-        [sorted(block.name for block in kind) for kind in blocks],
-        [layer.name for layer in mesh.uv_layers],
-        source.get("wirewarp_report"),
-        mesh.get("wirewarp_uv_scale"),
-        sorted(attribute.name for attribute in mesh.attributes),
-    )
-
-
-def remember() -> None:
-    """What a script made is no undo step by itself."""
-    with drive.in_view():
-        bpy.ops.ed.undo_push(message="Made")
-
-
-def flatten() -> drive.Tour:
-    with drive.in_view():
-        bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
-    assert window_run.is_running()
-    yield lambda: not window_run.is_running()
-
-
-def undo() -> drive.Tour:
-    yield from drive.press("Z", ctrl=True)
-
-
-def redo() -> drive.Tour:
-    yield from drive.press("Z", ctrl=True, shift=True)
 
 
 def panel_button() -> drive.Tour:
@@ -58,14 +16,6 @@ def panel_button() -> drive.Tour:
     assert len(flat_of(source).data.polygons) == 64
     yield from drive.ticks(10)
     drive.screenshot("panel_button")
-
-
-def marked_bump() -> bpy.types.Object:
-    """With a wire along its middle."""
-    source = grid("Bump", bump)
-    mark(source, on_line(1, 0.0))
-    remember()
-    return source
 
 
 def one_undo_step() -> drive.Tour:
@@ -125,6 +75,20 @@ def auto_update() -> drive.Tour:
     assert bpy.context.mode == "EDIT_MESH"
     yield from redo()
     yield lambda: flat_vertices(bpy.data.objects["Bump"]) == 90
+
+
+def settings_can_be_adjusted_after_a_run() -> drive.Tour:
+    """A run in the window takes the scene's settings, and Blender can repeat it at once with other ones."""
+    source = marked_bump()
+    bpy.context.scene.wirewarp.mirror = True
+    yield from flatten()
+    last = bpy.context.window_manager.operators[-1]
+    assert (last.bl_idname, last.properties.mirror) == ("OBJECT_OT_wirewarp_flatten", True)
+    assert flat_of(source).data.polygons[0].normal.z < 0
+    last.properties.mirror = False
+    with drive.in_view():
+        bpy.ops.screen.repeat_last()
+    assert flat_of(source).data.polygons[0].normal.z > 0
 
 
 def report_shows_the_place() -> drive.Tour:

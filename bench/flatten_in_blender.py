@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flatten in Blender from end to end against Blender's own angle-based unwrap, turn by turn in one process:
+
+blender --background --factory-startup --python-exit-code 1 --addons wirewarp_addon \\
+    --python bench/flatten_in_blender.py -- OUTPUT.json [TRIANGLES ...]
+"""
+
+import json
+import os
+import statistics
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import bmesh
+import bpy
+import numpy as np
+from wirewarp_addon import core
+from wirewarp_addon.flatten_job import FlattenChoices
+from wirewarp_addon.read_models import read_models
+from wirewarp_addon.solve_models import solve_models
+from wirewarp_addon.write_results import write_results
+
+TURNS = 3
+
+
+def bumpy_sheet(triangles: int) -> bpy.types.Object:
+    """The sheet of native/bench/bumpy_sheet.h with two rigid wires across its middle; active and selected."""
+    n = round((triangles / 2) ** 0.5)
+    side = np.linspace(-1.0, 1.0, n + 1)
+    x, y = (c.ravel() for c in np.meshgrid(side, side))
+    index = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)
+    a, b, c, d = (q.ravel() for q in (index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]))
+    faces = np.stack([np.column_stack([a, b, c]), np.column_stack([a, c, d])], axis=1).reshape(-1, 3)
+    mesh = bpy.data.meshes.new("Sheet")
+    height = 0.3 * np.sin(3.1 * x + 0.4) * np.cos(2.7 * y - 0.3)
+    mesh.from_pydata(np.column_stack([x, y, height]).tolist(), [], faces.tolist())
+    ends = np.empty(2 * len(mesh.edges), dtype=np.int32)
+    mesh.edges.foreach_get("vertices", ends)
+    rows, columns = ends.reshape(-1, 2) // (n + 1), ends.reshape(-1, 2) % (n + 1)
+    wires = np.where((rows == n // 2).all(axis=1), 1, np.where((columns == n // 2).all(axis=1), 2, 0))
+    mesh.attributes.new("wirewarp_wire", "INT", "EDGE").data.foreach_set("value", wires.astype(np.int32))
+    sheet = bpy.data.objects.new("Sheet", mesh)
+    bpy.context.scene.collection.objects.link(sheet)
+    bpy.context.view_layer.update()
+    sheet.select_set(True)
+    bpy.context.view_layer.objects.active = sheet
+    return sheet
+
+
+def seconds_of(work: Callable[[], object]) -> float:
+    begin = time.perf_counter()
+    work()
+    return time.perf_counter() - begin
+
+
+def read_and_write(sheet: bpy.types.Object) -> float:
+    """Seconds, of a sheet that has just been flattened: solving takes the pieces of that run."""
+    context, settings = bpy.context, bpy.context.scene.wirewarp
+    begin = time.perf_counter()
+    models = read_models(context, [sheet], use_modifiers=False)
+    read = time.perf_counter() - begin
+    choices = FlattenChoices(method="refined", fairness=0.1, node_weight="length", gap=0.03, mirror=False)
+    outcomes = solve_models(core.library(), models, choices, 1.0, lambda _stage, _fraction: True)
+    return read + seconds_of(lambda: write_results(context, outcomes, settings))
+
+
+def take_turn(triangles: int) -> dict:
+    """Seconds, in a new file, so that nothing is known of an earlier run."""
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    sheet = bumpy_sheet(triangles)
+    seconds = {"flatten": seconds_of(bpy.ops.object.wirewarp_flatten), "read_and_write": read_and_write(sheet)}
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    seconds["unwrap"] = seconds_of(lambda: bpy.ops.uv.unwrap(method="ANGLE_BASED", margin=0.001))
+    return {"triangles": len(bmesh.from_edit_mesh(sheet.data).faces)} | seconds
+
+
+def compare(triangles: int) -> dict:
+    """Medians."""
+    turns = [take_turn(triangles) for _ in range(TURNS)]
+    return {name: statistics.median(turn[name] for turn in turns) for name in turns[0]}
+
+
+def main() -> None:
+    output, *sizes = sys.argv[sys.argv.index("--") + 1 :]
+    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})  # unwrapping has one thread
+    rows = [compare(int(size)) for size in sizes or ("10000", "100000")]
+    Path(output).write_text(json.dumps({"blender": bpy.app.version_string, "runs": rows}, indent=1), encoding="utf-8")
+
+
+main()

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tours through runs that do not come to their end, or not undisturbed."""
+
+import threading
+import time
+
+import bpy
+import drive
+import wirewarp_addon
+from stage import contents, flatten, marked_bump, remember, window_run
+from surfaces import bump, grid
+
+solve_models = wirewarp_addon.solve_models
+
+
+def threads() -> list[str]:
+    return [thread.name for thread in threading.enumerate() if thread.name == "WireWarp"]
+
+
+def collect_messages() -> list[tuple[str, str]]:
+    """What operators tell the user from now on, with their level."""
+    messages = []
+    steps = wirewarp_addon.operators.flatten_steps.FlattenSteps
+    steps.message = lambda _operator, level, text: messages.append((level, text))
+    return messages
+
+
+def begin_held_run(source: bpy.types.Object) -> threading.Event:
+    """Starts a run that goes on until the event is set, or until it is cancelled."""
+    goes_on, flatten_arrays = threading.Event(), solve_models.flatten_arrays
+
+    def wait_and_flatten(library: object, arrays: object, choices: object, progress: object, solved: object) -> object:
+        while not goes_on.is_set() and progress("shape", 0.4):
+            time.sleep(0.01)
+        return flatten_arrays(library, arrays, choices, progress, solved)
+
+    solve_models.flatten_arrays = wait_and_flatten
+    with drive.in_view():
+        bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
+    solve_models.flatten_arrays = flatten_arrays
+    assert window_run.is_running()
+    return goes_on
+
+
+def escape_cancels() -> drive.Tour:
+    """Esc in a long run leaves the file as it was, and Flatten works again after it."""
+    large = grid("Large", bump, size=300)
+    remember()
+    before, messages = contents(large), collect_messages()
+    with drive.in_view():
+        bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
+    yield from drive.press("ESC")
+    yield lambda: not window_run.is_running()
+    assert contents(large) == before
+    assert messages == [("WARNING", "Flattening was cancelled: nothing was written.")]
+    assert not threads()
+    grid("Bump", bump)
+    yield from flatten()
+    assert "Bump Flat" in bpy.data.objects
+
+
+def only_one_run() -> drive.Tour:
+    """A second run is refused while one is going on; looking around is not, editing is."""
+    source = marked_bump()
+    goes_on = begin_held_run(source)
+    try:
+        bpy.ops.object.wirewarp_flatten()
+    except RuntimeError as error:
+        assert "Flatten is at work" in str(error)
+    else:
+        raise AssertionError("a second run was begun")
+    view = drive.view_area().spaces.active.region_3d
+    assert view.view_perspective == "PERSP"
+    yield from drive.press("NUMPAD_5")
+    yield lambda: view.view_perspective == "ORTHO"
+    yield from drive.press("TAB")
+    yield from drive.ticks(20)
+    assert source.mode == "OBJECT"
+    drive.screenshot("only_one_run")
+    goes_on.set()
+    yield lambda: not window_run.is_running()
+    assert "Bump Flat" in bpy.data.objects
+
+
+def a_changed_model_is_not_written() -> drive.Tour:
+    source = marked_bump()
+    before, messages = contents(source), collect_messages()
+    goes_on = begin_held_run(source)
+    source.data.vertices[40].co.z += 0.01
+    source.data.update()
+    goes_on.set()
+    yield lambda: not window_run.is_running()
+    assert contents(source) == before
+    sentence = '"Bump" changed while it was flattened, nothing was written: flatten again.'
+    assert messages == [("ERROR", sentence)]
+
+
+def a_fault_of_the_core_is_told() -> drive.Tour:
+    """Whatever the thread raises becomes a message; nothing is written."""
+
+    def fail(*_: object) -> None:
+        raise MemoryError("no room for 8 GB")
+
+    solve_models.flatten_arrays = fail
+    source = marked_bump()
+    before, messages = contents(source), collect_messages()
+    yield from flatten()
+    assert contents(source) == before
+    (message,) = messages
+    assert message[0] == "ERROR"
+    assert message[1].startswith("Flattening failed, nothing was written: no room for 8 GB.")
+
+
+def another_file_ends_the_run() -> drive.Tour:
+    begin_held_run(marked_bump())
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    assert not window_run.is_running()
+    assert not threads()
+    yield from drive.ticks(10)
+    grid("Bump", bump)
+    yield from flatten()
+    assert "Bump Flat" in bpy.data.objects
+
+
+def unregistering_ends_the_run() -> drive.Tour:
+    begin_held_run(marked_bump())
+    wirewarp_addon.unregister()
+    assert not threads()
+    yield from drive.ticks(10)
+    wirewarp_addon.register()
+    grid("Bump", bump)
+    yield from flatten()
+    assert "Bump Flat" in bpy.data.objects

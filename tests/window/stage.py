@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the tours have in common: models to flatten, running, undoing, and looking at the file. Runs in Blender."""
+
+import sys
+from pathlib import Path
+
+import bpy
+import drive
+
+sys.path.insert(0, str(Path(__file__).parent.parent / "addon"))
+
+import wirewarp_addon
+from surfaces import bump, grid, mark, on_line
+
+window_run = wirewarp_addon.window_run
+
+
+def contents(source: bpy.types.Object) -> tuple:
+    """All that a run may change in the file."""
+    blocks = (bpy.data.objects, bpy.data.meshes, bpy.data.collections, bpy.data.materials)
+    mesh = source.data
+    return (
+        [sorted(block.name for block in kind) for kind in blocks],
+        [layer.name for layer in mesh.uv_layers],
+        source.get("wirewarp_report"),
+        mesh.get("wirewarp_uv_scale"),
+        sorted(attribute.name for attribute in mesh.attributes),
+    )
+
+
+def remember() -> None:
+    """What a script made is no undo step by itself."""
+    with drive.in_view():
+        bpy.ops.ed.undo_push(message="Made")
+
+
+def flatten() -> drive.Tour:
+    with drive.in_view():
+        bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
+    assert window_run.is_running()
+    yield lambda: not window_run.is_running()
+
+
+def undo() -> drive.Tour:
+    yield from drive.press("Z", ctrl=True)
+
+
+def redo() -> drive.Tour:
+    yield from drive.press("Z", ctrl=True, shift=True)
+
+
+def marked_bump() -> bpy.types.Object:
+    """With a wire along its middle."""
+    source = grid("Bump", bump)
+    mark(source, on_line(1, 0.0))
+    remember()
+    return source
