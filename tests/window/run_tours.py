@@ -8,7 +8,7 @@ import bpy
 import drive
 import wirewarp_addon
 from stage import contents, flatten, marked_bump, remember, window_run
-from surfaces import bump, grid
+from surfaces import bump, flat_of, grid
 
 solve_models = wirewarp_addon.solve_models
 
@@ -25,8 +25,8 @@ def collect_messages() -> list[tuple[str, str]]:
     return messages
 
 
-def begin_held_run(source: bpy.types.Object) -> threading.Event:
-    """Starts a run that goes on until the event is set, or until it is cancelled."""
+def begin_held_run() -> threading.Event:
+    """Starts a run that goes on until the event is set, or until it is cancelled; later runs do so too."""
     goes_on, flatten_arrays = threading.Event(), solve_models.flatten_arrays
 
     def wait_and_flatten(library: object, arrays: object, choices: object, progress: object, solved: object) -> object:
@@ -37,7 +37,6 @@ def begin_held_run(source: bpy.types.Object) -> threading.Event:
     solve_models.flatten_arrays = wait_and_flatten
     with drive.in_view():
         bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
-    solve_models.flatten_arrays = flatten_arrays
     assert window_run.is_running()
     return goes_on
 
@@ -54,15 +53,15 @@ def escape_cancels() -> drive.Tour:
     assert contents(large) == before
     assert messages == [("WARNING", "Flattening was cancelled: nothing was written.")]
     assert not threads()
-    grid("Bump", bump)
+    source = grid("Next", bump)
     yield from flatten()
-    assert "Bump Flat" in bpy.data.objects
+    assert flat_of(source)
 
 
 def only_one_run() -> drive.Tour:
     """A second run is refused while one is going on; looking around is not, editing is."""
     source = marked_bump()
-    goes_on = begin_held_run(source)
+    goes_on = begin_held_run()
     try:
         bpy.ops.object.wirewarp_flatten()
     except RuntimeError as error:
@@ -85,7 +84,7 @@ def only_one_run() -> drive.Tour:
 def a_changed_model_is_not_written() -> drive.Tour:
     source = marked_bump()
     before, messages = contents(source), collect_messages()
-    goes_on = begin_held_run(source)
+    goes_on = begin_held_run()
     source.data.vertices[40].co.z += 0.01
     source.data.update()
     goes_on.set()
@@ -112,22 +111,26 @@ def a_fault_of_the_core_is_told() -> drive.Tour:
 
 
 def another_file_ends_the_run() -> drive.Tour:
-    begin_held_run(marked_bump())
+    marked_bump()
+    goes_on = begin_held_run()
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     assert not window_run.is_running()
     assert not threads()
     yield from drive.ticks(10)
-    grid("Bump", bump)
+    goes_on.set()
+    source = grid("Next", bump)
     yield from flatten()
-    assert "Bump Flat" in bpy.data.objects
+    assert flat_of(source)
 
 
 def unregistering_ends_the_run() -> drive.Tour:
-    begin_held_run(marked_bump())
+    marked_bump()
+    goes_on = begin_held_run()
     wirewarp_addon.unregister()
     assert not threads()
     yield from drive.ticks(10)
     wirewarp_addon.register()
-    grid("Bump", bump)
+    goes_on.set()
+    source = grid("Next", bump)
     yield from flatten()
-    assert "Bump Flat" in bpy.data.objects
+    assert flat_of(source)
