@@ -90,3 +90,22 @@ def test_what_the_caller_leaves_out_is_taken_from_the_scene(addon):
     grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()  # a script's call uses its own properties only
     assert bpy.data.objects["Bump Flat"].data.polygons[0].normal.z > 0
+
+
+def test_menu_entries_take_the_settings_of_the_scene(addon):
+    """As after an entry of Blender's own that is executed and not invoked."""
+    for draw in addon.ui.menus.ADDED.values():
+        contexts = []
+
+        class Layout(SimpleNamespace):
+            def separator(self):
+                pass
+
+            def operator(self, _name, contexts=contexts, **_):
+                contexts.append(self.operator_context)
+                return SimpleNamespace()
+
+        layout = Layout(operator_context="EXEC_REGION_WIN")
+        tools = SimpleNamespace(mesh_select_mode=(False, True, False))
+        draw(SimpleNamespace(layout=layout), SimpleNamespace(tool_settings=tools))
+        assert set(contexts) == {"INVOKE_DEFAULT"}

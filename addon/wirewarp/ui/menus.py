@@ -6,7 +6,7 @@ import bpy
 
 def draw_edge_menu(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
     """Edge (Ctrl+E)."""
-    layout = menu.layout
+    layout = _asking_layout(menu)
     layout.separator()
     layout.operator("mesh.wirewarp_mark", text="Mark Rigid Wire").kind = "RIGID"
     layout.operator("mesh.wirewarp_mark", text="Mark Elastic Wire").kind = "ELASTIC"
@@ -24,12 +24,19 @@ def draw_context_menu(menu: bpy.types.Menu, context: bpy.types.Context) -> None:
 
 def draw_flatten_entry(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
     """Object, and UV in Edit Mode."""
-    menu.layout.separator()
-    menu.layout.operator("object.wirewarp_flatten", text="Flatten to Pattern")
+    layout = _asking_layout(menu)
+    layout.separator()
+    layout.operator("object.wirewarp_flatten", text="Flatten to Pattern")
 
 
 def draw_export_entry(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
-    menu.layout.operator("object.wirewarp_export_svg", text="WireWarp Pattern (.svg)")
+    _asking_layout(menu).operator("object.wirewarp_export_svg", text="WireWarp Pattern (.svg)")
+
+
+def _asking_layout(menu: bpy.types.Menu) -> bpy.types.UILayout:
+    """Its operators are invoked: Blender's own entries above may have set that they are executed, with no settings."""
+    menu.layout.operator_context = "INVOKE_DEFAULT"
+    return menu.layout
 
 
 ADDED = {
