@@ -28,7 +28,8 @@ class LabelsOnly:
 def panel_text(addon):
     layout = LabelsOnly()
     region = SimpleNamespace(width=300)
-    preferences = SimpleNamespace(system=SimpleNamespace(ui_scale=1.0))
+    system, styles = SimpleNamespace(ui_scale=1.0), bpy.context.preferences.ui_styles
+    preferences = SimpleNamespace(system=system, ui_styles=styles)
     context = SimpleNamespace(region=region, preferences=preferences)
     addon.ui.panel.VIEW3D_PT_wirewarp_mark.draw(SimpleNamespace(layout=layout), context)
     return layout.text

@@ -163,12 +163,20 @@ def test_the_message_after_flattening_names_the_pieces_that_cloth_cannot_follow(
     ]
 
 
-def test_a_narrow_sidebar_does_not_part_a_number_from_its_percent_sign(addon):
-    system = SimpleNamespace(ui_scale=1.0)
-    for width in range(150, 400, 5):
-        context = SimpleNamespace(region=SimpleNamespace(width=width), preferences=SimpleNamespace(system=system))
-        lines = addon.ui.text.broken(context, strain_sentence("Piece 1", 65))
-        assert any("65\N{NO-BREAK SPACE}%" in line for line in lines)
+def test_a_sentence_is_broken_where_it_fills_the_sidebar(addon):
+    text = strain_sentence("Piece 1", 65)
+    styles = bpy.context.preferences.ui_styles
+    for scale in (1.0, 2.0):
+        preferences = SimpleNamespace(system=SimpleNamespace(ui_scale=scale), ui_styles=styles)
+        counts = []
+        for width in range(150, 800, 5):
+            context = SimpleNamespace(region=SimpleNamespace(width=width * scale), preferences=preferences)
+            lines = addon.ui.text.broken(context, text)
+            assert " ".join(lines) == text
+            assert any("65 %" in line for line in lines)  # the number beside its unit
+            counts.append(len(lines))
+        assert counts == sorted(counts, reverse=True)
+        assert (counts[0] > 5, counts[-1]) == (True, 1)
 
 
 def half_sphere(x, y):

@@ -49,7 +49,7 @@ def _draw_entry(
     """The text, and the button that selects what it is about."""
     row = layout.row(align=True)
     placed = _has_place(entry)
-    spare = (16 if what == "ISSUE" else 0) + (22 if placed else 0)
+    spare = (6 if what == "ISSUE" else 0) + (22 if placed else 0)
     draw_sentence(context, row, text, "ERROR" if what == "ISSUE" else "DOT", spare)
     if placed:
         draw_select(row, what, index)

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sentences in a narrow sidebar."""
 
-import textwrap
+from functools import lru_cache
 
+import blf
 import bpy
 
 from .tick import green_tick
 
 WIDE = 330  # in Blender's own pixels; the sidebar starts at half of it
+BESIDE_TEXT = 90  # of the region's width: icon, margins and the tabs
+FONT = 0  # of the user interface
 
 
 def is_wide(context: bpy.types.Context) -> bool:
@@ -29,9 +32,28 @@ def draw_cells(layout: bpy.types.UILayout, label: str, cells: list[str], label_s
 
 
 def broken(context: bpy.types.Context, text: str, spare: int = 0) -> list[str]:
-    """The text in lines that fit the region beside an icon, no number apart from its %; spare: pixels to leave free."""
-    width = (context.region.width / context.preferences.system.ui_scale - 68 - spare) / 6.2
-    return textwrap.wrap(text.replace(" %", "\N{NO-BREAK SPACE}%"), max(12, int(width)))
+    """The text in lines that fit the region beside an icon, no number apart from its %.
+
+    spare: more of Blender's own pixels to leave free.
+    """
+    unit = context.preferences.system.ui_scale
+    points = context.preferences.ui_styles[0].widget.points
+    return _lines(text, context.region.width - (BESIDE_TEXT + spare) * unit, points * unit)
+
+
+@lru_cache(maxsize=1000)
+def _lines(text: str, width: float, size: float) -> list[str]:
+    """Broken at spaces only; width and font size in pixels of the screen."""
+    blf.size(FONT, size)
+    first, *words = text.split(" ")
+    lines = [first]
+    for word in words:
+        longer = f"{lines[-1]} {word}"
+        if word == "%" or blf.dimensions(FONT, longer)[0] <= width:
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    return lines
 
 
 def draw_sentence(
