@@ -9,10 +9,13 @@ from bpy.props import (
     FloatProperty,
     IntProperty,
     PointerProperty,
+    StringProperty,
 )
 
 from .auto_update import note_change
 from .redraw import redraw_views
+from .write_flat_object import find_flat_object
+from .write_texts import rename_text
 
 METHODS = [
     (
@@ -131,6 +134,11 @@ class FlattenSettings:
         "with no other, for the overlay to draw them on the model and on the pieces. They may take any length",
         default=True,
     )
+    piece_texts: BoolProperty(
+        name="Texts",
+        description="Write name and area on each flat piece, as text objects that move with them",
+        default=True,
+    )
     maps_on_model: BoolProperty(
         name="Model Maps",
         description="Write the distortion to the faces and edges of the model too, as attributes and as colors, "
@@ -205,9 +213,16 @@ class WIREWARP_PG_wire_name(bpy.types.PropertyGroup):
     wire_id: IntProperty(name="Wire Id", options={"HIDDEN"})
 
 
-class WIREWARP_PG_piece(bpy.types.PropertyGroup):
-    """The name (PropertyGroup.name) of the piece with this id."""
+def _rename_text(entry: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
+    flat = find_flat_object(entry.id_data)
+    if flat:
+        rename_text(flat, entry.piece_id, entry.name)
 
+
+class WIREWARP_PG_piece(bpy.types.PropertyGroup):
+    """The name of the piece with this id."""
+
+    name: StringProperty(name="Name", description="What the piece is called", update=_rename_text)
     piece_id: IntProperty(name="Piece Id", options={"HIDDEN"})
 
 

@@ -7,12 +7,11 @@ import numpy as np
 from .foreach import read
 from .issues import object_error
 from .model_state import has_changed
-from .pattern.flat_pieces import FlatPieces
 from .pattern.make_pattern import PieceLabel, make_pattern
 from .pattern.pattern import Pattern
+from .read_flat_pieces import read_flat_pieces
 from .report_store import last_report
 from .unit_text import length_text, meters_per_blender_unit
-from .wire_attributes import read_marks
 from .wire_names import names_of
 from .write_flat_object import FLAT_LENGTH, find_flat_object
 
@@ -41,14 +40,14 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: floa
         if piece["has_layout"]
     }
     seams = [seam["edges"] for seam in report["seams"]]
-    pieces = _read_pieces(flat.data, millimeters)
+    pieces = read_flat_pieces(flat.data, millimeters)
     wire_ids = np.unique(pieces.wire_ids[pieces.wire_ids != 0]).tolist()
     return make_pattern(source.name, pieces, labels, names_of(source.data, wire_ids), seams, spacing)
 
 
 def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
     report, flat = last_report(source), find_flat_object(source)
-    if report is None or flat is None or "flat_object" not in report:
+    if report is None or flat is None or not flat.users_scene or "flat_object" not in report:
         raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')
     if has_changed(source, report):
         raise object_error("changed", f'"{source.name}" has changed since it was flattened: flatten it again.')
@@ -72,17 +71,3 @@ def _is_edited(mesh: bpy.types.Mesh, report: dict) -> bool:
     laid_out = read(mesh.attributes[FLAT_LENGTH].data, "value", np.float32)
     change = np.abs(np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1) - laid_out)
     return bool(np.any(change > LENGTH_ERROR * laid_out + PLACE_ERROR * np.abs(places).max()))
-
-
-def _read_pieces(mesh: bpy.types.Mesh, millimeters: float) -> FlatPieces:
-    marks = read_marks(mesh)
-    return FlatPieces(
-        vertices=read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64) * millimeters,
-        source_vertex=read(mesh.attributes["source_vertex"].data, "value", np.int32),
-        loop_vertices=read(mesh.loops, "vertex_index", np.int32),
-        face_sizes=read(mesh.polygons, "loop_total", np.int32),
-        face_piece=read(mesh.attributes["piece"].data, "value", np.int32),
-        edges=read(mesh.edges, "vertices", np.int32, 2),
-        wire_ids=marks.wire_ids,
-        tolerances=marks.tolerances,
-    )

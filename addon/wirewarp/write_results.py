@@ -20,6 +20,7 @@ from .wire_names import update_names
 from .write_flat_object import find_flat_object, our_collection, show_flat_object, write_flat_object
 from .write_helper_wires import remove_helper_wires, write_helper_wires
 from .write_maps import remove_model_maps, write_model_maps
+from .write_texts import remove_texts, write_texts
 from .write_uv import UV_LAYER, write_uv
 
 
@@ -42,6 +43,10 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         lines = helper_lines(outcome.result, motions) if settings.helper_wires else None
         _write_helper_wires(context.scene, source, flat, lines)
         context.view_layer.update()
+        if settings.piece_texts:
+            write_texts(context.scene, flat, outcome.report)
+        else:
+            remove_texts(flat)
         outcome.report["flat_object"] = flat.name
         outcome.report["notes"] += show_flat_object(context.view_layer, flat)
         store(source, outcome.report)

@@ -20,7 +20,7 @@ def source():
     mark(target, ELASTIC, kind="ELASTIC", tolerance=0.05)
     mark(target, FREE, kind="SUPER_ELASTIC")
     target.data.wirewarp_names[0].name = "Waist"
-    bpy.ops.object.wirewarp_flatten()
+    bpy.ops.object.wirewarp_flatten(piece_texts=False)
     return target
 
 

@@ -17,6 +17,7 @@ from ..wire_names import chain_names
 from ..write_flat_object import find_flat_object
 from ..write_helper_wires import find_helper_wires
 from ..write_maps import RANGES
+from ..write_texts import find_texts
 from .gather import gather_lines, gather_triangles, shown_mesh
 from .line_marks import LineMarks, Name, dashes_by_kind, lines_by_kind, seam_line_names, wire_line_names
 from .surface_arrays import ColoredTriangles, Extremes, colored, on_model
@@ -33,7 +34,8 @@ class Lines:
 def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
     """Seams, wires and helper wires of a model or of flat pieces. Raises ObjectError as gather_lines does."""
     lines = lines_of(target, gather_lines(target, depsgraph))
-    if target.wirewarp_source and target.mode == "OBJECT" and PIECE in target.data.attributes:
+    has_pieces = target.wirewarp_source and target.mode == "OBJECT" and PIECE in target.data.attributes
+    if has_pieces and not find_texts(target):
         lines.names[:0] = _piece_names(target)
     helpers = find_helper_wires(target)
     if helpers:

@@ -5,13 +5,15 @@ import math
 
 import numpy as np
 
-from ..polygons import AT_ONCE, Segments, are_inside
+from ..polygons import Segments, are_inside
 from .pattern import PieceText
 
 WIDE = 3.0  # room for text is sought this much wider than high
 LETTER, LINE = 0.62, 1.35  # width of a letter and distance of lines, by the height of the text
+NEARLY = 0.6  # as high as upright: level text is easier to read
 SMALL = 0.4  # of the largest height: rather than smaller, text is written over lines
-STEPS, ROUNDS = 24, 5
+STEPS, ROUNDS = 10, 4
+SAMPLES = 160  # points on the outline from which distances are measured: text need not fit to the last
 
 
 def place_text(
@@ -28,8 +30,11 @@ def place_text(
 def _place(
     lines: tuple[str, ...], outlines: list[np.ndarray], lines_inside: list[np.ndarray], largest: float
 ) -> PieceText:
-    candidates = [_turned(lines, outlines, lines_inside, largest, angle) for angle in (0.0, 90.0)]
-    return max(candidates, key=lambda text: text.height)
+    level = _turned(lines, outlines, lines_inside, largest, 0.0)
+    if level.height >= NEARLY * largest:
+        return level
+    upright = _turned(lines, outlines, lines_inside, largest, 90.0)
+    return level if level.height >= NEARLY * upright.height else upright
 
 
 def _turned(
@@ -47,7 +52,10 @@ def _turned(
 def innermost_point(outlines: list[np.ndarray], lines_inside: list[np.ndarray]) -> tuple[np.ndarray, float]:
     """About the point (2,) inside closed outlines (k,2) that is farthest from all lines, and its distance."""
     closed = [np.concatenate([outline, outline[:1]]) for outline in outlines]
-    outline, inside = _segments(closed), _segments(lines_inside)
+    spacing = sum(float(_steps(outline).sum()) for outline in closed) / SAMPLES
+    sampled = [_sampled(outline, spacing) for outline in closed]
+    outline = Segments(*(np.concatenate([line[part] for line in sampled]) for part in (slice(-1), slice(1, None))))
+    obstacles = np.concatenate([*sampled, *(_sampled(line, spacing) for line in lines_inside)])
     low, high = outline.box
     center, reach = (low + high) / 2, (high - low) / 2
     best = -math.inf
@@ -55,32 +63,27 @@ def innermost_point(outlines: list[np.ndarray], lines_inside: list[np.ndarray]) 
         offsets = np.linspace(-1, 1, STEPS + 1)
         x, y = np.meshgrid(center[0] + reach[0] * offsets, center[1] + reach[1] * offsets)
         points = np.column_stack([x.ravel(), y.ravel()])
-        depths = np.minimum(_depths(points, outline), _distances(points, inside))
-        if depths.max() > best:
-            best, center = float(depths.max()), points[np.argmax(depths)]
+        points = points[are_inside(points, outline)]
+        if len(points):
+            depths = _distances(points, obstacles)
+            if depths.max() > best:
+                best, center = float(depths.max()), points[np.argmax(depths)]
         reach = reach * 3 / STEPS
-    return center, best
+    return center, math.sqrt(max(best**2 - (spacing / 2) ** 2, 0.0))  # between two samples the line may be nearer
 
 
-def _segments(lines: list[np.ndarray]) -> Segments:
-    """Of lines (k,2) from point to point."""
-    nothing = np.empty((0, 2))
-    starts, ends = [line[:-1] for line in lines], [line[1:] for line in lines]
-    return Segments(np.concatenate([nothing, *starts]), np.concatenate([nothing, *ends]))
+def _steps(line: np.ndarray) -> np.ndarray:
+    return np.linalg.norm(np.diff(line, axis=0), axis=1)
 
 
-def _depths(points: np.ndarray, outline: Segments) -> np.ndarray:
-    """(p,) the distance of points (p,2) from the nearest segment; negative outside of the outline."""
-    nearest = _distances(points, outline)
-    return np.where(are_inside(points, outline), nearest, -nearest)
+def _sampled(line: np.ndarray, spacing: float) -> np.ndarray:
+    """Points (m,2) on the line (k,2), its ends among them, at equal distances of at most `spacing`."""
+    along = np.concatenate([[0], np.cumsum(_steps(line))])
+    at = np.linspace(0, along[-1], math.ceil(along[-1] / spacing) + 1)
+    return np.column_stack([np.interp(at, along, column) for column in line.T])
 
 
-def _distances(points: np.ndarray, segments: Segments) -> np.ndarray:
-    nearest = np.full(len(points), np.inf)
-    step = AT_ONCE // len(points)
-    for start in range(0, len(segments.a), step):
-        a, b = (ends[start : start + step] for ends in segments)
-        along, to = b - a, points[:, None] - a
-        share = np.clip((to * along).sum(axis=2) / np.maximum((along**2).sum(axis=1), np.finfo(float).tiny), 0, 1)
-        nearest = np.minimum(nearest, np.linalg.norm(to - share[..., None] * along, axis=2).min(axis=1))
-    return nearest
+def _distances(points: np.ndarray, obstacles: np.ndarray) -> np.ndarray:
+    """(p,) of points (p,2) from the nearest of the obstacles (o,2)."""
+    x, y = (points[:, axis, None] - obstacles[:, axis] for axis in (0, 1))
+    return np.sqrt((x * x + y * y).min(axis=1))

@@ -5,15 +5,13 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
-from ..edge_keys import edge_keys
-from ..wire_chains import WireChain, chains_of_marks
+from ..wire_chains import WireChain
 from .flat_pieces import FlatPieces
-from .interior import place_text
+from .inner_wires import inner_wires
 from .notches import place_notches
 from .outlines import outline_edges, outline_loops
 from .pattern import Pattern, PatternPiece, PatternWire
+from .texts import piece_texts
 
 TEXT_HEIGHT = 8.0  # at most, in millimeters
 
@@ -35,28 +33,17 @@ def make_pattern(
     """flat: in millimeters; labels by piece: the pieces wanted; wire_names by id; seams, spacing: see place_notches."""
     outline = outline_edges(flat.vertices, flat.loop_vertices, flat.face_sizes, flat.face_piece)
     notches = place_notches(flat, outline, seams, spacing)
-    wires = _wires_by_piece(flat, outline.edges, wire_names)
+    wires = inner_wires(flat, outline)
+    texts = piece_texts(flat, {index: label.lines for index, label in labels.items()}, TEXT_HEIGHT)
     pieces = []
     for index, label in labels.items():
         outlines = [flat.vertices[loop] for loop in outline_loops(outline, index)]
-        inside = wires.get(index, [])
-        text = place_text(label.lines, outlines, [wire.points for wire in inside], TEXT_HEIGHT)
-        pieces.append(PatternPiece(label.name, outlines, inside, notches.get(index, []), text))
+        lines = [
+            PatternWire(wire_names[wire.wire_id], _kind(wire), flat.vertices[wire.vertices])
+            for wire in wires.get(index, [])
+        ]
+        pieces.append(PatternPiece(label.name, outlines, lines, notches.get(index, []), texts[index]))
     return Pattern(title, pieces)
-
-
-def _wires_by_piece(flat: FlatPieces, outline: np.ndarray, names: Mapping[int, str]) -> dict[int, list[PatternWire]]:
-    """Wires inside the pieces; on an outline the cut line is there already."""
-    count = len(flat.vertices)
-    on_outline = np.isin(edge_keys(flat.edges, count), edge_keys(outline, count))
-    wire_ids = np.where(on_outline, 0, flat.wire_ids)
-    piece_of_vertex = np.zeros(count, dtype=np.int64)
-    piece_of_vertex[flat.loop_vertices] = np.repeat(flat.face_piece, flat.face_sizes)
-    wires: dict[int, list[PatternWire]] = {}
-    for chain in chains_of_marks(flat.edges, wire_ids, flat.tolerances, flat.vertices):
-        wire = PatternWire(names[chain.wire_id], _kind(chain), flat.vertices[chain.vertices])
-        wires.setdefault(int(piece_of_vertex[chain.vertices[0]]), []).append(wire)
-    return wires
 
 
 def _kind(chain: WireChain) -> str:

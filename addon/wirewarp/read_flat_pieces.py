@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A flat object's mesh to plain arrays."""
+
+import bpy
+import numpy as np
+
+from .foreach import read
+from .pattern.flat_pieces import FlatPieces
+from .wire_attributes import read_marks
+
+
+def read_flat_pieces(mesh: bpy.types.Mesh, scale: float) -> FlatPieces:
+    """In Blender units times `scale`. Of a mesh in Object Mode that has our attributes."""
+    marks = read_marks(mesh)
+    return FlatPieces(
+        vertices=read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64) * scale,
+        source_vertex=read(mesh.attributes["source_vertex"].data, "value", np.int32),
+        loop_vertices=read(mesh.loops, "vertex_index", np.int32),
+        face_sizes=read(mesh.polygons, "loop_total", np.int32),
+        face_piece=read(mesh.attributes["piece"].data, "value", np.int32),
+        edges=read(mesh.edges, "vertices", np.int32, 2),
+        wire_ids=marks.wire_ids,
+        tolerances=marks.tolerances,
+    )

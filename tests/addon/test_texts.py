@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Name and area on each flat piece."""
+
+import bpy
+import numpy as np
+import pytest
+from mathutils import Vector
+from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_only
+
+
+@pytest.fixture
+def source():
+    """Two pieces with a wire through both; a Blender unit is 100 mm."""
+    units = bpy.context.scene.unit_settings
+    units.scale_length, units.length_unit = 0.1, "MILLIMETERS"
+    target = grid("Bump", bump)
+    mark_seam(target, on_line(0, 0.0))
+    mark(target, on_line(1, 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    return target
+
+
+def flatten(source, **settings):
+    select_only(source)
+    bpy.ops.object.wirewarp_flatten(**settings)
+
+
+def texts():
+    return {target.data.body.split("\n")[0]: target for target in bpy.data.objects if target.type == "FONT"}
+
+
+def corners(text):
+    """On the plane of the flat object."""
+    bpy.context.view_layer.update()
+    return [(text.matrix_local @ Vector(corner)).to_2d() for corner in text.bound_box]
+
+
+def outline_of(source, addon, name):
+    index = [entry.name for entry in source.wirewarp_pieces].index(name)
+    flat = addon.read_flat_pieces.read_flat_pieces(flat_of(source).data, 1.0)
+    outlines = addon.pattern.outlines
+    outline = outlines.outline_edges(flat.vertices, flat.loop_vertices, flat.face_sizes, flat.face_piece)
+    a, b = outline.edges[outline.piece == index].T
+    return addon.polygons.Segments(flat.vertices[a], flat.vertices[b])
+
+
+def test_each_piece_has_a_text_with_its_name_and_area_inside_its_outline(source, addon):
+    report = addon.report_store.last_report(source)
+    assert sorted(texts()) == ["Top Left", "Top Right"]
+    for piece in report["pieces"]:
+        text = texts()[piece["name"]]
+        assert text.data.body.split("\n")[1] == f"{100 * piece['area_2d']:.1f} cm²"
+        outline = outline_of(source, addon, piece["name"])
+        assert addon.polygons.are_inside(np.array(corners(text)), outline).all()
+        assert text.parent == flat_of(source)
+        assert [collection.name for collection in text.users_collection] == ["WireWarp"]
+        height = np.ptp(np.array(corners(text)), axis=0).min()
+        assert height > 0.05  # of a piece of 1 by 2: to be read
+
+
+def test_a_text_keeps_off_the_wire(source):
+    flat = flat_of(source).data
+    wire = read(flat.attributes["wirewarp_wire"].data, "value", np.int32) != 0
+    places = read(flat.vertices, "co", np.float32, 3)[read(flat.edges, "vertices", np.int32, 2)[wire]][:, :, :2]
+    for text in texts().values():
+        low, high = np.min(corners(text), axis=0), np.max(corners(text), axis=0)
+        assert not np.any(np.all((places.max(axis=1) > low) & (places.min(axis=1) < high), axis=1))
+
+
+def test_a_narrow_upright_piece_has_an_upright_text(addon):
+    vertices = [(x, y, 0) for y in range(21) for x in (0, 1)]
+    strip = make_object("Strip", vertices, [[2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2] for k in range(20)])
+    mark(strip, lambda a, b: a.x == b.x == 0)
+    bpy.ops.object.wirewarp_flatten()
+    (text,) = texts().values()
+    width, height = np.ptp(np.array(corners(text)), axis=0)
+    assert height > 1.2 * width
+    assert addon.polygons.are_inside(np.array(corners(text)), outline_of(strip, addon, "Top")).all()
+
+
+def test_texts_are_replaced_renamed_and_switched_off(source):
+    before = len(bpy.data.objects), len(bpy.data.curves)
+    flatten(source)
+    assert (len(bpy.data.objects), len(bpy.data.curves)) == before
+    next(entry for entry in source.wirewarp_pieces if entry.name == "Top Left").name = "Sleeve"
+    assert sorted(texts()) == ["Sleeve", "Top Right"]
+    area = texts()["Sleeve"].data.body.split("\n")[1]
+    assert area.endswith(" cm²")
+    flatten(source, piece_texts=False)
+    assert texts() == {}
+    assert not bpy.data.curves
+
+
+def test_texts_of_a_deleted_flat_object_go_with_the_next_run(source):
+    select_only(flat_of(source))
+    bpy.ops.object.delete()
+    flatten(source)
+    assert len(texts()) == 2
+    assert all(text.parent == flat_of(source) for text in texts().values())
+
+
+def test_the_overlay_writes_no_names_where_texts_stand(source, addon):
+    def shown():
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        return {name.text for name in addon.overlay.object_drawing.marked_lines(flat_of(source), depsgraph).names}
+
+    assert not {"Top Left", "Top Right"} & shown()
+    flatten(source, piece_texts=False)
+    assert {"Top Left", "Top Right"} <= shown()
+
+
+def test_very_many_pieces_get_no_texts_and_that_is_said(addon):
+    source = grid("Tiles", bump, size=15)
+    source.data.edges.foreach_set("use_seam", [True] * len(source.data.edges))
+    bpy.ops.object.wirewarp_flatten()
+    assert texts() == {}
+    assert addon.report_store.last_report(source)["notes"] == ["Texts are written on up to 200 pieces, these are 225."]
