@@ -14,16 +14,19 @@ from .issues import Hint
 from .mesh_to_arrays import MeshArrays
 from .strain import PieceStrain, connected_regions
 from .tolerance_text import tolerance_text
+from .triangle_areas import triangle_areas
 
 # Where a dart is worth a thought: pieces are cut beyond it too, but no longer lie on the model without being pulled.
 # A plain limit for cloth of which nothing is known; what gives more, like neoprene, needs no dart there.
 STRAIN_LIMIT = 0.08
-MOST_REGIONS = 4  # of all pieces: the rest is less than the least of these
+LARGEST_SHARE = 0.25  # of the area of a piece: where more is strained, only the worst of it is a place to point at
+MOST_REGIONS = 4  # of all pieces
+LEAST_AMOUNT = 0.1  # of the greatest: the others are single faces, or not worth words
 
 
 @dataclass(frozen=True)
 class Region:
-    """Triangles of one piece that hang together and must stretch or ease more than the limit."""
+    """Triangles of one piece that hang together and must stretch or ease more than the limit, or the worst of them."""
 
     piece: int
     triangles: np.ndarray  # of the input
@@ -50,6 +53,7 @@ def strain_hints(pieces: Sequence[Any], strains: Sequence[PieceStrain | None], a
             faces=polygons_of(arrays, region.triangles),
         )
         for region in regions[:MOST_REGIONS]
+        if region.amount >= LEAST_AMOUNT * regions[0].amount
         for words in [strain_words(region.stretch, region.ease)]
     ]
 
@@ -71,7 +75,7 @@ def wire_hints(wires: list[dict]) -> list[Hint]:
 
 def _regions(index: int, piece: Any, strain: PieceStrain, arrays: MeshArrays) -> list[Region]:  # noqa: ANN401
     worst = np.maximum(strain.stretch, strain.ease)
-    areas = _areas(arrays.vertices[arrays.triangles[piece.source_face]])
+    areas = triangle_areas(arrays.vertices, arrays.triangles[piece.source_face])
     return [
         Region(
             piece=index,
@@ -80,9 +84,12 @@ def _regions(index: int, piece: Any, strain: PieceStrain, arrays: MeshArrays) ->
             ease=float(strain.ease[members].max()),
             amount=float(worst[members] @ areas[members]),
         )
-        for members in connected_regions(piece, worst > STRAIN_LIMIT)
+        for members in connected_regions(piece, (worst > STRAIN_LIMIT) & (worst >= _worst_part(worst, areas)))
     ]
 
 
-def _areas(corners: np.ndarray) -> np.ndarray:
-    return np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+def _worst_part(strain: np.ndarray, areas: np.ndarray) -> float:
+    """The strain from which on triangles make up the largest share that a place may have."""
+    order = np.argsort(-strain)
+    inside = np.searchsorted(np.cumsum(areas[order]), LARGEST_SHARE * areas.sum())
+    return strain[order[min(inside, len(order) - 1)]]

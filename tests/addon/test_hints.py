@@ -90,6 +90,15 @@ def test_the_places_of_most_strain_are_named_largest_first(addon):
         assert 0 < len(hint["faces"]) < len(target.data.polygons) / 2
 
 
+def test_where_all_of_a_piece_is_strained_the_worst_is_pointed_at(addon):
+    target = grid("Dome", lambda x, y: (x, y, 2.5 * (1 - x * x) * (1 - y * y)), size=16)
+    report = flattened(addon, target)
+    assert report["pieces"][0]["area_3d"] > 2 * 4  # on a square of 4: more than the limit is missing nearly everywhere
+    pointed_at = [face for hint in report["hints"] for face in hint["faces"]]
+    assert 0 < len(pointed_at) < 0.5 * len(target.data.polygons)
+    assert set(report["pieces"][0]["stretch_faces"]) & set(pointed_at)
+
+
 def test_developable_pieces_need_no_advice(addon):
     report = flattened(addon, grid("Half Cylinder", half_cylinder))
     assert report["hints"] == []
