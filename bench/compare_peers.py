@@ -64,8 +64,8 @@ def document(benchmarks: list[dict], in_blender: dict, comparisons: list[Compari
             "## In Blender",
             "",
             f"Flatten from end to end in Blender {in_blender['blender']}, against Blender's angle-based unwrap of the "
-            "same sheet, turn by turn in one process on one core; median seconds. Two rigid wires. Reading the model "
-            "and writing UV map, flat pieces and maps as a share of Flatten.",
+            "same sheet, turn by turn in one process on one core; median seconds. Two rigid wires. Flatten reads "
+            "the model, solves, the report included, and writes UV map, flat pieces and maps.",
             "",
             *tables.blender_table(in_blender["runs"]),
             "",

@@ -17,7 +17,7 @@ import bmesh
 import bpy
 import numpy as np
 from wirewarp_addon import core
-from wirewarp_addon.flatten_job import FlattenChoices
+from wirewarp_addon.properties import choices_of
 from wirewarp_addon.read_models import read_models
 from wirewarp_addon.solve_models import solve_models
 from wirewarp_addon.write_results import write_results
@@ -55,26 +55,33 @@ def seconds_of(work: Callable[[], object]) -> float:
     return time.perf_counter() - begin
 
 
-def read_and_write(sheet: bpy.types.Object) -> float:
-    """Seconds, of a sheet that has just been flattened: solving takes the pieces of that run."""
-    context, settings = bpy.context, bpy.context.scene.wirewarp
-    begin = time.perf_counter()
-    models = read_models(context, [sheet], use_modifiers=False)
-    read = time.perf_counter() - begin
-    choices = FlattenChoices(method="refined", fairness=0.1, node_weight="length", gap=0.03, mirror=False)
-    outcomes = solve_models(core.library(), models, choices, 1.0, lambda _stage, _fraction: True)
-    return read + seconds_of(lambda: write_results(context, outcomes, settings))
-
-
-def take_turn(triangles: int) -> dict:
-    """Seconds, in a new file, so that nothing is known of an earlier run."""
+def new_sheet(triangles: int) -> bpy.types.Object:
+    """In a new file, so that nothing is known of an earlier run."""
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    sheet = bumpy_sheet(triangles)
-    seconds = {"flatten": seconds_of(bpy.ops.object.wirewarp_flatten), "read_and_write": read_and_write(sheet)}
+    return bumpy_sheet(triangles)
+
+
+def seconds_of_steps(sheet: bpy.types.Object) -> dict[str, float]:
+    """What the operator does, step by step."""
+    context, settings = bpy.context, bpy.context.scene.wirewarp
+    marks = [time.perf_counter()]
+    models = read_models(context, [sheet], use_modifiers=False)
+    marks.append(time.perf_counter())
+    outcomes = solve_models(core.library(), models, choices_of(settings), 1.0, lambda _stage, _fraction: True)
+    marks.append(time.perf_counter())
+    write_results(context, outcomes, settings)
+    marks.append(time.perf_counter())
+    return dict(zip(("read", "solve", "write"), np.diff(marks).tolist(), strict=True))
+
+
+def take_turn(triangles: int) -> dict[str, float]:
+    steps = seconds_of_steps(new_sheet(triangles))
+    sheet = new_sheet(triangles)
+    flatten = seconds_of(bpy.ops.object.wirewarp_flatten)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
-    seconds["unwrap"] = seconds_of(lambda: bpy.ops.uv.unwrap(method="ANGLE_BASED", margin=0.001))
-    return {"triangles": len(bmesh.from_edit_mesh(sheet.data).faces)} | seconds
+    unwrap = seconds_of(lambda: bpy.ops.uv.unwrap(method="ANGLE_BASED", margin=0.001))
+    return {"triangles": len(bmesh.from_edit_mesh(sheet.data).faces), "flatten": flatten, "unwrap": unwrap} | steps
 
 
 def compare(triangles: int) -> dict:

@@ -94,10 +94,10 @@ def gradient_table(benchmarks: list[dict]) -> list[str]:
 def blender_table(runs: list[dict]) -> list[str]:
     rows = []
     for run in runs:
-        flatten, unwrap, ours = run["flatten"], run["unwrap"], run["read_and_write"]
-        times = [f"{seconds:.3g}" for seconds in (flatten, unwrap)]
-        rows.append((f"{run['triangles']:,}", *times, f"{flatten / unwrap:.2f}", f"{100 * ours / flatten:.0f} %"))
-    return table(["triangles", "Flatten", "unwrap", "ratio", "reading and writing"], rows)
+        times = [f"{run[name]:.3g}" for name in ("read", "solve", "write", "flatten", "unwrap")]
+        ratio, share = run["flatten"] / run["unwrap"], (run["read"] + run["write"]) / run["flatten"]
+        rows.append((f"{run['triangles']:,}", *times, f"{ratio:.2f}", f"{100 * share:.0f} %"))
+    return table(["triangles", "reading", "solving", "writing", "Flatten", "unwrap", "ratio", "read and write"], rows)
 
 
 def peer_table(comparisons: list[Comparison]) -> list[str]:

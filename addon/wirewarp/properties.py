@@ -13,6 +13,7 @@ from bpy.props import (
 )
 
 from .auto_update import note_change
+from .flatten_job import FlattenChoices
 from .redraw import redraw_views
 from .write_flat_object import find_flat_object
 from .write_texts import rename_text
@@ -144,6 +145,19 @@ class FlattenSettings:
         description="Write the distortion to the faces and edges of the model too, as attributes and as colors, "
         'named "wirewarp_...". The flat pieces always have them. Not with Modifiers',
         default=False,
+    )
+
+
+def choices_of(settings: FlattenSettings) -> FlattenChoices:
+    """Of the scene's settings, or of an operator's."""
+    return FlattenChoices(
+        method=LIBRARY_METHODS[settings.method],
+        fairness=settings.fairness,
+        node_weight=settings.node_weight.lower(),
+        layout=settings.layout_kind.lower(),
+        orientation=settings.orientation.lower(),
+        gap=settings.gap / 100,
+        mirror=settings.mirror,
     )
 
 

@@ -8,9 +8,8 @@ from pathlib import Path
 import bpy
 
 from .. import core, window_run
-from ..flatten_job import FlattenChoices
 from ..issues import Issue
-from ..properties import LIBRARY_METHODS, FlattenSettings
+from ..properties import FlattenSettings, choices_of
 from ..read_models import is_current, read_models
 from ..redraw import redraw_views
 from ..report_file import run_message, run_report, write_json
@@ -85,16 +84,8 @@ class FlattenSteps(FlattenSettings):
             manager.progress_end()
 
     def _solver(self, context: bpy.types.Context, models: list[Model]) -> Solver:
-        choices = FlattenChoices(
-            method=LIBRARY_METHODS[self.method],
-            fairness=self.fairness,
-            node_weight=self.node_weight.lower(),
-            layout=self.layout_kind.lower(),
-            orientation=self.orientation.lower(),
-            gap=self.gap / 100,
-            mirror=self.mirror,
-        )
-        return partial(solve_models, core.library(), models, choices, meters_per_blender_unit(context.scene))
+        meters = meters_per_blender_unit(context.scene)
+        return partial(solve_models, core.library(), models, choices_of(self), meters)
 
     def _finish_run(self, context: bpy.types.Context) -> set[str]:
         try:
