@@ -76,13 +76,13 @@ def flat_mesh(result: Any, arrays: MeshArrays, identities: Sequence[PieceIdentit
 
 def edge_length_variation(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> np.ndarray:
     """|l2 - l3| / l3 (Eq. 5) of each flat edge (k,2), float32."""
-    flat_length = _edge_lengths(flat.vertices, flat_edges)
-    length = _edge_lengths(arrays.vertices, flat.source_vertex[flat_edges])
+    flat_length = edge_lengths(flat.vertices, flat_edges)
+    length = edge_lengths(arrays.vertices, flat.source_vertex[flat_edges])
     return (np.abs(flat_length - length) / length).astype(np.float32)
 
 
-def _edge_lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """Coordinate by coordinate: rows of two or three numbers are slow to gather."""
+def edge_lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """(k,) between points (n,2) or (n,3); coordinate by coordinate, for rows of two or three are slow to gather."""
     a, b = edges.T
     columns = (np.ascontiguousarray(column) for column in points.T)
     return np.sqrt(sum((column[a] - column[b]) ** 2 for column in columns))

@@ -10,15 +10,16 @@ import numpy as np
 from .foreach import read
 from .issues import ObjectError
 from .mesh_cache import kept
-from .mesh_to_arrays import metric
+from .mesh_to_arrays import MeshArrays, metric
 from .wire_attributes import TOLERANCE, WIRE, read_marks
 
 EDIT_LIMIT = 20_000  # vertices; larger meshes are not compared while in Edit Mode, where reading them is slow
 
 
-def model_state(source: bpy.types.Object) -> dict:
-    """For the report. Of a model in Object Mode."""
-    return _digests(source.data) | {"metric": metric(source).tolist()}
+def model_state(source: bpy.types.Object, base: MeshArrays | None) -> dict:
+    """For the report. Of a model in Object Mode; base: its base mesh, if that has just been read."""
+    shape, marks = _gather(source.data, base)
+    return {"shape": _digest(shape), "marks": _digest(marks), "metric": metric(source).tolist()}
 
 
 def present_state(source: bpy.types.Object) -> dict | None:
@@ -77,14 +78,14 @@ def _digest(arrays: list[np.ndarray]) -> str:
     return digest.hexdigest()
 
 
-def _gather(mesh: bpy.types.Mesh) -> tuple[list[np.ndarray], list[np.ndarray]]:
+def _gather(mesh: bpy.types.Mesh, base: MeshArrays | None = None) -> tuple[list[np.ndarray], list[np.ndarray]]:
     """Coordinates and corners; seams and wires; the same as _gather_edit finds."""
     marks = read_marks(mesh)
     marked = np.flatnonzero(marks.wire_ids).astype(np.int32)
     return [
         read(mesh.vertices, "co", np.float32, 3),
-        read(mesh.loops, "vertex_index", np.int32),
-        read(mesh.polygons, "loop_total", np.int32),
+        base.loop_vertices if base else read(mesh.loops, "vertex_index", np.int32),
+        base.polygon_sizes if base else read(mesh.polygons, "loop_total", np.int32),
     ], [
         np.flatnonzero(read(mesh.edges, "use_seam", bool)).astype(np.int32),
         marked,

@@ -56,7 +56,7 @@ def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None, units
         arrays = object_to_arrays(source, depsgraph)
         # Results with modifiers are not written to the model: only the flat pieces know the last ids.
         known = known_pieces(source, arrays, find_flat_object(source) if use_modifiers else None)
-        state = model_state(source)
+        state = model_state(source, None if use_modifiers else arrays)
         solved = solved_pieces(source)
     except ObjectError as error:
         issue = error.issue

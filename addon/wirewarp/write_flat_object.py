@@ -7,7 +7,7 @@ from mathutils import Vector
 
 from .failed_pieces import show_failed
 from .flat_marks import FlatMarks, flat_marks
-from .flat_mesh import FlatMesh, edge_length_variation
+from .flat_mesh import FlatMesh, edge_length_variation, edge_lengths
 from .foreach import read
 from .mesh_to_arrays import MeshArrays
 from .pieces.attribute import PIECE
@@ -86,10 +86,9 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) 
     _add(mesh, "piece", "INT", "FACE", flat.piece)
     _add(mesh, PIECE, "INT", "FACE", flat.piece_id)
     mesh[FACE_COUNT] = len(arrays.polygon_starts)
-    write_flat_maps(mesh, flat, edge_length_variation(flat, edges, arrays))
+    write_flat_maps(mesh, flat, edges, edge_length_variation(flat, edges, arrays))
     _write_marks(mesh, flat_marks(flat, edges, arrays))
-    ends = flat.vertices[edges]
-    _add(mesh, FLAT_LENGTH, "FLOAT", "EDGE", np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).astype(np.float32))
+    _add(mesh, FLAT_LENGTH, "FLOAT", "EDGE", edge_lengths(flat.vertices, edges).astype(np.float32))
 
 
 def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures as attributes and as colors: on the flat mesh always, on the model if the user wants them there."""
 
+from typing import NamedTuple
+
 import bpy
 import numpy as np
 
 from .color_maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION, NO_LAYOUT, STRETCH
 from .flat_mesh import FlatMesh
-from .foreach import read
+from .mesh_to_arrays import MeshArrays
 from .model_maps import ModelMaps
 
 PREFIX = "wirewarp_"  # of the model's attributes, among which are the user's own
@@ -14,10 +16,19 @@ RANGES = "wirewarp_map_ranges"  # on the flat mesh: the smallest and the largest
 VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "stretch": "FACE", "length_variation": "EDGE"}
 
 
-def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, variation: np.ndarray) -> None:
-    """On a mesh that has none of these attributes. variation: E_L of its edges."""
+class Corners(NamedTuple):
+    """Of a mesh, as known without asking Blender again."""
+
+    face: np.ndarray  # (l,) the face of each corner
+    vertex: np.ndarray  # (l,)
+    edges: np.ndarray  # (e,2)
+
+
+def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, edges: np.ndarray, variation: np.ndarray) -> None:
+    """On a mesh that has none of these attributes. edges: all of its; variation: their E_L."""
+    corners = Corners(np.repeat(np.arange(len(flat.polygon_sizes)), flat.polygon_sizes), flat.loop_vertices, edges)
     _write_values(mesh, "", flat, variation)
-    _write_colors(mesh, "", flat, variation, np.ones(len(mesh.polygons), dtype=bool))
+    _write_colors(mesh, "", flat, variation, corners, np.ones(len(mesh.polygons), dtype=bool))
     values = {ASPECT_RATIO: flat.aspect_ratio, STRETCH: flat.stretch, ARAP_ENERGY: flat.energy_density}
     mesh[RANGES] = {
         color_map.attribute: [float(measured.min()), float(measured.max())]
@@ -26,13 +37,15 @@ def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, variation: np.ndarray)
     _show(mesh, COLOR_MAPS[0].attribute)
 
 
-def write_model_maps(mesh: bpy.types.Mesh, maps: ModelMaps) -> None:
+def write_model_maps(mesh: bpy.types.Mesh, maps: ModelMaps, arrays: MeshArrays) -> None:
     """Replaces those of an earlier run. Colors of the user's own that are shown stay the shown ones."""
     remove_model_maps(mesh)
     own = mesh.color_attributes.active_color
     shown = own.name if own else PREFIX + COLOR_MAPS[0].attribute
     _write_values(mesh, PREFIX, maps, maps.length_variation)
-    _write_colors(mesh, PREFIX, maps, maps.length_variation, maps.placed)
+    faces = np.repeat(np.arange(len(arrays.polygon_sizes)), arrays.polygon_sizes)
+    corners = Corners(faces, arrays.loop_vertices, arrays.edges)
+    _write_colors(mesh, PREFIX, maps, maps.length_variation, corners, maps.placed)
     _show(mesh, shown)
 
 
@@ -49,21 +62,23 @@ def _write_values(mesh: bpy.types.Mesh, prefix: str, maps: FlatMesh | ModelMaps,
 
 
 def _write_colors(
-    mesh: bpy.types.Mesh, prefix: str, maps: FlatMesh | ModelMaps, variation: np.ndarray, placed: np.ndarray
+    mesh: bpy.types.Mesh,
+    prefix: str,
+    maps: FlatMesh | ModelMaps,
+    variation: np.ndarray,
+    corners: Corners,
+    placed: np.ndarray,
 ) -> None:
     """variation of the edges; placed (f,) bool: faces with a layout."""
-    sizes = read(mesh.polygons, "loop_total", np.int32)
-    corner_face = np.repeat(np.arange(len(sizes)), sizes)
-    corner_vertex = read(mesh.loops, "vertex_index", np.int32)
-    ends = read(mesh.edges, "vertices", np.int32, 2).ravel()
+    ends = corners.edges.ravel()
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
     at_vertex = np.bincount(ends, np.repeat(variation, 2), minlength=len(mesh.vertices)) / edges_at  # their mean
-    unplaced = np.flatnonzero(~placed[corner_face])
+    unplaced = np.flatnonzero(~placed[corners.face])
     for color_map, values, at_corner in (
-        (ASPECT_RATIO, maps.aspect_ratio, corner_face),
-        (STRETCH, maps.stretch, corner_face),
-        (ARAP_ENERGY, maps.energy_density, corner_face),
-        (LENGTH_VARIATION, at_vertex, corner_vertex),
+        (ASPECT_RATIO, maps.aspect_ratio, corners.face),
+        (STRETCH, maps.stretch, corners.face),
+        (ARAP_ENERGY, maps.energy_density, corners.face),
+        (LENGTH_VARIATION, at_vertex, corners.vertex),
     ):
         colors = np.take(color_map.colors(values), at_corner, axis=0)
         colors[unplaced] = NO_LAYOUT

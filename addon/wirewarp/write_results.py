@@ -58,7 +58,7 @@ def _write_to_model(source: bpy.types.Object, outcome: Outcome, flat: bpy.types.
     outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": scale}
     if maps:
         flat_edges = read(flat.data.edges, "vertices", np.int32, 2)
-        write_model_maps(mesh, model_maps(outcome.pieces, flat_edges, arrays))
+        write_model_maps(mesh, model_maps(outcome.pieces, flat_edges, arrays), arrays)
     else:
         remove_model_maps(mesh)
 

@@ -174,7 +174,7 @@ def loosen(addon):
     )
     issue = addon.flatten_job.issue_of_piece(piece, 0, arrays)
     assert [(wire.name, wire.tolerance) for wire in issue.proposed_tolerances] == [("Bust", 0.0124), ("Wire 2", 0.05)]
-    report = addon.report.failure_report(issue) | {"model_state": addon.model_state.model_state(source)}
+    report = addon.report.failure_report(issue) | {"model_state": addon.model_state.model_state(source, None)}
     addon.report_store.store(source, report)
     return source
 
