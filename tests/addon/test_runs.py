@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs in a thread, and what is made again by itself. The window's part of both: tests/window."""
+
+import threading
+from types import SimpleNamespace
+
+import bmesh
+import bpy
+import pytest
+from surfaces import bump, grid, half_cylinder, mark, mark_seam, on_line, select_only
+
+
+def read_models(addon, *sources):
+    return addon.read_models.read_models(bpy.context, list(sources), use_modifiers=False)
+
+
+def solver(addon, models):
+    choices = addon.properties.choices_of(bpy.context.scene.wirewarp)
+    return lambda progress: addon.solve_models.solve_models(addon.core.library(), models, choices, 1.0, progress)
+
+
+def test_a_thread_gives_what_the_solver_gives_and_tells_how_far_it_is(addon):
+    models = read_models(addon, grid("First", bump), grid("Second", half_cylinder))
+    fractions = []
+
+    def solve(progress):
+        def report(stage, fraction):
+            fractions.append(fraction)
+            return progress(stage, fraction)
+
+        return solver(addon, models)(report)
+
+    thread = addon.solve_thread.SolveThread(solve)
+    outcomes = thread.result()
+    assert thread.is_done()
+    assert [outcome.report["object"] for outcome in outcomes] == ["First", "Second"]
+    assert all(outcome.report["ok"] for outcome in outcomes)
+    assert fractions == sorted(fractions)
+    assert thread.fraction == fractions[-1] <= 1
+    assert any(fraction < 0.5 for fraction in fractions)
+
+
+def test_a_cancelled_thread_has_no_result(addon):
+    """Neither where the core is stopped half-way nor where all is done by then."""
+    models = read_models(addon, grid("Bump", bump))
+    begun, goes_on = threading.Event(), threading.Event()
+
+    def solve(progress):
+        begun.set()
+        goes_on.wait()
+        return solver(addon, models)(progress)
+
+    thread = addon.solve_thread.SolveThread(solve)
+    begun.wait()
+    thread.cancel()
+    goes_on.set()
+    with pytest.raises(addon.solve_models.CancelledError):
+        thread.result()
+    done = addon.solve_thread.SolveThread(lambda _progress: [])
+    done.join()
+    done.cancel()
+    with pytest.raises(addon.solve_models.CancelledError):
+        done.result()
+
+
+def test_what_the_solver_raises_is_raised_where_the_result_is_asked_for(addon):
+    def solve(_progress):
+        raise MemoryError("no room")
+
+    thread = addon.solve_thread.SolveThread(solve)
+    with pytest.raises(MemoryError, match="no room"):
+        thread.result()
+
+
+def test_a_cancelled_model_ends_the_whole_run(addon):
+    """The core would hand back the best shape it has; the others would be solved."""
+    models = read_models(addon, grid("First", bump), grid("Second", bump))
+    seen = []
+    with pytest.raises(addon.solve_models.CancelledError):
+        solver(addon, models)(lambda stage, fraction: bool(seen.append(fraction)) or stage != "shape")
+    assert max(seen) < 0.5
+
+
+@pytest.fixture
+def source():
+    target = grid("Bump", bump)
+    mark(target, on_line(1, 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    select_only(target)
+    return target
+
+
+def taken(addon):
+    bpy.context.view_layer.update()
+    return [target.name for target in addon.auto_update.take_changed(bpy.context)]
+
+
+def move_a_vertex(source):
+    source.data.vertices[40].co.z += 0.01
+    source.data.update()
+
+
+def test_only_what_changed_and_has_pieces_is_made_again(addon, source):
+    grid("Never Flattened", bump)
+    assert taken(addon) == []
+    move_a_vertex(source)
+    assert taken(addon) == ["Bump"]
+    assert taken(addon) == []  # tried once
+    mark_seam(source, on_line(0, 0.0))
+    assert taken(addon) == ["Bump"]
+
+
+def test_changes_are_seen_in_edit_mode(addon, source):
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert taken(addon) == []
+    edit = bmesh.from_edit_mesh(source.data)
+    edit.edges.ensure_lookup_table()
+    edit.edges[20].seam = True
+    bmesh.update_edit_mesh(source.data)
+    assert taken(addon) == ["Bump"]
+
+
+def test_nothing_is_made_again_after_undo_until_something_changes(addon, source):
+    bpy.context.scene.wirewarp.auto_update = True
+    move_a_vertex(source)
+    addon.auto_update._on_undo()
+    assert taken(addon) == []
+    assert taken(addon) == []
+    move_a_vertex(source)
+    assert taken(addon) == ["Bump"]
+
+
+def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
+    update = addon.operators.OBJECT_OT_wirewarp_update
+    for names, group in ((["Mark Seam", "Move"], "Move"), ([], "Update Flat Pieces")):
+        operators = [SimpleNamespace(name=name) for name in names]
+        addon.operators.update.join_undo_step(SimpleNamespace(operators=operators))
+        assert update.bl_undo_group == group
+        assert update.is_registered
