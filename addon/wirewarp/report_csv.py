@@ -85,8 +85,11 @@ def _piece_row(name: str, piece: dict, units: LengthText) -> list[str]:
 
 
 def _number(value: float | None, factor: float = 1) -> str:
-    """Empty where there is none, as without a layout."""
-    return "" if value is None else f"{value * factor:.{DIGITS}f}"
+    """Empty where there is none, as without a layout; what rounds to nothing has no sign."""
+    if value is None:
+        return ""
+    text = f"{value * factor:.{DIGITS}f}"
+    return text if float(text) else text.removeprefix("-")
 
 
 def _tolerance(entry: dict) -> str:

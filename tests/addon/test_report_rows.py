@@ -101,6 +101,12 @@ def test_the_table_for_spreadsheets_has_every_line_in_the_scenes_units(addon, re
     assert piece["Length on model (cm)"] == ""
 
 
+def test_what_rounds_to_nothing_has_no_sign_in_the_table(addon, report):
+    report["wires"][0] |= {"difference": [-1e-12], "percent": [-1e-10]}
+    wire = table_of(addon, report)[2]
+    assert [wire["Difference (m)"], wire["Difference (%)"]] == ["0.000000", "0.000000"]
+
+
 def test_a_wire_of_any_name_stays_one_line_of_the_table(addon, report):
     report["wires"][0]["name"] = 'Waist, "high"\nline'
     assert table_of(addon, report)[2]["Name"] == 'Waist, "high"\nline'
