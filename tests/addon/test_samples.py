@@ -9,6 +9,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 import pytest
+from mathutils import Vector
 from surfaces import edge_vertices, read
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
@@ -48,6 +49,23 @@ def test_the_file_holds_what_the_script_makes(name):
         assert pairs(edges[own]) == pairs(chain)
         assert (tolerances[own] == np.float32(wire.tolerance)).all()
     assert {entry.name for entry in mesh.wirewarp_names} == {wire.name for wire in shape.wires}
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_model_and_pieces_are_in_the_view_that_the_file_opens_with(name):
+    """In a window a half as wide again as high, by Blender's own projection of 50 mm."""
+    source = open_sample(name)
+    bpy.ops.object.wirewarp_flatten()
+    bpy.context.view_layer.update()
+    targets = (source, bpy.data.objects[f"{source.name} Flat"])
+    corners = np.array([target.matrix_world @ Vector(corner) for target in targets for corner in target.bound_box])
+    areas = [area for screen in bpy.data.screens for area in screen.areas if area.type == "VIEW_3D"]
+    assert areas
+    for view in (area.spaces.active.region_3d for area in areas):
+        x, y, z = ((corners - np.array(view.view_location)) @ np.array(view.view_rotation.to_matrix())).T
+        across, upward = 50 / 36 * x / (view.view_distance - z), 1.5 * 50 / 36 * y / (view.view_distance - z)
+        farthest = float(np.abs([across, upward]).max())
+        assert farthest < 1
 
 
 @pytest.mark.parametrize("name", SAMPLES)

@@ -37,6 +37,12 @@ TOURS = {
         "another_file_ends_the_run",
         "unregistering_ends_the_run",
     ],
+    "overlay_tours": [
+        "lines_are_on_the_screen",
+        "lines_are_in_the_uv_editor",
+        "marks_are_undone",
+        "frame_button",
+    ],
 }
 
 

@@ -6,6 +6,7 @@ from .clear import MESH_OT_wirewarp_clear
 from .copy_report import OBJECT_OT_wirewarp_copy_report
 from .export_svg import OBJECT_OT_wirewarp_export_svg
 from .flatten import OBJECT_OT_wirewarp_flatten
+from .frame import VIEW3D_OT_wirewarp_frame
 from .grain_wire import MESH_OT_wirewarp_grain_wire
 from .mark import MESH_OT_wirewarp_mark
 from .seams_from_uv import MESH_OT_wirewarp_seams_from_uv_islands
@@ -26,6 +27,7 @@ CLASSES = (
     MESH_OT_wirewarp_select_result,
     MESH_OT_wirewarp_take_proposal,
     OBJECT_OT_wirewarp_flatten,
+    VIEW3D_OT_wirewarp_frame,
     OBJECT_OT_wirewarp_copy_report,
     OBJECT_OT_wirewarp_export_svg,
     OBJECT_OT_wirewarp_update,

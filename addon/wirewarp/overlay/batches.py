@@ -26,7 +26,8 @@ def draw_lines(
     dashes = lines.dashes if lines else {}
     for kind, style in STYLES.items():
         shader.uniform_float("color", (*style.rim, RIM_ALPHA) if is_rim else (*style.color, 1.0))
-        for what, arrays, width in ((kind, places, style.line_width), (f"{kind} dashes", dashes, style.width)):
+        # The dashes first: of two surfaces at one depth the later is seen in spots.
+        for what, arrays, width in ((f"{kind} dashes", dashes, style.width), (kind, places, style.line_width)):
             if kind in arrays:
                 batch = _batch(owner, f"{space} {what}", arrays[kind], LINES, "LINES", pos=arrays[kind])
                 shader.uniform_float("lineWidth", (width + (RIM if is_rim else 0)) * unit)

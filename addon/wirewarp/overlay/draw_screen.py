@@ -8,7 +8,7 @@ from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
 
 from .shown import Drawing, drawings, extremes, missing_maps, shown_map
-from .write_screen import MAX_NAMES, write_legend, write_names
+from .write_screen import MAX_NAMES, PlacedName, write_legend, write_names
 
 
 def draw_screen() -> None:
@@ -26,13 +26,13 @@ def draw_screen() -> None:
     write_legend(context, kinds, unit, missing_maps(shown) if color_map else [], color_map, extremes(shown))
 
 
-def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[tuple[str, float, float]]:
+def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[PlacedName]:
     """Texts with their places in the region."""
     if drawing.lines is None:
         return
     matrix = drawing.target.matrix_world
     normals = matrix.to_3x3().inverted_safe().transposed()
-    view = context.region_data
+    scale, view = matrix.median_scale, context.region_data
     eye = view.view_matrix.inverted_safe()
     for name in drawing.lines.names[:MAX_NAMES]:
         place = matrix @ Vector(name.place)
@@ -40,5 +40,6 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[tup
         if (normals @ Vector(name.normal)).dot(toward_eye) < 0:
             continue
         point = location_3d_to_region_2d(context.region, view, place)
-        if point:
-            yield name.text, point.x, point.y
+        aside = location_3d_to_region_2d(context.region, view, place + eye.col[0].to_3d() * name.reach * scale)
+        if point and aside:
+            yield PlacedName(name.text, point.x, point.y, (aside - point).length)

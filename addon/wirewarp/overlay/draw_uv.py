@@ -8,7 +8,7 @@ import gpu
 
 from .batches import draw_failed, draw_lines
 from .uv_drawing import UvDrawing, uv_drawings
-from .write_screen import write_legend, write_names
+from .write_screen import PlacedName, write_legend, write_names
 
 
 def draw_map() -> None:
@@ -42,10 +42,11 @@ def draw_map_names() -> None:
     write_legend(context, kinds, unit)
 
 
-def _names_in_view(context: bpy.types.Context, drawing: UvDrawing) -> Iterator[tuple[str, float, float]]:
+def _names_in_view(context: bpy.types.Context, drawing: UvDrawing) -> Iterator[PlacedName]:
     """Texts with their places in the region."""
-    region = context.region
+    region, to_region = context.region, context.region.view2d.view_to_region
+    pixels = (to_region(1000, 0, clip=False)[0] - to_region(0, 0, clip=False)[0]) / 1000  # it rounds
     for name in drawing.lines.names:
-        x, y = region.view2d.view_to_region(*name.place[:2].tolist(), clip=False)
+        x, y = to_region(*name.place[:2].tolist(), clip=False)
         if 0 <= x <= region.width and 0 <= y <= region.height:
-            yield name.text, x, y
+            yield PlacedName(name.text, x, y, name.reach * pixels)

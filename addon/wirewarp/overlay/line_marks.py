@@ -34,6 +34,7 @@ class Name:
     text: str
     place: np.ndarray  # (3,)
     normal: np.ndarray  # (3,)
+    reach: float  # distance to the farthest end of what it names
 
 
 def lines_by_kind(marks: LineMarks) -> dict[str, np.ndarray]:
@@ -99,4 +100,6 @@ def _name_in_middle(text: str, marks: LineMarks, rows: np.ndarray) -> Name:
     """At the edge nearest to the mean of all, so that it is on the line, however that bends."""
     middles = marks.ends[rows].mean(axis=1)
     nearest = np.argmin(np.linalg.norm(middles - middles.mean(axis=0), axis=1))
-    return Name(text, middles[nearest], marks.normals[rows[nearest]])
+    place = middles[nearest]
+    reach = float(np.linalg.norm(marks.ends[rows] - place, axis=2).max())
+    return Name(text, place, marks.normals[rows[nearest]], reach)

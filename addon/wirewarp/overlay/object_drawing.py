@@ -84,7 +84,8 @@ def _piece_names(flat: bpy.types.Object) -> list[Name]:
         own = centers[pieces == piece]
         middle = (own.min(axis=0) + own.max(axis=0)) / 2
         place = own[np.argmin(np.linalg.norm(own - middle, axis=1))]
-        names.append(Name(text_of.get(piece, ""), place, np.array([0.0, 0.0, 1.0])))
+        reach = float(np.linalg.norm(own - place, axis=1).max())
+        names.append(Name(text_of.get(piece, ""), place, np.array([0.0, 0.0, 1.0]), reach))
     return names
 
 

@@ -2,6 +2,7 @@
 """Writes names and the legend over a view."""
 
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 import blf
 import bpy
@@ -17,17 +18,27 @@ from .surface_arrays import Extremes
 
 FONT, FONT_SIZE, MARGIN = 0, 12, 16
 MAX_NAMES = 150
+NAME_TO_LINE = 1.3  # a name is at most so many times as long as its line
 LABEL, NAME_COLOR, LEGEND_COLOR = (0.08, 0.08, 0.08, 0.65), (1.0, 1.0, 1.0), (0.9, 0.9, 0.9)
 
 
-def write_names(found: Iterable[tuple[str, float, float]], unit: float) -> None:
-    """Texts with their places in the region; what does not fit is left out. unit: see draw_lines."""
-    found = list(found)[:MAX_NAMES]
+class PlacedName(NamedTuple):
+    """In pixels of the region."""
+
+    text: str
+    x: float
+    y: float
+    reach: float  # of the line that is named
+
+
+def write_names(names: Iterable[PlacedName], unit: float) -> None:
+    """As many as fit, and none much longer than what it names. unit: see draw_lines."""
     blf.size(FONT, FONT_SIZE * unit)
-    sizes = [blf.dimensions(FONT, text) for text, _, _ in found]
-    places = [(x - width / 2, y + height / 2) for (_, x, y), (width, height) in zip(found, sizes, strict=True)]
+    found = [name for name in names if blf.dimensions(FONT, name.text)[0] < NAME_TO_LINE * 2 * name.reach][:MAX_NAMES]
+    sizes = [blf.dimensions(FONT, name.text) for name in found]
+    places = [(name.x - width / 2, name.y + height / 2) for name, (width, height) in zip(found, sizes, strict=True)]
     texts, boxes = [], []
-    for (text, _, _), (left, base), size, lift in zip(found, places, sizes, spread(places, sizes), strict=True):
+    for (text, *_), (left, base), size, lift in zip(found, places, sizes, spread(places, sizes), strict=True):
         if lift is not None:
             texts.append(Text(text, left, base + lift))
             boxes.append(_label(texts[-1], size))

@@ -6,6 +6,7 @@ import bpy
 from .. import core
 from ..issues import ObjectError
 from ..wire_summary import wires_of
+from ..write_flat_object import find_flat_object
 from .settings import draw_settings
 from .text import draw_sentence
 
@@ -69,6 +70,9 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         row.scale_y = 1.5
         row.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
         row.prop(settings, "auto_update", text="", icon="FILE_REFRESH")
+        active = context.active_object
+        if active and find_flat_object(active):
+            layout.operator("view3d.wirewarp_frame", icon="VIEWZOOM")
 
         draw_settings(layout, settings)
         if settings.method == "WIREWARPING" and _has_loose_wires(context):

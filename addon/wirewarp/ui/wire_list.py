@@ -54,10 +54,9 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
         if is_wide(context):
             columns = column.split(factor=0.5, align=True)
             return columns.row(align=True), columns.split(factor=0.4)
-        name = column.row(align=True)
-        figures = column.row()
-        figures.scale_y = 0.8
-        return name, figures.split(factor=0.5)
+        lines = column.column(align=True)
+        column.separator(factor=0.6)
+        return lines.row(align=True), lines.split(factor=0.5, align=True)
 
     def _draw_name(self, row: bpy.types.UILayout, mesh: bpy.types.Mesh, name: str, wire: WireSummary) -> None:
         row.operator("mesh.wirewarp_select_wire", text="", icon="RESTRICT_SELECT_OFF").edge = wire.edges[0]

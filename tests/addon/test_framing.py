@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The view that shows model and pieces."""
+
+import numpy as np
+import pytest
+
+
+@pytest.fixture
+def cloud():
+    """Points of a long box, far from the origin, and a turned view."""
+    rng = np.random.default_rng(3)
+    axes, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+    return np.array([50, -20, 10]) + rng.uniform(-1, 1, (200, 3)) * [8, 2, 1], axes
+
+
+def on_screen(points, axes, middle, distance, across, upward, is_perspective):
+    """From -1 to 1 across and upward."""
+    x, y, z = ((points - middle) @ axes).T
+    depth = distance - z if is_perspective else distance
+    assert np.all(depth > 0)
+    return across * x / depth, upward * y / depth
+
+
+@pytest.mark.parametrize("is_perspective", [True, False])
+@pytest.mark.parametrize(("across", "upward"), [(1.4, 2.3), (3.0, 0.8)])
+def test_all_points_are_in_sight_and_near(addon, cloud, across, upward, is_perspective):
+    points, axes = cloud
+    framing = addon.framing
+    middle, distance = framing.fit(points, framing.Projection(axes, across, upward, is_perspective))
+    x, y = on_screen(points, axes, middle, distance, across, upward, is_perspective)
+    farthest = max(np.abs(x).max(), np.abs(y).max())
+    assert farthest <= 1 / framing.MARGIN + 1e-9 or (is_perspective and farthest < 1)
+    assert farthest > 0.6
+
+
+@pytest.mark.parametrize("is_perspective", [True, False])
+def test_nothing_is_below_the_sidebar(addon, cloud, is_perspective):
+    points, axes = cloud
+    framing = addon.framing
+    middle, distance = framing.fit(points, framing.Projection(axes, 1.4, 2.3, is_perspective, covered=0.25))
+    x, _ = on_screen(points, axes, middle, distance, 1.4, 2.3, is_perspective)
+    assert -1 < x.min() < x.max() < 1 - 2 * 0.25

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tours through the overlay: what is on the screen, by its pixels; test_window.py runs each in a Blender of its own."""
+
+import os
+import sys
+from pathlib import Path
+
+import bpy
+import drive
+import numpy as np
+from mathutils import Vector
+
+sys.path.insert(0, str(Path(__file__).parent.parent / "addon"))
+
+import wirewarp_addon
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only, wire_marks
+
+STYLES = wirewarp_addon.overlay.line_styles.STYLES
+COLORFUL = {"outline", "rigid", "elastic", "free"}  # white and black are in Blender's own letters and shadows too
+
+
+def marked() -> bpy.types.Object:
+    """Two pieces with a wire of each kind, in an empty scene."""
+    bpy.data.batch_remove(list(bpy.data.objects))
+    source = grid("Bump", bump)
+    mark_seam(source, on_line(0, 0.0))
+    mark(source, on_line(1, 0.0))
+    mark(source, on_line(1, 0.5), kind="ELASTIC", tolerance=0.05)
+    mark(source, on_line(1, -0.5), kind="SUPER_ELASTIC")
+    return source
+
+
+def kinds_seen(name: str, editor: str) -> set[str]:
+    """Kinds of lines whose color is in a picture of the editor's lower left part, where its legend is not."""
+    drive.screenshot(name)
+    image = bpy.data.images.load(str(Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.png"))
+    pixels = np.empty(len(image.pixels), dtype=np.float32)
+    image.pixels.foreach_get(pixels)
+    pixels = pixels.reshape(image.size[1], image.size[0], 4)[..., :3]
+    bpy.data.images.remove(image)
+    area = next(area for area in bpy.context.window_manager.windows[0].screen.areas if area.type == editor)
+    region = next(region for region in area.regions if region.type == "WINDOW")
+    seen = pixels[region.y : region.y + region.height, region.x : region.x + int(0.75 * region.width)]
+    return {kind for kind in COLORFUL if (np.abs(seen - STYLES[kind].color).max(axis=2) < 0.02).sum() > 20}
+
+
+def look_from_above() -> drive.Tour:
+    with drive.in_view():
+        bpy.ops.view3d.view_axis(type="TOP")
+        bpy.ops.view3d.view_all()
+    yield from drive.ticks(40)  # the view turns smoothly
+
+
+def lines_are_on_the_screen() -> drive.Tour:
+    """On the model in either mode and on the pieces; none once they are switched off."""
+    source = marked()
+    yield from look_from_above()
+    assert kinds_seen("model", "VIEW_3D") == COLORFUL
+    bpy.ops.object.wirewarp_flatten()
+    source.hide_set(True)
+    select_only(flat_of(source))
+    yield from look_from_above()
+    assert kinds_seen("pieces", "VIEW_3D") == COLORFUL
+    source.hide_set(False)
+    flat_of(source).hide_set(True)
+    select_edges(source)
+    yield from look_from_above()
+    assert kinds_seen("edit mode", "VIEW_3D") == COLORFUL
+    bpy.context.scene.wirewarp.show_lines = False
+    yield from drive.ticks(5)
+    assert kinds_seen("switched off", "VIEW_3D") == set()
+
+
+def lines_are_in_the_uv_editor() -> drive.Tour:
+    source = marked()
+    bpy.ops.object.wirewarp_flatten()
+    drive.view_area().ui_type = "UV"
+    yield from drive.ticks(5)
+    for mode in ("OBJECT", "EDIT"):
+        select_only(source)
+        bpy.ops.object.mode_set(mode=mode)
+        yield from drive.ticks(10)
+        assert kinds_seen(f"uv {mode}", "IMAGE_EDITOR") == COLORFUL
+    source.data.uv_layers.active = source.data.uv_layers.new(name="Texture")
+    yield from drive.ticks(5)
+    assert kinds_seen("uv texture", "IMAGE_EDITOR") == set()
+
+
+def marks_are_undone() -> drive.Tour:
+    """Marking, clearing, changing a wire and seams from islands are one undo step each."""
+    source = marked()
+    bpy.ops.object.wirewarp_flatten()
+    source.data.edges.foreach_set("use_seam", [False] * len(source.data.edges))
+    edge = wirewarp_addon.wire_summary.find_wires(source.data)[0].edges[0]
+    select_edges(source, on_line(1, 0.25))
+    with drive.in_view():
+        bpy.ops.ed.undo_push(message="Selected")
+        for step in (
+            lambda: bpy.ops.mesh.wirewarp_mark("EXEC_DEFAULT", True, kind="ELASTIC", tolerance=0.1),
+            lambda: bpy.ops.mesh.wirewarp_clear("EXEC_DEFAULT", True),
+            lambda: bpy.ops.mesh.wirewarp_change_wire("EXEC_DEFAULT", True, edge=edge, kind="SUPER_ELASTIC"),
+            lambda: bpy.ops.mesh.wirewarp_seams_from_uv_islands("EXEC_DEFAULT", True),
+        ):
+            before = state()
+            assert step() == {"FINISHED"}
+            after = state()
+            assert after != before
+            bpy.ops.ed.undo()
+            assert state() == before
+            bpy.ops.ed.redo()
+            assert state() == after
+    yield from drive.ticks(1)
+
+
+def state() -> tuple:
+    """Marks, names and seams."""
+    source = bpy.data.objects["Bump"]
+    assert source.mode == "EDIT"
+    source.update_from_editmode()
+    copied = source.data.copy()  # attributes can be read outside of Edit Mode only
+    marks = wire_marks(copied), [entry.name for entry in copied.wirewarp_names], sum(e.use_seam for e in copied.edges)
+    bpy.data.meshes.remove(copied)
+    return marks
+
+
+def frame_button() -> drive.Tour:
+    """Brings model and pieces back into a view that looked elsewhere."""
+    source = marked()
+    bpy.ops.object.wirewarp_flatten()
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
+    view = drive.view_area().spaces.active.region_3d
+    view.view_location, view.view_distance = (100, 100, 100), 1
+    yield from drive.click_button("bpy.ops.view3d.wirewarp_frame(")
+    yield from drive.ticks(10)
+    drive.screenshot("framed")
+    for target in (source, flat_of(source)):
+        for corner in target.bound_box:
+            x, y, _, w = view.perspective_matrix @ (target.matrix_world @ Vector(corner)).to_4d()
+            assert abs(x) < w and abs(y) < w
