@@ -74,7 +74,10 @@ def lines_are_on_the_screen() -> drive.Tour:
 def lines_are_in_the_uv_editor() -> drive.Tour:
     source = marked()
     bpy.ops.object.wirewarp_flatten()
-    drive.view_area().ui_type = "UV"
+    beside = drive.view_area()
+    with drive.in_view():
+        bpy.ops.screen.area_split(direction="VERTICAL", factor=0.5)
+    next(area for area in bpy.context.window_manager.windows[0].screen.areas if area.type == beside.type).ui_type = "UV"
     yield from drive.ticks(5)
     for mode in ("OBJECT", "EDIT"):
         select_only(source)
