@@ -73,6 +73,17 @@ def test_names_are_those_of_the_report(addon, source):
     assert sorted(on_pieces) == sorted(2 * on_model + ["Top Left", "Top Right"])
 
 
+def test_pieces_with_a_text_are_not_named_twice(addon, source):
+    select_only(source)
+    bpy.ops.object.wirewarp_flatten(piece_texts=True)
+    names = {name.text for name in lines_of(addon, flat_of(source)).names}
+    assert "Waist" in names
+    assert names.isdisjoint(piece["name"] for piece in addon.report_store.last_report(source)["pieces"])
+    bpy.ops.object.wirewarp_flatten(piece_texts=False)
+    names = {name.text for name in lines_of(addon, flat_of(source)).names}
+    assert names.issuperset(piece["name"] for piece in addon.report_store.last_report(source)["pieces"])
+
+
 def test_names_stand_on_what_they_name(addon, source):
     lines = lines_of(addon, source)
     name = next(name for name in lines.names if name.text == "Waist")
