@@ -44,7 +44,7 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         _write_helper_wires(context.scene, source, flat, lines)
         context.view_layer.update()
         if settings.piece_texts:
-            write_texts(context.scene, flat, outcome.report)
+            write_texts(context, flat, outcome.report)
         else:
             remove_texts(flat)
         outcome.report["flat_object"] = flat.name

@@ -5,7 +5,9 @@ import math
 
 import bpy
 import numpy as np
+from mathutils import Matrix
 
+from .pattern.flat_pieces import FlatPieces
 from .pattern.pattern import PieceText
 from .pattern.texts import piece_texts
 from .read_flat_pieces import read_flat_pieces
@@ -13,27 +15,33 @@ from .unit_text import length_text
 from .write_flat_object import our_collection
 
 PIECE_ID = "wirewarp_piece"  # custom property of a text, a child of the flat object
-LARGEST = 0.03  # height of the letters, by the size of all pieces together
+LARGEST = 0.04  # height of the letters, by the size of all pieces together
 ABOVE = 0.002  # the pieces, by the same size: so that both are seen
+MATERIAL = "WireWarp Text"
 MOST = 200  # pieces that get texts; Blender is slow with many objects
 
 
-def write_texts(scene: bpy.types.Scene, flat: bpy.types.Object, report: dict) -> None:
+def write_texts(context: bpy.types.Context, flat: bpy.types.Object, report: dict) -> None:
     """Replaces the texts of the flat object by those of the report's pieces."""
     remove_texts(flat)
     pieces = [piece for piece in report["pieces"] if piece["has_layout"]]
     if len(pieces) > MOST:
         report["notes"].append(f"Texts are written on up to {MOST} pieces, these are {len(pieces)}.")
         return
-    text = length_text(scene)
+    text = length_text(context.scene)
     arrays = read_flat_pieces(flat.data, 1.0)
     size = float(np.linalg.norm(np.ptp(arrays.vertices, axis=0)))
     lines = {piece["index"]: (piece["name"], text.area(piece["area_2d"])) for piece in pieces}
     placed = piece_texts(arrays, lines, LARGEST * size)
+    targets = []
     for piece in pieces:
-        target = _new_text(flat, piece["name"], placed[piece["index"]], ABOVE * size)
+        place = placed[piece["index"]]
+        target = _new_text(flat, piece["name"], place, ABOVE * size)
         target[PIECE_ID] = piece["piece_id"]
-        our_collection(scene).objects.link(target)
+        target.parent_vertices = _face_below(arrays, piece["index"], place.center)
+        our_collection(context.scene).objects.link(target)
+        targets.append(target)
+    _fasten(context.view_layer, flat, targets)
 
 
 def remove_texts(flat: bpy.types.Object) -> None:
@@ -60,9 +68,39 @@ def _new_text(flat: bpy.types.Object, name: str, text: PieceText, above: float) 
     curve.body = "\n".join(text.lines)
     curve.size = max(text.height, 1e-6)
     curve.align_x, curve.align_y = "CENTER", "CENTER"
+    curve.materials.append(bpy.data.materials.get(MATERIAL) or _new_material())
     target = bpy.data.objects.new(f"{flat.name} {name}", curve)
     target.parent = flat
     target.location = (*text.center, above)
     target.rotation_euler.z = math.radians(text.angle)
-    target.color = (0.05, 0.05, 0.05, 1.0)
     return target
+
+
+def _new_material() -> bpy.types.Material:
+    material = bpy.data.materials.new(MATERIAL)
+    material.diffuse_color = (0.01, 0.01, 0.02, 1.0)
+    return material
+
+
+def _face_below(flat: FlatPieces, piece: int, center: np.ndarray) -> list[int]:
+    """Three vertices of the face of the piece that is nearest to the center, of those with an area."""
+    first = np.cumsum(flat.face_sizes) - flat.face_sizes
+    corners = flat.loop_vertices[first[:, None] + np.arange(3)]
+    a, b, c = (flat.vertices[corners[:, k]] for k in range(3))
+    (ux, uy), (vx, vy) = (b - a).T, (c - a).T
+    distance = np.linalg.norm((a + b + c) / 3 - center, axis=1)
+    distance[(flat.face_piece != piece) | (ux * vy == uy * vx)] = np.inf
+    return corners[np.argmin(distance)].tolist()
+
+
+def _fasten(view_layer: bpy.types.ViewLayer, flat: bpy.types.Object, targets: list[bpy.types.Object]) -> None:
+    """To three vertices each: so a text moves with its piece, and Blender draws no long line from it to its parent."""
+    view_layer.update()  # or it does not know the new objects
+    shown = [target for target in targets if view_layer.objects.get(target.name) == target]
+    poses = [target.matrix_basis.copy() for target in shown]
+    for target in shown:
+        target.parent_type, target.matrix_basis = "VERTEX_3", Matrix()
+    view_layer.update()
+    for target, pose in zip(shown, poses, strict=True):
+        target.matrix_parent_inverse = target.matrix_world.inverted() @ flat.matrix_world
+        target.matrix_basis = pose

@@ -32,7 +32,8 @@ def texts():
 def corners(text):
     """On the plane of the flat object."""
     bpy.context.view_layer.update()
-    return [(text.matrix_local @ Vector(corner)).to_2d() for corner in text.bound_box]
+    to_flat = text.parent.matrix_world.inverted() @ text.matrix_world
+    return [(to_flat @ Vector(corner)).to_2d() for corner in text.bound_box]
 
 
 def outline_of(source, addon, name):
@@ -56,6 +57,27 @@ def test_each_piece_has_a_text_with_its_name_and_area_inside_its_outline(source,
         assert [collection.name for collection in text.users_collection] == ["WireWarp"]
         height = np.ptp(np.array(corners(text)), axis=0).min()
         assert height > 0.05  # of a piece of 1 by 2: to be read
+
+
+def test_a_text_moves_with_the_object_and_with_its_piece(source):
+    flat, text = flat_of(source), texts()["Top Left"]
+    before = np.array(corners(text))
+    flat.location, flat.rotation_euler = (5, 6, 7), (0.1, 0.2, 0.3)
+    assert np.array(corners(text)) == pytest.approx(before, abs=1e-5)
+    for vertex in flat.data.vertices:  # a quarter turn
+        vertex.co = (-vertex.co.y, vertex.co.x + 1, 0)
+    flat.data.update_tag()
+    turned = np.column_stack([-before[:, 1], before[:, 0] + 1])
+    assert np.array(corners(text)) == pytest.approx(turned, abs=1e-5)
+
+
+def test_texts_are_right_where_their_collection_was_hidden(source, addon):
+    layer = bpy.context.view_layer.layer_collection.children["WireWarp"]
+    layer.exclude = True
+    flatten(source)
+    layer.exclude = False
+    for name, text in texts().items():
+        assert addon.polygons.are_inside(np.array(corners(text)), outline_of(source, addon, name)).all()
 
 
 def test_a_text_keeps_off_the_wire(source):

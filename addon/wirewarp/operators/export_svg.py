@@ -59,10 +59,8 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
     def draw(self, context: bpy.types.Context) -> None:
         for sentence in self._sizes:
             draw_sentence(context, self.layout, sentence)
-        column = self.layout.column()
-        column.use_property_split, column.use_property_decorate = True, False
-        column.prop(self, "notch_spacing", text="Notches Every (mm)")
-        column.prop(self, "failed_pieces")
+        self.layout.prop(self, "notch_spacing", text="Notches Every (mm)")
+        self.layout.prop(self, "failed_pieces")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         path = Path(bpy.path.abspath(self.filepath))
