@@ -21,7 +21,7 @@ LAYERS = [
     "feasibility",
     "inner",
     "outer",
-    "refine",
+    "coarsen", "refine",
     "packing",
     "metrics",
     "reuse",

@@ -5,11 +5,14 @@
 
 #include "outer/choose_variation.h"
 #include "outer/free_arap.h"
+#include "refine/coarse_start.h"
 #include "refine/tighten_lengths.h"
 #include "topology/process_topology.h"
 
 namespace wirewarp {
 namespace {
+
+constexpr std::size_t kLargeChart = 20'000;  // faces: from here on a coarse start saves more than it costs
 
 /// ψ(h⁰): the paper's flat shape, before any h is chosen.
 WarpedShape warp_wires(const Chart& chart, const Options& options) {
@@ -24,8 +27,8 @@ WarpedShape warp_wires(const Chart& chart, const Options& options) {
 
 }  // namespace
 
-ChartRefinement refine_chart(const Chart& chart, const Options& options, const std::function<bool()>& go_on) {
-  const WireNetwork held_network = build_held_network(chart);
+ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
+                                    const std::function<bool()>& go_on) {
   ChartRefinement result;
   RefinementLimits limits{options.max_factorizations, [&] {
                             result.was_stopped = result.was_stopped || !go_on();
@@ -51,6 +54,27 @@ ChartRefinement refine_chart(const Chart& chart, const Options& options, const s
     result.shape = refine_shape(chart, held_network, options.fairness, result.loose.uv, limits);
     result.shape.factorizations += used + result.loose.factorizations;
   }
+  return result;
+}
+
+ChartRefinement refine_chart(const Chart& chart, const Options& options, const std::function<bool()>& go_on) {
+  const WireNetwork held_network = build_held_network(chart);
+  if (chart.mesh.n_faces() < kLargeChart) return refine_from_scratch(chart, held_network, options, go_on);
+
+  ChartRefinement result;
+  int used = 0;
+  if (const auto start = start_from_coarse(chart, held_network, options)) {
+    const RefinementLimits limits{options.max_factorizations, [&] {
+                                    result.was_stopped = result.was_stopped || !go_on();
+                                    return !result.was_stopped;
+                                  }};
+    result.inner.is_feasible = true;
+    result.shape = refine_shape(chart, held_network, options.fairness, *start, limits);
+    used = result.shape.factorizations;
+    if (result.shape.is_exact || result.was_stopped) return result;
+  }
+  result = refine_from_scratch(chart, held_network, options, go_on);
+  result.shape.factorizations += used;
   return result;
 }
 

@@ -18,10 +18,16 @@ struct ChartRefinement {
   bool was_stopped = false;
 };
 
-/// Starts from a free ARAP flattening, one step from exact lengths on most pieces. Where that step fails, the wires are
-/// first flattened alone: the angles of Eq. (1) on the network that process_topology prepares, the other vertices by
-/// interior placement (paper II-A); that shape has exact lengths. Where even this does not exist, the third start is
-/// the shape that breaks lengths at the least price: none, if it finds that they can be kept after all.
+/// The first start is a free ARAP flattening, one step from exact lengths on most pieces. Where that step fails, the
+/// wires are first flattened alone: the angles of Eq. (1) on the network that process_topology prepares, the other
+/// vertices by interior placement (paper II-A); that shape has exact lengths. Where even this does not exist, the third
+/// start is the shape that breaks lengths at the least price: none, if it finds that they can be kept after all.
+/// held_network: of all wires but super-elastic ones.
+ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
+                                    const std::function<bool()>& go_on);
+
+/// Flattens a chart of 20,000 faces or more coarsely first, and starts from that shape (refine/coarse_start.h): two or
+/// three factorizations from the end. Smaller charts, and those that the coarse shape does not serve, from scratch.
 ChartRefinement refine_chart(const Chart& chart, const Options& options, const std::function<bool()>& go_on);
 
 }  // namespace wirewarp

@@ -37,9 +37,10 @@ double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.arr
 
 class Refinement {
  public:
-  Refinement(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
+  Refinement(const Chart& chart, const WireNetwork& network, double fairness, const RefinementStart& start,
              const RefinementLimits& limits);
 
+  bool factorize_at_start();
   bool reach_exact_lengths();
   void minimize_without_flips();
   RefinedShape shape(const Chart& chart) const;
@@ -73,6 +74,7 @@ class Refinement {
   NewtonSystem system_;
   const RefinementLimits& limits_;
   double area_;
+  bool starts_near_minimum_;
   Eigen::VectorXd tolerance_;  // ε of the elastic parts
 
   Iterate now_;
@@ -85,21 +87,22 @@ class Refinement {
   int iterations_ = 0;
 };
 
-Refinement::Refinement(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
+Refinement::Refinement(const Chart& chart, const WireNetwork& network, double fairness, const RefinementStart& start,
                        const RefinementLimits& limits)
     : constraints_(chart, network),
       objective_(chart, network, fairness),
-      system_(chart, objective_, constraints_, start),
+      system_(chart, objective_, constraints_, start.uv),
       limits_(limits),
-      area_(surface_area(chart.mesh)) {
+      area_(surface_area(chart.mesh)),
+      starts_near_minimum_(start.multipliers.size() > 0) {
   tolerance_.resize(constraints_.num_elastic());
   for (int w = 0; w < constraints_.num_elastic(); ++w) {
     tolerance_[w] = chart.wire_parts[at(constraints_.elastic_parts()[at(w)])].tolerance;
   }
-  now_.uv = start;
+  now_.uv = start.uv;
   now_.variation =
-      length_variation(chart, start)(constraints_.elastic_parts()).cwiseMax(-tolerance_).cwiseMin(tolerance_);
-  multipliers_ = Eigen::VectorXd::Zero(constraints_.size());
+      length_variation(chart, start.uv)(constraints_.elastic_parts()).cwiseMax(-tolerance_).cwiseMin(tolerance_);
+  multipliers_ = starts_near_minimum_ ? start.multipliers : Eigen::VectorXd::Zero(constraints_.size());
 }
 
 /// The quadratic program min g·d + ½ d·H d, J d - T Δh = -c, h + Δh in its bounds. With d eliminated a dense one in Δh
@@ -126,19 +129,27 @@ bool Refinement::evaluate(Iterate& trial) const {
   return true;
 }
 
-/// One Newton step in the metric of the Laplacian.
+/// Near the minimum the exact Hessian, or its convex part where it is not positive; else the Laplacian.
+bool Refinement::factorize_at_start() {
+  if (!starts_near_minimum_) return may_go_on() && system_.factorize(now_.uv, multipliers_, kLaplacian);
+  return (may_go_on() && system_.factorize(now_.uv, multipliers_, kExactHessian)) ||
+         (may_go_on() && system_.factorize(now_.uv, multipliers_, kConvexHessian));
+}
+
+/// One Newton step and the way back from its end; near the minimum a second one where that is too long.
 bool Refinement::reach_exact_lengths() {
   now_.value = objective_.value_and_gradient(now_.uv, gradient_);
   is_exact_ = length_error() <= LengthConstraints::kept;
-  if (is_exact_ || !may_go_on() || !system_.factorize(now_.uv, multipliers_, kLaplacian)) return is_exact_;
-  Step step = newton_step();
-  Iterate trial{now_.uv + step.d, now_.variation + step.variation};
-  is_exact_ = evaluate(trial);
-  if (!is_exact_) return false;
-  ++iterations_;
-  now_ = std::move(trial);
-  multipliers_ = std::move(step.multipliers);
-  return true;
+  for (int i = 0; i < (starts_near_minimum_ ? 2 : 1) && !is_exact_ && factorize_at_start(); ++i) {
+    Step step = newton_step();
+    Iterate trial{now_.uv + step.d, now_.variation + step.variation};
+    multipliers_ = std::move(step.multipliers);
+    ++iterations_;
+    is_exact_ = evaluate(trial);
+    if (!is_exact_) trial.value = objective_.value_and_gradient(trial.uv, gradient_);
+    now_ = std::move(trial);
+  }
+  return is_exact_;
 }
 
 Refinement::Outcome Refinement::take_newton_step() {
@@ -267,6 +278,7 @@ RefinedShape Refinement::shape(const Chart& chart) const {
     if (chart.wire_parts[at(i)].kind != WireKind::super_elastic) shape.variation[i] = 0;
   }
   shape.variation(constraints_.elastic_parts()) = now_.variation;
+  shape.multipliers = multipliers_;
   shape.objective = now_.value / area_;
   shape.iterations = iterations_;
   shape.factorizations = system_.num_factorizations();
@@ -278,7 +290,7 @@ RefinedShape Refinement::shape(const Chart& chart) const {
 
 }  // namespace
 
-RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
+RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double fairness, const RefinementStart& start,
                           const RefinementLimits& limits) {
   Refinement refinement(chart, network, fairness, start, limits);
   if (refinement.reach_exact_lengths()) refinement.minimize_without_flips();

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "charts/chart.h"
 #include "topology/wire_network.h"
@@ -17,10 +18,11 @@
 namespace wirewarp {
 
 struct RefinedShape {
-  Positions2 uv;              // one row per chart vertex, scene units
-  Eigen::VectorXd variation;  // h, one per wire part of the chart; on super-elastic ones what came out
-  double objective = 0;       // f over the 3D area
-  double length_error = 0;    // largest, over the length of its edge
+  Positions2 uv;                // one row per chart vertex, scene units
+  Eigen::VectorXd variation;    // h, one per wire part of the chart; on super-elastic ones what came out
+  Eigen::VectorXd multipliers;  // λ, one per edge of the network
+  double objective = 0;         // f over the 3D area
+  double length_error = 0;      // largest, over the length of its edge
   int iterations = 0;
   int factorizations = 0;
   bool is_exact = false;   // the lengths are: uv is a flat shape to cut
@@ -32,10 +34,19 @@ struct RefinementLimits {
   std::function<bool()> go_on;  // asked before each factorization; false: stop at the iterate at hand
 };
 
-/// Refines a start, one row per chart vertex. network: of all wires but super-elastic ones. fairness: shortest wiggle
+/// Where to begin: far from the minimum, where lengths may be out by half, or with multipliers near it.
+struct RefinementStart {
+  RefinementStart(Positions2 positions, Eigen::VectorXd tensions = {})
+      : uv(std::move(positions)), multipliers(std::move(tensions)) {}
+
+  Positions2 uv;                // one row per chart vertex
+  Eigen::VectorXd multipliers;  // λ, one per edge of the network; empty: not known
+};
+
+/// network: of all wires but super-elastic ones. fairness: shortest wiggle
 /// of wires that is left alone, over the square root of the area. Not exact where the start is too far from exact
 /// lengths for one step.
-RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
+RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double fairness, const RefinementStart& start,
                           const RefinementLimits& limits);
 
 }  // namespace wirewarp

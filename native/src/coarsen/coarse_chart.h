@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A chart and its wires with fewer vertices: the same refinement problem, coarser.
+#pragma once
+
+#include <vector>
+
+#include "coarsen/decimate.h"
+#include "coarsen/wire_runs.h"
+
+namespace wirewarp {
+
+/// What a fine wire edge is of a coarse one.
+struct CoarseWirePlace {
+  int edge = -1;
+  double from = 0, to = 0;  // shares of its length, along halfedge_handle(edge, 0) of the fine edge
+};
+
+struct CoarseChart {
+  Chart chart;                               // super-elastic wires left out; no source faces or boundary chains
+  WireNetwork network;                       // lengths and surface angles from the runs
+  std::vector<WireRun> runs;                 // per coarse wire edge, along its halfedge_handle(edge, 0)
+  std::vector<CoarsePlace> places;           // per fine vertex
+  std::vector<CoarseWirePlace> wire_places;  // per fine wire edge
+};
+
+/// network: of all wires but super-elastic ones. edge_length: wanted, scene units.
+CoarseChart coarsen(const Chart& chart, const WireNetwork& network, double edge_length);
+
+}  // namespace wirewarp

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coarsen/prolong.h"
+
+#include <Eigen/Geometry>
+
+#include "coarsen/prolong_wires.h"
+#include "index.h"
+#include "mesh/geometry.h"
+#include "outer/shape_error.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr int kSweeps = 16;
+constexpr double kDamping = 0.7;
+
+using Derivative = Eigen::Matrix<double, 2, 3>;
+
+Eigen::Vector3d point(const HalfEdgeMesh& mesh, int v) {
+  const auto p = mesh.point(VertexHandle(v));
+  return {p[0], p[1], p[2]};
+}
+
+/// J around each vertex, the mean by area over its faces.
+std::vector<Derivative> vertex_derivatives(const HalfEdgeMesh& mesh, const Positions2& uv) {
+  std::vector<Derivative> sum(mesh.n_vertices(), Derivative::Zero());
+  std::vector<double> area(mesh.n_vertices(), 0);
+  const Triangles triangles = triangles_of(mesh);
+  for (int f = 0; f < triangles.rows(); ++f) {
+    const int a = triangles(f, 0), b = triangles(f, 1), c = triangles(f, 2);
+    const Eigen::Vector3d ab = point(mesh, b) - point(mesh, a), ac = point(mesh, c) - point(mesh, a);
+    const Eigen::Vector3d normal = ab.cross(ac);
+    const double twice_area = normal.norm();
+    // Rows of J: ∇u, with ∇ of the hats of b and c.
+    const Eigen::Vector3d grad_b = ac.cross(normal) / (twice_area * twice_area);
+    const Eigen::Vector3d grad_c = normal.cross(ab) / (twice_area * twice_area);
+    const Derivative j = (uv.row(b) - uv.row(a)).transpose() * grad_b.transpose() +
+                         (uv.row(c) - uv.row(a)).transpose() * grad_c.transpose();
+    for (const int v : {a, b, c}) {
+      sum[at(v)] += twice_area * j;
+      area[at(v)] += twice_area;
+    }
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v) sum[v] /= area[v];
+  return sum;
+}
+
+/// Damped Jacobi sweeps of the shape error over all vertices that no wire holds.
+void smooth(const Chart& chart, const WireNetwork& network, Positions2& uv) {
+  const ShapeError shape_error(chart);
+  Eigen::VectorXd factor = Eigen::VectorXd::Zero(uv.rows());
+  for (const ShapeError::Triangle& t : shape_error.triangles()) {
+    const auto hats = t.hat_gradients();
+    for (int k = 0; k < 3; ++k) factor[t.vertices[k]] += 2 * t.area * hats.col(k).squaredNorm();
+  }
+  factor = kDamping * factor.cwiseInverse();
+  for (const WireEdge& edge : network.edges) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
+    factor[chart.mesh.from_vertex_handle(h).idx()] = factor[chart.mesh.to_vertex_handle(h).idx()] = 0;
+  }
+  Positions2 gradient;
+  for (int i = 0; i < kSweeps; ++i) {
+    shape_error.energy_and_gradient(uv, gradient);
+    uv -= factor.asDiagonal() * gradient;
+  }
+}
+
+}  // namespace
+
+Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Positions2& coarse_uv) {
+  const std::vector<Derivative> derivatives = vertex_derivatives(coarse.chart.mesh, coarse_uv);
+  Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
+  for (int v = 0; v < uv.rows(); ++v) {
+    const CoarsePlace& place = coarse.places[at(v)];
+    const Eigen::Vector3d p = point(chart.mesh, v);
+    Eigen::Vector2d u(0, 0);
+    Derivative mean = Derivative::Zero();
+    Eigen::Vector3d foot(0, 0, 0);
+    for (int k = 0; k < 3; ++k) {
+      const int i = place.vertices[k];
+      const double b = place.weights[k];
+      const Eigen::Vector3d corner = point(coarse.chart.mesh, i);
+      u += b * (coarse_uv.row(i).transpose() + 0.5 * derivatives[at(i)] * (p - corner));
+      mean += b * derivatives[at(i)];
+      foot += b * corner;
+    }
+    uv.row(v) = (u + 0.5 * mean * (p - foot)).transpose();
+  }
+  return uv;
+}
+
+Positions2 prolong_positions(const Chart& chart, const WireNetwork& network, const CoarseChart& coarse,
+                             const Positions2& coarse_uv) {
+  Positions2 uv = interpolate(chart, coarse, coarse_uv);
+  prolong_wires(chart, network, coarse, coarse_uv, uv);
+  smooth(chart, network, uv);
+  return uv;
+}
+
+Eigen::VectorXd prolong_multipliers(const CoarseChart& coarse, const Eigen::VectorXd& coarse_multipliers) {
+  Eigen::VectorXd fine(static_cast<Eigen::Index>(coarse.wire_places.size()));
+  for (int e = 0; e < fine.size(); ++e) fine[e] = coarse_multipliers[coarse.wire_places[at(e)].edge];
+  return fine;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Coarse charts: wires keep their way and length, every removed vertex its place, and the shape carries over.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <random>
+#include <set>
+
+#include "coarsen/prolong.h"
+#include "mesh/edge_table.h"
+#include "mesh/geometry.h"
+#include "pi.h"
+#include "refine/coarse_start.h"
+#include "refine/refine_chart.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+/// Moves the inner grid vertices about, so that nothing is regular and wires across are jagged.
+FlattenInput jittered_grid(int n, double jitter, const test::Surface& surface) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> move(-jitter / n, jitter / n);
+  int vertex = 0;
+  return test::make_grid(n, n, [&](double s, double t) {
+    const int i = vertex % (n + 1), j = vertex / (n + 1);
+    ++vertex;
+    const double ds = move(random), dt = move(random);
+    return surface(i == 0 || i == n ? s : s + ds, j == 0 || j == n ? t : t + dt);
+  });
+}
+
+Eigen::Vector3d flat(double s, double t) { return {2 * s, 2 * t, 0}; }
+
+Eigen::Vector3d dome(double s, double t) {
+  const double x = 2 * s - 1, y = 2 * t - 1;
+  return {x, y, -0.3 * (x * x + y * y) + 0.05 * std::sin(5 * x + 2 * y)};
+}
+
+FlattenInput with_cross(FlattenInput input, int n, double tolerance = 0) {
+  test::add_wire(input, test::grid_row(n, n / 2), tolerance);
+  test::add_wire(input, test::grid_column(n, n, n / 3), tolerance);
+  return input;
+}
+
+struct Coarse {
+  explicit Coarse(const FlattenInput& input, double stride = 4)
+      : charts(test::charts_of(input)),
+        coarse(coarsen(chart, network,
+                       stride * std::sqrt(2 * surface_area(chart.mesh) / static_cast<double>(chart.mesh.n_faces())))) {}
+
+  Eigen::Vector3d fine_point(int v) const {
+    const auto p = chart.mesh.point(VertexHandle(v));
+    return {p[0], p[1], p[2]};
+  }
+  Eigen::Vector3d coarse_point(int v) const {
+    const auto p = coarse.chart.mesh.point(VertexHandle(v));
+    return {p[0], p[1], p[2]};
+  }
+  Eigen::Vector3d placed(int v) const {
+    const CoarsePlace& place = coarse.places[at(v)];
+    Eigen::Vector3d sum(0, 0, 0);
+    for (int k = 0; k < 3; ++k) sum += place.weights[k] * coarse_point(place.vertices[k]);
+    return sum;
+  }
+
+  Charts charts;
+  const Chart& chart = charts.charts.at(0);
+  WireNetwork network = build_held_network(chart);
+  CoarseChart coarse;
+};
+
+TEST(Coarsen, TakesMostVerticesOut) {
+  const int n = 40;
+  const Coarse c(with_cross(jittered_grid(n, 0.3, dome), n));
+  EXPECT_LT(10 * c.coarse.chart.mesh.n_faces(), c.chart.mesh.n_faces());
+  EXPECT_GT(c.coarse.chart.mesh.n_faces(), 50u);
+}
+
+TEST(Coarsen, WireVerticesStayOnTheirWires) {
+  const int n = 40;
+  const FlattenInput input = with_cross(jittered_grid(n, 0.3, dome), n);
+  const Coarse c(input);
+  ASSERT_EQ(c.coarse.chart.wire_parts.size(), c.chart.wire_parts.size());
+  for (std::size_t w = 0; w < input.wires.size(); ++w) {
+    std::vector<int> left{c.coarse.chart.source_vertex[at(
+        c.coarse.chart.mesh.from_vertex_handle(c.coarse.chart.wire_parts[w].half_edges.front()).idx())]};
+    for (const HalfedgeHandle h : c.coarse.chart.wire_parts[w].half_edges) {
+      left.push_back(c.coarse.chart.source_vertex[at(c.coarse.chart.mesh.to_vertex_handle(h).idx())]);
+    }
+    const std::vector<int>& wire = input.wires[w].vertices;
+    EXPECT_EQ(left.front(), wire.front());
+    EXPECT_EQ(left.back(), wire.back());
+    EXPECT_LT(left.size(), wire.size() / 2);
+    auto place = wire.begin();
+    for (const int v : left) place = std::find(place, wire.end(), v);
+    EXPECT_NE(place, wire.end()) << "not in the order of the wire";
+  }
+}
+
+TEST(Coarsen, JunctionsCornersAndEndsStay) {
+  const int n = 40;
+  FlattenInput input = with_cross(jittered_grid(n, 0.3, dome), n);
+  test::add_wire(input, {5 * (n + 1) + 30, 6 * (n + 1) + 30, 7 * (n + 1) + 30, 8 * (n + 1) + 30});  // floats
+  const Coarse c(input);
+  const std::set<int> left(c.coarse.chart.source_vertex.begin(), c.coarse.chart.source_vertex.end());
+  const int crossing = n / 2 * (n + 1) + n / 3, floating = 5 * (n + 1) + 30;
+  for (const int v : {0, n, n * (n + 1), (n + 1) * (n + 1) - 1, crossing, n / 3, floating, floating + 3 * (n + 1)}) {
+    EXPECT_EQ(left.count(v), 1u) << v;
+  }
+}
+
+TEST(Coarsen, RunsShareOutAllFineEdgesAndTheirLength) {
+  const int n = 40;
+  const Coarse c(with_cross(jittered_grid(n, 0.3, dome), n));
+  std::vector<int> count(c.network.edges.size(), 0);
+  double walked = 0, total = 0;
+  for (const WireRun& run : c.coarse.runs) {
+    walked += run.walked_length;
+    for (const WireHalfEdge h : run.half_edges) ++count[at(h.edge)];
+  }
+  for (const WireEdge& edge : c.network.edges) total += edge.length;
+  EXPECT_EQ(std::count(count.begin(), count.end(), 1), static_cast<std::ptrdiff_t>(count.size()));
+  EXPECT_NEAR(walked, total, 1e-12 * total);
+}
+
+/// On a plane the unrolled runs are the wires themselves.
+TEST(Coarsen, ChordsAndAnglesAreThoseOfTheCoarseMeshOnAPlane) {
+  const int n = 40;
+  const Coarse c(with_cross(jittered_grid(n, 0.3, flat), n));
+  const WireNetwork measured = build_held_network(c.coarse.chart);
+  for (std::size_t e = 0; e < measured.edges.size(); ++e) {
+    EXPECT_NEAR(c.coarse.network.edges[e].length, measured.edges[e].length, 1e-12);
+  }
+  for (std::size_t i = 0; i < measured.nodes.size(); ++i) {
+    EXPECT_NEAR(c.coarse.network.nodes[i].surface_angle, measured.nodes[i].surface_angle, 1e-10);
+  }
+}
+
+/// The sum over all nodes of π − α does not change: what the network turns in all.
+TEST(Coarsen, KeepsTheTurningOfTheNetworkOnACurvedSurface) {
+  const int n = 40;
+  const Coarse c(with_cross(jittered_grid(n, 0.3, dome), n));
+  const auto turning = [](const WireNetwork& network) {
+    double sum = 0;
+    for (const WireNode& node : network.nodes) sum += kPi - node.surface_angle;
+    return sum;
+  };
+  EXPECT_NEAR(turning(c.coarse.network), turning(c.network), 1e-9);
+}
+
+TEST(Coarsen, NoFaceIsTurnedOverAndNoneIsLost) {
+  const int n = 40;
+  const Coarse c(with_cross(jittered_grid(n, 0.3, flat), n));
+  double area = 0;
+  for (const FaceHandle f : c.coarse.chart.mesh.faces()) {
+    const HalfedgeHandle h = c.coarse.chart.mesh.halfedge_handle(f);
+    const auto a = c.coarse.chart.mesh.point(c.coarse.chart.mesh.from_vertex_handle(h));
+    const auto b = c.coarse.chart.mesh.point(c.coarse.chart.mesh.to_vertex_handle(h));
+    const auto d =
+        c.coarse.chart.mesh.point(c.coarse.chart.mesh.to_vertex_handle(c.coarse.chart.mesh.next_halfedge_handle(h)));
+    const double twice = ((b - a) % (d - a))[2];
+    EXPECT_GT(twice, 0);
+    area += twice / 2;
+  }
+  EXPECT_NEAR(area, 4, 1e-12);
+}
+
+TEST(Coarsen, EveryVertexHasAPlaceInAFace) {
+  const int n = 40;
+  const Coarse c(with_cross(jittered_grid(n, 0.3, dome), n));
+  for (int v = 0; v < static_cast<int>(c.chart.mesh.n_vertices()); ++v) {
+    const CoarsePlace& place = c.coarse.places[at(v)];
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      ASSERT_GE(place.vertices[k], 0);
+      EXPECT_GT(place.weights[k], -0.5);
+      sum += place.weights[k];
+      const VertexHandle a(place.vertices[k]), b(place.vertices[(k + 1) % 3]);
+      EXPECT_TRUE(a == b || c.coarse.chart.mesh.find_halfedge(a, b).is_valid());
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_LT((c.placed(v) - c.fine_point(v)).norm(), 0.1) << "edges are about 0.2 long";
+  }
+}
+
+TEST(Coarsen, IsTheSameForATurnedAndScaledChart) {
+  const int n = 30;
+  const FlattenInput input = with_cross(jittered_grid(n, 0.3, dome), n);
+  FlattenInput moved = input;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.2, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
+  moved.vertices = 1000 * input.vertices * turn.transpose();
+  const Coarse a(input), again(input), b(moved);
+  EXPECT_EQ(a.coarse.chart.source_vertex, again.coarse.chart.source_vertex);
+  EXPECT_EQ(a.coarse.chart.source_vertex, b.coarse.chart.source_vertex);
+  for (std::size_t e = 0; e < a.coarse.network.edges.size(); ++e) {
+    EXPECT_NEAR(b.coarse.network.edges[e].length, 1000 * a.coarse.network.edges[e].length, 1e-9);
+  }
+}
+
+TEST(Coarsen, KeepsHoles) {
+  const Coarse c(test::flat_plate_with_two_holes(20));
+  ASSERT_EQ(c.coarse.chart.boundary_loops.size(), 3u);
+  EXPECT_NEAR(surface_area(c.coarse.chart.mesh), surface_area(c.chart.mesh), 1e-12);
+}
+
+/// A closed wire must not collapse onto itself, however coarse.
+TEST(Coarsen, ClosedWiresStayOpen) {
+  const int n = 40;
+  FlattenInput input = jittered_grid(n, 0.3, dome);
+  const auto vertex = [n](int i, int j) { return j * (n + 1) + i; };
+  test::add_wire(input, {vertex(20, 20), vertex(21, 20), vertex(22, 20), vertex(22, 21), vertex(22, 22), vertex(21, 22),
+                         vertex(20, 22), vertex(20, 21), vertex(20, 20)});
+  const Coarse c(input, 12);
+  const HalfEdgeChain& ring = c.coarse.chart.wire_parts.at(0).half_edges;
+  EXPECT_GE(ring.size(), 3u);
+  std::set<int> edges;
+  for (const HalfedgeHandle h : ring) edges.insert(c.coarse.chart.mesh.edge_handle(h).idx());
+  EXPECT_EQ(edges.size(), ring.size());
+}
+
+Positions2 mapped(const HalfEdgeMesh& mesh, const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& map) {
+  Positions2 uv(static_cast<Eigen::Index>(mesh.n_vertices()), 2);
+  for (const VertexHandle v : mesh.vertices()) uv.row(v.idx()) = map({mesh.point(v)[0], mesh.point(v)[1]}).transpose();
+  return uv;
+}
+
+TEST(Prolong, IsExactForRigidMotions) {
+  const int n = 40;
+  const Coarse c(with_cross(jittered_grid(n, 0.3, flat), n));
+  const auto motion = [](const Eigen::Vector2d& p) -> Eigen::Vector2d {
+    return Eigen::Rotation2Dd(2.5) * p + Eigen::Vector2d(3, -1);
+  };
+  const Positions2 uv = prolong_positions(c.chart, c.network, c.coarse, mapped(c.coarse.chart.mesh, motion));
+  EXPECT_LT((uv - mapped(c.chart.mesh, motion)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+/// A gentle quadratic map: piecewise linear interpolation is out by h²/8 times its second derivative.
+TEST(Prolong, FollowsQuadraticMaps) {
+  const int n = 40;
+  const double bend = 0.01;
+  const Coarse c(jittered_grid(n, 0.3, flat));
+  const auto map = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
+    return p + bend * Eigen::Vector2d(p.x() * p.x() - p.x() * p.y(), p.y() * p.y() + p.x() * p.y());
+  };
+  const Positions2 coarse_uv = mapped(c.coarse.chart.mesh, map), wanted = mapped(c.chart.mesh, map);
+  const Positions2 uv = interpolate(c.chart, c.coarse, coarse_uv);
+  double error = 0, linear = 0;
+  for (const VertexHandle v : c.chart.mesh.vertices()) {
+    const CoarsePlace& place = c.coarse.places[at(v.idx())];
+    if ((c.fine_point(v.idx()) - Eigen::Vector3d(1, 1, 0)).cwiseAbs().maxCoeff() > 0.8) continue;  // one-sided Jᵢ
+    Eigen::RowVector2d flat_place(0, 0);
+    for (int k = 0; k < 3; ++k) flat_place += place.weights[k] * coarse_uv.row(place.vertices[k]);
+    linear += (flat_place - wanted.row(v.idx())).squaredNorm();
+    error += (uv.row(v.idx()) - wanted.row(v.idx())).squaredNorm();
+  }
+  EXPECT_LT(error, 0.1 * linear);
+}
+
+const RefinementLimits kNoLimits{100, [] { return true; }};
+
+/// From the coarse shape to the same minimum as from scratch, in few factorizations.
+void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int max_factorizations = 3) {
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+  const WireNetwork network = build_held_network(chart);
+  Options options;
+  options.fairness = fairness;
+  const std::optional<RefinementStart> start = start_from_coarse(chart, network, options);
+  ASSERT_TRUE(start);
+  const RefinedShape shape = refine_shape(chart, network, options.fairness, *start, kNoLimits);
+  const RefinedShape from_scratch = refine_from_scratch(chart, network, options, [] { return true; }).shape;
+  EXPECT_TRUE(shape.is_exact);
+  EXPECT_TRUE(shape.converged);
+  EXPECT_LT(shape.length_error, 1e-12);
+  EXPECT_LE(shape.factorizations, max_factorizations);
+  EXPECT_NEAR(shape.objective, from_scratch.objective, 1e-9 * from_scratch.objective);
+}
+
+TEST(CoarseStart, ReachesTheSameMinimumWithRigidWires) {
+  expect_same_minimum(with_cross(jittered_grid(48, 0.1, dome), 48));
+}
+
+TEST(CoarseStart, ReachesTheSameMinimumWithElasticWires) {
+  expect_same_minimum(with_cross(jittered_grid(48, 0.1, dome), 48, 0.03));
+}
+
+/// Far from developable: 13 factorizations from scratch.
+TEST(CoarseStart, ReachesTheSameMinimumOnAQuarterSphere) { expect_same_minimum(test::quarter_sphere(64), 0.1, 4); }
+
+TEST(CoarseStart, ReachesTheSameMinimumWithJaggedWires) {
+  expect_same_minimum(with_cross(jittered_grid(64, 0.25, dome), 64, 0.05));
+}
+
+TEST(CoarseStart, ReachesTheSameMinimumOfAPlateWithHoles) {
+  FlattenInput plate = test::flat_plate_with_two_holes(24);
+  for (int v = 0; v < plate.vertices.rows(); ++v) {
+    plate.vertices(v, 2) = 0.2 * std::sin(2 * plate.vertices(v, 0)) * std::cos(1.5 * plate.vertices(v, 1));
+  }
+  expect_same_minimum(plate);
+}
+
+TEST(CoarseStart, LargeChartsTakeThreeFactorizationsAtMost) {
+  const int n = 104;  // 21,632 faces
+  const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
+  int asked = 0;
+  const ChartRefinement refined = refine_chart(charts.charts.at(0), Options{}, [&] { return ++asked > 0; });
+  EXPECT_TRUE(refined.shape.converged);
+  EXPECT_LE(refined.shape.factorizations, 3);
+  EXPECT_GE(asked, refined.shape.factorizations);
+}
+
+TEST(CoarseStart, StopsWhenAsked) {
+  const int n = 104;
+  const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
+  const ChartRefinement at_once = refine_chart(charts.charts.at(0), Options{}, [] { return false; });
+  EXPECT_TRUE(at_once.was_stopped);
+  EXPECT_FALSE(at_once.shape.is_exact);
+  int asked = 0;
+  const ChartRefinement later = refine_chart(charts.charts.at(0), Options{}, [&] { return ++asked < 2; });
+  EXPECT_TRUE(later.was_stopped);
+  EXPECT_TRUE(later.shape.is_exact);
+  EXPECT_LT(later.shape.length_error, 1e-10);
+}
+
+/// Every edge rigid on a curved surface: then the coarse chart is the fine one, and has no flat shape.
+TEST(CoarseStart, IsNoneWhereTheCoarseChartHasNoExactLengths) {
+  FlattenInput input = test::quarter_sphere(5);
+  input.wires.clear();
+  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+  for (int e = 0; e < edges.num_edges(); ++e) {
+    if (edges.num_sides(e) == 2) test::add_wire(input, {edges.vertices(e)[0], edges.vertices(e)[1]});
+  }
+  const Charts charts = test::charts_of(input);
+  Options options;
+  options.fairness = 1;
+  EXPECT_FALSE(start_from_coarse(charts.charts.at(0), build_held_network(charts.charts.at(0)), options));
+}
+
+/// Wires may wiggle in waves no longer than a few edges: a coarser chart would not show them.
+TEST(CoarseStart, IsNoneWhereWiresAreLeftToWiggle) {
+  const Charts charts = test::charts_of(with_cross(jittered_grid(24, 0.2, dome), 24));
+  Options options;
+  options.fairness = 0.01;
+  EXPECT_FALSE(start_from_coarse(charts.charts.at(0), build_held_network(charts.charts.at(0)), options));
+}
+
+/// A start that claims to be near the minimum and is a point.
+TEST(CoarseStart, AFalseClaimIsNoticed) {
+  const int n = 24;
+  const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
+  const Chart& chart = charts.charts.at(0);
+  const WireNetwork network = build_held_network(chart);
+  const Positions2 point = Positions2::Constant(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2, 1.0);
+  const RefinedShape shape = refine_shape(
+      chart, network, 0.1, {point, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(network.edges.size()))}, kNoLimits);
+  EXPECT_FALSE(shape.is_exact);
+}
+
+}  // namespace
+}  // namespace wirewarp
