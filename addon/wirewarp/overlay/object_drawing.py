@@ -17,7 +17,7 @@ from ..wire_names import chain_names
 from ..write_flat_object import find_flat_object
 from ..write_helper_wires import find_helper_wires
 from ..write_maps import RANGES
-from ..write_texts import PIECE_ID, find_texts
+from ..write_texts import find_texts
 from .gather import gather_lines, gather_triangles, shown_mesh
 from .line_marks import LineMarks, Name, dashes_by_kind, lines_by_kind, seam_line_names, wire_line_names
 from .surface_arrays import ColoredTriangles, Extremes, colored, on_model
@@ -75,13 +75,12 @@ def _seam_of_edge(report: dict) -> Mapping[tuple[int, int], int]:
 
 
 def _piece_names(flat: bpy.types.Object) -> list[Name]:
-    """Of pieces without a text of their own, at the face nearest to the middle."""
-    written = [text[PIECE_ID] for text in find_texts(flat)]
+    """At the face nearest to each piece's middle."""
     mesh, text_of = flat.data, piece_names(flat.wirewarp_source)
     pieces = read(mesh.attributes[PIECE].data, "value", np.int32)
     centers = read(mesh.polygons, "center", np.float32, 3)
     names = []
-    for piece in np.setdiff1d(pieces, written).tolist():
+    for piece in np.unique(pieces).tolist():
         own = centers[pieces == piece]
         middle = (own.min(axis=0) + own.max(axis=0)) / 2
         place = own[np.argmin(np.linalg.norm(own - middle, axis=1))]
