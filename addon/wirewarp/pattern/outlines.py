@@ -5,6 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..edge_keys import edge_keys
+
 
 @dataclass(frozen=True)
 class OutlineEdges:
@@ -23,8 +25,8 @@ def outline_edges(
     following = np.arange(1, len(loop_vertices) + 1)
     following[starts + face_sizes - 1] = starts
     edges = np.column_stack([loop_vertices, loop_vertices[following]]).astype(np.int64)
-    count = len(vertices)
-    lonely = ~np.isin(edges @ (count, 1), edges @ (1, count))
+    _, first, uses = np.unique(edge_keys(edges, len(vertices)), return_index=True, return_counts=True)
+    lonely = np.sort(first[uses == 1])
     edges, piece = edges[lonely], np.repeat(face_piece, face_sizes)[lonely]
     return OutlineEdges(edges, piece, _inward(vertices, edges, piece))
 

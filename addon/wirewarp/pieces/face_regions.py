@@ -8,7 +8,7 @@ import numpy as np
 
 from ..foreach import read
 
-SAMPLE = 20_000  # faces that are looked at: Blender tells groups vertex by vertex only, which is slow on large meshes
+SAMPLE = 5_000  # faces that are looked at: Blender tells groups vertex by vertex only, which is slow on large meshes
 CARRIED = 0.5  # weight from which on a vertex is in its group
 
 

@@ -11,7 +11,7 @@ from ..foreach import read
 from .attribute import PIECE
 from .identity import PieceIdentity
 from .motion import STAY, Motion
-from .places import LaidOut, find_places, laid_out
+from .places import LaidOut, find_places, laid_out, piece_of_vertices
 
 # Of the report: with other ones the user wants another layout.
 LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "gap", "mirror")
@@ -30,9 +30,9 @@ def pieces_in_place(
         return flat, {}, []
     places = find_places(laid_out(flat), known, gap)
     vertices = flat.vertices.copy()
-    corner_piece = np.repeat(flat.piece_id, flat.polygon_sizes)
+    piece = piece_of_vertices(len(vertices), flat.loop_vertices, flat.polygon_sizes, flat.piece_id)
     for piece_id, motion in places.motions.items():
-        own = np.unique(flat.loop_vertices[corner_piece == piece_id])
+        own = piece == piece_id
         vertices[own] = motion(vertices[own])
     return replace(flat, vertices=vertices), places.motions, places.crowded
 

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pieces stay where the user has put them when they are flattened again. No Blender in here."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from ..flat_mesh import FlatMesh
-from ..pattern.outlines import outline_edges
+from ..pattern.outlines import OutlineEdges, outline_edges
 from ..polygons import Segments, overlap
 from .motion import STAY, Motion, fit_motion
 
@@ -30,19 +32,48 @@ class Places:
     crowded: list[int]  # ids of pieces that could not stay, for they would lie over another
 
 
-@dataclass(frozen=True)
-class _Piece:
-    points: np.ndarray  # (k,2)
-    sources: np.ndarray  # (k,) the vertex of the model of each
-    outline: Segments
+class _Pieces:
+    """Pieces one by one. Outlines are found only where they are asked for: that takes the longest."""
 
-    @property
-    def area(self) -> float:
-        (ax, ay), (bx, by) = self.outline.a.T, self.outline.b.T
+    def __init__(self, pieces: LaidOut) -> None:
+        self._pieces = pieces
+        ids = piece_of_vertices(len(pieces.vertices), pieces.loop_vertices, pieces.face_sizes, pieces.piece_id)
+        order = np.argsort(ids, kind="stable")
+        present, first = np.unique(ids[order], return_index=True)
+        self._vertices = dict(zip(present.tolist(), np.split(order, first[1:]), strict=True))
+        self._vertices.pop(0, None)  # of no piece
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self._vertices)
+
+    def __contains__(self, piece_id: int) -> bool:
+        return piece_id in self._vertices
+
+    def points(self, piece_id: int) -> np.ndarray:
+        """(k,2)"""
+        return self._pieces.vertices[self._vertices[piece_id]]
+
+    def sources(self, piece_id: int) -> np.ndarray:
+        """(k,) the vertex of the model of each point."""
+        return self._pieces.source_vertex[self._vertices[piece_id]]
+
+    def box(self, piece_id: int, motion: Motion = STAY) -> np.ndarray:
+        """(2,2) the lowest and the highest corner."""
+        points = motion(self.points(piece_id))
+        return np.array([points.min(axis=0), points.max(axis=0)])
+
+    def outline(self, piece_id: int, motion: Motion = STAY) -> Segments:
+        edges = self._outlines.edges[self._outlines.piece == piece_id]
+        return Segments(*(motion(self._pieces.vertices[ends]) for ends in edges.T))
+
+    def area(self, piece_id: int) -> float:
+        (ax, ay), (bx, by) = (ends.T for ends in self.outline(piece_id))
         return abs(float((ax * by - ay * bx).sum())) / 2
 
-    def moved(self, motion: Motion) -> "_Piece":
-        return _Piece(motion(self.points), self.sources, Segments(motion(self.outline.a), motion(self.outline.b)))
+    @cached_property
+    def _outlines(self) -> OutlineEdges:
+        pieces = self._pieces
+        return outline_edges(pieces.vertices, pieces.loop_vertices, pieces.face_sizes, pieces.piece_id)
 
 
 def laid_out(flat: FlatMesh) -> LaidOut:
@@ -54,39 +85,38 @@ def find_places(pieces: LaidOut, earlier: LaidOut, gap: float) -> Places:
 
     gap: between pieces in the free room, as a fraction of the side of a square with the area of all.
     """
-    now, then = _split(pieces), _split(earlier)
-    motions = {piece_id: _fit(now[piece_id], then[piece_id]) for piece_id in now if piece_id in then}
-    kept = {piece_id: now[piece_id].moved(motion) for piece_id, motion in motions.items() if motion}
+    now, then = _Pieces(pieces), _Pieces(earlier)
+    fits = {piece_id: _fit(now, then, piece_id) for piece_id in now if piece_id in then}
+    kept = {piece_id: motion for piece_id, motion in fits.items() if motion}
     if not kept:
         return Places(dict.fromkeys(now, STAY), [])
-    crowded = _crowded(kept, then)
+    crowded = _crowded(kept, now, then)
     for piece_id in crowded:
         del kept[piece_id]
-    room = gap * np.sqrt(sum(piece.area for piece in now.values()))
-    homeless = {piece_id: piece for piece_id, piece in now.items() if piece_id not in kept}
-    placed = {piece_id: motions[piece_id] for piece_id in kept} | _beside(kept, homeless, room)
-    return Places(placed, crowded)
+    homeless = [piece_id for piece_id in now if piece_id not in kept]
+    if homeless:
+        room = gap * np.sqrt(sum(now.area(piece_id) for piece_id in now))
+        kept |= _beside(kept, homeless, now, room)
+    return Places(kept, crowded)
 
 
-def _split(pieces: LaidOut) -> dict[int, _Piece]:
-    outline = outline_edges(pieces.vertices, pieces.loop_vertices, pieces.face_sizes, pieces.piece_id)
-    corner_piece = np.repeat(pieces.piece_id, pieces.face_sizes)
-    split = {}
-    for piece_id in np.unique(pieces.piece_id).tolist():
-        vertices = np.unique(pieces.loop_vertices[corner_piece == piece_id])
-        a, b = outline.edges[outline.piece == piece_id].T
-        segments = Segments(pieces.vertices[a], pieces.vertices[b])
-        split[piece_id] = _Piece(pieces.vertices[vertices], pieces.source_vertex[vertices], segments)
-    return split
+def piece_of_vertices(
+    count: int, loop_vertices: np.ndarray, face_sizes: np.ndarray, face_piece: np.ndarray
+) -> np.ndarray:
+    """(count,) the piece of each vertex, by those of the faces; 0 for vertices without a face."""
+    piece_of_vertex = np.zeros(count, dtype=np.int64)
+    piece_of_vertex[loop_vertices] = np.repeat(face_piece, face_sizes)
+    return piece_of_vertex
 
 
-def _fit(now: _Piece, then: _Piece) -> Motion | None:
+def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
     """By the vertices that are in both pieces, once in each; None where these do not tell."""
-    rows = [_only_once(piece.sources) for piece in (now, then)]
-    _, first, second = np.intersect1d(now.sources[rows[0]], then.sources[rows[1]], return_indices=True)
+    rows = [_only_once(pieces.sources(piece_id)) for pieces in (now, then)]
+    sources = [pieces.sources(piece_id)[own] for pieces, own in zip((now, then), rows, strict=True)]
+    _, first, second = np.intersect1d(*sources, assume_unique=True, return_indices=True)
     if len(first) < 2:
         return None
-    points, places = now.points[rows[0][first]], then.points[rows[1][second]]
+    points, places = now.points(piece_id)[rows[0][first]], then.points(piece_id)[rows[1][second]]
     motion = fit_motion(points, places)
     moved, goal = (each - each.mean(axis=0) for each in (motion(points), places))
     return motion if (moved * goal).sum() > LIKE * np.linalg.norm(moved) * np.linalg.norm(goal) else None
@@ -98,29 +128,39 @@ def _only_once(sources: np.ndarray) -> np.ndarray:
     return first[count == 1]
 
 
-def _crowded(kept: dict[int, _Piece], then: dict[int, _Piece]) -> list[int]:
+def _crowded(kept: dict[int, Motion], now: _Pieces, then: _Pieces) -> list[int]:
     """Pieces that lie over another and did not before; of two, the one that has grown more."""
-    growth = {piece_id: piece.area / max(then[piece_id].area, 1e-300) for piece_id, piece in kept.items()}
+    close = _close(kept, now)
+    growth = {piece_id: now.area(piece_id) / max(then.area(piece_id), 1e-300) for piece_id in close}
     staying: list[int] = []
     crowded = []
-    for piece_id in sorted(kept, key=growth.__getitem__):
+    for piece_id in sorted(close, key=growth.__getitem__):
         hit = any(
-            overlap(kept[piece_id].outline, kept[other].outline)
-            and not overlap(then[piece_id].outline, then[other].outline)
+            overlap(now.outline(piece_id, kept[piece_id]), now.outline(other, kept[other]))
+            and not overlap(then.outline(piece_id), then.outline(other))
             for other in staying
+            if other in close[piece_id]
         )
         (crowded if hit else staying).append(piece_id)
     return crowded
 
 
-def _beside(kept: dict[int, _Piece], homeless: dict[int, _Piece], room: float) -> dict[int, Motion]:
+def _close(kept: dict[int, Motion], now: _Pieces) -> dict[int, set[int]]:
+    """The pieces whose boxes overlap those of others, and these."""
+    ids = list(kept)
+    low, high = np.array([now.box(piece_id, motion) for piece_id, motion in kept.items()]).transpose(1, 0, 2)
+    meet = np.all((low[:, None] < high) & (low < high[:, None]), axis=2) & ~np.eye(len(ids), dtype=bool)
+    return {ids[row]: {ids[other] for other in np.flatnonzero(meet[row])} for row in np.flatnonzero(meet.any(axis=1))}
+
+
+def _beside(kept: dict[int, Motion], homeless: list[int], now: _Pieces, room: float) -> dict[int, Motion]:
     """Right of the kept pieces, in columns as high as these, the highest pieces first."""
-    boxes = np.array([np.concatenate(piece.outline.box) for piece in kept.values()])
-    corner, top = np.array([boxes[:, 2].max() + room, boxes[:, 1].min()]), boxes[:, 3].max()
+    boxes = np.array([now.box(piece_id, motion) for piece_id, motion in kept.items()])
+    corner, top = np.array([boxes[:, 1, 0].max() + room, boxes[:, 0, 1].min()]), boxes[:, 1, 1].max()
     motions = {}
     place, width = corner.copy(), 0.0
-    for piece_id in sorted(homeless, key=lambda each: -np.ptp(homeless[each].points[:, 1])):
-        low, high = homeless[piece_id].outline.box
+    for piece_id in sorted(homeless, key=lambda each: -np.ptp(now.box(each)[:, 1])):
+        low, high = now.box(piece_id)
         size = high - low
         if place[1] > corner[1] and place[1] + size[1] > top:
             place, width = np.array([place[0] + width + room, corner[1]]), 0.0
