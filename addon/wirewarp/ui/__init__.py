@@ -2,7 +2,7 @@
 """The sidebar tab and the menu entries."""
 
 from . import menus, tick
-from .overlay import VIEW3D_PT_wirewarp_overlay
+from .overlay import IMAGE_PT_wirewarp_overlay, VIEW3D_PT_wirewarp_overlay
 from .panel import VIEW3D_PT_wirewarp_flatten, VIEW3D_PT_wirewarp_mark
 from .piece_list import VIEW3D_PT_wirewarp_pieces, WIREWARP_UL_pieces
 from .report import (
@@ -28,6 +28,7 @@ CLASSES = (
     VIEW3D_PT_wirewarp_report_pieces,
     VIEW3D_PT_wirewarp_report_helpers,
     VIEW3D_PT_wirewarp_overlay,
+    IMAGE_PT_wirewarp_overlay,
 )
 
 __all__ = ["CLASSES", "menus", "tick"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is drawn over models and flat pieces in the 3D view."""
+"""What is drawn over models and flat pieces in the 3D view, and over their map in the UV editor."""
 
 import bpy
 
@@ -13,15 +13,39 @@ class VIEW3D_PT_wirewarp_overlay(SidebarPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         layout, settings = self.layout, context.scene.wirewarp
         layout.active = context.space_data.overlay.show_overlays
-        layout.prop(settings, "show_lines")
-        row = layout.row()
-        row.active = settings.show_lines
-        row.prop(settings, "show_names")
+        _draw_lines(layout, settings)
         layout.label(text="Map")
         layout.prop(settings, "shown_map", text="")
-        active = context.active_object
-        if active and active.type == "MESH" and _names_elements(last_report(active.wirewarp_source or active)):
-            layout.operator("mesh.wirewarp_select_issues", icon="RESTRICT_SELECT_OFF")
+        _draw_select_issues(layout, context)
+
+
+class IMAGE_PT_wirewarp_overlay(bpy.types.Panel):
+    bl_label = "Overlay"
+    bl_space_type = "IMAGE_EDITOR"
+    bl_region_type = "UI"
+    bl_category = "WireWarp"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return context.space_data.mode == "UV"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        self.layout.active = context.space_data.overlay.show_overlays
+        _draw_lines(self.layout, context.scene.wirewarp)
+        _draw_select_issues(self.layout, context)
+
+
+def _draw_lines(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
+    layout.prop(settings, "show_lines")
+    row = layout.row()
+    row.active = settings.show_lines
+    row.prop(settings, "show_names")
+
+
+def _draw_select_issues(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    active = context.active_object
+    if active and active.type == "MESH" and _names_elements(last_report(active.wirewarp_source or active)):
+        layout.operator("mesh.wirewarp_select_issues", icon="RESTRICT_SELECT_OFF")
 
 
 def _names_elements(report: dict | None) -> bool:
