@@ -37,9 +37,9 @@ class ColorMap:
         return f"{sign}{100 * value:.{digits}g} %" if self.is_percent else f"{sign}{value:.{digits}g}"
 
 
-ASPECT_RATIO = ColorMap("aspect_ratio_color", "Aspect ratio", 1.0, 1.5)
+ASPECT_RATIO = ColorMap("aspect_ratio_color", "Worst direction, as a factor", 1.0, 1.5)
 STRETCH = ColorMap("stretch_color", "Stretch of the cloth", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
-LENGTH_VARIATION = ColorMap("length_variation_color", "Length variation of edges", 0.0, 0.1, is_percent=True)
-ARAP_ENERGY = ColorMap("arap_energy_color", "ARAP energy by area", 0.0, 0.1)
+LENGTH_VARIATION = ColorMap("length_variation_color", "Change of length", 0.0, 0.1, is_percent=True)
+ARAP_ENERGY = ColorMap("arap_energy_color", "Distortion", 0.0, 0.1)
 COLOR_MAPS = (ASPECT_RATIO, STRETCH, LENGTH_VARIATION, ARAP_ENERGY)
 NO_LAYOUT = np.array([0.16, 0.18, 0.22, 1.0], dtype=np.float32)  # on none of the scales

@@ -51,8 +51,9 @@ class FlattenSettings:
     )
     fairness: FloatProperty(
         name="Smooth Outlines",
-        description="How much outlines and wires hold on to the curves they have on the model. More: smoother lines; "
-        "less: less distortion of the cloth, but lines may come out wavy. Lengths are exact either way",
+        description="The shortest wiggle of outlines and wires that is left alone, as a share of the size of the piece: 0.1 is a "
+        "tenth. More: smoother lines; less: less distortion of the cloth, but lines may come out wavy. Lengths are "
+        "exact either way",
         min=0.001,
         max=10.0,
         soft_min=0.02,
@@ -63,17 +64,18 @@ class FlattenSettings:
     )
     node_weight: EnumProperty(
         name="Angles",
-        description="Lines turn on the flat piece as nearly as they can as on the model: what counts how much",
+        description="For the methods that lay the lines first: which parts of a line keep best the bends that they have on the "
+        "model, where not all of it can",
         items=[
             (
                 "LENGTH",
                 "By Length",
-                "By length of line: the same shape wherever the mesh has its vertices. Best for most",
+                "Every stretch of a line counts by its length, wherever the mesh has its vertices. Best for most",
             ),
             (
                 "UNIFORM",
                 "By Vertex",
-                "Every vertex alike, as in the paper: densely meshed stretches of a line count more",
+                "Every vertex counts alike, so that finely meshed stretches of a line count more",
             ),
         ],
         default="LENGTH",
@@ -125,14 +127,13 @@ class FlattenSettings:
     )
     use_modifiers: BoolProperty(
         name="Modifiers",
-        description="Flatten the mesh as the modifiers leave it. The result goes to the flat object only, "
-        "because the base mesh has no place for its UVs",
+        description="Flatten the mesh as modifiers and shape keys leave it. There are flat pieces then, but no UV map on the model",
         default=False,
     )
     helper_wires: BoolProperty(
         name="Helper Wires",
-        description="Keep the wires that were added where a wire ends inside a piece, or where lines hang together "
-        "with no other, for the overlay to draw them on the model and on the pieces. They may take any length",
+        description="For the methods that lay the lines first: keep the lines that they add where a wire ends inside a piece or "
+        "meets no other line, and draw them on the model and on the pieces. They may take any length",
         default=True,
     )
     piece_texts: BoolProperty(
@@ -142,7 +143,7 @@ class FlattenSettings:
     )
     maps_on_model: BoolProperty(
         name="Model Maps",
-        description="Write the distortion to the faces and edges of the model too, as attributes and as colors, "
+        description="Write stretch and change of length to the faces and edges of the model too, as attributes and as colors "
         'named "wirewarp_...". The flat pieces always have them. Not with Modifiers',
         default=False,
     )
@@ -187,8 +188,8 @@ class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
     )
     tolerance_percent: FloatProperty(
         name="Tolerance ±%",
-        description="How much an elastic wire may become longer or shorter: a bound on the total length of each part "
-        "between seams, shared evenly by its edges",
+        description="How much an elastic wire may become longer or shorter, in percent of its length: each part between seams by "
+        "itself, the change spread evenly",
         subtype="PERCENTAGE",
         min=0.01,
         max=99.0,
@@ -210,10 +211,10 @@ class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
         description="Measure by which models and flat pieces are colored in Object Mode",
         items=[
             ("NONE", "No Map", "Faces look as always"),
-            ("STRETCH_COLOR", "Stretch", "How much the model stretches the flat cloth, the mean of all directions"),
-            ("LENGTH_VARIATION_COLOR", "Length Variation", "How much longer or shorter edges become (E_L)"),
-            ("ASPECT_RATIO_COLOR", "Aspect Ratio", "The larger of longest stretch and inverse of the shortest (E_r)"),
-            ("ARAP_ENERGY_COLOR", "ARAP Energy", "Energy of the distortion by area (E_A)"),
+            ("STRETCH_COLOR", "Stretch", "How much the model stretches the flat cloth, in percent, the mean of all directions"),
+            ("LENGTH_VARIATION_COLOR", "Change of Length", "How much longer or shorter the lines of the mesh become, in percent"),
+            ("ASPECT_RATIO_COLOR", "Worst Direction", "Stretch or ease in the direction where it is largest, as a factor: 1 is none"),
+            ("ARAP_ENERGY_COLOR", "Distortion", "Stretch and ease in all directions taken together (ARAP energy by area): 0 is none"),
         ],
         default="NONE",
         update=_redraw,

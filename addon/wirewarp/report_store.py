@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The last report of each object, for the panel and for Select Issues.
+"""The last report of each object, for the panel and for Select Problems.
 
 A run that wrote something leaves its report on the object, so that it is saved with it. A run that wrote nothing must
 leave the file alone: its report is kept here, until the next run or file, and goes to the object when the user saves.

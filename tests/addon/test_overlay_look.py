@@ -115,10 +115,10 @@ def test_the_legend_says_what_the_colors_mean(addon):
     assert [text for text in texts if "%" in text] == ["Stretch of the cloth: -3.1 % to +23.4 %", *numbers]
     texts = [text.text for text in lay_out(addon, "ASPECT_RATIO", extremes=(1.0, 1.837)).texts]
     assert [text for text in texts if text[-1].isdigit()] == [
-        "Aspect ratio: up to 1.84",
+        "Worst direction, as a factor: up to 1.84",
         *("1", "1.125", "1.25", "1.375", "≥ 1.5"),
     ]
-    assert "Aspect ratio" in [text.text for text in lay_out(addon, "ASPECT_RATIO", extremes=None).texts]
+    assert "Worst direction, as a factor" in [text.text for text in lay_out(addon, "ASPECT_RATIO", extremes=None).texts]
 
 
 def test_without_anything_to_say_there_is_no_legend(addon):

@@ -20,7 +20,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     report_path: StringProperty(
         name="Report File",
-        description="Write the whole report to this JSON file, lengths in metres and in Blender units",
+        description="Write the whole report to this JSON file, lengths in meters and in Blender units",
         subtype="FILE_PATH",
         options={"SKIP_SAVE"},
     )

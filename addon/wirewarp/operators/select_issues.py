@@ -9,7 +9,7 @@ class MESH_OT_wirewarp_select_issues(ReportOperator, bpy.types.Operator):
     """Select, in Edit Mode, the vertices, edges and faces that the last flattening complained about"""
 
     bl_idname = "mesh.wirewarp_select_issues"
-    bl_label = "Select Issues"
+    bl_label = "Select Problems"
 
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
         check_indices(source, report)

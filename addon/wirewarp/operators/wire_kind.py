@@ -11,7 +11,7 @@ from ..tolerance_text import tolerance_text
 KINDS = [
     ("RIGID", "Rigid", "A rigid wire keeps exactly its length on the model"),
     ("ELASTIC", "Elastic", "An elastic wire may become longer or shorter, up to the tolerance"),
-    ("SUPER_ELASTIC", "Free", "A free wire (super-elastic) gets the length that distorts the pieces least"),
+    ("SUPER_ELASTIC", "Free", "A free wire gets whatever length distorts the pieces least"),
 ]
 DESCRIPTIONS = {identifier: description for identifier, _, description in KINDS}
 NEEDS_TOLERANCE = "An elastic wire needs a tolerance above 0: set one, or make the wire rigid."

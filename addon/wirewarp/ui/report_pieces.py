@@ -26,7 +26,7 @@ def draw_pieces(context: bpy.types.Context, layout: bpy.types.UILayout, rows: li
 def _draw_piece(context: bpy.types.Context, column: bpy.types.UILayout, row: PieceRow, text: LengthText) -> None:
     draw_cells(column, "Model", [text.area(row.area_3d)], 0.3)
     if not row.has_layout:
-        draw_cells(column, "Flat", ["no layout"], 0.3)
+        draw_cells(column, "Flat", ["not laid flat"], 0.3)
         return
     draw_cells(column, "Flat", [text.area(row.area_2d)], 0.3)
     change = row.area_2d / row.area_3d - 1

@@ -23,7 +23,7 @@ def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: 
     if len(issues) > SHOWN_ROWS:
         layout.label(text=f"and {len(issues) - SHOWN_ROWS} more")
     if sum(map(_has_place, issues)) > 1:
-        layout.operator("mesh.wirewarp_select_issues", text="Select All Issues", icon="RESTRICT_SELECT_OFF")
+        layout.operator("mesh.wirewarp_select_issues", text="Select All Problems", icon="RESTRICT_SELECT_OFF")
     if any(issue["code"] == "multi_user_scale" for issue in issues):
         button = layout.operator("object.make_single_user", text="Make Single User")
         button.object = button.obdata = True

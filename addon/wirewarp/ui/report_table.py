@@ -88,6 +88,6 @@ def _flat_lines(row: ReportRow, text: LengthText) -> list[tuple[str, tuple[str, 
 def _flat_numbers(side: Side, text: LengthText) -> tuple[str, str, str]:
     """Flat length, difference and percent; no percent without a layout."""
     if side.length_2d is None:
-        return "no layout", "", ""
+        return "not laid flat", "", ""
     percent = f"{abs(side.percent):.3f}" if abs(side.percent) < 5e-4 else f"{side.percent:+.3f}"
     return text.number(side.length_2d), text.difference(side.difference), percent
