@@ -3,7 +3,18 @@
 
 import bpy
 
-from . import auto_update, mesh_cache, operators, overlay, properties, report_store, solved_pieces, ui, window_run
+from . import (
+    auto_update,
+    keep_names,
+    mesh_cache,
+    operators,
+    overlay,
+    properties,
+    report_store,
+    solved_pieces,
+    ui,
+    window_run,
+)
 
 CLASSES = (*properties.CLASSES, *operators.CLASSES, *ui.CLASSES)
 
@@ -20,6 +31,7 @@ def unregister_classes() -> None:
 
 def register_ui() -> None:
     report_store.attach()
+    keep_names.attach()
     mesh_cache.attach()
     overlay.attach()
     ui.tick.attach()
@@ -37,4 +49,5 @@ def unregister_ui() -> None:
     ui.tick.detach()
     overlay.detach()
     mesh_cache.detach()
+    keep_names.detach()
     report_store.detach()

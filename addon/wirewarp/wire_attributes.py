@@ -45,6 +45,13 @@ def check_attributes(mesh: bpy.types.Mesh) -> None:
             )
 
 
+def has_marks(mesh: bpy.types.Mesh) -> bool:
+    """Whether our attributes are there and are ours."""
+    kinds = {name: mesh.attributes[name] for name in _EXPECTED if name in mesh.attributes}
+    ours = all((kind.domain, kind.data_type) == ("EDGE", _EXPECTED[name]) for name, kind in kinds.items())
+    return WIRE in kinds and ours
+
+
 def read_marks(mesh: bpy.types.Mesh) -> EdgeMarks:
     """The marks of a mesh that is not in Edit Mode."""
     check_attributes(mesh)

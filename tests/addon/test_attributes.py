@@ -52,6 +52,21 @@ def test_join_keeps_both_objects_wires(marked):
     assert wire_marks(marked.data) == both
 
 
+def test_names_of_joined_wires_are_saved(marked, addon, tmp_path):
+    other, foreign = grid("Other", bump), grid("Foreign", bump)
+    mark(other, on_line(1, 0.25))
+    other.data.wirewarp_names[0].name = "Hip"
+    foreign.data.attributes.new("wirewarp_wire", "FLOAT", "POINT")  # not ours: left alone
+    select_only(marked, other)
+    bpy.ops.object.join()
+    path = str(tmp_path / "joined.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    names = [name for name, _ in addon.wire_summary.listed_wires(bpy.data.objects["Bump"])]
+    assert names == ["Wire 1", "Wire 2", "Hip"]
+
+
 def test_join_into_an_object_without_marks(marked):
     before = wire_marks(marked.data)
     bare = grid("Bare", bump)
