@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """When flat pieces are to be made again by themselves: what has changed since, and whether the user is at rest.
 
-A handler only notes that something changed and sets a timer. The timer's event reaches the operator wm.wirewarp_watch
-by the keymap, and so only while no tool that is still going on (moving, a knife) keeps events to itself: leaving Edit
-Mode under such a tool would crash Blender. That operator runs the update, with an undo step like any other operator.
+A handler only notes that something changed. The next movement of the mouse reaches the operator wm.wirewarp_watch by
+the keymap, unless a tool that is still going on (moving vertices, a knife) keeps it to itself: leaving Edit Mode under
+such a tool crashes Blender, and before 4.2 Python cannot ask whether there is one; timers do run under it. The operator
+runs the update, with an undo step like any other operator.
 """
 
 import bpy
@@ -12,9 +13,8 @@ from bpy.app.handlers import persistent
 from . import model_state
 from .report_store import last_report
 
-REST_SECONDS = 0.05
 WATCH = "wm.wirewarp_watch"
-_timer: bpy.types.Timer | None = None
+_due = False
 _undone = False
 _tried: dict[str, dict | None] = {}  # by object: the state in which it was left as it is
 _keymap_items: list[tuple[bpy.types.KeyMap, bpy.types.KeyMapItem]] = []
@@ -22,21 +22,17 @@ _keymap_items: list[tuple[bpy.types.KeyMap, bpy.types.KeyMapItem]] = []
 
 def note_change() -> None:
     """Something may have changed: look into it soon."""
-    global _timer
-    if _timer is None and not bpy.app.background:
-        manager = bpy.context.window_manager
-        _timer = manager.event_timer_add(REST_SECONDS, window=manager.windows[0])
+    global _due
+    _due = True
 
 
 def is_due() -> bool:
-    return _timer is not None
+    return _due
 
 
 def forget_change() -> None:
-    global _timer
-    if _timer is not None:
-        bpy.context.window_manager.event_timer_remove(_timer)
-        _timer = None
+    global _due
+    _due = False
 
 
 def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
@@ -100,7 +96,7 @@ def attach() -> None:
     keyconfig = bpy.context.window_manager.keyconfigs.addon
     if keyconfig:  # none in background
         keymap = keyconfig.keymaps.new(name="Window")
-        _keymap_items.append((keymap, keymap.keymap_items.new(WATCH, "TIMER", "ANY", any=True)))
+        _keymap_items.append((keymap, keymap.keymap_items.new(WATCH, "MOUSEMOVE", "ANY", any=True)))
 
 
 def detach() -> None:

@@ -181,8 +181,8 @@ def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Con
 class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
     auto_update: BoolProperty(
         name="Auto",
-        description="Flatten models that have flat pieces again by itself when seams, wires, shape or scale change. "
-        "While a model of more than 20,000 vertices is in Edit Mode, its pieces wait",
+        description="Flatten models that have flat pieces again by itself when seams, wires, shape or scale change, as "
+        "soon as the mouse moves. While a model of more than 20,000 vertices is in Edit Mode, its pieces wait",
         default=False,
         update=_look_for_changes,
     )

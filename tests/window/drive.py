@@ -59,6 +59,17 @@ def press(kind: str, at: tuple[int, int] | None = None, **modifiers: bool) -> To
         yield from ticks(2)
 
 
+def move_mouse_until(condition: Callable[[], bool]) -> Tour:
+    """To and fro over the 3D view, at least once each way."""
+    x, y = middle(region("WINDOW"))
+    for step in range(60):
+        if step > 1 and condition():
+            return
+        send("MOUSEMOVE", "NOTHING", (x + 10 * (step % 2), y))
+        yield from ticks(2)
+    raise AssertionError("no movement of the mouse brought it about")
+
+
 def ticks(count: int) -> Tour:
     """Lets the window handle its events and redraw."""
     for _ in range(count):

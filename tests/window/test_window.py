@@ -25,6 +25,7 @@ TOURS = {
         "one_undo_step",
         "one_undo_step_in_edit_mode",
         "auto_update",
+        "auto_update_waits_for_a_tool",
         "settings_can_be_adjusted_after_a_run",
         "report_shows_the_place",
         "copies_the_report",

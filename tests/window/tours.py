@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tours through Blender's window; test_window.py runs each in a Blender of its own, drive.py drives."""
 
+import bmesh
 import bpy
 import drive
 from stage import contents, flatten, marked_bump, redo, remember, undo, window_run
@@ -59,22 +60,48 @@ def auto_update() -> drive.Tour:
     bpy.context.scene.wirewarp.auto_update = True
     select_edges(source, on_line(0, 0.0))
     remember()
-    yield from drive.ticks(20)
+    for _ in range(10):
+        yield from drive.move_mouse_until(lambda: True)
     assert (flat_vertices(source), bpy.context.mode) == (81, "EDIT_MESH")
     with drive.in_view():
         bpy.ops.mesh.mark_seam("INVOKE_DEFAULT", True, clear=False)
-    yield lambda: flat_vertices(source) == 90
+    yield from drive.move_mouse_until(lambda: flat_vertices(source) == 90)
     yield lambda: not window_run.is_running()
     assert bpy.context.mode == "EDIT_MESH"
     drive.screenshot("auto_update")
     yield from undo()
     yield lambda: flat_vertices(bpy.data.objects["Bump"]) == 81
-    bpy.context.window_manager.print_undo_steps()
-    yield from drive.ticks(50)
+    for _ in range(10):
+        yield from drive.move_mouse_until(lambda: True)
     assert flat_vertices(bpy.data.objects["Bump"]) == 81
     assert bpy.context.mode == "EDIT_MESH"
     yield from redo()
     yield lambda: flat_vertices(bpy.data.objects["Bump"]) == 90
+
+
+def auto_update_waits_for_a_tool() -> drive.Tour:
+    """While vertices are being moved nothing is made again; once they are dropped, all of it is one undo step."""
+    source = marked_bump()
+    yield from flatten()
+    bpy.context.scene.wirewarp.auto_update = True
+    select_edges(source, on_line(0, 0.0))
+    remember()
+    report = source["wirewarp_report"]
+    yield from drive.press("G")
+    for step in range(5):
+        x, y = drive.middle(drive.region("WINDOW"))
+        drive.send("MOUSEMOVE", "NOTHING", (x + 10 * step, y + 5 * step))
+        yield from drive.ticks(10)
+    assert not window_run.is_running()
+    assert (source.mode, source["wirewarp_report"]) == ("EDIT", report)
+    yield from drive.press("RET", (x, y))
+    yield from drive.move_mouse_until(lambda: source["wirewarp_report"] != report)
+    yield lambda: not window_run.is_running()
+    yield from undo()
+    yield lambda: bpy.data.objects["Bump"]["wirewarp_report"] == report
+    assert bpy.context.mode == "EDIT_MESH"
+    heights = [vertex.co.z for vertex in bmesh.from_edit_mesh(bpy.data.objects["Bump"].data).verts]
+    assert max(heights) < 0.41
 
 
 def settings_can_be_adjusted_after_a_run() -> drive.Tour:
