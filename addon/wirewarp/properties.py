@@ -51,8 +51,8 @@ class FlattenSettings:
     )
     fairness: FloatProperty(
         name="Smooth Outlines",
-        description="The shortest wiggle of outlines and wires that is left alone, as a share of the size of the piece: 0.1 is a "
-        "tenth. More: smoother lines; less: less distortion of the cloth, but lines may come out wavy. Lengths are "
+        description="The shortest wiggle of outlines and wires that is left alone, as a share of the size of the "
+        "piece: 0.1 is a tenth. More: smoother lines; less: less distortion of the cloth, but lines may come out wavy. Lengths are "
         "exact either way",
         min=0.001,
         max=10.0,
@@ -64,8 +64,8 @@ class FlattenSettings:
     )
     node_weight: EnumProperty(
         name="Angles",
-        description="For the methods that lay the lines first: which parts of a line keep best the bends that they have on the "
-        "model, where not all of it can",
+        description="For the methods that lay the lines first: which parts of a line keep best the bends that they "
+        "have on the model, where not all of it can",
         items=[
             (
                 "LENGTH",
@@ -127,13 +127,14 @@ class FlattenSettings:
     )
     use_modifiers: BoolProperty(
         name="Modifiers",
-        description="Flatten the mesh as modifiers and shape keys leave it. There are flat pieces then, but no UV map on the model",
+        description="Flatten the mesh as modifiers and shape keys leave it. There are flat pieces then, but no UV map on "
+        "the model",
         default=False,
     )
     helper_wires: BoolProperty(
         name="Helper Wires",
-        description="For the methods that lay the lines first: keep the lines that they add where a wire ends inside a piece or "
-        "meets no other line, and draw them on the model and on the pieces. They may take any length",
+        description="For the methods that lay the lines first: keep the lines that they add where a wire ends "
+        "inside a piece or meets no other line, and draw them on the model and on the pieces. They may take any length",
         default=True,
     )
     piece_texts: BoolProperty(
@@ -143,7 +144,8 @@ class FlattenSettings:
     )
     maps_on_model: BoolProperty(
         name="Model Maps",
-        description="Write stretch and change of length to the faces and edges of the model too, as attributes and as colors "
+        description="Write stretch and change of length to the faces and edges of the model too, as attributes and "
+        "as colors "
         'named "wirewarp_...". The flat pieces always have them. Not with Modifiers',
         default=False,
     )
@@ -188,8 +190,8 @@ class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
     )
     tolerance_percent: FloatProperty(
         name="Tolerance ±%",
-        description="How much an elastic wire may become longer or shorter, in percent of its length: each part between seams by "
-        "itself, the change spread evenly",
+        description="How much an elastic wire may become longer or shorter, in percent of its length: each part "
+        "between seams by itself, the change spread evenly",
         subtype="PERCENTAGE",
         min=0.01,
         max=99.0,
@@ -211,10 +213,26 @@ class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
         description="Measure by which models and flat pieces are colored in Object Mode",
         items=[
             ("NONE", "No Map", "Faces look as always"),
-            ("STRETCH_COLOR", "Stretch", "How much the model stretches the flat cloth, in percent, the mean of all directions"),
-            ("LENGTH_VARIATION_COLOR", "Change of Length", "How much longer or shorter the lines of the mesh become, in percent"),
-            ("ASPECT_RATIO_COLOR", "Worst Direction", "Stretch or ease in the direction where it is largest, as a factor: 1 is none"),
-            ("ARAP_ENERGY_COLOR", "Distortion", "Stretch and ease in all directions taken together (ARAP energy by area): 0 is none"),
+            (
+                "STRETCH_COLOR",
+                "Stretch",
+                "How much the model stretches the flat cloth, in percent, the mean of all directions",
+            ),
+            (
+                "LENGTH_VARIATION_COLOR",
+                "Change of Length",
+                "How much longer or shorter the lines of the mesh become, in percent",
+            ),
+            (
+                "ASPECT_RATIO_COLOR",
+                "Worst Direction",
+                "Stretch or ease in the direction where it is largest, as a factor: 1 is none",
+            ),
+            (
+                "ARAP_ENERGY_COLOR",
+                "Distortion",
+                "Stretch and ease in all directions taken together (ARAP energy by area): 0 is none",
+            ),
         ],
         default="NONE",
         update=_redraw,
