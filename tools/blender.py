@@ -8,9 +8,10 @@ same extension system without a window.
 import shutil
 from pathlib import Path
 
+from tools import addon_coverage
 from tools.blender_window import WINDOW_APT
-from tools.environment import BUILD, ROOT, require_apt, require_python, run, venv
-from tools.package import DEBIAN_PYTHON, extension_zip, legacy_zip
+from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, require_apt, require_python, run, venv
+from tools.package import extension_zip, package, package_legacy
 
 PYTEST = "pytest==9.2.0"
 BLENDER_APT = ("blender", "python3-numpy", "python3-pytest")
@@ -37,14 +38,18 @@ def blender(*arguments: str | Path) -> list[str | Path]:
 def debian_blender_tests() -> None:
     require_apt(*BLENDER_APT)
     runner = ROOT / "tests" / "addon" / "run_in_blender.py"
-    settings = blender_folder("test-debian") | {"WIREWARP_ZIP": str(legacy_zip())}
+    settings = blender_folder("test-debian") | {"WIREWARP_ZIP": str(package_legacy())}
+    settings |= addon_coverage.begin("headless")
     run(blender("--python", runner, "--", "-q", "tests/addon"), **settings)
+    addon_coverage.show()
 
 
 def window_tests() -> None:
     require_apt(*BLENDER_APT, *WINDOW_APT)
     python = venv("repository", DEBIAN_PYTHON, PYTEST)
-    run([python, "-m", "pytest", "-q", "tests/window"], WIREWARP_ZIP=str(legacy_zip()))
+    settings = {"WIREWARP_ZIP": str(package_legacy())} | addon_coverage.begin("window")
+    run([python, "-m", "pytest", "-q", "tests/window"], **settings)
+    addon_coverage.show()
 
 
 def bpy_python(requirement: str) -> Path:
@@ -54,6 +59,7 @@ def bpy_python(requirement: str) -> Path:
 
 def bpy_tests(requirement: str) -> None:
     require_apt(*BPY_APT)
+    package()
     python = bpy_python(requirement)
     scripts = "lib/*/site-packages/bpy/*/scripts"
     (blender_ext,) = python.parent.parent.glob(f"{scripts}/addons_core/bl_pkg/cli/blender_ext.py")

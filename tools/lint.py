@@ -1,18 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Style and static checks of all sources."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
-from tools.environment import ROOT, StepError, require_apt, run, venv
-from tools.package import DEBIAN_PYTHON
+from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, StepError, require_apt, run, venv
 
-RUFF = "ruff==0.17.6"
+TOOLS = ("ruff==0.17.6", "mypy==2.4.1", "numpy==2.3.5")
 PYTHON_SOURCES = (".", "dev")
+TYPED_SOURCES = ("dev", "tools", "python/wirewarp")
+Command = Sequence[str | Path]
 
 
-def ruff() -> Path:
+def tool(name: str) -> Path:
     require_apt("python3-venv")
-    return venv("lint", DEBIAN_PYTHON, RUFF).parent / "ruff"
+    return venv("lint", DEBIAN_PYTHON, *TOOLS).parent / name
 
 
 def cpp_sources() -> list[Path]:
@@ -22,12 +24,15 @@ def cpp_sources() -> list[Path]:
 
 def lint() -> None:
     require_apt("clang-format")
-    findings = []
-    for command in (
-        [ruff(), "check", "--no-cache", *PYTHON_SOURCES],
-        [ruff(), "format", "--no-cache", "--check", *PYTHON_SOURCES],
+    mypy: Command = [tool("mypy"), "--cache-dir", BUILD / "mypy", "--explicit-package-bases", "--scripts-are-modules"]
+    commands: list[Command] = [
+        [tool("ruff"), "check", "--no-cache", *PYTHON_SOURCES],
+        [tool("ruff"), "format", "--no-cache", "--check", *PYTHON_SOURCES],
         ["clang-format", "--dry-run", "-Werror", "--ferror-limit=20", *cpp_sources()],
-    ):
+        [*mypy, *TYPED_SOURCES],
+    ]
+    findings = []
+    for command in commands:
         try:
             run(command)
         except StepError as error:
@@ -38,6 +43,6 @@ def lint() -> None:
 
 def format_sources() -> None:
     require_apt("clang-format")
-    run([ruff(), "check", "--no-cache", "--fix", *PYTHON_SOURCES])
-    run([ruff(), "format", "--no-cache", *PYTHON_SOURCES])
+    run([tool("ruff"), "check", "--no-cache", "--fix", *PYTHON_SOURCES])
+    run([tool("ruff"), "format", "--no-cache", *PYTHON_SOURCES])
     run(["clang-format", "-i", *cpp_sources()])

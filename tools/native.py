@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Building and testing the core, with expected input and with random one."""
 
-from tools.environment import BUILD, ROOT, require_apt, run, run_quietly, venv
-from tools.package import BUILD_APT, DEBIAN_PYTHON
+from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, require_apt, run, run_quietly, venv
+from tools.package import BUILD_APT
 
 NATIVE_APT = (*BUILD_APT, "libgtest-dev", "libnlopt-dev", "nlohmann-json3-dev")
 FUZZ_APT = (*BUILD_APT, "clang", "libclang-rt-14-dev")

@@ -24,8 +24,16 @@ def install(path: str) -> None:
         bpy.ops.extensions.package_install_files(repo="user_default", filepath=path, enable_on_install=True)
 
 
+measured = None
+if "COVERAGE_PROCESS_START" in os.environ:  # names the settings; see tools/addon_coverage.py
+    import coverage
+
+    measured = coverage.process_startup()
 install(os.environ["WIREWARP_ZIP"])
 code = pytest.main(sys.argv[sys.argv.index("--") + 1 :])
+if measured:
+    measured.stop()
+    measured.save()
 sys.stdout.flush()
 sys.stderr.flush()
 sys.exit(int(code))

@@ -17,6 +17,9 @@ from pathlib import Path
 
 import bpy
 
+if "COVERAGE_PROCESS_START" in os.environ:  # names the settings; see tools/addon_coverage.py
+    import coverage
+
 TICK = 0.02  # seconds
 PATIENCE = 120.0  # seconds until a condition counts as never true: machines without a graphics card are slow
 Tour = Iterator[Callable[[], bool]]
@@ -145,6 +148,10 @@ class Driver:
 
 def leave(code: int) -> None:
     """At once: Blender would swallow an exception of a timer, and ask whether to save."""
+    if "COVERAGE_PROCESS_START" in os.environ:
+        measured = coverage.Coverage.current()
+        measured.stop()
+        measured.save()
     sys.stdout.flush()
     sys.stderr.flush()
     os._exit(code)
@@ -154,6 +161,8 @@ def main() -> None:
     """Must be called from this module as imported: of a script that it runs itself, Blender clears the names."""
     script, name = sys.argv[sys.argv.index("--") + 1 :]
     sys.path.insert(0, str(Path(script).parent))
+    if "COVERAGE_PROCESS_START" in os.environ:
+        coverage.process_startup()
     install(os.environ["WIREWARP_ZIP"])
     bpy.context.preferences.view.show_splash = False
     tour = getattr(importlib.import_module(Path(script).stem), name)()

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The zips of each platform hold its own wheels, and the manifest says no more than what is inside."""
+
+import tomllib
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from tools.environment import StepError
+from tools.zips import VERSION, write_zips
+
+LINUX = ("cp311-cp311-manylinux_2_28_x86_64", "cp313-cp313-manylinux_2_28_x86_64")
+OTHERS = {
+    "cp311-cp311-win_amd64": "windows-x64",
+    "cp311-cp311-macosx_11_0_arm64": "macos-arm64",
+    "cp311-cp311-macosx_10_15_x86_64": "macos-x64",
+}
+
+
+def make_wheels(folder: Path, *tags: str) -> None:
+    for tag in tags:
+        with zipfile.ZipFile(folder / f"wirewarp-{VERSION}-{tag}.whl", "w") as wheel:
+            wheel.writestr("wirewarp/_wirewarp.so", tag)
+            wheel.writestr(f"wirewarp-{VERSION}.dist-info/METADATA", "")
+
+
+def manifest_of(path: Path) -> tuple[dict, set[str]]:
+    with zipfile.ZipFile(path) as archive:
+        return tomllib.loads(archive.read("blender_manifest.toml").decode()), set(archive.namelist())
+
+
+def test_an_extension_for_each_platform_with_its_wheels_alone(tmp_path):
+    make_wheels(tmp_path, *LINUX, *OTHERS)
+    written = {path.name for path in write_zips(tmp_path)}
+    platforms = {"linux-x64", *OTHERS.values()}
+    assert written == {f"wirewarp-{VERSION}-{kind}{p}.zip" for p in platforms for kind in ("", "legacy-")}
+    for tags, platform in ((LINUX, "linux-x64"), *(([tag], platform) for tag, platform in OTHERS.items())):
+        manifest, names = manifest_of(tmp_path / f"wirewarp-{VERSION}-{platform}.zip")
+        assert manifest["platforms"] == [platform]
+        assert manifest["wheels"] == [f"./wheels/wirewarp-{VERSION}-{tag}.whl" for tag in tags]
+        assert {name for name in names if name.endswith(".whl")} == {wheel[2:] for wheel in manifest["wheels"]}
+
+
+def test_without_a_wheel_for_python_3_13_newer_blenders_are_left_out(tmp_path):
+    make_wheels(tmp_path, LINUX[0], "cp311-cp311-win_amd64", "cp313-cp313-win_amd64")
+    write_zips(tmp_path)
+    linux, _ = manifest_of(tmp_path / f"wirewarp-{VERSION}-linux-x64.zip")
+    windows, _ = manifest_of(tmp_path / f"wirewarp-{VERSION}-windows-x64.zip")
+    assert linux["blender_version_max"] == "5.1.0"
+    assert "blender_version_max" not in windows
+
+
+def test_the_legacy_zip_holds_the_library_unpacked(tmp_path):
+    make_wheels(tmp_path, *LINUX)
+    write_zips(tmp_path)
+    with zipfile.ZipFile(tmp_path / f"wirewarp-{VERSION}-legacy-linux-x64.zip") as archive:
+        assert archive.read("wirewarp_addon/_core/wirewarp/_wirewarp.so").decode() == LINUX[0]
+        assert not [name for name in archive.namelist() if "dist-info" in name or "manifest" in name]
+
+
+def test_the_same_wheels_give_the_same_bytes(tmp_path):
+    make_wheels(tmp_path, *LINUX)
+    first = [path.read_bytes() for path in write_zips(tmp_path)]
+    assert [path.read_bytes() for path in write_zips(tmp_path)] == first
+
+
+@pytest.mark.parametrize("tag", ["cp311-cp311-linux_x86_64", "cp311-cp311-musllinux_1_2_x86_64"])
+def test_a_wheel_that_would_run_on_some_systems_only_is_refused(tmp_path, tag):
+    make_wheels(tmp_path, tag)
+    with pytest.raises(StepError, match=f"{tag}.whl is for a platform that Blender has no word for"):
+        write_zips(tmp_path)
+
+
+def test_a_folder_without_wheels_is_refused(tmp_path):
+    with pytest.raises(StepError, match="there is no wheel of WireWarp"):
+        write_zips(tmp_path)
