@@ -2,6 +2,7 @@
 """How much of the add-on its tests in Debian's Blender run, with and without the window."""
 
 import json
+from pathlib import Path
 
 from tools.environment import BUILD, ROOT, StepError, require_apt, run_quietly, say
 
@@ -24,7 +25,8 @@ def show() -> None:
     for modules that they leave aside."""
     measured = [file for kind in KINDS for file in FOLDER.glob(f"{kind}.*")]
     report = FOLDER / "report.json"
-    for command in (["combine", "--keep", "--quiet", *measured], ["json", "--quiet", "-o", report]):
+    commands: list[list[str | Path]] = [["combine", "--keep", "--quiet", *measured], ["json", "--quiet", "-o", report]]
+    for command in commands:
         whole = {"COVERAGE_FILE": str(FOLDER / "all")}
         run_quietly(f"coverage {command[0]}", ["/usr/bin/python3", "-m", "coverage", *command], **whole)
     found = json.loads(report.read_text())
