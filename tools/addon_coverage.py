@@ -4,11 +4,10 @@
 import json
 from pathlib import Path
 
-from tools.environment import BUILD, ROOT, StepError, require_apt, run_quietly, say
+from tools.environment import BUILD, ROOT, require_apt, run_quietly, say
 
 FOLDER = BUILD / "coverage"
 KINDS = ("headless", "window")
-LEAST = 50  # percent of a module's lines that the tests of both kinds together must run
 
 
 def begin(kind: str) -> dict[str, str]:
@@ -21,8 +20,7 @@ def begin(kind: str) -> dict[str, str]:
 
 
 def show() -> None:
-    """Prints the share of all lines and the least covered modules. Where tests of both kinds have run, raises StepError
-    for modules that they leave aside."""
+    """Prints the share of all lines and the least covered modules, by what was measured last of both kinds."""
     measured = [file for kind in KINDS for file in FOLDER.glob(f"{kind}.*")]
     report = FOLDER / "report.json"
     commands: list[list[str | Path]] = [["combine", "--keep", "--quiet", *measured], ["json", "--quiet", "-o", report]]
@@ -34,6 +32,3 @@ def show() -> None:
     say(f"coverage of the add-on: {found['totals']['percent_covered']:.0f} % of the lines; least covered:")
     for name in sorted(shares, key=lambda name: shares[name])[:8]:
         say(f"  {shares[name]:3.0f} %  {name}")
-    untested = [name for name, share in shares.items() if share < LEAST]
-    if untested and all(list(FOLDER.glob(f"{kind}.*")) for kind in KINDS):
-        raise StepError(f"the tests hardly run {', '.join(untested)}")
