@@ -4,8 +4,9 @@
 from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, require_apt, run, run_quietly, venv
 from tools.package import BUILD_APT
 
-NATIVE_APT = (*BUILD_APT, "libgtest-dev", "libnlopt-dev", "nlohmann-json3-dev")
-FUZZ_APT = (*BUILD_APT, "clang", "libclang-rt-14-dev")
+CORE_APT = (*BUILD_APT, "libopenmesh-dev")
+NATIVE_APT = (*CORE_APT, "libgtest-dev", "libnlopt-dev", "nlohmann-json3-dev")
+FUZZ_APT = (*CORE_APT, "clang", "libclang-rt-14-dev")
 ATHERIS = ("atheris==3.0.0", "numpy==1.26.4")  # libFuzzer for Python
 FEW_CASES, MANY_CASES = 1_000, 10_000
 FLATTEN_SECONDS, READER_SECONDS = 600, 120

@@ -9,7 +9,7 @@ wirewarp-V-legacy-<platform>.zip                 add-on for Blender 3.4 to 4.1, 
 import shutil
 from pathlib import Path
 
-from tools import zips
+from tools import old_glibc, zips
 from tools.environment import (
     BUILD,
     DEBIAN_PYTHON,
@@ -36,7 +36,6 @@ BUILD_APT = (
     "ccache",
     "cmake",
     "libeigen3-dev",
-    "libopenmesh-dev",
     "ninja-build",
     "python3-dev",
     "python3-venv",
@@ -53,6 +52,7 @@ CORE_SOURCES = (
     "native/src",
     "pyproject.toml",
     "python",
+    "tools/old_glibc.py",
 )
 
 
@@ -111,12 +111,14 @@ def build_wheel(version: str, python: Path) -> Path:
         "PATH": f"{interpreter.parent}:{clean_environment()['PATH']}",
     }
     options = {"build-dir": str(BUILD / "wheels" / f"cmake-{tag}")}
+    options |= {f"cmake.define.{name}": value for name, value in old_glibc.cmake_definitions().items()}
     build = ("pip", "wheel", "--quiet", "--no-build-isolation", "--no-deps", "-w", raw)
     defines = (f"--config-settings={name}={value}" for name, value in options.items())
     run_quietly(f"building the wheel for Python {version}", [interpreter, "-m", *build, *defines, "."], **settings)
     (unrepaired,) = raw.glob("*.whl")
-    repair = ("auditwheel", "repair", "-w", DIST, unrepaired)
-    run_quietly("putting libOpenMeshCore into it (auditwheel)", [interpreter, "-m", *repair], **settings)
+    old_glibc.check_symbols(unrepaired)
+    repair = ("auditwheel", "repair", "--only-plat", "--plat", old_glibc.POLICY, "-w", DIST, unrepaired)
+    run_quietly(f"checking that it is {old_glibc.POLICY} (auditwheel)", [interpreter, "-m", *repair], **settings)
     (wheel,) = DIST.glob(f"wirewarp-{VERSION}-{tag}-*.whl")
     set_current(f"wheel-{tag}", key)
     return wheel

@@ -46,11 +46,11 @@ def write_zips(folder: Path) -> list[Path]:
 
 
 def platform_of(wheel: Path) -> str:
-    tag = wheel.stem.rsplit("-", 1)[1].split(".")[0]
+    tags = wheel.stem.rsplit("-", 1)[1]  # several, with dots between, where a wheel keeps to several policies
     for pattern, platform in PLATFORMS.items():
-        if re.fullmatch(pattern, tag):
+        if any(re.fullmatch(pattern, tag) for tag in tags.split(".")):
             return platform
-    raise StepError(f"{wheel.name} is for a platform that Blender has no word for: {tag}")
+    raise StepError(f"{wheel.name} is for a platform that Blender has no word for: {tags}")
 
 
 def extension_zip(folder: Path, platform: str) -> Path:

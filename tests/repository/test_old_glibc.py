@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A module linked against an old glibc that needs a newer one is refused: here it would load all the same."""
+
+import subprocess
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from tools.environment import StepError
+from tools.old_glibc import check_symbols
+
+
+def make_wheel(folder: Path, code: str) -> Path:
+    """With a module of this C code, linked without any library, so that nothing it uses gets a version."""
+    source = folder / "module.c"
+    source.write_text(code)
+    module = source.with_suffix(".so")
+    subprocess.run(["gcc", "-shared", "-fPIC", "-nostdlib", "-o", module, source], check=True)
+    with zipfile.ZipFile(folder / "any.whl", "w") as wheel:
+        wheel.write(module, "wirewarp/module.so")
+    return folder / "any.whl"
+
+
+def test_what_no_library_has_is_named(tmp_path):
+    wheel = make_wheel(tmp_path, "int arc4random(void); int f(void) { return arc4random(); }")
+    with pytest.raises(StepError, match=r"any\.whl needs what glibc 2\.\d+ lacks: arc4random"):
+        check_symbols(wheel)
+
+
+def test_python_itself_and_weak_symbols_may_be_open(tmp_path):
+    check_symbols(
+        make_wheel(
+            tmp_path,
+            "int PyOpen(void); int _PyOpen(void); __attribute__((weak)) int hook(void);"
+            "int f(void) { return PyOpen() + _PyOpen() + (hook ? hook() : 0); }",
+        )
+    )

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How the wheels are made to run on systems older than this one.
+
+They are compiled as everything else is, but linked against the libraries of an older glibc: the package `ziglang` can
+write those of any version, with their symbols and without code. The C++ library goes into the module, and so does
+OpenMesh, from the C++ source in the source package of `openmesh`, its Python bindings.
+"""
+
+import re
+import shutil
+import subprocess
+import tarfile
+import zipfile
+from pathlib import Path
+
+from tools.environment import (
+    BUILD,
+    DEBIAN_PYTHON,
+    StepError,
+    clean_environment,
+    is_current,
+    run_quietly,
+    set_current,
+    venv,
+)
+
+ZIG = "ziglang==0.17.1"
+OPENMESH = "openmesh==1.2.1"  # its C++ source is that of OpenMesh 9.1
+GLIBC = "2.28"  # that of the systems blender.org builds for
+POLICY = f"manylinux_{GLIBC.replace('.', '_')}_x86_64"
+# The one variable of newer glibcs that libstdc++ reads; 0 says that there may be several threads, which is always safe.
+NEWER_GLIBC = 'extern "C" { __attribute__((visibility("hidden"))) char __libc_single_threaded = 0; }\n'
+# Of libstdc++ only what is used, which is what needs no newer glibc, and none of it visible to other modules.
+SECTIONS = "-Wl,--gc-sections -Wl,--exclude-libs,ALL"
+
+
+def openmesh_source() -> Path:
+    """The folder with OpenMesh's CMakeLists.txt."""
+    folder = BUILD / "openmesh"
+    source = folder / OPENMESH.replace("==", "-") / "OpenMesh"
+    if not (source.is_dir() and is_current("openmesh", OPENMESH)):
+        shutil.rmtree(folder, ignore_errors=True)
+        python = venv("zig", DEBIAN_PYTHON, ZIG)
+        options = ("--quiet", "--no-deps", "--no-binary", ":all:", "-d", folder)
+        run_quietly(f"pip download {OPENMESH}", [python, "-m", "pip", "download", *options, OPENMESH])
+        (archive,) = folder.glob("*.tar.gz")
+        with tarfile.open(archive) as packed:
+            packed.extractall(folder, filter="data")
+        set_current("openmesh", OPENMESH)
+    return source
+
+
+def cmake_definitions() -> dict[str, str]:
+    """What CMake must know to link as above."""
+    folder = BUILD / "wheels" / f"glibc-{GLIBC}"
+    newer = folder / "newer_glibc.o"
+    if not (newer.is_file() and is_current("old-glibc", f"{ZIG} {GLIBC} {NEWER_GLIBC}")):
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        write_stubs(folder)
+        newer.with_suffix(".cpp").write_text(NEWER_GLIBC)
+        run_quietly("compiling newer_glibc.cpp", ["g++", "-fPIC", "-c", newer.with_suffix(".cpp"), "-o", newer])
+        set_current("old-glibc", f"{ZIG} {GLIBC} {NEWER_GLIBC}")
+    return {
+        "FETCHCONTENT_SOURCE_DIR_OPENMESH": str(openmesh_source()),
+        "CMAKE_MODULE_LINKER_FLAGS": f"-L{folder} {newer} -static-libstdc++ {SECTIONS}",
+        "CMAKE_CXX_STANDARD_LIBRARIES": "-lpthread -lld",
+    }
+
+
+def write_stubs(folder: Path) -> None:
+    """libc.so and its like, of the old glibc: zig writes them into its cache when it links anything."""
+    cache = folder / "zig"
+    (folder / "empty.c").write_text("")
+    python = venv("zig", DEBIAN_PYTHON, ZIG)
+    link = ("cc", "-target", f"x86_64-linux-gnu.{GLIBC}", "-shared", "-o", folder / "empty.so", folder / "empty.c")
+    caches = {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache)}
+    run_quietly(f"writing the symbols of glibc {GLIBC}", [python, "-m", "ziglang", *link], **caches)
+    (libc,) = cache.glob("o/*/libc.so.6")
+    for library in libc.parent.glob("lib*.so.*"):
+        shutil.copy(library, folder)
+        (folder / library.name.split(".so")[0]).with_suffix(".so").symlink_to(library.name)
+    shutil.rmtree(cache)
+
+
+def check_symbols(wheel: Path) -> None:
+    """Raises StepError if the module asks for what the old glibc lacks: such symbols were linked without a version."""
+    with zipfile.ZipFile(wheel) as archive:
+        (name,) = (name for name in archive.namelist() if name.endswith(".so"))
+        module = Path(archive.extract(name, wheel.parent))
+    listed = subprocess.run(
+        ["nm", "-D", "--undefined-only", module], check=True, capture_output=True, text=True, env=clean_environment()
+    )
+    missing = [line.split()[-1] for line in listed.stdout.splitlines() if re.search(r" U (?!_?Py)[^@]+$", line)]
+    if missing:
+        raise StepError(f"{wheel.name} needs what glibc {GLIBC} lacks: {', '.join(missing)}")
