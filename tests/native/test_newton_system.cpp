@@ -121,21 +121,34 @@ TEST_F(NewtonSystemOnASaddle, SolvesTheSystemOfTheNewtonStep) {
   ASSERT_TRUE(system.factorize(uv, multipliers, convex));
   const Positions2 r1 = as_positions(random_vector(num_unknowns, 6));
   const Eigen::VectorXd r2 = random_vector(constraints.size(), 7);
-  Positions2 d;
-  Eigen::VectorXd solved;
-  system.solve(r1, r2, d, solved);
+  const NewtonSystem::Solution solution = system.solve_on_wires(r1, r2);
+  const Positions2 d = system.finish(solution.d);
   const Positions2 directions = system.directions();
   EXPECT_LT((constraints.apply(directions, d) - r2).norm(), 1e-9 * r2.norm());
   const Eigen::SparseMatrix<double> h = system.hessian(uv, multipliers, convex);
   Positions2 forces = as_positions(h.selfadjointView<Eigen::Lower>() * as_vector(d)) - r1;
-  constraints.add_transposed(directions, solved, forces);
+  constraints.add_transposed(directions, solution.multipliers, forces);
   EXPECT_LT(forces.norm(), 1e-6 * r1.norm());
   // One solve moves the lengths to first order, by the least energy: no other d with this J d has less.
-  const Positions2 least = system.least_change(r2);
+  const Positions2 least = system.finish(system.least_change(r2));
   EXPECT_LT((constraints.apply(directions, least) - r2).norm(), 1e-4 * r2.norm());
-  Positions2 unforced;
-  system.solve(Positions2::Zero(uv.rows(), 2), r2, unforced, solved);
+  const Positions2 unforced = system.finish(system.solve_on_wires(Positions2::Zero(uv.rows(), 2), r2).d);
   EXPECT_LT((least - unforced).norm(), 1e-4 * unforced.norm());
+}
+
+TEST_F(NewtonSystemOnASaddle, GoesOnFromASolutionToOtherLengths) {
+  ASSERT_TRUE(system.factorize(uv, 0.01 * random_vector(constraints.size(), 5), convex));
+  const Positions2 r1 = as_positions(random_vector(num_unknowns, 6));
+  const Eigen::VectorXd r2 = random_vector(constraints.size(), 7), h = random_vector(constraints.num_elastic(), 8);
+  const Eigen::VectorXd stretched = r2 + constraints.elastic_lengths() * h;
+  NewtonSystem::Solution solution = system.solve_on_wires(r1, r2);
+  const NewtonSystem::Solution expected = system.solve_on_wires(r1, stretched);
+  const Eigen::VectorXd predicted = solution.multipliers + system.multipliers_by_variation() * h;
+  EXPECT_LT((predicted - expected.multipliers).norm(), 1e-7 * predicted.norm());
+  system.solve_on_wires(stretched, solution);
+  EXPECT_LT((solution.multipliers - expected.multipliers).norm(), 1e-7 * predicted.norm());
+  const Positions2 d = system.finish(expected.d);
+  EXPECT_LT((system.finish(solution.d) - d).norm(), 1e-7 * d.norm());
 }
 
 TEST_F(NewtonSystemOnASaddle, AFactorExistsExactlyWhereTheHessianIsPositiveUnderTheLengths) {
@@ -181,7 +194,7 @@ TEST(NewtonSystem, AWireUnderCompressionIsASaddle) {
 TEST_F(NewtonSystemOnASaddle, TheHessianByVariationIsThatOfTheDenseSystem) {
   const Eigen::VectorXd multipliers = 0.01 * random_vector(constraints.size(), 5);
   ASSERT_TRUE(system.factorize(uv, multipliers, convex));
-  const Eigen::MatrixXd s = system.hessian_by_variation();
+  const Eigen::MatrixXd s = hessian_by_variation(constraints.elastic_lengths(), system.multipliers_by_variation());
   const Eigen::MatrixXd j = jacobian(system.directions());
   const Eigen::MatrixXd h = dense(system.hessian(uv, multipliers, convex));
   // min ½ d·Hd with J d = T h is ½ h·S h: S = Tᵀ (J H⁻¹ Jᵀ)⁻¹ T, the pins make H regular.

@@ -30,7 +30,7 @@ class Builder {
     number_vertices();
     sort_entries_by_front();
     for (int node = 0; node < num_fronts(); ++node) add_front(node);
-    layout_.fronts.push_back({-1, end_of(layout_.vertices), 0, 0, 0, 0, end_of(layout_.entries), 0, 0});
+    layout_.fronts.push_back({-1, end_of(layout_.vertices), 0, 0, 0, 0, 0, end_of(layout_.entries), 0, 0});
     link_to_parents();
     return std::move(layout_);
   }
@@ -96,7 +96,7 @@ class Builder {
     front.first_entry = end_of(layout_.entries);
     front.num_pivots = end_of(tree_.nodes[at(node)].vertices);
     add_vertices(node);
-    front.num_rows = end_of(layout_.vertices) - front.first_vertex - front.num_pivots;
+    front.num_rows = front.num_own_rows = end_of(layout_.vertices) - front.first_vertex - front.num_pivots;
     front.pivot_tiles = tiles_for(k_ * front.num_pivots);
     front.row_tiles = tiles_for(k_ * front.num_rows);
     front.panel = layout_.panel_tiles;
@@ -198,10 +198,11 @@ class Builder {
 }  // namespace
 
 FrontLayout lay_out_fronts(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
-                           int unknowns_per_vertex, int num_threads) {
+                           int unknowns_per_vertex) {
   FrontLayout layout = Builder(lower, tree, unknowns_per_vertex).build();
-  share_fronts(layout, num_threads);
+  share_fronts(layout);
   place_schur_complements(layout);
+  list_shared_vertices(layout);
   return layout;
 }
 

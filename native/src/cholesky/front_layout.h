@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a multifrontal factorization knows before it meets a number: the rows of each front, where everything lies in
-// memory, and which thread does what.
+// memory, and what can be done at the same time.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -19,6 +19,7 @@ struct Front {
   int first_vertex;       // in FrontLayout::vertices
   int num_pivots;         // vertices
   int num_rows;           // vertices
+  int num_own_rows;       // vertices; the first rows, pivots in the same share
   int pivot_tiles;        // m
   int row_tiles;          // r
   int first_entry;        // in FrontLayout::entries; the next front's are the end
@@ -38,7 +39,8 @@ struct FrontLayout {
   int unknowns_per_vertex;
   Eigen::Index num_unknowns;
   std::vector<Front> fronts;        // in postorder, and one past the last
-  std::vector<int> vertices;        // pivots and rows of all fronts, in the order of elimination in each
+  std::vector<int> vertices;        // pivots and rows of all fronts, in the order of elimination in each; rows that are
+                                    // not a front's own by their place among shared_vertices
   std::vector<int> rows_in_parent;  // for each unknown of each front's rows: its row in the parent's front
   std::vector<int> children;        // fronts
   std::vector<MatrixEntry> entries;
@@ -47,9 +49,12 @@ struct FrontLayout {
   std::size_t schur_tiles = 0;
   int largest_front = 0;  // tiles, pivots and rows
 
-  /// Fronts of each thread, ascending, in independent subtrees; then those that come after all threads are done.
-  std::vector<std::vector<int>> fronts_of_thread;
+  /// Fronts of independent subtrees, ascending, about the same work in both shares; then those that come after both.
+  /// However many threads there are, so that sums are the same.
+  static constexpr std::size_t num_shares = 2;
+  std::array<std::vector<int>, num_shares> shares;
   std::vector<int> last_fronts;
+  std::vector<int> shared_vertices;  // pivots of the last fronts
 
   /// Row of the first unknown of a front's vertex, of the padded rows of the front.
   int row_of(const Front& front, int place) const {
@@ -60,6 +65,6 @@ struct FrontLayout {
 
 /// lower: the lower triangle, compressed. Throws std::invalid_argument if the tree does not fit it.
 FrontLayout lay_out_fronts(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
-                           int unknowns_per_vertex, int num_threads);
+                           int unknowns_per_vertex);
 
 }  // namespace wirewarp

@@ -2,10 +2,10 @@
 #include "cholesky/multifrontal_cholesky.h"
 
 #include <algorithm>
-#include <future>
 #include <stdexcept>
 #include <thread>
 
+#include "cholesky/run_shares.h"
 #include "index.h"
 
 namespace wirewarp {
@@ -40,16 +40,12 @@ void add_rows(int num_rows, const double* from, const int* target, int begin, in
 
 int num_factor_threads() { return std::thread::hardware_concurrency() > 1 ? 2 : 1; }
 
-struct MultifrontalCholesky::Workspace {
-  explicit Workspace(int num_tiles) : x(new Tile[at(num_tiles)]), sums(new Tile[at(num_tiles)]) {}
-  std::unique_ptr<Tile[]> x;     // right-hand sides in the rows of a front, kColumns of them side by side
-  std::unique_ptr<Tile[]> sums;  // what the kernels need
-};
-
 MultifrontalCholesky::MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
                                            int unknowns_per_vertex, int num_threads, const FrontKernels& kernels)
-    : layout_(lay_out_fronts(lower, tree, unknowns_per_vertex, num_threads)),
+    : layout_(lay_out_fronts(lower, tree, unknowns_per_vertex)),
+      all_(branches_where(std::vector<char>(layout_.fronts.size(), 1))),
       kernels_(&kernels),
+      num_threads_(num_threads),
       factor_(new Tile[layout_.panel_tiles]),
       schur_(new Tile[layout_.schur_tiles]) {}
 
@@ -63,12 +59,7 @@ bool MultifrontalCholesky::factorize(const Eigen::SparseMatrix<double>& lower) {
       if (positive_definite_) eliminate(f, lower.valuePtr());
     }
   };
-  std::vector<std::future<void>> others;
-  for (std::size_t thread = 1; thread < layout_.fronts_of_thread.size(); ++thread) {
-    others.push_back(std::async(std::launch::async, eliminate_all, std::cref(layout_.fronts_of_thread[thread])));
-  }
-  eliminate_all(layout_.fronts_of_thread[0]);
-  for (std::future<void>& other : others) other.get();
+  run_shares(layout_.shares.size(), num_threads_ > 1, [&](std::size_t share) { eliminate_all(layout_.shares[share]); });
   eliminate_all(layout_.last_fronts);
   return positive_definite_;
 }
@@ -112,81 +103,6 @@ void MultifrontalCholesky::add_child(int child, int node) {
     }
     i += run;
   }
-}
-
-void MultifrontalCholesky::solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const {
-  Branches all(layout_.fronts.size() - 1);
-  for (std::size_t f = 0; f < all.size(); ++f) all[f] = static_cast<int>(f);
-  solve_in_place(b, all, all);
-}
-
-void MultifrontalCholesky::solve_in_place(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero,
-                                          const Branches& wanted) const {
-  if (!positive_definite_) throw std::logic_error("multifrontal Cholesky: there is no factor to solve with");
-  if (b.rows() != layout_.num_unknowns) throw std::invalid_argument("multifrontal Cholesky: b has another size");
-  Workspace space(layout_.largest_front);
-  for (Eigen::Index first = 0; first < b.cols(); first += kTile) {
-    const Eigen::Index columns = std::min<Eigen::Index>(kTile, b.cols() - first);
-    const auto solve = columns == 1 ? &MultifrontalCholesky::substitute<1> : &MultifrontalCholesky::substitute<kTile>;
-    (this->*solve)(b.middleCols(first, columns), nonzero, wanted, space);
-  }
-}
-
-/// For one or up to four columns: L⁻¹ b, then L⁻ᵀ of that, front by front.
-template <int kColumns>
-void MultifrontalCholesky::substitute(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero, const Branches& wanted,
-                                      Workspace& space) const {
-  const int k = layout_.unknowns_per_vertex;
-  const int columns = kColumns == 1 ? 1 : static_cast<int>(b.cols());
-  double* const x = space.x[0].entries;
-  const auto for_each_row = [&](const Front& front, int num_vertices, auto&& function) {
-    const int* const vertices = layout_.vertices.data() + front.first_vertex;
-    for (int place = 0; place < num_vertices; ++place) {
-      double* const in_front = x + kColumns * layout_.row_of(front, place);
-      double* const in_b = b.data() + k * vertices[place];
-      for (int i = 0; i < k; ++i) {
-        for (int c = 0; c < columns; ++c) function(in_front[kColumns * i + c], in_b[i + c * b.outerStride()]);
-      }
-    }
-  };
-  const auto gather = [&](const Front& front) {
-    std::fill_n(x, kColumns * kTile * (front.pivot_tiles + front.row_tiles), 0.0);
-    for_each_row(front, front.num_pivots + front.num_rows, [](double& in_front, double& in_b) { in_front = in_b; });
-  };
-  const auto scatter = [&](const Front& front, int num_vertices) {
-    for_each_row(front, num_vertices, [](double& in_front, double& in_b) { in_b = in_front; });
-  };
-  for (int f : nonzero) {
-    const Front& front = layout_.fronts[at(f)];
-    gather(front);
-    const auto solve = kColumns == 1 ? kernels_->solve_lower : kernels_->solve_lower_4;
-    solve(factor_.get() + front.panel, front.pivot_tiles, front.row_tiles, x);
-    scatter(front, front.num_pivots + front.num_rows);
-  }
-  for (auto f = wanted.rbegin(); f != wanted.rend(); ++f) {
-    const Front& front = layout_.fronts[at(*f)];
-    gather(front);
-    if constexpr (kColumns == 1) {
-      kernels_->solve_upper(factor_.get() + front.panel, front.pivot_tiles, front.row_tiles, x, space.sums.get());
-    } else {
-      kernels_->solve_upper_4(factor_.get() + front.panel, front.pivot_tiles, front.row_tiles, x);
-    }
-    scatter(front, front.num_pivots);
-  }
-}
-
-MultifrontalCholesky::Branches MultifrontalCholesky::branches_to(const std::vector<int>& vertices) const {
-  std::vector<char> visited(layout_.fronts.size(), 0);
-  for (int v : vertices) {
-    for (int f = layout_.front_of_vertex.at(at(v)); f != -1 && !visited[at(f)]; f = layout_.fronts[at(f)].parent) {
-      visited[at(f)] = 1;
-    }
-  }
-  Branches branches;
-  for (std::size_t f = 0; f < visited.size(); ++f) {
-    if (visited[f]) branches.push_back(static_cast<int>(f));
-  }
-  return branches;
 }
 
 std::size_t MultifrontalCholesky::memory() const {

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <array>
 #include <atomic>
 #include <memory>
 #include <vector>
@@ -29,7 +30,7 @@ class MultifrontalCholesky {
  public:
   /// Analyzes a pattern and takes all the memory that factorize needs. lower: the lower triangle, compressed. Unknowns
   /// k v to k v + k - 1 belong to vertex v of the tree's graph, k = unknowns_per_vertex.
-  /// With two threads, those work on independent subtrees; the factor is the same to the last bit.
+  /// With two threads, those work on independent subtrees; factor and solutions are the same to the last bit.
   /// Throws std::invalid_argument if the tree has not each vertex once or does not separate what lower joins.
   MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree, int unknowns_per_vertex,
                        int num_threads = 1, const FrontKernels& kernels = fastest_kernels());
@@ -41,13 +42,21 @@ class MultifrontalCholesky {
   /// b := A⁻¹ b, right-hand sides in columns, four at a time. Throws std::logic_error without a factor.
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const;
 
-  /// Supernodes, ascending, that hold some vertices, and all their ancestors.
-  using Branches = std::vector<int>;
+  /// Supernodes that substitution visits.
+  struct Branches {
+    std::array<std::vector<int>, FrontLayout::num_shares> shares;
+    std::vector<int> last;
+    bool are_worth_threads;
+  };
+  /// Those that hold some vertices, and all their ancestors; and all that are not among them.
   Branches branches_to(const std::vector<int>& vertices) const;
+  Branches others(const Branches& branches) const;
+  const Branches& all() const { return all_; }
 
-  /// The same where b is zero but at vertices in branches `nonzero`, and x is wanted at vertices in `wanted` only. Of
-  /// b's other rows those in `nonzero` are overwritten without meaning.
-  void solve_in_place(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero, const Branches& wanted) const;
+  /// The two halves of a solution, for parts of b and x. b := L⁻¹ b, where b is zero but at vertices in the branches.
+  void substitute_forward(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const;
+  /// b := L⁻ᵀ b at vertices in the branches. Ancestors are among the branches or have been before.
+  void substitute_back(Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const;
 
   /// Bytes held: the factor, Schur complements, and where matrix entries go.
   std::size_t memory() const;
@@ -55,13 +64,16 @@ class MultifrontalCholesky {
  private:
   void eliminate(int node, const double* values);
   void add_child(int child, int node);
-  struct Workspace;
+  Branches branches_where(const std::vector<char>& is_visited) const;
   template <int kColumns>
-  void substitute(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero, const Branches& wanted,
-                  Workspace& space) const;
+  void substitute_forward_4(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const;
+  template <int kColumns>
+  void substitute_back_4(Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const;
 
   FrontLayout layout_;
+  Branches all_;
   const FrontKernels* kernels_;
+  int num_threads_;
   std::unique_ptr<Tile[]> factor_;
   std::unique_ptr<Tile[]> schur_;
   std::atomic<bool> positive_definite_{false};

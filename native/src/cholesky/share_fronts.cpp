@@ -40,36 +40,36 @@ std::vector<Subtree> subtrees(const FrontLayout& layout) {
 }
 
 struct Shares {
-  std::vector<std::vector<int>> roots;  // of each thread's subtrees
-  double longest;                       // work of the busiest thread
+  std::array<std::vector<int>, FrontLayout::num_shares> roots;  // of each share's subtrees
+  double largest;                                               // work of the larger share
 };
 
-/// Each subtree, the largest first, to the thread that has the least to do.
-Shares share(std::vector<int> roots, const std::vector<Subtree>& trees, int num_threads) {
+/// Each subtree, the largest first, to the share that has the least to do.
+Shares share(std::vector<int> roots, const std::vector<Subtree>& trees) {
   std::sort(roots.begin(), roots.end(), [&](int a, int b) { return trees[at(a)].work > trees[at(b)].work; });
-  Shares shares{std::vector<std::vector<int>>(at(num_threads)), 0};
-  std::vector<double> load(at(num_threads), 0.0);
+  Shares shares{};
+  std::array<double, FrontLayout::num_shares> load{};
   for (int root : roots) {
-    const std::size_t thread = at(static_cast<int>(std::min_element(load.begin(), load.end()) - load.begin()));
-    shares.roots[thread].push_back(root);
-    load[thread] += trees[at(root)].work;
+    const std::size_t least = at(static_cast<int>(std::min_element(load.begin(), load.end()) - load.begin()));
+    shares.roots[least].push_back(root);
+    load[least] += trees[at(root)].work;
   }
-  shares.longest = *std::max_element(load.begin(), load.end());
+  shares.largest = *std::max_element(load.begin(), load.end());
   return shares;
 }
 
 }  // namespace
 
-void share_fronts(FrontLayout& layout, int num_threads) {
+void share_fronts(FrontLayout& layout) {
   const std::vector<Subtree> trees = subtrees(layout);
   std::vector<int> roots;
   for (int f = 0; f < num_fronts(layout); ++f) {
     if (layout.fronts[at(f)].parent == -1) roots.push_back(f);
   }
-  Shares best = share(roots, trees, num_threads);
-  double best_time = best.longest, time_of_last = 0;
+  Shares best = share(roots, trees);
+  double best_time = best.largest, time_of_last = 0;
   std::vector<int> last;
-  for (int split = 0; num_threads > 1 && split < kMostSplits && !roots.empty(); ++split) {
+  for (int split = 0; split < kMostSplits && !roots.empty(); ++split) {
     const auto heaviest = std::max_element(roots.begin(), roots.end(),
                                            [&](int a, int b) { return trees[at(a)].work < trees[at(b)].work; });
     const Front* front = &layout.fronts[at(*heaviest)];
@@ -78,18 +78,17 @@ void share_fronts(FrontLayout& layout, int num_threads) {
     roots.erase(heaviest);
     roots.insert(roots.end(), layout.children.begin() + front[0].first_child,
                  layout.children.begin() + front[1].first_child);
-    Shares shares = share(roots, trees, num_threads);
-    if (time_of_last + shares.longest >= best_time) continue;
-    best_time = time_of_last + shares.longest;
+    Shares shares = share(roots, trees);
+    if (time_of_last + shares.largest >= best_time) continue;
+    best_time = time_of_last + shares.largest;
     best = std::move(shares);
     layout.last_fronts = last;
   }
   std::sort(layout.last_fronts.begin(), layout.last_fronts.end());
-  for (std::vector<int>& mine : best.roots) {
-    std::sort(mine.begin(), mine.end());
-    std::vector<int>& fronts = layout.fronts_of_thread.emplace_back();
-    for (int root : mine) {
-      for (int f = trees[at(root)].first; f <= root; ++f) fronts.push_back(f);
+  for (std::size_t i = 0; i < best.roots.size(); ++i) {
+    std::sort(best.roots[i].begin(), best.roots[i].end());
+    for (int root : best.roots[i]) {
+      for (int f = trees[at(root)].first; f <= root; ++f) layout.shares[i].push_back(f);
     }
   }
 }
@@ -135,8 +134,31 @@ void place_schur_complements(FrontLayout& layout) {
     if (const int parent = layout.fronts[at(f)].parent; parent != -1) depth[at(f)] = depth[at(parent)] + 1;
   }
   SchurStacks stacks(layout, depth);
-  for (const std::vector<int>& fronts : layout.fronts_of_thread) stacks.place(fronts);
+  for (const std::vector<int>& fronts : layout.shares) stacks.place(fronts);
   stacks.place(layout.last_fronts);
+}
+
+/// The ancestors of a share's subtree come last, so the rows that they eliminate are the last ones.
+void list_shared_vertices(FrontLayout& layout) {
+  std::vector<int> place(layout.front_of_vertex.size(), -1);
+  for (int f : layout.last_fronts) {
+    const Front& front = layout.fronts[at(f)];
+    for (int i = 0; i < front.num_pivots; ++i) {
+      const int v = layout.vertices[at(front.first_vertex + i)];
+      place[at(v)] = static_cast<int>(layout.shared_vertices.size());
+      layout.shared_vertices.push_back(v);
+    }
+  }
+  for (const std::vector<int>& fronts : layout.shares) {
+    for (int f : fronts) {
+      Front& front = layout.fronts[at(f)];
+      const auto rows = layout.vertices.begin() + front.first_vertex + front.num_pivots;
+      const auto is_own = [&](int v) { return place[at(v)] == -1; };
+      const auto shared = std::find_if_not(rows, rows + front.num_rows, is_own);
+      front.num_own_rows = static_cast<int>(shared - rows);
+      std::transform(shared, rows + front.num_rows, shared, [&](int v) { return place[at(v)]; });
+    }
+  }
 }
 
 }  // namespace wirewarp

@@ -63,7 +63,7 @@ Positions2 LengthConstraints::directions(const Positions2& uv) const {
   return directions;
 }
 
-Eigen::VectorXd LengthConstraints::apply(const Positions2& directions, const Positions2& d) const {
+Eigen::VectorXd LengthConstraints::apply(const Positions2& directions, const Eigen::Ref<const Positions2>& d) const {
   Eigen::VectorXd result(size());
   for (int e = 0; e < size(); ++e) {
     result[e] = directions.row(e).dot(d.row(edges_[at(e)].b) - d.row(edges_[at(e)].a));
@@ -72,7 +72,7 @@ Eigen::VectorXd LengthConstraints::apply(const Positions2& directions, const Pos
 }
 
 void LengthConstraints::add_transposed(const Positions2& directions, const Eigen::VectorXd& multipliers,
-                                       Positions2& result) const {
+                                       Eigen::Ref<Positions2> result) const {
   for (int e = 0; e < size(); ++e) {
     const Eigen::RowVector2d force = multipliers[e] * directions.row(e);
     result.row(edges_[at(e)].b) += force;

@@ -49,10 +49,11 @@ class LengthConstraints {
   Positions2 directions(const Positions2& uv) const;
 
   /// J d for the directions of a linearization. #edges.
-  Eigen::VectorXd apply(const Positions2& directions, const Positions2& d) const;
+  Eigen::VectorXd apply(const Positions2& directions, const Eigen::Ref<const Positions2>& d) const;
 
   /// Adds Jᵀ λ. One row per chart vertex.
-  void add_transposed(const Positions2& directions, const Eigen::VectorXd& multipliers, Positions2& result) const;
+  void add_transposed(const Positions2& directions, const Eigen::VectorXd& multipliers,
+                      Eigen::Ref<Positions2> result) const;
 
  private:
   std::vector<Edge> edges_;

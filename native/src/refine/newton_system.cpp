@@ -4,7 +4,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "index.h"
 #include "mesh/geometry.h"
@@ -17,7 +16,8 @@ constexpr double kPin = 1e6;
 constexpr double kSmallestStiffness = 1e8;
 constexpr double kStiffness = 1e4;  // over the largest diagonal entry of the Hessian at an edge's ends
 constexpr int kMultiplierSteps = 3;
-constexpr int kColumnsAtOnce = 4;  // what the Cholesky kernels take
+constexpr double kAccuracy = 1e-9;  // of changes of length, over how far the ends of edges move apart or aside
+constexpr int kColumnsAtOnce = 4;   // what the Cholesky kernels take
 
 std::vector<VertexPair> coupled_vertices(const FairShapeError& objective) {
   std::vector<VertexPair> pairs;
@@ -67,6 +67,11 @@ Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric) {
   return eigen.eigenvectors() * positive.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
+Eigen::MatrixXd hessian_by_variation(const Eigen::MatrixXd& lengths, const Eigen::MatrixXd& multipliers) {
+  const Eigen::MatrixXd s = -lengths.transpose() * multipliers;
+  return (s + s.transpose()) / 2;
+}
+
 NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints,
                            const Positions2& positions)
     : objective_(objective),
@@ -87,14 +92,13 @@ NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const 
   matrix_.add_diagonal(pinned_[0], kPin * Eigen::Matrix2d::Identity());
   constant_ = matrix_.values();
   cholesky_.emplace(matrix_.lower(), nested_dissection(matrix_.graph(), positions), 2, num_factor_threads());
-  std::vector<int> wire_vertices, vertices(at(static_cast<int>(chart.mesh.n_vertices())));
+  std::vector<int> wire_vertices;
   for (const LengthConstraints::Edge& edge : constraints.edges()) {
     wire_vertices.push_back(edge.a);
     wire_vertices.push_back(edge.b);
   }
-  std::iota(vertices.begin(), vertices.end(), 0);
   on_wires_ = cholesky_->branches_to(wire_vertices);
-  everywhere_ = cholesky_->branches_to(vertices);
+  off_wires_ = cholesky_->others(on_wires_);
 }
 
 void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
@@ -113,6 +117,7 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
     matrix_.add_diagonal(edge.b, block);
     matrix_.add(edge_blocks_[at(e)], -block);
   }
+  if (convexity.curvature == Curvature::none) return;  // the Laplacian resists turns: a pin would press a dent
   const Eigen::Vector2d arm = (uv.row(pinned_[1]) - uv.row(pinned_[0])).transpose().normalized();
   const Eigen::Vector2d turn(-arm.y(), arm.x());
   matrix_.add_diagonal(pinned_[1], kPin * turn * turn.transpose());
@@ -136,71 +141,87 @@ Positions2 NewtonSystem::apply_inverse(const Positions2& b) const {
   return x;
 }
 
-/// A⁻¹ Jᵀ of tensions in the wires.
-Positions2 NewtonSystem::response(const Eigen::VectorXd& tensions, Where wanted) const {
-  Positions2 x = Positions2::Zero(matrix_.lower().rows() / 2, 2);
-  constraints_.add_transposed(directions_, tensions, x);
-  cholesky_->solve_in_place(Eigen::Map<Eigen::VectorXd>(x.data(), x.size()), on_wires_,
-                            wanted == Where::on_wires ? on_wires_ : everywhere_);
+/// A⁻¹ Jᵀ τ on the wires, one a column.
+Eigen::MatrixXd NewtonSystem::response(const Eigen::MatrixXd& tensions) const {
+  const Eigen::Index num_vertices = matrix_.lower().rows() / 2;
+  Eigen::MatrixXd x = Eigen::MatrixXd::Zero(2 * num_vertices, tensions.cols());
+  for (Eigen::Index c = 0; c < x.cols(); ++c) {
+    constraints_.add_transposed(directions_, tensions.col(c), Eigen::Map<Positions2>(x.col(c).data(), num_vertices, 2));
+  }
+  cholesky_->substitute_forward(x, on_wires_);
+  cholesky_->substitute_back(x, on_wires_);
   return x;
 }
 
-/// ρ (J d − r₂)
-Eigen::VectorXd NewtonSystem::excess_tensions(const Positions2& d, const Eigen::VectorXd& r2) const {
-  return stiffness_.cwiseProduct(constraints_.apply(directions_, d) - r2);
+/// J d, one a column.
+Eigen::MatrixXd NewtonSystem::changes_of_length(const Eigen::MatrixXd& d) const {
+  Eigen::MatrixXd changes(constraints_.size(), d.cols());
+  for (Eigen::Index c = 0; c < d.cols(); ++c) {
+    changes.col(c) = constraints_.apply(directions_, Eigen::Map<const Positions2>(d.col(c).data(), d.rows() / 2, 2));
+  }
+  return changes;
+}
+
+/// Of the ends of edges, in all columns.
+double NewtonSystem::relative_motion(const Eigen::MatrixXd& d) const {
+  double sum = 0;
+  for (const LengthConstraints::Edge& edge : constraints_.edges()) {
+    sum += (d.middleRows<2>(2 * edge.b) - d.middleRows<2>(2 * edge.a)).squaredNorm();
+  }
+  return std::sqrt(sum);
 }
 
 /// (H + Jᵀ ρ J) d = r₁ + Jᵀ (ρ r₂ − λ), then λ += ρ (J d − r₂): the first row holds after every step, the second is
-/// better by a factor of about ρ over the stiffness of the surface. After the first step d changes by −A⁻¹ Jᵀ λ.
-void NewtonSystem::solve(const Positions2& r1, const Eigen::VectorXd& r2, Positions2& d,
-                         Eigen::VectorXd& multipliers) const {
+/// better by a factor of about ρ over the stiffness of the surface.
+void NewtonSystem::improve(const Eigen::MatrixXd& r2, int max_steps, Solution& solution) const {
+  for (int i = 0; i < max_steps; ++i) {
+    Eigen::MatrixXd tensions = stiffness_.asDiagonal() * r2 - solution.multipliers;
+    solution.d += response(tensions - solution.tensions);
+    solution.tensions = std::move(tensions);
+    const Eigen::MatrixXd missing = changes_of_length(solution.d) - r2;
+    solution.multipliers += stiffness_.asDiagonal() * missing;
+    if (missing.norm() <= kAccuracy * relative_motion(solution.d)) return;
+  }
+}
+
+NewtonSystem::Solution NewtonSystem::solve_on_wires(const Positions2& r1, const Eigen::VectorXd& r2) const {
+  Solution solution;
+  solution.tensions = stiffness_.cwiseProduct(r2);
   Positions2 b = r1;
-  constraints_.add_transposed(directions_, stiffness_.cwiseProduct(r2), b);
-  const Positions2 first = apply_inverse(b);
-  multipliers = excess_tensions(first, r2);
-  for (int i = 1; i < kMultiplierSteps; ++i) {
-    d = first + response(-multipliers, i + 1 < kMultiplierSteps ? Where::on_wires : Where::everywhere);
-    multipliers += excess_tensions(d, r2);
-  }
+  constraints_.add_transposed(directions_, solution.tensions.col(0), b);
+  solution.d = Eigen::Map<const Eigen::VectorXd>(b.data(), b.size());
+  cholesky_->substitute_forward(solution.d, cholesky_->all());
+  cholesky_->substitute_back(solution.d, on_wires_);
+  solution.multipliers = stiffness_.asDiagonal() * (changes_of_length(solution.d) - r2);
+  improve(r2, kMultiplierSteps - 1, solution);
+  return solution;
 }
 
-void NewtonSystem::solve(const Eigen::VectorXd& r2, Positions2& d, Eigen::VectorXd& multipliers) const {
-  multipliers = Eigen::VectorXd::Zero(constraints_.size());
-  for (int i = 0; i < kMultiplierSteps; ++i) {
-    d = response(stiffness_.cwiseProduct(r2) - multipliers,
-                 i + 1 < kMultiplierSteps ? Where::on_wires : Where::everywhere);
-    multipliers += excess_tensions(d, r2);
-  }
+void NewtonSystem::solve_on_wires(const Eigen::MatrixXd& r2, Solution& solution) const {
+  improve(r2, kMultiplierSteps, solution);
 }
 
-/// The same steps for several elastic parts at once, on wires alone.
-Eigen::MatrixXd NewtonSystem::hessian_by_variation() const {
+Eigen::MatrixXd NewtonSystem::multipliers_by_variation() const {
   const Eigen::MatrixXd lengths = constraints_.elastic_lengths();
-  Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(lengths.rows(), lengths.cols());
+  Eigen::MatrixXd multipliers(lengths.rows(), lengths.cols());
   for (Eigen::Index first = 0; first < lengths.cols(); first += kColumnsAtOnce) {
     const Eigen::Index columns = std::min<Eigen::Index>(kColumnsAtOnce, lengths.cols() - first);
-    for (int i = 0; i < kMultiplierSteps; ++i) {
-      Eigen::MatrixXd x(matrix_.lower().rows(), columns);
-      Positions2 one;
-      for (Eigen::Index c = 0; c < columns; ++c) {
-        one = Positions2::Zero(x.rows() / 2, 2);
-        constraints_.add_transposed(directions_,
-                                    stiffness_.cwiseProduct(lengths.col(first + c)) - multipliers.col(first + c), one);
-        x.col(c) = Eigen::Map<const Eigen::VectorXd>(one.data(), one.size());
-      }
-      cholesky_->solve_in_place(x, on_wires_, on_wires_);
-      for (Eigen::Index c = 0; c < columns; ++c) {
-        one = Eigen::Map<const Positions2>(x.col(c).data(), x.rows() / 2, 2);
-        multipliers.col(first + c) += excess_tensions(one, lengths.col(first + c));
-      }
-    }
+    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(lengths.rows(), columns);
+    Solution solution{Eigen::MatrixXd::Zero(matrix_.lower().rows(), columns), none, none};
+    improve(lengths.middleCols(first, columns), kMultiplierSteps, solution);
+    multipliers.middleCols(first, columns) = solution.multipliers;
   }
-  const Eigen::MatrixXd s = -lengths.transpose() * multipliers;
-  return (s + s.transpose()) / 2;
+  return multipliers;
 }
 
-Positions2 NewtonSystem::least_change(const Eigen::VectorXd& r2, Where wanted) const {
-  return response(stiffness_.cwiseProduct(r2), wanted);
+Eigen::VectorXd NewtonSystem::least_change(const Eigen::VectorXd& r2) const {
+  return response(stiffness_.cwiseProduct(r2));
+}
+
+Positions2 NewtonSystem::finish(const Eigen::VectorXd& d_on_wires) const {
+  Positions2 d = Eigen::Map<const Positions2>(d_on_wires.data(), d_on_wires.size() / 2, 2);
+  cholesky_->substitute_back(Eigen::Map<Eigen::VectorXd>(d.data(), d.size()), off_wires_);
+  return d;
 }
 
 }  // namespace wirewarp

@@ -6,8 +6,10 @@
 //
 // in the positive definite form A = H + 10⁻⁴ M + Jᵀ ρ J + pins, with M the lumped areas over the whole area. For large
 // ρ, A has a Cholesky factor exactly where H is positive on the null space of J: a failed factorization is the test of
-// the inertia. The method of multipliers takes three solves with it to the solution for ρ → ∞ (M. J. D. Powell, A
-// method for nonlinear constraints in minimization problems, 1969).
+// the inertia. The method of multipliers takes two or three solves with it to the solution for ρ → ∞ (M. J. D. Powell,
+// A method for nonlinear constraints in minimization problems, 1969).
+//
+// All of them but the last need d on the wires only: back substitution goes on from there once, in finish().
 #pragma once
 
 #include <optional>
@@ -29,6 +31,9 @@ struct Convexity {
 /// minimum.
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric);
 
+/// S = −Tᵀ ∂λ/∂h: the Hessian by h of the least q(d) = g·d + ½ d·Hd with J d = T h. lengths: T; multipliers: ∂λ/∂h.
+Eigen::MatrixXd hessian_by_variation(const Eigen::MatrixXd& lengths, const Eigen::MatrixXd& multipliers);
+
 class NewtonSystem {
  public:
   /// objective, constraints: must outlive the system. positions: any layout that tells near vertices from far ones,
@@ -47,19 +52,28 @@ class NewtonSystem {
   Eigen::SparseMatrix<double> hessian(const Positions2& uv, const Eigen::VectorXd& multipliers,
                                       const Convexity& convexity);
 
-  /// Solves for d and λ. r1: one row per chart vertex; r2: #edges.
-  void solve(const Positions2& r1, const Eigen::VectorXd& r2, Positions2& d, Eigen::VectorXd& multipliers) const;
+  /// Solutions on their way, one a column: A d = r₁ + Jᵀ τ on the wires, x and y of each vertex below one another.
+  /// Elsewhere d holds what finish() needs, and so do sums of such d.
+  struct Solution {
+    Eigen::MatrixXd d;
+    Eigen::MatrixXd tensions;     // τ
+    Eigen::MatrixXd multipliers;  // λ
+  };
 
-  /// The same for r₁ = 0.
-  void solve(const Eigen::VectorXd& r2, Positions2& d, Eigen::VectorXd& multipliers) const;
+  /// Solves for d on the wires and λ. r1: one row per chart vertex; r2: #edges.
+  Solution solve_on_wires(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
-  /// S = −Tᵀ ∂λ/∂h: the Hessian by h of the least q(d) = g·d + ½ d·Hd with J d = T h, for all elastic parts.
-  Eigen::MatrixXd hessian_by_variation() const;
+  /// Goes on to another r₂, the multipliers being a guess.
+  void solve_on_wires(const Eigen::MatrixXd& r2, Solution& solution) const;
 
-  enum class Where { on_wires, everywhere };
+  /// ∂λ/∂h for all elastic parts, J d being T h. #edges by #elastic.
+  Eigen::MatrixXd multipliers_by_variation() const;
 
-  /// d with J d = r2, the least in the metric H, to the accuracy of one solve. Where not wanted it means nothing.
-  Positions2 least_change(const Eigen::VectorXd& r2, Where wanted = Where::everywhere) const;
+  /// d on the wires with J d = r2, the least in the metric H, to the accuracy of one solve.
+  Eigen::VectorXd least_change(const Eigen::VectorXd& r2) const;
+
+  /// d everywhere.
+  Positions2 finish(const Eigen::VectorXd& d_on_wires) const;
 
   /// A⁻¹ b. One row per chart vertex.
   Positions2 apply_inverse(const Positions2& b) const;
@@ -72,19 +86,21 @@ class NewtonSystem {
  private:
   void assemble(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
                 double stiffness_share);
-  Positions2 response(const Eigen::VectorXd& tensions, Where wanted) const;
-  Eigen::VectorXd excess_tensions(const Positions2& d, const Eigen::VectorXd& r2) const;
+  Eigen::MatrixXd response(const Eigen::MatrixXd& tensions) const;
+  Eigen::MatrixXd changes_of_length(const Eigen::MatrixXd& d) const;
+  double relative_motion(const Eigen::MatrixXd& d) const;
+  void improve(const Eigen::MatrixXd& r2, int max_steps, Solution& solution) const;
 
   FairShapeError& objective_;
   const LengthConstraints& constraints_;
   VertexMatrix matrix_;
-  VertexPair pinned_;  // hold the three rigid motions: the first altogether, the second against turning
+  VertexPair pinned_;  // hold the rigid motions: the first altogether, the second against turning
   std::vector<VertexMatrix::Block> edge_blocks_;
   Eigen::ArrayXd constant_;    // values of L + the Hessian of F + 10⁻⁴ M + the pin that never turns
   Eigen::VectorXd stiffness_;  // ρ
   Positions2 directions_;      // d̂
   std::optional<MultifrontalCholesky> cholesky_;  // of A
-  MultifrontalCholesky::Branches on_wires_, everywhere_;
+  MultifrontalCholesky::Branches on_wires_, off_wires_;
   int num_factorizations_ = 0;
 };
 

@@ -25,7 +25,9 @@ constexpr double kVeryGood = 0.5;     // from here on a larger ball is tried
 constexpr double kShrink = 3;         // of the ball, after a bad step
 constexpr int kMaxRadii = 30;         // 3³⁰: no step, however short, goes down
 constexpr int kMaxKrylovSize = 15;
-constexpr double kFlat = 1e-4;  // negative curvature over that of the convex part which is not worth a step
+constexpr double kNear = 1e-2;      // slope of a Newton step over f, so small that the factor stays good
+constexpr double kMuchLess = 1e-2;  // slope of a step with the same factor, over that of the one before
+constexpr double kFlat = 1e-4;      // negative curvature over that of the convex part which is not worth a step
 constexpr double kStrongestBarrier = 1000;
 
 constexpr Convexity kExactHessian{Curvature::exact, true};
@@ -55,6 +57,7 @@ class Refinement {
     Positions2 d;
     Eigen::VectorXd variation;    // Δh
     Eigen::VectorXd multipliers;  // λ
+    double slope;                 // of f along the step
   };
   enum class Outcome { accepted, rejected, not_positive, converged };
 
@@ -62,9 +65,11 @@ class Refinement {
   bool may_go_on() const { return system_.num_factorizations() < limits_.max_factorizations && limits_.go_on(); }
   double worthwhile() const { return std::max(kWorthwhile * now_.value, kIsometric * area_); }
   double length_error() const { return constraints_.largest_error(constraints_.residual(now_.uv, now_.variation)); }
+  bool factorize(const Convexity& convexity);
   Step newton_step() const;
   bool evaluate(Iterate& trial) const;
   Outcome take_newton_step();
+  Outcome take_steps_with_factor(double slope);
   Outcome take_step_in_ball();
   Outcome search_ball(const TangentSpace& space, const std::function<ModelStep(double radius)>& step_in);
   std::vector<int> free_parts() const;
@@ -78,10 +83,11 @@ class Refinement {
   Eigen::VectorXd tolerance_;  // ε of the elastic parts
 
   Iterate now_;
-  Positions2 gradient_;          // of f
-  Eigen::VectorXd multipliers_;  // λ
-  double radius_ = 0;            // of the ball; 0: not chosen yet
-  bool is_positive_ = true;      // the exact Hessian is expected to be
+  Positions2 gradient_;           // of f
+  Eigen::VectorXd multipliers_;   // λ
+  Eigen::MatrixXd by_variation_;  // ∂λ/∂h for the factor
+  double radius_ = 0;             // of the ball; 0: not chosen yet
+  bool is_positive_ = true;       // the exact Hessian is expected to be
   bool is_exact_ = false;
   bool converged_ = false;
   int iterations_ = 0;
@@ -105,19 +111,31 @@ Refinement::Refinement(const Chart& chart, const WireNetwork& network, double fa
   multipliers_ = starts_near_minimum_ ? start.multipliers : Eigen::VectorXd::Zero(constraints_.size());
 }
 
+bool Refinement::factorize(const Convexity& convexity) {
+  if (!system_.factorize(now_.uv, multipliers_, convexity)) return false;
+  if (constraints_.num_elastic() > 0) by_variation_ = system_.multipliers_by_variation();
+  return true;
+}
+
 /// The quadratic program min g·d + ½ d·H d, J d - T Δh = -c, h + Δh in its bounds. With d eliminated a dense one in Δh
-/// is left, with the Hessian S and the gradient -Tᵀλ.
+/// is left, with the Hessian S and the gradient -Tᵀλ. It is solved for the change of λ, g + Jᵀλ in place of g: so a
+/// factor from before the last step, with the J of then, is wrong in what is small.
 Refinement::Step Refinement::newton_step() const {
   const Eigen::VectorXd residual = constraints_.residual(now_.uv, now_.variation);
-  Step step;
-  step.variation = Eigen::VectorXd::Zero(constraints_.num_elastic());
-  system_.solve(-gradient_, -residual, step.d, step.multipliers);
-  if (constraints_.num_elastic() == 0) return step;
+  Positions2 force = gradient_;
+  constraints_.add_transposed(constraints_.directions(now_.uv), multipliers_, force);
+  NewtonSystem::Solution solution = system_.solve_on_wires(-force, -residual);
   const Eigen::MatrixXd lengths = constraints_.elastic_lengths();
-  step.variation =
-      minimize_model_in_box(-lengths.transpose() * step.multipliers, make_positive(system_.hessian_by_variation()),
-                            -tolerance_ - now_.variation, tolerance_ - now_.variation);
-  system_.solve(-gradient_, lengths * step.variation - residual, step.d, step.multipliers);
+  Eigen::VectorXd variation = Eigen::VectorXd::Zero(constraints_.num_elastic());
+  if (constraints_.num_elastic() > 0) {
+    variation = minimize_model_in_box(-lengths.transpose() * (multipliers_ + solution.multipliers.col(0)),
+                                      make_positive(hessian_by_variation(lengths, by_variation_)),
+                                      -tolerance_ - now_.variation, tolerance_ - now_.variation);
+    solution.multipliers += by_variation_ * variation;
+    system_.solve_on_wires(lengths * variation - residual, solution);
+  }
+  Step step{system_.finish(solution.d), std::move(variation), multipliers_ + solution.multipliers.col(0), 0};
+  step.slope = dot(force, step.d) - multipliers_.dot(lengths * step.variation - residual);
   return step;
 }
 
@@ -131,9 +149,9 @@ bool Refinement::evaluate(Iterate& trial) const {
 
 /// Near the minimum the exact Hessian, or its convex part where it is not positive; else the Laplacian.
 bool Refinement::factorize_at_start() {
-  if (!starts_near_minimum_) return may_go_on() && system_.factorize(now_.uv, multipliers_, kLaplacian);
-  return (may_go_on() && system_.factorize(now_.uv, multipliers_, kExactHessian)) ||
-         (may_go_on() && system_.factorize(now_.uv, multipliers_, kConvexHessian));
+  if (!starts_near_minimum_) return may_go_on() && factorize(kLaplacian);
+  return (may_go_on() && factorize(kExactHessian)) ||
+         (may_go_on() && factorize(kConvexHessian));
 }
 
 /// One Newton step and the way back from its end; near the minimum a second one where that is too long.
@@ -153,22 +171,44 @@ bool Refinement::reach_exact_lengths() {
 }
 
 Refinement::Outcome Refinement::take_newton_step() {
-  const bool is_exact = system_.factorize(now_.uv, multipliers_, kExactHessian);
+  const bool is_exact = factorize(kExactHessian);
   // Triangles that are nearly points bend f down more than anything else: a step without their share opens them.
   const bool try_open = !is_exact && objective_.count_flips(now_.uv) > 0 && may_go_on();
-  if (!is_exact && !(try_open && system_.factorize(now_.uv, multipliers_, kOpenHessian))) return Outcome::not_positive;
+  if (!is_exact && !(try_open && factorize(kOpenHessian))) return Outcome::not_positive;
   const Step step = newton_step();
-  const double slope = dot(gradient_, step.d);
-  const bool is_last = std::abs(slope) < worthwhile();
+  const bool is_last = std::abs(step.slope) < worthwhile();
   if (is_last && !is_exact) return Outcome::rejected;  // perhaps a saddle
   for (const double t : {1.0, 0.5}) {                  // shorter steps are better taken in a ball
     Iterate trial{now_.uv + t * step.d, now_.variation + t * step.variation};
-    if (!evaluate(trial) || !(trial.value <= now_.value + kSufficient * t * slope)) continue;
+    if (!evaluate(trial) || !(trial.value <= now_.value + kSufficient * t * step.slope)) continue;
     now_ = std::move(trial);
     multipliers_ += t * (step.multipliers - multipliers_);
-    return is_last ? Outcome::converged : Outcome::accepted;
+    if (is_last) return Outcome::converged;
+    const bool is_near = is_exact && t == 1 && std::abs(step.slope) < kNear * now_.value;
+    return is_near ? take_steps_with_factor(step.slope) : Outcome::accepted;
   }
   return is_last ? Outcome::converged : Outcome::rejected;
+}
+
+/// Newton steps with the factor from before a step with the given slope, as long as each leaves little to the next.
+Refinement::Outcome Refinement::take_steps_with_factor(double slope) {
+  while (limits_.go_on()) {
+    now_.value = objective_.value_and_gradient(now_.uv, gradient_);
+    Step step = newton_step();
+    if (std::abs(step.slope) > kMuchLess * std::abs(slope)) break;
+    const bool is_last = std::abs(step.slope) < worthwhile();
+    Iterate trial{now_.uv + step.d, now_.variation + step.variation};
+    const bool is_better = evaluate(trial) && trial.value <= now_.value + kSufficient * step.slope;
+    if (is_better) {
+      ++iterations_;
+      now_ = std::move(trial);
+      multipliers_ = std::move(step.multipliers);
+    }
+    if (is_last) return Outcome::converged;
+    if (!is_better) break;
+    slope = step.slope;
+  }
+  return Outcome::accepted;
 }
 
 /// All elastic parts but those at a bound that would go beyond it: f falls by (Tᵀλ)_w per unit of h_w.
@@ -184,8 +224,7 @@ std::vector<int> Refinement::free_parts() const {
 
 Refinement::Outcome Refinement::take_step_in_ball() {
   if (!system_.factorize(now_.uv, multipliers_, kConvexHessian)) return Outcome::not_positive;
-  Positions2 d;
-  system_.solve(-gradient_, Eigen::VectorXd::Zero(constraints_.size()), d, multipliers_);
+  multipliers_ = system_.solve_on_wires(-gradient_, Eigen::VectorXd::Zero(constraints_.size())).multipliers;
   const TangentSpace space(system_, constraints_, free_parts());
   const Eigen::SparseMatrix<double> hessian = system_.hessian(now_.uv, multipliers_, kExactHessian);
   const auto times_hessian = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {

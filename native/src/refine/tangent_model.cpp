@@ -44,6 +44,7 @@ TangentModel::TangentModel(const Operator& times_hessian,
     if (is_positive && residual < kSolved) break;
     beside.push_back(norm);
   }
+  if (basis_.empty()) return;
   const auto size = static_cast<Eigen::Index>(basis_.size());
   Eigen::MatrixXd t = Eigen::MatrixXd::Zero(size, size);
   for (Eigen::Index i = 0; i < size; ++i) {

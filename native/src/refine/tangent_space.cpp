@@ -8,7 +8,9 @@ namespace wirewarp {
 TangentSpace::TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free)
     : system_(system), constraints_(constraints), free_(std::move(free)) {
   lengths_ = constraints.elastic_lengths()(Eigen::all, free_);
-  if (!free_.empty()) by_free_.compute(make_positive(system.hessian_by_variation()(free_, free_)));
+  if (free_.empty()) return;
+  multipliers_ = system.multipliers_by_variation()(Eigen::all, free_);
+  by_free_.compute(make_positive(hessian_by_variation(lengths_, multipliers_)));
 }
 
 /// Stationary are G d + Jᵀλ = r_u and -Tᵀλ = r_h. With λ = λ₀ + ∂λ/∂h Δh that is S Δh = r_h + Tᵀλ₀.
@@ -16,23 +18,20 @@ Eigen::VectorXd TangentSpace::solve(Eigen::VectorXd& force) const {
   const auto num_free = static_cast<Eigen::Index>(free_.size());
   const Eigen::Index size = force.size() - num_free;
   const Positions2 on_vertices = Eigen::Map<const Positions2>(force.data(), size / 2, 2);
-  Eigen::VectorXd result(force.size()), multipliers;
-  Positions2 d;
-  system_.solve(on_vertices, Eigen::VectorXd::Zero(constraints_.size()), d, multipliers);
+  Eigen::VectorXd result(force.size());
+  NewtonSystem::Solution solution = system_.solve_on_wires(on_vertices, Eigen::VectorXd::Zero(constraints_.size()));
   if (num_free > 0) {
-    result.tail(num_free) = by_free_.solve(force.tail(num_free) + lengths_.transpose() * multipliers);
-    Positions2 by_variation;
-    Eigen::VectorXd change;
-    system_.solve(lengths_ * result.tail(num_free), by_variation, change);
-    d += by_variation;
-    multipliers += change;
+    result.tail(num_free) = by_free_.solve(force.tail(num_free) + lengths_.transpose() * solution.multipliers);
+    solution.multipliers += multipliers_ * result.tail(num_free);
+    system_.solve_on_wires(lengths_ * result.tail(num_free), solution);
   }
+  const Positions2 d = system_.finish(solution.d);
   result.head(size) = Eigen::Map<const Eigen::VectorXd>(d.data(), size);
 
   Positions2 normal = Positions2::Zero(size / 2, 2);
-  constraints_.add_transposed(system_.directions(), multipliers, normal);
+  constraints_.add_transposed(system_.directions(), solution.multipliers, normal);
   force.head(size) -= Eigen::Map<const Eigen::VectorXd>(normal.data(), size);
-  force.tail(num_free) += lengths_.transpose() * multipliers;
+  force.tail(num_free) += lengths_.transpose() * solution.multipliers;
   return result;
 }
 

@@ -24,14 +24,14 @@ class LeastChange {
     const Eigen::MatrixXd stretched = system.stiffness().asDiagonal() * lengths_;
     Eigen::MatrixXd by_variation = lengths_.transpose() * stretched;
     for (int w = 0; w < constraints.num_elastic(); ++w) {
-      moves_.push_back(system.least_change(lengths_.col(w)));
+      moves_.push_back(system.finish(system.least_change(lengths_.col(w))));
       by_variation.col(w) -= stretched.transpose() * constraints.apply(system.directions(), moves_.back());
     }
     by_variation_.compute(by_variation);
   }
 
   void step(const Eigen::VectorXd& residual, Positions2& uv, Eigen::VectorXd& variation) const {
-    Positions2 d = system_.least_change(-residual);
+    Positions2 d = system_.finish(system_.least_change(-residual));
     if (!moves_.empty()) {
       const Eigen::VectorXd left = residual + constraints_.apply(system_.directions(), d);
       const Eigen::VectorXd change = by_variation_.solve(lengths_.transpose() * system_.stiffness().cwiseProduct(left));

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Solutions with the factor, front by front: L⁻¹ b from the leaves up, then L⁻ᵀ of that from the roots down. What the
+// shares add to the rows of the last fronts is summed apart and then in a fixed order, so that it does not matter how
+// many threads there are.
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "cholesky/multifrontal_cholesky.h"
+#include "cholesky/run_shares.h"
+#include "index.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr std::size_t kTilesWorthThreads = 1 << 14;
+
+using Columns = Eigen::Ref<Eigen::MatrixXd>;
+
+/// A front's numbers of up to kColumns right-hand sides: those of a row side by side.
+template <int kColumns>
+class FrontRows {
+ public:
+  explicit FrontRows(const FrontLayout& layout)
+      : layout_(layout), x_(new Tile[at(layout.largest_front)]), sums_(new Tile[at(layout.largest_front)]) {}
+
+  double* numbers() const { return x_[0].entries; }
+  Tile* sums() const { return sums_.get(); }  // space that the kernels need
+
+  /// own: where pivots and own rows are, one row per unknown of a vertex. shared: the same for shared vertices.
+  void gather(const Front& front, const Columns& own, const Columns& shared) const {
+    std::fill_n(numbers(), kColumns * kTile * (front.pivot_tiles + front.row_tiles), 0.0);
+    const int num_own = front.num_pivots + front.num_own_rows;
+    const auto read = [](double& x, const double& y) { x = y; };
+    for_each(front, 0, num_own, own, read);
+    for_each(front, num_own, front.num_pivots + front.num_rows, shared, read);
+  }
+  void scatter(const Front& front, Columns& own, Columns& shared) const {
+    const int num_own = front.num_pivots + front.num_own_rows;
+    const auto write = [](double& x, double& y) { y = x; };
+    for_each(front, 0, num_own, own, write);
+    for_each(front, num_own, front.num_pivots + front.num_rows, shared, write);
+  }
+  void scatter_pivots(const Front& front, Columns& own) const {
+    for_each(front, 0, front.num_pivots, own, [](double& x, double& y) { y = x; });
+  }
+
+ private:
+  /// function(number here, number in columns) for the vertices of a front from begin to end.
+  template <typename AllColumns, typename Function>
+  void for_each(const Front& front, int begin, int end, AllColumns& columns, const Function& function) const {
+    const int k = layout_.unknowns_per_vertex;
+    const int num_columns = kColumns == 1 ? 1 : static_cast<int>(columns.cols());
+    const int* const vertices = layout_.vertices.data() + front.first_vertex;
+    for (int place = begin; place < end; ++place) {
+      double* const x = numbers() + kColumns * layout_.row_of(front, place);
+      auto* const y = columns.data() + k * vertices[place];
+      for (int i = 0; i < k; ++i) {
+        for (int c = 0; c < num_columns; ++c) function(x[kColumns * i + c], y[i + c * columns.outerStride()]);
+      }
+    }
+  }
+
+  const FrontLayout& layout_;
+  std::unique_ptr<Tile[]> x_, sums_;
+};
+
+}  // namespace
+
+void MultifrontalCholesky::solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const {
+  substitute_forward(b, all_);
+  substitute_back(b, all_);
+}
+
+void MultifrontalCholesky::substitute_forward(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const {
+  if (!positive_definite_) throw std::logic_error("multifrontal Cholesky: there is no factor to solve with");
+  if (b.rows() != layout_.num_unknowns) throw std::invalid_argument("multifrontal Cholesky: b has another size");
+  for (Eigen::Index first = 0; first < b.cols(); first += kTile) {
+    const Eigen::Index columns = std::min<Eigen::Index>(kTile, b.cols() - first);
+    const auto substitute = columns == 1 ? &MultifrontalCholesky::substitute_forward_4<1>
+                                         : &MultifrontalCholesky::substitute_forward_4<kTile>;
+    (this->*substitute)(b.middleCols(first, columns), nonzero);
+  }
+}
+
+void MultifrontalCholesky::substitute_back(Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const {
+  if (!positive_definite_) throw std::logic_error("multifrontal Cholesky: there is no factor to solve with");
+  for (Eigen::Index first = 0; first < b.cols(); first += kTile) {
+    const Eigen::Index columns = std::min<Eigen::Index>(kTile, b.cols() - first);
+    const auto substitute =
+        columns == 1 ? &MultifrontalCholesky::substitute_back_4<1> : &MultifrontalCholesky::substitute_back_4<kTile>;
+    (this->*substitute)(b.middleCols(first, columns), wanted);
+  }
+}
+
+template <int kColumns>
+void MultifrontalCholesky::substitute_forward_4(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const {
+  const auto solve = kColumns == 1 ? kernels_->solve_lower : kernels_->solve_lower_4;
+  const auto visit = [&](const std::vector<int>& fronts, Columns shared) {
+    const FrontRows<kColumns> rows(layout_);
+    Columns own = b;
+    for (int f : fronts) {
+      const Front& front = layout_.fronts[at(f)];
+      rows.gather(front, own, shared);
+      solve(factor_.get() + front.panel, front.pivot_tiles, front.row_tiles, rows.numbers());
+      rows.scatter(front, own, shared);
+    }
+  };
+  const auto num_shared = static_cast<Eigen::Index>(layout_.shared_vertices.size());
+  const int k = layout_.unknowns_per_vertex;
+  std::array<Eigen::MatrixXd, FrontLayout::num_shares> sums;
+  run_shares(sums.size(), num_threads_ > 1 && nonzero.are_worth_threads, [&](std::size_t share) {
+    sums[share].setZero(k * num_shared, b.cols());
+    visit(nonzero.shares[share], sums[share]);
+  });
+  for (const Eigen::MatrixXd& sum : sums) {
+    for (Eigen::Index i = 0; i < num_shared; ++i) {
+      b.middleRows(k * layout_.shared_vertices[static_cast<std::size_t>(i)], k) += sum.middleRows(k * i, k);
+    }
+  }
+  visit(nonzero.last, b);
+}
+
+template <int kColumns>
+void MultifrontalCholesky::substitute_back_4(Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const {
+  const auto visit = [&](const std::vector<int>& fronts, const Columns& shared) {
+    const FrontRows<kColumns> rows(layout_);
+    Columns own = b;
+    for (auto f = fronts.rbegin(); f != fronts.rend(); ++f) {
+      const Front& front = layout_.fronts[at(*f)];
+      rows.gather(front, own, shared);
+      const Tile* const panel = factor_.get() + front.panel;
+      if constexpr (kColumns == 1) {
+        kernels_->solve_upper(panel, front.pivot_tiles, front.row_tiles, rows.numbers(), rows.sums());
+      } else {
+        kernels_->solve_upper_4(panel, front.pivot_tiles, front.row_tiles, rows.numbers());
+      }
+      rows.scatter_pivots(front, own);
+    }
+  };
+  visit(wanted.last, b);
+  const auto num_shared = static_cast<Eigen::Index>(layout_.shared_vertices.size());
+  const int k = layout_.unknowns_per_vertex;
+  Eigen::MatrixXd shared(k * num_shared, b.cols());
+  for (Eigen::Index i = 0; i < num_shared; ++i) {
+    shared.middleRows(k * i, k) = b.middleRows(k * layout_.shared_vertices[static_cast<std::size_t>(i)], k);
+  }
+  run_shares(wanted.shares.size(), num_threads_ > 1 && wanted.are_worth_threads,
+             [&](std::size_t share) { visit(wanted.shares[share], shared); });
+}
+
+MultifrontalCholesky::Branches MultifrontalCholesky::branches_to(const std::vector<int>& vertices) const {
+  std::vector<char> is_visited(layout_.fronts.size(), 0);
+  for (int v : vertices) {
+    for (int f = layout_.front_of_vertex.at(at(v)); f != -1 && !is_visited[at(f)]; f = layout_.fronts[at(f)].parent) {
+      is_visited[at(f)] = 1;
+    }
+  }
+  return branches_where(is_visited);
+}
+
+MultifrontalCholesky::Branches MultifrontalCholesky::others(const Branches& branches) const {
+  std::vector<char> is_other(layout_.fronts.size(), 1);
+  for (const std::vector<int>& share : branches.shares) {
+    for (int f : share) is_other[at(f)] = 0;
+  }
+  for (int f : branches.last) is_other[at(f)] = 0;
+  return branches_where(is_other);
+}
+
+MultifrontalCholesky::Branches MultifrontalCholesky::branches_where(const std::vector<char>& is_visited) const {
+  Branches branches{};
+  std::size_t tiles = 0;
+  const auto add = [&](const std::vector<int>& fronts, std::vector<int>& visited) {
+    for (int f : fronts) {
+      if (!is_visited[at(f)]) continue;
+      const Front& front = layout_.fronts[at(f)];
+      visited.push_back(f);
+      tiles += panel_row(front.pivot_tiles + front.row_tiles, front.pivot_tiles);
+    }
+  };
+  for (std::size_t share = 0; share < branches.shares.size(); ++share) {
+    add(layout_.shares[share], branches.shares[share]);
+  }
+  branches.are_worth_threads = tiles > kTilesWorthThreads;
+  add(layout_.last_fronts, branches.last);
+  return branches;
+}
+
+}  // namespace wirewarp
