@@ -150,8 +150,7 @@ bool Refinement::evaluate(Iterate& trial) const {
 /// Near the minimum the exact Hessian, or its convex part where it is not positive; else the Laplacian.
 bool Refinement::factorize_at_start() {
   if (!starts_near_minimum_) return may_go_on() && factorize(kLaplacian);
-  return (may_go_on() && factorize(kExactHessian)) ||
-         (may_go_on() && factorize(kConvexHessian));
+  return (may_go_on() && factorize(kExactHessian)) || (may_go_on() && factorize(kConvexHessian));
 }
 
 /// One Newton step and the way back from its end; near the minimum a second one where that is too long.
