@@ -52,8 +52,8 @@ class FlattenSettings:
     fairness: FloatProperty(
         name="Smooth Outlines",
         description="The shortest wiggle of outlines and wires that is left alone, as a share of the size of the "
-        "piece: 0.1 is a tenth. More: smoother lines; less: less distortion of the cloth, but lines may come out wavy. Lengths are "
-        "exact either way",
+        "piece: 0.1 is a tenth. More: smoother lines; less: less distortion of the cloth, but lines may come out wavy. "
+        "Lengths are exact either way",
         min=0.001,
         max=10.0,
         soft_min=0.02,
@@ -127,8 +127,8 @@ class FlattenSettings:
     )
     use_modifiers: BoolProperty(
         name="Modifiers",
-        description="Flatten the mesh as modifiers and shape keys leave it. There are flat pieces then, but no UV map on "
-        "the model",
+        description="Flatten the mesh as modifiers and shape keys leave it. There are flat pieces then, but no UV map "
+        "on the model",
         default=False,
     )
     helper_wires: BoolProperty(
