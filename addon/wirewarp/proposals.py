@@ -53,6 +53,8 @@ def looser_wires(proposed: Iterable[tuple[int, float]], arrays: MeshArrays) -> l
 
 
 def round_up(tolerance: float) -> float:
-    """To three digits, as the panel shows tolerances: never less than what is needed."""
+    """To three digits, as the panel shows tolerances: never less than what is needed. inf (free) stays."""
+    if math.isinf(tolerance):
+        return tolerance
     step = 10.0 ** (math.floor(math.log10(tolerance)) - 2)
     return float(f"{math.ceil(tolerance / step - 1e-9) * step:.3g}")

@@ -63,7 +63,7 @@ def object_report(
         "pieces": pieces,
         "seams": [_seam(index, seam, failed, meters) for index, seam in enumerate(result.seams)],
         "wires": wires,
-        "issues": [asdict(issue) for issue in issues],
+        "issues": [_issue(issue) for issue in issues],
         "hints": [dict(vars(hint)) for hint in hints],
         "notes": _notes(method, wires) + _warnings(pieces),
         "reused_pieces": result.report["reused_pieces"],
@@ -79,10 +79,21 @@ def failure_report(issue: Issue) -> dict:
         "pieces": [],
         "seams": [],
         "wires": [],
-        "issues": [asdict(issue)],
+        "issues": [_issue(issue)],
         "hints": [],
         "notes": [],
     }
+
+
+def _issue(issue: Issue) -> dict:
+    entry = asdict(issue)
+    for wire in entry["proposed_tolerances"]:
+        wire["tolerance"] = _tolerance(wire["tolerance"])
+    return entry
+
+
+def _tolerance(tolerance: float) -> float | str:
+    return "inf" if math.isinf(tolerance) else tolerance
 
 
 def _piece(piece: Any, arrays: MeshArrays, meters: float) -> dict:  # noqa: ANN401
@@ -143,7 +154,7 @@ def _wire(wire: Any, meters: float) -> dict:  # noqa: ANN401
         "wire": wire.wire_index,
         "part": wire.part if wire.part >= 0 else None,
         "kind": str(wire.kind),
-        "tolerance": "inf" if math.isinf(wire.tolerance) else wire.tolerance,
+        "tolerance": _tolerance(wire.tolerance),
         **lengths(wire.length_3d, [wire.length_2d], meters),
         "ok": bool(kept),
         "at_limit": str(wire.kind) == "elastic" and bool(abs(wire.variation) >= wire.tolerance - AT_LIMIT),

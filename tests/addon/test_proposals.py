@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The buttons that mend what failed: what they write, when they refuse, and that the piece lies flat then."""
 
+import json
 import math
 from types import SimpleNamespace
 
@@ -216,6 +217,20 @@ def test_wires_that_contradict_one_another_lie_flat_once_they_are_loosened(addon
     assert any(wire["tolerance"] > 0 for wire in report["wires"])
 
 
+def test_a_wire_that_must_be_free_is_proposed_as_free(addon, tmp_path):
+    """Rigid lines over a steep peak contradict one another beyond any tolerance."""
+    source = grid("Peak", lambda x, y: (x, y, 3 * (1 - x * x) * (1 - y * y)), size=6, faces="triangles")
+    mark(source, inside)
+    with pytest.raises(RuntimeError, match="flat with"):
+        bpy.ops.object.wirewarp_flatten(report_path=str(tmp_path / "report.json"))
+    (entry,) = json.loads((tmp_path / "report.json").read_text())["objects"]
+    (issue,) = entry["issues"]
+    assert "inf" in {wire["tolerance"] for wire in issue["proposed_tolerances"]}
+    assert take("TOLERANCES") == {"FINISHED"}
+    tolerances = read(source.data.attributes["wirewarp_tolerance"].data, "value", np.float32)
+    assert math.inf in tolerances
+
+
 def test_what_is_no_wire_any_more_gets_no_tolerance(loosen):
     loosen.data.attributes.remove(loosen.data.attributes["wirewarp_wire"])
     assert take("TOLERANCES") == {"CANCELLED"}
@@ -223,7 +238,7 @@ def test_what_is_no_wire_any_more_gets_no_tolerance(loosen):
 
 
 @pytest.mark.parametrize(
-    ("needed", "proposed"), [(0.03, 0.03), (0.012341, 0.0124), (0.9991, 1.0), (1.0004e-5, 1.01e-5), (2.5, 2.5)]
+    ("needed", "proposed"), [(0.03, 0.03), (0.012341, 0.0124), (0.9991, 1.0), (1.0004e-5, 1.01e-5), (2.5, 2.5), (math.inf, math.inf)]
 )
 def test_tolerances_are_rounded_up(addon, needed, proposed):
     assert addon.proposals.round_up(needed) == pytest.approx(proposed, rel=1e-12)

@@ -65,7 +65,7 @@ def _draw_proposals(context: bpy.types.Context, layout: bpy.types.UILayout, inde
         count = "1 Edge" if len(seams) == 1 else f"{len(seams)} Edges"
         _draw_button(layout, "SEAMS", index, f"Mark {count} as Seam", "EDGESEL")
     if wires:
-        named = ", ".join(f"{wire['name']} {tolerance_text(wire['tolerance'])}" for wire in wires[:SHOWN_ROWS])
+        named = ", ".join(f"{wire['name']} {tolerance_text(float(wire['tolerance']))}" for wire in wires[:SHOWN_ROWS])
         named += f" and {len(wires) - SHOWN_ROWS} more" if len(wires) > SHOWN_ROWS else ""
         draw_sentence(context, layout, named, "BLANK1", spare=16)
         _draw_button(layout, "TOLERANCES", index, "Loosen Wires", "FIXED_SIZE")
