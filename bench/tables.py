@@ -1,17 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tables of docs/benchmarks.md, from the JSON output of wirewarp_bench and from comparisons with peers."""
+"""Tables of what wirewarp_bench (the core alone) and flatten_in_blender.py measured, from their JSON output."""
 
 import math
 from collections.abc import Sequence
 from itertools import groupby
 
-from peers import PEER, WARPED_ELASTIC, Comparison
-
-STAGES = {  # of FlattenResult.seconds, by the benchmark of a method
-    "refine_sheet": {"shape": "shape"},
-    "warp_sheet": {"wires": "network", "interior": "interior", "lengths": "lengths"},
+STAGES = {  # of FlattenResult.seconds, by the benchmark of a method: their titles
+    "refine_sheet": {"charts": "charts", "shape": "shape", "packing": "packing", "measure": "measure", "total": "all"},
+    "warp_sheet": {
+        "charts": "charts",
+        "wires": "network",
+        "interior": "interior",
+        "lengths": "lengths",
+        "packing": "packing",
+        "measure": "measure",
+        "total": "all",
+    },
 }
-TEXT_COLUMNS = ("method", "part", "termination")
+TEXT_COLUMNS = ("method", "part", "termination", "target", "verdict", "mesh", "outcome", "what is said")
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
@@ -36,19 +42,27 @@ def select(benchmarks: list[dict], name: str) -> list[dict]:
     return [b | arguments_of(b) for b in benchmarks if b["name"].startswith(name + "/")]
 
 
+def by_wires(runs: list[dict]) -> list[list[dict]]:
+    """Runs of one method, those with the same wires together."""
+    return [list(group) for _, group in groupby(runs, key=lambda run: (run["wires"], run["percent"]))]
+
+
+def stage_exponents(runs: list[dict], stage: str) -> list[float]:
+    """One for each kind of wires."""
+    return [exponent([r["triangles"] for r in same], [r[f"{stage}_ms"] for r in same]) for same in by_wires(runs)]
+
+
 def stage_table(benchmarks: list[dict], name: str) -> list[str]:
     """Whole runs of one method, and below each kind of wires how its times grow."""
-    last_stages = {"packing": "packing", "measure": "measure", "total": "whole run"}
-    stages = {"charts": "charts", **STAGES[name], **last_stages}
+    stages = STAGES[name]
     rows = []
-    for (wires, percent), group in groupby(select(benchmarks, name), key=lambda run: (run["wires"], run["percent"])):
-        runs = list(group)
+    for runs in by_wires(select(benchmarks, name)):
+        wires, percent = runs[0]["wires"], runs[0]["percent"]
         kind = f"{wires}, ±{percent} %" if percent else f"{wires}, rigid"
         for run in runs:
             times = [f"{run[f'{stage}_ms']:,.3g}" for stage in stages]
             rows.append((f"{run['triangles']:,}", kind, *times, f"{run['peak_MB']:,.0f}"))
-        sizes = [run["triangles"] for run in runs]
-        growth = [f"*{exponent(sizes, [run[f'{stage}_ms'] for run in runs]):.2f}*" for stage in stages]
+        growth = [f"*{k:.2f}*" for stage in stages for k in stage_exponents(runs, stage)]
         rows.append(("*exponent*", kind, *growth, ""))
     return table(["triangles", "wires", *stages.values(), "peak MB"], rows)
 
@@ -62,6 +76,7 @@ def part_table(benchmarks: list[dict]) -> list[str]:
         "free_start": "free ARAP from there, the embedding included",
         "free_start_from_rigid": "free ARAP from the rigid shape",
     }
+    sizes = sorted({run["triangles"] for name in names for run in select(benchmarks, name)})
     rows = []
     for name, what in names.items():
         for wires, group in groupby(select(benchmarks, name), key=lambda run: run["wires"]):
@@ -69,7 +84,7 @@ def part_table(benchmarks: list[dict]) -> list[str]:
             times = [run["real_time"] for run in runs]
             growth = f"*{exponent([run['triangles'] for run in runs], times):.2f}*"
             rows.append((what, str(wires), *(f"{t:,.3g}" for t in times), growth))
-    return table(["part", "wires", "10,000", "100,000", "1,000,000", "*exponent*"], rows)
+    return table(["part", "wires", *(f"{size:,}" for size in sizes), "*exponent*"], rows)
 
 
 def gradient_table(benchmarks: list[dict]) -> list[str]:
@@ -98,59 +113,3 @@ def blender_table(runs: list[dict]) -> list[str]:
         ratio, share = run["flatten"] / run["unwrap"], (run["read"] + run["write"]) / run["flatten"]
         rows.append((f"{run['triangles']:,}", *times, f"{ratio:.2f}", f"{100 * share:.0f} %"))
     return table(["triangles", "reading", "solving", "writing", "Flatten", "unwrap", "ratio", "read and write"], rows)
-
-
-def peer_table(comparisons: list[Comparison]) -> list[str]:
-    rows = []
-    for comparison in comparisons:
-        peer = comparison.seconds[PEER]
-        for name, result in comparison.results.items():
-            piece = result.pieces[0]
-            variations = [(wire, wire.variation) for wire in piece.wires] + [(edge, 0.0) for edge in piece.boundaries]
-            line_error = max(abs(line.length_2d / ((1 + h) * line.length_3d) - 1) for line, h in variations)
-            rows.append(
-                (
-                    f"{comparison.triangles:,}",
-                    name,
-                    f"{comparison.seconds[name]:.3g}",
-                    f"{comparison.seconds[name] / peer:.2f}",
-                    f"{piece.metrics.arap_energy:.5f}",
-                    f"{line_error:.1e}",
-                    f"{max(line.max_edge_error for line, _ in variations):.1e}",
-                    str(len(piece.metrics.flipped_faces)),
-                )
-            )
-    head = ["triangles", "method", "seconds", "of ARAP's", "energy", "worst line", "worst edge", "flipped"]
-    return table(head, rows)
-
-
-def elastic_table(comparisons: list[Comparison]) -> list[str]:
-    """What the outer problem of WireWarping++ did."""
-    rows = []
-    for comparison in comparisons:
-        report = comparison.results[WARPED_ELASTIC].pieces[0].report
-        counts = (report.gradient_evaluations, report.outer_iterations, report.inner_solves, report.factorizations)
-        rows.append((f"{comparison.triangles:,}", *map(str, counts)))
-    head = ["triangles", "evaluations of E", "BFGS steps", "factorizations of Eq. (1)", "of interior and free start"]
-    return table(head, rows)
-
-
-def refined_table(comparisons: list[Comparison]) -> list[str]:
-    """What the refined method did."""
-    rows = []
-    for comparison in comparisons:
-        for name, result in comparison.results.items():
-            if not name.startswith("refined"):
-                continue
-            report = result.pieces[0].report
-            counts = (str(report.factorizations), str(report.outer_iterations), f"{report.objective:.6f}")
-            rows.append((f"{comparison.triangles:,}", name, *counts, report.termination))
-    return table(["triangles", "method", "factorizations", "steps", "objective", "termination"], rows)
-
-
-def growth_sentence(comparisons: list[Comparison]) -> str:
-    """Of all methods that ran at every size."""
-    sizes = [comparison.triangles for comparison in comparisons]
-    everywhere = [name for name in comparisons[0].seconds if all(name in c.seconds for c in comparisons)]
-    growth = (f"{exponent(sizes, [c.seconds[name] for c in comparisons]):.2f} ({name})" for name in everywhere)
-    return f"Seconds grow as triangles to the power of {', '.join(growth)}."

@@ -10,8 +10,9 @@ from pathlib import Path
 
 from tools import addon_coverage
 from tools.blender_window import WINDOW_APT
-from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, require_apt, require_python, run, venv
-from tools.package import extension_zip, package, package_legacy
+from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, require_apt, require_python, run, run_quietly, venv
+from tools.package import BUILD_APT, extension_zip, package, package_legacy
+from tools.zips import LEGACY_MODULE
 
 PYTEST = "pytest==9.2.0"
 BLENDER_APT = ("blender", "python3-numpy", "python3-pytest")
@@ -33,6 +34,21 @@ def blender_folder(name: str) -> dict[str, str]:
 
 def blender(*arguments: str | Path) -> list[str | Path]:
     return ["/usr/bin/blender", "--background", "--factory-startup", "--python-exit-code", "1", *arguments]
+
+
+def install_privately(name: str) -> dict[str, str]:
+    """Settings of its own for Debian's Blender, with the add-on of this tree."""
+    require_apt(*BUILD_APT, *BLENDER_APT)
+    settings = blender_folder(name)
+    install = f"import bpy; bpy.ops.preferences.addon_install(filepath={str(package_legacy())!r})"
+    run_quietly("installing the add-on privately", blender("--python-expr", install), **settings)
+    return settings
+
+
+def run_with_addon(name: str, script: Path, *arguments: str | Path) -> None:
+    """Runs a script in Debian's Blender with the add-on, which is installed in a folder of this name."""
+    settings = install_privately(name)
+    run(blender("--addons", LEGACY_MODULE, "--python", script, "--", *arguments), **settings)
 
 
 def debian_blender_tests() -> None:

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""All methods on one surface, turn by turn, each turn in a process of its own; and what is said of their answers."""
+
+import statistics
+from dataclasses import dataclass, replace
+
+import wirewarp
+from flatteners import METHODS, Answer, Method
+from run_apart import NoAnswerError, run_apart
+from surfaces import Surface
+
+ONCE_IS_ENOUGH = 20.0  # seconds
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Errors are relative to the lengths that were chosen, for methods that choose none to those on the surface."""
+
+    seconds: float  # of one core
+    megabytes: float
+    energy: float  # ARAP energy over area
+    outline_error: float  # of the worst stretch of outline
+    wire_error: float  # of the worst wire
+    edge_error: float  # of the worst edge of both
+    mismatch: float  # between the sides of the worst seam, in the surface's units; 0 without seams
+    flipped: int
+    error: str  # the sentence of the first piece that has one
+    iterations: int | None  # of libigl
+    counts: dict[str, float | str]  # of the first piece's report
+
+
+@dataclass(frozen=True)
+class Comparison:
+    surface: str
+    triangles: int
+    outcomes: dict[str, Outcome]  # by the name of the method
+    without: dict[str, str]  # why a method has none
+
+    def seconds(self, name: str) -> float | None:
+        return self.outcomes[name].seconds if name in self.outcomes else None
+
+
+def judged(answer: Answer) -> Outcome:
+    pieces = answer.flattening.pieces
+    stretches = [stretch for piece in pieces for stretch in piece.boundaries]
+    parts = [part for piece in pieces for part in piece.wires]
+    report = pieces[0].report.to_dict()
+    names = ("factorizations", "outer_iterations", "inner_solves", "gradient_evaluations", "objective", "termination")
+    area = sum(piece.metrics.area_3d for piece in pieces)
+    return Outcome(
+        seconds=answer.seconds,
+        megabytes=answer.megabytes,
+        energy=sum(piece.metrics.arap_energy * piece.metrics.area_3d for piece in pieces) / area,
+        outline_error=max(abs(stretch.length_2d / stretch.length_3d - 1) for stretch in stretches),
+        wire_error=max((length_error(part) for part in parts), default=0.0),
+        edge_error=max(line.max_edge_error for line in [*stretches, *parts]),
+        mismatch=max((seam.mismatch for seam in answer.flattening.seams), default=0.0),
+        flipped=sum(len(piece.metrics.flipped_faces) for piece in pieces),
+        error=next((piece.error.message for piece in pieces if piece.error), ""),
+        iterations=answer.iterations,
+        counts={name: report[name] for name in names},
+    )
+
+
+def length_error(part: wirewarp.WireReport) -> float:
+    return abs(part.length_2d / ((1 + part.variation) * part.length_3d) - 1)
+
+
+def compare(surface: Surface, names: list[str], rounds: int, limit: float) -> Comparison:
+    """Medians of the costs. A method gets limit seconds by the clock, and one round if that is long already."""
+    found: dict[str, list[Outcome]] = {}
+    without: dict[str, str] = {}
+    for turn in range(rounds):
+        for name in names:
+            if name in without or (turn > 0 and found[name][0].seconds > ONCE_IS_ENOUGH):
+                continue
+            try:
+                found.setdefault(name, []).append(run_apart(lambda name=name: run(METHODS[name], surface), limit))
+            except NoAnswerError as reason:
+                without[name] = str(reason)
+                found.pop(name, None)
+    return Comparison(surface.name, len(surface.faces), {n: medians(o) for n, o in found.items()}, without)
+
+
+def run(method: Method, surface: Surface) -> Outcome:
+    return judged(method(surface))
+
+
+def medians(outcomes: list[Outcome]) -> Outcome:
+    return replace(
+        outcomes[-1],
+        seconds=statistics.median(outcome.seconds for outcome in outcomes),
+        megabytes=statistics.median(outcome.megabytes for outcome in outcomes),
+    )

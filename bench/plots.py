@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The two pictures of the page: time against size, and distortion against what becomes of the lengths."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import flatteners
+import matplotlib.pyplot as plt
+from comparison import Comparison
+from matplotlib.axes import Axes
+from palette import FAINT_INK, INK
+from peer_tables import growth
+from save_picture import save
+
+LEAST_ERROR = 1e-16  # of a length: what rounds to nothing is drawn here
+COLORS = {"wirewarp": "#0072b2", "refined": "#d55e00", "libigl": "#009e73", "Blender": "#8a6fb0"}
+MARKERS = {
+    flatteners.WARPING: "o",
+    flatteners.WARPED_ELASTIC: "s",
+    flatteners.REFINED: "o",
+    "refined, 8 rigid wires": "^",
+    flatteners.REFINED_ELASTIC: "s",
+    flatteners.ARAP: "o",
+    flatteners.ARAP_CONVERGED: "D",
+    flatteners.SLIM: "^",
+    flatteners.SLIM_CONVERGED: "v",
+    flatteners.ANGLE_BASED: "o",
+    flatteners.CONFORMAL: "s",
+    flatteners.MINIMUM_STRETCH: "^",
+}
+
+
+def style(name: str) -> dict:
+    """One color for the methods of one maker, told apart by markers."""
+    color = next(color for start, color in COLORS.items() if name.startswith(start))
+    return {"color": color, "marker": MARKERS[name], "markersize": 6, "markerfacecolor": "none", "markeredgewidth": 1.4}
+
+
+def plot_times(comparisons: Sequence[Comparison], path: Path) -> None:
+    figure, axes = plt.subplots(figsize=(8.4, 4.8), layout="constrained")
+    for name in MARKERS:
+        sizes, seconds, exponent = growth(comparisons, name)
+        if sizes:
+            label = name if exponent is None else f"{name}: {exponent:.2f}"
+            axes.plot(sizes, seconds, linewidth=1.2, label=label, **style(name))
+    axes.set(xscale="log", yscale="log", xlabel="triangles", ylabel="seconds on one core")
+    axes.grid(color=FAINT_INK, alpha=0.2, linewidth=0.6)
+    add_legend(axes, "Method: exponent of growth")
+    save(figure, path)
+
+
+def plot_lengths(comparison: Comparison, path: Path) -> None:
+    """One point for each method."""
+    figure, axes = plt.subplots(figsize=(8.4, 4.2), layout="constrained")
+    for name in MARKERS:
+        if outcome := comparison.outcomes.get(name):
+            axes.plot(max(outcome.edge_error, LEAST_ERROR), outcome.energy, linestyle="", label=name, **style(name))
+    axes.set(xscale="log", xlabel="worst length error of an edge of outline or wires, relative", xlim=(1e-16, 1))
+    axes.set_ylabel("distortion: ARAP energy over area")
+    axes.set_ylim(bottom=0)
+    axes.axvline(1e-9, color=INK, linewidth=0.8, linestyle=":")
+    axes.text(1.5e-9, 0.97, "promised: 1e-9", transform=axes.get_xaxis_transform(), va="top", color=FAINT_INK)
+    axes.grid(color=FAINT_INK, alpha=0.2, linewidth=0.6)
+    add_legend(axes, "Method")
+    save(figure, path)
+
+
+def add_legend(axes: Axes, title: str) -> None:
+    axes.legend(title=title, loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, alignment="left")

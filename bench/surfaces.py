@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The surfaces that every method flattens."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Surface:
+    name: str
+    vertices: np.ndarray  # (n, 3)
+    faces: np.ndarray  # (m, 3)
+    seams: np.ndarray  # (k, 2) vertex pairs
+    pieces: list[np.ndarray]  # the faces of each, as the seams part them
+    few_wires: list[np.ndarray]  # chains of vertices
+    many_wires: list[np.ndarray]  # by which all methods are judged
+
+
+def wires_across(lines: np.ndarray, number: int) -> list[np.ndarray]:
+    """Straight across, half of them in each direction, as in native/bench/bumpy_sheet.h; lines (n, n) are vertices."""
+    n = len(lines) - 1
+    at = [k * n // (number // 2 + 1) for k in range(1, number // 2 + 1)]
+    return [chain for k in at for chain in (lines[k, :], lines[:, k])]
+
+
+def bumpy_sheet(triangles: int, in_two_pieces: bool = False) -> Surface:
+    """The sheet of native/bench/bumpy_sheet.h, 2 units wide; with a seam across it, it is 500 mm wide, in meters."""
+    n = round((triangles / 2) ** 0.5)
+    side = np.linspace(-1.0, 1.0, n + 1)
+    x, y = (c.ravel() for c in np.meshgrid(side, side))
+    lines = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)  # [row, column]
+    a, b, c, d = (q.ravel() for q in (lines[:-1, :-1], lines[:-1, 1:], lines[1:, 1:], lines[1:, :-1]))
+    faces = np.stack([np.column_stack([a, b, c]), np.column_stack([a, c, d])], axis=1).reshape(-1, 3)
+    vertices = np.column_stack([x, y, 0.3 * np.sin(3.1 * x + 0.4) * np.cos(2.7 * y - 0.3)])
+    seams, pieces = np.zeros((0, 2), dtype=int), [np.arange(len(faces))]
+    if in_two_pieces:
+        vertices *= 0.25
+        cut = lines[:, n // 3]  # off the wires
+        seams = np.column_stack([cut[:-1], cut[1:]])
+        is_left = (faces % (n + 1)).max(axis=1) <= n // 3
+        pieces = [np.flatnonzero(is_left), np.flatnonzero(~is_left)]
+    return Surface(
+        name=f"{len(faces):,}",
+        vertices=vertices,
+        faces=faces,
+        seams=seams,
+        pieces=pieces,
+        few_wires=wires_across(lines, 2),
+        many_wires=wires_across(lines, 8),
+    )

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the project has set itself to reach, beside what was found."""
+
+from collections.abc import Callable, Sequence
+
+import flatteners
+from comparison import Comparison
+from tables import STAGES, select, stage_exponents, table
+
+SIZES = (10_000, 100_000, 1_000_000)
+
+
+def nearest(comparisons: Sequence[Comparison], triangles: int) -> Comparison | None:
+    return next((c for c in comparisons if abs(c.triangles / triangles - 1) < 0.1), None)
+
+
+def ratio(comparisons: Sequence[Comparison], ours: str, theirs: str, triangles: int) -> float | None:
+    """Of seconds; None where one of them did not run."""
+    found = nearest(comparisons, triangles)
+    seconds = (found.seconds(ours), found.seconds(theirs)) if found else (None, None)
+    return None if None in seconds else seconds[0] / seconds[1]
+
+
+def row(what: str, bound: float, found: float | None, unit: str = "") -> tuple[str, ...]:
+    verdict = "not measured" if found is None else "reached" if found <= bound else "**not reached**"
+    return what, f"≤ {bound:g}{unit}", "" if found is None else f"{found:.3g}{unit}", verdict
+
+
+def ratios(comparisons: Sequence[Comparison]) -> list[tuple[str, ...]]:
+    asked = [
+        (flatteners.WARPING, flatteners.ARAP, ((10_000, 0.5), (100_000, 0.5))),
+        (flatteners.WARPED_ELASTIC, flatteners.ARAP, ((100_000, 1.0),)),
+        (flatteners.REFINED, flatteners.ARAP, ((100_000, 1.0), (1_000_000, 1.0))),
+        (flatteners.REFINED_ELASTIC, flatteners.ARAP, ((100_000, 1.0), (1_000_000, 1.0))),
+        (flatteners.REFINED, flatteners.SLIM, ((10_000, 0.5), (100_000, 0.1))),
+        (flatteners.REFINED_ELASTIC, flatteners.SLIM, ((10_000, 0.5), (100_000, 0.1))),
+    ]
+    return [
+        row(
+            f"{ours}, seconds over those of {theirs}, {size:,} triangles",
+            bound,
+            ratio(comparisons, ours, theirs, size),
+        )
+        for ours, theirs, bounds in asked
+        for size, bound in bounds
+    ]
+
+
+def worst(runs: Sequence[dict], value: Callable[[dict], float]) -> float | None:
+    return max(map(value, runs), default=None)
+
+
+def of_the_core(benchmarks: list[dict]) -> list[tuple[str, ...]]:
+    largest = [run for run in select(benchmarks, "refine_sheet") if run["triangles"] == SIZES[-1]]
+    rows = [
+        row("refined, the slowest run of 1,000,000 triangles", 20, worst(largest, lambda r: r["total_ms"] / 1e3), " s"),
+        row("refined, the most memory of them", 2.5, worst(largest, lambda run: run["peak_MB"] / 1e3), " GB"),
+    ]
+    for name, method in {"refine_sheet": "refined", "warp_sheet": "wirewarp++"}.items():
+        for stage, title in STAGES[name].items():
+            exponents = stage_exponents(select(benchmarks, name), stage)
+            rows.append(row(f"growth exponent of {method}, {title}, the largest", 1.2, worst(exponents, float)))
+    return rows
+
+
+def of_the_gradient(benchmarks: list[dict]) -> list[tuple[str, ...]]:
+    runs = {run["wires"]: run for run in select(benchmarks, "error_gradient") if run["triangles"] == 100_000}
+    evaluations = {run["wires"]: run for run in select(benchmarks, "error_evaluation") if run["triangles"] == 100_000}
+    in_evaluations = {wires: runs[wires]["real_time"] / evaluations[wires]["real_time"] for wires in runs}
+    return [
+        row("gradient in evaluations, 232 wires over 4", 1.0, in_evaluations[232] / in_evaluations[4]),
+        row("gradient in milliseconds, 232 wires over 4", 1.2, runs[232]["real_time"] / runs[4]["real_time"]),
+    ]
+
+
+def target_table(comparisons: Sequence[Comparison], benchmarks: list[dict]) -> list[str]:
+    rows = [*ratios(comparisons), *of_the_core(benchmarks), *of_the_gradient(benchmarks)]
+    return table(["target", "asked", "found", "verdict"], rows)

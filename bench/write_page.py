@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes docs/benchmarks.md and its pictures from what was measured:
+
+python bench/write_page.py NATIVE_JSON BLENDER_JSON PEERS_JSON [--real-meshes JSON] [--output FILE]
+"""
+
+import argparse
+import json
+from pathlib import Path
+
+import peer_tables
+import tables
+from compare_peers import LARGEST, load
+from comparison import Comparison
+from libigl_maps import ITERATIONS, MOST_ITERATIONS, STILL
+from machine import ROOT, commit, machine
+from palette import use_style
+from plots import plot_lengths, plot_times
+from targets import nearest, target_table
+
+NO_REAL_MESHES = "They were not at hand in this run (`WIREWARP_MESHES` names their folder)."
+
+
+def peers_section(sheets: list[Comparison]) -> list[str]:
+    return [
+        "## Against other flatteners",
+        "",
+        "All methods on the same surface, turn by turn on one core, each turn in a process of its own: CPU seconds "
+        "(medians; also as multiples of libigl's ARAP) and the most memory above what the process had with the "
+        "surface in it. **WireWarp**: the outline and two or eight wires rigid, or eight wires elastic by ±3 %. "
+        f"**libigl** as a Python package: harmonic start, then {ITERATIONS} iterations of ARAP or of SLIM (symmetric "
+        f"Dirichlet energy); converged is when ten iterations move no vertex by more than {STILL:g} of the width, or "
+        f"after {MOST_ITERATIONS:,}. **Blender** 4.5 as a Python module: its own three unwraps, scaled to the area of "
+        "the surface.",
+        "",
+        "`wirewarp.measure` judges all of them alike. Energy: ARAP energy over area. Worst outline, wire and edge of "
+        "both: relative errors against the lengths that were chosen; for libigl and Blender, which choose none, "
+        "against those of outline and eight wires on the surface.",
+        "",
+        *peer_tables.peer_table(sheets),
+        "",
+        f"Without `--full`, {', '.join(f'{name} (to {size:,})' for name, size in LARGEST.items())} do not run on the "
+        "larger sheets.",
+        "",
+        "![Seconds against triangles for every method](benchmarks/times.png)",
+        "",
+        "Exponents from 10,000 triangles on. What exact lengths cost, at 10,000 triangles: to the left those methods "
+        "that keep them, to the right those that do not.",
+        "",
+        "![Distortion against the worst length error for every method](benchmarks/lengths.png)",
+        "",
+        "The runs of the refined method:",
+        "",
+        *peer_tables.refined_table(sheets),
+        "",
+        "Those of WireWarping++ with elastic wires:",
+        "",
+        *peer_tables.elastic_table(sheets),
+        "",
+    ]
+
+
+def seams_section(seams: Comparison) -> list[str]:
+    return [
+        "## Two pieces and a seam",
+        "",
+        f"The sheet 500 mm wide, {seams.triangles:,} triangles, cut in two by a straight row of edges. How much longer "
+        "one side of the seam is than the other, in millimeters: what has to be eased in or cut off when the pieces "
+        "are sewn.",
+        "",
+        *peer_tables.seam_table(seams),
+        "",
+    ]
+
+
+def blender_section(in_blender: dict) -> list[str]:
+    return [
+        "## In Blender",
+        "",
+        f"Flatten from end to end in Blender {in_blender['blender']}, against Blender's angle-based unwrap of the "
+        "same sheet, turn by turn in one process on one core; median seconds. Two rigid wires. Flatten reads "
+        "the model, solves, the report included, and writes UV map, flat pieces and maps.",
+        "",
+        *tables.blender_table(in_blender["runs"]),
+        "",
+    ]
+
+
+def stages_section(benchmarks: list[dict]) -> list[str]:
+    sizes = [run["triangles"] for run in tables.select(benchmarks, "refine_sheet")]
+    return [
+        "## Stage by stage",
+        "",
+        "Milliseconds of the compiled core; factorizations use two cores. Exponents k: milliseconds grow as "
+        f"triangles to the power of k, fitted from {min(sizes):,} to {max(sizes):,}. Peak resident memory of the "
+        "process, the mesh included. First the refined method, whose `shape` is all from the free ARAP start on:",
+        "",
+        *tables.stage_table(benchmarks, "refine_sheet"),
+        "",
+        "Then WireWarping++, whose `lengths` solves Eq. (1), with elastic wires also the free ARAP start and all "
+        "evaluations of the shape error E(ψ(h)) with their gradients:",
+        "",
+        *tables.stage_table(benchmarks, "warp_sheet"),
+        "",
+        "Parts of these measured alone, milliseconds by the number of triangles:",
+        "",
+        *tables.part_table(benchmarks),
+        "",
+    ]
+
+
+def gradient_section(benchmarks: list[dict]) -> list[str]:
+    return [
+        "## The gradient",
+        "",
+        "One evaluation of E(ψ(h)) and its gradient by all h. The gradient takes one factorization of Eq. (1) and "
+        "one transposed solve of the interior placement, however many wires there are. The sheet is shallow here "
+        "(`native/bench/bench_gradient.cpp`), so that an evaluation takes as few factorizations as it can: the "
+        "least favorable ratio.",
+        "",
+        *tables.gradient_table(benchmarks),
+        "",
+    ]
+
+
+def real_section(counts: dict | None) -> list[str]:
+    head = ["## Real meshes", ""]
+    if counts is None:
+        return [*head, NO_REAL_MESHES, ""]
+    answers = ", ".join(f"{count} {outcome}" for outcome, count in counts["outcomes"].items())
+    return [
+        *head,
+        f"The same comparison on {counts['panels']} panels of garments and covers, and every one of {counts['files']} "
+        "mesh files found on the web as it is, each in a process of its own for a minute at most: "
+        f"{answers}. The meshes are not ours to publish, nor tables made from them: `./dev bench` writes them to "
+        "`build/bench/real_meshes.md`.",
+        "",
+    ]
+
+
+def document(benchmarks: list[dict], in_blender: dict, peers: dict[str, list[Comparison]], real: dict | None) -> str:
+    sheets, (seams,) = peers["sheets"], peers["seams"]
+    lines = [
+        "# Benchmarks",
+        "",
+        "Written by `./dev bench`, with the largest sizes by `./dev bench --full`. The surface is a smoothly bent "
+        "square sheet of even quads (`native/bench/bumpy_sheet.h`), with straight wires across it, half of them in "
+        "each direction.",
+        "",
+        f"Machine: {machine()}. Commit: {commit()}.",
+        "",
+        "## What was to be reached",
+        "",
+        *target_table(sheets, benchmarks),
+        "",
+        *peers_section(sheets),
+        *seams_section(seams),
+        *real_section(real),
+        *blender_section(in_blender),
+        *stages_section(benchmarks),
+        *gradient_section(benchmarks),
+    ]
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("native_json", type=Path, help="what wirewarp_bench --benchmark_out=FILE wrote")
+    parser.add_argument("blender_json", type=Path, help="what flatten_in_blender.py wrote")
+    parser.add_argument("peers_json", type=Path, help="what compare_peers.py wrote")
+    parser.add_argument("--real-meshes", type=Path, help="what real_meshes.py wrote")
+    parser.add_argument("--output", type=Path, default=ROOT / "docs" / "benchmarks.md")
+    arguments = parser.parse_args()
+
+    benchmarks = json.loads(arguments.native_json.read_text())["benchmarks"]
+    in_blender = json.loads(arguments.blender_json.read_text())
+    peers = load(arguments.peers_json)
+    real = json.loads(arguments.real_meshes.read_text()) if arguments.real_meshes else None
+    page = document(benchmarks, in_blender, peers, real)  # before the pictures change what commit() says
+    use_style()
+    pictures = arguments.output.with_suffix("")
+    pictures.mkdir(parents=True, exist_ok=True)
+    plot_times(peers["sheets"], pictures / "times.png")
+    plot_lengths(nearest(peers["sheets"], 10_000) or peers["sheets"][-1], pictures / "lengths.png")
+    arguments.output.write_text(page, encoding="utf-8")
+    print(f"wrote {arguments.output}")
+
+
+if __name__ == "__main__":
+    main()

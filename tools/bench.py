@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""./dev bench: what the core, Blender and other flatteners take and give, and the page that says so."""
+
+import os
+from pathlib import Path
+
+from tools.blender import BLENDER_APT, BPY_APT, bpy_python, run_with_addon
+from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, pip_install, require_apt, run, say, venv
+from tools.native import CORE_APT, build_native
+from tools.package import package
+
+APT = (*CORE_APT, *BLENDER_APT, *BPY_APT, "libbenchmark-dev")
+PACKAGES = ("numpy==1.26.4", "libigl==2.6.3", "matplotlib==3.10.9")
+PEER = "bpy==4.5.15"  # the Blender whose unwraps are compared
+FOLDER = BUILD / "bench"
+NOT_THE_LARGEST = "--benchmark_filter=-triangles:1000000"
+
+
+def measure_the_core(is_full: bool) -> Path:
+    output = FOLDER / "native.json"
+    command = [FOLDER / "wirewarp_bench", f"--benchmark_out={output}", "--benchmark_out_format=json"]
+    run(command if is_full else [*command, NOT_THE_LARGEST])
+    return output
+
+
+def measure_in_blender() -> Path:
+    output = FOLDER / "blender.json"
+    run_with_addon("bench", ROOT / "bench" / "flatten_in_blender.py", output)
+    return output
+
+
+def measure_peers(python: Path, is_full: bool) -> Path:
+    output = FOLDER / "peers.json"
+    options = ["--full"] if is_full else []
+    run([python, "bench/compare_peers.py", output, *options], WIREWARP_BPY_PYTHON=str(bpy_python(PEER)))
+    return output
+
+
+def measure_real_meshes(python: Path) -> list[str | Path]:
+    """Options for write_page.py; none where WIREWARP_MESHES names no folder."""
+    folder = os.environ.get("WIREWARP_MESHES")
+    if not folder:
+        say("real meshes are NOT MEASURED: WIREWARP_MESHES names no folder")
+        return []
+    page, counts = FOLDER / "real_meshes.md", FOLDER / "real_meshes.json"
+    run([python, "bench/real_meshes.py", folder, page, counts], WIREWARP_BPY_PYTHON=str(bpy_python(PEER)))
+    return ["--real-meshes", counts]
+
+
+def bench(is_full: bool) -> None:
+    require_apt(*APT)
+    build_native("bench")
+    wheel = package()["3.11"]
+    python = venv("bench", DEBIAN_PYTHON, *PACKAGES)
+    pip_install(python, f"installing {wheel.name}", "--no-deps", "--force-reinstall", wheel)
+    measured = [measure_the_core(is_full), measure_in_blender(), measure_peers(python, is_full)]
+    real = measure_real_meshes(python)
+    run([python, "bench/write_page.py", *measured, *real], PYTHONPATH=str(ROOT / "results"))
