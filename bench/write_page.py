@@ -151,6 +151,9 @@ def document(benchmarks: list[dict], in_blender: dict, peers: dict[str, list[Com
         "",
         "## What was to be reached",
         "",
+        "Ratios are of CPU seconds on one core; seconds and exponents of the core by itself are by the clock, with two "
+        "cores where there are as many.",
+        "",
         *target_table(sheets, benchmarks),
         "",
         *peers_section(sheets),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Replaces operator new in the whole test program. No other file may see these definitions inline.
+// Stands before the C library's allocation in the whole test program: the linker sends all calls of the core and the
+// tests here (--wrap), those of Eigen among them. No other file may see these definitions inline.
 #include "count_allocations.h"
 
 #include <cstddef>
@@ -18,6 +19,25 @@ void* allocate(std::size_t size, std::size_t alignment) {
 }
 
 }  // namespace
+
+extern "C" {
+void* __real_malloc(std::size_t size);
+void* __real_calloc(std::size_t number, std::size_t size);
+void* __real_realloc(void* memory, std::size_t size);
+
+void* __wrap_malloc(std::size_t size) {
+  ++count;
+  return __real_malloc(size);
+}
+void* __wrap_calloc(std::size_t number, std::size_t size) {
+  ++count;
+  return __real_calloc(number, size);
+}
+void* __wrap_realloc(void* memory, std::size_t size) {
+  ++count;
+  return __real_realloc(memory, size);
+}
+}
 
 void* operator new(std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
 void* operator new(std::size_t size, std::align_val_t alignment) {

@@ -3,7 +3,7 @@
 
 namespace wirewarp {
 
-/// How often this thread of the test program has taken memory by operator new.
+/// How often this thread of the test program has taken memory: by operator new, and in Eigen by malloc and its kin.
 int num_allocations();
 
 }  // namespace wirewarp

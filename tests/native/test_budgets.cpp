@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the inner loops may take, in counts that are the same on every machine. Budgets of factorizations and
+// evaluations stand with the tests of what takes them.
+#include <gtest/gtest.h>
+
+#include "count_allocations.h"
+#include "outer/free_arap.h"
+#include "outer/warp.h"
+#include "refine/newton_system.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+/// A bent sheet of n x n quads with a rigid and an elastic wire.
+FlattenInput sheet(int n) {
+  FlattenInput input = test::saddle(n, 0.3);
+  test::add_wire(input, test::grid_row(n, n / 2));
+  test::add_wire(input, test::grid_column(n, n, n / 2), 0.05);
+  return input;
+}
+
+template <typename Work>
+int allocations_of(const Work& work) {
+  const int before = num_allocations();
+  work();
+  return num_allocations() - before;
+}
+
+struct SheetToFlatten {
+  explicit SheetToFlatten(int n) : charts(test::charts_of(sheet(n))), uv(flatten_freely(chart(), 30).uv) {}
+  const Chart& chart() const { return charts.charts.at(0); }
+
+  Charts charts;
+  Positions2 uv;
+};
+
+TEST(Budgets, AllocationsOfEigenAreCounted) {
+  EXPECT_EQ(allocations_of([] { Eigen::VectorXd::Zero(1000).eval(); }), 1);
+  EXPECT_EQ(allocations_of([] { std::vector<int>(1000); }), 1);
+}
+
+TEST(Budgets, TheShapeErrorTakesNoMemory) {
+  const SheetToFlatten flat(8);
+  const ShapeError shape_error(flat.chart());
+  Positions2 gradient;
+  shape_error.energy_and_gradient(flat.uv, gradient);
+  EXPECT_EQ(allocations_of([&] { shape_error.energy(flat.uv); }), 0);
+  EXPECT_EQ(allocations_of([&] { shape_error.energy_and_gradient(flat.uv, gradient); }), 0);
+}
+
+/// Allocations of placing and of its adjoint.
+std::pair<int, int> placement_allocations(int n) {
+  const SheetToFlatten flat(n);
+  const WireNetwork network = build_wire_network(flat.chart());
+  const InteriorPlacement placement(flat.chart(), network);
+  Positions2 uv = flat.uv;
+  const int place = allocations_of([&] { placement.place(uv); });
+  return {place, allocations_of([&] { placement.pull_back(uv); })};
+}
+
+TEST(Budgets, InteriorPlacementTakesAsManyPiecesOfMemoryOnEveryMesh) {
+  EXPECT_EQ(placement_allocations(8), placement_allocations(24));
+}
+
+/// Allocations of a Newton step after the first: of its factorization and of a solve.
+std::pair<int, int> newton_allocations(int n) {
+  const SheetToFlatten flat(n);
+  const WireNetwork network = build_held_network(flat.chart());
+  const LengthConstraints constraints(flat.chart(), network);
+  FairShapeError objective(flat.chart(), network, 0.1);
+  NewtonSystem system(flat.chart(), objective, constraints, flat.uv);
+  Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(constraints.size());
+  const Eigen::VectorXd r2 = multipliers;
+  const auto factorize = [&] { system.factorize(flat.uv, multipliers, {Curvature::convex, false}); };
+  factorize();
+  Positions2 d;
+  const auto solve = [&] { system.solve(flat.uv, r2, d, multipliers); };
+  solve();
+  return {allocations_of(factorize), allocations_of(solve)};
+}
+
+TEST(Budgets, NewtonStepsTakeAsManyPiecesOfMemoryOnEveryMesh) {
+  EXPECT_EQ(newton_allocations(8), newton_allocations(24));
+}
+
+}  // namespace
+}  // namespace wirewarp
