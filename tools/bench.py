@@ -18,8 +18,8 @@ NOT_THE_LARGEST = "--benchmark_filter=-triangles:1000000"
 
 def measure_the_core(is_full: bool) -> Path:
     output = FOLDER / "native.json"
-    command = [FOLDER / "wirewarp_bench", f"--benchmark_out={output}", "--benchmark_out_format=json"]
-    run(command if is_full else [*command, NOT_THE_LARGEST])
+    options = [] if is_full else [NOT_THE_LARGEST]
+    run([FOLDER / "wirewarp_bench", f"--benchmark_out={output}", "--benchmark_out_format=json", *options])
     return output
 
 
