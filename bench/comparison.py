@@ -24,7 +24,6 @@ class Outcome:
     edge_error: float  # of the worst edge of both
     mismatch: float  # between the sides of the worst seam, in the surface's units; 0 without seams
     flipped: int
-    error: str  # the sentence of the first piece that has one
     iterations: int | None  # of libigl
     counts: dict[str, float | str]  # of the first piece's report
 
@@ -41,7 +40,11 @@ class Comparison:
 
 
 def judged(answer: Answer) -> Outcome:
+    """Raises NoAnswerError where a piece has no layout."""
     pieces = answer.flattening.pieces
+    for piece in pieces:
+        if piece.error and not piece.error.has_layout:
+            raise NoAnswerError(f"refused: {piece.error.code}")
     stretches = [stretch for piece in pieces for stretch in piece.boundaries]
     parts = [part for piece in pieces for part in piece.wires]
     report = pieces[0].report.to_dict()
@@ -56,7 +59,6 @@ def judged(answer: Answer) -> Outcome:
         edge_error=max(line.max_edge_error for line in [*stretches, *parts]),
         mismatch=max((seam.mismatch for seam in answer.flattening.seams), default=0.0),
         flipped=sum(len(piece.metrics.flipped_faces) for piece in pieces),
-        error=next((piece.error.message for piece in pieces if piece.error), ""),
         iterations=answer.iterations,
         counts={name: report[name] for name in names},
     )

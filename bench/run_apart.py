@@ -42,7 +42,7 @@ def send_answer(work: Callable[[], Answer], sender: Connection) -> None:
     try:
         sender.send((False, work()))
     except Exception as error:  # whatever it is belongs into the table, beside the other methods
-        sender.send((True, f"{type(error).__name__}: {error}"))
+        sender.send((True, str(error) or type(error).__name__))
 
 
 def stop(process: multiprocessing.Process) -> None:
