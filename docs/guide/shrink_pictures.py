@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Crops pictures and makes their files small: shrink_pictures.py FROM TO. Needs Pillow.
+
+Beside FROM/NAME.png, NAME.json names the part to keep: left, top, right, bottom; without it all is kept.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+from PIL import Image
+
+COLORS = 256
+
+
+def shrink(source: Path, target: Path) -> None:
+    picture = Image.open(source).convert("RGB")
+    part = source.with_suffix(".json")
+    if part.exists():
+        picture = picture.crop(json.loads(part.read_text()))
+    few = picture.quantize(COLORS, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+    few.save(target, optimize=True)
+    print(f"{target.name}: {few.width} x {few.height}, {target.stat().st_size / 1000:.0f} kB")
+
+
+def main() -> None:
+    source, target = map(Path, sys.argv[1:])
+    target.mkdir(parents=True, exist_ok=True)
+    for old in target.glob("*.png"):
+        old.unlink()
+    for file in sorted(source.glob("*.png")):
+        shrink(file, target / file.name)
+
+
+main()

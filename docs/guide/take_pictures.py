@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The guide's pictures: tours through Blender's window with the fitted top of the samples. See tools/pictures.py."""
+
+import json
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import bmesh
+import bpy
+import drive
+import wirewarp_addon
+from mathutils import Euler, Vector
+
+SAMPLE = Path(__file__).resolve().parents[2] / "blend_samples" / "fitted_top.blend"
+PANEL = "VIEW3D_PT_wirewarp_"
+MODEL, PIECES, BOTH = 480, 420, 110  # pixels at the left of the view, beside what is shown, that pictures leave out
+
+
+def open_sample(*opened: str) -> drive.Tour:
+    """The sample in a window that is all 3D view; only these panels of ours are open (the first at once)."""
+    for panel in wirewarp_addon.ui.CLASSES:
+        bpy.utils.unregister_class(panel)
+    for panel in wirewarp_addon.ui.CLASSES:
+        if issubclass(panel, bpy.types.Panel):
+            name = panel.__name__.removeprefix(PANEL)
+            panel.bl_options = set() if name in opened else {"DEFAULT_CLOSED"}
+        bpy.utils.register_class(panel)
+    bpy.ops.wm.open_mainfile(filepath=str(SAMPLE), load_ui=False)
+    yield from drive.ticks(5)
+    with drive.in_view():
+        bpy.ops.screen.screen_full_area()
+    yield from drive.ticks(10)
+    space = drive.view_area().spaces.active
+    space.show_region_toolbar = False
+    space.show_region_tool_header = space.show_region_header = space.show_region_hud = False
+    space.overlay.show_text = False
+    space.overlay.show_cursor = False
+    space.overlay.show_floor = space.overlay.show_axis_x = space.overlay.show_axis_y = False
+    space.overlay.show_object_origins = space.overlay.show_relationship_lines = False
+    space.show_gizmo = False
+    space.show_region_ui = True
+    yield lambda: drive.region("UI").width > 1
+    yield from drive.open_tab(getattr(bpy.types, PANEL + opened[0]))
+    yield from look_at_model()
+
+
+def close_top_panel() -> drive.Tour:
+    """The key A over its header."""
+    sidebar = drive.region("UI")
+    yield from drive.press("A", (sidebar.x + 60, sidebar.y + sidebar.height - 20))
+    yield from drive.ticks(10)
+
+
+def look_at_model() -> drive.Tour:
+    look(Euler((1.25, 0.0, 0.42)))
+    view = drive.view_area().spaces.active.region_3d
+    view.view_location, view.view_distance = (0.0, 0.0, 0.22), 1.25
+    yield from drive.ticks(10)
+
+
+def look(rotation: Euler) -> None:
+    view = drive.view_area().spaces.active.region_3d
+    view.view_perspective = "PERSP"
+    view.view_rotation = rotation.to_quaternion()
+    view.update()
+
+
+def look_at_both() -> drive.Tour:
+    look(Euler((0.85, 0.0, 0.25)))
+    with drive.in_view():
+        bpy.ops.view3d.wirewarp_frame()
+    yield from drive.ticks(10)
+
+
+def hide_others() -> None:
+    """All objects but the active one."""
+    for each in bpy.context.view_layer.objects:
+        each.hide_set(each != bpy.context.view_layer.objects.active)
+
+
+def select_edges(wanted: Callable[[Vector, Vector], bool]) -> None:
+    """In Edit Mode, those with such ends."""
+    source = bpy.context.view_layer.objects.active
+    with drive.in_view():
+        if source.mode != "EDIT":
+            bpy.ops.object.mode_set(mode="EDIT")
+        bpy.context.tool_settings.mesh_select_mode = (False, True, False)
+        bpy.ops.mesh.select_all(action="DESELECT")
+    edit = bmesh.from_edit_mesh(source.data)
+    for edge in edit.edges:
+        edge.select = wanted(*(vertex.co for vertex in edge.verts))
+    edit.select_flush_mode()
+    bmesh.update_edit_mesh(source.data)
+
+
+def flatten() -> drive.Tour:
+    with drive.in_view():
+        bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
+    yield lambda: not wirewarp_addon.window_run.is_running()
+    yield from drive.ticks(10)
+
+
+def park_mouse() -> drive.Tour:
+    """Where it lights up no button."""
+    region = drive.region("WINDOW")
+    drive.send("MOUSEMOVE", "NOTHING", (region.x + 40, region.y + 40))
+    yield from drive.ticks(10)
+
+
+def take_picture(name: str, left: int) -> drive.Tour:
+    """NAME.png, and in NAME.json the part of it to keep: left, top, right, bottom in pixels from the top left."""
+    yield from park_mouse()
+    drive.screenshot(name)
+    area, height = drive.view_area(), bpy.context.window_manager.windows[0].height
+    top = height - area.y - area.height
+    box = (area.x + left, top, area.x + area.width, top + area.height)
+    (Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.json").write_text(json.dumps(box))
+
+
+def mark() -> drive.Tour:
+    """A hip line, just marked as elastic."""
+    yield from open_sample("mark", "wires")
+    hip = near_level(0.11)
+    select_edges(lambda a, b: max(abs(a.z - hip), abs(b.z - hip)) < 0.001)
+    with drive.in_view():
+        bpy.ops.mesh.wirewarp_mark("INVOKE_DEFAULT", kind="ELASTIC")
+        bpy.ops.mesh.select_all(action="DESELECT")
+    names = bpy.context.object.data.wirewarp_names
+    names[len(names) - 1].name = "Hip line"
+    yield from drive.ticks(10)
+    yield from take_picture("mark", MODEL)
+
+
+def near_level(height: float) -> float:
+    """The height of the mesh line nearest to this height."""
+    return min((vertex.co.z for vertex in bpy.context.object.data.vertices), key=lambda z: abs(z - height))
+
+
+def flat() -> drive.Tour:
+    yield from open_sample("flatten", "report")
+    yield from flatten()
+    yield from look_at_both()
+    yield from take_picture("flat", BOTH)
+
+
+def report() -> drive.Tour:
+    yield from open_sample("mark", "report", "report_seams", "report_outlines")
+    yield from close_top_panel()
+    yield from flatten()
+    bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
+    yield from look_at_both()
+    yield from take_picture("report", BOTH)
+
+
+def tube() -> drive.Tour:
+    """A sleeve whose seam has been forgotten."""
+    yield from open_sample("mark", "report")
+    clear_sleeve_seam(bpy.context.object.data)
+    yield from close_top_panel()
+    yield from flatten()
+    hide_others()  # the view from below looks through them
+    look(Euler((2.0, 0.0, -0.6)))
+    view = drive.view_area().spaces.active.region_3d
+    view.view_location, view.view_distance = (0.1, 0.0, 0.3), 0.9
+    yield from drive.ticks(10)
+    yield from take_picture("tube", MODEL)
+
+
+def clear_sleeve_seam(mesh: bpy.types.Mesh) -> None:
+    """Of the left sleeve, from the cuff to the armhole."""
+    edit = bmesh.new()
+    edit.from_mesh(mesh)
+    cuff = max((v for v in edit.verts if v.is_boundary and seams_at(v)), key=lambda vertex: vertex.co.x)
+    while len(seams_at(cuff)) == 1:
+        (edge,) = seams_at(cuff)
+        edge.seam = False
+        cuff = edge.other_vert(cuff)
+    edit.to_mesh(mesh)
+    edit.free()
+
+
+def seams_at(vertex: bmesh.types.BMVert) -> list[bmesh.types.BMEdge]:
+    return [edge for edge in vertex.link_edges if edge.seam]
+
+
+def contradiction() -> drive.Tour:
+    """All mesh lines of one breast rigid, with the diagonals of its faces."""
+    yield from open_sample("mark", "report")
+    vertices = bpy.context.object.data.vertices
+    peak = min((v.co.copy() for v in vertices if v.co.x > 0), key=lambda place: place.y)
+    select_edges(lambda a, b: max((a - peak).length, (b - peak).length) < 0.045)
+    with drive.in_view():
+        bpy.ops.mesh.quads_convert_to_tris()
+        bpy.ops.mesh.wirewarp_mark("INVOKE_DEFAULT", kind="RIGID")
+        bpy.ops.object.mode_set(mode="OBJECT")
+    yield from close_top_panel()
+    yield from flatten()
+    hide_others()
+    yield from drive.ticks(10)
+    yield from take_picture("contradiction", MODEL)
+
+
+def pieces() -> drive.Tour:
+    yield from open_sample("mark", "pieces", "report", "report_wires", "report_pieces")
+    yield from close_top_panel()
+    yield from flatten()
+    source = bpy.context.object
+    flat_pieces = bpy.data.objects["Fitted top Flat"]
+    source.hide_set(True)
+    bpy.context.view_layer.objects.active = flat_pieces
+    flat_pieces.select_set(True)
+    bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
+    look(Euler((0.0, 0.0, 0.0)))
+    yield from drive.ticks(10)
+    with drive.in_view():
+        bpy.ops.view3d.view_all()
+    yield from drive.ticks(40)
+    yield from take_picture("pieces", PIECES)
+
+
+def export() -> drive.Tour:
+    yield from open_sample("flatten", "pieces")
+    yield from flatten()
+    folder = os.environ["WIREWARP_PICTURES"]
+    with drive.in_view():
+        bpy.ops.object.wirewarp_export_svg(filepath=str(Path(folder) / "pattern.svg"))

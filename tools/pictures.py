@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pictures of docs/guide.md, made by the scripts beside them, from Blender's real window on a virtual screen."""
+
+import shutil
+
+from tools.blender import BLENDER_APT, blender_folder
+from tools.blender_window import WINDOW_APT, run_tour
+from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, StepError, clean_environment, require_apt, run, say, venv
+from tools.package import BUILD_APT, package_legacy
+
+PILLOW = "pillow==13.0.0"
+GUIDE = ROOT / "docs" / "guide"  # the scripts and the pictures
+SCRIPT = GUIDE / "take_pictures.py"
+TOURS = ("mark", "flat", "report", "tube", "contradiction", "pieces", "export")
+SECONDS = 600.0  # for a slow machine; a tour takes about ten
+
+
+def pictures() -> None:
+    """Takes all anew; none is replaced before all are there."""
+    require_apt(*BUILD_APT, *BLENDER_APT, *WINDOW_APT, "librsvg2-bin")
+    zip_file = package_legacy()
+    taken = BUILD / "pictures"
+    shutil.rmtree(taken, ignore_errors=True)
+    taken.mkdir(parents=True)
+    for name in TOURS:
+        say(f"taking pictures: {name}")
+        settings = blender_folder("pictures") | {"WIREWARP_ZIP": str(zip_file), "WIREWARP_PICTURES": str(taken)}
+        code, output = run_tour(SCRIPT, name, clean_environment(**settings), SECONDS)
+        if code:
+            print(output, flush=True)
+            raise StepError(f"the tour {name} of {SCRIPT.name} failed; its last picture is in {taken}")
+    paper = ["--width", "900", "--background-color", "white", "--stylesheet", str(GUIDE / "paper.css")]
+    run(["rsvg-convert", *paper, taken / "pattern.svg", "-o", taken / "pattern.png"])
+    run([venv("pictures", DEBIAN_PYTHON, PILLOW), GUIDE / "shrink_pictures.py", taken, GUIDE])
