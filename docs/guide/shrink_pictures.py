@@ -18,7 +18,7 @@ def shrink(source: Path, target: Path) -> None:
     part = source.with_suffix(".json")
     if part.exists():
         picture = picture.crop(json.loads(part.read_text()))
-    few = picture.quantize(COLORS, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+    few = picture.quantize(COLORS, method=Image.Quantize.MEDIANCUT, kmeans=4, dither=Image.Dither.NONE)
     few.save(target, optimize=True)
     print(f"{target.name}: {few.width} x {few.height}, {target.stat().st_size / 1000:.0f} kB")
 

@@ -114,7 +114,7 @@ def take_picture(name: str, left: int) -> drive.Tour:
     drive.screenshot(name)
     area, height = drive.view_area(), bpy.context.window_manager.windows[0].height
     top = height - area.y - area.height
-    box = (area.x + left, top, area.x + area.width, top + area.height)
+    box = (area.x + left, top + 1, area.x + area.width, top + area.height - 1)  # without the line around it
     (Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.json").write_text(json.dumps(box))
 
 
