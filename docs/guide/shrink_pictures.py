@@ -18,7 +18,8 @@ def shrink(source: Path, target: Path) -> None:
     part = source.with_suffix(".json")
     if part.exists():
         picture = picture.crop(json.loads(part.read_text()))
-    few = picture.quantize(COLORS, method=Image.Quantize.MEDIANCUT, kmeans=4, dither=Image.Dither.NONE)
+    palette = picture.quantize(COLORS, method=Image.Quantize.MEDIANCUT, kmeans=4)
+    few = picture.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)  # scales of colors stay smooth
     few.save(target, optimize=True)
     print(f"{target.name}: {few.width} x {few.height}, {target.stat().st_size / 1000:.0f} kB")
 

@@ -160,9 +160,9 @@ def tube() -> drive.Tour:
     yield from close_top_panel()
     yield from flatten()
     hide_others()  # the view from below looks through them
-    look(Euler((2.0, 0.0, -0.6)))
+    look(Euler((2.0, 0.0, -0.4)))
     view = drive.view_area().spaces.active.region_3d
-    view.view_location, view.view_distance = (0.1, 0.0, 0.3), 0.9
+    view.view_location, view.view_distance = (0.02, 0.0, 0.27), 1.2
     yield from drive.ticks(10)
     yield from take_picture("tube", MODEL)
 
