@@ -4,6 +4,7 @@
 import bpy
 import numpy as np
 
+from .flat_shape import has_kept_shape
 from .foreach import read
 from .issues import object_error
 from .model_state import has_changed
@@ -13,11 +14,9 @@ from .read_flat_pieces import read_flat_pieces
 from .report_store import last_report
 from .unit_text import length_text, meters_per_blender_unit
 from .wire_names import names_of
-from .write_flat_object import FLAT_LENGTH, find_flat_object
+from .write_flat_object import find_flat_object
 
-NEEDED = {"piece", "source_vertex", FLAT_LENGTH}
-# Of lengths in single precision, relative to the length and to the largest coordinate: pieces may have been moved.
-LENGTH_ERROR, PLACE_ERROR = 1e-5, 1e-6
+NEEDED = {"piece", "source_vertex"}
 
 
 def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: float, failed_too: bool) -> Pattern:
@@ -51,7 +50,7 @@ def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
         raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')
     if has_changed(source, report):
         raise object_error("changed", f'"{source.name}" has changed since it was flattened: flatten it again.')
-    if not set(flat.data.attributes.keys()) >= NEEDED or _is_edited(flat.data, report):
+    if _is_edited(flat.data, report):
         raise object_error(
             "edited_pieces",
             f'The pieces in "{flat.name}" were changed by hand, and their lengths are not those of the model any more: '
@@ -61,13 +60,11 @@ def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
 
 
 def _is_edited(mesh: bpy.types.Mesh, report: dict) -> bool:
-    """Whether faces are gone or new, or edges longer or shorter than they were laid out."""
+    """Whether anything but the place of whole pieces is other than it was laid out."""
+    if not set(mesh.attributes.keys()) >= NEEDED:
+        return True
     pieces = read(mesh.attributes["piece"].data, "value", np.int32)
     faces = [piece["faces"] if piece["has_layout"] else 0 for piece in report["pieces"]]
     if np.any((pieces < 0) | (pieces >= len(faces))) or np.bincount(pieces, minlength=len(faces)).tolist() != faces:
         return True
-    places = read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64)
-    ends = places[read(mesh.edges, "vertices", np.int32, 2)]
-    laid_out = read(mesh.attributes[FLAT_LENGTH].data, "value", np.float32)
-    change = np.abs(np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1) - laid_out)
-    return bool(np.any(change > LENGTH_ERROR * laid_out + PLACE_ERROR * np.abs(places).max()))
+    return not has_kept_shape(mesh)

@@ -7,7 +7,8 @@ from mathutils import Vector
 
 from .failed_pieces import show_failed
 from .flat_marks import FlatMarks, flat_marks
-from .flat_mesh import FlatMesh, edge_length_variation, edge_lengths
+from .flat_mesh import FlatMesh, edge_length_variation
+from .flat_shape import remember_shape
 from .foreach import read
 from .mesh_to_arrays import MeshArrays
 from .pieces.attribute import PIECE
@@ -17,7 +18,6 @@ from .wire_names import write_names
 from .write_maps import write_flat_maps
 
 COLLECTION = "WireWarp"
-FLAT_LENGTH = "flat_length"  # edge attribute: by it an edit by hand is seen
 
 
 def write_flat_object(
@@ -88,7 +88,7 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) 
     mesh[FACE_COUNT] = len(arrays.polygon_starts)
     write_flat_maps(mesh, flat, edges, edge_length_variation(flat, edges, arrays))
     _write_marks(mesh, flat_marks(flat, edges, arrays))
-    _add(mesh, FLAT_LENGTH, "FLOAT", "EDGE", edge_lengths(flat.vertices, edges).astype(np.float32))
+    remember_shape(mesh)
 
 
 def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:

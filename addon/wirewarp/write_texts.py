@@ -102,5 +102,5 @@ def _fasten(view_layer: bpy.types.ViewLayer, flat: bpy.types.Object, targets: li
         target.parent_type, target.matrix_basis = "VERTEX_3", Matrix()
     view_layer.update()
     for target, pose in zip(shown, poses, strict=True):
-        target.matrix_parent_inverse = target.matrix_world.inverted() @ flat.matrix_world
+        target.matrix_parent_inverse = target.matrix_world.inverted_safe() @ flat.matrix_world
         target.matrix_basis = pose

@@ -300,7 +300,38 @@ def forge_a_piece(edit):
     edit.faces[0][edit.faces.layers.int["piece"]] = -5
 
 
-@pytest.mark.parametrize("change", [move_a_vertex, delete_a_face, tilt, forge_a_piece])
+def rip(edit):
+    """Cuts the piece along a line of edges; nothing moves."""
+    inner = next(edge for edge in edit.edges if all(len(vertex.link_faces) == 4 for vertex in edge.verts))
+    following = next(
+        edge
+        for edge in inner.verts[0].link_edges
+        if not set(edge.link_faces) & set(inner.link_faces) and len(edge.link_faces) == 2
+    )
+    bmesh.ops.split_edges(edit, edges=[inner, following])
+
+
+def merge_by_distance(edit):
+    """Two sides of the seam, put over each other, are sewn."""
+    piece = edit.faces.layers.int["piece"]
+    source_vertex = edit.verts.layers.int["source_vertex"]
+    sides = [{v[source_vertex]: v for face in edit.faces if face[piece] == k for v in face.verts} for k in (0, 1)]
+    shared = next(number for number in sides[0] if number in sides[1])
+    apart = sides[0][shared].co - sides[1][shared].co
+    for vertex in sides[1].values():
+        vertex.co += apart
+    bmesh.ops.remove_doubles(edit, verts=edit.verts, dist=1e-6)
+
+
+def mirror_a_piece(edit):
+    piece = edit.faces.layers.int["piece"]
+    for vertex in {vertex for face in edit.faces if face[piece] == 1 for vertex in face.verts}:
+        vertex.co.x *= -1
+
+
+@pytest.mark.parametrize(
+    "change", [move_a_vertex, delete_a_face, tilt, forge_a_piece, rip, merge_by_distance, mirror_a_piece]
+)
 def test_pieces_edited_by_hand_are_not_trusted(source, tmp_path, change):
     bpy.ops.object.wirewarp_flatten()
     edit = bmesh.new()
@@ -309,6 +340,16 @@ def test_pieces_edited_by_hand_are_not_trusted(source, tmp_path, change):
     edit.to_mesh(flat_of(source).data)
     edit.free()
     export_fails('The pieces in "Bump Flat" were changed by hand', tmp_path)
+
+
+def test_a_seam_that_is_not_found_on_the_pieces_is_a_sentence(source, tmp_path):
+    bpy.ops.object.wirewarp_flatten()
+    flat = flat_of(source).data
+    sources = flat.attributes["source_vertex"].data
+    numbers = read(sources, "value", np.int32)
+    inside = np.flatnonzero(np.bincount(numbers) == 2)[3]  # in the middle of the seam: once on either side
+    sources[int(np.flatnonzero(numbers == inside)[0])].value = 0
+    export_fails("changed by hand, and a seam of the model is not found on them: flatten the model again", tmp_path)
 
 
 def test_flat_pieces_of_an_earlier_version_are_flattened_again(source, tmp_path):

@@ -223,6 +223,14 @@ def test_a_flat_object_edited_by_hand_does_not_confuse_names(source):
     assert sorted(flatten(source, use_modifiers=True)) == ["Sleeve", "Top Right"]
 
 
+def test_a_forged_id_below_zero_is_none(source):
+    flatten(source)
+    ids = source.data.attributes["wirewarp_piece"]
+    ids.data.foreach_set("value", [-7] * len(source.data.polygons))
+    assert sorted(flatten(source)) == HALVES
+    assert all(entry.piece_id > 0 for entry in source.wirewarp_pieces)
+
+
 def test_an_attribute_of_our_name_that_is_not_ours_is_refused(source):
     source.data.attributes.new("wirewarp_piece", "FLOAT", "POINT")
     with pytest.raises(RuntimeError, match='attribute "wirewarp_piece" of mesh "Bump" is not of type INT on faces'):

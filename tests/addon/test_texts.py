@@ -131,6 +131,15 @@ def test_the_overlay_writes_no_names_where_texts_stand(source, addon):
     assert {"Top Left", "Top Right"} <= shown()
 
 
+def test_a_flat_object_scaled_to_nothing_by_its_parent_is_flattened_all_the_same(source):
+    parent = bpy.data.objects.new("Parent", None)
+    bpy.context.scene.collection.objects.link(parent)
+    flat_of(source).parent = parent
+    parent.scale = (0, 0, 0)
+    flatten(source)
+    assert sorted(texts()) == ["Top Left", "Top Right"]
+
+
 def test_very_many_pieces_get_no_texts_and_that_is_said(addon):
     source = grid("Tiles", bump, size=15)
     source.data.edges.foreach_set("use_seam", [True] * len(source.data.edges))

@@ -21,25 +21,43 @@ def outline_edges(
     vertices: np.ndarray, loop_vertices: np.ndarray, face_sizes: np.ndarray, face_piece: np.ndarray
 ) -> OutlineEdges:
     """vertices (n,2); loop_vertices (l,): the corners of one face after those of the other; by face: size and piece."""
-    starts = np.cumsum(face_sizes) - face_sizes
-    following = np.arange(1, len(loop_vertices) + 1)
-    following[starts + face_sizes - 1] = starts
-    edges = np.column_stack([loop_vertices, loop_vertices[following]]).astype(np.int64)
+    edges = _face_edges(loop_vertices, face_sizes)
     _, first, uses = np.unique(edge_keys(edges, len(vertices)), return_index=True, return_counts=True)
     lonely = np.sort(first[uses == 1])
     edges, piece = edges[lonely], np.repeat(face_piece, face_sizes)[lonely]
     return OutlineEdges(edges, piece, _inward(vertices, edges, piece))
 
 
-def _inward(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.ndarray:
-    """Left of each edge; right in pieces that run clockwise: those seen from inside."""
+def signed_areas(
+    vertices: np.ndarray, loop_vertices: np.ndarray, face_sizes: np.ndarray, face_piece: np.ndarray
+) -> np.ndarray:
+    """(p,) of each piece that has faces, in the order of their numbers; below 0 if it runs clockwise."""
+    return _areas(vertices, _face_edges(loop_vertices, face_sizes), np.repeat(face_piece, face_sizes))[0]
+
+
+def _face_edges(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> np.ndarray:
+    """(l,2) each side of each face."""
+    starts = np.cumsum(face_sizes) - face_sizes
+    following = np.arange(1, len(loop_vertices) + 1)
+    following[starts + face_sizes - 1] = starts
+    return np.column_stack([loop_vertices, loop_vertices[following]]).astype(np.int64)
+
+
+def _areas(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(p,) the signed area of each piece by its edges, and (b,) the row in it of the piece of each edge."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
-    along = b - a
-    # Twice the area by the shoelace formula; relative to one point of each piece, which may lie far from the origin.
+    # The shoelace formula; relative to one point of each piece, which may lie far from the origin.
     _, first, row = np.unique(piece, return_index=True, return_inverse=True)
     origin = a[first[row]]
     cross = (a - origin)[:, 0] * (b - origin)[:, 1] - (a - origin)[:, 1] * (b - origin)[:, 0]
-    side = np.sign(np.bincount(row, cross))[row]
+    return np.bincount(row, cross) / 2, row
+
+
+def _inward(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.ndarray:
+    """Left of each edge; right in pieces that run clockwise: those seen from inside."""
+    along = vertices[edges[:, 1]] - vertices[edges[:, 0]]
+    areas, row = _areas(vertices, edges, piece)
+    side = np.sign(areas)[row]
     left = np.column_stack([-along[:, 1], along[:, 0]])
     return left * (side / np.maximum(np.linalg.norm(along, axis=1), np.finfo(float).tiny))[:, None]
 

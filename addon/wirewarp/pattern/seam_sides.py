@@ -5,9 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..issues import object_error
 from ..wire_chains import split_into_chains
 from .flat_pieces import FlatPieces
 from .outlines import OutlineEdges
+
+EDITED = "The flat pieces were changed by hand, and a seam of the model is not found on them: flatten the model again."
 
 
 @dataclass(frozen=True)
@@ -44,10 +47,15 @@ class SeamFinder:
         return self._by_source.get((min(a, b), max(a, b)), [])
 
     def _walk(self, sources: list[int], first: int) -> SeamSide:
-        """Along the model's vertices `sources`, in the piece that has the outline's edge `first`."""
+        """Along the model's vertices `sources`, in the piece that has the outline's edge `first`.
+
+        Raises ObjectError where the outline does not go on as the seam does.
+        """
         rows, vertices = [first], self._ends(first, sources[0])
         for a, b in zip(sources[1:-1], sources[2:], strict=True):
-            row = next(row for row in self._rows(a, b) if self._ends(row, a)[0] == vertices[-1])
+            row = next((row for row in self._rows(a, b) if self._ends(row, a)[0] == vertices[-1]), None)
+            if row is None:
+                raise object_error("edited_pieces", EDITED)
             rows.append(row)
             vertices.append(self._ends(row, a)[1])
         return SeamSide(int(self._outline.piece[first]), vertices, rows)

@@ -84,7 +84,7 @@ def _assign_ids(piece_of_triangle: np.ndarray, triangle_ids: np.ndarray, shape: 
 
 def _carried_ids(piece_of_triangle: np.ndarray, triangle_ids: np.ndarray, shape: _Shape) -> np.ndarray:
     """(p,) the id on most of each piece's area, 0 where there is none."""
-    marked = triangle_ids != 0
+    marked = triangle_ids > 0  # others are not ours
     pairs = piece_of_triangle[marked] << 32 | triangle_ids[marked]
     present, place = np.unique(pairs, return_inverse=True)
     order = np.argsort(np.bincount(place, shape.triangle_areas[marked]), kind="stable")
