@@ -9,7 +9,7 @@ from .foreach import read
 from .issues import object_error
 from .mesh_to_arrays import faces_at_edges
 from .repair_wires import repair_names
-from .wire_attributes import read_marks, write_marks
+from .wire_attributes import EdgeMarks, read_marks, write_marks
 from .wire_names import find_name
 from .wire_summary import WireSummary, find_wires
 
@@ -39,12 +39,27 @@ def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float
     marks = read_marks(mesh)
     marks.tolerances[rows[~outline]] = tolerance
     write_marks(mesh, marks)
-    for row, wire_id in repair_names(mesh).items():
-        marks.wire_ids[row] = wire_id
-    write_marks(mesh, marks)
+    marks = _repair(mesh)
     if name:
         find_name(mesh, int(marks.wire_ids[rows[~outline][0]])).name = name
     return int(outline.sum())
+
+
+def change_grain(target: bpy.types.Object, edge: int) -> None:
+    """Makes the wire that this edge belongs to the grain wire, or none if it is. Raises ObjectError as wire_at does."""
+    mesh = target.data
+    wire_at(target, edge)
+    wire_id = int(_repair(mesh).wire_ids[edge])
+    mesh.wirewarp_grain = 0 if mesh.wirewarp_grain == wire_id else wire_id
+
+
+def _repair(mesh: bpy.types.Mesh) -> EdgeMarks:
+    """Gives each wire an id of its own; returns the marks as they are then."""
+    marks = read_marks(mesh)
+    for row, wire_id in repair_names(mesh).items():
+        marks.wire_ids[row] = wire_id
+    write_marks(mesh, marks)
+    return marks
 
 
 def _outline_mask(mesh: bpy.types.Mesh) -> np.ndarray:

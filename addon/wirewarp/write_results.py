@@ -8,12 +8,12 @@ from .flat_mesh import FlatMesh
 from .foreach import read
 from .helper_lines import HelperLines, helper_lines
 from .model_maps import model_maps
-from .pieces.keep_places import crowded_note, motions_in_order, pieces_in_place, wants_new_layout
+from .pieces.keep_places import crowded_note, motions_in_order, pieces_in_place, remember_layout, wants_new_layout
 from .pieces.motion import Motion
 from .pieces.records import write_pieces
 from .properties import FlattenSettings
 from .read_models import find_source
-from .report_store import last_report, remember, store
+from .report_store import remember, store
 from .solve_models import Outcome
 from .wire_attributes import wires_on
 from .wire_names import update_names
@@ -38,6 +38,7 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
         pieces, motions = _place(source, outcome, settings.keep_places)
         flat = write_flat_object(context.scene, source, pieces, arrays)
+        remember_layout(flat, outcome.report["options"])
         if not settings.use_modifiers:
             _write_to_model(source, outcome, flat, settings.maps_on_model)
         lines = helper_lines(outcome.result, motions) if settings.helper_wires else None
@@ -66,7 +67,7 @@ def _write_to_model(source: bpy.types.Object, outcome: Outcome, flat: bpy.types.
 def _place(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> tuple[FlatMesh, list[Motion]]:
     """The pieces where they lay before, if they are to stay there, and how each was moved for that."""
     options, earlier = outcome.report["options"], find_flat_object(source)
-    if not keep_places or wants_new_layout(options, last_report(source)):
+    if not keep_places or (earlier and wants_new_layout(options, earlier)):
         earlier = None
     pieces, motions, crowded = pieces_in_place(outcome.pieces, earlier, options["gap"])
     if crowded:

@@ -2,6 +2,7 @@
 """The name and the area of each flat piece as a text object that lies on it."""
 
 import math
+import random
 
 import bpy
 import numpy as np
@@ -15,6 +16,7 @@ from .unit_text import length_text
 from .write_flat_object import our_collection
 
 PIECE_ID = "wirewarp_piece"  # custom property of a text, a child of the flat object
+FLAT_ID = "wirewarp_flat"  # custom property of a flat object and of its texts: a random number
 LARGEST = 0.04  # height of the letters, by the size of all pieces together
 ABOVE = 0.002  # the pieces, by the same size: so that both are seen
 MATERIAL = "WireWarp Text"
@@ -28,6 +30,7 @@ def write_texts(context: bpy.types.Context, flat: bpy.types.Object, report: dict
     if len(pieces) > MOST:
         report["notes"].append(f"Texts are written on up to {MOST} pieces, these are {len(pieces)}.")
         return
+    flat[FLAT_ID] = flat.get(FLAT_ID) or random.randint(1, 2**31 - 1)
     text = length_text(context.scene)
     arrays = read_flat_pieces(flat.data, 1.0)
     size = float(np.linalg.norm(np.ptp(arrays.vertices, axis=0)))
@@ -37,7 +40,7 @@ def write_texts(context: bpy.types.Context, flat: bpy.types.Object, report: dict
     for piece in pieces:
         place = placed[piece["index"]]
         target = _new_text(flat, piece["name"], place, ABOVE * size)
-        target[PIECE_ID] = piece["piece_id"]
+        target[PIECE_ID], target[FLAT_ID] = piece["piece_id"], flat[FLAT_ID]
         target.parent_vertices = _face_below(arrays, piece["index"], place.center)
         our_collection(context.scene).objects.link(target)
         targets.append(target)
@@ -46,13 +49,22 @@ def write_texts(context: bpy.types.Context, flat: bpy.types.Object, report: dict
 
 def remove_texts(flat: bpy.types.Object) -> None:
     """Also those whose flat object the user has deleted."""
-    for target in [*find_texts(flat), *find_texts(None)]:
+    for target in [*find_texts(flat), *_find_orphans()]:
         bpy.data.curves.remove(target.data)  # and with it the object
 
 
-def find_texts(flat: bpy.types.Object | None) -> list[bpy.types.Object]:
-    fonts = [target for target in bpy.data.objects if target.type == "FONT" and PIECE_ID in target]
-    return [target for target in fonts if target.parent == flat]
+def find_texts(flat: bpy.types.Object) -> list[bpy.types.Object]:
+    return [target for target in _all_texts() if target.parent == flat]
+
+
+def _find_orphans() -> list[bpy.types.Object]:
+    """Without a parent alone they are the user's, who has taken them off their piece."""
+    present = {target[FLAT_ID] for target in bpy.data.objects if target.type == "MESH" and FLAT_ID in target}
+    return [target for target in _all_texts() if target.parent is None and target.get(FLAT_ID) not in present]
+
+
+def _all_texts() -> list[bpy.types.Object]:
+    return [target for target in bpy.data.objects if target.type == "FONT" and PIECE_ID in target]
 
 
 def rename_text(flat: bpy.types.Object, piece_id: int, name: str) -> None:

@@ -4,7 +4,19 @@
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, edge_vertices, flat_of, grid, half_cylinder, mark, mark_seam, on_line, read, select_only
+from surfaces import (
+    bump,
+    edge_vertices,
+    flat_of,
+    grid,
+    half_cylinder,
+    mark,
+    mark_seam,
+    on_line,
+    read,
+    select_edges,
+    select_only,
+)
 
 
 def places_of(source):
@@ -80,6 +92,22 @@ def test_a_chosen_grain_wire_moves_pieces_that_were_laid_out_otherwise_and_can_b
     assert source.data.wirewarp_grain == 0
     flatten(source)
     assert abs(direction_of(source, *upright)[1]) == pytest.approx(1, abs=1e-4)
+
+
+@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
+def test_of_a_wire_and_its_copy_the_one_chosen_is_the_grain_wire(mode):
+    source = two_wires()
+    select_edges(source, lambda *_: True)
+    bpy.ops.mesh.duplicate_move(TRANSFORM_OT_translate={"value": (0, 5, 0)})
+    bpy.ops.object.mode_set(mode="OBJECT")
+    original, copy = edge_of_wire(source, ALONG_X), edge_of_wire(source, [81 + vertex for vertex in ALONG_X])
+    bpy.ops.object.mode_set(mode=mode)
+    bpy.ops.mesh.wirewarp_grain_wire(edge=copy)
+    assert source.mode == mode
+    bpy.ops.object.mode_set(mode="OBJECT")
+    ids = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
+    assert ids[original] != ids[copy]
+    assert source.data.wirewarp_grain == ids[copy]
 
 
 def test_a_grain_wire_that_is_gone_counts_as_none():

@@ -195,6 +195,19 @@ def test_laid_out_anew_where_that_is_wanted(source, settings):
     assert_same_places(places_of(source), laid_out)
 
 
+def test_laid_out_anew_with_another_gap_after_a_run_that_failed(source):
+    flatten(source, gap=8.0, keep_places=False)
+    laid_out = places_of(source)
+    flatten(source, gap=3.0)
+    vertex = source.data.vertices[40]
+    height, vertex.co.z = vertex.co.z, math.nan
+    with pytest.raises(RuntimeError):
+        flatten(source, gap=8.0)
+    vertex.co.z = height
+    flatten(source, gap=8.0)
+    assert_same_places(places_of(source), laid_out)
+
+
 def test_a_dart_does_not_confuse_the_fit():
     source = grid("Bump", bump)
     mark_seam(source, lambda a, b: on_line(1, 0.0)(a, b) and a[0] + b[0] > 0)

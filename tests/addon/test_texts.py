@@ -121,6 +121,16 @@ def test_texts_of_a_deleted_flat_object_go_with_the_next_run(source):
     assert all(text.parent == flat_of(source) for text in texts().values())
 
 
+def test_a_text_that_the_user_has_taken_off_its_piece_stays(source):
+    own = texts()["Top Left"]
+    own.name = own.data.name = "Mine"
+    select_only(own)
+    bpy.ops.object.parent_clear(type="CLEAR_KEEP_TRANSFORM")
+    flatten(source)
+    assert "Mine" in bpy.data.objects
+    assert len([target for target in bpy.data.objects if target.type == "FONT"]) == 3
+
+
 def test_the_overlay_writes_no_names_where_texts_stand(source, addon):
     def shown():
         depsgraph = bpy.context.evaluated_depsgraph_get()

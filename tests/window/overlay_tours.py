@@ -90,7 +90,7 @@ def lines_are_in_the_uv_editor() -> drive.Tour:
 
 
 def marks_are_undone() -> drive.Tour:
-    """Marking, clearing, changing a wire and seams from islands are one undo step each."""
+    """Marking, clearing, changing a wire, the grain wire and seams from islands are one undo step each."""
     source = marked()
     bpy.ops.object.wirewarp_flatten()
     source.data.edges.foreach_set("use_seam", [False] * len(source.data.edges))
@@ -102,6 +102,7 @@ def marks_are_undone() -> drive.Tour:
             lambda: bpy.ops.mesh.wirewarp_mark("EXEC_DEFAULT", True, kind="ELASTIC", tolerance=0.1),
             lambda: bpy.ops.mesh.wirewarp_clear("EXEC_DEFAULT", True),
             lambda: bpy.ops.mesh.wirewarp_change_wire("EXEC_DEFAULT", True, edge=edge, kind="SUPER_ELASTIC"),
+            lambda: bpy.ops.mesh.wirewarp_grain_wire("EXEC_DEFAULT", True, edge=edge),
             lambda: bpy.ops.mesh.wirewarp_seams_from_uv_islands("EXEC_DEFAULT", True),
         ):
             before = state()
@@ -116,12 +117,13 @@ def marks_are_undone() -> drive.Tour:
 
 
 def state() -> tuple:
-    """Marks, names and seams."""
+    """Marks, names, the grain wire and seams."""
     source = bpy.data.objects["Bump"]
     assert source.mode == "EDIT"
     source.update_from_editmode()
     copied = source.data.copy()  # attributes can be read outside of Edit Mode only
-    marks = wire_marks(copied), [entry.name for entry in copied.wirewarp_names], sum(e.use_seam for e in copied.edges)
+    names = [entry.name for entry in copied.wirewarp_names]
+    marks = wire_marks(copied), names, copied.wirewarp_grain, sum(e.use_seam for e in copied.edges)
     bpy.data.meshes.remove(copied)
     return marks
 

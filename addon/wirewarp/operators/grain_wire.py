@@ -2,8 +2,10 @@
 import bpy
 from bpy.props import IntProperty
 
-from ..change_wire import wire_at
+from ..change_wire import change_grain
 from ..issues import ObjectError
+from ..targets import in_object_mode
+from ..undo_step import hold_whole_file
 
 
 class MESH_OT_wirewarp_grain_wire(bpy.types.Operator):
@@ -18,15 +20,20 @@ class MESH_OT_wirewarp_grain_wire(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         active = context.active_object
-        return active is not None and active.type == "MESH" and active.wirewarp_source is None
+        if active is None or active.type != "MESH" or context.mode not in {"OBJECT", "EDIT_MESH"}:
+            return False
+        if active.wirewarp_source:
+            cls.poll_message_set("These are flat pieces: choose the grain wire on the model")
+            return False
+        return True
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         target = context.active_object
         try:
-            wire = wire_at(target, self.edge)
+            with in_object_mode(context):
+                change_grain(target, self.edge)
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        mesh = target.data
-        mesh.wirewarp_grain = 0 if mesh.wirewarp_grain == wire.wire_id else wire.wire_id
+        hold_whole_file()
         return {"FINISHED"}

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From the flat object of an earlier run to the places of the new pieces."""
 
+import json
 from dataclasses import replace
 
 import bpy
@@ -15,6 +16,7 @@ from .places import LaidOut, find_places, laid_out, piece_of_vertices
 
 # Of the report: with other ones the user wants another layout.
 LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "gap", "mirror")
+LAYOUT = "wirewarp_layout"  # of the flat mesh: with which ones it was laid out
 
 
 def pieces_in_place(
@@ -42,10 +44,17 @@ def motions_in_order(motions: dict[int, Motion], identities: list[PieceIdentity]
     return [motions.get(identity.piece_id, STAY) for identity in identities]
 
 
-def wants_new_layout(options: dict, earlier_report: dict | None) -> bool:
-    """Whether a run with these options lays out otherwise than the last one."""
-    before = (earlier_report or {}).get("options", {})
-    return any(options[name] != before.get(name) for name in LAYOUT_OPTIONS)
+def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
+    """Whether a run with these options lays out otherwise than the one that made the flat object `earlier`."""
+    return earlier.data.get(LAYOUT) != _layout_text(options)
+
+
+def remember_layout(flat: bpy.types.Object, options: dict) -> None:
+    flat.data[LAYOUT] = _layout_text(options)
+
+
+def _layout_text(options: dict) -> str:
+    return json.dumps({name: options[name] for name in LAYOUT_OPTIONS})
 
 
 def crowded_note(names: list[str]) -> str:

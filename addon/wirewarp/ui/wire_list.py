@@ -65,7 +65,7 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
             row.prop(entry, "name", text="")
         else:
             self._change_button(row, name, wire)
-        is_grain = mesh.wirewarp_grain == wire.wire_id
+        is_grain = mesh.wirewarp_grain == wire.wire_id and not wire.shares_id
         row.operator(
             "mesh.wirewarp_grain_wire", text="", icon="EMPTY_SINGLE_ARROW", depress=is_grain
         ).edge = wire.edges[0]
