@@ -4,7 +4,7 @@
 A handler only notes that something changed. The next movement of the mouse reaches the operator wm.wirewarp_watch by
 the keymap, unless a tool that is still going on (moving vertices, a knife) keeps it to itself: leaving Edit Mode under
 such a tool crashes Blender, and before 4.2 Python cannot ask whether there is one; timers do run under it. The operator
-runs the update, with an undo step like any other operator.
+runs the update, with an undo step like any other operator, and the update ends by the same rule.
 """
 
 import bpy
@@ -14,25 +14,23 @@ from . import model_state
 from .report_store import last_report
 
 WATCH = "wm.wirewarp_watch"
-_due = False
+_due: set[str] = set()  # scenes
 _undone = False
 _tried: dict[str, dict | None] = {}  # by object: the state in which it was left as it is
 _keymap_items: list[tuple[bpy.types.KeyMap, bpy.types.KeyMapItem]] = []
 
 
-def note_change() -> None:
-    """Something may have changed: look into it soon."""
-    global _due
-    _due = True
+def note_change(scene: str) -> None:
+    """Something may have changed in this scene (ID.name_full): look into it soon."""
+    _due.add(scene)
 
 
-def is_due() -> bool:
-    return _due
+def is_due(scene: str) -> bool:
+    return scene in _due
 
 
-def forget_change() -> None:
-    global _due
-    _due = False
+def forget_change(scene: str) -> None:
+    _due.discard(scene)
 
 
 def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
@@ -41,13 +39,20 @@ def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
     After undo none does: what was taken back must not be made again behind the user's back.
     """
     global _undone
-    forget_change()
+    forget_change(context.scene.name_full)
     changed = [source for source in _flattened(context) if _has_changed(source)]
     for source in changed:
         _tried[source.name_full] = model_state.present_state(source)
     if _undone:
         changed, _undone = [], False
     return changed
+
+
+def put_back(names: list[str], scene: str) -> None:
+    """What was taken in this scene is due there again, though it is in the same state; names: of the objects."""
+    for name in names:
+        _tried.pop(name, None)
+    note_change(scene)
 
 
 def _flattened(context: bpy.types.Context) -> list[bpy.types.Object]:
@@ -69,15 +74,16 @@ def _on_update(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
     if depsgraph.mode != "VIEWPORT" or not scene.wirewarp.auto_update:
         return
     if any(isinstance(update.id, (bpy.types.Mesh, bpy.types.Object)) for update in depsgraph.updates):
-        note_change()
+        note_change(scene.name_full)
 
 
 @persistent
 def _on_undo(*_: object) -> None:
     global _undone
-    if bpy.context.scene.wirewarp.auto_update:
+    scene = bpy.context.scene
+    if scene.wirewarp.auto_update:
         _undone = True
-        note_change()
+        note_change(scene.name_full)
 
 
 @persistent
@@ -85,7 +91,7 @@ def _on_load(*_: object) -> None:
     global _undone
     _undone = False
     _tried.clear()
-    forget_change()
+    _due.clear()
 
 
 def attach() -> None:

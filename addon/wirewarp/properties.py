@@ -177,7 +177,7 @@ def _redraw(_settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> 
 
 def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
     if settings.auto_update:
-        note_change()
+        note_change(settings.id_data.name_full)
 
 
 class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):

@@ -13,6 +13,8 @@ from .pieces.attribute import check_piece_attribute
 from .wire_attributes import check_attributes
 from .write_uv import check_uv_room
 
+WORKING_MODES = {"OBJECT", "EDIT_MESH"}  # in which models are read and results written; in_object_mode leads there
+
 
 def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
     """Every selected mesh and every mesh in Edit Mode, flat pieces and helper wires of ours left out."""

@@ -3,13 +3,12 @@
 
 import json
 import threading
-import time
 from pathlib import Path
 
 import bpy
 import drive
 import wirewarp_addon
-from stage import contents, flatten, marked_bump, remember, window_run
+from stage import contents, flatten, hold_runs, marked_bump, remember, window_run
 from surfaces import bump, flat_of, grid
 
 solve_models = wirewarp_addon.solve_models
@@ -29,14 +28,7 @@ def collect_messages() -> list[tuple[str, str]]:
 
 def begin_held_run() -> threading.Event:
     """Starts a run that goes on until the event is set, or until it is cancelled; later runs do so too."""
-    goes_on, flatten_arrays = threading.Event(), solve_models.flatten_arrays
-
-    def wait_and_flatten(library: object, arrays: object, choices: object, progress: object, solved: object) -> object:
-        while not goes_on.is_set() and progress("shape", 0.4):
-            time.sleep(0.01)
-        return flatten_arrays(library, arrays, choices, progress, solved)
-
-    solve_models.flatten_arrays = wait_and_flatten
+    goes_on = hold_runs()
     with drive.in_view():
         bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
     assert window_run.is_running()

@@ -2,6 +2,8 @@
 """What the tours have in common: models to flatten, running, undoing, and looking at the file. Runs in Blender."""
 
 import sys
+import threading
+import time
 from pathlib import Path
 
 import bpy
@@ -55,3 +57,17 @@ def marked_bump() -> bpy.types.Object:
     mark(source, on_line(1, 0.0))
     remember()
     return source
+
+
+def hold_runs() -> threading.Event:
+    """From now on a run goes on until the event is set, or until it is cancelled."""
+    solve_models = wirewarp_addon.solve_models
+    goes_on, flatten_arrays = threading.Event(), solve_models.flatten_arrays
+
+    def wait_and_flatten(library: object, arrays: object, choices: object, progress: object, solved: object) -> object:
+        while not goes_on.is_set() and progress("shape", 0.4):
+            time.sleep(0.01)
+        return flatten_arrays(library, arrays, choices, progress, solved)
+
+    solve_models.flatten_arrays = wait_and_flatten
+    return goes_on

@@ -38,6 +38,11 @@ TOURS = {
         "another_file_ends_the_run",
         "unregistering_ends_the_run",
     ],
+    "update_tours": [
+        "a_tool_begun_during_an_update_goes_on",
+        "an_update_does_not_end_in_another_mode",
+        "an_update_does_not_end_in_another_scene",
+    ],
     "overlay_tours": [
         "lines_are_on_the_screen",
         "lines_are_in_the_uv_editor",

@@ -6,7 +6,7 @@ from bpy.props import StringProperty
 
 from .. import core, window_run
 from ..properties import take_settings
-from ..targets import mesh_targets, nothing_to_flatten
+from ..targets import WORKING_MODES, mesh_targets, nothing_to_flatten
 from ..ui.settings import draw_settings
 from .flatten_steps import FlattenSteps
 
@@ -27,7 +27,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        if context.mode in {"OBJECT", "EDIT_MESH"}:
+        if context.mode in WORKING_MODES:
             return True
         cls.poll_message_set("Flatten works in Object Mode and in Edit Mode")
         return False

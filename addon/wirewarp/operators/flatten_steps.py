@@ -14,7 +14,7 @@ from ..read_models import is_current, read_models
 from ..redraw import redraw_views
 from ..report_file import run_message, run_report, write_json
 from ..solve_models import CancelledError, Model, Outcome, Solver, failed_report, solve_models
-from ..targets import in_object_mode
+from ..targets import WORKING_MODES, in_object_mode
 from ..undo_step import hold_whole_file
 from ..unit_text import meters_per_blender_unit
 from ..write_results import write_results
@@ -29,6 +29,8 @@ HARMLESS_KINDS = ("TIMER", "WHEEL", "TRACKPAD", "NDOF", "WINDOW")
 class FlattenSteps(FlattenSettings):
     """Mixed into operators. modal() belongs to what begin_run() has begun."""
 
+    ends_on = "TIMER"  # the event upon which a run that is done is written
+
     @property
     def report_file(self) -> Path | None:
         """Where the report goes as JSON."""
@@ -38,6 +40,7 @@ class FlattenSteps(FlattenSettings):
         """Reads now and solves in a thread, while modal() waits for it."""
         with in_object_mode(context):
             self._models = read_models(context, sources, self.use_modifiers)
+        self._scene, self._view_layer = _place(context)
         what = sources[0].name if len(sources) == 1 else f"{len(sources)} objects"
         self._run = window_run.begin(context, what, self._solver(context, self._models))
         context.window_manager.modal_handler_add(self)
@@ -46,7 +49,7 @@ class FlattenSteps(FlattenSettings):
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         if event.type == "ESC" and event.value == "PRESS":
             self._run.cancel()
-        if event.type == "TIMER" and self._run.is_done():
+        if self._run.is_done() and event.type == self.ends_on:
             return self._finish_run(context)
         return {"PASS_THROUGH" if self.lets_pass(event) else "RUNNING_MODAL"}
 
@@ -97,6 +100,9 @@ class FlattenSteps(FlattenSettings):
             sentence = f"Flattening failed, nothing was written: {str(error) or type(error).__name__}. "
             sentence += "This is a fault of WireWarp: please report it with what Blender's console says."
             return self.give_up(context, "internal_error", sentence, "ERROR")
+        if context.mode not in WORKING_MODES or _place(context) != (self._scene, self._view_layer):
+            sentence = "The mode or the scene was changed during the run, nothing was written: flatten again."
+            return self.give_up(context, "elsewhere", sentence, "ERROR")
         with in_object_mode(context):
             changed = [m.facts["object"] for m in self._models if not is_current(context, m, self.use_modifiers)]
             if not changed:
@@ -136,3 +142,8 @@ class FlattenSteps(FlattenSettings):
             write_json(self.report_file, run_report(core.library().__version__, units, reports))
         except OSError as error:
             self.report({"ERROR"}, f"The report cannot be written: {error}.")
+
+
+def _place(context: bpy.types.Context) -> tuple[str, str]:
+    """Where the results go, by name: undo may replace the scene."""
+    return context.scene.name_full, context.view_layer.name

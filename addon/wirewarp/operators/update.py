@@ -3,6 +3,7 @@ import bpy
 
 from .. import auto_update, core, window_run
 from ..properties import take_settings
+from ..targets import WORKING_MODES
 from .flatten_steps import FlattenSteps
 
 
@@ -15,6 +16,9 @@ class OBJECT_OT_wirewarp_update(FlattenSteps, bpy.types.Operator):
     bl_options = {"INTERNAL", "UNDO_GROUPED"}
     bl_undo_group = "Update Flat Pieces"
 
+    # As it was begun, it ends with a movement of the mouse that no tool has taken: see auto_update.
+    ends_on = "MOUSEMOVE"
+
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         take_settings(self, context.scene.wirewarp)
         sources = auto_update.take_changed(context)
@@ -25,8 +29,10 @@ class OBJECT_OT_wirewarp_update(FlattenSteps, bpy.types.Operator):
         return True
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
-        """A model that changed meanwhile is due again already."""
-        return {"CANCELLED"} if code == "changed" else super().give_up(context, code, sentence, level)
+        """A model that changed meanwhile is due again already; what only could not be written is due as it is."""
+        if code == "elsewhere":
+            auto_update.put_back([model.name for model in self._models], self._scene)
+        return {"CANCELLED"} if code in {"changed", "elsewhere"} else super().give_up(context, code, sentence, level)
 
     def message(self, level: str, text: str) -> None:
         """Without the window that an error opens: the report has it, and the user is still at work."""
@@ -43,14 +49,15 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         """A change in another mode, or during a run, waits for its end."""
-        return auto_update.is_due() and context.mode in {"OBJECT", "EDIT_MESH"} and not window_run.is_running()
+        due = auto_update.is_due(context.scene.name_full)
+        return due and context.mode in WORKING_MODES and not window_run.is_running()
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         if context.scene.wirewarp.auto_update and not core.problem():
             join_undo_step(context.window_manager)
             bpy.ops.object.wirewarp_update("INVOKE_DEFAULT", True)
         else:
-            auto_update.forget_change()
+            auto_update.forget_change(context.scene.name_full)
         return {"PASS_THROUGH"}
 
 
