@@ -128,7 +128,7 @@ class FlattenSettings:
     use_modifiers: BoolProperty(
         name="Modifiers",
         description="Flatten the mesh as modifiers and shape keys leave it. There are flat pieces then, but no UV map "
-        "on the model",
+        "on the model, and a change of the modifiers alone is not noticed: flatten again before you export",
         default=False,
     )
     helper_wires: BoolProperty(

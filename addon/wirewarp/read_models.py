@@ -54,8 +54,10 @@ def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None, units
     try:
         check_target(source, writes_uv=not use_modifiers)
         arrays = object_to_arrays(source, depsgraph)
-        # Results with modifiers are not written to the model: only the flat pieces know the last ids.
-        known = known_pieces(source, arrays, find_flat_object(source) if use_modifiers else None)
+        # Results with modifiers are not written to the model, and of objects that share a mesh the last one's are on
+        # it: only the flat pieces know this object's last ids.
+        asks_flat_pieces = use_modifiers or source.data.users > 1
+        known = known_pieces(source, arrays, find_flat_object(source) if asks_flat_pieces else None)
         state = model_state(source, None if use_modifiers else arrays)
         solved = solved_pieces(source)
     except ObjectError as error:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 import bpy
 import numpy as np
 
+from .edge_keys import edge_keys
 from .foreach import read
 from .issues import object_error
 from .mesh_to_arrays import element_counts
@@ -113,10 +114,9 @@ def _find_edges(mesh: bpy.types.Mesh, pairs: Sequence[tuple[int, int]]) -> tuple
     if not len(pairs):
         return mask, []
     count = len(mesh.vertices)
-    keys = np.sort(read(mesh.edges, "vertices", np.int32, 2).astype(np.int64), axis=1) @ (count, 1)
-    wanted = np.sort(np.asarray(pairs, dtype=np.int64), axis=1)
-    mask[np.isin(keys, wanted @ (count, 1))] = True
-    missing = wanted[~np.isin(wanted @ (count, 1), keys)]
+    keys, wanted = edge_keys(read(mesh.edges, "vertices", np.int32, 2), count), edge_keys(pairs, count)
+    mask[np.isin(keys, wanted)] = True
+    missing = np.asarray(pairs)[~np.isin(wanted, keys)]
     return mask, missing.ravel().tolist()
 
 

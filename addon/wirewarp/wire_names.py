@@ -14,10 +14,9 @@ def find_name(mesh: bpy.types.Mesh, wire_id: int) -> bpy.types.PropertyGroup | N
     return next((entry for entry in mesh.wirewarp_names if entry.wire_id == wire_id), None)
 
 
-def list_position(mesh: bpy.types.Mesh, wire_id: int) -> int:
-    """For sorting: the place in the list, unnamed wires last."""
-    ids = [entry.wire_id for entry in mesh.wirewarp_names]
-    return ids.index(wire_id) if wire_id in ids else len(ids)
+def list_places(mesh: bpy.types.Mesh) -> dict[int, int]:
+    """The place of each id in the list, for sorting."""
+    return {entry.wire_id: place for place, entry in enumerate(mesh.wirewarp_names)}
 
 
 def names_of(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> dict[int, str]:
@@ -51,8 +50,9 @@ def write_names(mesh: bpy.types.Mesh, names: Mapping[int, str]) -> None:
     for index in reversed(range(len(mesh.wirewarp_names))):
         if mesh.wirewarp_names[index].wire_id not in names:
             mesh.wirewarp_names.remove(index)
+    places = list_places(mesh)
     for wire_id, name in names.items():
-        entry = find_name(mesh, wire_id) or mesh.wirewarp_names.add()
+        entry = mesh.wirewarp_names[places[wire_id]] if wire_id in places else mesh.wirewarp_names.add()
         entry.wire_id, entry.name = wire_id, name
 
 

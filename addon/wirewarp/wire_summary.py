@@ -11,7 +11,7 @@ from .foreach import read
 from .mesh_cache import kept
 from .wire_attributes import TOLERANCE, WIRE, read_marks
 from .wire_chains import chains_of_marks
-from .wire_names import chain_names, find_name, list_position
+from .wire_names import chain_names, find_name, list_places
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,8 @@ def listed_wires(target: bpy.types.Object) -> list[tuple[str, WireSummary]]:
     """With their names, in the order of the list of names. Raises ObjectError as wires_of does."""
     wires = wires_of(target)
     named = zip(chain_names(target.data, [wire.wire_id for wire in wires]), wires, strict=True)
-    return sorted(named, key=lambda each: list_position(target.data, each[1].wire_id))
+    places = list_places(target.data)
+    return sorted(named, key=lambda each: places.get(each[1].wire_id, len(places)))  # unnamed wires last
 
 
 def editable_name(mesh: bpy.types.Mesh, wire: WireSummary) -> bpy.types.PropertyGroup | None:

@@ -9,6 +9,8 @@ import numpy as np
 from mathutils import Matrix
 
 from .pattern.flat_pieces import FlatPieces
+from .pattern.inner_wires import inner_wires
+from .pattern.outlines import outline_edges
 from .pattern.pattern import PieceText
 from .pattern.texts import piece_texts
 from .read_flat_pieces import read_flat_pieces
@@ -35,13 +37,15 @@ def write_texts(context: bpy.types.Context, flat: bpy.types.Object, report: dict
     arrays = read_flat_pieces(flat.data, 1.0)
     size = float(np.linalg.norm(np.ptp(arrays.vertices, axis=0)))
     lines = {piece["index"]: (piece["name"], text.area(piece["area_2d"])) for piece in pieces}
-    placed = piece_texts(arrays, lines, LARGEST * size)
+    outline = outline_edges(arrays.vertices, arrays.loop_vertices, arrays.face_sizes, arrays.face_piece)
+    placed = piece_texts(arrays, outline, inner_wires(arrays, outline), lines, LARGEST * size)
+    corners = _corners_by_piece(arrays)
     targets = []
     for piece in pieces:
         place = placed[piece["index"]]
         target = _new_text(flat, piece["name"], place, ABOVE * size)
         target[PIECE_ID], target[FLAT_ID] = piece["piece_id"], flat[FLAT_ID]
-        target.parent_vertices = _face_below(arrays, piece["index"], place.center)
+        target.parent_vertices = _face_below(arrays.vertices, corners[piece["index"]], place.center)
         our_collection(context.scene).objects.link(target)
         targets.append(target)
     _fasten(context.view_layer, flat, targets)
@@ -94,14 +98,21 @@ def _new_material() -> bpy.types.Material:
     return material
 
 
-def _face_below(flat: FlatPieces, piece: int, center: np.ndarray) -> list[int]:
-    """Three vertices of the face of the piece that is nearest to the center, of those with an area."""
+def _corners_by_piece(flat: FlatPieces) -> dict[int, np.ndarray]:
+    """(k,3) the first three vertices of each face of the piece."""
     first = np.cumsum(flat.face_sizes) - flat.face_sizes
     corners = flat.loop_vertices[first[:, None] + np.arange(3)]
-    a, b, c = (flat.vertices[corners[:, k]] for k in range(3))
+    order = np.argsort(flat.face_piece, kind="stable")
+    pieces, begin = np.unique(flat.face_piece[order], return_index=True)
+    return dict(zip(pieces.tolist(), np.split(corners[order], begin[1:]), strict=True))
+
+
+def _face_below(vertices: np.ndarray, corners: np.ndarray, center: np.ndarray) -> list[int]:
+    """The corners (k,3) of the face that is nearest to the center, of those with an area."""
+    a, b, c = (vertices[corners[:, k]] for k in range(3))
     (ux, uy), (vx, vy) = (b - a).T, (c - a).T
     distance = np.linalg.norm((a + b + c) / 3 - center, axis=1)
-    distance[(flat.face_piece != piece) | (ux * vy == uy * vx)] = np.inf
+    distance[ux * vy == uy * vx] = np.inf
     return corners[np.argmin(distance)].tolist()
 
 

@@ -190,6 +190,17 @@ def test_both_sides_of_a_dart_get_notches(tmp_path):
     assert len(drawing.lines("Top", "Notches")) == 2 * int(lengths_on(source, WIRE).sum() / 2 / 30)
 
 
+def test_notches_too_close_to_be_cut_are_refused(source, tmp_path):
+    bpy.ops.object.wirewarp_flatten()
+    export_fails("choose 1 mm or more, or 0 for none", tmp_path, notch_spacing=0.001)
+
+
+def test_the_next_export_does_not_start_from_the_last_file():
+    operator = bpy.ops.object.wirewarp_export_svg.get_rna_type()
+    assert operator.properties["filepath"].is_skip_save
+    assert not operator.properties["notch_spacing"].is_skip_save
+
+
 def test_page_square_and_units_are_millimeters(source, tmp_path):
     drawing = export(source, tmp_path, flatten={})
     width, height = (drawing.root.get(side) for side in ("width", "height"))

@@ -223,6 +223,19 @@ def test_a_flat_object_edited_by_hand_does_not_confuse_names(source):
     assert sorted(flatten(source, use_modifiers=True)) == ["Sleeve", "Top Right"]
 
 
+def test_objects_that_share_a_mesh_keep_their_own_names(source):
+    other = source.copy()
+    bpy.context.scene.collection.objects.link(other)
+    select_only(source, other)
+    bpy.ops.object.wirewarp_flatten()
+    for target, name in ((source, "Sleeve"), (other, "Cuff")):
+        rename(target, "Top Left", name)
+    select_only(source, other)
+    bpy.ops.object.wirewarp_flatten()
+    assert sorted(names_of(source)) == ["Sleeve", "Top Right"]
+    assert sorted(names_of(other)) == ["Cuff", "Top Right"]
+
+
 def test_a_forged_id_below_zero_is_none(source):
     flatten(source)
     ids = source.data.attributes["wirewarp_piece"]

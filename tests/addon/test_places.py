@@ -199,11 +199,11 @@ def test_laid_out_anew_with_another_gap_after_a_run_that_failed(source):
     flatten(source, gap=8.0, keep_places=False)
     laid_out = places_of(source)
     flatten(source, gap=3.0)
-    vertex = source.data.vertices[40]
-    height, vertex.co.z = vertex.co.z, math.nan
+    height = source.data.vertices[40].co.z
+    source.data.vertices[40].co.z = math.nan
     with pytest.raises(RuntimeError):
         flatten(source, gap=8.0)
-    vertex.co.z = height
+    source.data.vertices[40].co.z = height
     flatten(source, gap=8.0)
     assert_same_places(places_of(source), laid_out)
 

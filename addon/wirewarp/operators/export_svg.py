@@ -20,11 +20,15 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
     bl_label = "Export Pattern"
 
     filename_ext = ".svg"
+    # Skipped when settings are kept for the next time: the next model gets a name of its own.
+    filepath: StringProperty(
+        name="File Path", description="The file to write", subtype="FILE_PATH", options={"SKIP_SAVE"}
+    )
     filter_glob: StringProperty(description="The files shown", default="*.svg", options={"HIDDEN"})
     notch_spacing: FloatProperty(
         name="Notches Every",
         description="Distance in millimeters of notches along seams, from the same end on both sides. Ends of wires "
-        "always get one. 0: no others",
+        "always get one. At least 1 mm; 0: no others",
         min=0.0,
         soft_max=500.0,
         default=100.0,

@@ -84,16 +84,10 @@ def seam_line_names(marks: LineMarks, seam_of_edge: Mapping[tuple[int, int], int
     """The number of each seam, in all its pieces. seam_of_edge: index of the seam by an edge's vertices, ascending."""
     pairs = np.sort(marks.vertices, axis=1).tolist()
     numbers = np.array([1 + seam_of_edge.get((a, b), -1) for a, b in pairs], dtype=np.int32)
-    return [
-        _name_in_middle(f"Seam {number}", marks, np.flatnonzero((numbers == number) & (marks.pieces == piece)))
-        for number, piece in _groups(numbers, marks.pieces)
-    ]
-
-
-def _groups(first: np.ndarray, *others: np.ndarray) -> list[tuple]:
-    """Every combination that there is of the arrays' entries, with the first not 0."""
-    present = np.flatnonzero(first)
-    return list(dict.fromkeys(zip(*(column[present] for column in (first, *others)), strict=True)))
+    rows: dict[tuple[int, int], list[int]] = {}
+    for row in np.flatnonzero(numbers).tolist():
+        rows.setdefault((int(numbers[row]), int(marks.pieces[row])), []).append(row)
+    return [_name_in_middle(f"Seam {number}", marks, np.array(own)) for (number, _), own in rows.items()]
 
 
 def _name_in_middle(text: str, marks: LineMarks, rows: np.ndarray) -> Name:

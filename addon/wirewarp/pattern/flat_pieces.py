@@ -16,3 +16,12 @@ class FlatPieces:
     edges: np.ndarray  # (e,2) int32
     wire_ids: np.ndarray  # (e,) int32, 0 none
     tolerances: np.ndarray  # (e,) float32
+
+
+def piece_of_vertices(
+    count: int, loop_vertices: np.ndarray, face_sizes: np.ndarray, face_piece: np.ndarray
+) -> np.ndarray:
+    """(count,) the piece of each vertex, by those of the faces; 0 for vertices without a face."""
+    piece_of_vertex = np.zeros(count, dtype=np.int64)
+    piece_of_vertex[loop_vertices] = np.repeat(face_piece, face_sizes)
+    return piece_of_vertex

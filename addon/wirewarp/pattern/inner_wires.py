@@ -5,7 +5,7 @@ import numpy as np
 
 from ..edge_keys import edge_keys
 from ..wire_chains import WireChain, chains_of_marks
-from .flat_pieces import FlatPieces
+from .flat_pieces import FlatPieces, piece_of_vertices
 from .outlines import OutlineEdges
 
 
@@ -13,8 +13,7 @@ def inner_wires(flat: FlatPieces, outline: OutlineEdges) -> dict[int, list[WireC
     """By piece, each as one run of vertices of the flat pieces."""
     count = len(flat.vertices)
     on_outline = np.isin(edge_keys(flat.edges, count), edge_keys(outline.edges, count))
-    piece_of_vertex = np.zeros(count, dtype=np.int64)
-    piece_of_vertex[flat.loop_vertices] = np.repeat(flat.face_piece, flat.face_sizes)
+    piece_of_vertex = piece_of_vertices(count, flat.loop_vertices, flat.face_sizes, flat.face_piece)
     wires: dict[int, list[WireChain]] = {}
     for chain in chains_of_marks(flat.edges, np.where(on_outline, 0, flat.wire_ids), flat.tolerances, flat.vertices):
         wires.setdefault(int(piece_of_vertex[chain.vertices[0]]), []).append(chain)

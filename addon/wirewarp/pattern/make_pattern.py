@@ -34,7 +34,7 @@ def make_pattern(
     outline = outline_edges(flat.vertices, flat.loop_vertices, flat.face_sizes, flat.face_piece)
     notches = place_notches(flat, outline, seams, spacing)
     wires = inner_wires(flat, outline)
-    texts = piece_texts(flat, {index: label.lines for index, label in labels.items()}, TEXT_HEIGHT)
+    texts = piece_texts(flat, outline, wires, {index: label.lines for index, label in labels.items()}, TEXT_HEIGHT)
     pieces = []
     for index, label in labels.items():
         outlines = [flat.vertices[loop] for loop in outline_loops(outline, index)]

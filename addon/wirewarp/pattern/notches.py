@@ -4,16 +4,24 @@
 import numpy as np
 
 from ..edge_keys import edge_keys
+from ..issues import object_error
 from .flat_pieces import FlatPieces
 from .outlines import OutlineEdges
 from .pattern import Notch
 from .seam_sides import SeamFinder, SeamSide
 
+LEAST_SPACING = 1.0  # millimeters
+TOO_CLOSE = "Notches so close cannot be cut: choose 1 mm or more, or 0 for none along seams."
 CLEAR = 0.2  # of the spacing: so close to a wire's end, or to the end of the seam, there is no other notch
 
 
 def place_notches(flat: FlatPieces, outline: OutlineEdges, seams: list[list], spacing: float) -> dict[int, list[Notch]]:
-    """By piece. seams: of each the edges, as vertex pairs of the model; spacing: along seams, 0 for none."""
+    """By piece. seams: of each the edges, as vertex pairs of the model; spacing: along seams, 0 for none.
+
+    Raises ObjectError where the spacing is too small to be cut.
+    """
+    if 0 < spacing < LEAST_SPACING:
+        raise object_error("notch_spacing", TOO_CLOSE)
     at_wires = _vertices_at_wires(flat, outline)
     notches: dict[int, list[Notch]] = {}
     for vertex in sorted(at_wires):
@@ -22,9 +30,9 @@ def place_notches(flat: FlatPieces, outline: OutlineEdges, seams: list[list], sp
         notches.setdefault(int(outline.piece[touching[0]]), []).append(notch)
     finder = SeamFinder(flat, outline)
     for sides in [sides for seam in seams for sides in finder.sides(seam)] if spacing > 0 else []:
-        for length in _lengths(flat, sides, at_wires, spacing):
-            for side in sides:
-                notches.setdefault(side.piece, []).append(_notch_at(flat, outline, side, length))
+        lengths = _lengths(flat, sides, at_wires, spacing)
+        for side in sides:
+            notches.setdefault(side.piece, []).extend(_notches_at(flat, outline, side, lengths))
     return notches
 
 
@@ -47,12 +55,15 @@ def _lengths(flat: FlatPieces, sides: list[SeamSide], at_wires: set[int], spacin
     return [length for length in lengths.tolist() if np.abs(np.array(taken) - length).min() > CLEAR * spacing]
 
 
-def _notch_at(flat: FlatPieces, outline: OutlineEdges, side: SeamSide, length: float) -> Notch:
+def _notches_at(flat: FlatPieces, outline: OutlineEdges, side: SeamSide, lengths: list[float]) -> list[Notch]:
     along = side.lengths(flat)
-    place = int(np.searchsorted(along, length, side="right")) - 1
-    share = (length - along[place]) / (along[place + 1] - along[place])
-    a, b = flat.vertices[side.vertices[place : place + 2]]
-    return Notch(a + share * (b - a), outline.inward[side.edges[place]], "seam")
+    points = flat.vertices[side.vertices]
+    notches = []
+    for length, place in zip(lengths, np.searchsorted(along, lengths, side="right") - 1, strict=True):
+        share = (length - along[place]) / (along[place + 1] - along[place])
+        point = points[place] + share * (points[place + 1] - points[place])
+        notches.append(Notch(point, outline.inward[side.edges[place]], "seam"))
+    return notches
 
 
 def _unit(vector: np.ndarray) -> np.ndarray:

@@ -3,17 +3,21 @@
 
 from collections.abc import Mapping
 
+from ..wire_chains import WireChain
 from .flat_pieces import FlatPieces
-from .inner_wires import inner_wires
 from .interior import place_text
-from .outlines import outline_edges, outline_loops
+from .outlines import OutlineEdges, outline_loops
 from .pattern import PieceText
 
 
-def piece_texts(flat: FlatPieces, lines: Mapping[int, tuple[str, ...]], largest: float) -> dict[int, PieceText]:
-    """By piece; largest: height of the letters at most."""
-    outline = outline_edges(flat.vertices, flat.loop_vertices, flat.face_sizes, flat.face_piece)
-    wires = inner_wires(flat, outline)
+def piece_texts(
+    flat: FlatPieces,
+    outline: OutlineEdges,
+    wires: Mapping[int, list[WireChain]],
+    lines: Mapping[int, tuple[str, ...]],
+    largest: float,
+) -> dict[int, PieceText]:
+    """By piece; wires: inside it; largest: height of the letters at most."""
     texts = {}
     for index, own in lines.items():
         outlines = [flat.vertices[loop] for loop in outline_loops(outline, index)]

@@ -71,13 +71,14 @@ def ids_by_face(result: Any, arrays: MeshArrays, identities: list[PieceIdentity]
 def _assign_ids(piece_of_triangle: np.ndarray, triangle_ids: np.ndarray, shape: _Shape) -> list[int]:
     """The id that most of a piece's area carries; of two pieces with one id the larger keeps it."""
     carried = _carried_ids(piece_of_triangle, triangle_ids, shape)
-    taken = set(np.unique(triangle_ids).tolist())
+    taken, given = set(np.unique(triangle_ids).tolist()), set()
     ids = [0] * len(carried)
     for piece in np.argsort(-shape.areas, kind="stable").tolist():
         piece_id = int(carried[piece])
-        if piece_id == 0 or piece_id in ids:
+        if piece_id == 0 or piece_id in given:
             piece_id = _new_id(taken)
             taken.add(piece_id)
+        given.add(piece_id)
         ids[piece] = piece_id
     return ids
 
@@ -124,4 +125,5 @@ def _by_face(piece_of_triangle: np.ndarray, arrays: MeshArrays) -> np.ndarray:
 
 def _first_of_each(names: list[str]) -> list[str]:
     """The names with those emptied that stand before already: the user may have given one to two pieces."""
-    return [name if name not in names[:index] else "" for index, name in enumerate(names)]
+    first = {name: index for index, name in reversed(list(enumerate(names)))}
+    return [name if first[name] == index else "" for index, name in enumerate(names)]

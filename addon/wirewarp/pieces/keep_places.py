@@ -9,10 +9,11 @@ import numpy as np
 
 from ..flat_mesh import FlatMesh
 from ..foreach import read
+from ..pattern.flat_pieces import piece_of_vertices
 from .attribute import PIECE
 from .identity import PieceIdentity
 from .motion import STAY, Motion
-from .places import LaidOut, find_places, laid_out, piece_of_vertices
+from .places import LaidOut, find_places, laid_out
 
 # Of the report: with other ones the user wants another layout.
 LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "gap", "mirror")

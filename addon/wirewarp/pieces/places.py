@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from ..flat_mesh import FlatMesh
+from ..pattern.flat_pieces import piece_of_vertices
 from ..pattern.outlines import OutlineEdges, outline_edges
 from ..polygons import Segments, overlap
 from .motion import STAY, Motion, fit_motion
@@ -98,15 +99,6 @@ def find_places(pieces: LaidOut, earlier: LaidOut, gap: float) -> Places:
         room = gap * np.sqrt(sum(now.area(piece_id) for piece_id in now))
         kept |= _beside(kept, homeless, now, room)
     return Places(kept, crowded)
-
-
-def piece_of_vertices(
-    count: int, loop_vertices: np.ndarray, face_sizes: np.ndarray, face_piece: np.ndarray
-) -> np.ndarray:
-    """(count,) the piece of each vertex, by those of the faces; 0 for vertices without a face."""
-    piece_of_vertex = np.zeros(count, dtype=np.int64)
-    piece_of_vertex[loop_vertices] = np.repeat(face_piece, face_sizes)
-    return piece_of_vertex
 
 
 def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:

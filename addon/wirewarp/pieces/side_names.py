@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pieces named after the side of the model they lie on. No Blender in here."""
 
+from collections import Counter
 from collections.abc import Sequence
 
 import numpy as np
@@ -48,15 +49,16 @@ def _halves(side: str, apart: np.ndarray) -> tuple[str, str]:
 
 def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
     """The names wanted, each with a number where several want it or where it is taken already."""
-    used = set(taken)
+    used, asked, following = set(taken), Counter(wanted), {}
     names = []
     for name in wanted:
-        number = 2 if name in used else 1
-        if number == 1 and wanted.count(name) == 1 and f"{name} 1" not in used:
+        number = following.get(name, 2 if name in used else 1)
+        if number == 1 and asked[name] == 1 and f"{name} 1" not in used:
             names.append(name)
         else:
             while f"{name} {number}" in used:
                 number += 1
             names.append(f"{name} {number}")
+            following[name] = number + 1
         used.add(names[-1])
     return names
