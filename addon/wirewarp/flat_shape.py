@@ -48,7 +48,7 @@ def _lengths(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def _areas(mesh: bpy.types.Mesh) -> np.ndarray:
-    """By piece that has faces, in the order of their numbers."""
+    """By piece."""
     pieces = read(mesh.attributes["piece"].data, "value", np.int32)
     loops, sizes = read(mesh.loops, "vertex_index", np.int32), read(mesh.polygons, "loop_total", np.int32)
     return signed_areas(_places(mesh), loops, sizes, pieces)

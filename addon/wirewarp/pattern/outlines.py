@@ -31,8 +31,8 @@ def outline_edges(
 def signed_areas(
     vertices: np.ndarray, loop_vertices: np.ndarray, face_sizes: np.ndarray, face_piece: np.ndarray
 ) -> np.ndarray:
-    """(p,) of each piece that has faces, in the order of their numbers; below 0 if it runs clockwise."""
-    return _areas(vertices, _face_edges(loop_vertices, face_sizes), np.repeat(face_piece, face_sizes))[0]
+    """(p,) of the pieces 0, 1, ...; below 0 of one that runs clockwise."""
+    return _areas(vertices, _face_edges(loop_vertices, face_sizes), np.repeat(face_piece, face_sizes))
 
 
 def _face_edges(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> np.ndarray:
@@ -43,21 +43,21 @@ def _face_edges(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> np.ndarray
     return np.column_stack([loop_vertices, loop_vertices[following]]).astype(np.int64)
 
 
-def _areas(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(p,) the signed area of each piece by its edges, and (b,) the row in it of the piece of each edge."""
+def _areas(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.ndarray:
+    """(p,) the signed area of the pieces 0, 1, ... by their edges (b,2), of which piece (b,) says whose they are."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     # The shoelace formula; relative to one point of each piece, which may lie far from the origin.
-    _, first, row = np.unique(piece, return_index=True, return_inverse=True)
-    origin = a[first[row]]
-    cross = (a - origin)[:, 0] * (b - origin)[:, 1] - (a - origin)[:, 1] * (b - origin)[:, 0]
-    return np.bincount(row, cross) / 2, row
+    origins = np.zeros((piece.max(initial=-1) + 1, 2))
+    origins[piece] = a
+    (ax, ay), (bx, by) = (a - origins[piece]).T, (b - origins[piece]).T
+    return np.bincount(piece, ax * by - ay * bx) / 2
 
 
 def _inward(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.ndarray:
     """Left of each edge; right in pieces that run clockwise: those seen from inside."""
     along = vertices[edges[:, 1]] - vertices[edges[:, 0]]
-    areas, row = _areas(vertices, edges, piece)
-    side = np.sign(areas)[row]
+    _, row = np.unique(piece, return_inverse=True)
+    side = np.sign(_areas(vertices, edges, row))[row]
     left = np.column_stack([-along[:, 1], along[:, 0]])
     return left * (side / np.maximum(np.linalg.norm(along, axis=1), np.finfo(float).tiny))[:, None]
 
