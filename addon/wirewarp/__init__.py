@@ -6,8 +6,12 @@ Flattening: operators/flatten -> read_models: targets (may it be written?), mesh
             in a thread (window_run): flatten_job (the core library), report, flat_mesh -> write_results: write_uv,
             write_flat_object, report_store. All is computed before anything is written.
 Updating:   auto_update notes changes, operators/update flattens again what has flat pieces.
+            Names and places of pieces stay from run to run by ids on their faces (pieces/); write_texts labels them.
 Mending:    operators/take_proposal -> take_proposals writes what the report proposes (proposals) to the model.
-Showing:    ui/, from wire_summary and report_store; overlay/ draws over models and flat pieces in the 3D view.
+Showing:    ui/, from wire_summary and report_store; overlay/ draws over models and flat pieces in the 3D view, and
+            over their map in the UV editor.
+Exporting:  operators/export_svg -> read_pattern (are the pieces still true?) -> pattern/: outlines, wires, notches and
+            texts, in svg a file.
 """
 
 from . import core, properties, registration

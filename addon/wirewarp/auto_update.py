@@ -30,7 +30,9 @@ def is_due(scene: str) -> bool:
 
 
 def forget_change(scene: str) -> None:
+    global _undone
     _due.discard(scene)
+    _undone = False
 
 
 def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
@@ -38,14 +40,12 @@ def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
 
     After undo none does: what was taken back must not be made again behind the user's back.
     """
-    global _undone
+    undone = _undone
     forget_change(context.scene.name_full)
     changed = [source for source in _flattened(context) if _has_changed(source)]
     for source in changed:
         _tried[source.name_full] = model_state.present_state(source)
-    if _undone:
-        changed, _undone = [], False
-    return changed
+    return [] if undone else changed
 
 
 def put_back(names: list[str], scene: str) -> None:

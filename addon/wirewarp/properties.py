@@ -117,7 +117,8 @@ class FlattenSettings:
     keep_places: BoolProperty(
         name="Keep Places",
         description="Pieces stay where they lie in the flat object, moved or turned as you have left them; new pieces "
-        "go beside them. Another gap or layout moves them all. Off: all pieces are laid out anew",
+        "go beside them. Another Layout, Upright, grain wire, Gap or Mirrored moves them all. Off: all pieces are "
+        "laid out anew",
         default=True,
     )
     mirror: BoolProperty(
@@ -145,8 +146,7 @@ class FlattenSettings:
     maps_on_model: BoolProperty(
         name="Model Maps",
         description="Write stretch and change of length to the faces and edges of the model too, as attributes and "
-        "as colors "
-        'named "wirewarp_...". The flat pieces always have them. Not with Modifiers',
+        'as colors named "wirewarp_...". The flat pieces always have them. Not with Modifiers',
         default=False,
     )
 
@@ -201,7 +201,8 @@ class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
     )
     show_lines: BoolProperty(
         name="Lines",
-        description="Draw seams and wires, helper wires and what failed over models and flat pieces",
+        description="Draw outlines, seams, wires, helper wires and what failed over models and flat pieces, and over "
+        "the map in the UV editor",
         default=True,
         update=_redraw,
     )

@@ -5,6 +5,7 @@ import json
 from pathlib import Path
 
 from .cloth import aspect_ratio, strain_text, strained_pieces
+from .replace_file import replaced_file
 from .report import SCHEMA
 
 SHOWN_SENTENCES = 4
@@ -21,7 +22,9 @@ def run_report(version: str, units: dict, reports: list[dict]) -> dict:
 
 
 def write_json(path: Path, report: dict) -> None:
-    path.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+    """Raises OSError, and leaves the file as it was, if it cannot be written."""
+    with replaced_file(path) as unfinished:
+        unfinished.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
 def run_message(reports: list[dict]) -> tuple[str, str]:

@@ -130,6 +130,23 @@ def test_nothing_is_made_again_after_undo_until_something_changes(addon, source)
     assert taken(addon) == ["Bump"]
 
 
+def test_switching_off_and_on_after_undo_does_not_hide_the_next_change(addon, source):
+    scene = bpy.context.scene
+    scene.wirewarp.auto_update = True
+    addon.auto_update._on_undo()
+    scene.wirewarp.auto_update = False
+    addon.auto_update.forget_change(scene.name_full)  # as with the next movement of the mouse
+    scene.wirewarp.auto_update = True
+    move_a_vertex(source)
+    assert taken(addon) == ["Bump"]
+
+
+def test_there_is_no_second_run_beside_another(addon, source, monkeypatch):
+    assert bpy.ops.object.wirewarp_update.poll()
+    monkeypatch.setattr(addon.window_run, "is_running", lambda: True)
+    assert not bpy.ops.object.wirewarp_update.poll()
+
+
 def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
     update = addon.operators.OBJECT_OT_wirewarp_update
     for names, group in ((["Mark Seam", "Move"], "Move"), ([], "Update Flat Pieces")):

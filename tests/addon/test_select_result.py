@@ -66,6 +66,12 @@ def test_what_is_not_there_is_said(source):
     select_fails('"Other" has not been flattened yet', what="PIECE", index=0)
 
 
+def test_the_report_of_another_version_shows_the_model(source):
+    source["wirewarp_report"] = "{}"
+    bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
+    assert len(selected(source, "edges")) == 0
+
+
 def test_of_a_mesh_with_modifiers_the_flat_pieces_are_shown():
     target = grid("Other", bump)
     mark_seam(target, SEAM)

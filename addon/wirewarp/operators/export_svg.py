@@ -75,7 +75,7 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         except OSError as error:
-            self.report({"ERROR"}, f"The pattern cannot be written: {error}.")
+            self.report({"ERROR"}, f'"{path}" cannot be written: {error.strerror or error}.')
             return {"CANCELLED"}
         self.report({"INFO"}, f'"{path.name}": {" ".join(_size_sentences(pattern))} Print at 100 %.')
         return {"FINISHED"}

@@ -141,7 +141,7 @@ class FlattenSteps(FlattenSettings):
         try:
             write_json(self.report_file, run_report(core.library().__version__, units, reports))
         except OSError as error:
-            self.report({"ERROR"}, f"The report cannot be written: {error}.")
+            self.report({"ERROR"}, f'"{self.report_file}" cannot be written: {error.strerror or error}.')
 
 
 def _place(context: bpy.types.Context) -> tuple[str, str]:

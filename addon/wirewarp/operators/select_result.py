@@ -37,7 +37,7 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         if elements is None:
             raise object_error("not_in_report", f'The report of "{source.name}" has no such entry.')
         # The elements of a mesh with modifiers are to be had on the flat pieces only.
-        wants_flat = context.active_object != source or report["with_modifiers"]
+        wants_flat = context.active_object != source or report.get("with_modifiers")
         if wants_flat and self._lies_flat(report, elements):
             _leave_edit_mode(context)
             flat, sources = flat_sources(source, report)

@@ -19,6 +19,11 @@ class OBJECT_OT_wirewarp_update(FlattenSteps, bpy.types.Operator):
     # As it was begun, it ends with a movement of the mouse that no tool has taken: see auto_update.
     ends_on = "MOUSEMOVE"
 
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """Also for scripts: a second run in the window would leave the first without its end."""
+        return context.mode in WORKING_MODES and not window_run.is_running()
+
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         take_settings(self, context.scene.wirewarp)
         sources = auto_update.take_changed(context)
@@ -49,8 +54,7 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         """A change in another mode, or during a run, waits for its end."""
-        due = auto_update.is_due(context.scene.name_full)
-        return due and context.mode in WORKING_MODES and not window_run.is_running()
+        return auto_update.is_due(context.scene.name_full) and OBJECT_OT_wirewarp_update.poll(context)
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         if context.scene.wirewarp.auto_update and not core.problem():

@@ -13,9 +13,8 @@ from bpy.app.handlers import persistent
 from ..redraw import redraw_views
 
 T = TypeVar("T")
-# After a build there is none for this many times as long, so that dragging is not slowed down by more than a tenth;
-IDLE_SHARE = 9
-MAX_IDLE = 1.0  # second, though, so that what is seen is never old.
+IDLE_SHARE = 9  # after a build there is none for so many times as long: building takes a tenth of the time, or
+MAX_IDLE = 1.0  # more where it is slow, for after so many seconds what is seen would be old
 
 
 @dataclass(frozen=True)

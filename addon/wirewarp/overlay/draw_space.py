@@ -9,6 +9,7 @@ import gpu
 from mathutils import Matrix
 
 from .batches import draw_colored, draw_failed, draw_lines
+from .blending import blending
 from .shown import Drawing, drawings
 
 # How much nearer to the eye, of its distance, what lies on a surface is drawn, so that it is not half hidden in it.
@@ -21,7 +22,7 @@ def draw_space() -> None:
     shown = list(drawings(context))
     if not shown:
         return
-    with _state():
+    with _hidden_by_what_is_in_front(), blending():
         for drawing in shown:
             with _placed(context, drawing, SURFACE_NEARER):
                 _draw_surfaces(drawing)
@@ -33,16 +34,14 @@ def draw_space() -> None:
 
 
 @contextmanager
-def _state() -> Iterator[None]:
-    """Hidden by what is in front; leaves the state as it was."""
-    depth_test, blend = gpu.state.depth_test_get(), gpu.state.blend_get()
+def _hidden_by_what_is_in_front() -> Iterator[None]:
+    """Leaves the state as it was."""
+    before = gpu.state.depth_test_get()
     gpu.state.depth_test_set("LESS_EQUAL")
-    gpu.state.blend_set("ALPHA")
     try:
         yield
     finally:
-        gpu.state.depth_test_set(depth_test)
-        gpu.state.blend_set(blend)
+        gpu.state.depth_test_set(before)
 
 
 @contextmanager

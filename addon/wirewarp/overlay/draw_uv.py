@@ -4,9 +4,9 @@
 from collections.abc import Iterator
 
 import bpy
-import gpu
 
 from .batches import draw_failed, draw_lines
+from .blending import blending
 from .uv_drawing import UvDrawing, uv_drawings
 from .write_screen import PlacedName, write_legend, write_names
 
@@ -17,15 +17,14 @@ def draw_map() -> None:
     shown = list(uv_drawings(context))
     if not shown:
         return
-    unit, blend = context.preferences.system.ui_scale, gpu.state.blend_get()
-    gpu.state.blend_set("ALPHA")
-    for drawing in shown:
-        if drawing.failures is not None and len(drawing.failures.triangles):
-            draw_failed(drawing.target, "uv failed faces", drawing.failures.triangles)
-    for is_rim in (True, False):
+    unit = context.preferences.system.ui_scale
+    with blending():
         for drawing in shown:
-            draw_lines(drawing.target, "uv", drawing.lines, drawing.failures, unit, is_rim)
-    gpu.state.blend_set(blend)
+            if drawing.failures is not None and len(drawing.failures.triangles):
+                draw_failed(drawing.target, "uv failed faces", drawing.failures.triangles)
+        for is_rim in (True, False):
+            for drawing in shown:
+                draw_lines(drawing.target, "uv", drawing.lines, drawing.failures, unit, is_rim)
 
 
 def draw_map_names() -> None:

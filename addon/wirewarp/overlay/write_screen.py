@@ -11,6 +11,7 @@ import numpy as np
 from gpu_extras.batch import batch_for_shader
 
 from ..color_maps import ColorMap
+from .blending import blending
 from .legend import Box, Text, lay_out
 from .line_styles import STYLES
 from .spread_names import spread
@@ -90,9 +91,8 @@ def _fill(boxes: list[Box]) -> None:
     places = np.ascontiguousarray(corners.transpose(2, 0, 1).reshape(-1, 2))
     colors = np.array([(*box.color, 1.0)[:4] for box in boxes], np.float32).repeat(6, axis=0)
     shader = gpu.shader.from_builtin("SMOOTH_COLOR")
-    gpu.state.blend_set("ALPHA")
-    batch_for_shader(shader, "TRIS", {"pos": places, "color": colors}).draw(shader)
-    gpu.state.blend_set("NONE")
+    with blending():
+        batch_for_shader(shader, "TRIS", {"pos": places, "color": colors}).draw(shader)
 
 
 def _write(texts: list[Text], color: tuple[float, float, float]) -> None:

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..replace_file import replaced_file
 from .interior import LINE
 from .pattern import Pattern, PatternPiece, PieceText
 
@@ -31,12 +32,13 @@ text { fill: #505050; font-family: sans-serif; text-anchor: middle }
 
 
 def write_svg(path: Path, pattern: Pattern) -> None:
-    """Raises OSError if the file cannot be written."""
+    """Raises OSError, and leaves the file as it was, if it cannot be written."""
     ElementTree.register_namespace("", SVG)
     ElementTree.register_namespace("inkscape", INKSCAPE)
     tree = ElementTree.ElementTree(_document(pattern))
     ElementTree.indent(tree, " ")
-    tree.write(path, encoding="utf-8", xml_declaration=True)
+    with replaced_file(path) as unfinished:
+        tree.write(unfinished, encoding="utf-8", xml_declaration=True)
 
 
 def page_size(pattern: Pattern) -> np.ndarray:
