@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Over many runs: cancelled at every step, and none leaves memory behind."""
 
+import os
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -29,7 +31,7 @@ def test_cancelled_at_every_call_a_piece_is_cancelled_or_exact(method):
         piece = flatten(method, lambda *call, asked=asked, last=last: asked.append(call) or len(asked) <= last)
         if piece.error is None:  # the guarantee holds whenever there is no error
             assert piece.report.termination in ("cancelled", "converged", "stalled")
-            assert piece.metrics.arap_energy >= 0.999 * whole.metrics.arap_energy
+            assert not piece.report.objective < (1 - 1e-9) * whole.report.objective  # NaN but for the refined method
         else:
             assert piece.error.code == "cancelled"
             assert np.isnan(piece.vertices).all()
@@ -37,9 +39,10 @@ def test_cancelled_at_every_call_a_piece_is_cancelled_or_exact(method):
 
 def resident_megabytes():
     pages = int(Path("/proc/self/statm").read_text().split()[1])
-    return pages * 4096 / 2**20
+    return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 @pytest.mark.parametrize("method", METHODS)
 def test_a_thousand_runs_leave_no_memory_behind(method):
     """One result is about 0.2 MB: a leak of a hundredth of it would show."""

@@ -270,7 +270,7 @@ void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int m
   const WireNetwork network = build_held_network(chart);
   Options options;
   options.fairness = fairness;
-  const std::optional<RefinementStart> start = start_from_coarse(chart, network, options);
+  const std::optional<RefinementStart> start = start_from_coarse(chart, network, options, kNoLimits.go_on);
   ASSERT_TRUE(start);
   const RefinedShape shape = refine_shape(chart, network, options.fairness, *start, kNoLimits);
   const RefinedShape from_scratch = refine_from_scratch(chart, network, options, [] { return true; }).shape;
@@ -317,14 +317,37 @@ TEST(CoarseStart, LargeChartsTakeThreeFactorizationsAtMost) {
 TEST(CoarseStart, StopsWhenAsked) {
   const int n = 104;
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
-  const ChartRefinement at_once = refine_chart(charts.charts.at(0), Options{}, [] { return false; });
-  EXPECT_TRUE(at_once.was_stopped);
-  EXPECT_FALSE(at_once.shape.is_exact);
   int asked = 0;
-  const ChartRefinement later = refine_chart(charts.charts.at(0), Options{}, [&] { return ++asked < 2; });
-  EXPECT_TRUE(later.was_stopped);
-  EXPECT_TRUE(later.shape.is_exact);
-  EXPECT_LT(later.shape.length_error, 1e-10);
+  refine_chart(charts.charts.at(0), Options{}, [&] { return ++asked > 0; });
+  bool was_exact = false;
+  for (int last = 0; last < asked; ++last) {  // in the coarse chart, too
+    int count = 0;
+    const ChartRefinement stopped = refine_chart(charts.charts.at(0), Options{}, [&] { return ++count <= last; });
+    EXPECT_TRUE(stopped.was_stopped);
+    EXPECT_EQ(count, last + 1);
+    EXPECT_TRUE(!stopped.shape.is_exact || stopped.shape.length_error < 1e-10);
+    was_exact = was_exact || stopped.shape.is_exact;
+  }
+  EXPECT_TRUE(was_exact);
+}
+
+/// The wires contradict one another, and one of them ends inside: the coarse chart goes through all its starts,
+/// topology processing included.
+TEST(CoarseStart, ContradictingWiresThatEndInsideAreLeftToTheFineChart) {
+  const int n = 104;
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    return Eigen::Vector3d(s, t, 0.8 * std::sin(3.14159 * s) * std::sin(3.14159 * t));
+  });
+  for (int i = 8; i < n; i += 8) {
+    test::add_wire(input, test::grid_row(n, i));
+    test::add_wire(input, test::grid_column(n, n, i));
+  }
+  const std::vector<int> row = test::grid_row(n, 4);
+  test::add_wire(input, {row.begin() + 20, row.begin() + 29});
+  Options options;
+  options.max_factorizations = 5;
+  const FlattenResult result = flatten(input, options);
+  EXPECT_TRUE(result.pieces[0].error);
 }
 
 /// Every edge rigid on a curved surface: then the coarse chart is the fine one, and has no flat shape.
@@ -338,7 +361,8 @@ TEST(CoarseStart, IsNoneWhereTheCoarseChartHasNoExactLengths) {
   const Charts charts = test::charts_of(input);
   Options options;
   options.fairness = 1;
-  EXPECT_FALSE(start_from_coarse(charts.charts.at(0), build_held_network(charts.charts.at(0)), options));
+  EXPECT_FALSE(
+      start_from_coarse(charts.charts.at(0), build_held_network(charts.charts.at(0)), options, kNoLimits.go_on));
 }
 
 /// Wires may wiggle in waves no longer than a few edges: a coarser chart would not show them.
@@ -346,7 +370,8 @@ TEST(CoarseStart, IsNoneWhereWiresAreLeftToWiggle) {
   const Charts charts = test::charts_of(with_cross(jittered_grid(24, 0.2, dome), 24));
   Options options;
   options.fairness = 0.01;
-  EXPECT_FALSE(start_from_coarse(charts.charts.at(0), build_held_network(charts.charts.at(0)), options));
+  EXPECT_FALSE(
+      start_from_coarse(charts.charts.at(0), build_held_network(charts.charts.at(0)), options, kNoLimits.go_on));
 }
 
 /// A start that claims to be near the minimum and is a point.

@@ -2,6 +2,7 @@
 #include "coarsen/coarse_chart.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "index.h"
@@ -55,6 +56,8 @@ HalfEdgeChain Coarsening::coarse_chain(const HalfEdgeChain& chain, bool is_close
 void Coarsening::build_chart() {
   coarse_.chart.mesh = std::move(decimated_.mesh);
   for (const int v : decimated_.fine_vertex) coarse_.chart.source_vertex.push_back(fine_.source_vertex[at(v)]);
+  coarse_.chart.source_face.resize(coarse_.chart.mesh.n_faces());  // its own: the coarse chart is nobody's part
+  std::iota(coarse_.chart.source_face.begin(), coarse_.chart.source_face.end(), 0);
   for (const WirePart& part : fine_.wire_parts) {
     if (part.kind != WireKind::rigid && part.kind != WireKind::elastic) continue;
     coarse_.chart.wire_parts.push_back(part);

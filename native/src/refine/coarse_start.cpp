@@ -24,17 +24,17 @@ double typical_edge_length(const HalfEdgeMesh& mesh) {
 
 }  // namespace
 
-std::optional<RefinementStart> start_from_coarse(const Chart& chart, const WireNetwork& network,
-                                                 const Options& options) {
+std::optional<RefinementStart> start_from_coarse(const Chart& chart, const WireNetwork& network, const Options& options,
+                                                 const std::function<bool()>& go_on) {
   const double fine = typical_edge_length(chart.mesh);
   const double wanted =
       std::min(kCoarsening * fine, kPerWiggle * options.fairness * std::sqrt(surface_area(chart.mesh)));
-  if (wanted < kLeastCoarsening * fine) return std::nullopt;
+  if (wanted < kLeastCoarsening * fine || !go_on()) return std::nullopt;
   const CoarseChart coarse = coarsen(chart, network, wanted);
   Options brief = options;
   brief.max_factorizations = std::min(options.max_factorizations, kMaxFactorizations);
   try {
-    const RefinedShape shape = refine_from_scratch(coarse.chart, coarse.network, brief, [] { return true; }).shape;
+    const RefinedShape shape = refine_from_scratch(coarse.chart, coarse.network, brief, go_on).shape;
     if (!shape.is_exact) return std::nullopt;
     return RefinementStart{prolong_positions(chart, network, coarse, shape.uv),
                            prolong_multipliers(coarse, shape.multipliers)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "refine/refine_chart.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "outer/choose_variation.h"
@@ -62,20 +63,23 @@ ChartRefinement refine_chart(const Chart& chart, const Options& options, const s
   if (chart.mesh.n_faces() < kLargeChart) return refine_from_scratch(chart, held_network, options, go_on);
 
   ChartRefinement result;
-  int used = 0;
-  if (const auto start = start_from_coarse(chart, held_network, options)) {
-    const RefinementLimits limits{options.max_factorizations, [&] {
-                                    result.was_stopped = result.was_stopped || !go_on();
-                                    return !result.was_stopped;
-                                  }};
-    result.inner.is_feasible = true;
+  const RefinementLimits limits{options.max_factorizations, [&] {
+                                  result.was_stopped = result.was_stopped || !go_on();
+                                  return !result.was_stopped;
+                                }};
+  result.inner.is_feasible = true;
+  const auto start = start_from_coarse(chart, held_network, options, limits.go_on);
+  if (start && !result.was_stopped) {
     result.shape = refine_shape(chart, held_network, options.fairness, *start, limits);
-    used = result.shape.factorizations;
-    if (result.shape.is_exact || result.was_stopped) return result;
   }
-  result = refine_from_scratch(chart, held_network, options, go_on);
-  result.shape.factorizations += used;
-  return result;
+  if (result.shape.is_exact || result.was_stopped) return result;
+
+  const int used = result.shape.factorizations;
+  Options rest = options;
+  rest.max_factorizations = std::max(1, options.max_factorizations - used);
+  ChartRefinement from_scratch = refine_from_scratch(chart, held_network, rest, go_on);
+  from_scratch.shape.factorizations += used;
+  return from_scratch;
 }
 
 }  // namespace wirewarp
