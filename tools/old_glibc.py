@@ -9,7 +9,6 @@ OpenMesh, from the C++ source in the source package of `openmesh`, its Python bi
 import re
 import shutil
 import subprocess
-import tarfile
 import zipfile
 from pathlib import Path
 
@@ -44,8 +43,7 @@ def openmesh_source() -> Path:
         options = ("--quiet", "--no-deps", "--no-binary", ":all:", "-d", folder)
         run_quietly(f"pip download {OPENMESH}", [python, "-m", "pip", "download", *options, OPENMESH])
         (archive,) = folder.glob("*.tar.gz")
-        with tarfile.open(archive) as packed:
-            packed.extractall(folder, filter="data")
+        shutil.unpack_archive(archive, folder)
         set_current("openmesh", OPENMESH)
     return source
 
