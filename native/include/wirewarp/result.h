@@ -88,7 +88,8 @@ struct PieceReport {
   int inner_solves = 0;  // factorizations of the inner problem (Eq. 1)
   int outer_iterations = 0;
   int gradient_evaluations = 0;
-  int factorizations = 0;          // of the interior placement and free flattening; refined: of Newton systems
+  int factorizations = 0;          // of the interior placement and free flattening; refined: of Newton systems, those
+                                   // on the coarser mesh of a large piece not counted
   double constraint_residual = 0;  // largest gap of a wire loop at the end / its length; refined: max_edge_error
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // of Eq. (1) at the end, mean node weight 1
   double objective = std::numeric_limits<double>::quiet_NaN();  // refined: arap_energy + angle term, + a barrier where
