@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The two pictures of the page: time against size, and distortion against what becomes of the lengths."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 import flatteners
@@ -37,33 +38,34 @@ def style(name: str) -> dict:
 
 
 def plot_times(comparisons: Sequence[Comparison], path: Path) -> None:
-    figure, axes = plt.subplots(figsize=(8.4, 4.8), layout="constrained")
-    for name in MARKERS:
-        sizes, seconds, exponent = growth(comparisons, name)
-        if sizes:
-            label = name if exponent is None else f"{name}: {exponent:.2f}"
-            axes.plot(sizes, seconds, linewidth=1.2, label=label, **style(name))
-    axes.set(xscale="log", yscale="log", xlabel="triangles", ylabel="seconds on one core")
-    axes.grid(color=FAINT_INK, alpha=0.2, linewidth=0.6)
-    add_legend(axes, "Method: exponent of growth")
-    save(figure, path)
+    with picture(path, 4.8, "Method: exponent of growth") as axes:
+        for name in MARKERS:
+            sizes, seconds, exponent = growth(comparisons, name)
+            if sizes:
+                label = name if exponent is None else f"{name}: {exponent:.2f}"
+                axes.plot(sizes, seconds, linewidth=1.2, label=label, **style(name))
+        axes.set(xscale="log", yscale="log", xlabel="triangles", ylabel="seconds on one core")
 
 
 def plot_lengths(comparison: Comparison, path: Path) -> None:
     """One point for each method."""
-    figure, axes = plt.subplots(figsize=(8.4, 4.2), layout="constrained")
-    for name in MARKERS:
-        if outcome := comparison.outcomes.get(name):
-            axes.plot(max(outcome.edge_error, LEAST_ERROR), outcome.energy, linestyle="", label=name, **style(name))
-    axes.set(xscale="log", xlabel="worst length error of an edge of outline or wires, relative", xlim=(1e-16, 1))
-    axes.set_ylabel("distortion: ARAP energy over area")
-    axes.set_ylim(bottom=0)
-    axes.axvline(1e-9, color=INK, linewidth=0.8, linestyle=":")
-    axes.text(1.5e-9, 0.97, "promised: 1e-9", transform=axes.get_xaxis_transform(), va="top", color=FAINT_INK)
+    with picture(path, 4.2, "Method") as axes:
+        for name in MARKERS:
+            if outcome := comparison.outcomes.get(name):
+                error = max(outcome.edge_error, LEAST_ERROR)
+                axes.plot(error, outcome.energy, linestyle="", label=name, **style(name))
+        axes.set(xscale="log", xlabel="worst length error of an edge of outline or wires, relative", xlim=(1e-16, 1))
+        axes.set_ylabel("distortion: ARAP energy over area")
+        axes.set_ylim(bottom=0)
+        axes.axvline(1e-9, color=INK, linewidth=0.8, linestyle=":")
+        axes.text(1.5e-9, 0.97, "promised: 1e-9", transform=axes.get_xaxis_transform(), va="top", color=FAINT_INK)
+
+
+@contextmanager
+def picture(path: Path, height: float, legend: str) -> Iterator[Axes]:
+    """Axes to draw in, with a grid, and beside them the legend under this title; height in inches."""
+    figure, axes = plt.subplots(figsize=(8.4, height), layout="constrained")
+    yield axes
     axes.grid(color=FAINT_INK, alpha=0.2, linewidth=0.6)
-    add_legend(axes, "Method")
+    axes.legend(title=legend, loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, alignment="left")
     save(figure, path)
-
-
-def add_legend(axes: Axes, title: str) -> None:
-    axes.legend(title=title, loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, alignment="left")

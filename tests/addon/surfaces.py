@@ -106,6 +106,11 @@ def flat_of(source: bpy.types.Object) -> bpy.types.Object:
     return bpy.data.objects[f"{source.name} Flat"]
 
 
+def flat_sources(source: bpy.types.Object) -> np.ndarray:
+    """The vertex of the model of each flat vertex."""
+    return read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32)
+
+
 def edge_lengths(target: bpy.types.Object) -> np.ndarray:
     """Of every edge, in world space, from the float32 coordinates in double precision."""
     mesh = target.data

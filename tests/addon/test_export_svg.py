@@ -3,47 +3,18 @@
 
 import math
 import re
-import xml.etree.ElementTree as ElementTree
 
 import bmesh
 import bpy
 import numpy as np
 import pytest
+from drawing import LABEL, SVG, Drawing, points_of, steps
 from mathutils import Matrix
 from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, select_only
 
-SVG, LABEL = "{http://www.w3.org/2000/svg}", "{http://www.inkscape.org/namespaces/inkscape}label"
 GROUPMODE = "{http://www.inkscape.org/namespaces/inkscape}groupmode"
 SEAM, WIRE = on_line(0, 0.0), on_line(1, 0.0)
 ROUNDED = 5e-4  # millimeters: the file has four decimals, Blender's coordinates of 1000 mm about as many
-
-
-class Drawing:
-    def __init__(self, path):
-        self.root = ElementTree.parse(path).getroot()
-        self.pieces = {group.find(f"{SVG}title").text: group for group in self.root.findall(f"{SVG}g") if titled(group)}
-
-    def layer(self, piece, label):
-        return next(group for group in self.pieces[piece].findall(f"{SVG}g") if group.get(LABEL) == label)
-
-    def lines(self, piece, label):
-        return [points_of(path) for path in self.layer(piece, label).findall(f"{SVG}path")]
-
-    def outlines(self):
-        return [line for piece in self.pieces for line in self.lines(piece, "Cut")]
-
-
-def titled(group):
-    return group.find(f"{SVG}title") is not None
-
-
-def points_of(path):
-    numbers = np.array([float(number) for number in re.findall(r"-?[\d.]+", path.get("d"))]).reshape(-1, 2)
-    return np.concatenate([numbers, numbers[:1]]) if path.get("d").endswith("Z") else numbers
-
-
-def steps(points):
-    return np.linalg.norm(np.diff(points, axis=0), axis=1)
 
 
 def export(source, tmp_path, flatten=None, **settings):
@@ -108,12 +79,19 @@ def test_kinds_of_wires_are_told_by_layer_color_and_dashes(source, tmp_path):
     assert all(layer.get(GROUPMODE) == "layer" for layer in layers)
     labels = ["Cut", "Rigid Wires", "Elastic Wires", "Free Wires", "Notches", "Text"]
     assert [layer.get(LABEL) for layer in layers] == labels
-    kinds = [layer.find(f"{SVG}path").get("class") for layer in layers[:5]]
-    assert kinds == ["cut", "rigid", "elastic", "free", "notch"]
-    style = drawing.root.find(f"{SVG}style").text
-    rules = [re.search(rf"\.{kind} {{(.*)}}", style)[1] for kind in kinds]
-    assert len({re.search("stroke: (#[0-9a-f]{6})", rule)[1] for rule in rules}) == 5
-    assert ["stroke-dasharray" in rule for rule in rules] == [False, False, True, True, False]
+    lines = [layer.find(f"{SVG}path") for layer in layers[:5]]
+    assert len({line.get("stroke") for line in lines}) == 5
+    assert ["stroke-dasharray" in line.attrib for line in lines] == [False, False, True, True, False]
+
+
+def test_every_line_says_itself_how_it_looks(source, tmp_path):
+    """Programs of cutters read no style sheet, and fill with black what does not say otherwise."""
+    root = export(source, tmp_path, flatten={}).root
+    lines = list(root.iter(f"{SVG}path"))
+    assert lines
+    assert all(line.get("fill") == "none" and re.fullmatch("#[0-9a-f]{6}", line.get("stroke")) for line in lines)
+    assert all(float(line.get("stroke-width")) > 0 for line in lines)
+    assert root.find(f"{SVG}style") is None
 
 
 def seam_in(source, drawing, piece):

@@ -11,6 +11,7 @@ from surfaces import (
     edge_lengths,
     edge_vertices,
     flat_of,
+    flat_sources,
     grid,
     half_cylinder,
     mark,
@@ -25,11 +26,6 @@ from surfaces import (
 )
 
 FLOAT32 = 2e-6  # relative: coordinates of about 1 and edges of about 0.2 in single precision
-
-
-def flat_sources(source):
-    """The source vertex of each flat vertex."""
-    return read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32)
 
 
 def lengths_by_source(source):

@@ -8,6 +8,7 @@ from surfaces import (
     bump,
     edge_vertices,
     flat_of,
+    flat_sources,
     grid,
     half_cylinder,
     mark,
@@ -28,10 +29,14 @@ def flatten(source, **settings):
     bpy.ops.object.wirewarp_flatten(**settings)
 
 
+def difference(source, a, b):
+    """On the flat piece, from one vertex of the model to another."""
+    sources = flat_sources(source).tolist()
+    return places_of(source)[sources.index(b)] - places_of(source)[sources.index(a)]
+
+
 def direction_of(source, a, b):
-    """Unit vector on the flat piece from one vertex of the model to another."""
-    sources = read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32).tolist()
-    along = places_of(source)[sources.index(b)] - places_of(source)[sources.index(a)]
+    along = difference(source, a, b)
     return along / np.linalg.norm(along)
 
 
@@ -126,12 +131,6 @@ def test_world_up_and_the_longest_straight_edge():
     flatten(source, orientation="BOUNDARY")
     longest = max(((0, 8), (0, 72)), key=lambda ends: np.linalg.norm(difference(source, *ends)))
     assert abs(direction_of(source, *longest)[1]) == pytest.approx(1, abs=1e-4)
-
-
-def difference(source, a, b):
-    """On the flat piece."""
-    sources = read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32).tolist()
-    return places_of(source)[sources.index(b)] - places_of(source)[sources.index(a)]
 
 
 def test_a_wire_that_is_not_there_cannot_be_chosen():

@@ -267,37 +267,22 @@ def test_a_stored_report_that_cannot_be_read_is_a_sentence(source, addon, stored
 
 
 @pytest.mark.parametrize(
-    ("system", "unit", "scale", "expected"),
+    ("system", "unit", "scale", "length", "area"),
     [
-        ("METRIC", "MILLIMETERS", 1.0, "571.23 mm"),
-        ("METRIC", "CENTIMETERS", 0.1, "5.712 cm"),
-        ("IMPERIAL", "INCHES", 1.0, "22.489 in"),
-        ("NONE", None, 1.0, "0.5712"),
+        ("METRIC", "MILLIMETERS", 1.0, "571.23 mm", "5712.3 cm²"),
+        ("METRIC", "CENTIMETERS", 0.1, "5.712 cm", "57.1 cm²"),
+        ("METRIC", "METERS", 1.0, "0.5712 m", "0.5712 m²"),
+        ("IMPERIAL", "INCHES", 1.0, "22.489 in", "885.41 in²"),
+        ("NONE", None, 1.0, "0.5712", "0.5712"),
     ],
 )
-def test_lengths_are_shown_in_the_scenes_units(addon, system, unit, scale, expected):
+def test_lengths_and_areas_are_shown_in_the_scenes_units(addon, system, unit, scale, length, area):
     settings = bpy.context.scene.unit_settings
     settings.system, settings.scale_length = system, scale
     if unit:
         settings.length_unit = unit
-    assert addon.unit_text.length_text(bpy.context.scene)(0.57123) == expected
-
-
-@pytest.mark.parametrize(
-    ("system", "unit", "scale", "expected"),
-    [
-        ("METRIC", "MILLIMETERS", 0.001, "1234.6 cm²"),
-        ("METRIC", "METERS", 1.0, "123456.0000 m²"),
-        ("IMPERIAL", "INCHES", 0.0254, "123456.00 in²"),
-        ("NONE", None, 1.0, "123456.0000"),
-    ],
-)
-def test_areas_are_shown_in_the_scenes_units(addon, system, unit, scale, expected):
-    settings = bpy.context.scene.unit_settings
-    settings.system, settings.scale_length = system, scale
-    if unit:
-        settings.length_unit = unit
-    assert addon.unit_text.length_text(bpy.context.scene).area(123456) == expected
+    text = addon.unit_text.length_text(bpy.context.scene)
+    assert (text(0.57123), text.area(0.57123)) == (length, area)
 
 
 def test_without_a_report_file_nothing_is_written_to_disk(source, tmp_path):

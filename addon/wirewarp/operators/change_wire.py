@@ -2,36 +2,25 @@
 import math
 
 import bpy
-from bpy.props import IntProperty, StringProperty
+from bpy.props import StringProperty
 
 from ..change_wire import change_wire, wire_at
 from ..edit_marks import OUTLINES_ARE_RIGID
 from ..issues import ObjectError
-from ..targets import in_object_mode
 from ..wire_chains import shortest_double
 from ..wire_summary import listed_wires
 from .wire_kind import NEEDS_TOLERANCE, WireKind
+from .wire_operator import WireOperator
 
 
-class MESH_OT_wirewarp_change_wire(WireKind, bpy.types.Operator):
+class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
     """Change the name, the kind or the tolerance of this wire"""
 
     bl_idname = "mesh.wirewarp_change_wire"
     bl_label = "Change Wire"
-    bl_options = {"REGISTER", "UNDO"}
+    on_model = "change the wire"
 
-    edge: IntProperty(name="Edge", description="Any edge of the wire, by its index", min=0, options={"HIDDEN"})
     name: StringProperty(name="Name", description="What the wire is called; left empty, it keeps its name")
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        if active is None or active.type != "MESH" or context.mode not in {"OBJECT", "EDIT_MESH"}:
-            return False
-        if active.wirewarp_source:
-            cls.poll_message_set("These are flat pieces: change the wire on the model")
-            return False
-        return True
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         try:
@@ -56,16 +45,13 @@ class MESH_OT_wirewarp_change_wire(WireKind, bpy.types.Operator):
         if self.is_tolerance_missing():
             self.report({"ERROR"}, NEEDS_TOLERANCE)
             return {"CANCELLED"}
-        try:
-            with in_object_mode(context):
-                left_out = change_wire(context.active_object, self.edge, self.name, self.chosen_tolerance())
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        return super().execute(context)
+
+    def act(self, target: bpy.types.Object) -> None:
+        left_out = change_wire(target, self.edge, self.name, self.chosen_tolerance())
         if left_out:
             lie = "1 edge that lies" if left_out == 1 else f"{left_out} edges that lie"
             self.report({"WARNING"}, f"Changed, but not {lie} on a seam or outline. {OUTLINES_ARE_RIGID}.")
-        return {"FINISHED"}
 
     def draw(self, _context: bpy.types.Context) -> None:
         self.layout.use_property_split = True

@@ -20,15 +20,16 @@ MARGIN = 10.0  # around everything
 SQUARE = 100.0  # side of the square to measure after printing
 NOTCH = 5.0  # length of a notch
 DECIMALS = 4  # of a millimeter
-STYLE = """
-path { fill: none; stroke-width: 0.3; stroke-linejoin: round }
-.cut { stroke: #000000 }
-.rigid { stroke: #0048e8 }
-.elastic { stroke: #c76b00; stroke-dasharray: 6 2 }
-.free { stroke: #008a78; stroke-dasharray: 0.3 2; stroke-linecap: round; stroke-width: 0.5 }
-.notch { stroke: #d8001f }
-text { fill: #505050; font-family: sans-serif; text-anchor: middle }
-"""
+# As attributes of every line: many cutters' programs read neither style sheets nor what a group hands down.
+LINE_LOOK = {"fill": "none", "stroke-width": "0.3", "stroke-linejoin": "round"}
+LOOKS = {
+    "cut": {"stroke": "#000000"},
+    "rigid": {"stroke": "#0048e8"},
+    "elastic": {"stroke": "#c76b00", "stroke-dasharray": "6 2"},
+    "free": {"stroke": "#008a78", "stroke-dasharray": "0.3 2", "stroke-linecap": "round", "stroke-width": "0.5"},
+    "notch": {"stroke": "#d8001f"},
+}
+TEXT_LOOK = {"fill": "#505050", "font-family": "sans-serif", "text-anchor": "middle"}
 
 
 def write_svg(path: Path, pattern: Pattern) -> None:
@@ -68,7 +69,6 @@ def _document(pattern: Pattern) -> ElementTree.Element:
         f"{{{SVG}}}svg", width=f"{width}mm", height=f"{height}mm", viewBox=f"0 0 {width} {height}", version="1.1"
     )
     _add(root, "title").text = pattern.title
-    _add(root, "style").text = STYLE
     drawing = _Drawing(root, float(size[1]))
     for piece in pattern.pieces:
         drawing.add_piece(piece, offset)
@@ -111,12 +111,12 @@ class _Drawing:
     def _add_path(self, layer: ElementTree.Element, kind: str, points: np.ndarray, closed: bool) -> ElementTree.Element:
         down = points * (1, -1) + (0, self._height)
         corners = " ".join(f"{x:.{DECIMALS}f},{y:.{DECIMALS}f}" for x, y in down)
-        return _add(layer, "path", **{"class": kind, "d": f"M {corners}{' Z' if closed else ''}"})
+        return _add(layer, "path", **LINE_LOOK | LOOKS[kind], d=f"M {corners}{' Z' if closed else ''}")
 
     def _add_text(self, layer: ElementTree.Element, text: PieceText, center: np.ndarray) -> None:
         x, y = center * (1, -1) + (0, self._height)
         placed = f"translate({x:.{DECIMALS}f} {y:.{DECIMALS}f}) rotate({-text.angle:g})"
-        element = _add(layer, "text", **{"font-size": f"{text.height:.2f}", "transform": placed})
+        element = _add(layer, "text", **TEXT_LOOK | {"font-size": f"{text.height:.2f}", "transform": placed})
         for number, line in enumerate(text.lines):
             base = LINE * (number - (len(text.lines) - 1) / 2) + 0.36  # capitals are 0.72 of the size high
             _add(element, "tspan", x="0", y=f"{base * text.height:.2f}").text = line

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the buttons beside one wire have in common."""
+
+import bpy
+from bpy.props import IntProperty
+
+from ..issues import ObjectError
+from ..targets import in_object_mode
+
+
+class WireOperator:
+    """Acts on one wire of the active model, in Object Mode. Subclasses say how, and what is to be done on the model."""
+
+    bl_options = {"REGISTER", "UNDO"}
+    on_model = ""
+
+    edge: IntProperty(name="Edge", description="Any edge of the wire, by its index", min=0, options={"HIDDEN"})
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if active is None or active.type != "MESH" or context.mode not in {"OBJECT", "EDIT_MESH"}:
+            return False
+        if active.wirewarp_source:
+            cls.poll_message_set(f"These are flat pieces: {cls.on_model} on the model")
+            return False
+        return True
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        try:
+            with in_object_mode(context):
+                self.act(context.active_object)
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return {"FINISHED"}

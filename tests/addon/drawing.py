@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An exported pattern, read back from its file."""
+
+import re
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+
+SVG, LABEL = "{http://www.w3.org/2000/svg}", "{http://www.inkscape.org/namespaces/inkscape}label"
+
+
+class Drawing:
+    def __init__(self, path):
+        self.root = ElementTree.parse(path).getroot()
+        self.pieces = {group.find(f"{SVG}title").text: group for group in self.root.findall(f"{SVG}g") if titled(group)}
+
+    def layer(self, piece, label):
+        return next(group for group in self.pieces[piece].findall(f"{SVG}g") if group.get(LABEL) == label)
+
+    def lines(self, piece, label):
+        return [points_of(path) for path in self.layer(piece, label).findall(f"{SVG}path")]
+
+    def outlines(self):
+        return [line for piece in self.pieces for line in self.lines(piece, "Cut")]
+
+
+def titled(group):
+    return group.find(f"{SVG}title") is not None
+
+
+def points_of(path):
+    numbers = np.array([float(number) for number in re.findall(r"-?[\d.]+", path.get("d"))]).reshape(-1, 2)
+    return np.concatenate([numbers, numbers[:1]]) if path.get("d").endswith("Z") else numbers
+
+
+def steps(points):
+    return np.linalg.norm(np.diff(points, axis=0), axis=1)
