@@ -6,10 +6,26 @@ import re
 from .length_units import LengthText
 
 NUMBER = r"(\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
+# "vertex 3", "faces 1, 2 and 12 more", "edge 3-7"; all numbers but the last, the last, whether it counts others.
+LISTED = r"\b([Vv]ert(?:ex|ices)|[Ee]dges?|[Ff]aces?) ((?:\d+(?:-\d+)?(?:, | and ))*)(\d+(?:-\d+)?)( more)?\b"
+PLURALS = {"vertex": "vertices", "edge": "edges", "face": "faces"}
 
 
 def plain_sentence(sentence: str, units: LengthText) -> str:
-    """Of an error of a piece: its place is its name, which stands before the sentence, and a button shows it."""
+    """Of an issue: a piece's name stands before its sentence, and a button shows the elements, which are counted."""
     sentence = re.sub(r"\b([Tt]he piece) around face \d+(?: \(\d+ (?:face|triangle)s?\))?", r"\1", sentence)
     sentence = re.sub(rf" \(a distortion of at least {NUMBER}\)", "", sentence)
-    return re.sub(rf"\b{NUMBER} long\b", lambda match: f"{units.rough(float(match[1]))} long", sentence)
+    sentence = re.sub(rf"such as (?:along )?{LISTED}", "such as the proposed one", sentence)
+    sentence = re.sub(r"\blong at vertex \d+", "long", sentence)
+    sentence = re.sub(rf"\b{NUMBER} (?:units )?long\b", lambda match: f"{units.rough(float(match[1]))} long", sentence)
+    return re.sub(rf'"[^"]*"|{LISTED}', _counted, sentence)
+
+
+def _counted(match: re.Match) -> str:
+    noun, others, last, more = match.groups()
+    if noun is None:
+        return match[0]  # the name of a wire, in quotes
+    singular = "vertex" if noun.lower() == "vertices" else noun.lower().removesuffix("s")
+    count = len(re.findall(r", | and ", others)) + (int(last) if more else 1)
+    text = f"{count} {PLURALS[singular]}" if count > 1 else f"one {singular}"
+    return text[0].upper() + text[1:] if noun[0].isupper() else text

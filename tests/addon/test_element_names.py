@@ -57,15 +57,32 @@ def test_counts(addon, sentence, counts, expected):
             "The piece around face 0 (24 faces) is a tube: mark a seam, such as along edge 46-47; its outlines, 0.3134 "
             "long at vertex 3 and 1.2e-05 long at vertex 0, can hold no more than 6.23 % of its area in the plane (a "
             "distortion of at least 0.875).",
-            "The piece is a tube: mark a seam, such as along edge 46-47; its outlines, 313 mm long at vertex 3 and "
-            "0.012 mm long at vertex 0, can hold no more than 6.23 % of its area in the plane.",
+            "The piece is a tube: mark a seam, such as the proposed one; its outlines, 313 mm long and 0.012 mm long, "
+            "can hold no more than 6.23 % of its area in the plane.",
         ),
         ("Wire 4 of the piece around face 7 is as long as its outline.", None),
         ("The outline of the piece around face 7 cannot keep", "The outline of the piece cannot keep"),
-        ("Its outline, 12000 long at vertex 1,", "Its outline, 12000000 mm long at vertex 1,"),
+        ("Its outline, 12000 units long at vertex 1,", "Its outline, 12000000 mm long,"),
     ],
 )
 def test_sentences_have_units(addon, sentence, expected):
     units = addon.length_units.LengthText("mm", 1000.0)
     expected = expected or "Wire 4 of the piece is as long as its outline."
+    assert addon.plain_sentence.plain_sentence(sentence, units) == expected
+
+
+@pytest.mark.parametrize(
+    ("sentence", "expected"),
+    [
+        ("There is no area in face 0: dissolve it.", "There is no area in one face: dissolve it."),
+        ("Turned over at faces 10, 11 and 12, and more.", "Turned over at 3 faces, and more."),
+        ("Vertices 1, 2, 3, 4, 5 and 12 more are far away.", "17 vertices are far away."),
+        ("The length of edges 3-7 and 7-9 (the first is short)", "The length of 2 edges (the first is short)"),
+        ("mark a seam such as edges 1-2, 2-3 and 9 more.", "mark a seam such as the proposed one."),
+        ('The wire "Edge 4" ends at vertex 7.', 'The wire "Edge 4" ends at one vertex.'),
+        ("It overlaps itself at 2 faces (of 64 faces).", "It overlaps itself at 2 faces (of 64 faces)."),
+    ],
+)
+def test_sentences_count_what_a_button_selects(addon, sentence, expected):
+    units = addon.length_units.LengthText("mm", 1000.0)
     assert addon.plain_sentence.plain_sentence(sentence, units) == expected
