@@ -44,7 +44,8 @@ def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
     forget_change(context.scene.name_full)
     changed = [source for source in _flattened(context) if _has_changed(source)]
     for source in changed:
-        _tried[source.name_full] = model_state.present_state(source)
+        with_modifiers = last_report(source).get("with_modifiers", False)
+        _tried[source.name_full] = model_state.present_state(source, with_modifiers)
     return [] if undone else changed
 
 

@@ -13,27 +13,34 @@ from .mesh_cache import kept
 from .mesh_to_arrays import MeshArrays, metric
 from .wire_attributes import TOLERANCE, WIRE, read_marks
 
+MODIFIED = "modified"  # of reports with modifiers
+UNKNOWN = "?"  # unlike any digest
 EDIT_LIMIT = 20_000  # vertices; larger meshes are not compared while in Edit Mode, where reading them is slow
 
 
 def model_state(source: bpy.types.Object, base: MeshArrays | None) -> dict:
-    """For the report. Of a model in Object Mode; base: its base mesh, if that has just been read."""
+    """For the report. Of a model in Object Mode; base: its base mesh as read, None if modifiers were applied to it."""
     shape, marks = _gather(source.data, base)
-    return {"shape": _digest(shape), "marks": _digest(marks), "metric": metric(source).tolist()}
+    state = {"shape": _digest(shape), "marks": _digest(marks), "metric": metric(source).tolist()}
+    return state if base else state | {MODIFIED: _modified(source)}
 
 
-def present_state(source: bpy.types.Object) -> dict | None:
+def present_state(source: bpy.types.Object, with_modifiers: bool) -> dict | None:
     """As model_state, in Edit Mode too; None where that would be slow or cannot be compared."""
     if source.data.is_editmode and not _comparable_in_edit_mode(source.data):
         return None
     try:
-        return kept(source.data, "digests", _digests) | {"metric": metric(source).tolist()}
+        state = kept(source.data, "digests", _digests) | {"metric": metric(source).tolist()}
+        return state | {MODIFIED: _modified(source) or UNKNOWN} if with_modifiers else state
     except ObjectError:  # an attribute of our name that is none
         return None
 
 
 def has_changed(source: bpy.types.Object, report: dict) -> bool:
-    """Whether geometry, seams, wires or scale are other than when the report was made."""
+    """Whether geometry, seams, wires or scale are other than when the report was made.
+
+    Of a report with modifiers, also whether these make another mesh; not where that cannot be seen: see shows_modified.
+    """
     state, mesh = report.get("model_state"), source.data
     if state is None:
         return False
@@ -42,9 +49,31 @@ def has_changed(source: bpy.types.Object, report: dict) -> bool:
     if mesh.is_editmode and not _comparable_in_edit_mode(mesh):
         return False
     try:
-        return any(state.get(part) != digest for part, digest in kept(mesh, "digests", _digests).items())
+        if any(state.get(part) != digest for part, digest in kept(mesh, "digests", _digests).items()):
+            return True
+        return state.get(MODIFIED) is not None and _modified(source) not in (None, state[MODIFIED])
     except ObjectError:  # an attribute of our name that was none when the report was made
         return True
+
+
+def shows_modified(source: bpy.types.Object) -> bool:
+    """Whether what modifiers make can be seen: Blender makes nothing of hidden objects, and less in Edit Mode."""
+    return source.mode == "OBJECT" and source.visible_get()
+
+
+def _modified(source: bpy.types.Object) -> str | None:
+    """Of the mesh as modifiers and shape keys leave it; None where that cannot be seen."""
+    return kept(source, MODIFIED, _modified_digest) if shows_modified(source) else None
+
+
+def _modified_digest(source: bpy.types.Object) -> str:
+    """From what Blender has made already: evaluated_mesh would make it once more, for layers that are not asked for."""
+    evaluated = source.evaluated_get(bpy.context.view_layer.depsgraph)
+    try:
+        shape, marks = _gather(evaluated.to_mesh())
+        return _digest(shape + marks)
+    finally:
+        evaluated.to_mesh_clear()
 
 
 def has_moved(source: bpy.types.Object, report: dict) -> bool:

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The pattern of a model's flat pieces, as they lie in their object; only of pieces that may be cut."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 import bpy
 import numpy as np
 
 from .flat_shape import has_kept_shape
 from .foreach import read
 from .issues import object_error
-from .model_state import has_changed
+from .model_state import has_changed, shows_modified
 from .pattern.make_pattern import PieceLabel, make_pattern
 from .pattern.pattern import Pattern
 from .read_flat_pieces import read_flat_pieces
@@ -48,7 +51,7 @@ def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
     report, flat = last_report(source), find_flat_object(source)
     if report is None or flat is None or not flat.users_scene or "flat_object" not in report:
         raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')
-    if has_changed(source, report):
+    if _has_changed(source, report):
         raise object_error("changed", f'"{source.name}" has changed since it was flattened: flatten it again.')
     if _is_edited(flat.data, report):
         raise object_error(
@@ -57,6 +60,35 @@ def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
             f'flatten "{source.name}" again. Moving and turning whole pieces is fine.',
         )
     return report, flat
+
+
+def _has_changed(source: bpy.types.Object, report: dict) -> bool:
+    """A model with modifiers may be hidden, and Blender makes nothing of hidden objects: it is shown for a moment."""
+    if not report.get("with_modifiers"):
+        return has_changed(source, report)
+    with _shown(source):
+        if not shows_modified(source):
+            raise object_error(
+                "not_visible",
+                f'"{source.name}" is hidden, so nobody can tell whether its modifiers still make the mesh that was '
+                "flattened: show it in the Outliner.",
+            )
+        return has_changed(source, report)
+
+
+@contextmanager
+def _shown(source: bpy.types.Object) -> Iterator[None]:
+    """The object without the hiding that the eye in the Outliner does."""
+    view_layer = bpy.context.view_layer
+    hidden = view_layer.objects.get(source.name) == source and source.hide_get()
+    if hidden:
+        source.hide_set(False)
+    view_layer.update()
+    try:
+        yield
+    finally:
+        if hidden:
+            source.hide_set(True)
 
 
 def _is_edited(mesh: bpy.types.Mesh, report: dict) -> bool:

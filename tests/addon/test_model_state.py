@@ -4,7 +4,7 @@
 import bmesh
 import bpy
 import pytest
-from surfaces import bump, grid, mark, mark_seam, on_line, select_edges, select_only
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only
 
 LINE, OTHER = on_line(1, 0.0), on_line(0, 0.0)
 
@@ -102,3 +102,97 @@ def test_an_attribute_of_another_type_is_a_change(source, has_changed):
     source.data.update()
     bpy.context.view_layer.update()
     assert has_changed()
+
+
+@pytest.fixture
+def smooth():
+    """Flattened with a modifier, beside a mirror that a second one uses."""
+    target = grid("Bump", bump)
+    mark(target, LINE)
+    mirror = bpy.data.objects.new("Mirror", None)
+    bpy.context.scene.collection.objects.link(mirror)
+    mirror.location.x = 3
+    target.modifiers.new("Smooth", "SUBSURF").levels = 1
+    target.modifiers.new("Mirror", "MIRROR").mirror_object = mirror
+    select_only(target)
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    return target
+
+
+def raise_levels(target):
+    target.modifiers["Smooth"].levels = 2
+
+
+def hide_modifier(target):
+    target.modifiers["Smooth"].show_viewport = False
+
+
+def add_modifier(target):
+    target.modifiers.new("Wave", "WAVE")
+
+
+def move_mirror(_target):
+    bpy.data.objects["Mirror"].location.x = 4
+
+
+def add_shape_key(target):
+    target.shape_key_add(name="Basis")
+    key = target.shape_key_add(name="Taller")
+    key.data[40].co.z += 1
+    key.value = 1
+
+
+CHANGES = [raise_levels, hide_modifier, add_modifier, move_mirror, add_shape_key]
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp_path, change):
+    def taken():
+        bpy.context.view_layer.update()
+        return addon.auto_update.take_changed(bpy.context)
+
+    path = tmp_path / "pattern.svg"
+    smooth.location.y = 1
+    assert taken() == []
+    assert bpy.ops.object.wirewarp_export_svg(filepath=str(path)) == {"FINISHED"}
+    change(smooth)
+    assert taken() == [smooth]
+    assert taken() == []  # once for each state
+    assert addon.model_state.has_changed(smooth, addon.report_store.last_report(smooth))
+    with pytest.raises(RuntimeError, match="has changed since it was flattened"):
+        bpy.ops.object.wirewarp_export_svg(filepath=str(path))
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    assert taken() == []
+    assert bpy.ops.object.wirewarp_export_svg(filepath=str(path)) == {"FINISHED"}
+
+
+def test_a_hidden_model_with_modifiers_is_looked_at_and_stays_hidden(smooth, tmp_path):
+    path = tmp_path / "pattern.svg"
+    select_only(flat_of(smooth))
+    smooth.hide_set(True)
+    assert bpy.ops.object.wirewarp_export_svg(filepath=str(path)) == {"FINISHED"}
+    assert smooth.hide_get()
+    raise_levels(smooth)
+    with pytest.raises(RuntimeError, match="has changed since it was flattened"):
+        bpy.ops.object.wirewarp_export_svg(filepath=str(path))
+    assert smooth.hide_get()
+    smooth.hide_viewport = True
+    with pytest.raises(RuntimeError, match='"Bump" is hidden, so nobody can tell'):
+        bpy.ops.object.wirewarp_export_svg(filepath=str(path))
+
+
+def test_modifiers_do_not_matter_to_pieces_without_them(source, has_changed):
+    add_modifier(source)
+    bpy.context.view_layer.update()
+    assert not has_changed()
+
+
+def test_what_was_tried_in_edit_mode_is_tried_again_when_its_modifiers_change(addon, smooth):
+    bpy.ops.object.mode_set(mode="EDIT")
+    move_a_vertex(smooth)
+    bpy.context.view_layer.update()
+    assert addon.auto_update.take_changed(bpy.context) == [smooth]
+    bpy.ops.object.mode_set(mode="OBJECT")
+    raise_levels(smooth)
+    bpy.context.view_layer.update()
+    assert addon.auto_update.take_changed(bpy.context) == [smooth]

@@ -3,7 +3,9 @@
 
 import bpy
 
+from ..mesh_cache import stamp
 from ..model_state import has_changed
+from ..overlay.cache import Same, kept_drawing
 from ..report_store import last_report
 from ..unit_text import length_text
 from .panel import SidebarPanel
@@ -39,7 +41,7 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         report = shown_report(context)
-        if has_changed(shown_source(context), report):
+        if _has_changed(shown_source(context), report):
             warning = layout.column()
             warning.alert = True
             draw_sentence(context, warning, "The model has changed since: flatten again.", "ERROR")
@@ -56,6 +58,13 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
             draw_sentence(context, layout, note, "INFO")
         if report["pieces"]:
             layout.operator("object.wirewarp_copy_report", icon="COPYDOWN")
+
+
+def _has_changed(source: bpy.types.Object, report: dict) -> bool:
+    """Not asked at every redraw while a large model with modifiers changes: to read it takes as long as to draw it."""
+    place = source.mode, source.visible_get(), source.matrix_world.copy()
+    seen = stamp(source), stamp(source.data), place, Same(report)
+    return kept_drawing(source, "has changed", seen, lambda: has_changed(source, report))
 
 
 class ReportSection(SidebarPanel):
