@@ -6,7 +6,7 @@ import random
 
 import bpy
 import numpy as np
-from mathutils import Matrix
+from mathutils import Matrix, Vector
 
 from .pattern.flat_pieces import FlatPieces
 from .pattern.inner_wires import inner_wires
@@ -20,7 +20,7 @@ from .write_flat_object import our_collection
 PIECE_ID = "wirewarp_piece"  # custom property of a text, a child of the flat object
 FLAT_ID = "wirewarp_flat"  # custom property of a flat object and of its texts: a random number
 LARGEST = 0.04  # height of the letters, by the size of all pieces together
-ABOVE = 0.002  # the pieces, by the same size: so that both are seen
+THICKNESS = 0.002  # by the same size: from the pieces up, so that both are seen
 MATERIAL = "WireWarp Text"
 MOST = 200  # pieces that get texts; Blender is slow with many objects
 
@@ -43,9 +43,10 @@ def write_texts(context: bpy.types.Context, flat: bpy.types.Object, report: dict
     targets = []
     for piece in pieces:
         place = placed[piece["index"]]
-        target = _new_text(flat, piece["name"], place, ABOVE * size)
+        below = _face_below(arrays.vertices, corners[piece["index"]], place.center)
+        target = _new_text(flat, piece["name"], place, arrays.vertices[below].mean(axis=0), THICKNESS * size)
         target[PIECE_ID], target[FLAT_ID] = piece["piece_id"], flat[FLAT_ID]
-        target.parent_vertices = _face_below(arrays.vertices, corners[piece["index"]], place.center)
+        target.parent_vertices = below
         our_collection(context.scene).objects.link(target)
         targets.append(target)
     _fasten(context.view_layer, flat, targets)
@@ -79,16 +80,22 @@ def rename_text(flat: bpy.types.Object, piece_id: int, name: str) -> None:
             target.data.body = "\n".join([name, *rest])
 
 
-def _new_text(flat: bpy.types.Object, name: str, text: PieceText, above: float) -> bpy.types.Object:
+def _new_text(
+    flat: bpy.types.Object, name: str, text: PieceText, origin: np.ndarray, thickness: float
+) -> bpy.types.Object:
+    """The text stands aside of the object's origin (2,), to which Blender draws a line from what it is fastened to."""
     curve = bpy.data.curves.new(f"{flat.name} {name}", "FONT")
     curve.body = "\n".join(text.lines)
-    curve.size = max(text.height, 1e-6)
+    curve.size, curve.extrude = max(text.height, 1e-6), thickness
     curve.align_x, curve.align_y = "CENTER", "CENTER"
     curve.materials.append(bpy.data.materials.get(MATERIAL) or _new_material())
     target = bpy.data.objects.new(f"{flat.name} {name}", curve)
     target.parent = flat
-    target.location = (*text.center, above)
+    target.location = (*origin, 0)
     target.rotation_euler.z = math.radians(text.angle)
+    aside = Vector(text.center - origin)
+    aside.rotate(Matrix.Rotation(-target.rotation_euler.z, 2))
+    curve.offset_x, curve.offset_y = aside
     return target
 
 
@@ -117,7 +124,9 @@ def _face_below(vertices: np.ndarray, corners: np.ndarray, center: np.ndarray) -
 
 
 def _fasten(view_layer: bpy.types.ViewLayer, flat: bpy.types.Object, targets: list[bpy.types.Object]) -> None:
-    """To three vertices each: so a text moves with its piece, and Blender draws no long line from it to its parent."""
+    """To three vertices each, its origin in the middle of them: so a text moves with its piece, and the dashed line
+    that Blender draws to it has no length.
+    """
     view_layer.update()  # or it does not know the new objects
     shown = [target for target in targets if view_layer.objects.get(target.name) == target]
     poses = [target.matrix_basis.copy() for target in shown]

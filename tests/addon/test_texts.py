@@ -71,6 +71,22 @@ def test_a_text_moves_with_the_object_and_with_its_piece(source):
     assert np.array(corners(text)) == pytest.approx(turned, abs=1e-5)
 
 
+def test_no_line_is_drawn_from_a_piece_to_its_text(source):
+    """Blender draws one from the middle of the three vertices of the parent to the object's origin."""
+    flat = flat_of(source)
+    for text in texts().values():
+        middle = sum((flat.data.vertices[k].co for k in text.parent_vertices), Vector()) / 3
+        assert tuple(text.matrix_world.translation) == pytest.approx(tuple(flat.matrix_world @ middle), abs=1e-5)
+
+
+@pytest.mark.parametrize("angle", [0, 90])
+def test_a_text_stands_in_its_place_wherever_its_origin_is(source, addon, angle):
+    place = addon.pattern.pattern.PieceText(("Hx",), np.array([0.3, 0.4]), 0.1, angle)
+    text = addon.write_texts._new_text(flat_of(source), "Hx", place, np.array([0.2, 0.1]), 0.002)
+    bpy.context.scene.collection.objects.link(text)
+    assert np.mean(corners(text), axis=0) == pytest.approx([0.3, 0.4], abs=0.03)
+
+
 def test_texts_are_right_where_their_collection_was_hidden(source, addon):
     layer = bpy.context.view_layer.layer_collection.children["WireWarp"]
     layer.exclude = True
