@@ -7,22 +7,33 @@ Blender itself does not show the objects: as thin lines in a surface they would 
 import bpy
 import numpy as np
 
+from .foreach import read
 from .helper_lines import HelperLines
 from .mesh_to_arrays import linear_part
+from .write_uv import UvFrame
+
+IN_MAP = "in_map"  # point attribute of the object on the model: the place in the UV layer
 
 
 def write_helper_wires(
-    collection: bpy.types.Collection, source: bpy.types.Object, flat: bpy.types.Object, lines: HelperLines
+    collection: bpy.types.Collection,
+    source: bpy.types.Object,
+    flat: bpy.types.Object,
+    lines: HelperLines,
+    uv_frame: UvFrame | None,
 ) -> None:
-    """Makes or replaces both objects; without any helper wire they are removed."""
+    """Makes or replaces both objects; without any helper wire they are removed. uv_frame: of the map, if written."""
     if not len(lines.edges):
         remove_helper_wires(source, flat)
         return
     local = lines.on_model @ np.linalg.inv(linear_part(source)).T
-    plane = np.column_stack([lines.on_pieces, np.zeros(len(lines.on_pieces))])
-    for owner, points in ((source, local), (flat, plane)):
+    for owner, points in ((source, local), (flat, _in_space(lines.on_pieces))):
         target = find_helper_wires(owner) or _new_object(collection, owner)
         _write_mesh(target.data, points, lines)
+    if uv_frame:
+        in_map = _in_space(uv_frame(lines.as_packed)).astype(np.float32)
+        attribute = find_helper_wires(source).data.attributes.new(IN_MAP, "FLOAT_VECTOR", "POINT")
+        attribute.data.foreach_set("vector", in_map.ravel())
 
 
 def remove_helper_wires(*owners: bpy.types.Object) -> None:
@@ -34,6 +45,29 @@ def remove_helper_wires(*owners: bpy.types.Object) -> None:
 
 def find_helper_wires(owner: bpy.types.Object) -> bpy.types.Object | None:
     return next((candidate for candidate in bpy.data.objects if candidate.wirewarp_helpers_of == owner), None)
+
+
+def helper_ends(owner: bpy.types.Object) -> np.ndarray | None:
+    """(2k,3) float32, the ends of all edges of helper wires; None if there are none."""
+    helpers = find_helper_wires(owner)
+    return read(helpers.data.vertices, "co", np.float32, 3)[_edge_vertices(helpers.data)] if helpers else None
+
+
+def helper_ends_in_map(model: bpy.types.Object) -> np.ndarray | None:
+    """The same in the model's UV layer; None where that is not of the same run."""
+    helpers = find_helper_wires(model)
+    if helpers is None or IN_MAP not in helpers.data.attributes:
+        return None
+    return read(helpers.data.attributes[IN_MAP].data, "vector", np.float32, 3)[_edge_vertices(helpers.data)]
+
+
+def _edge_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
+    return read(mesh.edges, "vertices", np.int32, 2).ravel()
+
+
+def _in_space(points: np.ndarray) -> np.ndarray:
+    """(n,2) to (n,3)"""
+    return np.column_stack([points, np.zeros(len(points))])
 
 
 def _new_object(collection: bpy.types.Collection, owner: bpy.types.Object) -> bpy.types.Object:

@@ -6,7 +6,7 @@ import numpy as np
 
 from .flat_mesh import FlatMesh
 from .foreach import read
-from .helper_lines import HelperLines, helper_lines
+from .helper_lines import helper_lines
 from .model_maps import model_maps
 from .pieces.keep_places import crowded_note, motions_in_order, pieces_in_place, remember_layout, wants_new_layout
 from .pieces.motion import Motion
@@ -21,7 +21,7 @@ from .write_flat_object import find_flat_object, our_collection, show_flat_objec
 from .write_helper_wires import remove_helper_wires, write_helper_wires
 from .write_maps import remove_model_maps, write_model_maps
 from .write_texts import remove_texts, write_texts
-from .write_uv import UV_LAYER, write_uv
+from .write_uv import UV_LAYER, UvFrame, write_uv
 
 
 def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings: FlattenSettings) -> None:
@@ -39,10 +39,12 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         pieces, motions = _place(source, outcome, settings.keep_places)
         flat = write_flat_object(context.scene, source, pieces, arrays)
         remember_layout(flat, outcome.report["options"])
-        if not settings.use_modifiers:
-            _write_to_model(source, outcome, flat, settings.maps_on_model)
-        lines = helper_lines(outcome.result, motions) if settings.helper_wires else None
-        _write_helper_wires(context.scene, source, flat, lines)
+        uv_frame = None if settings.use_modifiers else _write_to_model(source, outcome, flat, settings.maps_on_model)
+        if settings.helper_wires:
+            lines = helper_lines(outcome.result, motions)
+            write_helper_wires(our_collection(context.scene), source, flat, lines, uv_frame)
+        else:
+            remove_helper_wires(source, flat)
         context.view_layer.update()
         if settings.piece_texts:
             write_texts(context, flat, outcome.report)
@@ -53,15 +55,16 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         store(source, outcome.report)
 
 
-def _write_to_model(source: bpy.types.Object, outcome: Outcome, flat: bpy.types.Object, maps: bool) -> None:
+def _write_to_model(source: bpy.types.Object, outcome: Outcome, flat: bpy.types.Object, maps: bool) -> UvFrame:
     mesh, arrays = source.data, outcome.model.arrays
-    scale = write_uv(mesh, outcome.result.corner_uv, arrays)
-    outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": scale}
+    uv_frame = write_uv(mesh, outcome.result.corner_uv, arrays)
+    outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": uv_frame.scale}
     if maps:
         flat_edges = read(flat.data.edges, "vertices", np.int32, 2)
         write_model_maps(mesh, model_maps(outcome.pieces, flat_edges, arrays), arrays)
     else:
         remove_model_maps(mesh)
+    return uv_frame
 
 
 def _place(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> tuple[FlatMesh, list[Motion]]:
@@ -74,12 +77,3 @@ def _place(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> tup
         name_of = {identity.piece_id: identity.name for identity in outcome.identities}
         outcome.report["notes"].append(crowded_note([name_of[piece_id] for piece_id in crowded]))
     return pieces, motions_in_order(motions, outcome.identities)
-
-
-def _write_helper_wires(
-    scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, lines: HelperLines | None
-) -> None:
-    if lines:
-        write_helper_wires(our_collection(scene), source, flat, lines)
-    else:
-        remove_helper_wires(source, flat)

@@ -20,7 +20,7 @@ from .write_flat_object import our_collection
 PIECE_ID = "wirewarp_piece"  # custom property of a text, a child of the flat object
 FLAT_ID = "wirewarp_flat"  # custom property of a flat object and of its texts: a random number
 LARGEST = 0.04  # height of the letters, by the size of all pieces together
-THICKNESS = 0.002  # by the same size: from the pieces up, so that both are seen
+THICKNESS = 0.0007  # by the same size: from the pieces up, so that both are seen
 MATERIAL = "WireWarp Text"
 MOST = 200  # pieces that get texts; Blender is slow with many objects
 

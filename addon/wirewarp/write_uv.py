@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The pieces as the UV layer "WireWarp" of the source mesh."""
 
+from dataclasses import dataclass
+
 import bpy
 import numpy as np
 
@@ -23,12 +25,24 @@ def check_uv_room(mesh: bpy.types.Mesh) -> None:
         )
 
 
-def write_uv(mesh: bpy.types.Mesh, corner_uv: np.ndarray, arrays: MeshArrays) -> float:
-    """Writes corner_uv (m,3,2) in Blender units into the unit square; returns the Blender units in one UV unit.
+@dataclass(frozen=True)
+class UvFrame:
+    """The square that becomes the unit square of the map, the same for all pieces."""
 
-    The same factor for all pieces, kept on the mesh as wirewarp_uv_scale. Faces without a layout go to (0,0).
+    low: np.ndarray  # (2,) its lower left corner
+    scale: float  # Blender units in one UV unit
+
+    def __call__(self, points: np.ndarray) -> np.ndarray:
+        """(...,2) to UV."""
+        return np.clip((points - self.low) / self.scale, 0, 1)
+
+
+def write_uv(mesh: bpy.types.Mesh, corner_uv: np.ndarray, arrays: MeshArrays) -> UvFrame:
+    """Writes corner_uv (m,3,2) in Blender units into the unit square. Faces without a layout go to (0,0).
+
+    The scale is kept on the mesh as wirewarp_uv_scale.
     """
-    loop_uv, scale = loop_coordinates(corner_uv, arrays)
+    loop_uv, frame = loop_coordinates(corner_uv, arrays)
     if UV_LAYER not in mesh.uv_layers:
         mesh.uv_layers.new(name=UV_LAYER, do_init=False)
     layer = mesh.uv_layers[UV_LAYER]
@@ -37,17 +51,17 @@ def write_uv(mesh: bpy.types.Mesh, corner_uv: np.ndarray, arrays: MeshArrays) ->
     else:
         layer.data.foreach_set("uv", loop_uv.ravel())
     mesh.uv_layers.active = layer
-    mesh[UV_SCALE] = scale
-    return scale
+    mesh[UV_SCALE] = frame.scale
+    return frame
 
 
-def loop_coordinates(corner_uv: np.ndarray, arrays: MeshArrays) -> tuple[np.ndarray, float]:
-    """UVs (l,2) float32 of all loops in the unit square, and the scale."""
+def loop_coordinates(corner_uv: np.ndarray, arrays: MeshArrays) -> tuple[np.ndarray, UvFrame]:
+    """UVs (l,2) float32 of all loops in the unit square, and what became that."""
     placed = has_layout(corner_uv)
     uv = corner_uv if placed.all() else corner_uv[placed]
     low = np.array([uv[..., 0].min(), uv[..., 1].min()])
-    scale = float(max(uv[..., 0].max() - low[0], uv[..., 1].max() - low[1]))
+    frame = UvFrame(low, float(max(uv[..., 0].max() - low[0], uv[..., 1].max() - low[1])))
     loop_uv = np.zeros((len(arrays.loop_vertices), 2), dtype=np.float32)
     # The corners that triangles of one quad share lie in one piece, so they write the same numbers.
-    loop_uv[arrays.triangle_loops[placed]] = np.clip((uv - low) / scale, 0, 1)
-    return loop_uv, scale
+    loop_uv[arrays.triangle_loops[placed]] = frame(uv)
+    return loop_uv, frame

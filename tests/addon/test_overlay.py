@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the overlay draws: which lines, names and surfaces, on models and on flat pieces. Nothing is drawn here."""
 
+import sys
+from types import SimpleNamespace
+
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_only
+from mathutils import Matrix, Vector
+from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_edges, select_only
 from view_context import view_context
 
 SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), on_line(1, -0.5)
@@ -58,6 +62,7 @@ def test_edit_mode_shows_the_same_lines_and_names(addon, source, flat):
     before = lines_of(addon, target)
     select_only(target)
     bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="DESELECT")
     during = lines_of(addon, target)
     assert during.places.keys() == before.places.keys()
     for kind, places in before.places.items():
@@ -87,9 +92,22 @@ def test_pieces_with_a_text_are_not_named_twice(addon, source):
 def test_names_stand_on_what_they_name(addon, source):
     lines = lines_of(addon, source)
     name = next(name for name in lines.names if name.text == "Waist")
-    assert np.linalg.norm(lines.places["rigid"] - name.place, axis=1).min() < 0.25
-    assert abs(name.place[0]) < 0.3  # in the middle
-    assert name.normal[2] > 0.9
+    for place in name.places:
+        assert np.linalg.norm(lines.places["rigid"] - place, axis=1).min() < 0.25
+    assert abs(name.places[0][0]) < 0.3  # best in the middle
+    assert min(name.places[:, 0]) < -0.5 < 0.5 < max(name.places[:, 0])  # or farther along, on either side
+    assert name.normals[0][2] > 0.9
+
+
+def test_selected_edges_are_seen_on_their_lines(addon, source):
+    select_edges(source, on_line(1, 0.0))
+    lines = lines_of(addon, source)
+    assert len(lines.places["selected"]) == len(lines.places["rigid"])
+    assert list(addon.overlay.line_styles.STYLES)[-1] == "selected"  # drawn last, and thinner than all others
+    width_of = {kind: style.width for kind, style in addon.overlay.line_styles.STYLES.items()}
+    assert all(width_of["selected"] < 0.6 * width_of[kind] for kind in ("outline", "seam", "free", "elastic", "rigid"))
+    bpy.ops.mesh.select_all(action="DESELECT")
+    assert "selected" not in lines_of(addon, source).places
 
 
 def test_seams_of_a_model_that_has_changed_are_not_numbered(addon, source):
@@ -236,3 +254,36 @@ def test_a_model_without_marks_of_which_nothing_could_be_flattened_is_drawn(addo
     proposed = addon.report_store.last_report(source)["issues"][0]["proposed_seams"]
     ends = [corners[vertex] for pair in proposed for vertex in sorted(pair)]
     assert sorted(map(tuple, drawing.failures.lines["proposed"].tolist())) == sorted(ends)
+
+
+def look(addon, source, eye, target, perspective=True):
+    """The names in a region of 800 by 600 pixels, by text, seen from one point to another."""
+    forward = (Vector(target) - Vector(eye)).normalized()
+    view = (Matrix.Translation(eye) @ forward.to_track_quat("-Z", "Y").to_matrix().to_4x4()).inverted()
+    if perspective:  # an angle of view of 90 degrees from left to right
+        window = Matrix(((1, 0, 0, 0), (0, 4 / 3, 0, 0), (0, 0, -1, -0.2), (0, 0, -1, 0)))
+    else:  # 8 units wide
+        window = Matrix.Diagonal((1 / 4, 1 / 3, -0.01, 1))
+    data = SimpleNamespace(view_matrix=view, perspective_matrix=window @ view, is_perspective=perspective)
+    context = SimpleNamespace(region=SimpleNamespace(width=800, height=600), region_data=data)
+    drawing = addon.overlay.shown.Drawing(source, lines_of(addon, source), None, None)
+    module = sys.modules[f"{addon.__name__}.overlay.draw_screen"]  # the package has a function of this name
+    return {name.text: name for name in module._names_in_view(context, drawing)}
+
+
+@pytest.mark.parametrize("perspective", [True, False])
+def test_names_are_written_where_their_lines_are_seen(addon, source, perspective):
+    source.location, source.scale = (10, 0, 0), (1, 1, 1)
+    bpy.context.view_layer.update()
+    above = look(addon, source, (10, 0, 4.4), (10, 0, 0), perspective)
+    assert above["Waist"].points[0] == pytest.approx([400, 300], abs=15)
+    assert np.ptp(above["Waist"].points[:, 0]) > 80
+    assert np.ptp(above["Waist"].points[:, 1]) < 1
+    (reach,) = (name.reach for name in lines_of(addon, source).names if name.text == "Waist")
+    assert above["Waist"].reach == pytest.approx(100 * reach, rel=0.03)  # 100 pixels a unit, 4 units from the eye
+    assert look(addon, source, (10, 0, -4.4), (10, 0, 0), perspective) == {}  # the back of the surface
+    assert look(addon, source, (10, 0, 4.4), (10, 0, 9), perspective) == {}  # behind the eye
+    right = 12 if perspective else 14.3
+    aside = look(addon, source, (right, 0, 1.5), (right, 0, 0), perspective)
+    assert len(aside["Waist"].points) < len(above["Waist"].points)  # those that are left are in the region
+    assert np.all((aside["Waist"].points >= 0) & (aside["Waist"].points <= (800, 600)))

@@ -3,7 +3,7 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import TypeVar
 
 import bpy
@@ -49,11 +49,23 @@ def kept_drawing(owner: bpy.types.Object, what: str, made_of: tuple, build: Call
         _redraw_in(entry.rests_until - now)
         return entry.value
     value = build()
-    if entry and is_same(entry.value, value):
-        value = entry.value  # so that nothing is made anew of it: a mesh in Edit Mode changes with every selection
+    if entry:
+        value = reused(entry.value, value)  # nothing is made anew of what a selection in Edit Mode leaves as it is
     done = time.monotonic()
     _entries[key] = _Entry(made_of, value, done + min(IDLE_SHARE * (done - now), MAX_IDLE))
     return value
+
+
+def reused(old: T, new: T) -> T:
+    """new, but with all parts of old that are the same."""
+    if is_same(old, new):
+        return old
+    if isinstance(old, dict) and isinstance(new, dict):
+        return {key: reused(old[key], value) if key in old else value for key, value in new.items()}
+    if is_dataclass(new) and type(old) is type(new):
+        names = [each.name for each in fields(new)]
+        return replace(new, **{name: reused(getattr(old, name), getattr(new, name)) for name in names})
+    return new
 
 
 def is_same(first: object, second: object) -> bool:

@@ -4,42 +4,49 @@
 from collections.abc import Iterator
 
 import bpy
-from bpy_extras.view3d_utils import location_3d_to_region_2d
-from mathutils import Vector
+import numpy as np
 
 from .shown import Drawing, drawings, extremes, missing_maps, shown_map
-from .write_screen import MAX_NAMES, PlacedName, write_legend, write_names
+from .write_screen import MAX_NAMES, PlacedName, write_over
 
 
 def draw_screen() -> None:
     """The handler for POST_PIXEL."""
     context = bpy.context
     shown = list(drawings(context))
-    if not shown:
-        return
-    unit = context.preferences.system.ui_scale
-    if context.scene.wirewarp.show_names:
-        write_names((name for drawing in shown for name in _names_in_view(context, drawing)), unit)
-    kinds = {kind for drawing in shown if drawing.lines for kind in drawing.lines.places}
-    kinds |= {kind for drawing in shown if drawing.failures for kind in drawing.failures.lines}
-    color_map = shown_map(context)
-    write_legend(context, kinds, unit, missing_maps(shown) if color_map else [], color_map, extremes(shown))
+    if shown:
+        names = (name for drawing in shown for name in _names_in_view(context, drawing))
+        color_map = shown_map(context)
+        write_over(context, shown, names, missing_maps(shown) if color_map else [], color_map, extremes(shown))
 
 
 def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[PlacedName]:
-    """Texts with their places in the region."""
-    if drawing.lines is None:
+    """Texts with those of their places that are in the region, on the side of the surface that is seen."""
+    names = drawing.lines.names[:MAX_NAMES] if drawing.lines else []
+    if not names:
         return
-    matrix = drawing.target.matrix_world
-    normals = matrix.to_3x3().inverted_safe().transposed()
-    scale, view = matrix.median_scale, context.region_data
-    eye = view.view_matrix.inverted_safe()
-    for name in drawing.lines.names[:MAX_NAMES]:
-        place = matrix @ Vector(name.place)
-        toward_eye = eye.translation - place if view.is_perspective else eye.col[2].to_3d()
-        if (normals @ Vector(name.normal)).dot(toward_eye) < 0:
-            continue
-        point = location_3d_to_region_2d(context.region, view, place)
-        aside = location_3d_to_region_2d(context.region, view, place + eye.col[0].to_3d() * name.reach * scale)
-        if point and aside:
-            yield PlacedName(name.text, point.x, point.y, (aside - point).length)
+    matrix, view = drawing.target.matrix_world, context.region_data
+    linear = matrix.to_3x3()
+    places = np.concatenate([name.places for name in names]) @ np.array(linear).T + np.array(matrix.translation)
+    normals = np.concatenate([name.normals for name in names]) @ np.array(linear.inverted_safe())
+    eye = np.array(view.view_matrix.inverted_safe())
+    toward_eye = eye[:3, 3] - places if view.is_perspective else eye[:3, 2]
+    points, seen = _in_region(context, places)
+    seen &= (normals * toward_eye).sum(axis=1) >= 0
+    counts = [len(name.places) for name in names]
+    reach = np.repeat([name.reach for name in names], counts)[:, None] * matrix.median_scale
+    reaches = np.linalg.norm(_in_region(context, places + eye[:3, 0] * reach)[0] - points, axis=1)
+    parts = (np.split(each, np.cumsum(counts)[:-1]) for each in (points, seen, reaches))
+    for name, own, own_seen, own_reaches in zip(names, *parts, strict=True):
+        if own_seen.any():
+            yield PlacedName(name.text, own[own_seen], own_reaches[own_seen][0])
+
+
+def _in_region(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The pixels (n,2) of places (n,3) in the world, and a mask of those that are inside the region."""
+    size = np.array([context.region.width, context.region.height])
+    projected = np.column_stack([places, np.ones(len(places))]) @ np.array(context.region_data.perspective_matrix).T
+    in_front = projected[:, 3] > 0
+    depth = np.where(in_front, projected[:, 3], 1.0)
+    points = (1 + projected[:, :2] / depth[:, None]) / 2 * size
+    return points, in_front & np.all((points >= 0) & (points <= size), axis=1)

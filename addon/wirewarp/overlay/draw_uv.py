@@ -4,11 +4,12 @@
 from collections.abc import Iterator
 
 import bpy
+import numpy as np
 
 from .batches import draw_failed, draw_lines
 from .blending import blending
 from .uv_drawing import UvDrawing, uv_drawings
-from .write_screen import PlacedName, write_legend, write_names
+from .write_screen import PlacedName, write_over
 
 
 def draw_map() -> None:
@@ -31,21 +32,17 @@ def draw_map_names() -> None:
     """The handler for POST_PIXEL."""
     context = bpy.context
     shown = list(uv_drawings(context))
-    if not shown:
-        return
-    unit = context.preferences.system.ui_scale
-    if context.scene.wirewarp.show_names:
-        write_names((name for drawing in shown for name in _names_in_view(context, drawing)), unit)
-    kinds = {kind for drawing in shown for kind in drawing.lines.places}
-    kinds |= {kind for drawing in shown if drawing.failures for kind in drawing.failures.lines}
-    write_legend(context, kinds, unit)
+    if shown:
+        write_over(context, shown, (name for drawing in shown for name in _names_in_view(context, drawing)))
 
 
 def _names_in_view(context: bpy.types.Context, drawing: UvDrawing) -> Iterator[PlacedName]:
-    """Texts with their places in the region."""
+    """Texts with those of their places that are in the region."""
     region, to_region = context.region, context.region.view2d.view_to_region
-    pixels = (to_region(1000, 0, clip=False)[0] - to_region(0, 0, clip=False)[0]) / 1000  # it rounds
+    origin = np.array(to_region(0, 0, clip=False))
+    pixels = (np.array(to_region(1000, 1000, clip=False)) - origin) / 1000  # it rounds
     for name in drawing.lines.names:
-        x, y = to_region(*name.place[:2].tolist(), clip=False)
-        if 0 <= x <= region.width and 0 <= y <= region.height:
-            yield PlacedName(name.text, x, y, name.reach * pixels)
+        points = origin + name.places[:, :2] * pixels
+        seen = np.all((points >= 0) & (points <= (region.width, region.height)), axis=1)
+        if seen.any():
+            yield PlacedName(name.text, points[seen], name.reach * pixels[0])

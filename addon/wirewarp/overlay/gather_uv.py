@@ -46,6 +46,7 @@ def _lines(mesh: bpy.types.Mesh) -> LineMarks:
         outlines=outlines[rows],
         wire_ids=marks.wire_ids[rows],
         tolerances=marks.tolerances[rows],
+        selected=np.zeros(len(rows), dtype=bool),
     )
 
 
@@ -71,4 +72,5 @@ def _lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineMarks:
         outlines=np.array([edge.is_boundary for edge, _ in marked], dtype=bool),
         wire_ids=np.array([edge[wire] if wire else 0 for edge, _ in marked], dtype=np.int32),
         tolerances=np.array([edge[tolerance] if tolerance else 0 for edge, _ in marked], dtype=np.float32),
+        selected=np.zeros(len(marked), dtype=bool),  # the map has a selection of its own
     )

@@ -10,6 +10,7 @@ from ..tolerance_text import tolerance_text
 from .line_styles import STYLES
 from .wire_runs import WireRun, cut_into_dashes
 
+ALONG = (0.25, 0.5, 0.75)  # of the edges of a line, nearest to its middle first: where else its name may stand
 VIEW_SIZE = 800  # pixels that an object is wide or high in a usual view: in it dashes have the length of their style
 
 
@@ -25,6 +26,7 @@ class LineMarks:
     outlines: np.ndarray  # (k,) bool, has one face only
     wire_ids: np.ndarray  # (k,) int32, 0 none
     tolerances: np.ndarray  # (k,) float32
+    selected: np.ndarray  # (k,) bool, in Edit Mode
 
 
 @dataclass(frozen=True)
@@ -32,9 +34,9 @@ class Name:
     """A text at a point of the surface."""
 
     text: str
-    place: np.ndarray  # (3,)
-    normal: np.ndarray  # (3,)
-    reach: float  # distance to the farthest end of what it names
+    places: np.ndarray  # (c,3) where it may stand, the best first
+    normals: np.ndarray  # (c,3)
+    reach: float  # distance from the best place to the farthest end of what it names
 
 
 def lines_by_kind(marks: LineMarks) -> dict[str, np.ndarray]:
@@ -67,6 +69,7 @@ def _members(marks: LineMarks) -> dict[str, np.ndarray]:
         "rigid": wires & (marks.tolerances == 0),
         "elastic": wires & (marks.tolerances > 0) & np.isfinite(marks.tolerances),
         "free": wires & np.isinf(marks.tolerances),
+        "selected": marks.selected,
     }
 
 
@@ -76,7 +79,7 @@ def wire_line_names(marks: LineMarks, runs: Sequence[WireRun], names: Sequence[s
     for run, name in zip(runs, names, strict=True):
         text = f"{name} {tolerance_text(run.tolerance)}" if 0 < run.tolerance < np.inf else name
         for piece in np.unique(marks.pieces[run.rows]).tolist():
-            named.append(_name_in_middle(text, marks, run.rows[marks.pieces[run.rows] == piece]))
+            named.append(_name_on_line(text, marks, run.rows[marks.pieces[run.rows] == piece]))
     return named
 
 
@@ -87,13 +90,15 @@ def seam_line_names(marks: LineMarks, seam_of_edge: Mapping[tuple[int, int], int
     rows: dict[tuple[int, int], list[int]] = {}
     for row in np.flatnonzero(numbers).tolist():
         rows.setdefault((int(numbers[row]), int(marks.pieces[row])), []).append(row)
-    return [_name_in_middle(f"Seam {number}", marks, np.array(own)) for (number, _), own in rows.items()]
+    return [_name_on_line(f"Seam {number}", marks, np.array(own)) for (number, _), own in rows.items()]
 
 
-def _name_in_middle(text: str, marks: LineMarks, rows: np.ndarray) -> Name:
-    """At the edge nearest to the mean of all, so that it is on the line, however that bends."""
+def _name_on_line(text: str, marks: LineMarks, rows: np.ndarray) -> Name:
+    """At the edge nearest to the mean of all, so that it is on the line, however that bends; or farther along it."""
     middles = marks.ends[rows].mean(axis=1)
-    nearest = np.argmin(np.linalg.norm(middles - middles.mean(axis=0), axis=1))
-    place = middles[nearest]
+    place = middles[np.argmin(np.linalg.norm(middles - middles.mean(axis=0), axis=1))]
+    by_distance = np.argsort(np.linalg.norm(middles - place, axis=1), kind="stable")
+    first = (np.array([0, *ALONG]) * len(rows)).astype(int)
+    best = by_distance[np.unique(np.concatenate([first, first[1:] + 1]).clip(max=len(rows) - 1))]  # one to either side
     reach = float(np.linalg.norm(marks.ends[rows] - place, axis=2).max())
-    return Name(text, place, marks.normals[rows[nearest]], reach)
+    return Name(text, middles[best], marks.normals[rows[best]], reach)

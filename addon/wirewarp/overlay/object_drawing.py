@@ -2,7 +2,7 @@
 """What is drawn of one object: arrays and names, no GPU. Everything is in the object's own space."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
@@ -15,7 +15,7 @@ from ..pieces.records import piece_names
 from ..report_store import last_report
 from ..wire_names import chain_names
 from ..write_flat_object import find_flat_object
-from ..write_helper_wires import find_helper_wires
+from ..write_helper_wires import helper_ends
 from ..write_maps import RANGES
 from ..write_texts import find_texts
 from .gather import gather_lines, gather_triangles, shown_mesh
@@ -37,11 +37,12 @@ def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
     has_pieces = target.wirewarp_source and target.mode == "OBJECT" and PIECE in target.data.attributes
     if has_pieces and not find_texts(target):
         lines.names[:0] = _piece_names(target)
-    helpers = find_helper_wires(target)
-    if helpers:
-        ends = read(helpers.data.edges, "vertices", np.int32, 2).ravel()
-        lines.places["helper"] = read(helpers.data.vertices, "co", np.float32, 3)[ends]
-    return lines
+    return with_helpers(lines, helper_ends(target))
+
+
+def with_helpers(lines: Lines, ends: np.ndarray | None) -> Lines:
+    """ends (2k,3) of helper wires, if there are any."""
+    return lines if ends is None else replace(lines, places=lines.places | {"helper": ends})
 
 
 def lines_of(target: bpy.types.Object, marks: LineMarks) -> Lines:
@@ -85,7 +86,7 @@ def _piece_names(flat: bpy.types.Object) -> list[Name]:
         middle = (own.min(axis=0) + own.max(axis=0)) / 2
         place = own[np.argmin(np.linalg.norm(own - middle, axis=1))]
         reach = float(np.linalg.norm(own - place, axis=1).max())
-        names.append(Name(text_of.get(piece, ""), place, np.array([0.0, 0.0, 1.0]), reach))
+        names.append(Name(text_of.get(piece, ""), place[None], np.array([[0.0, 0.0, 1.0]]), reach))
     return names
 
 

@@ -6,24 +6,28 @@ from collections.abc import Sequence
 import numpy as np
 
 MARGIN = 0.3  # around each text, in its heights
-STEPS = (0, 1, -1, 2, -2)  # lines of text that a name may stand higher or lower than it should
+ABOVE, BELOW = 0.5, -1.5  # its lower edge from the point where it stands, in its heights
+
+Corner = tuple[float, float]
 
 
-def spread(places: Sequence[tuple[float, float]], sizes: Sequence[tuple[float, float]]) -> list[float | None]:
-    """How much higher each text is to stand, earlier ones before later ones; None where there is no room for it.
+def spread(points: Sequence[np.ndarray], sizes: Sequence[tuple[float, float]]) -> list[Corner | None]:
+    """The lower left corner of each text, earlier ones before later ones; None where there is no room for it.
 
-    places are the lower left corners, sizes the widths and heights.
+    points: for each text those (c,2) above or below the middle of which it may stand, the best first; sizes: the
+    widths and heights.
     """
-    lifts: list[float | None] = []
+    corners: list[Corner | None] = []
     taken = np.empty((0, 4))  # left, bottom, right, top
-    for (left, bottom), (width, height) in zip(places, sizes, strict=True):
-        for step in STEPS:
-            lift, room = 1.6 * step * height, MARGIN * height
-            box = np.array([left, bottom + lift, left + width, bottom + lift + height]) + [-room, -room, room, room]
-            if not ((box[:2] < taken[:, 2:]) & (taken[:, :2] < box[2:])).all(axis=1).any():
-                taken = np.vstack([taken, box])
-                lifts.append(lift)
-                break
+    for own, (width, height) in zip(points, sizes, strict=True):
+        room = MARGIN * height
+        left, bottom = own[:, 0].repeat(2) - width / 2, (own[:, 1:] + [ABOVE * height, BELOW * height]).ravel()
+        boxes = np.column_stack([left - room, bottom - room, left + width + room, bottom + height + room])
+        overlap = (boxes[:, None, :2] < taken[:, 2:]) & (taken[:, :2] < boxes[:, None, 2:])
+        free = np.flatnonzero(~overlap.all(axis=2).any(axis=1))
+        if len(free):
+            taken = np.vstack([taken, boxes[free[0]]])
+            corners.append((float(left[free[0]]), float(bottom[free[0]])))
         else:
-            lifts.append(None)
-    return lifts
+            corners.append(None)
+    return corners

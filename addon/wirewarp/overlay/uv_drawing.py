@@ -9,10 +9,11 @@ import bpy
 from ..issues import ObjectError
 from ..mesh_cache import stamp
 from ..report_store import last_report
+from ..write_helper_wires import helper_ends_in_map
 from .cache import Same, kept_drawing
 from .failure_drawing import Failures, uv_failures
 from .gather_uv import gather_uv_lines, shows_our_map
-from .object_drawing import Lines, lines_of
+from .object_drawing import Lines, lines_of, with_helpers
 
 
 @dataclass(frozen=True)
@@ -47,6 +48,6 @@ def _targets(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 def _lines(target: bpy.types.Object) -> Lines:
     try:
-        return lines_of(target, gather_uv_lines(target.data))
+        return with_helpers(lines_of(target, gather_uv_lines(target.data)), helper_ends_in_map(target))
     except ObjectError:
         return Lines({}, {}, [])  # an attribute of our name is another's; the list of wires says so

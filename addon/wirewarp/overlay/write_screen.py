@@ -14,8 +14,10 @@ from ..color_maps import ColorMap
 from .blending import blending
 from .legend import Box, Text, lay_out
 from .line_styles import STYLES
+from .shown import Drawing
 from .spread_names import spread
 from .surface_arrays import Extremes
+from .uv_drawing import UvDrawing
 
 FONT, FONT_SIZE, MARGIN = 0, 12, 16
 MAX_NAMES = 150
@@ -27,9 +29,25 @@ class PlacedName(NamedTuple):
     """In pixels of the region."""
 
     text: str
-    x: float
-    y: float
+    points: np.ndarray  # (c,2) where it may stand, the best first
     reach: float  # of the line that is named
+
+
+def write_over(
+    context: bpy.types.Context,
+    shown: Sequence[Drawing | UvDrawing],
+    names: Iterable[PlacedName],
+    notes: Sequence[str] = (),
+    color_map: ColorMap | None = None,
+    extremes: Extremes | None = None,
+) -> None:
+    """Names and legend of what is drawn in a view."""
+    unit = context.preferences.system.ui_scale
+    if context.scene.wirewarp.show_names:
+        write_names(names, unit)
+    kinds = {kind for each in shown if each.lines for kind in each.lines.places}
+    kinds |= {kind for each in shown if each.failures for kind in each.failures.lines}
+    write_legend(context, kinds, unit, notes, color_map, extremes)
 
 
 def write_names(names: Iterable[PlacedName], unit: float) -> None:
@@ -37,11 +55,10 @@ def write_names(names: Iterable[PlacedName], unit: float) -> None:
     blf.size(FONT, FONT_SIZE * unit)
     found = [name for name in names if blf.dimensions(FONT, name.text)[0] < NAME_TO_LINE * 2 * name.reach][:MAX_NAMES]
     sizes = [blf.dimensions(FONT, name.text) for name in found]
-    places = [(name.x - width / 2, name.y + height / 2) for name, (width, height) in zip(found, sizes, strict=True)]
     texts, boxes = [], []
-    for (text, *_), (left, base), size, lift in zip(found, places, sizes, spread(places, sizes), strict=True):
-        if lift is not None:
-            texts.append(Text(text, left, base + lift))
+    for name, size, corner in zip(found, sizes, spread([name.points for name in found], sizes), strict=True):
+        if corner is not None:
+            texts.append(Text(name.text, *corner))
             boxes.append(_label(texts[-1], size))
     _fill(boxes)
     _write(texts, NAME_COLOR)
@@ -51,9 +68,9 @@ def write_legend(
     context: bpy.types.Context,
     kinds: set[str],
     unit: float,
-    notes: Sequence[str] = (),
-    color_map: ColorMap | None = None,
-    extremes: Extremes | None = None,
+    notes: Sequence[str],
+    color_map: ColorMap | None,
+    extremes: Extremes | None,
 ) -> None:
     """Of these kinds of line, in the lower right corner."""
     blf.size(FONT, FONT_SIZE * unit)
