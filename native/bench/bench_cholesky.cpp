@@ -63,8 +63,8 @@ struct Springs {
     lower.setFromTriplets(entries.begin(), entries.end());
   }
 
-  MultifrontalCholesky analyze(int num_threads = 1, const FrontKernels& kernels = fastest_kernels()) const {
-    return MultifrontalCholesky(lower, nested_dissection(graph, positions), 2, num_threads, kernels);
+  MultifrontalCholesky analyze(bool in_threads = false, const FrontKernels& kernels = fastest_kernels()) const {
+    return MultifrontalCholesky(lower, nested_dissection(graph, positions), 2, in_threads, kernels);
   }
 
   Positions2 positions;
@@ -72,19 +72,19 @@ struct Springs {
   SparseMatrix lower;
 };
 
-void factorize(benchmark::State& state, int num_threads, const FrontKernels& kernels) {
+void factorize(benchmark::State& state, bool in_threads, const FrontKernels& kernels) {
   const Springs springs(state);
   reset_peak_memory();
-  MultifrontalCholesky cholesky = springs.analyze(num_threads, kernels);
+  MultifrontalCholesky cholesky = springs.analyze(in_threads, kernels);
   bool stable = cholesky.factorize(springs.lower);  // the first time the system hands out the memory
   for (auto _ : state) stable = cholesky.factorize(springs.lower) && stable;
   if (!stable) throw std::domain_error("the springs are not stable");
   state.counters["peak_MB"] = peak_memory_mb();
 }
 
-void cholesky_factor(benchmark::State& state) { factorize(state, 1, fastest_kernels()); }
-void cholesky_factor_two_threads(benchmark::State& state) { factorize(state, 2, fastest_kernels()); }
-void cholesky_factor_plain(benchmark::State& state) { factorize(state, 1, kPlainKernels); }
+void cholesky_factor(benchmark::State& state) { factorize(state, false, fastest_kernels()); }
+void cholesky_factor_two_threads(benchmark::State& state) { factorize(state, true, fastest_kernels()); }
+void cholesky_factor_plain(benchmark::State& state) { factorize(state, false, kPlainKernels); }
 
 void cholesky_dissect(benchmark::State& state) {
   const Springs springs(state);

@@ -45,10 +45,15 @@ Options any_options(FuzzedDataProvider& bytes) {
   Options options;
   options.method = bytes.PickValueInArray({Method::refined, Method::wirewarp_plus_plus, Method::wirewarping});
   options.node_weight = bytes.PickValueInArray({NodeWeight::length, NodeWeight::uniform});
+  options.inner = bytes.PickValueInArray({Inner::minimum, Inner::least_norm});
   options.fairness = bytes.ConsumeBool() ? 0.1 : bytes.ConsumeFloatingPointInRange<double>(0, 11);
   options.max_factorizations = bytes.ConsumeIntegralInRange(0, 100);
   options.gap = bytes.ConsumeFloatingPointInRange<double>(0, 1.01);
   options.mirror = bytes.ConsumeBool();
+  options.layout = bytes.PickValueInArray({PieceLayout::packed, PieceLayout::row});
+  options.orientation = bytes.PickValueInArray({Orientation::wire, Orientation::boundary, Orientation::up});
+  options.grain = bytes.ConsumeIntegralInRange(-1, 3);
+  for (double& x : options.up) x = any_coordinate(bytes);
   return options;
 }
 

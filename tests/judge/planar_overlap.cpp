@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace wirewarp::test {
 namespace {
@@ -40,12 +41,16 @@ std::pair<int, int> find_overlap(const std::vector<PlanarTriangle>& triangles) {
     size = std::max({size, boxes.back().low.cwiseAbs().maxCoeff(), boxes.back().high.cwiseAbs().maxCoeff()});
   }
   const double rounding = 1e-9 * size;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (std::size_t j = i + 1; j < triangles.size(); ++j) {
-      if ((boxes[i].low.array() > boxes[j].high.array()).any() ||
-          (boxes[j].low.array() > boxes[i].high.array()).any()) {
-        continue;
-      }
+  std::vector<std::size_t> order(triangles.size());  // from left to right
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j) { return boxes[i].low.x() < boxes[j].low.x(); });
+  for (std::size_t first = 0; first < order.size(); ++first) {
+    const std::size_t i = order[first];
+    for (std::size_t second = first + 1; second < order.size(); ++second) {
+      const std::size_t j = order[second];
+      if (boxes[j].low.x() > boxes[i].high.x()) break;
+      if (boxes[i].low.y() > boxes[j].high.y() || boxes[j].low.y() > boxes[i].high.y()) continue;
       const double apart =
           std::max(distance_beyond(triangles[i], triangles[j]), distance_beyond(triangles[j], triangles[i]));
       if (apart < -rounding) return {static_cast<int>(i), static_cast<int>(j)};

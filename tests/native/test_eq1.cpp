@@ -7,12 +7,11 @@
 
 #include "inner/eq1.h"
 #include "inner/kkt_system.h"
+#include "pi.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 /// A bent plate with two holes and wires that join them to the rim and to one another: wire-patches, holes, crossings.
 FlattenInput bent_plate() {

@@ -6,12 +6,11 @@
 #include <set>
 
 #include "judge.h"
+#include "pi.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 Eigen::Vector3d dome(double s, double t) { return {s, t, 0.2 * std::cos(kPi * (s - 0.5)) * std::cos(kPi * (t - 0.5))}; }
 

@@ -9,12 +9,12 @@
 #include <numeric>
 #include <random>
 
+#include "pi.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 // A millionth of the piece: the refined method stops where another step promises less than 1e-9 of f.
 constexpr double kSame = 1e-6;
 constexpr Method kMethods[] = {Method::wirewarp_plus_plus, Method::refined};

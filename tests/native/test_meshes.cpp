@@ -5,11 +5,10 @@
 
 #include "charts/cut_into_charts.h"
 #include "index.h"
+#include "pi.h"
 
 namespace wirewarp::test {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 /// Quads of a grid with num_columns vertices in a row, cut into triangles; a closed grid wraps around.
 Triangles grid_faces(int nx, int ny, int num_columns) {

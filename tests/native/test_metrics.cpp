@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "metrics/metrics.h"
+#include "pi.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -11,8 +12,6 @@ namespace {
 
 using test::charts_of;
 using test::planar_positions;
-
-constexpr double kPi = 3.141592653589793;
 
 Metrics measure(const Chart& chart, const Positions2& uv) {
   return measure_metrics(chart, build_wire_network(chart), uv);

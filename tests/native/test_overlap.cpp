@@ -5,6 +5,7 @@
 #include <random>
 
 #include "metrics/overlap.h"
+#include "pi.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -12,8 +13,6 @@ namespace {
 
 using test::charts_of;
 using test::planar_positions;
-
-constexpr double kPi = 3.141592653589793;
 
 /// The chart's faces and which of them have a boundary edge.
 struct Faces {

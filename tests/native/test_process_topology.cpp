@@ -6,6 +6,7 @@
 #include <set>
 
 #include "mesh/geometry.h"
+#include "pi.h"
 #include "processed_chart.h"
 #include "test_meshes.h"
 #include "topology/process_topology.h"
@@ -13,7 +14,6 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 using test::process;
 using test::Processed;
 using test::stretch_of_flattening;

@@ -3,13 +3,12 @@
 
 #include <cmath>
 
+#include "pi.h"
 #include "test_meshes.h"
 #include "topology/shortest_path.h"
 
 namespace wirewarp {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 /// Length of the straightened shortest path between two vertices.
 double geodesic_length(const Chart& chart, int from, int to) {

@@ -3,13 +3,12 @@
 
 #include <cmath>
 
+#include "pi.h"
 #include "test_meshes.h"
 #include "topology/straightest_geodesic.h"
 
 namespace wirewarp {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 /// Where each vertex of a grid lies in the unrolled plane.
 using Unroll = std::function<Planar(int column, int row)>;

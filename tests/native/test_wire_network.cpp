@@ -5,13 +5,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "pi.h"
 #include "test_meshes.h"
 #include "topology/wire_network.h"
 
 namespace wirewarp {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 struct Network {
   explicit Network(const FlattenInput& input) : charts(test::charts_of(input)), chart(charts.charts[0]) {

@@ -12,6 +12,7 @@
 
 #include "judge.h"
 #include "random_case.h"
+#include "wirewarp/cache.h"
 
 namespace wirewarp::test {
 namespace {
@@ -27,7 +28,23 @@ void give_up(int) {
 struct Outcome {
   std::string name;  // "flat", or the code of the error
   std::vector<std::string> broken;
+
+  void add(std::vector<std::string> sentences) {
+    for (std::string& sentence : sentences) broken.push_back(std::move(sentence));
+  }
 };
+
+/// The same solver, so that a cache solves no chart again.
+Options with_plain_layout(Options options) {
+  const Options plain;
+  options.layout = plain.layout;
+  options.orientation = plain.orientation;
+  options.grain = plain.grain;
+  options.up = plain.up;
+  options.gap = plain.gap;
+  options.mirror = plain.mirror;
+  return options;
+}
 
 Outcome judge_errors(const RandomCase& random_case, const FlattenResult& result) {
   Outcome outcome{"flat", {}};
@@ -45,10 +62,15 @@ Outcome judge_errors(const RandomCase& random_case, const FlattenResult& result)
 
 Outcome run(const RandomCase& random_case) {
   try {
-    const FlattenResult result = flatten(random_case.input, random_case.options);
+    const FlattenInput& input = random_case.input;
+    const Options& options = random_case.options;
+    Cache cache;
+    const FlattenResult result = flatten(input, options, {}, &cache);
+    const FlattenResult again = flatten(input, with_plain_layout(options), {}, &cache);
     Outcome outcome = judge_errors(random_case, result);
-    for (std::string& sentence : broken_promises(random_case.input, random_case.options, result))
-      outcome.broken.push_back(std::move(sentence));
+    outcome.add(broken_promises(input, options, result));
+    outcome.add(broken_demands(input, options, result, random_case.fault));
+    outcome.add(differences_of_layout(input, options, result, again));
     return outcome;
   } catch (const FlattenError& error) {
     Outcome outcome{describe(error.code).name, faults_of_error(error, random_case.input)};

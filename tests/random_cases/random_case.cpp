@@ -16,9 +16,20 @@ Options random_options(RandomStream& random) {
   if (random.chance(0.1)) options.inner = Inner::least_norm;
   if (random.chance(0.3)) options.fairness = random.across_scales(Options::least_fairness, Options::most_fairness);
   if (random.chance(0.1)) options.max_factorizations = random.whole(1, 5);
+  return options;
+}
+
+void choose_layout(RandomStream& random, std::size_t num_wires, Options& options) {
+  if (random.chance(0.3)) options.layout = PieceLayout::row;
   if (random.chance(0.2)) options.gap = random.uniform();
   options.mirror = random.chance(0.2);
-  return options;
+  options.orientation =
+      random.pick(std::vector<Orientation>{Orientation::wire, Orientation::boundary, Orientation::up});
+  if (random.chance(0.5)) options.grain = random.whole(-1, static_cast<int>(num_wires) - 1);
+  if (random.chance(0.5)) {
+    const double length = random.across_scales(1e-100, 1e100);
+    for (double& x : options.up) x = length * random.between(-1, 1);
+  }
 }
 
 const char* name_of(Method method) {
@@ -35,6 +46,7 @@ RandomCase make_random_case(std::uint64_t seed) {
   result.input = random_mesh(random, result.description);
   add_random_seams(random, result.input, result.description);
   add_random_wires(random, result.input, result.description);
+  choose_layout(random, result.input.wires.size(), result.options);
   if (random.chance(0.15)) {
     result.fault = add_random_fault(random, result.input, result.options);
     result.description += std::string(" with ") + describe(*result.fault).name;

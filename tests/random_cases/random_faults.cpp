@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <limits>
+#include <set>
 
 namespace wirewarp::test {
 namespace {
@@ -27,15 +28,17 @@ void clear_marks(FlattenInput& input) {
 }
 
 int face_with_neighbor(RandomStream& random, const FlattenInput& input) {
+  std::set<VertexPair> directed;
+  for (int f = 0; f < input.faces.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) directed.insert({input.faces(f, k), input.faces(f, (k + 1) % 3)});
+  }
   std::vector<int> found;
   for (int f = 0; f < input.faces.rows(); ++f) {
-    for (int g = 0; g < input.faces.rows(); ++g) {
-      for (int k = 0; k < 9; ++k) {  // the edges run opposite ways
-        const bool shared = input.faces(f, k / 3) == input.faces(g, (k + 1) % 3) &&
-                            input.faces(f, (k / 3 + 1) % 3) == input.faces(g, k % 3);
-        if (f != g && shared && (found.empty() || found.back() != f)) found.push_back(f);
-      }
+    bool has_neighbor = false;  // whose edge runs the opposite way
+    for (int k = 0; k < 3; ++k) {
+      has_neighbor = has_neighbor || directed.count({input.faces(f, (k + 1) % 3), input.faces(f, k)}) > 0;
     }
+    if (has_neighbor) found.push_back(f);
   }
   return found.empty() ? -1 : random.pick(found);
 }
@@ -48,7 +51,8 @@ ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& o
   const int b = input.faces(f, 1);
   const int c = input.faces(f, 2);
   const int num_vertices = static_cast<int>(input.vertices.rows());
-  switch (random.below(16)) {
+  options.grain = -1;  // some faults take wires away
+  switch (random.below(18)) {
     case 0:
       input.faces.resize(0, 3);
       return ErrorCode::empty_mesh;
@@ -86,8 +90,7 @@ ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& o
       return ErrorCode::repeated_face;
     case 10: {
       clear_marks(input);
-      const int between = append_vertex(input, (input.vertices.row(a) + input.vertices.row(b)).transpose() / 2);
-      append_face(input, a, b, between);
+      append_face(input, a, b, append_vertex(input, input.vertices.row(a).transpose()));
       return ErrorCode::zero_area_face;
     }
     case 11: {
@@ -119,6 +122,12 @@ ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& o
     }
     case 14:
       options.fairness = random.pick(std::vector<double>{0, -1, 1e9, kNan});
+      return ErrorCode::invalid_option;
+    case 15:
+      options.grain = random.chance(0.5) ? static_cast<int>(input.wires.size()) + random.below(3) : -2;
+      return ErrorCode::invalid_option;
+    case 16:
+      options.up = random.chance(0.5) ? std::array<double, 3>{0, 0, 0} : std::array<double, 3>{0, kNan, 1};
       return ErrorCode::invalid_option;
     default:
       options.max_factorizations = -random.below(3);

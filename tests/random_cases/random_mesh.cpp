@@ -22,7 +22,7 @@ struct Mesh {
 std::vector<double> grid_lines(RandomStream& random, int count) {
   std::vector<double> lines;
   const int kind = random.below(4);
-  const double ratio = random.between(0.3, 0.9);
+  const double ratio = std::max(random.between(0.3, 0.9), std::pow(1e-9, 1.0 / count));
   for (int i = 0; i <= count; ++i) {
     const double even = static_cast<double>(i) / count;
     if (kind == 0 && i > 0 && i < count) {
@@ -91,12 +91,13 @@ Mesh random_sheet(RandomStream& random) {
   const auto height = random_height(random);
   const double width = random.across_scales(0.05, 20);
   const bool jitters = random.chance(0.3);
-  const int most = random.chance(0.03) ? 45 : 12;  // few large ones
-  const int nx = random.whole(1, most);
-  const int ny = random.whole(1, most);
+  const bool is_huge = random.chance(0.006);  // 20,000 faces or more: solved from coarse to fine
+  const int most = is_huge ? 120 : random.chance(0.03) ? 45 : 12;
+  const int nx = random.whole(is_huge ? 100 : 1, most);
+  const int ny = random.whole(is_huge ? 100 : 1, most);
   RandomStream shake(static_cast<std::uint64_t>(random.below(1 << 30)));
   return make_grid(random, nx, ny, false, false, [&](double s, double t) {
-    const double lift = jitters ? shake.between(-0.05, 0.05) : 0;
+    const double lift = jitters ? shake.between(-0.6, 0.6) / most : 0;
     return Eigen::Vector3d(width * s, t, height(s, t) + lift);
   });
 }

@@ -38,14 +38,14 @@ void add_rows(int num_rows, const double* from, const int* target, int begin, in
 
 }  // namespace
 
-int num_factor_threads() { return std::thread::hardware_concurrency() > 1 ? 2 : 1; }
+bool has_second_core() { return std::thread::hardware_concurrency() > 1; }
 
 MultifrontalCholesky::MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
-                                           int unknowns_per_vertex, int num_threads, const FrontKernels& kernels)
+                                           int unknowns_per_vertex, bool in_threads, const FrontKernels& kernels)
     : layout_(lay_out_fronts(lower, tree, unknowns_per_vertex)),
       all_(branches_where(std::vector<char>(layout_.fronts.size(), 1))),
       kernels_(&kernels),
-      num_threads_(num_threads),
+      in_threads_(in_threads),
       factor_(new Tile[layout_.panel_tiles]),
       schur_(new Tile[layout_.schur_tiles]) {}
 
@@ -59,7 +59,7 @@ bool MultifrontalCholesky::factorize(const Eigen::SparseMatrix<double>& lower) {
       if (positive_definite_) eliminate(f, lower.valuePtr());
     }
   };
-  run_shares(layout_.shares.size(), num_threads_ > 1, [&](std::size_t share) { eliminate_all(layout_.shares[share]); });
+  run_shares(layout_.shares.size(), in_threads_, [&](std::size_t share) { eliminate_all(layout_.shares[share]); });
   eliminate_all(layout_.last_fronts);
   return positive_definite_;
 }
@@ -103,10 +103,6 @@ void MultifrontalCholesky::add_child(int child, int node) {
     }
     i += run;
   }
-}
-
-std::size_t MultifrontalCholesky::memory() const {
-  return sizeof(Tile) * (layout_.panel_tiles + layout_.schur_tiles) + sizeof(MatrixEntry) * layout_.entries.size();
 }
 
 }  // namespace wirewarp

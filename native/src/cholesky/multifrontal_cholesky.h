@@ -23,17 +23,17 @@
 
 namespace wirewarp {
 
-/// Threads that a factorization makes use of here: two, or one on a processor with one core.
-int num_factor_threads();
+/// The processor has a second core for a second thread.
+bool has_second_core();
 
 class MultifrontalCholesky {
  public:
   /// Analyzes a pattern and takes all the memory that factorize needs. lower: the lower triangle, compressed. Unknowns
   /// k v to k v + k - 1 belong to vertex v of the tree's graph, k = unknowns_per_vertex.
-  /// With two threads, those work on independent subtrees; factor and solutions are the same to the last bit.
+  /// in_threads: two threads work on independent subtrees; factor and solutions are the same to the last bit.
   /// Throws std::invalid_argument if the tree has not each vertex once or does not separate what lower joins.
   MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree, int unknowns_per_vertex,
-                       int num_threads = 1, const FrontKernels& kernels = fastest_kernels());
+                       bool in_threads = false, const FrontKernels& kernels = fastest_kernels());
 
   /// New values on the same pattern. False if the matrix is not positive definite: a pivot was not a positive finite
   /// number; then there is no factor to solve with. Throws std::invalid_argument at a different number of entries.
@@ -58,9 +58,6 @@ class MultifrontalCholesky {
   /// b := L⁻ᵀ b at vertices in the branches. Ancestors are among the branches or have been before.
   void substitute_back(Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const;
 
-  /// Bytes held: the factor, Schur complements, and where matrix entries go.
-  std::size_t memory() const;
-
  private:
   void eliminate(int node, const double* values);
   void add_child(int child, int node);
@@ -73,7 +70,7 @@ class MultifrontalCholesky {
   FrontLayout layout_;
   Branches all_;
   const FrontKernels* kernels_;
-  int num_threads_;
+  bool in_threads_;
   std::unique_ptr<Tile[]> factor_;
   std::unique_ptr<Tile[]> schur_;
   std::atomic<bool> positive_definite_{false};

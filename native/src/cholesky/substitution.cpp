@@ -109,7 +109,7 @@ void MultifrontalCholesky::substitute_forward_4(Eigen::Ref<Eigen::MatrixXd> b, c
   const auto num_shared = static_cast<Eigen::Index>(layout_.shared_vertices.size());
   const int k = layout_.unknowns_per_vertex;
   std::array<Eigen::MatrixXd, FrontLayout::num_shares> sums;
-  run_shares(sums.size(), num_threads_ > 1 && nonzero.are_worth_threads, [&](std::size_t share) {
+  run_shares(sums.size(), in_threads_ && nonzero.are_worth_threads, [&](std::size_t share) {
     sums[share].setZero(k * num_shared, b.cols());
     visit(nonzero.shares[share], sums[share]);
   });
@@ -145,7 +145,7 @@ void MultifrontalCholesky::substitute_back_4(Eigen::Ref<Eigen::MatrixXd> b, cons
   for (Eigen::Index i = 0; i < num_shared; ++i) {
     shared.middleRows(k * i, k) = b.middleRows(k * layout_.shared_vertices[static_cast<std::size_t>(i)], k);
   }
-  run_shares(wanted.shares.size(), num_threads_ > 1 && wanted.are_worth_threads,
+  run_shares(wanted.shares.size(), in_threads_ && wanted.are_worth_threads,
              [&](std::size_t share) { visit(wanted.shares[share], shared); });
 }
 

@@ -5,12 +5,11 @@
 #include <numeric>
 #include <utility>
 
+#include "coarsen/none.h"
 #include "index.h"
 
 namespace wirewarp {
 namespace {
-
-constexpr int kNone = -1;
 
 class Coarsening {
  public:

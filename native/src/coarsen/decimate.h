@@ -23,10 +23,9 @@ struct CoarsePlace {
 
 struct DecimatedMesh {
   HalfEdgeMesh mesh;
-  std::vector<int> fine_vertex;    // of each vertex of the mesh
-  std::vector<int> coarse_vertex;  // of each vertex of the chart; -1: removed
-  std::vector<CoarsePlace>
-      places;  // per vertex of the chart, in vertices of the mesh; not set for removed ones on wires
+  std::vector<int> fine_vertex;     // of each vertex of the mesh
+  std::vector<int> coarse_vertex;   // of each vertex of the chart; -1: removed
+  std::vector<CoarsePlace> places;  // of each vertex of the chart; not set for removed ones on wires
 };
 
 /// network: the lines along which wire vertices stay. edge_length: wanted, scene units; no new edge is longer than

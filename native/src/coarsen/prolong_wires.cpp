@@ -6,13 +6,12 @@
 #include <complex>
 #include <numeric>
 
+#include "coarsen/none.h"
 #include "index.h"
 #include "pi.h"
 
 namespace wirewarp {
 namespace {
-
-constexpr int kNone = -1;
 
 /// Where the runs that meet at a coarse wire vertex point, compared with the surface.
 class WireTurns {

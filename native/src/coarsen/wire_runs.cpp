@@ -5,15 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "coarsen/none.h"
 #include "index.h"
 #include "pi.h"
 
 namespace wirewarp {
-namespace {
-
-constexpr int kNone = -1;
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<int> nodes_at_arrival(const WireNetwork& network) {
   std::vector<int> nodes(2 * network.edges.size(), kNone);

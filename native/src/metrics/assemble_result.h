@@ -13,8 +13,7 @@ namespace wirewarp {
 /// A chart's planar shape and how it came about.
 struct Layout {
   std::optional<WireNetwork> network;  // set where uv is
-  Positions2 uv;  // one row per chart vertex, then those that helper wires need; scene units; no rows: no
-                  // layout
+  Positions2 uv;  // one row per chart vertex, then those that helper wires need; scene units; no rows: no layout
   std::vector<double> variation;  // h, one per wire part of the chart
   std::vector<PlacedHelperWire> helper_wires;
   PieceReport report;

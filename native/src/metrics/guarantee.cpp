@@ -97,14 +97,14 @@ FlattenError wrong_lengths(const Chart& chart, const std::vector<Wire>& wires, c
                       std::move(elements), true);
 }
 
-/// A piece that lies over itself: a ring is to be cut open, anything else as the remedy says.
+/// A piece that lies over itself: a ring had best be cut open, anything else as the remedy says.
 FlattenError folded(ErrorCode code, const Chart& chart, const std::vector<int>& faces, const std::string& what,
                     std::string remedy) {
   ErrorElements elements{{}, {}, faces};
   if (chart.boundary_loops.size() > 1) {
     elements.proposed_seams = propose_seams(chart);
     remedy = "mark a seam from one of its outlines to the next, such as along " +
-             name_elements("edge", elements.proposed_seams) + ".";
+             name_elements("edge", elements.proposed_seams) + ", or " + remedy;
   }
   return FlattenError(code, what + ": " + remedy, std::move(elements), true);
 }

@@ -85,7 +85,7 @@ class Springs {
       if (row_of_point_[p] >= 0) free_layout.row(row_of_point_[p]) = layout.row(p);
     }
     MultifrontalCholesky cholesky(stiffness, nested_dissection(graph_of(stiffness, 1), free_layout), 1,
-                                  num_factor_threads());
+                                  has_second_core());
     if (!cholesky.factorize(stiffness)) throw std::domain_error("embed_on_circle: the springs are not stable");
     cholesky.solve_in_place(x_);
     for (Eigen::Index v = 0; v < uv_.rows(); ++v) {

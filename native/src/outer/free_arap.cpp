@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "charts/enclosed_area.h"
 #include "cholesky/matrix_graph.h"
 #include "cholesky/multifrontal_cholesky.h"
 #include "outer/circle_embedding.h"
@@ -27,7 +28,7 @@ class GlobalStep {
   /// Doubling one diagonal entry of K holds its vertex: the entries of a gradient sum to 0, so the vertex does not
   /// move. positions: for the order of elimination.
   GlobalStep(Eigen::SparseMatrix<double> hessian, const Positions2& positions)
-      : cholesky_(hessian, nested_dissection(graph_of(hessian, 1), positions), 1, num_factor_threads()) {
+      : cholesky_(hessian, nested_dissection(graph_of(hessian, 1), positions), 1, has_second_core()) {
     hessian.coeffRef(0, 0) *= 2;
     hessian.diagonal() *= 1 + kRegularization;
     if (!cholesky_.factorize(hessian)) throw std::domain_error("GlobalStep: the Laplacian is not positive definite");
@@ -44,18 +45,6 @@ class GlobalStep {
   MultifrontalCholesky cholesky_;
 };
 
-/// What the boundary loops enclose, holes taken off; negative in a mirror image.
-double signed_area(const Chart& chart, const Positions2& uv) {
-  double twice_area = 0;
-  for (const HalfEdgeChain& loop : chart.boundary_loops) {
-    for (const HalfedgeHandle h : loop) {
-      const auto a = uv.row(chart.mesh.from_vertex_handle(h).idx()), b = uv.row(chart.mesh.to_vertex_handle(h).idx());
-      twice_area += a.x() * b.y() - a.y() * b.x();
-    }
-  }
-  return twice_area / 2;
-}
-
 double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
 
 /// How far to go along the direction: to the bottom of the parabola through E, its slope, and E one length further.
@@ -70,7 +59,7 @@ double step_length(const ShapeError& shape_error, const FreeFlattening& flat, co
 FreeFlattening flatten_freely(const Chart& chart, int max_iterations, const std::optional<Positions2>& start) {
   FreeFlattening flat;
   flat.uv = start ? *start : embed_on_circle(chart);
-  if (signed_area(chart, flat.uv) < 0) flat.uv.col(0) *= -1;
+  if (enclosed_area(chart, flat.uv) < 0) flat.uv.col(0) *= -1;
 
   const ShapeError shape_error(chart);
   const GlobalStep global_step(shape_error.fixed_rotation_hessian(), flat.uv);

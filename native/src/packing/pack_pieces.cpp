@@ -3,24 +3,12 @@
 
 #include <cmath>
 
+#include "charts/enclosed_area.h"
 #include "packing/pack_boxes.h"
 #include "packing/upright_direction.h"
 
 namespace wirewarp {
 namespace {
-
-/// The area inside the outline, holes left out.
-double outline_area(const Chart& chart, const Positions2& uv) {
-  double twice_area = 0;
-  for (const HalfEdgeChain& loop : chart.boundary_loops) {
-    for (const HalfedgeHandle h : loop) {
-      const auto a = uv.row(chart.mesh.from_vertex_handle(h).idx());
-      const auto b = uv.row(chart.mesh.to_vertex_handle(h).idx());
-      twice_area += a.x() * b.y() - a.y() * b.x();
-    }
-  }
-  return std::abs(twice_area) / 2;
-}
 
 /// The layout turned so that up becomes +y, with its lower-left corner at the origin.
 Positions2 stand_upright(const Positions2& uv, const Eigen::Vector2d& up) {
@@ -51,7 +39,7 @@ std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, const std:
   for (std::size_t i = 0; i < layouts.size(); ++i) {
     if (layouts[i].rows() == 0) continue;
     pieces.push_back(i);
-    area += outline_area(charts[i], layouts[i]);
+    area += std::abs(enclosed_area(charts[i], layouts[i]));
     const Eigen::Vector2d up = upright_direction(charts[i], layouts[i], options);
     packed[i] =
         options.mirror ? stand_upright(mirror_image(layouts[i]), {-up.x(), up.y()}) : stand_upright(layouts[i], up);

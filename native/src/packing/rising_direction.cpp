@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "charts/enclosed_area.h"
+
 namespace wirewarp {
 
 Eigen::Vector2d rising_direction(const Chart& chart, const Positions2& uv, const Eigen::Vector3d& up) {
@@ -17,19 +19,17 @@ Eigen::Vector2d rising_direction(const Chart& chart, const Positions2& uv, const
   // Over the triangles the gradient sums up to what the outline alone says: the integral of height times its outward
   // normal (Gauss), whatever lies inside.
   Eigen::Vector2d gradient(0, 0);
-  double twice_area = 0;
   for (const HalfEdgeChain& loop : chart.boundary_loops) {
     for (const HalfedgeHandle h : loop) {
       const VertexHandle from = chart.mesh.from_vertex_handle(h);
       const VertexHandle to = chart.mesh.to_vertex_handle(h);
-      const Eigen::Vector2d a = uv.row(from.idx()) - uv.row(0);
-      const Eigen::Vector2d b = uv.row(to.idx()) - uv.row(0);
-      gradient += (height(from) + height(to)) / 2 * Eigen::Vector2d(b.y() - a.y(), a.x() - b.x());
-      twice_area += a.x() * b.y() - a.y() * b.x();
+      const Eigen::Vector2d side = uv.row(to.idx()) - uv.row(from.idx());
+      gradient += (height(from) + height(to)) / 2 * Eigen::Vector2d(side.y(), -side.x());
     }
   }
-  const bool is_level = gradient.norm() <= kLevel * std::abs(twice_area) / 2;
-  return is_level ? Eigen::Vector2d(0, 0) : gradient;
+  const double area = enclosed_area(chart, uv);  // negative where most of a failed piece is turned over
+  const bool is_level = gradient.norm() <= kLevel * std::abs(area);
+  return is_level ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(std::copysign(1.0, area) * gradient);
 }
 
 }  // namespace wirewarp

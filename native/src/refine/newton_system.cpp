@@ -91,7 +91,7 @@ NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const 
   for (int v = 0; v < mass.size(); ++v) matrix_.add_diagonal(v, mass[v] * Eigen::Matrix2d::Identity());
   matrix_.add_diagonal(pinned_[0], kPin * Eigen::Matrix2d::Identity());
   constant_ = matrix_.values();
-  cholesky_.emplace(matrix_.lower(), nested_dissection(matrix_.graph(), positions), 2, num_factor_threads());
+  cholesky_.emplace(matrix_.lower(), nested_dissection(matrix_.graph(), positions), 2, has_second_core());
   std::vector<int> wire_vertices;
   for (const LengthConstraints::Edge& edge : constraints.edges()) {
     wire_vertices.push_back(edge.a);

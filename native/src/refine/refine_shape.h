@@ -43,9 +43,8 @@ struct RefinementStart {
   Eigen::VectorXd multipliers;  // λ, one per edge of the network; empty: not known
 };
 
-/// network: of all wires but super-elastic ones. fairness: shortest wiggle
-/// of wires that is left alone, over the square root of the area. Not exact where the start is too far from exact
-/// lengths for one step.
+/// network: of all wires but super-elastic ones. fairness: shortest wiggle of wires that is left alone, over the square
+/// root of the area. Not exact where the start is too far from exact lengths for one step.
 RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double fairness, const RefinementStart& start,
                           const RefinementLimits& limits);
 

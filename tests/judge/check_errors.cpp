@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check_errors.h"
+
+#include <Eigen/Geometry>
+
+#include "judge.h"
+#include "planar_overlap.h"
+
+namespace wirewarp::test {
+namespace {
+
+/// What the faces of a piece say of its topology.
+struct Topology {
+  int num_loops = 0;
+  int num_handles = 0;
+  double longest_loop = 0;  // in space
+  double area = 0;          // in space
+};
+
+Topology topology_of(const Judged& judged, const Piece& piece) {
+  Topology topology;
+  const auto position = [&](int v) { return judged.position(piece.source_vertex[at(v)]); };
+  for (const auto& corners : piece.faces.rowwise()) {
+    const Eigen::Vector3d a = position(corners[0]);
+    topology.area += (position(corners[1]) - a).cross(position(corners[2]) - a).norm() / 2;
+  }
+  std::map<int, int> next;  // along the outline
+  for (const auto& [a, b] : judged.outline_of(piece)) next[a] = b;
+  const auto num_edges = (3 * static_cast<int>(piece.faces.rows()) + static_cast<int>(next.size())) / 2;
+  while (!next.empty()) {
+    ++topology.num_loops;
+    double length = 0;
+    for (auto edge = next.begin(); edge != next.end();) {
+      length += (position(edge->first) - position(edge->second)).norm();
+      const int reached = edge->second;
+      next.erase(edge);
+      edge = next.find(reached);
+    }
+    topology.longest_loop = std::max(topology.longest_loop, length);
+  }
+  const int characteristic =
+      static_cast<int>(piece.source_vertex.size()) - num_edges + static_cast<int>(piece.faces.rows());
+  topology.num_handles = (2 - topology.num_loops - characteristic) / 2;
+  return topology;
+}
+
+void check_named_elements(Judged& judged, int number) {
+  const Piece& piece = judged.result.pieces[at(number)];
+  const ErrorElements& named = piece.error->elements;
+  const std::set<int> vertices(piece.source_vertex.begin(), piece.source_vertex.end());
+  bool all_here = std::all_of(named.vertices.begin(), named.vertices.end(), [&](int v) { return vertices.count(v); });
+  for (const int face : named.faces) all_here = all_here && judged.piece_of(face) == number;
+  for (const VertexPair& pair : named.edges) {
+    all_here = all_here && !judged.sides_in(edge_of(pair[0], pair[1]), number).empty();
+  }
+  if (!all_here) judged.say("an error names elements of another piece");
+  for (const VertexPair& pair : named.proposed_seams) {
+    const Edge edge = edge_of(pair[0], pair[1]);
+    if (judged.sides_in(edge, number).size() != 2 || judged.is_outline(edge)) {
+      judged.say("proposed seam " + name(edge) + " does not cut the piece");
+    }
+  }
+}
+
+/// Proposed tolerances: more than the wires have, on wires that the piece must hold.
+void check_tolerances(Judged& judged, int number) {
+  for (const ProposedTolerance& proposed : judged.result.pieces[at(number)].error->elements.proposed_tolerances) {
+    const Wire& wire = judged.input.wires[at(proposed.wire)];
+    bool is_inside = false;
+    for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
+      const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
+      is_inside = is_inside || (!judged.sides_in(edge, number).empty() && !judged.is_outline(edge));
+    }
+    if (!is_inside) judged.say("a tolerance is proposed for " + wire.name + ", which is not in the piece");
+    const double has = judged.options.method == Method::wirewarping ? 0 : wire.tolerance;
+    if (!(proposed.tolerance > has)) judged.say("the tolerance proposed for " + wire.name + " is no more than it has");
+  }
+}
+
+void check_flips(Judged& judged, const Piece& piece) {
+  for (const int face : piece.error->elements.faces) {
+    PlanarTriangle triangle{judged.uv(face, 0), judged.uv(face, 1), judged.uv(face, 2)};
+    if (judged.options.mirror) std::swap(triangle[1], triangle[2]);
+    if (doubled_area(triangle) > 0) judged.say("face " + std::to_string(face) + " is said to be turned over");
+  }
+}
+
+}  // namespace
+
+bool is_of_mesh(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::repeated_vertex_in_face:
+    case ErrorCode::repeated_face:
+    case ErrorCode::zero_area_face:
+    case ErrorCode::non_manifold_edge:
+    case ErrorCode::non_manifold_vertex:
+    case ErrorCode::inconsistent_orientation:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void check_error(Judged& judged, int number) {
+  const Piece& piece = judged.result.pieces[at(number)];
+  const FlattenError& error = *piece.error;
+  for (std::string& fault : faults_of_error(error, judged.input)) judged.say(std::move(fault));
+  if (error.has_layout != judged.has_layout(piece)) judged.say("has_layout does not say whether there is a layout");
+  if (is_of_mesh(error.code)) return;  // what follows from the topology does not hold
+
+  check_named_elements(judged, number);
+  const Topology topology = topology_of(judged, piece);
+  const bool is_closed = error.code == ErrorCode::closed_chart, has_handles = error.code == ErrorCode::handles;
+  if (is_closed != (topology.num_loops == 0)) judged.say("an error is wrong about whether the piece is closed");
+  if (has_handles != (topology.num_loops > 0 && topology.num_handles > 0))
+    judged.say("an error is wrong about handles");
+  const bool has_seams = !error.elements.proposed_seams.empty();
+  const bool has_tolerances = !error.elements.proposed_tolerances.empty();
+  if (has_tolerances && error.code != ErrorCode::infeasible_lengths) judged.say("tolerances mend no lengths");
+  check_tolerances(judged, number);
+  switch (error.code) {
+    case ErrorCode::closed_chart:
+    case ErrorCode::handles:
+      if (!has_seams) judged.say("no seam is proposed");
+      break;
+    case ErrorCode::boundary_too_short: {
+      // An outline of this length holds more than so much of the area: not too short (design: 1/4, rings 0.45).
+      const double share = topology.longest_loop * topology.longest_loop / (4 * 3.141592653589793 * topology.area);
+      if (share > (topology.num_loops > 1 ? 0.45 : 0.25) * (1 + 1e-9)) judged.say("the outline is not too short");
+      if (!has_seams) judged.say("no seam is proposed");
+      break;
+    }
+    case ErrorCode::infeasible_lengths:
+      if (has_seams && has_tolerances) judged.say("seams and tolerances are proposed at once");
+      if (judged.options.method == Method::refined && !has_seams && !has_tolerances) judged.say("nothing is proposed");
+      break;
+    case ErrorCode::flipped_faces:
+      check_flips(judged, piece);
+      [[fallthrough]];
+    case ErrorCode::overlapping_faces:
+      if (has_seams != (topology.num_loops > 1)) judged.say("a seam is proposed, or none, against the topology");
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace wirewarp::test

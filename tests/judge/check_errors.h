@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "judged.h"
+
+namespace wirewarp::test {
+
+/// The error is of a fault in the mesh itself.
+bool is_of_mesh(ErrorCode code);
+
+/// The error of a piece fits the piece: its topology, its outline, its wires, and what it names.
+void check_error(Judged& judged, int piece);
+
+}  // namespace wirewarp::test

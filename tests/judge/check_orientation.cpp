@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What Options::orientation says, measured in the pieces as they lie. Where the choice of a line hangs on details of
+// how wires are cut into parts, nothing is asked.
+#include <optional>
+
+#include "check_layout.h"
+
+namespace wirewarp::test {
+namespace {
+
+constexpr double kRounding = 1e-6;
+constexpr double kShortChord = 0.1;              // of a line's length: then its box stands upright, not its chord
+constexpr double kStraight = 0.087266462599716;  // 5 degrees
+constexpr double kLevel = 0.01;
+
+/// A line in a piece: its points in the plane, in order.
+struct Line {
+  std::vector<Eigen::Vector2d> points;
+  double length = 0;
+};
+
+/// Appends the edge from a to b as this piece has it.
+void append(const Judged& judged, const Side& side, int a, Line& line) {
+  const int begin = judged.vertex(side.face, side.corner) == a ? 0 : 1;
+  if (line.points.empty()) line.points.push_back(judged.uv(side.face, side.corner + begin));
+  line.points.push_back(judged.uv(side.face, side.corner + 1 - begin));
+  line.length += judged.length_2d(side);
+}
+
+bool runs_through(const Judged& judged, const Wire& wire, int piece) {
+  for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
+    if (!judged.sides_in(edge_of(wire.vertices[i], wire.vertices[i + 1]), piece).empty()) return true;
+  }
+  return false;
+}
+
+/// A wire that is one part: open, and nowhere on an outline but at its ends. Else no points.
+Line uncut_wire(const Judged& judged, const Wire& wire, int piece) {
+  Line line;
+  const std::vector<int>& v = wire.vertices;
+  if (v.front() == v.back()) return {};
+  for (std::size_t i = 0; i + 1 < v.size(); ++i) {
+    const std::vector<Side> sides = judged.sides_in(edge_of(v[i], v[i + 1]), piece);
+    if ((i > 0 && judged.is_outline_vertex(v[i])) || sides.size() != 2) return {};
+    append(judged, sides[0], v[i], line);
+  }
+  return line;
+}
+
+void check_upright(Judged& judged, const Line& line, const std::string& what) {
+  if (line.points.empty()) return;
+  const Eigen::Vector2d chord = line.points.back() - line.points.front();
+  if (chord.norm() > 1.001 * kShortChord * line.length) {
+    if (std::abs(chord.x()) > kRounding * chord.norm() || chord.y() <= 0) judged.say(what + " does not stand upright");
+  } else if (chord.norm() < 0.999 * kShortChord * line.length) {
+    Eigen::Vector2d low = line.points[0], high = low;
+    for (const Eigen::Vector2d& p : line.points) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    if (high.y() - low.y() < (1 - kRounding) * (high.x() - low.x())) judged.say("the box of " + what + " lies down");
+  }
+}
+
+/// One of the longest chains of the outline stands upright. Chains lie on the left of their piece.
+void check_longest_chain(Judged& judged, int number) {
+  double longest = 0;
+  Line line;
+  for (const BoundaryReport& boundary : judged.result.pieces[at(number)].boundaries) {
+    Line chain;
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < boundary.vertices.size(); ++i) {
+      const Edge edge = edge_of(boundary.vertices[i], boundary.vertices[i + 1]);
+      length += judged.length_3d(edge);
+      for (const Side& side : judged.sides_in(edge, number)) {
+        const bool is_along = judged.vertex(side.face, side.corner) == boundary.vertices[i];
+        if (is_along) append(judged, side, boundary.vertices[i], chain);
+      }
+    }
+    if (std::abs(length - longest) <= 1e-4 * longest) return;  // two of the same length: either may be chosen
+    if (length < longest) continue;
+    longest = length;
+    line = chain;
+  }
+  check_upright(judged, line, "the longest chain of the outline");
+}
+
+void check_wire_upright(Judged& judged, int piece) {
+  const std::vector<Wire>& wires = judged.input.wires;
+  const int grain = judged.options.grain;
+  if (grain >= 0 && runs_through(judged, wires[at(grain)], piece)) {
+    return check_upright(judged, uncut_wire(judged, wires[at(grain)], piece), "the grain");
+  }
+  for (const Wire& wire : wires) {
+    if (!runs_through(judged, wire, piece)) continue;
+    return check_upright(judged, uncut_wire(judged, wire, piece), "the first wire");
+  }
+  check_longest_chain(judged, piece);
+}
+
+/// Edges of the outline that head up within 5 degrees, one after the other, are at least as long as any one edge.
+void check_straightest_stretch(Judged& judged, int number) {
+  const Piece& piece = judged.result.pieces[at(number)];
+  double longest_edge = 0;
+  std::map<int, Eigen::Vector2d> upright;  // by piece vertex: the edge of the outline that leaves it
+  std::map<int, int> next;
+  for (const auto& [a, b] : judged.outline_of(piece)) {
+    const Eigen::Vector2d edge = (piece.vertices.row(b) - piece.vertices.row(a)).transpose();
+    longest_edge = std::max(longest_edge, edge.norm());
+    if (std::abs(std::atan2(edge.x(), edge.y())) > kStraight + kRounding) continue;
+    upright[a] = edge;
+    next[a] = b;
+  }
+  double longest_stretch = 0;
+  for (const auto& [first, edge] : upright) {
+    Eigen::Vector2d stretch = edge;
+    for (int v = next.at(first); upright.count(v) && v != first; v = next.at(v)) stretch += upright.at(v);
+    longest_stretch = std::max(longest_stretch, stretch.norm());
+  }
+  if (longest_stretch < (1 - 1e-4) * longest_edge) judged.say("no straight stretch of the outline stands upright");
+}
+
+/// The mean over the piece of the height's gradient, Σ h n / 2 over the sides n of each triangle (n: turned outwards);
+/// none where about as much is turned over as is not.
+std::optional<Eigen::Vector2d> mean_rise(const Judged& judged, const Piece& piece) {
+  const Eigen::Vector3d up = Eigen::Vector3d(judged.options.up.data()).stableNormalized();
+  const Eigen::Vector3d origin = judged.position(judged.vertex(piece.source_face[0], 0));
+  Eigen::Vector2d sum(0, 0);
+  double area = 0, whole = 0;
+  for (const int face : piece.source_face) {
+    for (int k = 0; k < 3; ++k) {
+      const double height = up.dot(judged.position(judged.vertex(face, k)) - origin);
+      const Eigen::Vector2d across = judged.uv(face, k + 2) - judged.uv(face, k + 1);
+      sum += height / 2 * Eigen::Vector2d(-across.y(), across.x());
+    }
+    const Eigen::Vector2d a = judged.uv(face, 1) - judged.uv(face, 0), b = judged.uv(face, 2) - judged.uv(face, 0);
+    const double of_face = (a.x() * b.y() - a.y() * b.x()) / 2;
+    area += of_face;
+    whole += std::abs(of_face);
+  }
+  if (std::abs(area) < 1e-6 * whole) return std::nullopt;
+  return sum / area;
+}
+
+}  // namespace
+
+void check_orientation(Judged& judged, int number) {
+  if (judged.options.orientation == Orientation::boundary) return check_straightest_stretch(judged, number);
+  if (judged.options.orientation == Orientation::up) {
+    const std::optional<Eigen::Vector2d> rise = mean_rise(judged, judged.result.pieces[at(number)]);
+    if (!rise) return;
+    if (rise->norm() > 1.001 * kLevel) {
+      const bool is_up = std::abs(rise->x()) <= kRounding * rise->norm() && rise->y() > 0;
+      if (!is_up) judged.say("up in space is not up in the piece");
+      return;
+    }
+    if (rise->norm() > 0.999 * kLevel) return;  // level or not, by rounding
+  }
+  check_wire_upright(judged, number);
+}
+
+}  // namespace wirewarp::test

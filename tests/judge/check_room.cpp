@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+
+#include "check_layout.h"
+
+namespace wirewarp::test {
+namespace {
+
+struct Box {
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+  bool has_helpers = false;  // wires that the method added; they may reach beyond a piece that is turned over
+};
+
+Box box_of(const Judged& judged, const Piece& piece) {
+  Box box;
+  box.has_helpers = !piece.helper_wires.empty();
+  for (const int face : piece.source_face) {
+    for (int k = 0; k < 3; ++k) {
+      box.low = box.low.cwiseMin(judged.uv(face, k));
+      box.high = box.high.cwiseMax(judged.uv(face, k));
+    }
+  }
+  return box;
+}
+
+double area_of(const Judged& judged, const Piece& piece) {
+  double area = 0;
+  for (const int face : piece.source_face) {
+    const Eigen::Vector2d a = judged.uv(face, 1) - judged.uv(face, 0), b = judged.uv(face, 2) - judged.uv(face, 0);
+    area += (a.x() * b.y() - a.y() * b.x()) / 2;
+  }
+  return std::abs(area);
+}
+
+}  // namespace
+
+void check_room(Judged& judged) {
+  std::vector<Box> boxes;
+  double area = 0, size = 0;
+  for (const Piece& piece : judged.result.pieces) {
+    if (!judged.has_layout(piece)) continue;
+    boxes.push_back(box_of(judged, piece));
+    area += area_of(judged, piece);
+    size = std::max(size, judged.uv_size(piece));
+  }
+  const double gap = judged.options.gap * std::sqrt(area);
+  const double rounding = 1e-9 * size;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double apart = (boxes[i].low.cwiseMax(boxes[j].low) - boxes[i].high.cwiseMin(boxes[j].high)).maxCoeff();
+      if (apart < gap - rounding) judged.say("pieces lie closer together than the gap");
+    }
+    if (judged.options.layout != PieceLayout::row) continue;
+    const double left = i == 0 ? 0 : boxes[i - 1].high.x() + gap;
+    const bool is_tight = !boxes[i].has_helpers && (i == 0 || !boxes[i - 1].has_helpers);
+    if (boxes[i].low.x() < left - rounding || (is_tight && boxes[i].low.x() > left + rounding)) {
+      judged.say("pieces do not stand in a row in their order");
+    }
+    if (boxes[i].low.y() < -rounding || (!boxes[i].has_helpers && boxes[i].low.y() > rounding)) {
+      judged.say("pieces in a row do not stand on one line");
+    }
+  }
+}
+
+void check_same_shapes(Judged& judged, const FlattenResult& other) {
+  if (other.pieces.size() != judged.result.pieces.size()) return judged.say("the layout changes the number of pieces");
+  for (std::size_t p = 0; p < other.pieces.size(); ++p) {
+    const Piece& piece = judged.result.pieces[p];
+    const Piece& again = other.pieces[p];
+    if (piece.error.has_value() != again.error.has_value() || (piece.error && piece.error->code != again.error->code)) {
+      judged.say("the layout changes the outcome of piece " + std::to_string(p));
+    }
+    if (!judged.has_layout(piece) || piece.vertices.rows() != again.vertices.rows()) continue;
+    const double size = std::max(piece.vertices.cwiseAbs().maxCoeff(), again.vertices.cwiseAbs().maxCoeff());
+    for (const auto& corners : piece.faces.rowwise()) {
+      for (int k = 0; k < 3; ++k) {
+        const int a = corners[k], b = corners[(k + 1) % 3];
+        const double length = (piece.vertices.row(a) - piece.vertices.row(b)).norm();
+        const double same = (again.vertices.row(a) - again.vertices.row(b)).norm();
+        if (!(std::abs(length - same) <= 1e-14 * size)) return judged.say("the layout changes lengths");
+      }
+    }
+  }
+}
+
+}  // namespace wirewarp::test

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check_unfolding.h"
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <queue>
+
+#include "planar_overlap.h"
+
+namespace wirewarp::test {
+namespace {
+
+constexpr double kCloses = 1e-11;  // of the piece's size: how exactly faces meet again in an unfolded surface
+
+// E (Eq. 4) over the 3D area: rounding, and what the stop of Eq. 1 leaves of angles.
+constexpr double kUndistorted = 1e-12, kUndistortedAngles = 1e-9;
+
+constexpr int kFewFactorizations = 20;  // a method that may take no more can stop anywhere
+
+double triangle_area(const PlanarTriangle& t) { return static_cast<double>(doubled_area(t)) / 2; }
+
+/// The third corner of a face that lies on the left of the side from a to b in the plane.
+Eigen::Vector2d place_third(const Judged& judged, const Side& side, const Eigen::Vector2d& a,
+                            const Eigen::Vector2d& b) {
+  const Eigen::Vector3d origin = judged.position(judged.vertex(side.face, side.corner));
+  const Eigen::Vector3d along = judged.position(judged.vertex(side.face, side.corner + 1)) - origin;
+  const Eigen::Vector3d third = judged.position(judged.vertex(side.face, side.corner + 2)) - origin;
+  const double ahead = third.dot(along) / along.squaredNorm();
+  const double aside = along.cross(third).norm() / along.squaredNorm();
+  const Eigen::Vector2d planar = b - a;
+  return a + ahead * planar + aside * Eigen::Vector2d(-planar.y(), planar.x());
+}
+
+/// The faces of a piece laid into the plane one after the other, across long edges first; none if they do not close.
+std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const Piece& piece) {
+  std::map<int, PlanarTriangle> placed;                              // by face, corners in order
+  std::priority_queue<std::pair<double, std::array<int, 2>>> front;  // length, side
+  double size = 0;
+  const auto place = [&](const Side& side, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    PlanarTriangle& triangle = placed[side.face];
+    triangle[at(side.corner)] = a;
+    triangle[at((side.corner + 1) % 3)] = b;
+    triangle[at((side.corner + 2) % 3)] = place_third(judged, side, a, b);
+    for (int k = 0; k < 3; ++k) {
+      const Edge edge = edge_of(judged.vertex(side.face, k), judged.vertex(side.face, k + 1));
+      size = std::max(size, judged.length_3d(edge));
+      if (!judged.is_outline(edge)) front.push({judged.length_3d(edge), {side.face, k}});
+    }
+  };
+  const int first = piece.source_face[0];
+  const double length = judged.length_3d(edge_of(judged.vertex(first, 0), judged.vertex(first, 1)));
+  place({first, 0}, {0, 0}, {length, 0});
+  while (!front.empty()) {
+    const auto [face, corner] = front.top().second;
+    front.pop();
+    const Eigen::Vector2d a = placed.at(face)[at(corner)], b = placed.at(face)[at((corner + 1) % 3)];
+    for (const Side& other : judged.sides().at(edge_of(judged.vertex(face, corner), judged.vertex(face, corner + 1)))) {
+      if (other.face == face) continue;
+      const auto known = placed.find(other.face);
+      if (known == placed.end()) {
+        place(other, b, a);
+        continue;
+      }
+      const double off = std::max((known->second[at(other.corner)] - b).norm(),
+                                  (known->second[at((other.corner + 1) % 3)] - a).norm());
+      if (!(off <= kCloses * size)) return std::nullopt;
+    }
+  }
+  return placed;
+}
+
+/// E of Eq. (4) of the map between two triangles: 2 (|z| - 1)² + 2 |w|² over z, w of its similar and its mirroring
+/// part.
+double energy(const PlanarTriangle& from, const PlanarTriangle& to) {
+  Eigen::Matrix2d before, after;
+  before << from[1] - from[0], from[2] - from[0];
+  after << to[1] - to[0], to[2] - to[0];
+  const Eigen::Matrix2d map = after * before.inverse();
+  const double z = std::hypot(map(0, 0) + map(1, 1), map(1, 0) - map(0, 1)) / 2;
+  const double w = std::hypot(map(0, 0) - map(1, 1), map(1, 0) + map(0, 1)) / 2;
+  return triangle_area(from) * (2 * (z - 1) * (z - 1) + 2 * w * w);
+}
+
+}  // namespace
+
+void check_unfolding(Judged& judged, const Piece& piece) {
+  const bool is_refined = judged.options.method == Method::refined;
+  if (is_refined && judged.options.max_factorizations < kFewFactorizations) return;
+  // The paper's methods turn faces over now and then, or stop short, and say so.
+  if (!is_refined && (piece.error || piece.report.termination != Termination::converged)) return;
+  const auto unfolded = unfold(judged, piece);
+  if (!unfolded) return;
+  std::vector<PlanarTriangle> triangles;
+  double area = 0;
+  for (const auto& [face, triangle] : *unfolded) {
+    triangles.push_back(triangle);
+    area += triangle_area(triangle);
+  }
+  if (triangles.size() != piece.source_face.size() || find_overlap(triangles).first >= 0) return;
+  if (piece.error) {
+    judged.say(std::string("a piece that unfolds has the error ") + describe(piece.error->code).name);
+    return;
+  }
+  double sum = 0;
+  for (const auto& [face, triangle] : *unfolded) {
+    PlanarTriangle flat{judged.uv(face, 0), judged.uv(face, 1), judged.uv(face, 2)};
+    if (judged.options.mirror) {
+      for (Eigen::Vector2d& corner : flat) corner.x() *= -1;
+    }
+    sum += energy(triangle, flat);
+  }
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", sum / area);
+  const double most = is_refined ? kUndistorted : kUndistortedAngles;
+  if (!(sum <= most * area)) judged.say(std::string("a piece that unfolds is distorted by ") + text);
+}
+
+}  // namespace wirewarp::test

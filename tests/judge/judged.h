@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "wirewarp/flatten.h"
+
+namespace wirewarp::test {
+
+using Edge = VertexPair;  // the smaller vertex first
+using Sentences = std::vector<std::string>;
+
+inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+inline Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+inline std::string name(const Edge& edge) { return std::to_string(edge[0]) + "-" + std::to_string(edge[1]); }
+
+/// One side of an edge: the face, and the corner at which it begins.
+struct Side {
+  int face;
+  int corner;
+};
+
+/// An input and its result, as the judge looks them up; and the broken promises found so far.
+class Judged {
+ public:
+  Judged(const FlattenInput& input, const Options& options, const FlattenResult& result);
+
+  /// Notes a broken promise; the first ten are enough.
+  void say(std::string sentence) {
+    if (sentences_.size() < 10) sentences_.push_back(std::move(sentence));
+  }
+  Sentences take_sentences() { return std::move(sentences_); }
+
+  int vertex(int face, int corner) const { return input.faces(face, corner % 3); }
+  Eigen::Vector3d position(int vertex) const { return input.vertices.row(vertex).transpose(); }
+  Eigen::Vector2d uv(int face, int corner) const {
+    return result.corner_uv.block<1, 2>(face, 2 * (corner % 3)).transpose();
+  }
+
+  /// max |uv| of a piece, NaN without a layout.
+  double uv_size(const Piece& piece) const;
+  bool has_layout(const Piece& piece) const { return !std::isnan(uv_size(piece)); }
+
+  const std::map<Edge, std::vector<Side>>& sides() const { return sides_; }
+  bool is_edge(const Edge& edge) const { return sides_.count(edge) > 0; }
+  bool is_outline(const Edge& edge) const { return seams_.count(edge) || sides_.at(edge).size() == 1; }
+  bool is_outline_vertex(int vertex) const { return outline_vertices_.count(vertex) > 0; }
+
+  /// The sides of an edge that belong to a piece.
+  std::vector<Side> sides_in(const Edge& edge, int piece) const;
+  int piece_of(int face) const { return piece_of_[at(face)]; }
+
+  /// The edges of a piece's outline, from and to a piece vertex each, the piece on the left.
+  std::vector<std::array<int, 2>> outline_of(const Piece& piece) const;
+
+  double length_3d(const Edge& edge) const { return (position(edge[0]) - position(edge[1])).norm(); }
+  double length_2d(const Side& side) const {
+    return (uv(side.face, side.corner) - uv(side.face, side.corner + 1)).norm();
+  }
+
+  const FlattenInput& input;
+  const Options& options;
+  const FlattenResult& result;
+
+ private:
+  std::map<Edge, std::vector<Side>> sides_;
+  std::set<Edge> seams_;
+  std::set<int> outline_vertices_;
+  std::vector<int> piece_of_;
+  Sentences sentences_;
+};
+
+}  // namespace wirewarp::test
