@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "count_allocations.h"
+#include "count_fronts.h"
 #include "outer/free_arap.h"
 #include "outer/warp.h"
 #include "refine/newton_system.h"
+#include "refine/refine_shape.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -63,8 +65,8 @@ TEST(Budgets, InteriorPlacementTakesAsManyPiecesOfMemoryOnEveryMesh) {
   EXPECT_EQ(placement_allocations(8), placement_allocations(24));
 }
 
-/// Allocations of a factorization after the first.
-int newton_allocations(int n) {
+/// Allocations of a factorization after the first, and of a solution with it.
+std::pair<int, int> newton_allocations(int n) {
   const SheetToFlatten flat(n);
   const WireNetwork network = build_held_network(flat.chart());
   const LengthConstraints constraints(flat.chart(), network);
@@ -73,11 +75,42 @@ int newton_allocations(int n) {
   const Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(constraints.size());
   const auto factorize = [&] { system.factorize(flat.uv, multipliers, {Curvature::convex, false}); };
   factorize();
-  return allocations_of(factorize);
+  const Eigen::VectorXd residual = Eigen::VectorXd::Zero(constraints.size());
+  return {allocations_of(factorize),
+          allocations_of([&] { system.finish(system.solve_on_wires(flat.uv, residual).d); })};
 }
 
 TEST(Budgets, NewtonSystemsTakeAsManyPiecesOfMemoryOnEveryMesh) {
   EXPECT_EQ(newton_allocations(8), newton_allocations(24));
+}
+
+struct RefinementCost {
+  int factorizations;
+  double substitutions;  // of one right-hand side, or up to four at once, through all fronts, forward and back
+};
+
+RefinementCost cost_of_refinement(const FlattenInput& input) {
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+  const WireNetwork network = build_held_network(chart);
+  const Positions2 start = flatten_freely(chart, 30).uv;
+  const FrontCounts before = count_fronts();
+  const RefinedShape shape = refine_shape(chart, network, 0.1, start, {100, [] { return true; }});
+  const FrontCounts after = count_fronts();
+  EXPECT_TRUE(shape.converged);
+  const auto fronts = static_cast<double>(after.factored - before.factored) / shape.factorizations;
+  const auto visited = static_cast<double>(after.substituted_forward - before.substituted_forward +
+                                           after.substituted_back - before.substituted_back);
+  return {shape.factorizations, visited / (2 * fronts)};
+}
+
+TEST(Budgets, ARefinementSubstitutesAFewTimesPerFactorization) {
+  const RefinementCost coarse = cost_of_refinement(sheet(8)), fine = cost_of_refinement(sheet(48));
+  for (const RefinementCost& cost : {coarse, fine}) {
+    EXPECT_LE(cost.factorizations, 4);
+    EXPECT_LE(cost.substitutions, 15 * cost.factorizations);
+  }
+  EXPECT_LT(fine.substitutions, 0.75 * coarse.substitutions) << "most of them stay on the branches of the wires";
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The error of a ring that is turned over somewhere proposed the seam that opens it and nothing else, though a dart or
+// a looser wire may do.
+#include <gtest/gtest.h>
+
+#include "metrics/guarantee.h"
+#include "metrics/metrics.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+TEST(Bugs, ARingIsToldEveryRemedy) {
+  const int around = 16;
+  FlattenInput input = test::flat_annulus(around, 4, 1, 3);
+  const int inside = test::nearest_vertex(input, {0, 2, 0});
+  const int begin = test::nearest_vertex(input, {0, -1, 0}), end = test::nearest_vertex(input, {0, -1.5, 0});
+  test::add_wire(input, {begin, end}, 0, "spoke");
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+  const WireNetwork network = build_wire_network(chart);
+  Positions2 uv = test::planar_positions(chart);
+  uv(inside, 1) -= 0.7;  // over the next ring
+  const auto error = check_guarantee(chart, network, input.wires, uv, std::vector<double>(chart.wire_parts.size(), 0),
+                                     measure_metrics(chart, network, uv));
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->code, ErrorCode::flipped_faces);
+  EXPECT_FALSE(error->elements.proposed_seams.empty());
+  for (const char* remedy :
+       {"mark a seam from one of its outlines to the next", "add a seam or a dart there", "loosen a wire nearby"}) {
+    EXPECT_NE(std::string(error->what()).find(remedy), std::string::npos) << remedy << " in: " << error->what();
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp
