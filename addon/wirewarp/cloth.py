@@ -5,6 +5,9 @@ import math
 
 # Of the aspect ratio. A plain limit, not one of a certain cloth: by more than a quarter hardly any stretches or eases.
 CLOTH_LIMIT = 1.25
+# From which share on a dart is worth a thought: pieces are cut beyond it too, but no longer lie on the model without
+# being pulled. A plain limit for cloth of which nothing is known; what gives more, like neoprene, needs no dart there.
+STRAIN_LIMIT = 0.08
 LESSER = 0.5  # of stretch and ease, the lesser is worth words from this share of the greater
 
 
@@ -24,6 +27,12 @@ def strain_text(name: str, piece: dict) -> str:
     """The sentence of one such piece, called by this name."""
     words = strain_words(largest(piece["stretch_max"]), largest(piece["ease_max"]))
     return f"Lengths kept, but {name} must {words}: a seam or a dart there would relieve it"
+
+
+def ready_text(pieces: list[dict]) -> str:
+    """The verdict on good pieces that are not beyond cloth: from which cloth they may be cut."""
+    strain = max(largest(piece[name]) for piece in pieces for name in ("stretch_max", "ease_max"))
+    return f"Ready to cut from cloth that gives {percent_text(strain)}" if strain > STRAIN_LIMIT else "Ready to cut"
 
 
 def strain_words(stretch: float, ease: float) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from .cloth import strain_figures, strain_words
+from .cloth import STRAIN_LIMIT, strain_figures, strain_words
 from .flatten_job import polygons_of
 from .issues import Hint
 from .mesh_to_arrays import MeshArrays
@@ -16,9 +16,6 @@ from .strain import PieceStrain, connected_regions
 from .tolerance_text import tolerance_text
 from .triangle_areas import triangle_areas
 
-# Where a dart is worth a thought: pieces are cut beyond it too, but no longer lie on the model without being pulled.
-# A plain limit for cloth of which nothing is known; what gives more, like neoprene, needs no dart there.
-STRAIN_LIMIT = 0.08
 LARGEST_SHARE = 0.25  # of the area of a piece: where more is strained, only the worst of it is a place to point at
 MOST_REGIONS = 4  # of all pieces
 LEAST_AMOUNT = 0.1  # of the greatest: the others are single faces, or not worth words

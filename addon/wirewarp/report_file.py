@@ -4,7 +4,7 @@
 import json
 from pathlib import Path
 
-from .cloth import aspect_ratio, strain_text, strained_pieces
+from .cloth import aspect_ratio, ready_text, strain_text, strained_pieces
 from .replace_file import replaced_file
 from .report import SCHEMA
 
@@ -55,9 +55,9 @@ def strained_text(reports: list[dict]) -> str:
 
 def success_text(reports: list[dict]) -> str:
     """Of reports without an issue and without a strained piece."""
-    pieces = sum(len(report["pieces"]) for report in reports)
-    count = f"{pieces} flat piece{'s' if pieces != 1 else ''}"
-    return f"Ready to cut: {count}, {kept_text(reports)} ({reports[0]['method_name']})"
+    pieces = [piece for report in reports for piece in report["pieces"]]
+    count = f"{len(pieces)} flat piece{'s' if len(pieces) != 1 else ''}"
+    return f"{ready_text(pieces)}: {count}, {kept_text(reports)} ({reports[0]['method_name']})"
 
 
 def kept_text(reports: list[dict]) -> str:

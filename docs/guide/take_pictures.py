@@ -202,7 +202,7 @@ def contradiction() -> drive.Tour:
 
 
 def pieces() -> drive.Tour:
-    yield from open_sample("mark", "pieces", "report", "report_wires", "report_pieces")
+    yield from open_sample("mark", "pieces", "report", "report_wires")
     yield from close_top_panel()
     yield from flatten()
     source = bpy.context.object

@@ -98,7 +98,7 @@ def test_batches_are_sent_once_until_marks_change(addon, source, monkeypatch):
     def redraw():
         gpu.sent.clear()
         for drawing in addon.overlay.shown.drawings(view_context()):
-            batches.draw_lines(drawing.target, "", drawing.lines, drawing.failures, 1.0, is_rim=False)
+            batches.draw_lines(drawing.target, "", drawing.lines, drawing.failures, 1.0, batches.Layer.LINES)
         return len(gpu.sent)
 
     kinds = 5 + 2  # two of them with dashes

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Arrays to what the GPU draws, sent there only when they change. In the matrix that is set."""
 
+from enum import Enum, auto
+
 import bpy
 import gpu
 import numpy as np
@@ -8,7 +10,7 @@ from gpu_extras.batch import batch_for_shader
 
 from .cache import Same, kept_drawing
 from .failure_drawing import Failures
-from .line_styles import RIM, RIM_ALPHA, STYLES
+from .line_styles import CORES, RIM, RIM_ALPHA, STYLES
 from .object_drawing import Lines
 from .surface_arrays import ColoredTriangles
 
@@ -16,15 +18,26 @@ FAILED_ALPHA = 0.6
 LINES, TRIANGLES, COLORED = "POLYLINE_UNIFORM_COLOR", "UNIFORM_COLOR", "SMOOTH_COLOR"
 
 
+class Layer(Enum):
+    """From the lowest to the highest: what is wider lies below."""
+
+    RIMS = auto()
+    LINES = auto()
+    CORES = auto()
+
+
 def draw_lines(
-    owner: bpy.types.Object, space: str, lines: Lines | None, failed: Failures | None, unit: float, is_rim: bool
+    owner: bpy.types.Object, space: str, lines: Lines | None, failed: Failures | None, unit: float, layer: Layer
 ) -> None:
-    """The lines or the rims below them; unit: pixels in a pixel at interface scale 1."""
+    """One layer of the lines; unit: pixels in a pixel at interface scale 1."""
+    is_rim = layer == Layer.RIMS
     shader = gpu.shader.from_builtin(LINES)
     shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
     places = (lines.places if lines else {}) | (failed.lines if failed else {})
     dashes = lines.dashes if lines else {}
     for kind, style in STYLES.items():
+        if (kind in CORES) != (layer == Layer.CORES):
+            continue
         shader.uniform_float("color", (*style.rim, RIM_ALPHA) if is_rim else (*style.color, 1.0))
         # The dashes first: of two surfaces at one depth the later is seen in spots.
         for what, arrays, width in ((f"{kind} dashes", dashes, style.width), (kind, places, style.line_width)):

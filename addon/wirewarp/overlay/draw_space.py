@@ -8,12 +8,13 @@ import bpy
 import gpu
 from mathutils import Matrix
 
-from .batches import draw_colored, draw_failed, draw_lines
+from .batches import Layer, draw_colored, draw_failed, draw_lines
 from .blending import blending
 from .shown import Drawing, drawings
 
 # How much nearer to the eye, of its distance, what lies on a surface is drawn, so that it is not half hidden in it.
-SURFACE_NEARER, RIM_NEARER, LINE_NEARER = 0.0005, 0.002, 0.0025
+SURFACE_NEARER = 0.0005
+NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
 
 
 def draw_space() -> None:
@@ -27,10 +28,10 @@ def draw_space() -> None:
             with _placed(context, drawing, SURFACE_NEARER):
                 _draw_surfaces(drawing)
         unit = context.preferences.system.ui_scale
-        for nearer, is_rim in ((RIM_NEARER, True), (LINE_NEARER, False)):
+        for layer, nearer in NEARER.items():
             for drawing in shown:
                 with _placed(context, drawing, nearer):
-                    draw_lines(drawing.target, "", drawing.lines, drawing.failures, unit, is_rim)
+                    draw_lines(drawing.target, "", drawing.lines, drawing.failures, unit, layer)
 
 
 @contextmanager

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import bpy
 import numpy as np
 
-from .batches import draw_failed, draw_lines
+from .batches import Layer, draw_failed, draw_lines
 from .blending import blending
 from .uv_drawing import UvDrawing, uv_drawings
 from .write_screen import PlacedName, write_over
@@ -23,9 +23,9 @@ def draw_map() -> None:
         for drawing in shown:
             if drawing.failures is not None and len(drawing.failures.triangles):
                 draw_failed(drawing.target, "uv failed faces", drawing.failures.triangles)
-        for is_rim in (True, False):
+        for layer in Layer:
             for drawing in shown:
-                draw_lines(drawing.target, "uv", drawing.lines, drawing.failures, unit, is_rim)
+                draw_lines(drawing.target, "uv", drawing.lines, drawing.failures, unit, layer)
 
 
 def draw_map_names() -> None:

@@ -44,5 +44,6 @@ STYLES = {
     "free": LineStyle("Free wire", _hex("#4fc3f7"), 3.5, dash=(4, 8)),
     "elastic": LineStyle("Elastic wire", _hex("#ffc400"), 3.5, dash=(14, 7)),
     "rigid": LineStyle("Rigid wire", _hex("#0048e8"), 2.5),
-    "selected": LineStyle("Selected", _hex("#ffffff"), 1.2),  # on one of the others, which is seen on both sides
+    "selected": LineStyle("Selected", _hex("#ffffff"), 1.2),
 }
+CORES = {"selected"}  # drawn on one of the others, which is seen on both sides

@@ -9,7 +9,6 @@ from .report import (
     VIEW3D_PT_wirewarp_report,
     VIEW3D_PT_wirewarp_report_helpers,
     VIEW3D_PT_wirewarp_report_outlines,
-    VIEW3D_PT_wirewarp_report_pieces,
     VIEW3D_PT_wirewarp_report_seams,
     VIEW3D_PT_wirewarp_report_wires,
 )
@@ -25,7 +24,6 @@ CLASSES = (
     VIEW3D_PT_wirewarp_report_seams,
     VIEW3D_PT_wirewarp_report_wires,
     VIEW3D_PT_wirewarp_report_outlines,
-    VIEW3D_PT_wirewarp_report_pieces,
     VIEW3D_PT_wirewarp_report_helpers,
     VIEW3D_PT_wirewarp_overlay,
     IMAGE_PT_wirewarp_overlay,

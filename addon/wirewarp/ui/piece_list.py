@@ -1,14 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The list of flat pieces: a double click renames, the arrow selects."""
+"""The list of flat pieces, the worst first: a double click renames, the arrow selects. Below it, the chosen one."""
 
 import bpy
 
+from ..cloth import percent_text
 from .panel import SidebarPanel
+from .piece_figures import draw_figures
 from .report import shown_report, shown_source
+from .report_rows import PieceRow
 from .report_table import draw_select
+from .report_tables import tables_of
+from .tick import green_tick
 
 
 class WIREWARP_UL_pieces(bpy.types.UIList):
+    """Entries of the report's pieces, in its order."""
+
     def draw_item(
         self,
         context: bpy.types.Context,
@@ -20,11 +27,34 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         _active_name: str,
         index: int,
     ) -> None:
-        row = layout.row(align=True)
-        pieces = shown_report(context)["pieces"]
-        ok = index < len(pieces) and pieces[index]["ok"]
-        row.prop(entry, "name", text="", emboss=False, icon="CHECKMARK" if ok else "CANCEL")
-        draw_select(row, "PIECE", index)
+        line, row = layout.row(align=True), _row_of(context, index)
+        if row is None:
+            line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
+            return
+        tick = {"icon_value": green_tick()} if row.ok else {"icon": "CANCEL"}
+        line.prop(entry, "name", text="", emboss=False, **tick)
+        if row.has_layout:
+            figure = line.row()
+            figure.alignment = "RIGHT"
+            figure.label(text=percent_text(row.strain))
+            draw_select(line, "PIECE", index)
+
+    def filter_items(
+        self, context: bpy.types.Context, source: bpy.types.Object, entries_name: str
+    ) -> tuple[list[int], list[int]]:
+        """Which entries are shown (empty: all), and the place of each."""
+        entries = getattr(source, entries_name)
+        by_name = bpy.types.UI_UL_list.filter_items_by_name
+        shown = by_name(self.filter_name, self.bitflag_filter_item, entries, "name") if self.filter_name else []
+        places = {row.index: place for place, row in enumerate(tables_of(shown_report(context)).pieces)}
+        if places.keys() != set(range(len(entries))):
+            return shown, []
+        return shown, [places[index] for index in range(len(entries))]
+
+
+def _row_of(context: bpy.types.Context, index: int) -> PieceRow | None:
+    """None where the report is of other pieces than the list."""
+    return next((row for row in tables_of(shown_report(context)).pieces if row.index == index), None)
 
 
 class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
@@ -41,4 +71,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         self.layout.template_list(
             "WIREWARP_UL_pieces", "", source, "wirewarp_pieces", source, "wirewarp_active_piece", rows=rows
         )
+        chosen = _row_of(context, source.wirewarp_active_piece)
+        if chosen:
+            draw_figures(context, self.layout, chosen)
         self.layout.operator("object.wirewarp_export_svg", icon="EXPORT")

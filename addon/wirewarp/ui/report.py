@@ -9,7 +9,6 @@ from ..overlay.cache import Same, kept_drawing
 from ..report_store import last_report
 from ..unit_text import length_text
 from .panel import SidebarPanel
-from .report_pieces import draw_pieces
 from .report_rows import largest_difference
 from .report_sentences import draw_hints, draw_issues
 from .report_table import draw_table
@@ -115,17 +114,6 @@ class VIEW3D_PT_wirewarp_report_wires(ReportSection, bpy.types.Panel):
 class VIEW3D_PT_wirewarp_report_outlines(ReportSection, bpy.types.Panel):
     bl_label = "Outlines"
     table = "outlines"
-
-
-class VIEW3D_PT_wirewarp_report_pieces(ReportSection, bpy.types.Panel):
-    bl_label = "Area, Stretch"
-    table = "pieces"
-
-    def summary(self, _context: bpy.types.Context, rows: list) -> str:
-        return f"{len(rows)}"
-
-    def draw(self, context: bpy.types.Context) -> None:
-        draw_pieces(context, self.layout, self.rows(context))
 
 
 class VIEW3D_PT_wirewarp_report_helpers(ReportSection, bpy.types.Panel):

@@ -46,6 +46,11 @@ class PieceRow:
     stretch: float  # largest, as shares of the flat length; inf where a face has no area
     ease: float
 
+    @property
+    def strain(self) -> float:
+        """The greater of both."""
+        return max(self.stretch, self.ease)
+
 
 def seam_rows(report: dict) -> list[ReportRow]:
     return _worst_first([

@@ -11,7 +11,7 @@ from .text import draw_sentence
 SHOWN_HINTS = 5
 ADVICE = {
     "wire_at_limit": "A wider tolerance on these wires would lower the distortion:",
-    "strained": "A dart or a seam here would relieve the cloth:",
+    "strained": "The cloth must give here; a dart or a seam would relieve it:",
 }
 
 

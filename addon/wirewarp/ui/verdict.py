@@ -3,7 +3,7 @@
 
 from typing import NamedTuple
 
-from ..cloth import largest, strain_words, strained_pieces
+from ..cloth import largest, ready_text, strain_words, strained_pieces
 from ..report_file import kept_text
 from ..report_names import piece_names
 
@@ -21,7 +21,7 @@ def verdict(report: dict) -> list[VerdictLine]:
     if not pieces:
         return [VerdictLine("Not flattened", "CANCEL")]
     strained = strained_pieces(report)
-    good = [piece["index"] for piece in pieces if piece["ok"] and piece not in strained]
+    good = [piece for piece in pieces if piece["ok"] and piece not in strained]
     count = "1 piece" if len(pieces) == 1 else f"{len(pieces)} pieces"
     lines = []
     if not report["ok"]:
@@ -30,9 +30,9 @@ def verdict(report: dict) -> list[VerdictLine]:
     if strained:
         lines.append(_strained_line(report, strained))
     if len(good) == len(pieces):
-        lines.append(VerdictLine(f"Ready to cut: {count}, {kept_text([report])}", "TICK"))
+        lines.append(VerdictLine(f"{ready_text(good)}: {count}, {kept_text([report])}", "TICK"))
     elif good:
-        lines.append(VerdictLine(f"Ready to cut: {_others(report, good)}", "TICK"))
+        lines.append(VerdictLine(f"{ready_text(good)}: {_others(report, good)}", "TICK"))
     return lines
 
 
@@ -44,6 +44,8 @@ def _strained_line(report: dict, strained: list[dict]) -> VerdictLine:
     return VerdictLine(f"{names}{more}: lengths kept, but the cloth must {words}", "ERROR")
 
 
-def _others(report: dict, good: list[int]) -> str:
+def _others(report: dict, good: list[dict]) -> str:
     """The good pieces among others."""
-    return piece_names(report, good) if len(good) <= SHOWN_NAMES else f"the other {len(good)} pieces"
+    if len(good) > SHOWN_NAMES:
+        return f"the other {len(good)} pieces"
+    return piece_names(report, [piece["index"] for piece in good])
