@@ -16,6 +16,7 @@ def read_flat_pieces(mesh: bpy.types.Mesh, scale: float) -> FlatPieces:
         vertices=read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64) * scale,
         source_vertex=read(mesh.attributes["source_vertex"].data, "value", np.int32),
         loop_vertices=read(mesh.loops, "vertex_index", np.int32),
+        loop_edges=read(mesh.loops, "edge_index", np.int32),
         face_sizes=read(mesh.polygons, "loop_total", np.int32),
         face_piece=read(mesh.attributes["piece"].data, "value", np.int32),
         edges=read(mesh.edges, "vertices", np.int32, 2),

@@ -11,6 +11,7 @@ from .flat_mesh import FlatMesh, edge_length_variation
 from .flat_shape import remember_shape
 from .foreach import read
 from .mesh_to_arrays import MeshArrays
+from .pattern.flat_pieces import FlatPieces
 from .pieces.attribute import PIECE
 from .pieces.records import FACE_COUNT
 from .wire_attributes import TOLERANCE, WIRE
@@ -22,8 +23,11 @@ COLLECTION = "WireWarp"
 
 def write_flat_object(
     scene: bpy.types.Scene, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays
-) -> bpy.types.Object:
-    """Makes the flat object of `source`, or replaces the data of the one it has. True scale, in its own z = 0 plane."""
+) -> tuple[bpy.types.Object, FlatPieces]:
+    """Makes the flat object of `source`, or replaces the data of the one it has. True scale, in its own z = 0 plane.
+
+    Also returns its mesh as arrays: to read them from Blender again takes long.
+    """
     target = find_flat_object(source)
     if target is None:
         target = bpy.data.objects.new(f"{source.name} Flat", bpy.data.meshes.new(f"{source.name} Flat"))
@@ -32,10 +36,10 @@ def write_flat_object(
     if scene.objects.get(target.name) != target:
         our_collection(scene).objects.link(target)
     target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
-    _write_mesh(target.data, flat, arrays)
+    pieces = _write_mesh(target.data, flat, arrays)
     write_names(target.data, {wire.chain.wire_id: wire.name for wire in arrays.wires})
     show_failed(target.data, flat.failed)
-    return target
+    return target, pieces
 
 
 def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[str]:
@@ -62,7 +66,7 @@ def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
     return next(iter(named + ours), None)
 
 
-def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
+def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> FlatPieces:
     mesh.clear_geometry()
     coordinates = np.zeros((len(flat.vertices), 3), dtype=np.float32)
     coordinates[:, :2] = flat.vertices
@@ -75,11 +79,26 @@ def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> Non
     if bpy.app.version < (4, 0, 0):  # later versions know the sizes from the starts
         mesh.polygons.foreach_set("loop_total", flat.polygon_sizes)
     mesh.update(calc_edges=True)
-    _write_attributes(mesh, flat, arrays)
-
-
-def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
     edges = read(mesh.edges, "vertices", np.int32, 2)
+    marks = flat_marks(flat, edges, arrays)
+    pieces = FlatPieces(
+        vertices=flat.vertices,
+        source_vertex=flat.source_vertex,
+        loop_vertices=flat.loop_vertices,
+        loop_edges=read(mesh.loops, "edge_index", np.int32),
+        face_sizes=flat.polygon_sizes,
+        face_piece=flat.piece,
+        edges=edges,
+        wire_ids=marks.wire_ids,
+        tolerances=marks.tolerances,
+    )
+    _write_attributes(mesh, flat, arrays, edges)
+    _write_marks(mesh, marks)
+    remember_shape(mesh, pieces)
+    return pieces
+
+
+def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays, edges: np.ndarray) -> None:
     _add(mesh, "source_vertex", "INT", "POINT", flat.source_vertex)
     _add(mesh, "source_corner", "INT", "CORNER", flat.source_corner)
     _add(mesh, "source_face", "INT", "FACE", flat.source_face)
@@ -87,8 +106,6 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) 
     _add(mesh, PIECE, "INT", "FACE", flat.piece_id)
     mesh[FACE_COUNT] = len(arrays.polygon_starts)
     write_flat_maps(mesh, flat, edges, edge_length_variation(flat, edges, arrays))
-    _write_marks(mesh, flat_marks(flat, edges, arrays))
-    remember_shape(mesh)
 
 
 def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:

@@ -37,7 +37,7 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
             update_names(source.data, wires_on(source.data))
         write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
         pieces, motions = _place(source, outcome, settings.keep_places)
-        flat = write_flat_object(context.scene, source, pieces, arrays)
+        flat, flat_arrays = write_flat_object(context.scene, source, pieces, arrays)
         remember_layout(flat, outcome.report["options"])
         uv_frame = None if settings.use_modifiers else _write_to_model(source, outcome, flat, settings.maps_on_model)
         if settings.helper_wires:
@@ -45,11 +45,11 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
             write_helper_wires(our_collection(context.scene), source, flat, lines, uv_frame)
         else:
             remove_helper_wires(source, flat)
-        context.view_layer.update()
         if settings.piece_texts:
-            write_texts(context, flat, outcome.report)
+            write_texts(context, flat, flat_arrays, outcome.report)
         else:
             remove_texts(flat)
+        context.view_layer.update()
         outcome.report["flat_object"] = flat.name
         outcome.report["notes"] += show_flat_object(context.view_layer, flat)
         store(source, outcome.report)

@@ -10,10 +10,9 @@ from mathutils import Matrix, Vector
 
 from .pattern.flat_pieces import FlatPieces
 from .pattern.inner_wires import inner_wires
-from .pattern.outlines import outline_edges
+from .pattern.outlines import outline_of
 from .pattern.pattern import PieceText
 from .pattern.texts import piece_texts
-from .read_flat_pieces import read_flat_pieces
 from .unit_text import length_text
 from .write_flat_object import our_collection
 
@@ -25,8 +24,8 @@ MATERIAL = "WireWarp Text"
 MOST = 200  # pieces that get texts; Blender is slow with many objects
 
 
-def write_texts(context: bpy.types.Context, flat: bpy.types.Object, report: dict) -> None:
-    """Replaces the texts of the flat object by those of the report's pieces."""
+def write_texts(context: bpy.types.Context, flat: bpy.types.Object, arrays: FlatPieces, report: dict) -> None:
+    """Replaces the texts of the flat object by those of the report's pieces; arrays: its mesh, in Blender units."""
     remove_texts(flat)
     pieces = [piece for piece in report["pieces"] if piece["has_layout"]]
     if len(pieces) > MOST:
@@ -34,10 +33,9 @@ def write_texts(context: bpy.types.Context, flat: bpy.types.Object, report: dict
         return
     flat[FLAT_ID] = flat.get(FLAT_ID) or random.randint(1, 2**31 - 1)
     text = length_text(context.scene)
-    arrays = read_flat_pieces(flat.data, 1.0)
     size = float(np.linalg.norm(np.ptp(arrays.vertices, axis=0)))
     lines = {piece["index"]: (piece["name"], text.area(piece["area_2d"])) for piece in pieces}
-    outline = outline_edges(arrays.vertices, arrays.loop_vertices, arrays.face_sizes, arrays.face_piece)
+    outline = outline_of(arrays)
     placed = piece_texts(arrays, outline, inner_wires(arrays, outline), lines, LARGEST * size)
     corners = _corners_by_piece(arrays)
     targets = []

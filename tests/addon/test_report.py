@@ -102,7 +102,9 @@ def test_pieces_ready_to_cut_are_told_from_those_that_failed(addon):
         lines = addon.ui.verdict.verdict(report_of_pieces(*aspect_ratios))
         return [(line.text, line.icon) for line in lines]
 
-    assert verdict(1.0, 1.25) == [("Ready to cut: 2 pieces, every length kept", "TICK")]
+    assert verdict(1.0, 1.07) == [("Ready to cut: 2 pieces, every length kept", "TICK")]
+    giving = "Ready to cut from cloth that gives 25 %: 2 pieces, every length kept"
+    assert verdict(1.0, 1.25) == [(giving, "TICK")]
     failed = ("Do not cut: 1 of 3 pieces failed", "CANCEL")
     assert verdict(1.0, None, 1.0) == [failed, ("Ready to cut: Piece 1, Piece 3", "TICK")]
     assert verdict(None) == [("Do not cut: the piece failed", "CANCEL")]
@@ -136,7 +138,7 @@ def test_pieces_that_cloth_cannot_follow_are_not_ready_to_cut(addon):
     assert verdict(report_of_pieces(1.65, None, 1.1, 14.0)) == [
         ("Do not cut: 1 of 4 pieces failed", "CANCEL"),
         (strain_sentence("Piece 4, Piece 1", 1300), "ERROR"),
-        ("Ready to cut: Piece 3", "TICK"),
+        ("Ready to cut from cloth that gives 10 %: Piece 3", "TICK"),
     ]
     (line,) = verdict(report_of_pieces(1.3, 1.4, 1.5, 1.6, 1.7, 1.8))
     assert line.text == strain_sentence("Piece 6, Piece 5, Piece 4, Piece 3 and 2 more", 80)
@@ -153,9 +155,11 @@ def test_many_good_pieces_are_counted(addon):
 
 def test_the_message_after_flattening_names_the_pieces_that_cloth_cannot_follow(addon):
     strained_text = addon.report_file.strained_text
-    fine = report_of_pieces(1.0, 1.25)
+    fine = report_of_pieces(1.0, 1.05)
     assert strained_text([fine]) == ""
     assert addon.report_file.success_text([fine]) == "Ready to cut: 2 flat pieces, every length kept (Refined)"
+    message = addon.report_file.success_text([fine, report_of_pieces(1.2)])
+    assert message == "Ready to cut from cloth that gives 20 %: 3 flat pieces, every length kept (Refined)"
     lines = strained_text([report_of_pieces(1.3, name="A"), report_of_pieces(1.0, 1.65, name="B")]).split("\n")
     assert [line.split(":")[0] for line in lines] == [
         "Lengths kept, but B, Piece 2, must stretch up to 65 %",

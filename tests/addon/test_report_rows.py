@@ -6,6 +6,7 @@ import io
 from types import SimpleNamespace
 
 import bpy
+import numpy as np
 import pytest
 from surfaces import bump, grid, mark, mark_seam, on_line
 
@@ -127,3 +128,18 @@ def test_there_must_be_a_report_to_copy():
     grid("Bump", bump)
     with pytest.raises(RuntimeError, match='"Bump" has not been flattened yet'):
         bpy.ops.object.wirewarp_copy_report()
+
+
+def test_the_list_of_pieces_has_the_worst_first(addon):
+    source = grid("Bump", bump)
+    mark_seam(source, on_line(0, 0.5))
+    bpy.ops.object.wirewarp_flatten()
+    listed = bpy.types.WIREWARP_UL_pieces
+    this = SimpleNamespace(filter_name="", bitflag_filter_item=1 << 30)
+    shown, places = listed.filter_items(this, bpy.context, source, "wirewarp_pieces")
+    strains = [max(p["stretch_max"], p["ease_max"]) for p in addon.report_store.last_report(source)["pieces"]]
+    assert shown == []
+    assert sorted(places) == [0, 1]
+    assert places.index(0) == np.argmax(strains)
+    source.wirewarp_pieces.add()  # none of the report's
+    assert listed.filter_items(this, bpy.context, source, "wirewarp_pieces") == ([], [])

@@ -39,8 +39,7 @@ def corners(text):
 def outline_of(source, addon, name):
     index = [entry.name for entry in source.wirewarp_pieces].index(name)
     flat = addon.read_flat_pieces.read_flat_pieces(flat_of(source).data, 1.0)
-    outlines = addon.pattern.outlines
-    outline = outlines.outline_edges(flat.vertices, flat.loop_vertices, flat.face_sizes, flat.face_piece)
+    outline = addon.pattern.outlines.outline_of(flat)
     a, b = outline.edges[outline.piece == index].T
     return addon.polygons.Segments(flat.vertices[a], flat.vertices[b])
 

@@ -11,6 +11,7 @@ class FlatPieces:
     vertices: np.ndarray  # (n,2) float64
     source_vertex: np.ndarray  # (n,) int32, vertex of the model
     loop_vertices: np.ndarray  # (l,) int32, the corners of one face after those of the other
+    loop_edges: np.ndarray  # (l,) int32, the edge from each corner to the next of its face
     face_sizes: np.ndarray  # (f,) int32
     face_piece: np.ndarray  # (f,) int32, index of the piece in the report
     edges: np.ndarray  # (e,2) int32

@@ -11,10 +11,11 @@ from .outlines import OutlineEdges
 
 def inner_wires(flat: FlatPieces, outline: OutlineEdges) -> dict[int, list[WireChain]]:
     """By piece, each as one run of vertices of the flat pieces."""
-    count = len(flat.vertices)
-    on_outline = np.isin(edge_keys(flat.edges, count), edge_keys(outline.edges, count))
+    count, marked = len(flat.vertices), np.flatnonzero(flat.wire_ids)
+    edges, ids = flat.edges[marked], flat.wire_ids[marked]
+    on_outline = np.isin(edge_keys(edges, count), edge_keys(outline.edges, count))
     piece_of_vertex = piece_of_vertices(count, flat.loop_vertices, flat.face_sizes, flat.face_piece)
     wires: dict[int, list[WireChain]] = {}
-    for chain in chains_of_marks(flat.edges, np.where(on_outline, 0, flat.wire_ids), flat.tolerances, flat.vertices):
+    for chain in chains_of_marks(edges, np.where(on_outline, 0, ids), flat.tolerances[marked], flat.vertices):
         wires.setdefault(int(piece_of_vertex[chain.vertices[0]]), []).append(chain)
     return wires

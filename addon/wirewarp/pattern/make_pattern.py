@@ -9,7 +9,7 @@ from ..wire_chains import WireChain
 from .flat_pieces import FlatPieces
 from .inner_wires import inner_wires
 from .notches import place_notches
-from .outlines import outline_edges, outline_loops
+from .outlines import outline_loops, outline_of
 from .pattern import Pattern, PatternPiece, PatternWire
 from .texts import piece_texts
 
@@ -31,7 +31,7 @@ def make_pattern(
     spacing: float,
 ) -> Pattern:
     """flat: in millimeters; labels by piece: the pieces wanted; wire_names by id; seams, spacing: see place_notches."""
-    outline = outline_edges(flat.vertices, flat.loop_vertices, flat.face_sizes, flat.face_piece)
+    outline = outline_of(flat)
     notches = place_notches(flat, outline, seams, spacing)
     wires = inner_wires(flat, outline)
     texts = piece_texts(flat, outline, wires, {index: label.lines for index, label in labels.items()}, TEXT_HEIGHT)

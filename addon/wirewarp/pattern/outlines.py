@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..edge_keys import edge_keys
+from .flat_pieces import FlatPieces
 
 
 @dataclass(frozen=True)
@@ -18,38 +19,56 @@ class OutlineEdges:
 
 
 def outline_edges(
-    vertices: np.ndarray, loop_vertices: np.ndarray, face_sizes: np.ndarray, face_piece: np.ndarray
+    vertices: np.ndarray,
+    loop_vertices: np.ndarray,
+    loop_edges: np.ndarray,
+    face_sizes: np.ndarray,
+    face_piece: np.ndarray,
 ) -> OutlineEdges:
-    """vertices (n,2); loop_vertices (l,): the corners of one face after those of the other; by face: size and piece."""
-    edges = _face_edges(loop_vertices, face_sizes)
-    _, first, uses = np.unique(edge_keys(edges, len(vertices)), return_index=True, return_counts=True)
-    lonely = np.sort(first[uses == 1])
-    edges, piece = edges[lonely], np.repeat(face_piece, face_sizes)[lonely]
+    """vertices (n,2); the corners of one face after those of the other (l,): vertex, and edge to the next corner.
+
+    By face: size and piece.
+    """
+    a, b = _face_sides(loop_vertices, face_sizes)
+    lonely = np.flatnonzero(np.bincount(loop_edges)[loop_edges] == 1)
+    edges, piece = np.column_stack([a[lonely], b[lonely]]).astype(np.int64), np.repeat(face_piece, face_sizes)[lonely]
     return OutlineEdges(edges, piece, _inward(vertices, edges, piece))
+
+
+def outline_of(flat: FlatPieces) -> OutlineEdges:
+    return outline_edges(flat.vertices, flat.loop_vertices, flat.loop_edges, flat.face_sizes, flat.face_piece)
+
+
+def number_edges(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> np.ndarray:
+    """(l,) a number for the edge from each corner to the next, where Blender has given none."""
+    sides = np.column_stack(_face_sides(loop_vertices, face_sizes))
+    return np.unique(edge_keys(sides, int(loop_vertices.max(initial=0)) + 1), return_inverse=True)[1]
 
 
 def signed_areas(
     vertices: np.ndarray, loop_vertices: np.ndarray, face_sizes: np.ndarray, face_piece: np.ndarray
 ) -> np.ndarray:
     """(p,) of the pieces 0, 1, ...; below 0 of one that runs clockwise."""
-    return _areas(vertices, _face_edges(loop_vertices, face_sizes), np.repeat(face_piece, face_sizes))
+    return _areas(vertices, *_face_sides(loop_vertices, face_sizes), np.repeat(face_piece, face_sizes))
 
 
-def _face_edges(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> np.ndarray:
-    """(l,2) each side of each face."""
+def _face_sides(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The vertices (l,) at the start and (l,) at the end of each side of each face."""
     starts = np.cumsum(face_sizes) - face_sizes
     following = np.arange(1, len(loop_vertices) + 1)
     following[starts + face_sizes - 1] = starts
-    return np.column_stack([loop_vertices, loop_vertices[following]]).astype(np.int64)
+    return loop_vertices, loop_vertices[following]
 
 
-def _areas(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.ndarray:
-    """(p,) the signed area of the pieces 0, 1, ... by their edges (b,2), of which piece (b,) says whose they are."""
-    a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
+def _areas(vertices: np.ndarray, a: np.ndarray, b: np.ndarray, piece: np.ndarray) -> np.ndarray:
+    """(p,) the signed area of the pieces 0, 1, ... by their edges from a (k,) to b (k,); piece (k,) says whose."""
+    origin = np.zeros(piece.max(initial=-1) + 1, dtype=np.int64)
+    origin[piece] = a
     # The shoelace formula; relative to one point of each piece, which may lie far from the origin.
-    origins = np.zeros((piece.max(initial=-1) + 1, 2))
-    origins[piece] = a
-    (ax, ay), (bx, by) = (a - origins[piece]).T, (b - origins[piece]).T
+    (ax, bx), (ay, by) = (
+        (column[a] - column[origin][piece], column[b] - column[origin][piece])
+        for column in map(np.ascontiguousarray, vertices.T)
+    )
     return np.bincount(piece, ax * by - ay * bx) / 2
 
 
@@ -57,7 +76,7 @@ def _inward(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.nd
     """Left of each edge; right in pieces that run clockwise: those seen from inside."""
     along = vertices[edges[:, 1]] - vertices[edges[:, 0]]
     _, row = np.unique(piece, return_inverse=True)
-    side = np.sign(_areas(vertices, edges, row))[row]
+    side = np.sign(_areas(vertices, *edges.T, row))[row]
     left = np.column_stack([-along[:, 1], along[:, 0]])
     return left * (side / np.maximum(np.linalg.norm(along, axis=1), np.finfo(float).tiny))[:, None]
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..flat_mesh import FlatMesh
 from ..pattern.flat_pieces import piece_of_vertices
-from ..pattern.outlines import OutlineEdges, outline_edges
+from ..pattern.outlines import OutlineEdges, number_edges, outline_edges
 from ..polygons import Segments, overlap
 from .motion import STAY, Motion, fit_motion
 
@@ -74,7 +74,8 @@ class _Pieces:
     @cached_property
     def _outlines(self) -> OutlineEdges:
         pieces = self._pieces
-        return outline_edges(pieces.vertices, pieces.loop_vertices, pieces.face_sizes, pieces.piece_id)
+        loops, sizes = pieces.loop_vertices, pieces.face_sizes
+        return outline_edges(pieces.vertices, loops, number_edges(loops, sizes), sizes, pieces.piece_id)
 
 
 def laid_out(flat: FlatMesh) -> LaidOut:
