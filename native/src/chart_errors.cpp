@@ -61,11 +61,10 @@ FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires
       for (const HalfedgeHandle h : loop) elements.edges.push_back(source_edge(chart, h));
     }
     elements.proposed_seams = propose_seams(chart);
-    return FlattenError(ErrorCode::infeasible_lengths,
-                        "The outline of " + piece +
-                            " cannot keep its length in the plane, whatever the wires do: mark a seam such as " +
-                            name_elements("edge", elements.proposed_seams) + ".",
-                        std::move(elements));
+    const std::string message = "The outline of " + piece +
+                                " cannot keep its length in the plane, whatever the wires do: mark a seam such as " +
+                                name_elements("edge", elements.proposed_seams) + ".";
+    return FlattenError(ErrorCode::infeasible_lengths, message, std::move(elements));
   }
   elements.edges = edges_of(chart, tolerances);
   const std::string message = "Not all wires of " + piece + " can keep their lengths in the plane: it lies flat " +

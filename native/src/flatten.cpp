@@ -3,6 +3,7 @@
 #include "wirewarp/flatten.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "chart_errors.h"
 #include "charts/cut_into_charts.h"
@@ -216,7 +217,7 @@ FlattenResult flatten(const FlattenInput& input, const Options& options, const P
   for (const Piece& piece : result.pieces) {
     for (const auto& [stage, time] : piece.report.seconds) seconds[stage] += time;
   }
-  result.seconds = seconds;
+  result.seconds = std::move(seconds);
   result.method = name_of(options.method);
   return result;
 }

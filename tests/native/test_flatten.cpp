@@ -67,7 +67,7 @@ FlattenInput sheet_with_a_dart(int n, double bend) {
     return Eigen::Vector3d(x, y, -bend * (x * x + y * y + 0.3 * x * y * y + 0.2 * x * x * x));
   });
   std::vector<int> dart = test::grid_column(n, n, n / 2);
-  dart.resize(static_cast<std::size_t>(n / 2 + 1));
+  dart.resize(static_cast<std::size_t>(n) / 2 + 1);
   test::add_seam(input, dart);
   test::add_wire(input, test::grid_row(n, n / 4), 0, "across the dart");
   return input;

@@ -7,7 +7,9 @@
 #include <functional>
 #include <map>
 #include <ostream>
+#include <string>
 
+#include "chart_errors.h"
 #include "charts/chart_faults.h"
 #include "feasibility/cut_to_disk.h"
 #include "feasibility/isoperimetric.h"
@@ -302,6 +304,15 @@ TEST(ShortOutline, IsNotFoundInPiecesThatCanBeCut) {
   for (const FlattenInput& input : inputs) {
     for (const ErrorCode code : codes_of(flatten(input))) EXPECT_NE(code, ErrorCode::boundary_too_short);
   }
+}
+
+TEST(InfeasibleOutline, NamesTheSeamThatItProposes) {
+  const Charts charts = test::charts_of(test::cylinder_tube(16, 8, 1, 4));
+  const FlattenError error = infeasible_wires(charts.charts[0], {}, Method::refined, {});
+  ASSERT_FALSE(error.elements.proposed_seams.empty());
+  const auto [from, to] = error.elements.proposed_seams[0];
+  const std::string edge = std::to_string(from) + "-" + std::to_string(to);
+  EXPECT_NE(std::string(error.what()).find(edge), std::string::npos) << error.what();
 }
 
 TEST(ShortOutline, SparesTheOtherPieces) {

@@ -155,7 +155,7 @@ LooseLengths::Step LooseLengths::step(double smoothing) {
   const Eigen::VectorXd forces = stiffness.cwiseProduct(residual);
   system_.set_stiffness(stiffness);
   Step step{{}, Eigen::VectorXd::Zero(constraints_.num_elastic()), 0};
-  if (!system_.factorize(now_.uv, forces, {Curvature::convex, 0})) return step;
+  if (!system_.factorize(now_.uv, forces, {Curvature::convex, false})) return step;
 
   const Positions2& directions = system_.directions();
   const auto pulled = [&](const Eigen::VectorXd& by_edge, Positions2 sum) {
