@@ -132,8 +132,10 @@ TEST(FairShapeError, AMirrorImageIsAllFlips) {
 
 /// A square sheared to a rhombus by β: its lengths along rows and columns are exact, and every corner between a row and
 /// a column is off by β: |r|² = 2 - 2 cos β.
-TEST(Bending, IsTheAngleTermOfEquation1) {
-  const int n = 4;
+class BendingOfARhombus : public testing::TestWithParam<int> {};
+
+TEST_P(BendingOfARhombus, IsTheAngleTermOfEquation1HoweverFineTheMesh) {
+  const int n = GetParam();
   FlattenInput input = test::flat_rectangle(n, n, 1, 1);
   test::add_wire(input, test::grid_row(n, n / 2));
   test::add_wire(input, test::grid_column(n, n, n / 2), 0.1);
@@ -143,33 +145,52 @@ TEST(Bending, IsTheAngleTermOfEquation1) {
   const double beta = 0.3, fairness = 0.25;
   Positions2 uv = test::planar_positions(chart);
   uv = (uv * (Eigen::Matrix2d() << 1, 0, std::sin(beta), std::cos(beta)).finished()).eval();
-  const int corners = 4 + 4 * 2 + 4;  // of the square, where a wire meets the outline, at the crossing
-  const double mean_length = 1.0 / n;
-  const double expected = 0.5 * corners * std::pow(fairness, 3) / mean_length * (2 - 2 * std::cos(beta));
+  const int of_square = 4, between_lines = 4 * 2 + 4;  // where a wire meets the outline, at the crossing
+  const double lengths = of_square * n + between_lines * std::min<double>(n, 8 / fairness);  // sum of 1/ℓ
+  const double expected = 0.5 * lengths * std::pow(fairness, 3) * (2 - 2 * std::cos(beta));
   const Bending bending(chart, build_held_network(chart), fairness, 1);
   EXPECT_NEAR(bending.value(uv), expected, 1e-13);
   const double moved = bending.value(uv.rowwise() + Eigen::RowVector2d(1e6, -2e6));
   EXPECT_NEAR(moved, expected, 1e-7) << "positions enter by differences";
 }
 
-TEST(Bending, AWireThatEndsInsideHasNoCornerThere) {
-  const int n = 4;
+INSTANTIATE_TEST_SUITE_P(CoarseAndFine, BendingOfARhombus, testing::Values(4, 64));
+
+/// Two edges of a row of the unit square, both turned by γ about the vertex between them.
+class BendingOfAFold : public testing::Test {
+ protected:
+  static constexpr int n = 4;
+  static constexpr double gamma = 0.2;
+
+  double value(FlattenInput input, double fairness) {
+    const auto vertex = [](int i, int j) { return (n + 1) * j + i; };
+    test::add_wire(input, {vertex(1, 2), vertex(2, 2), vertex(3, 2)});
+    const Charts charts = test::charts_of(input);
+    const Chart& chart = charts.charts.at(0);
+    Positions2 uv = test::planar_positions(chart);
+    const auto row_of = [&](int v) {
+      return static_cast<int>(std::find(chart.source_vertex.begin(), chart.source_vertex.end(), v) -
+                              chart.source_vertex.begin());
+    };
+    const Eigen::RowVector2d middle = uv.row(row_of(vertex(2, 2)));
+    uv.row(row_of(vertex(1, 2))) = middle + Eigen::RowVector2d(-std::cos(gamma), -std::sin(gamma)) / n;
+    uv.row(row_of(vertex(3, 2))) = middle + Eigen::RowVector2d(std::cos(gamma), -std::sin(gamma)) / n;
+    return Bending(chart, build_held_network(chart), fairness, 1).value(uv);
+  }
+  static double squared(double angle) { return 2 - 2 * std::cos(angle); }
+};
+
+TEST_F(BendingOfAFold, AWireThatEndsInsideHasNoCornerThere) {
+  const double expected = 0.5 * 2 * std::pow(0.1, 3) * n * squared(2 * gamma);
+  EXPECT_NEAR(value(test::flat_rectangle(n, n, 1, 1), 0.1), expected, 1e-13);
+}
+
+TEST_F(BendingOfAFold, ALineIsHeldThroughACrossingAsByItsCornersOnACoarseMesh) {
   FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_wire(input, {n + 1 + 1, n + 1 + 2, n + 1 + 3});
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
-  // Both half wires turned by γ about the middle: its two corners are off by 2γ, the tails have none.
-  const double gamma = 0.2;
-  Positions2 uv = test::planar_positions(chart);
-  const auto row_of = [&](int v) {
-    return static_cast<int>(std::find(chart.source_vertex.begin(), chart.source_vertex.end(), v) -
-                            chart.source_vertex.begin());
-  };
-  const Eigen::RowVector2d middle = uv.row(row_of(n + 1 + 2));
-  uv.row(row_of(n + 1 + 1)) = middle + Eigen::RowVector2d(-std::cos(gamma), -std::sin(gamma)) / n;
-  uv.row(row_of(n + 1 + 3)) = middle + Eigen::RowVector2d(std::cos(gamma), -std::sin(gamma)) / n;
-  const double expected = 0.5 * 2 * std::pow(0.1, 3) * n * (2 - 2 * std::cos(2 * gamma));
-  EXPECT_NEAR(Bending(chart, build_held_network(chart), 0.1, 1).value(uv), expected, 1e-13);
+  test::add_wire(input, test::grid_column(n, n, n / 2));
+  EXPECT_NEAR(value(input, 0.1), 0.5 * 4 * std::pow(0.1, 3) * n * squared(gamma), 1e-13);
+  const double fairness = 4, corner = std::pow(fairness, 3) * 8 / fairness, line = std::pow(fairness, 3) * n - corner;
+  EXPECT_NEAR(value(input, fairness), 0.5 * (4 * corner * squared(gamma) + 2 * line / 2 * squared(2 * gamma)), 1e-10);
 }
 
 }  // namespace

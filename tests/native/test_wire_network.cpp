@@ -7,6 +7,7 @@
 
 #include "pi.h"
 #include "test_meshes.h"
+#include "topology/wire_lines.h"
 #include "topology/wire_network.h"
 
 namespace wirewarp {
@@ -115,6 +116,53 @@ TEST(WireNetwork, ATailHasOneNodeAndAHoleALoopOfItsOwn) {
   EXPECT_EQ(annulus.network.patches[0].loops.size(), 2u);
   ASSERT_EQ(annulus.network.holes.size(), 1u);
   EXPECT_EQ(annulus.network.holes[0].size(), 12u);
+}
+
+std::size_t bends_past_corners(const WireLines& lines) {
+  return static_cast<std::size_t>(
+      std::count_if(lines.bends.begin(), lines.bends.end(), [](const LineBend& bend) { return bend.num_sectors > 1; }));
+}
+
+TEST(WireLines, RunOnThroughCrossingsAndWhereWiresMeetTheOutline) {
+  FlattenInput input = test::flat_rectangle(6, 6, 1, 1);
+  test::add_wire(input, test::grid_row(6, 3));
+  test::add_wire(input, test::grid_column(6, 6, 2));
+  const Network crossed(input);
+  const WireLines lines = find_lines(crossed.chart, crossed.network);
+  EXPECT_EQ(lines.corners.size(), 4u + 4u * 2u);
+  EXPECT_EQ(lines.bends.size(), 24u + 2u * 2u * 5u) << "one at each outline vertex, two at each inner vertex of a wire";
+  EXPECT_EQ(bends_past_corners(lines), 4u + 4u);
+  for (const LineBend& bend : lines.bends) {
+    const bool is_corner_of_square = std::abs(bend.node.surface_angle - kPi / 2) < 1e-12;
+    EXPECT_TRUE(is_corner_of_square || std::abs(bend.node.surface_angle - kPi) < 1e-12) << bend.node.surface_angle;
+  }
+}
+
+TEST(WireLines, TwoWiresEndToEndAreOneUnlessAThirdMeetsThem) {
+  FlattenInput input = test::flat_rectangle(6, 6, 1, 1);
+  const std::vector<int> row = test::grid_row(6, 3);
+  test::add_wire(input, {row.begin(), row.begin() + 4});
+  test::add_wire(input, {row.begin() + 3, row.end()});
+  const Network joined(input);
+  EXPECT_EQ(find_lines(joined.chart, joined.network).corners.size(), 2u * 2u) << "only where they meet the outline";
+  std::vector<int> column = test::grid_column(6, 6, 3);
+  column.resize(4);
+  test::add_wire(input, column);
+  const Network met(input);
+  EXPECT_EQ(find_lines(met.chart, met.network).corners.size(), 3u * 2u + 3u);
+}
+
+TEST(WireLines, AClosedWireHasNoEnd) {
+  FlattenInput input = test::flat_rectangle(6, 6, 1, 1);
+  const auto vertex = [](int i, int j) { return 7 * j + i; };
+  test::add_wire(input, {vertex(2, 2), vertex(3, 2), vertex(4, 2), vertex(4, 3), vertex(4, 4), vertex(3, 4),
+                         vertex(2, 4), vertex(2, 3), vertex(2, 2)});
+  test::add_wire(input, {vertex(1, 2), vertex(2, 2), vertex(2, 1)});  // touches it where its list begins
+  const Network network(input);
+  const WireLines lines = find_lines(network.chart, network.network);
+  EXPECT_EQ(lines.corners.size(), 2u);
+  EXPECT_EQ(bends_past_corners(lines), 2u);
+  EXPECT_EQ(lines.bends.size(), 24u + 2u * 8u + 2u);
 }
 
 }  // namespace

@@ -19,9 +19,7 @@ class Coarsening {
   CoarseChart run();
 
  private:
-  HalfedgeHandle fine_half_edge(WireHalfEdge h) const {
-    return fine_.mesh.halfedge_handle(fine_network_.edges[at(h.edge)].edge, h.reversed ? 1 : 0);
-  }
+  HalfedgeHandle fine_half_edge(WireHalfEdge h) const { return half_edge(fine_, fine_network_, h); }
   VertexHandle fine_start(WireHalfEdge h) const { return fine_.mesh.from_vertex_handle(fine_half_edge(h)); }
   VertexHandle coarse_vertex(VertexHandle v) const { return VertexHandle(decimated_.coarse_vertex[at(v.idx())]); }
   HalfEdgeChain coarse_chain(const HalfEdgeChain& chain, bool is_closed) const;

@@ -104,9 +104,7 @@ void prolong_wires(const Chart& chart, const WireNetwork& network, const CoarseC
     for (std::size_t i = 1; i < run.half_edges.size(); ++i) {
       const Complex p = begin + chord * laid[i] / laid.back();
       const WireHalfEdge w = run.half_edges[i];
-      const int v =
-          chart.mesh.from_vertex_handle(chart.mesh.halfedge_handle(network.edges[at(w.edge)].edge, w.reversed ? 1 : 0))
-              .idx();
+      const int v = chart.mesh.from_vertex_handle(half_edge(chart, network, w)).idx();
       uv.row(v) << p.real(), p.imag();
     }
   }

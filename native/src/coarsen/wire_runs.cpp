@@ -12,16 +12,9 @@
 namespace wirewarp {
 namespace {}  // namespace
 
-std::vector<int> nodes_at_arrival(const WireNetwork& network) {
-  std::vector<int> nodes(2 * network.edges.size(), kNone);
-  for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) nodes[place_of(network.nodes[at(i)].in)] = i;
-  return nodes;
-}
-
 std::vector<WireRun> find_wire_runs(const Chart& chart, const WireNetwork& network, const std::vector<char>& stays) {
   const auto start_of = [&](WireHalfEdge h) {
-    const HalfedgeHandle half_edge = chart.mesh.halfedge_handle(network.edges[at(h.edge)].edge, h.reversed ? 1 : 0);
-    return at(chart.mesh.from_vertex_handle(half_edge).idx());
+    return at(chart.mesh.from_vertex_handle(half_edge(chart, network, h)).idx());
   };
   const int num_edges = static_cast<int>(network.edges.size());
   std::vector<std::array<WireHalfEdge, 2>> leaving(chart.mesh.n_vertices());  // at vertices that do not stay

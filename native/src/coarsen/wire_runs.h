@@ -12,14 +12,6 @@
 
 namespace wirewarp {
 
-inline WireHalfEdge opposite(WireHalfEdge h) { return {h.edge, !h.reversed}; }
-
-/// Half-edges of a network in a row: two an edge.
-inline std::size_t place_of(WireHalfEdge h) { return 2 * at(h.edge) + (h.reversed ? 1 : 0); }
-
-/// For each half-edge of a network the node where it arrives, -1: a boundary walked with the chart on the right.
-std::vector<int> nodes_at_arrival(const WireNetwork& network);
-
 struct WireRun {
   std::vector<WireHalfEdge> half_edges;
   std::vector<double> headings;  // of each, unrolled, against the chord

@@ -13,10 +13,6 @@
 namespace wirewarp {
 namespace {
 
-HalfedgeHandle half_edge(const Chart& chart, const WireNetwork& network, const WireHalfEdge& h) {
-  return chart.mesh.halfedge_handle(network.edges[at(h.edge)].edge, h.reversed ? 1 : 0);
-}
-
 std::vector<bool> faces_on_boundary(const Chart& chart) {
   std::vector<bool> flags(chart.mesh.n_faces(), false);
   for (const HalfEdgeChain& loop : chart.boundary_loops) {

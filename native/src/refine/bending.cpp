@@ -2,31 +2,39 @@
 #include "refine/bending.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "index.h"
 #include "pi.h"
+#include "topology/wire_lines.h"
 
 namespace wirewarp {
 
 Bending::Bending(const Chart& chart, const WireNetwork& network, double fairness, double area) {
-  const auto half_edge = [&](WireHalfEdge h) {
-    return chart.mesh.halfedge_handle(network.edges[at(h.edge)].edge, h.reversed ? 1 : 0);
-  };
   const double shortest_wiggle = fairness * std::sqrt(area);
-  for (const WireNode& corner : network.nodes) {
-    if (corner.is_tail) continue;
-    const double length_in = network.edges[at(corner.in.edge)].length;
-    const double length_out = network.edges[at(corner.out.edge)].length;
+  const auto add = [&](const WireNode& turn, double weight) {
+    const double length_in = network.edges[at(turn.in.edge)].length;
+    const double length_out = network.edges[at(turn.out.edge)].length;
     Node node;
-    node.a = chart.mesh.from_vertex_handle(half_edge(corner.in)).idx();
-    node.b = corner.vertex.idx();
-    node.c = chart.mesh.to_vertex_handle(half_edge(corner.out)).idx();
-    node.weight = std::pow(shortest_wiggle, 3) / corner.length;
+    node.a = chart.mesh.from_vertex_handle(half_edge(chart, network, turn.in)).idx();
+    node.b = turn.vertex.idx();
+    node.c = chart.mesh.to_vertex_handle(half_edge(chart, network, turn.out)).idx();
+    node.weight = weight;
     node.to_c = Eigen::Matrix2d::Identity() / length_out;
-    node.to_a = Eigen::Rotation2Dd(kPi - corner.surface_angle).toRotationMatrix() / length_in;
+    node.to_a = Eigen::Rotation2Dd(kPi - turn.surface_angle).toRotationMatrix() / length_in;
     node.to_b = -node.to_c - node.to_a;
     nodes_.push_back(node);
+  };
+  const auto weigh = [&](double length) { return std::pow(shortest_wiggle, 3) / length; };
+  const double shortest_corner = shortest_wiggle / 8;
+  const WireLines lines = find_lines(chart, network);
+  for (const WireNode& corner : lines.corners) add(corner, weigh(std::max(corner.length, shortest_corner)));
+  for (const LineBend& bend : lines.bends) {
+    const double weight = weigh(bend.node.length), of_corners = weigh(std::max(bend.node.length, shortest_corner));
+    const bool passes_corners = bend.num_sectors > 1;
+    if (!passes_corners) add(bend.node, weight);
+    if (passes_corners && weight > of_corners) add(bend.node, (weight - of_corners) / bend.num_sectors);
   }
 }
 

@@ -1,13 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fairness of wires: how far the corners of the flat wire network are from those of the surface.
 //
-//   node  a → b → c, the wire-patch on the left; α its surface angle, l the 3D lengths, ℓ their mean
+//   node  a → b → c, the surface on its left; α its surface angle, l the 3D lengths, ℓ their mean
 //   r     = (u_c − u_b) / l_bc − R(π − α) (u_b − u_a) / l_ab
-//   F(u)  = ½ Σ_nodes (D³/ℓ) |r|²,   D = fairness · √area
+//   F(u)  = ½ Σ w |r|²,  w = D³/ℓ,  D = fairness · √area
 //
 // With exact lengths |r|² = 2 − 2 cos(θ − α), the angle term of Eq. (1) for small deviations, and yet F is quadratic in
 // the positions with a constant matrix. D is the shortest wiggle that is left to itself: without F rigid boundaries
 // buckle into zigzags.
+//
+// Along a line (a wire or a boundary loop) the deviation shrinks with ℓ, and the sum becomes an integral as the mesh is
+// refined. The angle at which two lines meet deviates by the same on every mesh: 1/ℓ would hold it the more the finer
+// the mesh, and make the piece worse. A corner between lines weighs no more than one with edges of D/8; a line that
+// passes k corners on a side is held by what more k equal shares of its deviation would weigh,
+//
+//   corner   w = D³ / max(ℓ, D/8)
+//   line     w = (D³/ℓ − D³ / max(ℓ, D/8)) / k,  D³/ℓ where it passes none,  ℓ the mean of its corners
+//
+// so that edges no shorter than D/8 have the weight D³/ℓ at every corner and no other.
 #pragma once
 
 #include <vector>
@@ -19,7 +29,7 @@ namespace wirewarp {
 
 class Bending {
  public:
-  /// Nodes of the network but those at the end of a single wire, which has no corner there. area: of the chart in 3D.
+  /// network: of the edges whose length is held. Where a wire ends inside there is no node. area: of the chart in 3D.
   Bending(const Chart& chart, const WireNetwork& network, double fairness, double area);
 
   /// F, and adds ∂F/∂u to the gradient. uv, gradient: one row per chart vertex.

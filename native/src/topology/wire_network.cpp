@@ -7,8 +7,6 @@
 namespace wirewarp {
 namespace {
 
-std::size_t place_of(WireHalfEdge h) { return 2 * at(h.edge) + (h.reversed ? 1 : 0); }
-
 void add_wire_edges(const Chart& chart, bool with_free_wires, WireNetwork& network) {
   const HalfEdgeMesh& mesh = chart.mesh;
   network.wire_edge_of_edge.assign(mesh.n_edges(), -1);
@@ -26,11 +24,6 @@ void add_wire_edges(const Chart& chart, bool with_free_wires, WireNetwork& netwo
   for (const HalfEdgeChain& loop : chart.boundary_loops) {
     for (const HalfedgeHandle h : loop) add(h, -1, true);
   }
-}
-
-WireHalfEdge wire_half_edge(const HalfEdgeMesh& mesh, const WireNetwork& network, HalfedgeHandle h) {
-  const EdgeHandle edge = mesh.edge_handle(h);
-  return {network.wire_edge_of_edge[at(edge.idx())], h != mesh.halfedge_handle(edge, 0)};
 }
 
 bool is_wire(const HalfEdgeMesh& mesh, const WireNetwork& network, HalfedgeHandle h) {
@@ -98,9 +91,7 @@ void add_patches(const HalfEdgeMesh& mesh, WireNetwork& network) {
   int num_patches = 0;
   const std::vector<int> patch_of_face = find_patch_of_face(mesh, network, num_patches);
   network.patches.resize(at(num_patches));
-  std::vector<int> node_after(2 * network.edges.size(), -1);
-  for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) node_after[place_of(network.nodes[at(i)].in)] = i;
-
+  const std::vector<int> node_after = nodes_at_arrival(network);
   std::vector<char> is_seen(network.nodes.size(), 0);
   for (int start = 0; start < static_cast<int>(network.nodes.size()); ++start) {
     if (is_seen[at(start)]) continue;
@@ -132,6 +123,12 @@ WireNetwork build_network(const Chart& chart, bool with_free_wires) {
 }
 
 }  // namespace
+
+std::vector<int> nodes_at_arrival(const WireNetwork& network) {
+  std::vector<int> nodes(2 * network.edges.size(), -1);
+  for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) nodes[place_of(network.nodes[at(i)].in)] = i;
+  return nodes;
+}
 
 WireNetwork build_wire_network(const Chart& chart) { return build_network(chart, true); }
 

@@ -29,6 +29,9 @@ struct WireEdge {
 struct WireHalfEdge {
   int edge = -1;          // index into WireNetwork::edges
   bool reversed = false;  // true: against halfedge_handle(edge, 0)
+
+  bool operator==(const WireHalfEdge& other) const { return edge == other.edge && reversed == other.reversed; }
+  bool operator!=(const WireHalfEdge& other) const { return !(*this == other); }
 };
 
 /// One corner of one wire-patch: the sector between two consecutive wire edges around a vertex, the patch inside.
@@ -57,6 +60,24 @@ struct WireNetwork {
   std::vector<int> wire_edge_of_edge;                // chart edge index -> index into edges, -1 none
   std::vector<std::vector<int>> inner_vertex_nodes;  // nodes around each network vertex inside the chart
 };
+
+inline WireHalfEdge opposite(WireHalfEdge h) { return {h.edge, !h.reversed}; }
+
+/// Half-edges of a network in a row: two an edge.
+inline std::size_t place_of(WireHalfEdge h) { return 2 * at(h.edge) + (h.reversed ? 1 : 0); }
+
+inline HalfedgeHandle half_edge(const Chart& chart, const WireNetwork& network, WireHalfEdge h) {
+  return chart.mesh.halfedge_handle(network.edges[at(h.edge)].edge, h.reversed ? 1 : 0);
+}
+
+/// edge -1: h is not in the network.
+inline WireHalfEdge wire_half_edge(const HalfEdgeMesh& mesh, const WireNetwork& network, HalfedgeHandle h) {
+  const EdgeHandle edge = mesh.edge_handle(h);
+  return {network.wire_edge_of_edge[at(edge.idx())], h != mesh.halfedge_handle(edge, 0)};
+}
+
+/// For each half-edge of a network the node where it arrives, -1: a boundary walked with the chart on the right.
+std::vector<int> nodes_at_arrival(const WireNetwork& network);
 
 /// All wires and boundaries of a chart and how they meet. Any network: nothing is refused here.
 WireNetwork build_wire_network(const Chart& chart);
