@@ -17,9 +17,14 @@ def aspect_ratio(piece: dict) -> float:
     return math.inf if ratio is None else ratio
 
 
+def is_strained(piece: dict) -> bool:
+    """A good piece beyond what cloth can follow."""
+    return piece["ok"] and aspect_ratio(piece) > CLOTH_LIMIT
+
+
 def strained_pieces(report: dict) -> list[dict]:
-    """The good pieces beyond what cloth can follow, worst first."""
-    beyond = [piece for piece in report["pieces"] if piece["ok"] and aspect_ratio(piece) > CLOTH_LIMIT]
+    """Worst first."""
+    beyond = [piece for piece in report["pieces"] if is_strained(piece)]
     return sorted(beyond, key=aspect_ratio, reverse=True)
 
 

@@ -56,12 +56,19 @@ def flatten_arrays(
             arrays.triangles,
             seams=arrays.seams,
             wires=[_library_wire(library, wire) for wire in arrays.wires],
-            options=library.Options(**asdict(choices), grain=_grain_index(arrays)),
+            options=_options(library, choices, _grain_index(arrays)),
             progress=progress,
             cache=solved,
         )
     except library.FlattenError as error:
         raise ObjectError(issue_of_error(error, arrays)) from error
+
+
+def _options(library: ModuleType, choices: FlattenChoices, grain: int) -> Any:  # noqa: ANN401
+    """While no wire is the grain wire, pieces stand as on the model: the first wires are often waist and hip."""
+    if choices.orientation == "wire" and grain == -1:
+        choices = replace(choices, orientation="up")
+    return library.Options(**asdict(choices), grain=grain)
 
 
 def _grain_index(arrays: MeshArrays) -> int:

@@ -12,7 +12,7 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
     shown = [] if use_modifiers else _shown_only(source)
     if shown:
         notes.append(
-            f"Left out, for the base mesh was flattened: {' and '.join(shown)}. Tick Modifiers to flatten what you see."
+            f"Not the size you see: {' and '.join(shown)} were left out. Tick Modifiers in the settings and flatten again."
         )
     if use_modifiers and UV_LAYER in source.data.uv_layers:
         notes.append(f'The UV map "{UV_LAYER}" is of an earlier run without modifiers and not of these flat pieces.')

@@ -96,11 +96,11 @@ class FlattenSettings:
             (
                 "WIRE",
                 "Grain Wire",
-                "The wire with the arrow in the list of wires; in pieces that it does not cross their first wire, "
-                "and without wires the longest stretch of outline",
+                "The wire with the arrow in the list of wires; in pieces that it does not cross their first wire. "
+                "While no wire has the arrow, as World Up",
             ),
             ("BOUNDARY", "Longest Straight Edge", "The longest straight stretch of the outline"),
-            ("UP", "World Up", "What points up on the model, along Z"),
+            ("UP", "World Up", "What points up on the model, along Z; in level pieces their first wire"),
         ],
         default="WIRE",
     )

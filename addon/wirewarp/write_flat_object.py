@@ -79,6 +79,8 @@ def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> Fla
     if bpy.app.version < (4, 0, 0):  # later versions know the sizes from the starts
         mesh.polygons.foreach_set("loop_total", flat.polygon_sizes)
     mesh.update(calc_edges=True)
+    for elements in (mesh.vertices, mesh.edges, mesh.polygons):  # in Edit Mode, L takes one piece, not one more
+        elements.foreach_set("select", np.zeros(len(elements), dtype=bool))
     edges = read(mesh.edges, "vertices", np.int32, 2)
     marks = flat_marks(flat, edges, arrays)
     pieces = FlatPieces(

@@ -302,12 +302,12 @@ def test_what_is_shown_but_not_flattened_is_said(addon):
     assert notes_after(addon, source) == []
     key.data[40].co.z += 1
     key.value = 1
-    what = "for the base mesh was flattened: {}. Tick Modifiers to flatten what you see."
-    assert notes_after(addon, source) == ["Left out, " + what.format("shape keys")]
+    what = "Not the size you see: {} were left out. Tick Modifiers in the settings and flatten again."
+    assert notes_after(addon, source) == [what.format("shape keys")]
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
-    assert notes_after(addon, source) == ["Left out, " + what.format("modifiers and shape keys")]
+    assert notes_after(addon, source) == [what.format("modifiers and shape keys")]
     key.mute = True
-    assert notes_after(addon, source) == ["Left out, " + what.format("modifiers")]
+    assert notes_after(addon, source) == [what.format("modifiers")]
 
 
 def test_shape_keys_are_flattened_with_the_modifiers():

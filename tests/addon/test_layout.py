@@ -122,6 +122,16 @@ def test_a_grain_wire_that_is_gone_counts_as_none():
     assert max(abs(direction_of(source, *ends)[1]) for ends in (ALONG_X, ALONG_Y)) == pytest.approx(1, abs=1e-4)
 
 
+def test_while_no_wire_is_the_grain_wire_pieces_stand_as_on_the_model():
+    source = two_wires()
+    source.rotation_euler = (np.pi / 2, 0, 0)  # its y stands up
+    flatten(source)
+    assert direction_of(source, *ALONG_Y)[1] == pytest.approx(1, abs=1e-4)
+    source.rotation_euler = (np.pi / 2, np.pi / 2, 0)  # its x hangs down, though that is as much a wire as the other
+    flatten(source, keep_places=False)
+    assert direction_of(source, *ALONG_X)[1] == pytest.approx(-1, abs=1e-4)
+
+
 def test_world_up_and_the_longest_straight_edge():
     source = grid("Half Cylinder", lambda x, y: half_cylinder(x, 1.2 * y))
     source.rotation_euler = (0, np.pi / 2, 0)  # lies on its side: x of the mesh points down

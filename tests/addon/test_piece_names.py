@@ -56,6 +56,26 @@ def test_sides_as_seen_with_the_object_turned(source):
     assert sorted(flatten(source)) == ["Front Left", "Front Right"]
 
 
+def test_a_tube_turned_inside_out_keeps_front_and_back_and_is_told():
+    around = [(math.cos(turn), math.sin(turn)) for turn in TURN]
+    tube = make_object("Tube", [(x, y, z) for z in (0, 1) for x, y in around], TUBE_FACES)
+    mark_seam(tube, on_line(1, 0.0))
+    assert sorted(flatten(tube)) == ["Back", "Front"]
+    assert middle_of(tube, "Front")[1] < 0
+    assert json.loads(tube["wirewarp_report"])["notes"] == []
+    tube.wirewarp_pieces.clear()
+    tube.data.flip_normals()
+    assert sorted(flatten(tube)) == ["Back", "Front"]
+    assert middle_of(tube, "Front")[1] < 0
+    (note,) = json.loads(tube["wirewarp_report"])["notes"]
+    assert note.startswith("The faces point inward")
+
+
+def test_a_bowl_seen_from_its_hollow_is_not_taken_for_inside_out(addon):
+    bowl = grid("Bowl", lambda x, y: (x, y, x * x + y * y))
+    assert flatten(bowl) and json.loads(bowl["wirewarp_report"])["notes"] == []
+
+
 def cube():
     bpy.ops.mesh.primitive_cube_add()
     target = bpy.context.active_object

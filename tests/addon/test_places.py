@@ -117,6 +117,13 @@ def test_pieces_moved_and_turned_by_the_user_stay(source):
     assert_same_places(places_of(source), again)
 
 
+def test_in_edit_mode_nothing_is_selected_so_that_one_piece_can_be_picked(source):
+    select_only(flat_of(source))
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert not any(vertex.select for vertex in bmesh.from_edit_mesh(flat_of(source).data).verts)
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
 def test_they_stay_when_the_model_is_subdivided(source):
     move(source, "Top Left", angle=2.0, by=(5, -7))
     before = places_of(source)

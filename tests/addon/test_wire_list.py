@@ -51,6 +51,12 @@ def test_names_kinds_and_tolerances_are_changed_from_the_list(addon, source, mod
     assert source.mode == mode
 
 
+def test_the_tolerance_typed_into_the_dialog_is_in_percent(addon, source):
+    select_only(source)
+    bpy.ops.mesh.wirewarp_change_wire(edge=edge_of(addon, source, "Bust"), kind="ELASTIC", tolerance_percent=2.5)
+    assert listed(addon, source)[0] == ("Bust", pytest.approx(0.025, rel=1e-6), 8)
+
+
 def test_a_wire_that_lost_its_middle_is_two(addon, source):
     in_edit_mode(source, lambda a, b: EAST_WEST(a, b) and abs(a.x + b.x) < 1, bpy.ops.mesh.wirewarp_clear)
     assert listed(addon, source) == [("Bust", 0, 2), ("Middle", 0.05, 8), ("Bust (2)", 0, 2)]

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+import math
+
 import bpy
 import numpy as np
-from mathutils import Vector
+from mathutils import Quaternion, Vector
 
 from ..framing import Projection, fit
 from ..write_flat_object import find_flat_object
+
+LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)  # of the eye above the pieces
 
 
 class VIEW3D_OT_wirewarp_frame(bpy.types.Operator):
@@ -23,6 +27,7 @@ class VIEW3D_OT_wirewarp_frame(bpy.types.Operator):
         if view.view_perspective == "CAMERA":
             view.view_perspective = "PERSP"
             view.update()
+        self._rise(view)
         corners = [target.matrix_world @ Vector(corner) for target in _objects(context) for corner in target.bound_box]
         is_perspective = view.view_perspective == "PERSP"
         projection = Projection(
@@ -36,6 +41,14 @@ class VIEW3D_OT_wirewarp_frame(bpy.types.Operator):
         view.view_location = middle
         view.view_distance = distance if is_perspective else distance * view.view_distance
         return {"FINISHED"}
+
+    def _rise(self, view: bpy.types.RegionView3D) -> None:
+        """In a view from the side (Numpad 1 or 3) flat pieces are lines: look down on them."""
+        right, _, toward = view.view_rotation.to_matrix().col
+        elevation = math.asin(max(-1.0, min(1.0, toward.z)))
+        if abs(elevation) < LEAST_ELEVATION:
+            view.view_rotation = Quaternion(right, elevation - ELEVATION) @ view.view_rotation
+            view.update()
 
 
 def _objects(context: bpy.types.Context) -> list[bpy.types.Object]:

@@ -6,8 +6,6 @@ import math
 import bpy
 from bpy.props import EnumProperty, FloatProperty
 
-from ..tolerance_text import tolerance_text
-
 KINDS = [
     ("RIGID", "Rigid", "A rigid wire keeps exactly its length on the model"),
     ("ELASTIC", "Elastic", "An elastic wire may become longer or shorter, up to the tolerance"),
@@ -31,6 +29,18 @@ class WireKind:
         precision=4,
         step=1,
     )
+    tolerance_percent: FloatProperty(
+        name="Tolerance ±%",
+        description="Elastic wires: how much the total length may become longer or shorter, in percent",
+        subtype="PERCENTAGE",
+        min=0.0,
+        soft_max=20.0,
+        max=99.0,
+        precision=2,
+        get=lambda operator: 100 * operator.tolerance,
+        set=lambda operator, percent: setattr(operator, "tolerance", percent / 100),
+        options={"SKIP_SAVE"},
+    )
 
     def is_tolerance_missing(self) -> bool:
         return self.kind == "ELASTIC" and self.tolerance == 0
@@ -42,4 +52,4 @@ class WireKind:
     def draw_kind(self, layout: bpy.types.UILayout) -> None:
         layout.prop(self, "kind")
         if self.kind == "ELASTIC":
-            layout.prop(self, "tolerance", text=f"Tolerance ({tolerance_text(self.tolerance)})")
+            layout.prop(self, "tolerance_percent")

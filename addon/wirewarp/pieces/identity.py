@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from ..facing import faces_inward
 from ..mesh_to_arrays import MeshArrays
 from ..triangle_areas import area_vectors
 from .region_names import region_names
@@ -53,7 +54,8 @@ def identify_pieces(result: Any, arrays: MeshArrays, known: KnownPieces) -> list
     names = _first_of_each(old)
     new = [index for index in range(count) if not names[index]]
     regions = region_names(_by_face(piece_of_triangle, arrays), count, arrays.regions)
-    sides = side_names(shape.normals, shape.offsets)
+    outward = -shape.normals if faces_inward(arrays) else shape.normals
+    sides = side_names(outward, shape.offsets)
     wanted = [old[index] or regions[index] or sides[index] for index in new]
     for index, name in zip(new, numbered(wanted, [name for name in names if name]), strict=True):
         names[index] = name

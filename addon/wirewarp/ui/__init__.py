@@ -3,7 +3,7 @@
 
 from . import menus, tick
 from .overlay import IMAGE_PT_wirewarp_overlay, VIEW3D_PT_wirewarp_overlay
-from .panel import VIEW3D_PT_wirewarp_flatten, VIEW3D_PT_wirewarp_mark
+from .panel import VIEW3D_PT_wirewarp_flatten, VIEW3D_PT_wirewarp_mark, VIEW3D_PT_wirewarp_settings
 from .piece_list import VIEW3D_PT_wirewarp_pieces, WIREWARP_UL_pieces
 from .report import (
     VIEW3D_PT_wirewarp_report,
@@ -18,6 +18,7 @@ CLASSES = (
     VIEW3D_PT_wirewarp_mark,
     VIEW3D_PT_wirewarp_wires,
     VIEW3D_PT_wirewarp_flatten,
+    VIEW3D_PT_wirewarp_settings,
     WIREWARP_UL_pieces,
     VIEW3D_PT_wirewarp_pieces,
     VIEW3D_PT_wirewarp_report,

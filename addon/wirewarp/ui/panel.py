@@ -74,9 +74,19 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         if active and find_flat_object(active):
             layout.operator("view3d.wirewarp_frame", icon="VIEWZOOM")
 
-        draw_settings(layout, settings)
         if settings.method == "WIREWARPING" and _has_loose_wires(context):
             draw_sentence(context, layout, "This method keeps elastic and free wires rigid too.", "INFO")
+
+
+class VIEW3D_PT_wirewarp_settings(SidebarPanel, bpy.types.Panel):
+    """Closed at first: the answer to Flatten, the report, must be in sight below the button."""
+
+    bl_label = "Settings"
+    bl_parent_id = "VIEW3D_PT_wirewarp_flatten"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        draw_settings(self.layout, context.scene.wirewarp)
 
 
 def _has_loose_wires(context: bpy.types.Context) -> bool:

@@ -10,7 +10,7 @@ from .report import shown_report, shown_source
 from .report_rows import PieceRow
 from .report_table import draw_select
 from .report_tables import tables_of
-from .tick import green_tick
+from .tick import mark_of
 
 
 class WIREWARP_UL_pieces(bpy.types.UIList):
@@ -31,8 +31,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row is None:
             line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
             return
-        tick = {"icon_value": green_tick()} if row.ok else {"icon": "CANCEL"}
-        line.prop(entry, "name", text="", emboss=False, **tick)
+        line.prop(entry, "name", text="", emboss=False, **mark_of(row.ok, row.is_strained))
         if row.has_layout:
             figure = line.row()
             figure.alignment = "RIGHT"

@@ -14,7 +14,7 @@ from .report_sentences import draw_hints, draw_issues
 from .report_table import draw_table
 from .report_tables import tables_of
 from .text import draw_sentence, is_wide
-from .tick import green_tick
+from .tick import mark_of
 
 
 def shown_report(context: bpy.types.Context) -> dict | None:
@@ -47,14 +47,14 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
         else:
             for line in tables_of(report).verdict:
                 draw_sentence(context, layout, line.text, line.icon)
+        for note in report["notes"]:
+            draw_sentence(context, layout, note, "ERROR")
         if "method_name" in report:
             draw_sentence(context, layout, f"Method: {report['method_name']}")
         if report["issues"]:
             draw_issues(context, layout.box(), report)
         if report["hints"]:
             draw_hints(context, layout, report)
-        for note in report["notes"]:
-            draw_sentence(context, layout, note, "INFO")
         if report["pieces"]:
             layout.operator("object.wirewarp_copy_report", icon="COPYDOWN")
 
@@ -86,16 +86,16 @@ class ReportSection(SidebarPanel):
         rows = self.rows(context)
         row = self.layout.row(align=True)
         row.label(text=self.summary(context, rows))
-        if all(each.ok for each in rows):
-            row.label(text="", icon_value=green_tick())
-        else:
-            row.label(text="", icon="CANCEL")
+        row.label(text="", **self.mark(rows))
+
+    def mark(self, rows: list) -> dict:
+        return mark_of(all(each.ok for each in rows))
 
     def summary(self, context: bpy.types.Context, rows: list) -> str:
         """The largest difference; the number of rows where there is room."""
         largest = largest_difference(rows)
         text = "" if largest is None else length_text(context.scene)(largest)
-        return f"{len(rows)}: {text}" if is_wide(context) else text
+        return f"{len(rows)}, largest difference {text}" if text and is_wide(context) else text
 
     def draw(self, context: bpy.types.Context) -> None:
         draw_table(context, self.layout, self.rows(context))

@@ -4,7 +4,7 @@
 import math
 from dataclasses import dataclass
 
-from ..cloth import aspect_ratio, largest
+from ..cloth import aspect_ratio, is_strained, largest
 from ..report_names import open_edges, piece_name, piece_names, pieces_of_wires, seam_name, side_names
 from ..tolerance_text import tolerance_text
 
@@ -40,6 +40,7 @@ class PieceRow:
     index: int
     name: str
     ok: bool
+    is_strained: bool  # lengths are kept, but hardly any cloth can follow
     has_layout: bool
     area_3d: float
     area_2d: float | None
@@ -90,7 +91,10 @@ def _tolerance(method: str, wire: dict) -> str:
         return text
     if not wire["ok"]:
         return f"outside {text}"
-    return f"at its limit of {text}" if wire["at_limit"] else f"within {text}"
+    if not wire["at_limit"]:
+        return f"within {text}"
+    as_a_whole = any(abs(percent) >= 99 * float(wire["tolerance"]) for percent in wire["percent"])
+    return f"at its limit of {text}" if as_a_whole else f"a part is at its limit of {text}"
 
 
 def outline_rows(report: dict) -> list[ReportRow]:
@@ -117,6 +121,7 @@ def piece_rows(report: dict) -> list[PieceRow]:
             index=piece["index"],
             name=piece_name(report, piece["index"]),
             ok=piece["ok"],
+            is_strained=is_strained(piece),
             has_layout=piece["has_layout"],
             area_3d=piece["area_3d"],
             area_2d=piece["area_2d"],

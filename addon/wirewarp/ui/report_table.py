@@ -7,7 +7,7 @@ from ..length_units import LengthText
 from ..unit_text import length_text
 from .report_rows import ReportRow, Side, merged
 from .text import broken, draw_cells, is_wide
-from .tick import green_tick
+from .tick import mark_of
 
 SHOWN_ROWS = 8
 MOST_ROWS = 100  # more make Blender slow to draw
@@ -20,7 +20,7 @@ def draw_table(context: bpy.types.Context, layout: bpy.types.UILayout, rows: lis
     if wide:
         draw_cells(column, "", [f"Model {text.unit}", f"Flat {text.unit}", "Diff.", "%"], 0.2)
     for row in rows[: shown_rows(context)]:
-        draw_heading(context, column, row.name, row.ok, row.what, row.index)
+        draw_heading(context, column, row.name, mark_of(row.ok), row.what, row.index)
         if row.note:
             draw_note(context, column, row.note, "INFO" if row.at_limit else "BLANK1")
         (_draw_wide if wide else _draw_narrow)(column, row, text)
@@ -40,18 +40,15 @@ def draw_more(context: bpy.types.Context, layout: bpy.types.UILayout, count: int
 
 
 def draw_heading(
-    context: bpy.types.Context, layout: bpy.types.UILayout, name: str, ok: bool, what: str | None, index: int
+    context: bpy.types.Context, layout: bpy.types.UILayout, name: str, mark: dict, what: str | None, index: int
 ) -> None:
-    """A name with its tick or cross and, where there is something to select, the button for it."""
+    """A name with its mark (see tick.py) and, where there is something to select, the button for it."""
     row = layout.row(align=True)
     text = row.column(align=True)
     lines = broken(context, name, spare=22 if what else 0)
     text.scale_y = 1 if len(lines) == 1 else 0.8
     for number, line in enumerate(lines):
-        if number == 0 and ok:
-            text.label(text=line, icon_value=green_tick())
-        else:
-            text.label(text=line, icon="BLANK1" if number else "CANCEL")
+        text.label(text=line, **({"icon": "BLANK1"} if number else mark))
     if what:
         draw_select(row, what, index)
 

@@ -15,6 +15,13 @@ def green_tick() -> int:
     return _previews["tick"].icon_id if _previews else 0
 
 
+def mark_of(ok: bool, is_strained: bool = False) -> dict:
+    """The arguments of a label: a cross for what failed, a warning for cloth that can hardly follow, or the tick."""
+    if not ok:
+        return {"icon": "CANCEL"}
+    return {"icon": "ERROR"} if is_strained else {"icon_value": green_tick()}
+
+
 def attach() -> None:
     global _previews
     _previews = bpy.utils.previews.new()

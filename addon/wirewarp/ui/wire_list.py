@@ -20,7 +20,7 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         active = context.active_object
-        return active is not None and active.type == "MESH"
+        return active is not None and active.type == "MESH" and not active.wirewarp_source  # the report has theirs
 
     def draw(self, context: bpy.types.Context) -> None:
         target = context.active_object
