@@ -21,7 +21,7 @@ sys.path[:0] = [str(FOLDER), str(FOLDER.parent / "addon" / "wirewarp")]
 from framing import Projection, fit  # noqa: E402 (the folder must be on the path first)
 from shapes import Shape, all_shapes  # noqa: E402 (the folder must be on the path first)
 
-PACKED = 0.4  # share of their square that the pieces cover at least
+PACKED = 0.33  # share of their square that the pieces cover at least
 COTANGENTS = (1.7, 2.6)  # of half the angles of Blender's usual view, the sidebar and the toolbar taken off
 
 

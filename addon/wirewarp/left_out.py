@@ -11,9 +11,8 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
     notes = []
     shown = [] if use_modifiers else _shown_only(source)
     if shown:
-        notes.append(
-            f"Not the size you see: {' and '.join(shown)} were left out. Tick Modifiers in the settings and flatten again."
-        )
+        left = " and ".join(shown)
+        notes.append(f"Not the size you see: {left} were left out. Tick Modifiers in the settings and flatten again.")
     if use_modifiers and UV_LAYER in source.data.uv_layers:
         notes.append(f'The UV map "{UV_LAYER}" is of an earlier run without modifiers and not of these flat pieces.')
     if arrays and arrays.loose_marks:
