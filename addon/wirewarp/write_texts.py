@@ -114,10 +114,9 @@ def _corners_by_piece(flat: FlatPieces) -> dict[int, np.ndarray]:
 
 def _face_below(vertices: np.ndarray, corners: np.ndarray, center: np.ndarray) -> list[int]:
     """The corners (k,3) of the face that is nearest to the center, of those with an area."""
-    a, b, c = (vertices[corners[:, k]] for k in range(3))
-    (ux, uy), (vx, vy) = (b - a).T, (c - a).T
-    distance = np.linalg.norm((a + b + c) / 3 - center, axis=1)
-    distance[ux * vy == uy * vx] = np.inf
+    (ax, bx, cx), (ay, by, cy) = (column[corners.T] for column in map(np.ascontiguousarray, vertices.T))
+    distance = np.hypot((ax + bx + cx) / 3 - center[0], (ay + by + cy) / 3 - center[1])
+    distance[(bx - ax) * (cy - ay) == (by - ay) * (cx - ax)] = np.inf
     return corners[np.argmin(distance)].tolist()
 
 
