@@ -5,10 +5,11 @@ import bpy
 import numpy as np
 
 from .flat_mesh import edge_lengths
-from .foreach import read
+from .foreach import read_attribute
 from .pattern.flat_pieces import FlatPieces
 from .pattern.outlines import signed_areas
 from .read_flat_pieces import read_flat_pieces
+from .stored_numbers import read_numbers
 
 FLAT_LENGTH = "flat_length"  # edge attribute
 COUNTS, AREAS = "wirewarp_flat_counts", "wirewarp_flat_areas"  # of the flat mesh
@@ -29,15 +30,14 @@ def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
 
     Of a mesh with the attributes of flat pieces.
     """
-    lengths, counts, areas = mesh.attributes.get(FLAT_LENGTH), mesh.get(COUNTS), mesh.get(AREAS)
-    if lengths is None or counts is None or areas is None or list(counts) != _counts(mesh):
+    laid_out, then = read_attribute(mesh, FLAT_LENGTH, "FLOAT", "EDGE"), read_numbers(mesh, AREAS)
+    if laid_out is None or then is None or not np.array_equal(read_numbers(mesh, COUNTS), _counts(mesh)):
         return False
     pieces = read_flat_pieces(mesh, 1.0)
-    then, now = np.array(areas), _areas(pieces)
-    size = float(np.abs(pieces.vertices).max())
+    now = _areas(pieces)
+    size = float(np.abs(pieces.vertices).max(initial=0))
     if len(now) != len(then) or np.any(np.abs(now - then) > np.abs(then) + PLACE_ERROR * size**2):
         return False  # mirrored, the difference is twice the area
-    laid_out = read(lengths.data, "value", np.float32)
     difference = np.abs(edge_lengths(pieces.vertices, pieces.edges) - laid_out)
     return bool(np.all(difference <= LENGTH_ERROR * laid_out + PLACE_ERROR * size))
 

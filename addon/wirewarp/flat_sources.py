@@ -4,6 +4,7 @@
 import bpy
 import numpy as np
 
+from .flat_attributes import has_flat_attributes, read_flat_attribute
 from .foreach import read
 from .issues import object_error
 from .report_elements import FlatSources
@@ -16,15 +17,15 @@ def flat_sources(source: bpy.types.Object, report: dict) -> tuple[bpy.types.Obje
     if (
         flat is None
         or "flat_object" not in report
-        or not {"piece", "source_vertex", "source_face"} <= set(flat.data.attributes.keys())
+        or not has_flat_attributes(flat.data, "piece", "source_vertex", "source_face")
     ):
         raise object_error("no_flat_pieces", f'There are no flat pieces to this report: flatten "{source.name}" again.')
     mesh = flat.data
     return flat, FlatSources(
-        vertices=read(mesh.attributes["source_vertex"].data, "value", np.int32),
+        vertices=read_flat_attribute(mesh, "source_vertex"),
         edges=read(mesh.edges, "vertices", np.int32, 2),
-        faces=read(mesh.attributes["source_face"].data, "value", np.int32),
-        piece=read(mesh.attributes["piece"].data, "value", np.int32),
+        faces=read_flat_attribute(mesh, "source_face"),
+        piece=read_flat_attribute(mesh, "piece"),
         loop_vertices=read(mesh.loops, "vertex_index", np.int32),
         face_sizes=read(mesh.polygons, "loop_total", np.int32),
     )

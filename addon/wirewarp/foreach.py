@@ -10,3 +10,22 @@ def read(collection: bpy.types.bpy_prop_collection, name: str, dtype: type, colu
     values = np.empty(len(collection) * columns, dtype=dtype)
     collection.foreach_get(name, values)
     return values.reshape(-1, columns) if columns > 1 else values
+
+
+_VALUES = {
+    "INT": ("value", np.int32, 1),
+    "FLOAT": ("value", np.float32, 1),
+    "FLOAT_VECTOR": ("vector", np.float32, 3),
+    "FLOAT_COLOR": ("color", np.float32, 4),
+}
+
+
+def read_attribute(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str) -> np.ndarray | None:
+    """(k,), (k,3) or (k,4), the values of an attribute; None if there is none of this type on this domain.
+
+    Of a mesh that is not in Edit Mode.
+    """
+    attribute = mesh.attributes.get(name)
+    if attribute is None or (attribute.data_type, attribute.domain) != (data_type, domain):
+        return None
+    return read(attribute.data, *_VALUES[data_type])

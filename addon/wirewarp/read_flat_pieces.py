@@ -4,6 +4,7 @@
 import bpy
 import numpy as np
 
+from .flat_attributes import read_flat_attribute
 from .foreach import read
 from .pattern.flat_pieces import FlatPieces
 from .wire_attributes import read_marks
@@ -14,11 +15,11 @@ def read_flat_pieces(mesh: bpy.types.Mesh, scale: float) -> FlatPieces:
     marks = read_marks(mesh)
     return FlatPieces(
         vertices=read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64) * scale,
-        source_vertex=read(mesh.attributes["source_vertex"].data, "value", np.int32),
+        source_vertex=read_flat_attribute(mesh, "source_vertex"),
         loop_vertices=read(mesh.loops, "vertex_index", np.int32),
         loop_edges=read(mesh.loops, "edge_index", np.int32),
         face_sizes=read(mesh.polygons, "loop_total", np.int32),
-        face_piece=read(mesh.attributes["piece"].data, "value", np.int32),
+        face_piece=read_flat_attribute(mesh, "piece"),
         edges=read(mesh.edges, "vertices", np.int32, 2),
         wire_ids=marks.wire_ids,
         tolerances=marks.tolerances,

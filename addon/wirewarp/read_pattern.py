@@ -7,8 +7,8 @@ from contextlib import contextmanager
 import bpy
 import numpy as np
 
+from .flat_attributes import has_flat_attributes, read_flat_attribute
 from .flat_shape import has_kept_shape
-from .foreach import read
 from .issues import object_error
 from .model_state import has_changed, shows_modified
 from .pattern.make_pattern import PieceLabel, make_pattern
@@ -18,8 +18,6 @@ from .report_store import last_report
 from .unit_text import length_text, meters_per_blender_unit
 from .wire_names import names_of
 from .write_flat_object import find_flat_object
-
-NEEDED = {"piece", "source_vertex"}
 
 
 def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: float, failed_too: bool) -> Pattern:
@@ -93,9 +91,9 @@ def _shown(source: bpy.types.Object) -> Iterator[None]:
 
 def _is_edited(mesh: bpy.types.Mesh, report: dict) -> bool:
     """Whether anything but the place of whole pieces is other than it was laid out."""
-    if not set(mesh.attributes.keys()) >= NEEDED:
+    if not has_flat_attributes(mesh, "piece", "source_vertex"):
         return True
-    pieces = read(mesh.attributes["piece"].data, "value", np.int32)
+    pieces = read_flat_attribute(mesh, "piece")
     faces = [piece["faces"] if piece["has_layout"] else 0 for piece in report["pieces"]]
     if np.any((pieces < 0) | (pieces >= len(faces))) or np.bincount(pieces, minlength=len(faces)).tolist() != faces:
         return True

@@ -3,8 +3,10 @@
 
 A run that wrote something leaves its report on the object, so that it is saved with it. A run that wrote nothing must
 leave the file alone: its report is kept here, until the next run or file, and goes to the object when the user saves.
+A report that was changed by anything else is not shown: what it says need not be true, nor can it be read safely.
 """
 
+import hashlib
 import json
 
 import bpy
@@ -14,15 +16,18 @@ from .issues import Issue
 from .pieces.records import piece_names
 from .report import SCHEMA, failure_report
 
-REPORT = "wirewarp_report"
+REPORT = "wirewarp_report"  # custom property of the object: JSON
+SEAL = "wirewarp_report_seal"  # another: the digest of that text
 _unwritten: dict[str, dict] = {}
-_parsed: dict[str, tuple[str, dict]] = {}  # text and what it says, so that drawing the panel need not parse it
+# Text and seal, and what they say, so that drawing the panel need not parse it.
+_parsed: dict[str, tuple[tuple[str, str], dict]] = {}
 
 
 def store(source: bpy.types.Object, report: dict) -> None:
     """Keeps the report of a run that wrote results."""
     _unwritten.pop(source.name_full, None)
-    source[REPORT] = json.dumps(report)
+    text = json.dumps(report)
+    source[REPORT], source[SEAL] = text, _digest(text)
 
 
 def remember(source: bpy.types.Object, report: dict) -> None:
@@ -43,20 +48,29 @@ def last_report(source: bpy.types.Object) -> dict | None:
 def _find(source: bpy.types.Object) -> dict | None:
     if source.name_full in _unwritten:
         return _unwritten[source.name_full]
-    text = source.get(REPORT)
-    if text is None:
+    if REPORT not in source:
         return None
-    if _parsed.get(source.name_full, ("", {}))[0] != text:
-        _parsed[source.name_full] = (text, _parse(text))
-    return _parsed[source.name_full][1]
+    stored = _text(source, REPORT), _text(source, SEAL)
+    known, report = _parsed.get(source.name_full, (None, None))
+    if report is None or known != stored:
+        report = _parse(*stored)
+        _parsed[source.name_full] = stored, report
+    return report
 
 
-def _parse(text: object) -> dict:
-    try:
-        report = json.loads(text) if isinstance(text, str) else None
-    except json.JSONDecodeError:
-        report = None
-    if isinstance(report, dict) and report.get("schema") == SCHEMA:
+def _text(source: bpy.types.Object, name: str) -> str:
+    """Of a custom property; "" where it is no text."""
+    stored = source.get(name)
+    return stored if isinstance(stored, str) else ""
+
+
+def _digest(text: str) -> str:
+    return hashlib.blake2b(text.encode(errors="replace"), digest_size=12).hexdigest()
+
+
+def _parse(text: str, seal: str) -> dict:
+    report = json.loads(text) if seal == _digest(text) else {}
+    if report.get("schema") == SCHEMA:
         return report
     return failure_report(
         Issue("unreadable_report", "The stored report is not one of this version of WireWarp: flatten again.")

@@ -8,7 +8,7 @@ import numpy as np
 
 from .edge_keys import edge_keys
 from .foreach import read
-from .issues import object_error
+from .issues import ObjectError, object_error
 from .mesh_to_arrays import element_counts
 
 
@@ -26,7 +26,11 @@ def check_indices(target: bpy.types.Object, report: dict) -> None:
     if target.mode == "EDIT":
         target.update_from_editmode()
     if "counts" in report and report["counts"] != element_counts(target.data):
-        raise object_error("changed", f'"{target.name}" has changed since it was flattened: flatten it again.')
+        raise _changed(target)
+
+
+def _changed(target: bpy.types.Object) -> ObjectError:
+    return object_error("changed", f'"{target.name}" has changed since it was flattened: flatten it again.')
 
 
 def select_elements(
@@ -40,21 +44,21 @@ def select_elements(
 
     edges are vertex pairs; a pair that is no edge of the mesh (the diagonal of a quad) selects its two vertices. The
     selection mode is the coarsest that can show everything, and the view goes there. Raises ObjectError if the object
-    cannot be shown.
+    cannot be shown, or has no such elements.
     """
     _show(context, target)
     if context.mode == "EDIT_MESH":
         bpy.ops.object.mode_set(mode="OBJECT")
+    mesh = target.data
+    edge_mask, loose_vertices = _find_edges(mesh, edges)
+    face_mask = _mask(target, mesh.polygons, faces)
+    vertex_mask = _mask(target, mesh.vertices, [*vertices, *loose_vertices])
+    _mend_edge_selection(mesh)
     context.view_layer.objects.active = target
     for other in context.selected_objects:
         other.select_set(other == target)
     target.select_set(True)
 
-    mesh = target.data
-    _mend_edge_selection(mesh)
-    edge_mask, loose_vertices = _find_edges(mesh, edges)
-    face_mask = _mask(len(mesh.polygons), faces)
-    vertex_mask = _mask(len(mesh.vertices), [*vertices, *loose_vertices])
     level = 0 if vertex_mask.any() else 1 if edge_mask.any() else 2
     context.tool_settings.mesh_select_mode = tuple(level == each for each in range(3))
 
@@ -126,7 +130,10 @@ def _loop_faces(mesh: bpy.types.Mesh) -> np.ndarray:
     return np.repeat(np.arange(len(sizes)), sizes)
 
 
-def _mask(count: int, indices: Sequence[int]) -> np.ndarray:
-    mask = np.zeros(count, dtype=bool)
-    mask[np.asarray(indices, dtype=np.int64)] = True
+def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, indices: Sequence[int]) -> np.ndarray:
+    """Raises ObjectError if there are no such ones among the elements of the object's mesh."""
+    wanted, mask = np.asarray(indices, dtype=np.int64), np.zeros(len(elements), dtype=bool)
+    if np.any((wanted < 0) | (wanted >= len(elements))):
+        raise _changed(target)
+    mask[wanted] = True
     return mask

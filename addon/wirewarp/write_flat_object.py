@@ -6,6 +6,7 @@ import numpy as np
 from mathutils import Vector
 
 from .failed_pieces import show_failed
+from .flat_attributes import add_flat_attribute
 from .flat_marks import FlatMarks, flat_marks
 from .flat_mesh import FlatMesh, edge_length_variation
 from .flat_shape import remember_shape
@@ -14,7 +15,7 @@ from .mesh_to_arrays import MeshArrays
 from .pattern.flat_pieces import FlatPieces
 from .pieces.attribute import PIECE
 from .pieces.records import FACE_COUNT
-from .wire_attributes import TOLERANCE, WIRE
+from .wire_attributes import EdgeMarks, write_marks
 from .wire_names import write_names
 from .write_maps import write_flat_maps
 
@@ -101,11 +102,11 @@ def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> Fla
 
 
 def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays, edges: np.ndarray) -> None:
-    _add(mesh, "source_vertex", "INT", "POINT", flat.source_vertex)
-    _add(mesh, "source_corner", "INT", "CORNER", flat.source_corner)
-    _add(mesh, "source_face", "INT", "FACE", flat.source_face)
-    _add(mesh, "piece", "INT", "FACE", flat.piece)
-    _add(mesh, PIECE, "INT", "FACE", flat.piece_id)
+    add_flat_attribute(mesh, "source_vertex", flat.source_vertex)
+    add_flat_attribute(mesh, "source_corner", flat.source_corner)
+    add_flat_attribute(mesh, "source_face", flat.source_face)
+    add_flat_attribute(mesh, "piece", flat.piece)
+    add_flat_attribute(mesh, PIECE, flat.piece_id)
     mesh[FACE_COUNT] = len(arrays.polygon_starts)
     write_flat_maps(mesh, flat, edges, edge_length_variation(flat, edges, arrays))
 
@@ -114,12 +115,7 @@ def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
     """Seams are red in Edit Mode as on the model, and wires, for which Blender has no color, blue as sharp edges."""
     mesh.edges.foreach_set("use_seam", marks.seams)
     mesh.edges.foreach_set("use_edge_sharp", marks.wire_ids != 0)
-    _add(mesh, WIRE, "INT", "EDGE", marks.wire_ids)
-    _add(mesh, TOLERANCE, "FLOAT", "EDGE", marks.tolerances)
-
-
-def _add(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str, values: np.ndarray) -> None:
-    mesh.attributes.new(name, data_type, domain).data.foreach_set("value", values)
+    write_marks(mesh, EdgeMarks(marks.wire_ids, marks.tolerances))
 
 
 def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:

@@ -7,7 +7,7 @@ Blender itself does not show the objects: as thin lines in a surface they would 
 import bpy
 import numpy as np
 
-from .foreach import read
+from .foreach import read, read_attribute
 from .helper_lines import HelperLines
 from .mesh_to_arrays import linear_part
 from .write_uv import UvFrame
@@ -56,9 +56,8 @@ def helper_ends(owner: bpy.types.Object) -> np.ndarray | None:
 def helper_ends_in_map(model: bpy.types.Object) -> np.ndarray | None:
     """The same in the model's UV layer; None where that is not of the same run."""
     helpers = find_helper_wires(model)
-    if helpers is None or IN_MAP not in helpers.data.attributes:
-        return None
-    return read(helpers.data.attributes[IN_MAP].data, "vector", np.float32, 3)[_edge_vertices(helpers.data)]
+    places = read_attribute(helpers.data, IN_MAP, "FLOAT_VECTOR", "POINT") if helpers else None
+    return None if places is None else places[_edge_vertices(helpers.data)]
 
 
 def _edge_vertices(mesh: bpy.types.Mesh) -> np.ndarray:

@@ -12,7 +12,7 @@ from .mesh_to_arrays import MeshArrays
 from .model_maps import ModelMaps
 
 PREFIX = "wirewarp_"  # of the model's attributes, among which are the user's own
-RANGES = "wirewarp_map_ranges"  # on the flat mesh: the smallest and the largest value of each map
+RANGE = "wirewarp_range_"  # on the flat mesh, before the name of each map: its smallest and its largest value
 VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "stretch": "FACE", "length_variation": "EDGE"}
 
 
@@ -30,10 +30,8 @@ def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, edges: np.ndarray, var
     _write_values(mesh, "", flat, variation)
     _write_colors(mesh, "", flat, variation, corners, np.ones(len(mesh.polygons), dtype=bool))
     values = {ASPECT_RATIO: flat.aspect_ratio, STRETCH: flat.stretch, ARAP_ENERGY: flat.energy_density}
-    mesh[RANGES] = {
-        color_map.attribute: [float(measured.min()), float(measured.max())]
-        for color_map, measured in (values | {LENGTH_VARIATION: variation}).items()
-    }
+    for color_map, measured in (values | {LENGTH_VARIATION: variation}).items():
+        mesh[f"{RANGE}{color_map.attribute}"] = [float(measured.min()), float(measured.max())]
     _show(mesh, COLOR_MAPS[0].attribute)
 
 

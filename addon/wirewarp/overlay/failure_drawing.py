@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 
 from ..edge_keys import edge_keys
+from ..flat_attributes import has_flat_attributes, read_flat_attribute
 from ..foreach import read
 from ..mesh_to_arrays import next_loops
 from .gather import gather_triangles
@@ -64,9 +65,9 @@ def _elements(target: bpy.types.Object) -> _Elements | None:
         return None
     mesh, source = target.data, np.arange(len(target.data.vertices))
     if target.wirewarp_source:
-        if not {"source_vertex", "source_face"} <= set(mesh.attributes.keys()):
+        if not has_flat_attributes(mesh, "source_vertex", "source_face"):
             return None
-        source = read(mesh.attributes["source_vertex"].data, "value", np.int32)
+        source = read_flat_attribute(mesh, "source_vertex")
     faces = _failed_faces(mesh, report["issues"])
     pairs = np.sort(source[read(mesh.edges, "vertices", np.int32, 2)], axis=1)
     masks = {
@@ -78,9 +79,8 @@ def _elements(target: bpy.types.Object) -> _Elements | None:
 
 def _failed_faces(mesh: bpy.types.Mesh, issues: list[dict]) -> np.ndarray:
     faces = np.array([face for issue in issues for face in issue["faces"]], dtype=np.int32)
-    if "source_face" not in mesh.attributes:
-        return faces
-    return np.flatnonzero(np.isin(read(mesh.attributes["source_face"].data, "value", np.int32), faces))
+    source_faces = read_flat_attribute(mesh, "source_face")
+    return faces if source_faces is None else np.flatnonzero(np.isin(source_faces, faces))
 
 
 def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[dict], faces: np.ndarray) -> np.ndarray:

@@ -8,6 +8,7 @@ import bmesh
 import bpy
 import numpy as np
 
+from ..flat_attributes import has_flat_attributes, read_flat_attribute
 from ..foreach import read
 from ..mesh_to_arrays import evaluated_mesh, faces_at_edges
 from ..wire_attributes import TOLERANCE, WIRE, read_marks
@@ -39,8 +40,8 @@ def _lines(mesh: bpy.types.Mesh) -> LineMarks:
     rows = np.flatnonzero(seams | outlines | (marks.wire_ids != 0))
     vertices = read(mesh.edges, "vertices", np.int32, 2)[rows]
     source, pieces = vertices, np.zeros(len(rows), dtype=np.int32)
-    if {"source_vertex", "piece"} <= set(mesh.attributes.keys()):
-        source = read(mesh.attributes["source_vertex"].data, "value", np.int32)[vertices]
+    if has_flat_attributes(mesh, "source_vertex", "piece"):
+        source = read_flat_attribute(mesh, "source_vertex")[vertices]
         pieces = _piece_of_edge(mesh)[rows]
     return LineMarks(
         ends=read(mesh.vertices, "co", np.float32, 3)[vertices],
@@ -84,8 +85,7 @@ def _piece_in_edit_mode(edge: bmesh.types.BMEdge, layer: bmesh.types.BMLayerItem
 def _piece_of_edge(mesh: bpy.types.Mesh) -> np.ndarray:
     sizes = read(mesh.polygons, "loop_total", np.int32)
     piece_of_edge = np.zeros(len(mesh.edges), dtype=np.int32)
-    pieces = read(mesh.attributes["piece"].data, "value", np.int32)
-    piece_of_edge[read(mesh.loops, "edge_index", np.int32)] = np.repeat(pieces, sizes)
+    piece_of_edge[read(mesh.loops, "edge_index", np.int32)] = np.repeat(read_flat_attribute(mesh, "piece"), sizes)
     return piece_of_edge
 
 

@@ -8,15 +8,17 @@ import bpy
 import numpy as np
 
 from ..color_maps import ColorMap
-from ..foreach import read
+from ..flat_attributes import has_flat_attributes, read_flat_attribute
+from ..foreach import read, read_attribute
 from ..model_state import has_changed
 from ..pieces.attribute import PIECE
 from ..pieces.records import piece_names
 from ..report_store import last_report
+from ..stored_numbers import read_numbers
 from ..wire_names import chain_names
 from ..write_flat_object import find_flat_object
 from ..write_helper_wires import helper_ends
-from ..write_maps import RANGES
+from ..write_maps import RANGE
 from ..write_texts import find_texts
 from .gather import gather_lines, gather_triangles, shown_mesh
 from .line_marks import LineMarks, Name, dashes_by_kind, lines_by_kind, seam_line_names, wire_line_names
@@ -34,7 +36,7 @@ class Lines:
 def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
     """Seams, wires and helper wires of a model or of flat pieces. Raises ObjectError as gather_lines does."""
     lines = lines_of(target, gather_lines(target, depsgraph))
-    has_pieces = target.wirewarp_source and target.mode == "OBJECT" and PIECE in target.data.attributes
+    has_pieces = target.wirewarp_source and target.mode == "OBJECT" and has_flat_attributes(target.data, PIECE)
     if has_pieces and not find_texts(target):
         lines.names[:0] = _piece_names(target)
     return with_helpers(lines, helper_ends(target))
@@ -78,7 +80,7 @@ def _seam_of_edge(report: dict) -> Mapping[tuple[int, int], int]:
 def _piece_names(flat: bpy.types.Object) -> list[Name]:
     """At the face nearest to each piece's middle."""
     mesh, text_of = flat.data, piece_names(flat.wirewarp_source)
-    pieces = read(mesh.attributes[PIECE].data, "value", np.int32)
+    pieces = read_flat_attribute(mesh, PIECE)
     centers = read(mesh.polygons, "center", np.float32, 3)
     names = []
     for piece in np.unique(pieces).tolist():
@@ -95,20 +97,22 @@ def colored_surface(
 ) -> ColoredTriangles | None:
     """The map on flat pieces, or on a model that has them; None where there is no map to this shape."""
     flat = target if target.wirewarp_source else find_flat_object(target)
-    if flat is None or flat.mode != "OBJECT" or color_map.attribute not in flat.data.color_attributes:
+    if flat is None or flat.mode != "OBJECT":
         return None
-    colors = read(flat.data.color_attributes[color_map.attribute].data, "color", np.float32, 4)
+    colors = read_attribute(flat.data, color_map.attribute, "FLOAT_COLOR", "CORNER")
+    if colors is None:
+        return None
     extremes = map_extremes(flat.data, color_map)
     if flat == target:
         return colored(gather_triangles(flat.data), colors, extremes)
-    if current_report(target) is None or "source_corner" not in flat.data.attributes:
+    corners = read_flat_attribute(flat.data, "source_corner")
+    if corners is None or current_report(target) is None:
         return None
-    corners = read(flat.data.attributes["source_corner"].data, "value", np.int32)
     with shown_mesh(target, depsgraph) as mesh:
         return colored(gather_triangles(mesh), on_model(colors, corners, len(mesh.loops)), extremes)
 
 
 def map_extremes(flat: bpy.types.Mesh, color_map: ColorMap) -> Extremes | None:
     """None on flat pieces that an earlier version wrote."""
-    ranges = flat.get(RANGES)
-    return tuple(ranges[color_map.attribute]) if ranges else None
+    ranges = read_numbers(flat, f"{RANGE}{color_map.attribute}")
+    return tuple(ranges.tolist()) if ranges is not None and len(ranges) == 2 else None

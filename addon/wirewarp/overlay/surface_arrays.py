@@ -36,7 +36,8 @@ def colored(triangles: Triangles, corner_colors: np.ndarray, extremes: Extremes 
 def on_model(flat_colors: np.ndarray, source_corner: np.ndarray, count: int) -> np.ndarray:
     """The colors (count,4) at the model's corners, from those at the flat pieces' corners."""
     colors = np.tile(NO_LAYOUT, (count, 1))
-    colors[source_corner] = flat_colors
+    inside = (source_corner >= 0) & (source_corner < count)  # corners made by hand are of no place on the model
+    colors[source_corner[inside]] = flat_colors[inside]
     return colors
 
 

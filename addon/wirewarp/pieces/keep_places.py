@@ -7,6 +7,7 @@ from dataclasses import replace
 import bpy
 import numpy as np
 
+from ..flat_attributes import has_flat_attributes, read_flat_attribute
 from ..flat_mesh import FlatMesh
 from ..foreach import read
 from ..pattern.flat_pieces import piece_of_vertices
@@ -66,14 +67,14 @@ def crowded_note(names: list[str]) -> str:
 def _read(mesh: bpy.types.Mesh) -> LaidOut | None:
     """None where the user has left nothing to go by."""
     places = read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64)
-    if not len(mesh.polygons) or not {"source_vertex", PIECE} <= set(mesh.attributes.keys()):
+    if not len(mesh.polygons) or not has_flat_attributes(mesh, "source_vertex", PIECE):
         return None
     if not np.isfinite(places).all():
         return None
     return LaidOut(
         vertices=places,
-        source_vertex=read(mesh.attributes["source_vertex"].data, "value", np.int32),
+        source_vertex=read_flat_attribute(mesh, "source_vertex"),
         loop_vertices=read(mesh.loops, "vertex_index", np.int32),
         face_sizes=read(mesh.polygons, "loop_total", np.int32),
-        piece_id=read(mesh.attributes[PIECE].data, "value", np.int32),
+        piece_id=read_flat_attribute(mesh, PIECE),
     )

@@ -6,7 +6,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from ..foreach import read
+from ..flat_attributes import has_flat_attributes, read_flat_attribute
 from ..mesh_to_arrays import MeshArrays
 from .attribute import PIECE, write_piece_ids
 from .identity import KnownPieces, PieceIdentity, ids_by_face
@@ -28,10 +28,10 @@ def known_pieces(source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.O
 def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
     """(face_count,) int32 for the model; zeros if it is not, face by face, the one that was flattened."""
     ids = np.zeros(face_count, dtype=np.int32)
-    if mesh.get(FACE_COUNT) == face_count and {"source_face", PIECE} <= set(mesh.attributes.keys()):
-        faces = read(mesh.attributes["source_face"].data, "value", np.int32)
+    if mesh.get(FACE_COUNT) == face_count and has_flat_attributes(mesh, "source_face", PIECE):
+        faces = read_flat_attribute(mesh, "source_face")
         inside = (faces >= 0) & (faces < face_count)  # new faces, made by hand, carry none or any
-        ids[faces[inside]] = read(mesh.attributes[PIECE].data, "value", np.int32)[inside]
+        ids[faces[inside]] = read_flat_attribute(mesh, PIECE)[inside]
     return ids
 
 

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every panel, every overlay and every operator, one after the other: whatever a file holds, each must answer."""
+
+from types import SimpleNamespace
+
+import bpy
+from surfaces import select_only
+from view_context import view_context
+
+EDGE = {"edge": 0}
+KINDS = ("SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE", "HINT")
+COMMANDS = [  # what writes comes last
+    ("object.wirewarp_copy_report", {}),
+    ("mesh.wirewarp_select_issues", {}),
+    *(("mesh.wirewarp_select_result", {"what": what, "index": 0}) for what in KINDS),
+    ("mesh.wirewarp_select_wire", {"edge": -1}),
+    ("mesh.wirewarp_select_wire", EDGE),
+    ("object.wirewarp_export_svg", {}),
+    ("mesh.wirewarp_take_proposal", {"what": "SEAMS", "issue": 0}),
+    ("mesh.wirewarp_take_proposal", {"what": "TOLERANCES", "issue": 0}),
+    ("mesh.wirewarp_grain_wire", EDGE),
+    ("mesh.wirewarp_change_wire", EDGE | {"kind": "ELASTIC"}),
+    ("mesh.wirewarp_mark", {"kind": "RIGID"}),
+    ("mesh.wirewarp_clear", {}),
+    ("mesh.wirewarp_seams_from_uv_islands", {}),
+    ("object.wirewarp_flatten", {}),
+    ("object.wirewarp_flatten", {"use_modifiers": True}),
+]
+
+
+class AnyLayout:
+    """Takes whatever a panel draws, and keeps the words."""
+
+    def __init__(self, words):
+        vars(self)["words"] = words
+
+    def __getattr__(self, _name):
+        return lambda *_, **__: AnyLayout(self.words)
+
+    def __setattr__(self, _name, _value):
+        pass
+
+    def label(self, text="", **_):
+        self.words.append(text)
+
+    def prop(self, owner, name, **_):
+        self.words.append(str(getattr(owner, name)))
+
+    def template_list(self, kind, _id, owner, name, *_, **__):
+        for index, entry in enumerate(getattr(owner, name)):
+            getattr(bpy.types, kind).draw_item(None, sidebar(), self, owner, entry, 0, owner, "", index)
+
+
+def sidebar(width=300):
+    """The context of a panel, which there is none of without a window."""
+    view, own = view_context(), bpy.context
+    names = ("active_object", "selected_objects", "objects_in_mode_unique_data", "tool_settings", "mode")
+    system = SimpleNamespace(ui_scale=1.0)
+    return SimpleNamespace(
+        scene=view.scene,
+        view_layer=view.view_layer,
+        space_data=SimpleNamespace(overlay=view.space_data.overlay, mode="UV"),
+        region=SimpleNamespace(width=width),
+        preferences=SimpleNamespace(system=system, ui_styles=own.preferences.ui_styles),
+        **{name: getattr(own, name) for name in names},
+    )
+
+
+def draw_panels(addon):
+    """All that are to be seen, narrow and wide; returns what they say."""
+    words = []
+    for cls in addon.ui.CLASSES:
+        if not issubclass(cls, bpy.types.Panel):
+            continue
+        parts = [vars(base) for base in reversed(cls.__mro__) if base.__module__.startswith(addon.__name__)]
+        own = {name: part for each in parts for name, part in each.items() if not name.startswith(("__", "bl_rna"))}
+        panel = type(cls.__name__, (), own | {"layout": AnyLayout(words)})()  # Blender alone makes its own panels
+        for width in (200, 600):
+            context = sidebar(width)
+            if "poll" not in own or panel.poll(context):
+                panel.draw(context)
+                if "draw_header_preset" in own:
+                    panel.draw_header_preset(context)
+    return " ".join(words)
+
+
+def draw_overlays(addon):
+    for shown_map in ("NONE", "STRETCH_COLOR"):
+        bpy.context.scene.wirewarp.shown_map = shown_map
+        shown = list(addon.overlay.shown.drawings(view_context()))
+        addon.overlay.shown.missing_maps(shown)
+        addon.overlay.shown.extremes(shown)
+    list(addon.overlay.uv_drawing.uv_drawings(sidebar()))
+
+
+def answer(command, **settings):
+    """What an operator said, in words; a traceback is no answer."""
+    group, name = command.split(".")
+    try:
+        said = str(getattr(getattr(bpy.ops, group), name)(**settings))
+    except RuntimeError as error:
+        said = str(error)
+    assert "Traceback" not in said, f"{command} {settings}: {said}"
+    return said
+
+
+def to_object_mode():
+    if bpy.context.mode != "OBJECT":
+        bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def use_everything(addon, name, mode, folder):
+    """With the object of this name active: draws all, and calls all from this mode.
+
+    folder: for a pattern and the file, which is saved.
+    """
+    for command, settings in [(None, {}), *COMMANDS]:
+        to_object_mode()
+        target = bpy.context.view_layer.objects.get(name)
+        if target is None or not target.visible_get():
+            break
+        select_only(target)
+        if mode == "EDIT" and target.type == "MESH":
+            bpy.ops.object.mode_set(mode="EDIT")
+            bpy.ops.mesh.select_all(action="SELECT")
+        if command is None:
+            draw_panels(addon)
+            draw_overlays(addon)
+        else:
+            path = {"filepath": str(folder / "pattern.svg")} if "export" in command else {}
+            answer(command, **settings, **path)
+    to_object_mode()
+    draw_panels(addon)
+    draw_overlays(addon)
+    bpy.ops.wm.save_as_mainfile(filepath=str(folder / "hostile.blend"))
