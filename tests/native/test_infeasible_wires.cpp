@@ -75,6 +75,27 @@ TEST(InfeasibleWires, EveryEdgeOfACurvedPatchIsMended) {
   }
 }
 
+TEST(InfeasibleWires, ANetThatIsDenseAllOverGetsOneToleranceThatDoes) {
+  // A dome with a flat outline: single wires cannot give way enough, all of them by a little can.
+  const int n = 12;
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    return Eigen::Vector3d(s, t, 0.2 * std::sin(3.141592653589793 * s) * std::sin(3.141592653589793 * t));
+  });
+  add_edges_as_wires(input, [](const Eigen::Vector3d&) { return true; });
+  const Piece refused = flatten(input).pieces.at(0);
+  ASSERT_TRUE(is_refused(refused));
+  ASSERT_FALSE(refused.error->elements.proposed_tolerances.empty());
+  for (const ProposedTolerance& p : refused.error->elements.proposed_tolerances) {
+    EXPECT_LT(p.tolerance, 0.1);  // sides and diagonals of squares inclined by up to 0.2 π
+    input.wires.at(at(p.wire)).tolerance = p.tolerance;
+  }
+  Options brief;
+  brief.max_factorizations = 12;
+  const Piece mended = flatten(input, brief).pieces.at(0);
+  EXPECT_TRUE(has_exact_lengths(mended)) << mended.error->what();
+  EXPECT_EQ(mended.report.inner_solves, 0);  // found at once, from the shape with all of them free
+}
+
 TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
   // Flat but for a dimple of radius 0.2. A wire that gives way ends where angles do not sum to 2π: at a face that the
   // dimple touches.
@@ -151,6 +172,19 @@ TEST(LooseLengths, NobodyPaysWhereLengthsCanBeKept) {
             .norm();
     EXPECT_NEAR(length, edge.length, 1e-11 * edge.length);
   }
+}
+
+TEST(LooseLengths, ToleranceOfSingleEdgesIsFreeOfCharge) {
+  // Wires of one edge that may change by a half: nobody pays but the fair shape.
+  FlattenInput input = test::saddle(6, 0.4);
+  const Positions2 free = flatten_freely(test::charts_of(input).charts.at(0), 30).uv;
+  add_edges_as_wires(input, [](const Eigen::Vector3d&) { return true; });
+  for (Wire& wire : input.wires) wire.tolerance = 0.5;
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+  const LooseShape loose = loosen_lengths(chart, build_held_network(chart), 0.1, free, [] { return true; });
+  EXPECT_EQ(loose.excess.maxCoeff(), 0);
+  EXPECT_LT(loose.boundary_strain, 1e-4);  // the last smoothing
 }
 
 TEST(LooseLengths, StopsWhenAsked) {

@@ -203,6 +203,25 @@ TEST_F(NewtonSystemOnASaddle, TheHessianByVariationIsThatOfTheDenseSystem) {
   EXPECT_LT((s - expected).norm(), 1e-5 * expected.norm());
 }
 
+TEST_F(NewtonSystemOnASaddle, TheStiffnessByVariationIsThatOfTheDenseSystem) {
+  const Eigen::VectorXd soft = Eigen::VectorXd::LinSpaced(constraints.size(), 1, 2);
+  system.set_stiffness(soft);
+  ASSERT_TRUE(system.factorize(uv, 0 * soft, convex));
+  const Eigen::MatrixXd j = jacobian(system.directions());
+  const Eigen::MatrixXd stretched = soft.asDiagonal() * constraints.elastic_lengths();
+  const Eigen::MatrixXd a = dense(system.hessian(uv, 0 * soft, convex)) + j.transpose() * soft.asDiagonal() * j;
+  const Eigen::MatrixXd pulled = j.transpose() * stretched;
+  // min over d of ½ Σ ρ (J d − T h)² + ½ d·Hd is ½ h·S h.
+  const Eigen::MatrixXd expected =
+      constraints.elastic_lengths().transpose() * stretched - pulled.transpose() * a.llt().solve(pulled);
+  EXPECT_LT((system.stiffness_by_variation() - expected).norm(), 1e-9 * expected.norm());
+}
+
+TEST(MakePositive, LeavesWhatIsPositive) {
+  const Eigen::MatrixXd positive = (Eigen::Matrix2d() << 2, 1, 1, 3).finished();
+  EXPECT_EQ(make_positive(positive), positive);
+}
+
 TEST(MakePositive, TakesMagnitudesOfEigenvalues) {
   const Eigen::MatrixXd q =
       Eigen::HouseholderQR<Eigen::MatrixXd>(as_positions(random_vector(8, 1)).leftCols(2).topRows(2)).householderQ();

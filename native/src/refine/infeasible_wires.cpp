@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "index.h"
 
@@ -17,7 +18,9 @@ constexpr double kUneven = 5e-3;   // unevenness that a larger variation of othe
 constexpr double kRounded = 1e-3;  // of what is proposed
 constexpr double kLargest = 0.5;
 constexpr double kFree = std::numeric_limits<double>::infinity();
-constexpr int kMaxFactorizations = 2;  // to know that there is a flat shape
+constexpr int kFreeFactorizations = 10;                      // to know the lengths of free wires
+constexpr int kMaxFactorizations = kFreeFactorizations + 2;  // to know that there is a flat shape
+constexpr double kSpare = 1.1;                               // of tolerances that a free shape needs
 
 using Tolerances = std::map<int, double>;  // by wire
 
@@ -65,6 +68,22 @@ Tolerances all_free(Tolerances tolerances) {
   return tolerances;
 }
 
+/// One tolerance for all wires that leave their own when they are free, as far as they do.
+Tolerances shared(const Chart& chart, const RefinedShape& free) {
+  std::set<int> wires;
+  double most = 0;
+  for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
+    const WirePart& part = chart.wire_parts[i];
+    const double needed = std::abs(free.variation[static_cast<Eigen::Index>(i)]);
+    if (!is_held(part) || needed <= part.tolerance) continue;
+    wires.insert(part.wire_index);
+    most = std::max(most, needed);
+  }
+  Tolerances tolerances;
+  for (const int wire : wires) tolerances[wire] = rounded_up(kSpare * most);
+  return tolerances;
+}
+
 Tolerances free_wires(const Chart& chart) {
   Tolerances tolerances;
   for (const WirePart& part : chart.wire_parts) {
@@ -77,22 +96,21 @@ Tolerances free_wires(const Chart& chart) {
 
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Options& options,
                                                   const ChartRefinement& refined, const std::function<bool()>& go_on) {
+  const auto flattened = [&](const Tolerances& tolerances, int max_factorizations) {
+    Options brief = options;
+    brief.max_factorizations = std::min(options.max_factorizations, max_factorizations);
+    return refine_chart(with_tolerances(chart, tolerances), brief, go_on);
+  };
   const Tolerances plain = find_needs(chart, refined.loose, kKept);
   const Tolerances possible = find_needs(chart, refined.loose, kPerhapsKept);
-  const Tolerances candidates[] = {widened(chart, plain, 1),
-                                   widened(chart, plain, 2),
-                                   widened(chart, plain, 4),
-                                   widened(chart, possible, 1),
-                                   widened(chart, possible, 2),
-                                   widened(chart, possible, 4),
-                                   all_free(plain),
-                                   all_free(possible),
-                                   free_wires(chart)};
-  Options brief = options;
-  brief.max_factorizations = std::min(options.max_factorizations, kMaxFactorizations);
+  const ChartRefinement free = flattened(free_wires(chart), kFreeFactorizations);
+  if (free.was_stopped || !free.shape.is_exact) return {};
+  const Tolerances candidates[] = {widened(chart, plain, 1),    widened(chart, plain, 2),  widened(chart, possible, 1),
+                                   widened(chart, possible, 2), shared(chart, free.shape), all_free(plain),
+                                   all_free(possible),          free_wires(chart)};
   for (const Tolerances& tolerances : candidates) {
     if (tolerances.empty()) continue;
-    const ChartRefinement trial = refine_chart(with_tolerances(chart, tolerances), brief, go_on);
+    const ChartRefinement trial = flattened(tolerances, kMaxFactorizations);
     if (trial.was_stopped) return {};
     if (!trial.shape.is_exact) continue;
     std::vector<ProposedTolerance> proposed;

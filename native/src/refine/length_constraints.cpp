@@ -23,14 +23,13 @@ LengthConstraints::LengthConstraints(const Chart& chart, const WireNetwork& netw
     edges_.push_back({chart.mesh.from_vertex_handle(h).idx(), chart.mesh.to_vertex_handle(h).idx(), edge.length,
                       edge.part < 0 ? -1 : elastic_of_part[at(edge.part)]});
   }
-}
-
-Eigen::MatrixXd LengthConstraints::elastic_lengths() const {
-  Eigen::MatrixXd lengths = Eigen::MatrixXd::Zero(size(), num_elastic());
+  std::vector<Eigen::Triplet<double>> entries;
   for (int e = 0; e < size(); ++e) {
-    if (edges_[at(e)].elastic >= 0) lengths(e, edges_[at(e)].elastic) = edges_[at(e)].length;
+    const Edge& edge = edges_[at(e)];
+    if (edge.elastic >= 0) entries.emplace_back(e, edge.elastic, edge.length);
   }
-  return lengths;
+  elastic_lengths_.resize(size(), num_elastic());
+  elastic_lengths_.setFromTriplets(entries.begin(), entries.end());
 }
 
 Eigen::VectorXd LengthConstraints::residual(const Positions2& uv, const Eigen::VectorXd& variation) const {

@@ -7,6 +7,7 @@
 //   ∂²c_e/∂d² = n nᵀ / |d|,   n ⊥ d̂
 #pragma once
 
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "refine/vertex_matrix.h"
@@ -32,8 +33,8 @@ class LengthConstraints {
   const std::vector<int>& elastic_parts() const { return elastic_parts_; }
   int num_elastic() const { return static_cast<int>(elastic_parts_.size()); }
 
-  /// T, #edges by #elastic.
-  Eigen::MatrixXd elastic_lengths() const;
+  /// T, #edges by #elastic: one entry in the row of an elastic edge.
+  const Eigen::SparseMatrix<double>& elastic_lengths() const { return elastic_lengths_; }
 
   /// c. #edges, scene units.
   Eigen::VectorXd residual(const Positions2& uv, const Eigen::VectorXd& variation) const;
@@ -58,6 +59,7 @@ class LengthConstraints {
  private:
   std::vector<Edge> edges_;
   std::vector<int> elastic_parts_;
+  Eigen::SparseMatrix<double> elastic_lengths_;
   double rounding_length_;  // 10⁻⁵ √area
 };
 

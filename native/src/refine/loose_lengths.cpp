@@ -23,15 +23,12 @@ constexpr double kWorthwhile = 1e-5;                 // promised decrease over �
 constexpr double kSufficient = 1e-4;                 // share of it that a step must bring
 constexpr double kShortestStep = 1e-3;
 
-/// Parts whose edges share a variation: all but boundaries and rigid parts of a single edge, where r is the variation.
-bool has_variation(const WirePart& part) {
-  return part.kind == WireKind::elastic || (part.kind == WireKind::rigid && part.half_edges.size() > 1);
-}
-
-/// The chart with those parts elastic, whatever their tolerance.
+/// The chart with those wire parts elastic whose edges share a variation, whatever their tolerance. A single edge needs
+/// none: r is the variation.
 Chart with_variations(Chart chart) {
   for (WirePart& part : chart.wire_parts) {
-    if (has_variation(part)) part.kind = WireKind::elastic;
+    if (part.kind != WireKind::elastic && part.kind != WireKind::rigid) continue;
+    part.kind = part.half_edges.size() > 1 ? WireKind::elastic : WireKind::rigid;
   }
   return chart;
 }
@@ -60,6 +57,7 @@ class LooseLengths {
   };
 
   void make_groups(const WireNetwork& network);
+  Eigen::VectorXd residual(const Iterate& iterate) const;
   Eigen::VectorXd mean_squares(const Eigen::VectorXd& residual) const;
   Eigen::VectorXd excess(const Eigen::VectorXd& variation) const;
   double value(const Iterate& iterate, double smoothing) const;
@@ -70,8 +68,9 @@ class LooseLengths {
   LengthConstraints constraints_;
   FairShapeError objective_;
   NewtonSystem system_;
-  Eigen::MatrixXd lengths_;                  // T
-  Eigen::VectorXd part_length_, tolerance_;  // L, ε of parts with a variation
+  const Eigen::SparseMatrix<double>& lengths_;  // T
+  Eigen::VectorXd part_length_, tolerance_;     // L, ε of parts with a variation
+  Eigen::VectorXd slack_;                       // ε l of other edges
   std::vector<Group> groups_;
   std::vector<int> group_of_edge_;
   Iterate now_;
@@ -84,7 +83,8 @@ LooseLengths::LooseLengths(const Chart& chart, const WireNetwork& network, doubl
       objective_(chart, network, fairness),
       system_(chart, objective_, constraints_, start),
       lengths_(constraints_.elastic_lengths()),
-      part_length_(lengths_.colwise().sum().transpose()) {
+      part_length_(lengths_.transpose() * Eigen::VectorXd::Ones(constraints_.size())),
+      slack_(Eigen::VectorXd::Zero(constraints_.size())) {
   tolerance_.resize(constraints_.num_elastic());
   for (int w = 0; w < constraints_.num_elastic(); ++w) {
     tolerance_[w] = kWithinTolerance * chart.wire_parts[at(constraints_.elastic_parts()[at(w)])].tolerance;
@@ -105,9 +105,18 @@ void LooseLengths::make_groups(const WireNetwork& network) {
       groups_.push_back({weight * size_, 0, edge.is_boundary ? -1 : edge.part});
       if (is_shared) group_of_part[at(edge.part)] = group;
     }
+    if (!edge.is_boundary && !is_shared) {
+      slack_[e] = kWithinTolerance * chart_.wire_parts[at(edge.part)].tolerance * edge.length;
+    }
     groups_[at(group)].length += edge.length;
     group_of_edge_.push_back(group);
   }
+}
+
+/// l r, of single edges what is beyond their tolerance. #edges.
+Eigen::VectorXd LooseLengths::residual(const Iterate& iterate) const {
+  const Eigen::VectorXd missing = constraints_.residual(iterate.uv, iterate.variation);
+  return missing - missing.cwiseMax(-slack_).cwiseMin(slack_);
 }
 
 /// m. #groups.
@@ -128,7 +137,7 @@ Eigen::VectorXd LooseLengths::excess(const Eigen::VectorXd& variation) const {
 double LooseLengths::value(const Iterate& iterate, double smoothing) const {
   double result = objective_.value(iterate.uv);
   const auto magnitude = [&](double square) { return std::sqrt(square + smoothing * smoothing) - smoothing; };
-  const Eigen::VectorXd squares = mean_squares(constraints_.residual(iterate.uv, iterate.variation));
+  const Eigen::VectorXd squares = mean_squares(residual(iterate));
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     result += groups_[g].weight * groups_[g].length * magnitude(squares[static_cast<Eigen::Index>(g)]);
   }
@@ -144,43 +153,34 @@ double LooseLengths::value(const Iterate& iterate, double smoothing) const {
 LooseLengths::Step LooseLengths::step(double smoothing) {
   Positions2 gradient;
   objective_.value_and_gradient(now_.uv, gradient);
-  const Eigen::VectorXd residual = constraints_.residual(now_.uv, now_.variation);
-  const Eigen::VectorXd squares = mean_squares(residual);
+  const Eigen::VectorXd missing = residual(now_);
+  const Eigen::VectorXd squares = mean_squares(missing);
   Eigen::VectorXd stiffness(constraints_.size());
   for (int e = 0; e < constraints_.size(); ++e) {
     const int group = group_of_edge_[at(e)];
     stiffness[e] = groups_[at(group)].weight / constraints_.edges()[at(e)].length /
                    std::sqrt(squares[group] + smoothing * smoothing);
   }
-  const Eigen::VectorXd forces = stiffness.cwiseProduct(residual);
+  const Eigen::VectorXd forces = stiffness.cwiseProduct(missing);
   system_.set_stiffness(stiffness);
   Step step{{}, Eigen::VectorXd::Zero(constraints_.num_elastic()), 0};
   if (!system_.factorize(now_.uv, forces, {Curvature::convex, false})) return step;
 
   const Positions2& directions = system_.directions();
-  const auto pulled = [&](const Eigen::VectorXd& by_edge, Positions2 sum) {
-    constraints_.add_transposed(directions, by_edge, sum);
-    return sum;
-  };
-  const Positions2 zero = Positions2::Zero(gradient.rows(), 2);
-  step.d = system_.apply_inverse(pulled(-forces, -gradient));
+  Positions2 pull_on_vertices = -gradient;
+  constraints_.add_transposed(directions, -forces, pull_on_vertices);
+  step.d = system_.apply_inverse(pull_on_vertices);
   const Eigen::VectorXd x = excess(now_.variation);
   const Eigen::VectorXd spring =
       (kWeightOfExcess * size_ * part_length_.array() / (x.array().square() + smoothing * smoothing).sqrt()).matrix();
   if (x.size() > 0) {
-    Eigen::MatrixXd by_variation = lengths_.transpose() * stiffness.asDiagonal() * lengths_;
+    Eigen::MatrixXd by_variation = system_.stiffness_by_variation();
     by_variation.diagonal() += spring;
-    std::vector<Positions2> moves;
-    for (int w = 0; w < x.size(); ++w) {
-      moves.push_back(system_.apply_inverse(pulled(stiffness.cwiseProduct(lengths_.col(w)), zero)));
-      by_variation.col(w) -=
-          lengths_.transpose() * stiffness.cwiseProduct(constraints_.apply(directions, moves.back()));
-    }
     const Eigen::VectorXd pull =
         lengths_.transpose() * (forces + stiffness.cwiseProduct(constraints_.apply(directions, step.d))) -
         spring.cwiseProduct(x);
     step.variation = by_variation.selfadjointView<Eigen::Lower>().ldlt().solve(pull);
-    for (int w = 0; w < x.size(); ++w) step.d += step.variation[w] * moves[at(w)];
+    step.d += system_.finish(system_.least_change(lengths_ * step.variation));
   }
   step.slope = (gradient.array() * step.d.array()).sum() +
                forces.dot(constraints_.apply(directions, step.d) - lengths_ * step.variation) +
@@ -213,7 +213,7 @@ LooseShape LooseLengths::shape() const {
   const auto num_parts = static_cast<Eigen::Index>(chart_.wire_parts.size());
   shape.excess = shape.unevenness = Eigen::VectorXd::Zero(num_parts);
   shape.excess(constraints_.elastic_parts()) = excess(now_.variation).cwiseAbs();
-  const Eigen::VectorXd squares = mean_squares(constraints_.residual(now_.uv, now_.variation));
+  const Eigen::VectorXd squares = mean_squares(residual(now_));
   for (int e = 0; e < constraints_.size(); ++e) {
     const Group& group = groups_[at(group_of_edge_[at(e)])];
     const double strain = std::sqrt(squares[group_of_edge_[at(e)]]);

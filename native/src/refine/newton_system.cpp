@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "refine/newton_system.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,9 @@ constexpr double kPin = 1e6;
 constexpr double kSmallestStiffness = 1e8;
 constexpr double kStiffness = 1e4;  // over the largest diagonal entry of the Hessian at an edge's ends
 constexpr int kMultiplierSteps = 3;
-constexpr double kAccuracy = 1e-9;  // of changes of length, over how far the ends of edges move apart or aside
-constexpr int kColumnsAtOnce = 4;   // what the Cholesky kernels take
+constexpr double kAccuracy = 1e-9;      // of changes of length, over how far the ends of edges move apart or aside
+constexpr double kWellPositive = 1e-4;  // least pivot over the largest diagonal entry
+constexpr int kColumnsAtOnce = 4;       // what the Cholesky kernels take
 
 std::vector<VertexPair> coupled_vertices(const FairShapeError& objective) {
   std::vector<VertexPair> pairs;
@@ -61,14 +63,19 @@ VertexPair pinned_vertices(const Chart& chart) {
 }  // namespace
 
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric) {
+  const Eigen::LLT<Eigen::MatrixXd> factor(symmetric);  // a small part of the cost of the eigenvalues
+  if (factor.info() == Eigen::Success) {
+    const Eigen::ArrayXd pivots = factor.matrixLLT().diagonal().array().square();
+    if (pivots.minCoeff() > kWellPositive * symmetric.diagonal().maxCoeff()) return symmetric;
+  }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric);
   const Eigen::ArrayXd magnitudes = eigen.eigenvalues().cwiseAbs();
   const Eigen::VectorXd positive = magnitudes.max(1e-6 * magnitudes.maxCoeff()).matrix();
   return eigen.eigenvectors() * positive.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-Eigen::MatrixXd hessian_by_variation(const Eigen::MatrixXd& lengths, const Eigen::MatrixXd& multipliers) {
-  const Eigen::MatrixXd s = -lengths.transpose() * multipliers;
+Eigen::MatrixXd hessian_by_variation(const Eigen::SparseMatrix<double>& lengths, const Eigen::MatrixXd& multipliers) {
+  const Eigen::MatrixXd s = -(lengths.transpose() * multipliers);
   return (s + s.transpose()) / 2;
 }
 
@@ -202,16 +209,28 @@ void NewtonSystem::solve_on_wires(const Eigen::MatrixXd& r2, Solution& solution)
 }
 
 Eigen::MatrixXd NewtonSystem::multipliers_by_variation() const {
-  const Eigen::MatrixXd lengths = constraints_.elastic_lengths();
+  const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
   Eigen::MatrixXd multipliers(lengths.rows(), lengths.cols());
   for (Eigen::Index first = 0; first < lengths.cols(); first += kColumnsAtOnce) {
     const Eigen::Index columns = std::min<Eigen::Index>(kColumnsAtOnce, lengths.cols() - first);
     const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(lengths.rows(), columns);
     Solution solution{Eigen::MatrixXd::Zero(matrix_.lower().rows(), columns), none, none};
-    improve(lengths.middleCols(first, columns), kMultiplierSteps, solution);
+    improve(lengths.middleCols(first, columns).toDense(), kMultiplierSteps, solution);
     multipliers.middleCols(first, columns) = solution.multipliers;
   }
   return multipliers;
+}
+
+Eigen::MatrixXd NewtonSystem::stiffness_by_variation() const {
+  const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
+  const Eigen::SparseMatrix<double> stretched = stiffness_.asDiagonal() * lengths;
+  Eigen::MatrixXd result = Eigen::SparseMatrix<double>(lengths.transpose() * stretched).toDense();
+  for (Eigen::Index first = 0; first < lengths.cols(); first += kColumnsAtOnce) {
+    const Eigen::Index columns = std::min<Eigen::Index>(kColumnsAtOnce, lengths.cols() - first);
+    const Eigen::MatrixXd tensions = stretched.middleCols(first, columns).toDense();
+    result.middleCols(first, columns) -= stretched.transpose() * changes_of_length(response(tensions));
+  }
+  return result;
 }
 
 Eigen::VectorXd NewtonSystem::least_change(const Eigen::VectorXd& r2) const {

@@ -27,12 +27,12 @@ struct Convexity {
   bool keeps_pressure;  // the negative curvature of edges with λ < 0, which may buckle
 };
 
-/// A symmetric matrix with the magnitudes of its eigenvalues, none below 1e-6 of the largest: a model that has a
-/// minimum.
+/// A symmetric matrix as it is where it is well positive; else with the magnitudes of its eigenvalues, none below 1e-6
+/// of the largest: a model that has a minimum.
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric);
 
 /// S = −Tᵀ ∂λ/∂h: the Hessian by h of the least q(d) = g·d + ½ d·Hd with J d = T h. lengths: T; multipliers: ∂λ/∂h.
-Eigen::MatrixXd hessian_by_variation(const Eigen::MatrixXd& lengths, const Eigen::MatrixXd& multipliers);
+Eigen::MatrixXd hessian_by_variation(const Eigen::SparseMatrix<double>& lengths, const Eigen::MatrixXd& multipliers);
 
 class NewtonSystem {
  public:
@@ -68,6 +68,9 @@ class NewtonSystem {
 
   /// ∂λ/∂h for all elastic parts, J d being T h. #edges by #elastic.
   Eigen::MatrixXd multipliers_by_variation() const;
+
+  /// Tᵀ (ρ − ρ J A⁻¹ Jᵀ ρ) T: how the springs ρ of the edges resist Δh, where d follows them. #elastic by #elastic.
+  Eigen::MatrixXd stiffness_by_variation() const;
 
   /// d on the wires with J d = r2, the least in the metric H, to the accuracy of one solve.
   Eigen::VectorXd least_change(const Eigen::VectorXd& r2) const;

@@ -14,6 +14,18 @@ namespace wirewarp {
 namespace {
 
 constexpr std::size_t kLargeChart = 20'000;  // faces: from here on a coarse start saves more than it costs
+constexpr int kFreedFactorizations = 10;     // for a start that need not be a minimum
+
+bool is_elastic(const WirePart& part) { return part.kind == WireKind::elastic; }
+
+/// The least distorted shape with all elastic wires free, from a start.
+RefinedShape free_elastic_wires(Chart chart, double fairness, const Positions2& start, RefinementLimits limits) {
+  limits.max_factorizations = std::min(limits.max_factorizations, kFreedFactorizations);
+  for (WirePart& part : chart.wire_parts) {
+    if (is_elastic(part)) part.kind = WireKind::super_elastic;
+  }
+  return refine_shape(chart, build_held_network(chart), fairness, start, limits);
+}
 
 /// ψ(h⁰): the paper's flat shape, before any h is chosen.
 WarpedShape warp_wires(const Chart& chart, const Options& options) {
@@ -38,12 +50,23 @@ ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_
   result.inner.is_feasible = true;
   const FreeFlattening free = flatten_freely(chart, kFreeSteps);
   result.shape = refine_shape(chart, held_network, options.fairness, free.uv, limits);
-  const int used = result.shape.factorizations;
+  int used = result.shape.factorizations;
+  limits.max_factorizations -= used;
   if (result.shape.is_exact || result.was_stopped) return result;
+
+  if (std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(), is_elastic)) {
+    const RefinedShape freed = free_elastic_wires(chart, options.fairness, free.uv, limits);
+    used += freed.factorizations;
+    limits.max_factorizations -= freed.factorizations;
+    if (freed.is_exact && !result.was_stopped) {
+      result.shape = refine_shape(chart, held_network, options.fairness, freed.uv, limits);
+      result.shape.factorizations += used;
+    }
+    if (result.shape.is_exact || result.was_stopped) return result;
+  }
 
   WarpedShape warped = warp_wires(chart, options);
   result.inner = std::move(warped.inner);
-  limits.max_factorizations -= used;
   if (result.inner.is_feasible) {
     result.shape = refine_shape(chart, held_network, options.fairness, warped.uv, limits);
     result.shape.factorizations += used;

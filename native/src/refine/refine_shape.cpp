@@ -125,10 +125,10 @@ Refinement::Step Refinement::newton_step() const {
   Positions2 force = gradient_;
   constraints_.add_transposed(constraints_.directions(now_.uv), multipliers_, force);
   NewtonSystem::Solution solution = system_.solve_on_wires(-force, -residual);
-  const Eigen::MatrixXd lengths = constraints_.elastic_lengths();
+  const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
   Eigen::VectorXd variation = Eigen::VectorXd::Zero(constraints_.num_elastic());
   if (constraints_.num_elastic() > 0) {
-    variation = minimize_model_in_box(-lengths.transpose() * (multipliers_ + solution.multipliers.col(0)),
+    variation = minimize_model_in_box(-(lengths.transpose() * (multipliers_ + solution.multipliers.col(0))),
                                       make_positive(hessian_by_variation(lengths, by_variation_)),
                                       -tolerance_ - now_.variation, tolerance_ - now_.variation);
     solution.multipliers += by_variation_ * variation;

@@ -7,23 +7,28 @@ namespace wirewarp {
 
 TangentSpace::TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free)
     : system_(system), constraints_(constraints), free_(std::move(free)) {
-  lengths_ = constraints.elastic_lengths()(Eigen::all, free_);
   if (free_.empty()) return;
-  multipliers_ = system.multipliers_by_variation()(Eigen::all, free_);
-  by_free_.compute(make_positive(hessian_by_variation(lengths_, multipliers_)));
+  multipliers_ = system.multipliers_by_variation();
+  const Eigen::MatrixXd hessian = hessian_by_variation(constraints.elastic_lengths(), multipliers_)(free_, free_);
+  multipliers_ = multipliers_(Eigen::all, free_).eval();
+  by_free_.compute(make_positive(hessian));
 }
 
 /// Stationary are G d + Jᵀλ = r_u and -Tᵀλ = r_h. With λ = λ₀ + ∂λ/∂h Δh that is S Δh = r_h + Tᵀλ₀.
 Eigen::VectorXd TangentSpace::solve(Eigen::VectorXd& force) const {
   const auto num_free = static_cast<Eigen::Index>(free_.size());
   const Eigen::Index size = force.size() - num_free;
+  const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
   const Positions2 on_vertices = Eigen::Map<const Positions2>(force.data(), size / 2, 2);
   Eigen::VectorXd result(force.size());
   NewtonSystem::Solution solution = system_.solve_on_wires(on_vertices, Eigen::VectorXd::Zero(constraints_.size()));
   if (num_free > 0) {
-    result.tail(num_free) = by_free_.solve(force.tail(num_free) + lengths_.transpose() * solution.multipliers);
+    const Eigen::VectorXd pull = lengths.transpose() * solution.multipliers.col(0);
+    result.tail(num_free) = by_free_.solve(force.tail(num_free) + pull(free_));
     solution.multipliers += multipliers_ * result.tail(num_free);
-    system_.solve_on_wires(lengths_ * result.tail(num_free), solution);
+    Eigen::VectorXd variation = Eigen::VectorXd::Zero(constraints_.num_elastic());
+    variation(free_) = result.tail(num_free);
+    system_.solve_on_wires(lengths * variation, solution);
   }
   const Positions2 d = system_.finish(solution.d);
   result.head(size) = Eigen::Map<const Eigen::VectorXd>(d.data(), size);
@@ -31,7 +36,10 @@ Eigen::VectorXd TangentSpace::solve(Eigen::VectorXd& force) const {
   Positions2 normal = Positions2::Zero(size / 2, 2);
   constraints_.add_transposed(system_.directions(), solution.multipliers, normal);
   force.head(size) -= Eigen::Map<const Eigen::VectorXd>(normal.data(), size);
-  force.tail(num_free) += lengths_.transpose() * solution.multipliers;
+  if (num_free > 0) {
+    const Eigen::VectorXd pull = lengths.transpose() * solution.multipliers.col(0);
+    force.tail(num_free) += pull(free_);
+  }
   return result;
 }
 

@@ -29,7 +29,6 @@ class TangentSpace {
   const NewtonSystem& system_;
   const LengthConstraints& constraints_;
   std::vector<int> free_;
-  Eigen::MatrixXd lengths_;              // T of the free parts
   Eigen::MatrixXd multipliers_;          // ∂λ/∂h of the free parts
   Eigen::LLT<Eigen::MatrixXd> by_free_;  // S of the free parts
 };

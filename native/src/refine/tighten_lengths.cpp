@@ -4,7 +4,6 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "index.h"
 #include "outer/length_variation.h"
@@ -21,31 +20,25 @@ class LeastChange {
  public:
   LeastChange(const LengthConstraints& constraints, const NewtonSystem& system)
       : constraints_(constraints), system_(system), lengths_(constraints.elastic_lengths()) {
-    const Eigen::MatrixXd stretched = system.stiffness().asDiagonal() * lengths_;
-    Eigen::MatrixXd by_variation = lengths_.transpose() * stretched;
-    for (int w = 0; w < constraints.num_elastic(); ++w) {
-      moves_.push_back(system.finish(system.least_change(lengths_.col(w))));
-      by_variation.col(w) -= stretched.transpose() * constraints.apply(system.directions(), moves_.back());
-    }
-    by_variation_.compute(by_variation);
+    if (constraints.num_elastic() > 0) by_variation_.compute(system.stiffness_by_variation());
   }
 
   void step(const Eigen::VectorXd& residual, Positions2& uv, Eigen::VectorXd& variation) const {
-    Positions2 d = system_.finish(system_.least_change(-residual));
-    if (!moves_.empty()) {
-      const Eigen::VectorXd left = residual + constraints_.apply(system_.directions(), d);
+    Eigen::VectorXd d = system_.least_change(-residual);
+    if (variation.size() > 0) {
+      const Eigen::VectorXd left =
+          residual + constraints_.apply(system_.directions(), Eigen::Map<const Positions2>(d.data(), uv.rows(), 2));
       const Eigen::VectorXd change = by_variation_.solve(lengths_.transpose() * system_.stiffness().cwiseProduct(left));
-      for (std::size_t w = 0; w < moves_.size(); ++w) d += change[static_cast<Eigen::Index>(w)] * moves_[w];
+      d += system_.least_change(lengths_ * change);
       variation += change;
     }
-    uv += d;
+    uv += system_.finish(d);
   }
 
  private:
   const LengthConstraints& constraints_;
   const NewtonSystem& system_;
-  Eigen::MatrixXd lengths_;        // T
-  std::vector<Positions2> moves_;  // ∂d/∂h
+  const Eigen::SparseMatrix<double>& lengths_;  // T
   Eigen::LDLT<Eigen::MatrixXd> by_variation_;
 };
 
