@@ -125,7 +125,8 @@ def test_what_was_done_is_counted(patch):
     assert elastic.gradient_evaluations > elastic.outer_iterations
     assert elastic.termination == "converged"
     refined = flatten(patch, 0.05).report
-    assert 0 < refined.outer_iterations <= refined.factorizations <= 8
+    assert refined.outer_iterations > 0  # near the end several with one factor
+    assert 0 < refined.factorizations <= 8
     assert refined.inner_solves == refined.gradient_evaluations == 0
     assert refined.termination == "converged"
 
