@@ -11,6 +11,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from . import model_state
+from .owners import model_of
 from .report_store import last_report
 
 WATCH = "wm.wirewarp_watch"
@@ -59,7 +60,7 @@ def put_back(names: list[str], scene: str) -> None:
 def _flattened(context: bpy.types.Context) -> list[bpy.types.Object]:
     """The models of this view layer that have flat pieces."""
     objects = context.view_layer.objects
-    sources = dict.fromkeys(flat.wirewarp_source for flat in context.scene.objects if flat.wirewarp_source)
+    sources = dict.fromkeys(filter(None, map(model_of, context.scene.objects)))
     return [source for source in sources if objects.get(source.name) == source and source.library is None]
 
 

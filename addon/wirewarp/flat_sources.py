@@ -7,8 +7,8 @@ import numpy as np
 from .flat_attributes import has_flat_attributes, read_flat_attribute
 from .foreach import read
 from .issues import object_error
+from .owners import find_flat_object
 from .report_elements import FlatSources
-from .write_flat_object import find_flat_object
 
 
 def flat_sources(source: bpy.types.Object, report: dict) -> tuple[bpy.types.Object, FlatSources]:

@@ -14,8 +14,8 @@ from bpy.props import (
 
 from .auto_update import note_change
 from .flatten_job import FlattenChoices
+from .owners import find_flat_object
 from .redraw import redraw_views
-from .write_flat_object import find_flat_object
 from .write_texts import rename_text
 
 METHODS = [

@@ -10,12 +10,12 @@ from .left_out import left_out
 from .length_units import LengthText
 from .mesh_to_arrays import element_counts, object_to_arrays
 from .model_state import has_changed, model_state
+from .owners import find_flat_object
 from .pieces.records import known_pieces
 from .solve_models import Model
 from .solved_pieces import solved_pieces
 from .targets import check_target
 from .unit_text import length_text
-from .write_flat_object import find_flat_object
 
 
 def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], use_modifiers: bool) -> list[Model]:

@@ -11,13 +11,13 @@ from .flat_attributes import has_flat_attributes, read_flat_attribute
 from .flat_shape import has_kept_shape
 from .issues import object_error
 from .model_state import has_changed, shows_modified
+from .owners import find_flat_object
 from .pattern.make_pattern import PieceLabel, make_pattern
 from .pattern.pattern import Pattern
 from .read_flat_pieces import read_flat_pieces
 from .report_store import last_report
 from .unit_text import length_text, meters_per_blender_unit
 from .wire_names import names_of
-from .write_flat_object import find_flat_object
 
 
 def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: float, failed_too: bool) -> Pattern:

@@ -23,7 +23,7 @@ def check_indices(target: bpy.types.Object, report: dict) -> None:
             "with_modifiers",
             "The report is of the mesh with modifiers: apply the modifiers and flatten again.",
         )
-    if target.mode == "EDIT":
+    if target.data.is_editmode:
         target.update_from_editmode()
     if "counts" in report and report["counts"] != element_counts(target.data):
         raise _changed(target)

@@ -9,6 +9,7 @@ import numpy as np
 
 from .issues import Issue, ObjectError, object_error
 from .mesh_to_arrays import linear_part, metric
+from .owners import is_helper, model_of
 from .pieces.attribute import check_piece_attribute
 from .wire_attributes import check_attributes
 from .write_uv import check_uv_room
@@ -21,9 +22,7 @@ def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
     edited = list(context.objects_in_mode) if context.mode == "EDIT_MESH" else []
     objects = dict.fromkeys([*edited, *context.selected_objects])
     return [
-        target
-        for target in objects
-        if target.type == "MESH" and target.wirewarp_source is None and target.wirewarp_helpers_of is None
+        target for target in objects if target.type == "MESH" and model_of(target) is None and not is_helper(target)
     ]
 
 
@@ -34,7 +33,7 @@ def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Objec
     active = context.view_layer.objects.active
     if active and active.type == "MESH" and not active.visible_get():
         return f'Nothing to flatten: "{active.name}" is hidden. Show it in the Outliner and select it.'
-    if any(target.wirewarp_source for target in context.selected_objects):
+    if any(model_of(target) for target in context.selected_objects):
         return "Nothing to flatten: flat pieces are not flattened again. Select the model."
     return "Nothing to flatten: select a mesh object."
 

@@ -12,6 +12,7 @@ from .flat_mesh import FlatMesh, edge_length_variation
 from .flat_shape import remember_shape
 from .foreach import read
 from .mesh_to_arrays import MeshArrays
+from .owners import find_flat_object, model_of
 from .pattern.flat_pieces import FlatPieces
 from .pieces.attribute import PIECE
 from .pieces.records import FACE_COUNT
@@ -34,6 +35,8 @@ def write_flat_object(
         target = bpy.data.objects.new(f"{source.name} Flat", bpy.data.meshes.new(f"{source.name} Flat"))
         target.wirewarp_source = source
         target.location = _free_place(scene, source)
+    elif _is_shared(target):
+        target.data = bpy.data.meshes.new(target.name)
     if scene.objects.get(target.name) != target:
         our_collection(scene).objects.link(target)
     target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
@@ -41,6 +44,12 @@ def write_flat_object(
     write_names(target.data, {wire.chain.wire_id: wire.name for wire in arrays.wires})
     show_failed(target.data, flat.failed)
     return target, pieces
+
+
+def _is_shared(flat: bpy.types.Object) -> bool:
+    """Whether its mesh must stay as it is: it is another object's too, the model's for one."""
+    model, users = model_of(flat), (each for each in bpy.data.objects if each.data == flat.data)
+    return flat.data.library is not None or any(model_of(user) != model for user in users)
 
 
 def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[str]:
@@ -58,13 +67,6 @@ def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) 
             f'"{target.name}" is not shown in true size: its parent or a constraint scales it. Its mesh is true.'
         )
     return notes
-
-
-def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
-    """The object that remembers `source`: the one with our name first, should the user have copied it."""
-    ours = [candidate for candidate in bpy.data.objects if candidate.wirewarp_source == source]
-    named = [candidate for candidate in ours if candidate.name == f"{source.name} Flat"]
-    return next(iter(named + ours), None)
 
 
 def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> FlatPieces:
@@ -134,6 +136,6 @@ def _free_place(scene: bpy.types.Scene, source: bpy.types.Object) -> Vector:
     right = max(corner.x for corner in corners)
     gap = 0.1 * max(source.dimensions)
     for other in scene.objects:
-        if other.wirewarp_source:
+        if model_of(other):
             right = max(right, *((other.matrix_world @ Vector(corner)).x for corner in other.bound_box))
     return Vector((right + gap, min(corner.y for corner in corners), min(corner.z for corner in corners)))

@@ -10,6 +10,8 @@ import numpy as np
 from .foreach import read, read_attribute
 from .helper_lines import HelperLines
 from .mesh_to_arrays import linear_part
+from .owners import find_helper_wires
+from .remove_object import remove_object
 from .write_uv import UvFrame
 
 IN_MAP = "in_map"  # point attribute of the object on the model: the place in the UV layer
@@ -40,11 +42,7 @@ def remove_helper_wires(*owners: bpy.types.Object) -> None:
     for owner in owners:
         target = find_helper_wires(owner)
         if target:
-            bpy.data.meshes.remove(target.data)  # and with it the object
-
-
-def find_helper_wires(owner: bpy.types.Object) -> bpy.types.Object | None:
-    return next((candidate for candidate in bpy.data.objects if candidate.wirewarp_helpers_of == owner), None)
+            remove_object(target)
 
 
 def helper_ends(owner: bpy.types.Object) -> np.ndarray | None:

@@ -8,6 +8,7 @@ from .flat_mesh import FlatMesh
 from .foreach import read
 from .helper_lines import helper_lines
 from .model_maps import model_maps
+from .owners import find_flat_object
 from .pieces.keep_places import crowded_note, motions_in_order, pieces_in_place, remember_layout, wants_new_layout
 from .pieces.motion import Motion
 from .pieces.records import write_pieces
@@ -17,7 +18,7 @@ from .report_store import remember, store
 from .solve_models import Outcome
 from .wire_attributes import wires_on
 from .wire_names import update_names
-from .write_flat_object import find_flat_object, our_collection, show_flat_object, write_flat_object
+from .write_flat_object import our_collection, show_flat_object, write_flat_object
 from .write_helper_wires import remove_helper_wires, write_helper_wires
 from .write_maps import remove_model_maps, write_model_maps
 from .write_texts import remove_texts, write_texts

@@ -13,6 +13,7 @@ from .pattern.inner_wires import inner_wires
 from .pattern.outlines import outline_of
 from .pattern.pattern import PieceText
 from .pattern.texts import piece_texts
+from .remove_object import remove_object
 from .unit_text import length_text
 from .write_flat_object import our_collection
 
@@ -31,7 +32,7 @@ def write_texts(context: bpy.types.Context, flat: bpy.types.Object, arrays: Flat
     if len(pieces) > MOST:
         report["notes"].append(f"Texts are written on up to {MOST} pieces, these are {len(pieces)}.")
         return
-    flat[FLAT_ID] = flat.get(FLAT_ID) or random.randint(1, 2**31 - 1)
+    flat[FLAT_ID] = _id(flat, FLAT_ID) or random.randint(1, 2**31 - 1)
     text = length_text(context.scene)
     size = float(np.linalg.norm(np.ptp(arrays.vertices, axis=0)))
     lines = {piece["index"]: (piece["name"], text.area(piece["area_2d"])) for piece in pieces}
@@ -53,7 +54,7 @@ def write_texts(context: bpy.types.Context, flat: bpy.types.Object, arrays: Flat
 def remove_texts(flat: bpy.types.Object) -> None:
     """Also those whose flat object the user has deleted."""
     for target in [*find_texts(flat), *_find_orphans()]:
-        bpy.data.curves.remove(target.data)  # and with it the object
+        remove_object(target)
 
 
 def find_texts(flat: bpy.types.Object) -> list[bpy.types.Object]:
@@ -62,12 +63,23 @@ def find_texts(flat: bpy.types.Object) -> list[bpy.types.Object]:
 
 def _find_orphans() -> list[bpy.types.Object]:
     """Without a parent alone they are the user's, who has taken them off their piece."""
-    present = {target[FLAT_ID] for target in bpy.data.objects if target.type == "MESH" and FLAT_ID in target}
-    return [target for target in _all_texts() if target.parent is None and target.get(FLAT_ID) not in present]
+    present = {_id(target, FLAT_ID) for target in bpy.data.objects if target.type == "MESH"}
+    return [target for target in _all_texts() if target.parent is None and _id(target, FLAT_ID) not in present]
 
 
 def _all_texts() -> list[bpy.types.Object]:
-    return [target for target in bpy.data.objects if target.type == "FONT" and PIECE_ID in target]
+    """Of this file."""
+    return [
+        target
+        for target in bpy.data.objects
+        if target.type == "FONT" and target.library is None and _id(target, PIECE_ID)
+    ]
+
+
+def _id(target: bpy.types.Object, name: str) -> int:
+    """0 where there is none."""
+    stored = target.get(name)
+    return stored if isinstance(stored, int) else 0
 
 
 def rename_text(flat: bpy.types.Object, piece_id: int, name: str) -> None:

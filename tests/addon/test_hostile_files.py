@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files edited by hand or by other scripts: everything answers with a result or a sentence, and nothing is lost."""
 
+import itertools
 import json
 
 import bpy
@@ -9,6 +10,7 @@ import pytest
 from everything import answer, draw_panels, use_everything
 from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read, select_only
 
+NAN = float("nan")
 SEAM, WIRE = on_line(0, 0.0), on_line(1, 0.0)
 
 
@@ -29,19 +31,25 @@ def source():
 
 @pytest.fixture
 def everything_answers(source, addon, tmp_path, capfd):
-    """With model and flat pieces active, in both modes, after spoiling the file anew for each.
+    """With each object active, in both modes, after spoiling the file anew for each; no model loses its shape.
 
     Also what Blender calls by itself answers: of that it prints the errors.
     """
 
+    def shapes():
+        models = [bpy.data.objects[name] for name in ("Bump", "Other") if name in bpy.data.objects]
+        return [read(model.data.vertices, "co", np.float32, 3) for model in models if model.type == "MESH"]
+
     def check(spoil):
-        for name in (source.name, flat_of(source).name):
-            for mode in ("OBJECT", "EDIT"):
-                spoil()
-                bpy.context.view_layer.update()
-                shape = read(source.data.vertices, "co", np.float32, 3)
-                use_everything(addon, name, mode, tmp_path)
-                assert np.array_equal(read(source.data.vertices, "co", np.float32, 3), shape, equal_nan=True)
+        spoil()
+        names = [each.name for each in bpy.context.scene.objects if each.type != "FONT"]
+        for name, mode in itertools.product(names, ("OBJECT", "EDIT")):
+            spoil()
+            bpy.context.view_layer.update()
+            before = shapes()
+            use_everything(addon, name, mode, tmp_path)
+            for shape, after in zip(before, shapes(), strict=True):
+                assert np.array_equal(shape, after, equal_nan=True)
         printed = capfd.readouterr()
         assert "Traceback" not in printed.out + printed.err
 
@@ -134,3 +142,49 @@ def test_a_seal_of_another_type(source, everything_answers):
         source["wirewarp_report_seal"] = [1.5, 2.5]
 
     everything_answers(spoil)
+
+
+def new_object(name, data=None):
+    """The object of this name, made if there is none."""
+    if name not in bpy.data.objects:
+        bpy.context.scene.collection.objects.link(bpy.data.objects.new(name, data))
+    return bpy.data.objects[name]
+
+
+def other_model():
+    return bpy.data.objects.get("Other") or grid("Other", bump, size=2)
+
+
+def convert(target, kind):
+    if target.type == "MESH":
+        select_only(target)
+        bpy.ops.object.convert(target=kind)
+
+
+def point(owner, name, target):
+    setattr(owner, name, target)
+
+
+OBJECTS = {
+    "pieces of an empty": lambda source: point(flat_of(source), "wirewarp_source", new_object("Empty")),
+    "pieces of themselves": lambda source: point(flat_of(source), "wirewarp_source", flat_of(source)),
+    "pieces of another model": lambda source: point(flat_of(source), "wirewarp_source", other_model()),
+    "a model of its pieces": lambda source: point(source, "wirewarp_source", flat_of(source)),
+    "an empty claims the model": lambda source: point(new_object("Empty"), "wirewarp_source", source),
+    "an empty claims the helper wires": lambda source: point(new_object("Empty"), "wirewarp_helpers_of", source),
+    "a surface claims to be helper wires": lambda source: point(other_model(), "wirewarp_helpers_of", source),
+    "a model claims to be its own helper wires": lambda source: point(source, "wirewarp_helpers_of", source),
+    "pieces that are a curve": lambda source: convert(flat_of(source), "CURVE"),
+    "a model that is a curve": lambda source: convert(source, "CURVE"),
+    "pieces with the mesh of the model": lambda source: point(flat_of(source), "data", source.data),
+    "a model with another mesh": lambda source: point(source, "data", other_model().data),
+    "pieces with the mesh of another model": lambda source: point(flat_of(source), "data", other_model().data),
+    "pieces without geometry": lambda source: flat_of(source).data.clear_geometry(),
+    "pieces that are nowhere": lambda source: point(flat_of(source).data.vertices[0], "co", (NAN, NAN, NAN)),
+    "a model in no scene": lambda source: [each.objects.unlink(source) for each in source.users_collection],
+}
+
+
+@pytest.mark.parametrize("what", OBJECTS)
+def test_objects_that_are_not_what_they_were(source, everything_answers, what):
+    everything_answers(lambda: OBJECTS[what](source))

@@ -71,6 +71,19 @@ def test_edit_mode_shows_the_same_lines_and_names(addon, source, flat):
     assert sorted(name.text for name in during.names) == sorted(texts)
 
 
+def test_a_twin_shows_its_lines_while_the_mesh_is_edited(addon, source):
+    before = lines_of(addon, source)
+    select_only(source)
+    bpy.ops.object.duplicate(linked=True)
+    twin = bpy.context.active_object
+    select_only(source)
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert (twin.mode, source.mode) == ("OBJECT", "EDIT")
+    assert edges_of(lines_of(addon, twin)).items() >= edges_of(before).items()
+    shown = {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}
+    assert (shown[twin].failures, shown[twin].surface) == (None, None)
+
+
 def test_names_are_those_of_the_report(addon, source):
     on_model = [name.text for name in lines_of(addon, source).names]
     assert sorted(on_model) == ["Seam 1", "Waist", "Wire 2 ±5%", "Wire 3"]
@@ -123,7 +136,7 @@ def test_helper_wires_are_drawn_on_both(addon):
     mark(source, lambda a, b: RIGID(a, b) and max(abs(a[0]), abs(b[0])) < 0.6)
     bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
     for target in (source, flat_of(source)):
-        helpers = addon.write_helper_wires.find_helper_wires(target)
+        helpers = addon.owners.find_helper_wires(target)
         assert helpers.hide_viewport
         assert edges_of(lines_of(addon, target))["helper"] == len(helpers.data.edges) > 0
     bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS", helper_wires=False)

@@ -6,6 +6,7 @@ from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
 from ..issues import ObjectError
+from ..owners import model_or_self
 from ..pattern.pattern import Pattern
 from ..pattern.svg import page_size, write_svg
 from ..read_pattern import read_pattern
@@ -87,7 +88,7 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
 
 
 def _source(context: bpy.types.Context) -> bpy.types.Object:
-    return context.active_object.wirewarp_source or context.active_object
+    return model_or_self(context.active_object)
 
 
 def _size_sentences(pattern: Pattern) -> list[str]:

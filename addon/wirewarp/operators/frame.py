@@ -6,7 +6,7 @@ import numpy as np
 from mathutils import Quaternion, Vector
 
 from ..framing import Projection, fit
-from ..write_flat_object import find_flat_object
+from ..owners import find_flat_object, model_or_self
 
 LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)  # of the eye above the pieces
 
@@ -56,7 +56,7 @@ def _objects(context: bpy.types.Context) -> list[bpy.types.Object]:
     active = context.active_object
     if active is None:
         return []
-    source = active.wirewarp_source or active
+    source = model_or_self(active)
     return [each for each in (source, find_flat_object(source)) if each is not None]
 
 

@@ -4,6 +4,7 @@
 import bpy
 
 from ..issues import ObjectError, object_error
+from ..owners import model_or_self
 from ..report_store import last_report
 
 
@@ -24,7 +25,7 @@ class ReportOperator:
         return active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        source = context.active_object.wirewarp_source or context.active_object
+        source = model_or_self(context.active_object)
         report = last_report(source)
         try:
             if report is None:

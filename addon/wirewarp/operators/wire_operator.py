@@ -5,6 +5,7 @@ import bpy
 from bpy.props import IntProperty
 
 from ..issues import ObjectError
+from ..owners import model_of
 from ..targets import in_object_mode
 
 
@@ -21,7 +22,7 @@ class WireOperator:
         active = context.active_object
         if active is None or active.type != "MESH" or context.mode not in {"OBJECT", "EDIT_MESH"}:
             return False
-        if active.wirewarp_source:
+        if model_of(active):
             cls.poll_message_set(f"These are flat pieces: {cls.on_model} on the model")
             return False
         return True

@@ -10,6 +10,7 @@ from ..edge_keys import edge_keys
 from ..flat_attributes import has_flat_attributes, read_flat_attribute
 from ..foreach import read
 from ..mesh_to_arrays import next_loops
+from ..owners import model_of
 from .gather import gather_triangles
 from .gather_uv import uv_places
 from .object_drawing import current_report
@@ -64,7 +65,7 @@ def _elements(target: bpy.types.Object) -> _Elements | None:
     if report is None or report.get("with_modifiers") or not report["issues"]:
         return None
     mesh, source = target.data, np.arange(len(target.data.vertices))
-    if target.wirewarp_source:
+    if model_of(target):
         if not has_flat_attributes(mesh, "source_vertex", "source_face"):
             return None
         source = read_flat_attribute(mesh, "source_vertex")

@@ -18,7 +18,7 @@ from .surface_arrays import Triangles
 
 def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> LineMarks:
     """Raises ObjectError if an attribute of our name is not ours."""
-    if target.mode == "EDIT":
+    if target.data.is_editmode:  # by another object of the same mesh, too
         return _lines_in_edit_mode(target.data)
     with shown_mesh(target, depsgraph) as mesh:
         return _lines(mesh)

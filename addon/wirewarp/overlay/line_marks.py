@@ -49,6 +49,8 @@ def dashes_by_kind(marks: LineMarks, runs: Sequence[WireRun]) -> dict[str, np.nd
     if not len(marks.ends):
         return {}
     pixel = np.ptp(marks.ends.reshape(-1, 3), axis=0).max() / VIEW_SIZE
+    if not 0 < pixel < np.inf:  # in one place, or nowhere
+        return {}
     dashes = {}
     for kind, mask in _members(marks).items():
         style = STYLES[kind]

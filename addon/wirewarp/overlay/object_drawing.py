@@ -11,12 +11,12 @@ from ..color_maps import ColorMap
 from ..flat_attributes import has_flat_attributes, read_flat_attribute
 from ..foreach import read, read_attribute
 from ..model_state import has_changed
+from ..owners import find_flat_object, model_of, model_or_self
 from ..pieces.attribute import PIECE
 from ..pieces.records import piece_names
 from ..report_store import last_report
 from ..stored_numbers import read_numbers
 from ..wire_names import chain_names
-from ..write_flat_object import find_flat_object
 from ..write_helper_wires import helper_ends
 from ..write_maps import RANGE
 from ..write_texts import find_texts
@@ -36,7 +36,7 @@ class Lines:
 def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
     """Seams, wires and helper wires of a model or of flat pieces. Raises ObjectError as gather_lines does."""
     lines = lines_of(target, gather_lines(target, depsgraph))
-    has_pieces = target.wirewarp_source and target.mode == "OBJECT" and has_flat_attributes(target.data, PIECE)
+    has_pieces = model_of(target) and not target.data.is_editmode and has_flat_attributes(target.data, PIECE)
     if has_pieces and not find_texts(target):
         lines.names[:0] = _piece_names(target)
     return with_helpers(lines, helper_ends(target))
@@ -59,7 +59,7 @@ def lines_of(target: bpy.types.Object, marks: LineMarks) -> Lines:
 
 def current_report(target: bpy.types.Object) -> dict | None:
     """The last report, if its elements are still those of the object as it is shown."""
-    source = target.wirewarp_source or target
+    source = model_or_self(target)
     report = last_report(source)
     if not report:
         return None
@@ -70,7 +70,7 @@ def current_report(target: bpy.types.Object) -> dict | None:
 
 
 def _is_modified(source: bpy.types.Object) -> bool:
-    return source.mode == "OBJECT" and any(modifier.show_viewport for modifier in source.modifiers)
+    return not source.data.is_editmode and any(modifier.show_viewport for modifier in source.modifiers)
 
 
 def _seam_of_edge(report: dict) -> Mapping[tuple[int, int], int]:
@@ -79,7 +79,7 @@ def _seam_of_edge(report: dict) -> Mapping[tuple[int, int], int]:
 
 def _piece_names(flat: bpy.types.Object) -> list[Name]:
     """At the face nearest to each piece's middle."""
-    mesh, text_of = flat.data, piece_names(flat.wirewarp_source)
+    mesh, text_of = flat.data, piece_names(model_of(flat))
     pieces = read_flat_attribute(mesh, PIECE)
     centers = read(mesh.polygons, "center", np.float32, 3)
     names = []
@@ -96,8 +96,8 @@ def colored_surface(
     target: bpy.types.Object, depsgraph: bpy.types.Depsgraph, color_map: ColorMap
 ) -> ColoredTriangles | None:
     """The map on flat pieces, or on a model that has them; None where there is no map to this shape."""
-    flat = target if target.wirewarp_source else find_flat_object(target)
-    if flat is None or flat.mode != "OBJECT":
+    flat = target if model_of(target) else find_flat_object(target)
+    if flat is None or flat.data.is_editmode:
         return None
     colors = read_attribute(flat.data, color_map.attribute, "FLOAT_COLOR", "CORNER")
     if colors is None:

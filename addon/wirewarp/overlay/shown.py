@@ -9,9 +9,9 @@ import bpy
 from ..color_maps import COLOR_MAPS, ColorMap
 from ..issues import ObjectError
 from ..mesh_cache import stamp
+from ..owners import find_flat_object, model_of, model_or_self
 from ..report_store import last_report
 from ..wire_attributes import WIRE
-from ..write_flat_object import find_flat_object
 from .cache import Same, kept_drawing
 from .failure_drawing import Failures, failures
 from .object_drawing import Lines, colored_surface, marked_lines
@@ -35,8 +35,8 @@ def shown_map(context: bpy.types.Context) -> ColorMap | None:
 
 def missing_maps(shown: Sequence[Drawing]) -> list[str]:
     """Why the map that is wanted is not on all of them, as sentences."""
-    without = [each.target for each in shown if each.surface is None and each.target.mode == "OBJECT"]
-    never = [target for target in without if last_report(target.wirewarp_source or target) is None]
+    without = [each.target for each in shown if each.surface is None and not each.target.data.is_editmode]
+    never = [target for target in without if last_report(model_or_self(target)) is None]
     notes = ["Not flattened yet: no map"] if never else []
     return notes + (["Changed since: flatten again"] if len(never) < len(without) else [])
 
@@ -58,21 +58,21 @@ def drawings(context: bpy.types.Context) -> Iterator[Drawing]:
 
 
 def _concerns_us(target: bpy.types.Object) -> bool:
-    return bool(target.wirewarp_source or last_report(target) or WIRE in target.data.attributes)
+    return bool(model_of(target) or last_report(target) or WIRE in target.data.attributes)
 
 
 def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: ColorMap | None) -> Drawing:
     lines = failed = surface = None
-    source = target.wirewarp_source or target
-    made_of = stamp(target), stamp(target.data), target.mode, Same(last_report(source)), source.name_full
+    source = model_or_self(target)
+    made_of = stamp(target), stamp(target.data), target.data.is_editmode, Same(last_report(source)), source.name_full
     depsgraph = context.view_layer.depsgraph
     if context.scene.wirewarp.show_lines:
         lines = kept_drawing(target, "lines", made_of, lambda: _lines(target, depsgraph))
-        if target.mode == "OBJECT":
+        if not target.data.is_editmode:
             failed = kept_drawing(target, "failures", made_of, lambda: failures(target))
-    if color_map and target.mode == "OBJECT":
+    if color_map and not target.data.is_editmode:
         flat = find_flat_object(source)
-        made_of = (*made_of, color_map.attribute, stamp(flat.data) if flat else None, flat.mode if flat else None)
+        made_of += color_map.attribute, *((stamp(flat.data), flat.data.is_editmode) if flat else ())
         surface = kept_drawing(target, "surface", made_of, lambda: colored_surface(target, depsgraph, color_map))
     return Drawing(target, lines, failed, surface)
 

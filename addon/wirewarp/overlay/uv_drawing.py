@@ -8,6 +8,7 @@ import bpy
 
 from ..issues import ObjectError
 from ..mesh_cache import stamp
+from ..owners import model_or_self
 from ..report_store import last_report
 from ..write_helper_wires import helper_ends_in_map
 from .cache import Same, kept_drawing
@@ -30,10 +31,10 @@ def uv_drawings(context: bpy.types.Context) -> Iterator[UvDrawing]:
         return
     for target in _targets(context):
         if target.type == "MESH" and shows_our_map(target.data):
-            made_of = stamp(target), stamp(target.data), target.mode, Same(last_report(target))
+            made_of = stamp(target), stamp(target.data), target.data.is_editmode, Same(last_report(target))
             lines = kept_drawing(target, "uv lines", made_of, lambda target=target: _lines(target))
             failed = None
-            if target.mode == "OBJECT":
+            if not target.data.is_editmode:
                 failed = kept_drawing(target, "uv failures", made_of, lambda target=target: uv_failures(target))
             yield UvDrawing(target, lines, failed)
 
@@ -43,7 +44,7 @@ def _targets(context: bpy.types.Context) -> list[bpy.types.Object]:
         return list(context.objects_in_mode_unique_data)
     if context.mode != "OBJECT":
         return []
-    return list(dict.fromkeys(each.wirewarp_source or each for each in context.selected_objects))
+    return list(dict.fromkeys(model_or_self(each) for each in context.selected_objects))
 
 
 def _lines(target: bpy.types.Object) -> Lines:

@@ -3,6 +3,7 @@
 
 import bpy
 
+from ..owners import model_or_self
 from ..report_store import last_report
 from .panel import SidebarPanel
 
@@ -44,7 +45,7 @@ def _draw_lines(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -
 
 def _draw_select_issues(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
     active = context.active_object
-    if active and active.type == "MESH" and _names_elements(last_report(active.wirewarp_source or active)):
+    if active and active.type == "MESH" and _names_elements(last_report(model_or_self(active))):
         layout.operator("mesh.wirewarp_select_issues", icon="RESTRICT_SELECT_OFF")
 
 

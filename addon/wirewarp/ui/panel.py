@@ -5,8 +5,8 @@ import bpy
 
 from .. import core
 from ..issues import ObjectError
+from ..owners import find_flat_object, model_of
 from ..wire_summary import wires_of
-from ..write_flat_object import find_flat_object
 from .settings import draw_settings
 from .text import draw_sentence
 
@@ -29,8 +29,9 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         if active is None or active.type != "MESH":
             draw_sentence(context, layout, "Select a mesh to mark seams and wires on it.", "INFO")
             return
-        if active.wirewarp_source:
-            sentence = f'These are the flat pieces of "{active.wirewarp_source.name}". Select it to mark and flatten.'
+        model = model_of(active)
+        if model:
+            sentence = f'These are the flat pieces of "{model.name}". Select it to mark and flatten.'
             draw_sentence(context, layout, sentence, "INFO")
             return
         if context.mode != "EDIT_MESH":
@@ -61,7 +62,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         active = context.active_object
-        return not core.problem() and not (active and active.wirewarp_source)
+        return not core.problem() and not (active and model_of(active))
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout

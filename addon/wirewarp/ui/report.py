@@ -6,6 +6,7 @@ import bpy
 from ..mesh_cache import stamp
 from ..model_state import has_changed
 from ..overlay.cache import Same, kept_drawing
+from ..owners import model_or_self
 from ..report_store import last_report
 from ..unit_text import length_text
 from .panel import SidebarPanel
@@ -27,7 +28,7 @@ def shown_source(context: bpy.types.Context) -> bpy.types.Object | None:
     active = context.active_object
     if active is None or active.type != "MESH":
         return None
-    return active.wirewarp_source or active
+    return model_or_self(active)
 
 
 class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):

@@ -5,6 +5,7 @@ import bpy
 import numpy as np
 
 from ..issues import ObjectError
+from ..owners import model_of
 from ..tolerance_text import tolerance_text
 from ..unit_text import length_text
 from ..wire_summary import WireSummary, editable_name, listed_wires
@@ -20,7 +21,7 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         active = context.active_object
-        return active is not None and active.type == "MESH" and not active.wirewarp_source  # the report has theirs
+        return active is not None and active.type == "MESH" and not model_of(active)  # the report has theirs
 
     def draw(self, context: bpy.types.Context) -> None:
         target = context.active_object

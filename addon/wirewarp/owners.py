@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which object is whose: models, their flat pieces, and the helper wires of both.
+
+Scripts and users may have changed both pointers, and converted or exchanged the objects.
+"""
+
+import bpy
+
+
+def model_of(target: bpy.types.Object) -> bpy.types.Object | None:
+    """The model that these flat pieces were made from; None of what is none."""
+    model = target.wirewarp_source
+    are_meshes = target.type == "MESH" and model is not None and model.type == "MESH"
+    return model if are_meshes and model != target else None
+
+
+def model_or_self(target: bpy.types.Object) -> bpy.types.Object:
+    """The model of flat pieces; any other object itself."""
+    return model_of(target) or target
+
+
+def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
+    """The object that remembers `source`: the one with our name first, should the user have copied it."""
+    ours = [candidate for candidate in bpy.data.objects if model_of(candidate) == source]
+    named = [candidate for candidate in ours if candidate.name == f"{source.name} Flat"]
+    return next(iter(named + ours), None)
+
+
+def is_helper(target: bpy.types.Object) -> bool:
+    """Whether these are helper wires: edges alone. A surface is the user's."""
+    return target.type == "MESH" and target.wirewarp_helpers_of is not None and not target.data.polygons
+
+
+def find_helper_wires(owner: bpy.types.Object) -> bpy.types.Object | None:
+    """Those of a model or of flat pieces."""
+    candidates = (each for each in bpy.data.objects if each.wirewarp_helpers_of == owner and each != owner)
+    return next(filter(is_helper, candidates), None)
