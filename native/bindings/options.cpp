@@ -132,7 +132,8 @@ void bind_options(py::module_& module) {
   record.def_property(
       "max_factorizations", [](const Options& options) { return options.max_factorizations; },
       [](Options& options, const py::object& value) { options.max_factorizations = read_max_factorizations(value); },
-      "Refined method: after so many factorizations a piece stops at the shape it has, at least 1.");
+      "Refined method: after so many factorizations a piece stops at the shape it has, at least 1. Not counted: up to "
+      "30 on the coarser mesh of a large piece, and those that find out which wires contradict one another.");
   record.listed("max_factorizations");
   bind_enum(record, "layout", &Options::layout, kPieceLayouts,
             "Where the pieces lie: 'packed', near-square, or 'row', from left to right in their order on one line.");

@@ -152,7 +152,7 @@ std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& char
   // Where each stage begins in a chart's share of the time. Nobody knows how many steps the last one takes: each step
   // is told as a part of what is left.
   const std::map<std::string, double> begins_at{{"wires", 0.0}, {"interior", 0.1}, {"lengths", 0.6}, {"shape", 0.0}};
-  constexpr double kPerStep = 0.15;
+  constexpr double kPerStep = 0.05;
   std::vector<Layout> layouts;
   double faces_done = 0;
   for (const Chart& chart : charts.charts) {

@@ -59,6 +59,16 @@ TEST(ExtremeInput, TinyAndHuge) {
   }
 }
 
+/// Rounding of coordinates alone strains it by 1e-11: the search ends there, and does not stop short of anything.
+TEST(ExtremeInput, AFlatStripThirtyThousandTimesAsLongAsWide) {
+  for (const int n : {1, 30, 100}) {
+    const FlattenResult result = flatten(test::flat_rectangle(n, 4, 1, 3e-5));
+    EXPECT_FALSE(result.pieces[0].error);
+    EXPECT_EQ(result.pieces[0].report.termination, Termination::converged) << n;
+    EXPECT_LT(result.pieces[0].report.objective, 1e-20) << n;
+  }
+}
+
 TEST(ExtremeInput, AThousandChartsOfOneTriangleInTheSamePlace) {
   FlattenInput input;
   input.vertices.resize(3000, 3);

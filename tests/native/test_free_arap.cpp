@@ -154,6 +154,19 @@ TEST(FreeArap, ReachesTheKnownEnergyOfTheQuarterSphere) {
   EXPECT_EQ(ShapeError(chart).energy(flat.uv), flat.energy);
 }
 
+TEST(FreeArap, StopsAtAnyStepWhenAsked) {
+  const Charts charts = test::charts_of(test::quarter_sphere(16));
+  for (int steps = 0; steps < 4; ++steps) {
+    int asked = 0;
+    const FreeFlattening flat =
+        flatten_freely(charts.charts.at(0), kUntilConverged, {}, [&] { return asked++ < steps; });
+    EXPECT_EQ(flat.iterations, steps);
+    EXPECT_EQ(asked, steps + 1);
+    EXPECT_FALSE(flat.converged);
+    EXPECT_TRUE(flat.uv.allFinite());
+  }
+}
+
 /// Bending a long strip as a whole costs next to nothing: steps that know nothing of each other hardly move it.
 TEST(FreeArap, UnrollsALongStripByConjugateSteps) {
   const Charts charts = test::charts_of(test::cone_patch(48, 4, 10, 11, 0.5, 4));

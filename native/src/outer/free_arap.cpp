@@ -56,7 +56,8 @@ double step_length(const ShapeError& shape_error, const FreeFlattening& flat, co
 
 }  // namespace
 
-FreeFlattening flatten_freely(const Chart& chart, int max_iterations, const std::optional<Positions2>& start) {
+FreeFlattening flatten_freely(const Chart& chart, int max_iterations, const std::optional<Positions2>& start,
+                              const std::function<bool()>& go_on) {
   FreeFlattening flat;
   flat.uv = start ? *start : embed_on_circle(chart);
   if (enclosed_area(chart, flat.uv) < 0) flat.uv.col(0) *= -1;
@@ -69,7 +70,7 @@ FreeFlattening flatten_freely(const Chart& chart, int max_iterations, const std:
   flat.energy = shape_error.energy_and_gradient(flat.uv, gradient);
   Positions2 direction = Positions2::Zero(flat.uv.rows(), 2);
   double decrease = 1;  // g·s
-  while (flat.iterations < max_iterations && !flat.converged) {
+  while (flat.iterations < max_iterations && !flat.converged && go_on()) {
     ++flat.iterations;
     const Positions2 step = global_step.solve(gradient);
     const double beta = std::max(0.0, dot(gradient - other_gradient, step) / decrease);

@@ -5,6 +5,7 @@
 // and bent charts take a tenth of the steps that way.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "charts/chart.h"
@@ -24,7 +25,10 @@ struct FreeFlattening {
 inline constexpr int kFreeSteps = 30;
 
 /// Takes at most max_iterations steps from the given layout (one row per chart vertex; mirrored if its area is
-/// negative) or, without one, from the embedding on a circle. No step raises E.
-FreeFlattening flatten_freely(const Chart& chart, int max_iterations, const std::optional<Positions2>& start = {});
+/// negative) or, without one, from the embedding on a circle. No step raises E. go_on is asked before each; false: stop
+/// at the layout at hand.
+FreeFlattening flatten_freely(
+    const Chart& chart, int max_iterations, const std::optional<Positions2>& start = {},
+    const std::function<bool()>& go_on = [] { return true; });
 
 }  // namespace wirewarp

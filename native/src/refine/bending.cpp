@@ -63,6 +63,14 @@ double Bending::add_gradient(const Positions2& uv, Positions2& gradient) const {
   return sum / 2;
 }
 
+double Bending::value_of_rounding(double error) const {
+  double sum = 0;
+  for (const Node& node : nodes_) {
+    sum += node.weight * (node.to_a.squaredNorm() + node.to_b.squaredNorm() + node.to_c.squaredNorm());
+  }
+  return error * error * sum / 2;
+}
+
 void Bending::list_pairs(std::vector<VertexPair>& pairs) const {
   for (const Node& node : nodes_) {
     pairs.push_back({node.a, node.b});

@@ -36,6 +36,9 @@ class Bending {
   double value(const Positions2& uv) const;
   double add_gradient(const Positions2& uv, Positions2& gradient) const;
 
+  /// F of an isometric layout once all coordinates are off by about error.
+  double value_of_rounding(double error) const;
+
   /// The vertices that its Hessian couples.
   void list_pairs(std::vector<VertexPair>& pairs) const;
 

@@ -38,7 +38,7 @@ std::optional<RefinementStart> start_from_coarse(const Chart& chart, const WireN
     if (!shape.is_exact) return std::nullopt;
     return RefinementStart{prolong_positions(chart, network, coarse, shape.uv),
                            prolong_multipliers(coarse, shape.multipliers)};
-  } catch (const std::domain_error&) {  // a factorization broke down
+  } catch (const std::logic_error&) {  // a factorization broke down, or no topology serves the coarse wires
     return std::nullopt;
   }
 }

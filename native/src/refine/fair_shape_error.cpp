@@ -77,6 +77,12 @@ double FairShapeError::value_and_gradient(const Positions2& uv, Positions2& grad
   return energy + bending_.add_gradient(uv, gradient) + flip_weight_ * barrier;
 }
 
+double FairShapeError::value_of_rounding(double error) const {
+  double sum = 0;
+  for (const ShapeError::Triangle& t : shape_error_.triangles()) sum += 2 * t.area * t.hat_gradients().squaredNorm();
+  return error * error * sum + bending_.value_of_rounding(error);
+}
+
 int FairShapeError::count_flips(const Positions2& uv) const {
   int flips = 0;
   for (const ShapeError::Triangle& t : shape_error_.triangles()) {

@@ -40,6 +40,9 @@ class FairShapeError {
   double value(const Positions2& uv) const;
   double value_and_gradient(const Positions2& uv, Positions2& gradient) const;
 
+  /// f of an isometric layout once all coordinates are off by about error: half the trace of the constant Hessian.
+  double value_of_rounding(double error) const;
+
   /// Triangles turned over or without area.
   int count_flips(const Positions2& uv) const;
 

@@ -18,6 +18,7 @@ constexpr double kSmallestStiffness = 1e8;
 constexpr double kStiffness = 1e4;  // over the largest diagonal entry of the Hessian at an edge's ends
 constexpr int kMultiplierSteps = 3;
 constexpr double kAccuracy = 1e-9;      // of changes of length, over how far the ends of edges move apart or aside
+constexpr double kRough = 1e-5;         // the same, for ∂λ/∂h: steps are corrected after it
 constexpr double kWellPositive = 1e-4;  // least pivot over the largest diagonal entry
 constexpr int kColumnsAtOnce = 4;       // what the Cholesky kernels take
 
@@ -180,14 +181,14 @@ double NewtonSystem::relative_motion(const Eigen::MatrixXd& d) const {
 
 /// (H + Jᵀ ρ J) d = r₁ + Jᵀ (ρ r₂ − λ), then λ += ρ (J d − r₂): the first row holds after every step, the second is
 /// better by a factor of about ρ over the stiffness of the surface.
-void NewtonSystem::improve(const Eigen::MatrixXd& r2, int max_steps, Solution& solution) const {
+void NewtonSystem::improve(const Eigen::MatrixXd& r2, int max_steps, double accuracy, Solution& solution) const {
   for (int i = 0; i < max_steps; ++i) {
     Eigen::MatrixXd tensions = stiffness_.asDiagonal() * r2 - solution.multipliers;
     solution.d += response(tensions - solution.tensions);
     solution.tensions = std::move(tensions);
     const Eigen::MatrixXd missing = changes_of_length(solution.d) - r2;
     solution.multipliers += stiffness_.asDiagonal() * missing;
-    if (missing.norm() <= kAccuracy * relative_motion(solution.d)) return;
+    if (missing.norm() <= accuracy * relative_motion(solution.d)) return;
   }
 }
 
@@ -200,12 +201,12 @@ NewtonSystem::Solution NewtonSystem::solve_on_wires(const Positions2& r1, const 
   cholesky_->substitute_forward(solution.d, cholesky_->all());
   cholesky_->substitute_back(solution.d, on_wires_);
   solution.multipliers = stiffness_.asDiagonal() * (changes_of_length(solution.d) - r2);
-  improve(r2, kMultiplierSteps - 1, solution);
+  improve(r2, kMultiplierSteps - 1, kAccuracy, solution);
   return solution;
 }
 
 void NewtonSystem::solve_on_wires(const Eigen::MatrixXd& r2, Solution& solution) const {
-  improve(r2, kMultiplierSteps, solution);
+  improve(r2, kMultiplierSteps, kAccuracy, solution);
 }
 
 Eigen::MatrixXd NewtonSystem::multipliers_by_variation() const {
@@ -215,7 +216,7 @@ Eigen::MatrixXd NewtonSystem::multipliers_by_variation() const {
     const Eigen::Index columns = std::min<Eigen::Index>(kColumnsAtOnce, lengths.cols() - first);
     const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(lengths.rows(), columns);
     Solution solution{Eigen::MatrixXd::Zero(matrix_.lower().rows(), columns), none, none};
-    improve(lengths.middleCols(first, columns).toDense(), kMultiplierSteps, solution);
+    improve(lengths.middleCols(first, columns).toDense(), kMultiplierSteps, kRough, solution);
     multipliers.middleCols(first, columns) = solution.multipliers;
   }
   return multipliers;

@@ -66,7 +66,7 @@ class NewtonSystem {
   /// Goes on to another r₂, the multipliers being a guess.
   void solve_on_wires(const Eigen::MatrixXd& r2, Solution& solution) const;
 
-  /// ∂λ/∂h for all elastic parts, J d being T h. #edges by #elastic.
+  /// ∂λ/∂h for all elastic parts, J d being T h, to about five digits. #edges by #elastic.
   Eigen::MatrixXd multipliers_by_variation() const;
 
   /// Tᵀ (ρ − ρ J A⁻¹ Jᵀ ρ) T: how the springs ρ of the edges resist Δh, where d follows them. #elastic by #elastic.
@@ -92,7 +92,7 @@ class NewtonSystem {
   Eigen::MatrixXd response(const Eigen::MatrixXd& tensions) const;
   Eigen::MatrixXd changes_of_length(const Eigen::MatrixXd& d) const;
   double relative_motion(const Eigen::MatrixXd& d) const;
-  void improve(const Eigen::MatrixXd& r2, int max_steps, Solution& solution) const;
+  void improve(const Eigen::MatrixXd& r2, int max_steps, double accuracy, Solution& solution) const;
 
   FairShapeError& objective_;
   const LengthConstraints& constraints_;

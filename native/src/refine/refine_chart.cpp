@@ -48,7 +48,8 @@ ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_
                             return !result.was_stopped;
                           }};
   result.inner.is_feasible = true;
-  const FreeFlattening free = flatten_freely(chart, kFreeSteps);
+  const FreeFlattening free = flatten_freely(chart, kFreeSteps, {}, limits.go_on);
+  if (result.was_stopped) return result;
   result.shape = refine_shape(chart, held_network, options.fairness, free.uv, limits);
   int used = result.shape.factorizations;
   limits.max_factorizations -= used;

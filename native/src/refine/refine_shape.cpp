@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "index.h"
@@ -35,6 +36,9 @@ constexpr Convexity kOpenHessian{Curvature::exact_where_open, true};
 constexpr Convexity kConvexHessian{Curvature::convex, false};
 constexpr Convexity kLaplacian{Curvature::none, false};
 
+/// The longer side of the box around a layout.
+double extent(const Positions2& uv) { return (uv.colwise().maxCoeff() - uv.colwise().minCoeff()).maxCoeff(); }
+
 double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
 
 class Refinement {
@@ -63,7 +67,7 @@ class Refinement {
 
   void minimize();
   bool may_go_on() const { return system_.num_factorizations() < limits_.max_factorizations && limits_.go_on(); }
-  double worthwhile() const { return std::max(kWorthwhile * now_.value, kIsometric * area_); }
+  double worthwhile() const { return std::max({kWorthwhile * now_.value, kIsometric * area_, rounding_}); }
   double length_error() const { return constraints_.largest_error(constraints_.residual(now_.uv, now_.variation)); }
   bool factorize(const Convexity& convexity);
   Step newton_step() const;
@@ -79,6 +83,7 @@ class Refinement {
   NewtonSystem system_;
   const RefinementLimits& limits_;
   double area_;
+  double rounding_;  // f of an isometric layout in double precision: 0 but on pieces far longer than wide
   bool starts_near_minimum_;
   Eigen::VectorXd tolerance_;  // ε of the elastic parts
 
@@ -100,6 +105,7 @@ Refinement::Refinement(const Chart& chart, const WireNetwork& network, double fa
       system_(chart, objective_, constraints_, start.uv),
       limits_(limits),
       area_(surface_area(chart.mesh)),
+      rounding_(objective_.value_of_rounding(std::numeric_limits<double>::epsilon() * extent(start.uv))),
       starts_near_minimum_(start.multipliers.size() > 0) {
   tolerance_.resize(constraints_.num_elastic());
   for (int w = 0; w < constraints_.num_elastic(); ++w) {

@@ -2,31 +2,56 @@
 #include "refine/vertex_matrix.h"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 
 #include "index.h"
 
 namespace wirewarp {
+namespace {
 
-VertexMatrix::VertexMatrix(int num_vertices, std::vector<VertexPair> pairs) {
-  // Each pair by its smaller vertex, which is the column.
-  for (VertexPair& pair : pairs) std::sort(pair.begin(), pair.end());
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+struct Columns {
+  std::vector<int> begin;  // of each vertex, and the end
+  std::vector<int> row;    // rising in each column
+};
 
+/// The larger vertices of pairs by the smaller ones, each once. In buckets: to sort all pairs at once takes longer.
+Columns columns_of(int num_vertices, const std::vector<VertexPair>& pairs) {
+  std::vector<int> end(at(num_vertices) + 1, 0);
+  for (const VertexPair& pair : pairs) ++end[at(std::min(pair[0], pair[1])) + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<int> larger(pairs.size());
+  for (const VertexPair& pair : pairs) larger[at(end[at(std::min(pair[0], pair[1]))]++)] = std::max(pair[0], pair[1]);
+
+  Columns columns;
+  auto first = larger.begin();
+  for (int v = 0; v < num_vertices; ++v) {
+    const auto last = larger.begin() + end[at(v)];
+    std::sort(first, last);
+    columns.begin.push_back(static_cast<int>(columns.row.size()));
+    std::unique_copy(first, last, std::back_inserter(columns.row));
+    first = last;
+  }
+  columns.begin.push_back(static_cast<int>(columns.row.size()));
+  return columns;
+}
+
+}  // namespace
+
+VertexMatrix::VertexMatrix(int num_vertices, const std::vector<VertexPair>& pairs) {
+  const Columns columns = columns_of(num_vertices, pairs);
   lower_.resize(2 * num_vertices, 2 * num_vertices);
-  lower_.resizeNonZeros(static_cast<Eigen::Index>(4 * pairs.size()) + 3 * num_vertices);
+  lower_.resizeNonZeros(static_cast<Eigen::Index>(4 * columns.row.size()) + 3 * num_vertices);
   int* begin = lower_.outerIndexPtr();
   int* rows = lower_.innerIndexPtr();
   int next = 0;
-  auto pair = pairs.begin();
   for (int v = 0; v < num_vertices; ++v) {
-    const auto first = pair;
     for (int k = 0; k < 2; ++k) {  // the columns of x and of y
       begin[2 * v + k] = next;
       for (int row = k; row < 2; ++row) rows[next++] = 2 * v + row;
-      for (pair = first; pair != pairs.end() && (*pair)[0] == v; ++pair) {
-        rows[next++] = 2 * (*pair)[1];
-        rows[next++] = 2 * (*pair)[1] + 1;
+      for (int i = columns.begin[at(v)]; i < columns.begin[at(v + 1)]; ++i) {
+        rows[next++] = 2 * columns.row[at(i)];
+        rows[next++] = 2 * columns.row[at(i)] + 1;
       }
     }
     diagonal_.push_back({begin[2 * v], begin[2 * v + 1]});

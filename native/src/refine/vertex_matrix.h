@@ -20,7 +20,7 @@ class VertexMatrix {
   };
 
   /// pairs: coupled vertices, in any order, repeated or not.
-  VertexMatrix(int num_vertices, std::vector<VertexPair> pairs);
+  VertexMatrix(int num_vertices, const std::vector<VertexPair>& pairs);
 
   /// The block of a coupled pair. row > column.
   Block block(int row, int column) const;
