@@ -8,7 +8,7 @@ from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, StepError, require_apt
 
 TOOLS = ("ruff==0.17.6", "mypy==2.4.1", "numpy==2.3.5")
 PYTHON_SOURCES = (".", "dev")
-TYPED_SOURCES = ("dev", "tools", "python/wirewarp")
+TYPED_SOURCES = ("dev", "tools", "python/wirewarp", "addon/wirewarp")
 Command = Sequence[str | Path]
 
 

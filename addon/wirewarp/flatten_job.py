@@ -114,7 +114,7 @@ def issue_of_error(error: Any, arrays: MeshArrays, counted: Sequence[np.ndarray]
     )
 
 
-def polygons_of(arrays: MeshArrays, triangles: Sequence[int]) -> list[int]:
+def polygons_of(arrays: MeshArrays, triangles: Sequence[int] | np.ndarray) -> list[int]:
     return np.unique(arrays.triangle_polygons[np.asarray(triangles, dtype=np.int64)]).tolist()
 
 

@@ -2,14 +2,14 @@
 """What was gathered from a mesh or object to be shown, kept until it changes: drawing need not read it again."""
 
 from collections.abc import Callable
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import bpy
 from bpy.app.handlers import persistent
 
 T = TypeVar("T")
 Owner = TypeVar("Owner", bpy.types.Mesh, bpy.types.Object)
-_kept: dict[tuple[str, str], dict[str, object]] = {}  # by owner, then by what it is
+_kept: dict[tuple[str, str], dict[str, Any]] = {}  # by owner, then by what it is
 
 
 def kept(owner: Owner, what: str, gather: Callable[[Owner], T]) -> T:

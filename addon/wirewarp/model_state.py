@@ -103,7 +103,7 @@ def _digests(mesh: bpy.types.Mesh) -> dict[str, str]:
 def _digest(arrays: list[np.ndarray]) -> str:
     digest = hashlib.blake2b(digest_size=12)
     for values in arrays:
-        digest.update(np.ascontiguousarray(values))
+        digest.update(np.ascontiguousarray(values).data)
     return digest.hexdigest()
 
 

@@ -135,10 +135,10 @@ def _has_layout(piece: Any) -> bool:  # noqa: ANN401
 
 def _strain(piece: Any, strain: PieceStrain | None, arrays: MeshArrays) -> dict:  # noqa: ANN401
     """The largest stretch and ease of the cloth, and the faces around the place where it is that."""
-    found = {}
+    found: dict[str, Any] = {}
     for name in ("stretch", "ease"):
-        shares = getattr(strain, name) if strain else []
-        faces = triangles_around(piece, int(np.argmax(shares))) if len(shares) else []
+        shares = getattr(strain, name) if strain else ()
+        faces = triangles_around(piece, int(np.argmax(shares))) if len(shares) else ()
         found[f"{name}_max"] = number(np.max(shares)) if len(shares) else None
         found[f"{name}_faces"] = polygons_of(arrays, np.asarray(piece.source_face)[faces]) if len(faces) else []
     return found

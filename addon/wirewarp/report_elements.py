@@ -4,11 +4,15 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
 from .edge_keys import edge_keys
 from .report_names import open_edges
+
+Indices = Sequence[int] | np.ndarray  # (k,)
+Pairs = Sequence[tuple[int, int]] | np.ndarray  # (k,2) vertices
 
 LISTS = {  # where the report keeps what can be selected
     "SEAM": "seams",
@@ -25,9 +29,9 @@ LISTS = {  # where the report keeps what can be selected
 class Elements:
     """Of the model, or of the flat mesh; a whole piece has no elements of its own."""
 
-    vertices: Sequence[int] = ()
-    edges: Sequence[tuple[int, int]] = ()  # vertex pairs
-    faces: Sequence[int] = ()
+    vertices: Indices = ()
+    edges: Pairs = ()
+    faces: Indices = ()
     piece: int | None = None  # only in this one
     whole_piece: bool = False
 
@@ -46,7 +50,7 @@ class FlatSources:
 
 def elements_of(report: dict, what: str, index: int) -> Elements | None:
     """Of the model; None if the report has no such entry."""
-    entries = open_edges(report) if what == "OUTLINE" else report[LISTS[what]]
+    entries: Sequence[Any] = open_edges(report) if what == "OUTLINE" else report[LISTS[what]]
     if index >= len(entries):
         return None
     entry = entries[index]
@@ -62,7 +66,7 @@ def elements_of(report: dict, what: str, index: int) -> Elements | None:
             return Elements(piece=index, whole_piece=True)
         case "STRETCH" | "EASE":
             return Elements(faces=entry[f"{what.lower()}_faces"], piece=index)
-        case "ISSUE" | "HINT":
+        case _:  # ISSUE, HINT
             return Elements(entry["vertices"], entry["edges"], entry["faces"], entry["piece"])
 
 

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Selecting given elements of a mesh in Edit Mode."""
 
-from collections.abc import Sequence
-
 import bpy
 import numpy as np
 
@@ -10,6 +8,7 @@ from .edge_keys import edge_keys
 from .foreach import read
 from .issues import ObjectError, object_error
 from .mesh_to_arrays import element_counts
+from .report_elements import Indices, Pairs
 
 
 def check_indices(target: bpy.types.Object, report: dict) -> None:
@@ -36,9 +35,9 @@ def _changed(target: bpy.types.Object) -> ObjectError:
 def select_elements(
     context: bpy.types.Context,
     target: bpy.types.Object,
-    vertices: Sequence[int] = (),
-    edges: Sequence[tuple[int, int]] = (),
-    faces: Sequence[int] = (),
+    vertices: Indices = (),
+    edges: Pairs = (),
+    faces: Indices = (),
 ) -> None:
     """Makes `target` the active object and enters its Edit Mode with these elements selected, and no others.
 
@@ -112,7 +111,7 @@ def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:
         )
 
 
-def _find_edges(mesh: bpy.types.Mesh, pairs: Sequence[tuple[int, int]]) -> tuple[np.ndarray, list[int]]:
+def _find_edges(mesh: bpy.types.Mesh, pairs: Pairs) -> tuple[np.ndarray, list[int]]:
     """A mask of the mesh's edges, and the vertices of the pairs that are none."""
     mask = np.zeros(len(mesh.edges), dtype=bool)
     if not len(pairs):
@@ -130,7 +129,7 @@ def _loop_faces(mesh: bpy.types.Mesh) -> np.ndarray:
     return np.repeat(np.arange(len(sizes)), sizes)
 
 
-def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, indices: Sequence[int]) -> np.ndarray:
+def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, indices: Indices) -> np.ndarray:
     """Raises ObjectError if there are no such ones among the elements of the object's mesh."""
     wanted, mask = np.asarray(indices, dtype=np.int64), np.zeros(len(elements), dtype=bool)
     if np.any((wanted < 0) | (wanted >= len(elements))):

@@ -21,6 +21,7 @@ void* allocate(std::size_t size, std::size_t alignment) {
 }  // namespace
 
 extern "C" {
+// The linker's --wrap asks for these names. NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 void* __real_malloc(std::size_t size);
 void* __real_calloc(std::size_t number, std::size_t size);
 void* __real_realloc(void* memory, std::size_t size);
@@ -37,6 +38,7 @@ void* __wrap_realloc(void* memory, std::size_t size) {
   ++count;
   return __real_realloc(memory, size);
 }
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 }
 
 void* operator new(std::size_t size) { return allocate(size, alignof(std::max_align_t)); }

@@ -7,7 +7,6 @@ from bpy.props import StringProperty
 from ..change_wire import change_wire, wire_at
 from ..edit_marks import OUTLINES_ARE_RIGID
 from ..issues import ObjectError
-from ..wire_chains import shortest_double
 from ..wire_summary import listed_wires
 from .wire_kind import NEEDS_TOLERANCE, WireKind
 from .wire_operator import WireOperator
@@ -39,7 +38,7 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
         else:
             self.kind = "SUPER_ELASTIC" if math.isinf(wire.tolerance) else "ELASTIC"
         elastic = self.kind == "ELASTIC"
-        self.tolerance = shortest_double(wire.tolerance) if elastic else context.scene.wirewarp.tolerance_percent / 100
+        self.tolerance = wire.tolerance if elastic else context.scene.wirewarp.tolerance_percent / 100
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         if self.is_tolerance_missing():

@@ -4,7 +4,7 @@
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, fields, is_dataclass, replace
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import bpy
 import numpy as np
@@ -32,7 +32,7 @@ class Same:
 @dataclass(frozen=True)
 class _Entry:
     made_of: tuple
-    value: object
+    value: Any
     rests_until: float  # seconds of the monotonic clock
 
 
@@ -56,19 +56,19 @@ def kept_drawing(owner: bpy.types.Object, what: str, made_of: tuple, build: Call
     return value
 
 
-def reused(old: T, new: T) -> T:
+def reused(old: Any, new: Any) -> Any:  # noqa: ANN401
     """new, but with all parts of old that are the same."""
     if is_same(old, new):
         return old
     if isinstance(old, dict) and isinstance(new, dict):
         return {key: reused(old[key], value) if key in old else value for key, value in new.items()}
-    if is_dataclass(new) and type(old) is type(new):
+    if is_dataclass(new) and not isinstance(new, type) and type(old) is type(new):
         names = [each.name for each in fields(new)]
         return replace(new, **{name: reused(getattr(old, name), getattr(new, name)) for name in names})
     return new
 
 
-def is_same(first: object, second: object) -> bool:
+def is_same(first: Any, second: Any) -> bool:  # noqa: ANN401
     """Equal, arrays in dataclasses, dicts and lists included."""
     if type(first) is not type(second):
         return False

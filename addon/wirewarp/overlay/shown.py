@@ -72,8 +72,8 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
             failed = kept_drawing(target, "failures", made_of, lambda: failures(target))
     if color_map and not target.data.is_editmode:
         flat = find_flat_object(source)
-        made_of += color_map.attribute, *((stamp(flat.data), flat.data.is_editmode) if flat else ())
-        surface = kept_drawing(target, "surface", made_of, lambda: colored_surface(target, depsgraph, color_map))
+        with_map = (*made_of, color_map.attribute, *((stamp(flat.data), flat.data.is_editmode) if flat else ()))
+        surface = kept_drawing(target, "surface", with_map, lambda: colored_surface(target, depsgraph, color_map))
     return Drawing(target, lines, failed, surface)
 
 

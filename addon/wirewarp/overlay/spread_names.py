@@ -24,7 +24,7 @@ def spread(points: Sequence[np.ndarray], sizes: Sequence[tuple[float, float]]) -
         left, bottom = own[:, 0].repeat(2) - width / 2, (own[:, 1:] + [ABOVE * height, BELOW * height]).ravel()
         boxes = np.column_stack([left - room, bottom - room, left + width + room, bottom + height + room])
         overlap = (boxes[:, None, :2] < taken[:, 2:]) & (taken[:, :2] < boxes[:, None, 2:])
-        free = np.flatnonzero(~overlap.all(axis=2).any(axis=1))
+        free = np.flatnonzero(~np.any(np.all(overlap, axis=2), axis=1))
         if len(free):
             taken = np.vstack([taken, boxes[free[0]]])
             corners.append((float(left[free[0]]), float(bottom[free[0]])))

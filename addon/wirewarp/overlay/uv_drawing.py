@@ -3,6 +3,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 
 import bpy
 
@@ -32,10 +33,10 @@ def uv_drawings(context: bpy.types.Context) -> Iterator[UvDrawing]:
     for target in _targets(context):
         if target.type == "MESH" and shows_our_map(target.data):
             made_of = stamp(target), stamp(target.data), target.data.is_editmode, Same(last_report(target))
-            lines = kept_drawing(target, "uv lines", made_of, lambda target=target: _lines(target))
+            lines = kept_drawing(target, "uv lines", made_of, partial(_lines, target))
             failed = None
             if not target.data.is_editmode:
-                failed = kept_drawing(target, "uv failures", made_of, lambda target=target: uv_failures(target))
+                failed = kept_drawing(target, "uv failures", made_of, partial(uv_failures, target))
             yield UvDrawing(target, lines, failed)
 
 

@@ -76,7 +76,7 @@ def _inward(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.nd
     """Left of each edge; right in pieces that run clockwise: those seen from inside."""
     along = vertices[edges[:, 1]] - vertices[edges[:, 0]]
     _, row = np.unique(piece, return_inverse=True)
-    side = np.sign(_areas(vertices, *edges.T, row))[row]
+    side = np.sign(_areas(vertices, edges[:, 0], edges[:, 1], row))[row]
     left = np.column_stack([-along[:, 1], along[:, 0]])
     return left * (side / np.maximum(np.linalg.norm(along, axis=1), np.finfo(float).tiny))[:, None]
 

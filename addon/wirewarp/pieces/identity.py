@@ -5,7 +5,7 @@ A piece is known again by the ids on the faces of the model, whatever its number
 """
 
 import random
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -62,7 +62,7 @@ def identify_pieces(result: Any, arrays: MeshArrays, known: KnownPieces) -> list
     return [PieceIdentity(piece_id, name) for piece_id, name in zip(ids, names, strict=True)]
 
 
-def ids_by_face(result: Any, arrays: MeshArrays, identities: list[PieceIdentity]) -> np.ndarray:  # noqa: ANN401
+def ids_by_face(result: Any, arrays: MeshArrays, identities: Sequence[PieceIdentity]) -> np.ndarray:  # noqa: ANN401
     """(f,) int32, for the model."""
     ids = np.zeros(len(arrays.polygon_starts), dtype=np.int32)
     for piece, identity in zip(result.pieces, identities, strict=True):

@@ -2,6 +2,7 @@
 """From the flat object of an earlier run to the places of the new pieces."""
 
 import json
+from collections.abc import Sequence
 from dataclasses import replace
 
 import bpy
@@ -41,7 +42,7 @@ def pieces_in_place(
     return replace(flat, vertices=vertices), places.motions, places.crowded
 
 
-def motions_in_order(motions: dict[int, Motion], identities: list[PieceIdentity]) -> list[Motion]:
+def motions_in_order(motions: dict[int, Motion], identities: Sequence[PieceIdentity]) -> list[Motion]:
     """One per piece of the result."""
     return [motions.get(identity.piece_id, STAY) for identity in identities]
 

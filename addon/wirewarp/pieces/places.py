@@ -105,8 +105,8 @@ def find_places(pieces: LaidOut, earlier: LaidOut, gap: float) -> Places:
 def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
     """By the vertices that are in both pieces, once in each; None where these do not tell."""
     rows = [_only_once(pieces.sources(piece_id)) for pieces in (now, then)]
-    sources = [pieces.sources(piece_id)[own] for pieces, own in zip((now, then), rows, strict=True)]
-    _, first, second = np.intersect1d(*sources, assume_unique=True, return_indices=True)
+    here, there = (pieces.sources(piece_id)[own] for pieces, own in zip((now, then), rows, strict=True))
+    _, first, second = np.intersect1d(here, there, assume_unique=True, return_indices=True)
     if len(first) < 2:
         return None
     points, places = now.points(piece_id)[rows[0][first]], then.points(piece_id)[rows[1][second]]
@@ -126,7 +126,7 @@ def _crowded(kept: dict[int, Motion], now: _Pieces, then: _Pieces) -> list[int]:
     close = _close(kept, now)
     growth = {piece_id: now.area(piece_id) / max(then.area(piece_id), 1e-300) for piece_id in close}
     staying: list[int] = []
-    crowded = []
+    crowded: list[int] = []
     for piece_id in sorted(close, key=growth.__getitem__):
         hit = any(
             overlap(now.outline(piece_id, kept[piece_id]), now.outline(other, kept[other]))

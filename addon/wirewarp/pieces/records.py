@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The list of pieces on the model's object, where the user renames them, and the ids on its faces."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import bpy
@@ -39,7 +40,7 @@ def write_pieces(
     source: bpy.types.Object,
     result: Any,  # noqa: ANN401
     arrays: MeshArrays,
-    identities: list[PieceIdentity],
+    identities: Sequence[PieceIdentity],
     on_model: bool,
 ) -> None:
     """on_model: the arrays are those of the base mesh, and it may be written."""

@@ -49,7 +49,8 @@ def _halves(side: str, apart: np.ndarray) -> tuple[str, str]:
 
 def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
     """The names wanted, each with a number where several want it or where it is taken already."""
-    used, asked, following = set(taken), Counter(wanted), {}
+    used, asked = set(taken), Counter(wanted)
+    following: dict[str, int] = {}
     names = []
     for name in wanted:
         number = following.get(name, 2 if name in used else 1)
