@@ -227,6 +227,20 @@ def test_what_failed_is_drawn_on_the_model_and_on_the_pieces(addon):
     assert np.linalg.norm(centers[:, :2] - np.array(expected)[:, :2], axis=1).max() < 0.1
 
 
+def test_around_a_failed_piece_there_are_lines_and_none_within(addon):
+    bpy.ops.mesh.primitive_cylinder_add(vertices=12, end_fill_type="NOTHING")
+    tube = bpy.context.active_object
+    with pytest.raises(RuntimeError, match="tube"):
+        bpy.ops.object.wirewarp_flatten()
+    (issue,) = addon.report_store.last_report(tube)["issues"]
+    found = addon.overlay.failure_drawing.failures(tube)
+    assert len(found.triangles) == 3 * 2 * 12
+    drawn = found.lines["failed"].reshape(-1, 2, 3)
+    around = np.abs(drawn[:, 0, 2] - drawn[:, 1, 2]) < 1e-6
+    assert around.sum() == 2 * 12
+    assert (~around).sum() <= len(issue["vertices"])  # the issue's own places
+
+
 def test_the_edges_of_a_bad_input_are_drawn(addon):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()

@@ -85,12 +85,15 @@ def _failed_faces(mesh: bpy.types.Mesh, issues: list[dict]) -> np.ndarray:
 
 
 def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[dict], faces: np.ndarray) -> np.ndarray:
-    """A mask of the edges that are named, and of all edges of faces and at vertices that are."""
+    """A mask of the edges that are named, of those at vertices that are, and of those around the faces.
+
+    Not of those within: the faces have a color of their own, below which wires and proposed seams are to be seen.
+    """
     failed = _named(pairs, [edge for issue in issues for edge in issue["edges"]])
     failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue["vertices"]]).any(axis=1)
     face_of_corner = np.repeat(np.arange(len(mesh.polygons)), read(mesh.polygons, "loop_total", np.int32))
-    failed[read(mesh.loops, "edge_index", np.int32)[np.isin(face_of_corner, faces)]] = True
-    return failed
+    of_faces = read(mesh.loops, "edge_index", np.int32)[np.isin(face_of_corner, faces)]
+    return failed | (np.bincount(of_faces, minlength=len(pairs)) == 1)
 
 
 def _named(pairs: np.ndarray, edges: list) -> np.ndarray:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from ..wire_chains import WireChain
 from .flat_pieces import FlatPieces
 from .inner_wires import inner_wires
+from .line_names import seam_names, wire_name
 from .notches import place_notches
 from .outlines import outline_loops, outline_of
 from .pattern import Pattern, PatternPiece, PatternWire
@@ -35,6 +36,7 @@ def make_pattern(
     notches = place_notches(flat, outline, seams, spacing)
     wires = inner_wires(flat, outline)
     texts = piece_texts(flat, outline, wires, {index: label.lines for index, label in labels.items()}, TEXT_HEIGHT)
+    at_seams = seam_names(flat, outline, seams)
     pieces = []
     for index, label in labels.items():
         outlines = [flat.vertices[loop] for loop in outline_loops(outline, index)]
@@ -42,7 +44,8 @@ def make_pattern(
             PatternWire(wire_names[wire.wire_id], _kind(wire), flat.vertices[wire.vertices])
             for wire in wires.get(index, [])
         ]
-        pieces.append(PatternPiece(label.name, outlines, lines, notches.get(index, []), texts[index]))
+        line_names = at_seams.get(index, []) + [name for name in map(wire_name, lines) if name is not None]
+        pieces.append(PatternPiece(label.name, outlines, lines, notches.get(index, []), texts[index], line_names))
     return Pattern(title, pieces)
 
 

@@ -22,7 +22,7 @@ def place_notches(flat: FlatPieces, outline: OutlineEdges, seams: list[list], sp
     """
     if 0 < spacing < LEAST_SPACING:
         raise object_error("notch_spacing", TOO_CLOSE)
-    at_wires = _vertices_at_wires(flat, outline)
+    at_wires = vertices_at_wires(flat, outline)
     notches: dict[int, list[Notch]] = {}
     for vertex in sorted(at_wires):
         touching = np.flatnonzero((outline.edges == vertex).any(axis=1))
@@ -36,7 +36,7 @@ def place_notches(flat: FlatPieces, outline: OutlineEdges, seams: list[list], sp
     return notches
 
 
-def _vertices_at_wires(flat: FlatPieces, outline: OutlineEdges) -> set[int]:
+def vertices_at_wires(flat: FlatPieces, outline: OutlineEdges) -> set[int]:
     """On outlines: where a wire that runs through a piece ends, and the same places on the other sides of a seam."""
     count = len(flat.vertices)
     inside = (flat.wire_ids != 0) & ~np.isin(edge_keys(flat.edges, count), edge_keys(outline.edges, count))

@@ -27,7 +27,7 @@ class PieceText:
     lines: tuple[str, ...]
     center: np.ndarray  # (2,), inside the piece
     height: float  # of a line's letters
-    angle: float  # degrees counterclockwise: 0, or 90 where the piece is narrow
+    angle: float  # degrees counterclockwise; of the piece's own text 0, or 90 where the piece is narrow
 
 
 @dataclass(frozen=True)
@@ -37,6 +37,7 @@ class PatternPiece:
     wires: list[PatternWire]
     notches: list[Notch]
     text: PieceText
+    line_names: list[PieceText]  # of seams and wires
 
     @property
     def size(self) -> np.ndarray:

@@ -100,6 +100,9 @@ class _Drawing:
             ends = np.array([notch.point, notch.point + NOTCH * notch.inward])
             self._add_path(notches, "notch", ends + offset, closed=False)
         self._add_text(self._add_layer(group, piece.name, "Text"), piece.text, piece.text.center + offset)
+        names = self._add_layer(group, piece.name, "Line Names") if piece.line_names else group
+        for name in piece.line_names:
+            self._add_text(names, name, name.center + offset)
 
     def add_square(self, corner: np.ndarray) -> None:
         layer = self._add_layer(self._root, "", "Scale")
