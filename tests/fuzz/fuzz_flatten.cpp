@@ -91,9 +91,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   FuzzedDataProvider bytes(data, size);
   const wirewarp::test::Asked asked = wirewarp::test::any_case(bytes);
   try {
-    wirewarp::test::demand_none(broken_promises(asked.input, asked.options, flatten(asked.input, asked.options)));
+    wirewarp::test::demand_none(
+        wirewarp::test::broken_promises(asked.input, asked.options, flatten(asked.input, asked.options)));
   } catch (const wirewarp::FlattenError& error) {
-    wirewarp::test::demand_none(faults_of_error(error, asked.input));
+    wirewarp::test::demand_none(wirewarp::test::faults_of_error(error, asked.input));
   }
   return 0;
 }
