@@ -222,36 +222,6 @@ def test_text_is_inside_its_piece_and_says_name_and_area(source, tmp_path):
         assert np.all((outline.min(axis=0) < place) & (place < outline.max(axis=0)))
 
 
-def names_in(drawing, piece):
-    """{name: place} of the names along the lines of a piece."""
-    texts = drawing.layer(piece, "Line Names").findall(f"{SVG}text")
-    places = [re.match(r"translate\((\S+) (\S+)\)", text.get("transform")).groups() for text in texts]
-    return {
-        text.find(f"{SVG}tspan").text: np.array(place, dtype=float) for text, place in zip(texts, places, strict=True)
-    }
-
-
-def test_both_sides_of_a_seam_have_its_number_and_wires_their_names(source, tmp_path):
-    drawing = export(source, tmp_path, flatten={})
-    for piece in drawing.pieces:
-        names = names_in(drawing, piece)
-        assert names.keys() == {"Seam 1", "Wire 1"}
-        (outline,) = drawing.lines(piece, "Cut")
-        (wire,) = drawing.lines(piece, "Rigid Wires")
-        low, high = outline.min(axis=0), outline.max(axis=0)
-        for name, line, distance in (("Seam 1", outline, 9.0), ("Wire 1", wire, 3.5)):
-            assert np.all((low < names[name]) & (names[name] < high))
-            dense = np.concatenate([np.linspace(a, b, 50) for a, b in zip(line[:-1], line[1:], strict=True)])
-            nearest = np.linalg.norm(dense - names[name], axis=1).min()
-            assert nearest == pytest.approx(distance, abs=0.6)
-
-
-def test_a_wire_shorter_than_its_name_goes_without(source, tmp_path):
-    source.data.wirewarp_names[0].name = "The line that goes all around the bump from its left to its right"
-    drawing = export(source, tmp_path, flatten={})
-    assert all(names_in(drawing, piece).keys() == {"Seam 1"} for piece in drawing.pieces)
-
-
 def test_room_for_text_is_found_in_a_ring_and_beside_its_wires(addon):
     turn = np.linspace(0, 2 * math.pi, 60, endpoint=False)
     circle = np.column_stack([np.cos(turn), np.sin(turn)])
