@@ -34,6 +34,7 @@ function(build_openmesh)
   set(BUILD_APPS OFF)
   set(CMAKE_POLICY_DEFAULT_CMP0077 NEW)
   set(CMAKE_POLICY_VERSION_MINIMUM 3.5)  # it asks for less than newer CMakes still know
+  set(CMAKE_COMPILE_WARNING_AS_ERROR OFF)
   FetchContent_MakeAvailable(OpenMesh)
   set(library OpenMeshCoreStatic)
   if(WIN32)

@@ -112,6 +112,7 @@ def build_wheel(version: str, python: Path) -> Path:
         "PATH": f"{interpreter.parent}:{clean_environment()['PATH']}",
     }
     options = {"build-dir": str(BUILD / "wheels" / f"cmake-{tag}")}
+    options["cmake.define.CMAKE_COMPILE_WARNING_AS_ERROR"] = "ON"  # not where users build, with compilers to come
     options |= {f"cmake.define.{name}": value for name, value in old_glibc.cmake_definitions().items()}
     build = ("pip", "wheel", "--quiet", "--no-build-isolation", "--no-deps", "-w", raw)
     defines = (f"--config-settings={name}={value}" for name, value in options.items())
