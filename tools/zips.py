@@ -85,11 +85,12 @@ def with_version(text: str) -> str:
 
 
 def write_extension(folder: Path, platform: str, wheels: list[Path]) -> Path:
+    """In one folder, which Blender 4.2 and later skip: older ones, that know no extensions, then scatter no files."""
     files = addon_files()
     for wheel in wheels:
         files[f"wheels/{wheel.name}"] = wheel.read_bytes()
     files["blender_manifest.toml"] = manifest(platform, wheels).encode()
-    return write_zip(extension_zip(folder, platform), files)
+    return write_zip(extension_zip(folder, platform), {f"{LEGACY_MODULE}/{name}": files[name] for name in files})
 
 
 def manifest(platform: str, wheels: list[Path]) -> str:

@@ -27,7 +27,9 @@ def make_wheels(folder: Path, *tags: str) -> None:
 
 def manifest_of(path: Path) -> tuple[dict, set[str]]:
     with zipfile.ZipFile(path) as archive:
-        return tomllib.loads(archive.read("blender_manifest.toml").decode()), set(archive.namelist())
+        assert {name.split("/")[0] for name in archive.namelist()} == {"wirewarp_addon"}
+        names = {name.removeprefix("wirewarp_addon/") for name in archive.namelist()}
+        return tomllib.loads(archive.read("wirewarp_addon/blender_manifest.toml").decode()), names
 
 
 def test_an_extension_for_each_platform_with_its_wheels_alone(tmp_path):
