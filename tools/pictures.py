@@ -29,6 +29,6 @@ def pictures() -> None:
         if code:
             print(output, flush=True)
             raise StepError(f"the tour {name} of {SCRIPT.name} failed; its last picture is in {taken}")
-    paper = ["--width", "900", "--background-color", "white", "--stylesheet", str(GUIDE / "paper.css")]
+    paper = ["--width", "1300", "--background-color", "white", "--stylesheet", str(GUIDE / "paper.css")]
     run(["rsvg-convert", *paper, taken / "pattern.svg", "-o", taken / "pattern.png"])
     run([venv("pictures", DEBIAN_PYTHON, PILLOW), GUIDE / "shrink_pictures.py", taken, GUIDE])
