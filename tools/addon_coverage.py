@@ -1,13 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How much of the add-on its tests in Debian's Blender run, with and without the window."""
 
+import ast
 import json
+import os
+from collections.abc import Iterator
 from pathlib import Path
 
-from tools.environment import BUILD, ROOT, require_apt, run_quietly, say
+from tools.environment import BUILD, ROOT, StepError, require_apt, run_quietly, say
 
+ADDON = ROOT / "addon" / "wirewarp"
 FOLDER = BUILD / "coverage"
 KINDS = ("headless", "window")
+NEEDS_WINDOW = {  # what Blender runs in a window only; all others are tested without one, too
+    "addon/wirewarp/operators/frame.py": "moves a view",
+    "addon/wirewarp/overlay/blending.py": "state of the graphics card",
+    "addon/wirewarp/overlay/draw_space.py": "draws in a view",
+    "addon/wirewarp/overlay/draw_uv.py": "draws in a UV editor",
+    "addon/wirewarp/overlay/write_screen.py": "draws text",
+}
+REGISTERING = {"attach", "detach", "register", "unregister"}  # run of every module, whatever it does
 
 
 def begin(kind: str) -> dict[str, str]:
@@ -19,16 +31,46 @@ def begin(kind: str) -> dict[str, str]:
     return {"COVERAGE_PROCESS_START": str(ROOT / "pyproject.toml"), "COVERAGE_FILE": str(FOLDER / kind)}
 
 
-def show() -> None:
-    """Prints the share of all lines and the least covered modules, by what was measured last of both kinds."""
-    measured = [file for kind in KINDS for file in FOLDER.glob(f"{kind}.*")]
+def show(kind: str) -> None:
+    """Prints the share of all lines and the least covered modules, by what was measured last of both kinds.
+
+    Raises StepError if the tests of this kind run no function of a module that is theirs. PYTEST_ADDOPTS may choose
+    tests: then there is nothing to say.
+    """
+    if os.environ.get("PYTEST_ADDOPTS"):
+        return
+    found = _report(*KINDS)
+    shares = {name: file["summary"]["percent_covered"] for name, file in found["files"].items()}
+    say(f"coverage of the add-on: {found['totals']['percent_covered']:.0f} % of the lines; least covered:")
+    for name in sorted(shares, key=lambda name: shares[name])[:8]:
+        say(f"  {shares[name]:3.0f} %  {name}")
+    files = _report(kind)["files"]
+    modules = {str(path.relative_to(ROOT)): path for path in ADDON.rglob("*.py")}
+    theirs = NEEDS_WINDOW.keys() if kind == "window" else modules.keys() - NEEDS_WINDOW.keys()
+    untested = [name for name in sorted(theirs) if not _is_run(modules[name], files.get(name))]
+    if untested:
+        raise StepError(f"the {kind} tests run no function of {', '.join(untested)}")
+
+
+def _report(*kinds: str) -> dict:
+    """What coverage.py says of these kinds together."""
+    measured = [file for kind in kinds for file in FOLDER.glob(f"{kind}.*")]
     report = FOLDER / "report.json"
     commands: list[list[str | Path]] = [["combine", "--keep", "--quiet", *measured], ["json", "--quiet", "-o", report]]
     for command in commands:
         whole = {"COVERAGE_FILE": str(FOLDER / "all")}
         run_quietly(f"coverage {command[0]}", ["/usr/bin/python3", "-m", "coverage", *command], **whole)
-    found = json.loads(report.read_text())
-    shares = {name: file["summary"]["percent_covered"] for name, file in found["files"].items()}
-    say(f"coverage of the add-on: {found['totals']['percent_covered']:.0f} % of the lines; least covered:")
-    for name in sorted(shares, key=lambda name: shares[name])[:8]:
-        say(f"  {shares[name]:3.0f} %  {name}")
+    return json.loads(report.read_text())
+
+
+def _is_run(module: Path, file: dict | None) -> bool:
+    """Whether the body of some function was run; true of a module without functions."""
+    bodies = list(_bodies(module))
+    return not bodies or (file is not None and any(not body.isdisjoint(file["executed_lines"]) for body in bodies))
+
+
+def _bodies(module: Path) -> Iterator[set[int]]:
+    """The lines of each function that does more than register, without its head."""
+    for node in ast.walk(ast.parse(module.read_text())):
+        if isinstance(node, ast.FunctionDef) and node.name not in REGISTERING:
+            yield set(range(node.body[0].lineno, (node.end_lineno or 0) + 1))

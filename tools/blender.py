@@ -57,7 +57,7 @@ def debian_blender_tests() -> None:
     settings = blender_folder("test-debian") | {"WIREWARP_ZIP": str(package_legacy())}
     settings |= addon_coverage.begin("headless")
     run(blender("--python", runner, "--", "-q", "tests/addon"), **settings)
-    addon_coverage.show()
+    addon_coverage.show("headless")
 
 
 def window_tests() -> None:
@@ -65,7 +65,7 @@ def window_tests() -> None:
     python = venv("repository", DEBIAN_PYTHON, PYTEST)
     settings = {"WIREWARP_ZIP": str(package_legacy())} | addon_coverage.begin("window")
     run([python, "-m", "pytest", "-q", "tests/window"], **settings)
-    addon_coverage.show()
+    addon_coverage.show("window")
 
 
 def bpy_python(requirement: str) -> Path:

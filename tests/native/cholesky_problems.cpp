@@ -16,8 +16,8 @@ Positions2 random_positions(int num_vertices, unsigned seed) {
 
 CholeskyProblem problem(std::string name, int k, Positions2 positions, GraphEdges edges) {
   const int n = static_cast<int>(positions.rows());
-  SparseMatrix lower = random_positive_definite(n, edges, k, 17);
-  return {std::move(name), k, std::move(positions), std::move(edges), std::move(lower)};
+  const SparseMatrix lower = random_positive_definite(n, edges, k, 17);
+  return {std::move(name), k, std::move(positions), std::move(edges), lower};
 }
 
 GraphEdges random_edges(int num_vertices, int num_edges) {

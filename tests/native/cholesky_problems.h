@@ -29,11 +29,10 @@ struct CholeskyProblem {
 Graph graph_of(int num_vertices, const GraphEdges& edges);
 
 /// Σ B_eᵀ B_e over the edges with random B_e (k by 2k, entries within ±1), and 0.1 on the diagonal. Lower triangle.
-SparseMatrix random_positive_definite(int num_vertices, const GraphEdges& edges, int unknowns_per_vertex,
-                                      unsigned seed);
+SparseMatrix random_positive_definite(int num_vertices, const GraphEdges& edges, int k, unsigned seed);
 
-/// A triangulated square of n by n jittered vertices with some long edges, as bending rows make them.
-CholeskyProblem mesh_problem(int n, int unknowns_per_vertex);
+/// A triangulated square of n by n jittered vertices, k unknowns each, with some long edges, as bending rows make them.
+CholeskyProblem mesh_problem(int n, int k);
 
 /// Meshes, random graphs, separate pieces, single vertices, positions that say nothing.
 std::vector<CholeskyProblem> cholesky_problems();

@@ -212,7 +212,7 @@ TEST(Coarsen, KeepsHoles) {
 TEST(Coarsen, ClosedWiresStayOpen) {
   const int n = 40;
   FlattenInput input = jittered_grid(n, 0.3, dome);
-  const auto vertex = [n](int i, int j) { return j * (n + 1) + i; };
+  const auto vertex = [](int i, int j) { return j * (n + 1) + i; };
   test::add_wire(input, {vertex(20, 20), vertex(21, 20), vertex(22, 20), vertex(22, 21), vertex(22, 22), vertex(21, 22),
                          vertex(20, 22), vertex(20, 21), vertex(20, 20)});
   const Coarse c(input, 12);

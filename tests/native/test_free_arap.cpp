@@ -85,7 +85,8 @@ FlattenInput sliver_plate() {
   const int nx = 9;
   return test::make_grid(nx, 6, [](double s, double t) {
     const auto column = static_cast<int>(std::lround(nx * s));
-    return Eigen::Vector3d((column / 2) / 4.0 + (column % 2) * 1e-6, t, 0);
+    const int pair = column / 2;
+    return Eigen::Vector3d(pair / 4.0 + (column % 2) * 1e-6, t, 0);
   });
 }
 

@@ -43,7 +43,7 @@ std::vector<int> overlapping_faces(const Chart& chart, const Positions2& uv) {
 FlattenInput slit_square(int n) {
   FlattenInput input = test::flat_rectangle(2 * n, 2 * n, 2, 2);
   std::vector<int> slit = test::grid_column(2 * n, 2 * n, n);
-  slit.resize(static_cast<std::size_t>(n + 1));
+  slit.resize(static_cast<std::size_t>(n) + 1);
   test::add_seam(input, slit);
   return input;
 }
@@ -53,7 +53,8 @@ Positions2 bent_strip(const Chart& chart, int nx, double angle) {
   Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
   for (int v = 0; v < uv.rows(); ++v) {
     const double turn = -angle * (v % (nx + 1)) / nx;
-    const double radius = 1 + v / (nx + 1);
+    const int ring = v / (nx + 1);
+    const double radius = 1 + ring;
     uv.row(v) << radius * std::cos(turn), radius * std::sin(turn);
   }
   return uv;
@@ -126,7 +127,8 @@ TEST(Overlap, RingWoundTwiceCoversItselfEverywhereWithoutAnyCrossing) {
   Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
   for (int v = 0; v < uv.rows(); ++v) {
     const double turn = -4 * kPi * (v % nx) / nx;
-    const double radius = 1 + 0.5 * (v / nx);
+    const int ring = v / nx;
+    const double radius = 1 + 0.5 * ring;
     uv.row(v) << radius * std::cos(turn), radius * std::sin(turn);
   }
   EXPECT_EQ(overlapping_faces(chart, uv).size(), chart.mesh.n_faces());

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the reference of the Python package as HTML into a folder: pdoc's, with the types of the stub.
+
+Usage: python write_reference.py FOLDER. pdoc by itself shows what pybind11 makes of signatures and getters.
+"""
+
+import inspect
+import sys
+from pathlib import Path
+from typing import Any
+
+import pdoc.doc
+import pdoc.render
+import wirewarp
+
+
+class Plain(str):
+    """An annotation that is shown without quotes."""
+
+    __repr__ = str.__str__
+
+
+def read_stub() -> dict[str, Any]:
+    """What the stub defines, by name."""
+    source = Path(wirewarp.__file__).with_name("_wirewarp.pyi").read_text()
+    defined: dict[str, Any] = {"__package__": "wirewarp"}
+    exec("from __future__ import annotations\n" + source, defined)
+    return defined
+
+
+def plain(signature: inspect.Signature) -> inspect.Signature:
+    parameters = []
+    for each in signature.parameters.values():
+        is_typed = each.annotation is not inspect.Parameter.empty
+        parameters.append(each.replace(annotation=Plain(each.annotation)) if is_typed else each)
+    returned = signature.return_annotation
+    return signature.replace(
+        parameters=parameters,
+        return_annotation=inspect.Signature.empty if returned == "None" else Plain(returned),
+    )
+
+
+def describe_function(function: pdoc.doc.Function, stub: Any) -> None:  # noqa: ANN401
+    """pybind11 begins the docstring with the signature."""
+    _, _, function.docstring = function.docstring.partition("\n")
+    function.signature = plain(inspect.signature(stub))
+
+
+def describe_class(kind: pdoc.doc.Class, stub: Any) -> None:  # noqa: ANN401
+    if "__init__" not in vars(stub):  # only the library makes such objects
+        kind.members.pop("__init__", None)
+    for name, member in kind.members.items():
+        bound, typed = getattr(kind.obj, name, None), getattr(stub, name, None)
+        if isinstance(bound, property):
+            member.docstring = bound.__doc__ or ""
+            is_getter = isinstance(typed, property)
+            of_what = typed.fget.__annotations__["return"] if is_getter else stub.__annotations__[name]
+            member.annotation_str = f": {of_what}"
+        elif isinstance(member, pdoc.doc.Function) and inspect.isfunction(typed):
+            describe_function(member, typed)
+
+
+def main() -> None:
+    folder = Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    module, stub = pdoc.doc.Module(wirewarp), read_stub()
+    for name, member in module.members.items():
+        if isinstance(member, pdoc.doc.Class) and name in stub and name != "FlattenError":
+            describe_class(member, stub[name])
+        elif isinstance(member, pdoc.doc.Function):
+            describe_function(member, stub[name])
+    codes = module.members["ErrorCode"]
+    for code in wirewarp.ErrorCode:
+        codes.members[code.name].docstring = f"{code.meaning} {code.remedy}"
+    pdoc.render.configure(docformat="markdown", show_source=False)
+    (folder / "index.html").write_text(pdoc.render.html_module(module, {"wirewarp": module}))
+
+
+if __name__ == "__main__":
+    main()
