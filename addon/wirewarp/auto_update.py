@@ -61,7 +61,7 @@ def _flattened(context: bpy.types.Context) -> list[bpy.types.Object]:
     """The models of this view layer that have flat pieces."""
     objects = context.view_layer.objects
     sources = dict.fromkeys(filter(None, map(model_of, context.scene.objects)))
-    return [source for source in sources if objects.get(source.name) == source and source.library is None]
+    return [source for source in sources if source in objects.values() and source.library is None]
 
 
 def _has_changed(source: bpy.types.Object) -> bool:

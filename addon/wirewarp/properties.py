@@ -165,8 +165,13 @@ def choices_of(settings: FlattenSettings) -> FlattenChoices:
 
 
 def take_settings(operator: bpy.types.Operator, settings: FlattenSettings) -> None:
-    """What the caller left out is taken from the scene's settings."""
+    """What the caller left out is taken from the scene's settings.
+
+    A choice that this version does not know, as of a file of another version, goes back to its default.
+    """
     for name in FlattenSettings.__annotations__:
+        if getattr(settings, name) == "":
+            settings.property_unset(name)
         if not operator.properties.is_property_set(name):
             setattr(operator, name, getattr(settings, name))
 

@@ -78,7 +78,7 @@ def _has_changed(source: bpy.types.Object, report: dict) -> bool:
 def _shown(source: bpy.types.Object) -> Iterator[None]:
     """The object without the hiding that the eye in the Outliner does."""
     view_layer = bpy.context.view_layer
-    hidden = view_layer.objects.get(source.name) == source and source.hide_get()
+    hidden = source in view_layer.objects.values() and source.hide_get()
     if hidden:
         source.hide_set(False)
     view_layer.update()

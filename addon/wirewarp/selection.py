@@ -95,7 +95,7 @@ def _mend_edge_selection(mesh: bpy.types.Mesh) -> None:
 
 def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:
     """Only what can be seen can be active and edited."""
-    if context.view_layer.objects.get(target.name) != target:
+    if target not in context.view_layer.objects.values():
         raise object_error(
             "not_in_view_layer",
             f'"{target.name}" is not in this view layer: it was deleted, or its collection is excluded. '

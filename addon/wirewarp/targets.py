@@ -27,7 +27,12 @@ def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 
 def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Object]) -> str:
-    """Why there is none, as a sentence; empty if there are sources."""
+    """Why nothing can be flattened, as a sentence; empty if it can."""
+    if context.scene.library:
+        return (
+            f'Nothing to flatten: the scene "{context.scene.name}" is linked from another file, and no flat pieces can '
+            "be put into it. Link the model into a scene of this file."
+        )
     if sources:
         return ""
     active = context.view_layer.objects.active
@@ -46,6 +51,12 @@ def check_target(target: bpy.types.Object, writes_uv: bool) -> None:
             "linked_data",
             f'"{target.name}" is linked from another file, so nothing can be written to it: '
             "make it local with Object > Relations > Make Local > Selected Objects and Data.",
+        )
+    if target.override_library is not None or (writes_uv and target.data.override_library is not None):
+        raise object_error(
+            "library_override",
+            f'"{target.name}" is a library override, and what would be written to it is lost when the file is opened '
+            "again: make it local with Object > Relations > Make Local > Selected Objects and Data.",
         )
     check_attributes(target.data)
     check_piece_attribute(target.data)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The pieces as the object "<name> Flat" in the collection "WireWarp"."""
 
+import re
+
 import bpy
 import numpy as np
 from mathutils import Vector
@@ -21,6 +23,7 @@ from .wire_names import write_names
 from .write_maps import write_flat_maps
 
 COLLECTION = "WireWarp"
+OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")  # in a second scene, or beside one of another file
 
 
 def write_flat_object(
@@ -37,7 +40,7 @@ def write_flat_object(
         target.location = _free_place(scene, source)
     elif _is_shared(target):
         target.data = bpy.data.meshes.new(target.name)
-    if scene.objects.get(target.name) != target:
+    if scene not in target.users_scene:
         our_collection(scene).objects.link(target)
     target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
     pieces = _write_mesh(target.data, flat, arrays)
@@ -56,7 +59,7 @@ def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) 
     """Unhides the object; returns, as notes, why it is still not to be seen in its true size."""
     target.hide_viewport = False
     notes = []
-    if view_layer.objects.get(target.name) == target:
+    if target in view_layer.objects.values():
         target.hide_set(False)
     if not target.visible_get(view_layer=view_layer):
         notes.append(
@@ -123,7 +126,7 @@ def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
 def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
     """The scene's collection for flat pieces."""
     for collection in scene.collection.children_recursive:
-        if collection.name == COLLECTION:
+        if OUR_NAMES.fullmatch(collection.name) and not (collection.library or collection.override_library):
             return collection
     collection = bpy.data.collections.new(COLLECTION)
     scene.collection.children.link(collection)

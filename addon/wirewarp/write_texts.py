@@ -35,7 +35,7 @@ def write_texts(context: bpy.types.Context, flat: bpy.types.Object, arrays: Flat
     flat[FLAT_ID] = _id(flat, FLAT_ID) or random.randint(1, 2**31 - 1)
     text = length_text(context.scene)
     size = float(np.linalg.norm(np.ptp(arrays.vertices, axis=0)))
-    lines = {piece["index"]: (piece["name"], text.area(piece["area_2d"])) for piece in pieces}
+    lines = {piece["index"]: (_one_line(piece["name"]), text.area(piece["area_2d"])) for piece in pieces}
     outline = outline_of(arrays)
     placed = piece_texts(arrays, outline, inner_wires(arrays, outline), lines, LARGEST * size)
     corners = _corners_by_piece(arrays)
@@ -87,7 +87,11 @@ def rename_text(flat: bpy.types.Object, piece_id: int, name: str) -> None:
     for target in find_texts(flat):
         if target.get(PIECE_ID) == piece_id:
             _, *rest = target.data.body.split("\n")
-            target.data.body = "\n".join([name, *rest])
+            target.data.body = "\n".join([_one_line(name), *rest])
+
+
+def _one_line(name: str) -> str:
+    return " ".join(name.splitlines())
 
 
 def _new_text(
@@ -137,7 +141,8 @@ def _fasten(view_layer: bpy.types.ViewLayer, flat: bpy.types.Object, targets: li
     that Blender draws to it has no length.
     """
     view_layer.update()  # or it does not know the new objects
-    shown = [target for target in targets if view_layer.objects.get(target.name) == target]
+    present = view_layer.objects.values()
+    shown = [target for target in targets if target in present]
     poses = [target.matrix_basis.copy() for target in shown]
     for target in shown:
         target.parent_type, target.matrix_basis = "VERTEX_3", Matrix()

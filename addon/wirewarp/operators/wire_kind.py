@@ -43,7 +43,7 @@ class WireKind:
     )
 
     def is_tolerance_missing(self) -> bool:
-        return self.kind == "ELASTIC" and self.tolerance == 0
+        return self.kind == "ELASTIC" and not self.tolerance > 0  # nor is it a number in every script
 
     def chosen_tolerance(self) -> float:
         """As the edges carry it."""

@@ -30,6 +30,7 @@ LOOKS = {
     "notch": {"stroke": "#d8001f"},
 }
 TEXT_LOOK = {"fill": "#505050", "font-family": "sans-serif", "text-anchor": "middle"}
+NO_CHARACTER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # of XML 1.0
 
 
 def write_svg(path: Path, pattern: Pattern) -> None:
@@ -73,6 +74,10 @@ def _document(pattern: Pattern) -> ElementTree.Element:
     for piece in pattern.pieces:
         drawing.add_piece(piece, offset)
     drawing.add_square(square)
+    for element in root.iter():  # names may hold what XML cannot
+        element.text = element.text and NO_CHARACTER.sub("\ufffd", element.text)
+        for key, value in element.items():
+            element.set(key, NO_CHARACTER.sub("\ufffd", value))
     return root
 
 

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender killed in the middle of a run: the file saved before opens as it was, and nothing lies beside it."""
+
+import signal
+import subprocess
+import sys
+
+import bpy
+import pytest
+from surfaces import bump, flat_of, grid, mark, on_line, wire_marks
+
+SCRIPT = """
+import os, signal, sys
+import bpy
+
+path, module, where = sys.argv[-3:]
+bpy.ops.preferences.addon_enable(module=module)
+bpy.ops.wm.open_mainfile(filepath=path)
+addon = sys.modules[module]
+
+
+def die(*_):
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+flatten = addon.solve_models.flatten_arrays
+if where == "solve":  # at the first sign of progress
+    addon.solve_models.flatten_arrays = lambda library, arrays, choices, _, solved: flatten(
+        library, arrays, choices, die, solved
+    )
+else:  # between the flat object and its texts
+    addon.write_results.write_texts = die
+bpy.ops.object.wirewarp_flatten(report_path=path + ".json")
+"""
+
+
+@pytest.mark.parametrize("where", ["solve", "write"])
+def test_the_file_saved_before_is_whole(addon, tmp_path, where):
+    script = tmp_path / "flatten.py"
+    script.write_text(SCRIPT)
+    folder = tmp_path / "files"
+    folder.mkdir()
+    path = folder / "bump.blend"
+    source = grid("Bump", bump)
+    mark(source, on_line(1, 0.0), kind="ELASTIC", tolerance=0.05)
+    marks = wire_marks(source.data)
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    saved = path.read_bytes()
+    if getattr(bpy.app, "module", False):
+        blender = [sys.executable, script, "--"]
+    else:
+        blender = [bpy.app.binary_path, "--background", "--factory-startup", "--python", script, "--"]
+    done = subprocess.run([*blender, path, addon.__name__, where], capture_output=True, text=True)
+    assert done.returncode == -signal.SIGKILL, done.stdout + done.stderr
+    assert [file.name for file in folder.iterdir()] == ["bump.blend"]
+    assert path.read_bytes() == saved
+    bpy.ops.wm.open_mainfile(filepath=str(path))
+    source = bpy.data.objects["Bump"]
+    assert (wire_marks(source.data), list(source.data.uv_layers)) == (marks, [])
+    assert [each.name for each in bpy.data.objects] == ["Bump"]
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    assert len(flat_of(source).data.polygons) == 64
