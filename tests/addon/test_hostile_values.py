@@ -108,18 +108,20 @@ def test_stored_properties_of_another_type(model, everything_answers, value):
 @BELOW
 @pytest.mark.parametrize("value", STORED)
 def test_what_is_below_blenders_properties(model, everything_answers, value):
+    choices = ("method", "gap", "fairness", "shown_map", "auto_update", "orientation")
+
+    def put(owner, *names):
+        for name in names:
+            if name in owner:  # for its type is kept
+                del owner[name]
+            owner[name] = value
+
     def spoil():
         scene = bpy.context.scene
-        for name in ("method", "gap", "fairness", "shown_map", "auto_update", "orientation"):
-            if not isinstance(scene.get("wirewarp"), (int, float, str)):
-                scene.wirewarp.gap = 2.0
-                scene["wirewarp"][name] = value
-        for owner, names in (
-            (model, ("wirewarp_pieces", "wirewarp_active_piece")),
-            (model.data, ("wirewarp_names", "wirewarp_grain")),
-        ):
-            for name in names:
-                owner[name] = value
+        scene.wirewarp.gap = 2.0
+        put(scene["wirewarp"], *choices)
+        put(model, "wirewarp_pieces", "wirewarp_active_piece")
+        put(model.data, "wirewarp_names", "wirewarp_grain")
 
     everything_answers(spoil)
 
