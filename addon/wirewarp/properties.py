@@ -164,7 +164,7 @@ def choices_of(settings: FlattenSettings) -> FlattenChoices:
     )
 
 
-def take_settings(operator: bpy.types.Operator, settings: FlattenSettings) -> None:
+def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings") -> None:
     """What the caller left out is taken from the scene's settings.
 
     A choice that this version does not know, as of a file of another version, goes back to its default.

@@ -7,7 +7,6 @@ import numpy as np
 from .flat_mesh import FlatMesh
 from .foreach import read
 from .helper_lines import helper_lines
-from .local_views import show_beside
 from .model_maps import model_maps
 from .owners import find_flat_object
 from .pieces.keep_places import crowded_note, motions_in_order, pieces_in_place, remember_layout, wants_new_layout
@@ -22,7 +21,7 @@ from .wire_names import update_names
 from .write_flat_object import our_collection, show_flat_object, write_flat_object
 from .write_helper_wires import remove_helper_wires, write_helper_wires
 from .write_maps import remove_model_maps, write_model_maps
-from .write_texts import find_texts, remove_texts, write_texts
+from .write_texts import remove_texts, write_texts
 from .write_uv import UV_LAYER, UvFrame, write_uv
 
 
@@ -52,7 +51,6 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         else:
             remove_texts(flat)
         context.view_layer.update()
-        show_beside(source, [flat, *find_texts(flat)])
         outcome.report["flat_object"] = flat.name
         outcome.report["notes"] += show_flat_object(context.view_layer, flat)
         store(source, outcome.report)
