@@ -241,6 +241,15 @@ def test_around_a_failed_piece_there_are_lines_and_none_within(addon):
     assert (~around).sum() <= len(issue["vertices"])  # the issue's own places
 
 
+def test_a_closed_piece_that_failed_has_no_outline_but_is_in_the_legend(addon):
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=8, ring_count=4)
+    with pytest.raises(RuntimeError, match="closed"):
+        bpy.ops.object.wirewarp_flatten()
+    found = addon.overlay.failure_drawing.failures(bpy.context.active_object)
+    assert set(found.lines) == {"proposed"}
+    assert found.kinds == {"proposed", "failed"}
+
+
 def test_the_edges_of_a_bad_input_are_drawn(addon):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()

@@ -21,6 +21,11 @@ class Failures:
     lines: dict[str, np.ndarray]  # (2k,3) float32 for each kind of line: what failed, and what would mend it
     triangles: np.ndarray  # (3m,3) float32
 
+    @property
+    def kinds(self) -> set[str]:
+        """For the legend. A piece that is closed has no line around it, but its faces are tinted."""
+        return {*self.lines, "failed"} if len(self.triangles) else set(self.lines)
+
 
 @dataclass(frozen=True)
 class _Elements:

@@ -46,7 +46,7 @@ def write_over(
     if context.scene.wirewarp.show_names:
         write_names(names, unit)
     kinds = {kind for each in shown if each.lines for kind in each.lines.places}
-    kinds |= {kind for each in shown if each.failures for kind in each.failures.lines}
+    kinds |= {kind for each in shown if each.failures for kind in each.failures.kinds}
     write_legend(context, kinds, unit, notes, color_map, extremes)
 
 

@@ -41,7 +41,8 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         report = shown_report(context)
-        if _has_changed(shown_source(context), report):
+        changed = _has_changed(shown_source(context), report)
+        if changed:
             warning = layout.column()
             warning.alert = True
             draw_sentence(context, warning, "The model has changed since: flatten again.", "ERROR")
@@ -53,7 +54,9 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
         if "method_name" in report:
             draw_sentence(context, layout, f"Method: {report['method_name']}")
         if report["issues"]:
-            draw_issues(context, layout.box(), report)
+            box = layout.box()
+            box.active = not changed  # gray, but the next proposal can be taken without a run between
+            draw_issues(context, box, report)
         if report["hints"]:
             draw_hints(context, layout, report)
         if report["pieces"]:
