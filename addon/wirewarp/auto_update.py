@@ -59,9 +59,9 @@ def put_back(names: list[str], scene: str) -> None:
 
 def _flattened(context: bpy.types.Context) -> list[bpy.types.Object]:
     """The models of this view layer that have flat pieces."""
-    objects = context.view_layer.objects
+    present = set(context.view_layer.objects)
     sources = dict.fromkeys(filter(None, map(model_of, context.scene.objects)))
-    return [source for source in sources if source in objects.values() and source.library is None]
+    return [source for source in sources if source in present and source.library is None]
 
 
 def _has_changed(source: bpy.types.Object) -> bool:
