@@ -107,6 +107,12 @@ TEST_F(FairShapeErrorOnASaddle, EveryOtherCurvatureIsAboveTheExactOneAndTheConve
   }
 }
 
+TEST_F(FairShapeErrorOnASaddle, RoundingCostsHalfTheTraceOfTheConstantHessian) {
+  const double error = 1e-3, trace = hessian(test::planar_positions(chart), Curvature::none).trace();
+  const double expected = error * error / 2 * trace;
+  EXPECT_NEAR(objective.value_of_rounding(error), expected, 1e-12 * expected);
+}
+
 TEST_F(FairShapeErrorOnASaddle, TheBarrierCountsByItsWeightAndIsSilentOnOpenTriangles) {
   const Positions2 flat = test::planar_positions(chart), turned = layout(1);
   ASSERT_GT(objective.count_flips(turned), 0);

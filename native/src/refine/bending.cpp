@@ -26,15 +26,16 @@ Bending::Bending(const Chart& chart, const WireNetwork& network, double fairness
     node.to_b = -node.to_c - node.to_a;
     nodes_.push_back(node);
   };
-  const auto weigh = [&](double length) { return std::pow(shortest_wiggle, 3) / length; };
+  const auto weight_at = [&](double length) { return std::pow(shortest_wiggle, 3) / length; };
   const double shortest_corner = shortest_wiggle / 8;
   const WireLines lines = find_lines(chart, network);
-  for (const WireNode& corner : lines.corners) add(corner, weigh(std::max(corner.length, shortest_corner)));
+  for (const WireNode& corner : lines.corners) add(corner, weight_at(std::max(corner.length, shortest_corner)));
   for (const LineBend& bend : lines.bends) {
-    const double weight = weigh(bend.node.length), of_corners = weigh(std::max(bend.node.length, shortest_corner));
+    const double weight = weight_at(bend.node.length);
+    const double of_its_corners = weight_at(std::max(bend.node.length, shortest_corner));
     const bool passes_corners = bend.num_sectors > 1;
     if (!passes_corners) add(bend.node, weight);
-    if (passes_corners && weight > of_corners) add(bend.node, (weight - of_corners) / bend.num_sectors);
+    if (passes_corners && weight > of_its_corners) add(bend.node, (weight - of_its_corners) / bend.num_sectors);
   }
 }
 

@@ -83,7 +83,7 @@ class Refinement {
   NewtonSystem system_;
   const RefinementLimits& limits_;
   double area_;
-  double rounding_;  // f of an isometric layout in double precision: 0 but on pieces far longer than wide
+  double rounding_;  // f of an isometric layout in double precision: felt on slivers and edges of 1e-8 of the piece
   bool starts_near_minimum_;
   Eigen::VectorXd tolerance_;  // ε of the elastic parts
 

@@ -26,7 +26,7 @@ struct RefinedShape {
   int iterations = 0;
   int factorizations = 0;
   bool is_exact = false;   // the lengths are: uv is a flat shape to cut
-  bool converged = false;  // another step promises less than 1e-9 of f
+  bool converged = false;  // another step promises less than 1e-9 of f, or than rounding makes of f
 };
 
 struct RefinementLimits {
