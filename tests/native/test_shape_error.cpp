@@ -113,7 +113,8 @@ TEST(ShapeError, IsZeroOnTheDevelopmentOfACylinder) {
   Positions2 uv((nx + 1) * (ny + 1), 2);
   for (int v = 0; v < uv.rows(); ++v) {
     const int vertex = chart.source_vertex[static_cast<std::size_t>(v)];
-    uv.row(v) << chord * (vertex % (nx + 1)), height * (vertex / (nx + 1)) / ny;
+    const int row = vertex / (nx + 1);
+    uv.row(v) << chord * (vertex % (nx + 1)), height * row / ny;
   }
   Positions2 gradient;
   EXPECT_LT(ShapeError(chart).energy_and_gradient(turned(uv, 2), gradient), 1e-28);

@@ -112,7 +112,8 @@ Mesh with_holes(RandomStream& random, int holes) {
   std::vector<char> removed(mesh.faces.size(), 0);
   for (int hole = 0; hole < holes; ++hole) {  // one quad each, two columns apart, off the outline
     const int quad = 1 + 3 * hole + nx * random.whole(1, ny - 2);
-    removed[static_cast<std::size_t>(2 * quad)] = removed[static_cast<std::size_t>(2 * quad) + 1] = 1;
+    const std::size_t first = 2 * static_cast<std::size_t>(quad);
+    removed[first] = removed[first + 1] = 1;
   }
   std::vector<std::array<int, 3>> kept;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
