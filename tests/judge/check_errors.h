@@ -8,7 +8,7 @@ namespace wirewarp::test {
 /// The error is of a fault in the mesh itself.
 bool is_of_mesh(ErrorCode code);
 
-/// The error of a piece fits the piece: its topology, its outline, its wires, and what it names.
-void check_error(Judged& judged, int piece);
+/// The error of piece `number` fits it: its topology, its outline, its wires, and what it names.
+void check_error(Judged& judged, int number);
 
 }  // namespace wirewarp::test
