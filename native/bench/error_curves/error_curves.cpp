@@ -7,11 +7,11 @@
 // vertex triples, the vertex pairs and the wires, each with its number of vertices first. PIECE is the piece looked at,
 // in the order of flatten(). Prints a line "wire part h E dE/dh" for each of STEPS + 1 values of h from -LIMIT to LIMIT
 // and each wire part in the piece; E and its derivative are nan where ψ(h) does not exist.
-#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "charts/cut_into_charts.h"
 #include "outer/warp.h"
@@ -86,8 +86,8 @@ int main(int argc, char** argv) {
   }
   try {
     std::cout << std::setprecision(17);
-    wirewarp::print_curves(wirewarp::read_surface(std::cin), std::atoi(argv[1]), std::atof(argv[2]),
-                           std::atoi(argv[3]));
+    wirewarp::print_curves(wirewarp::read_surface(std::cin), std::stoi(argv[1]), std::stod(argv[2]),
+                           std::stoi(argv[3]));
   } catch (const std::exception& error) {
     std::cerr << "wirewarp_error_curves: " << error.what() << '\n';
     return 1;
