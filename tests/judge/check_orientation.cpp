@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What Options::orientation says, measured in the pieces as they lie. Where the choice of a line hangs on details of
 // how wires are cut into parts, nothing is asked.
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "check_layout.h"
 
@@ -64,8 +66,7 @@ void check_upright(Judged& judged, const Line& line, const std::string& what) {
 
 /// One of the longest chains of the outline stands upright. Chains lie on the left of their piece.
 void check_longest_chain(Judged& judged, int number) {
-  double longest = 0;
-  Line line;
+  std::vector<std::pair<double, Line>> chains;  // by length in space
   for (const BoundaryReport& boundary : judged.result.pieces[at(number)].boundaries) {
     Line chain;
     double length = 0;
@@ -77,12 +78,12 @@ void check_longest_chain(Judged& judged, int number) {
         if (is_along) append(judged, side, boundary.vertices[i], chain);
       }
     }
-    if (std::abs(length - longest) <= 1e-4 * longest) return;  // two of the same length: either may be chosen
-    if (length < longest) continue;
-    longest = length;
-    line = chain;
+    chains.emplace_back(length, chain);
   }
-  check_upright(judged, line, "the longest chain of the outline");
+  std::sort(chains.begin(), chains.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  if (chains.empty()) return;
+  if (chains.size() > 1 && chains[1].first >= (1 - 1e-4) * chains[0].first) return;  // either may be chosen
+  check_upright(judged, chains[0].second, "the longest chain of the outline");
 }
 
 void check_wire_upright(Judged& judged, int piece) {

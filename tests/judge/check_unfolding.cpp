@@ -2,8 +2,11 @@
 #include "check_unfolding.h"
 
 #include <Eigen/Geometry>
+#include <array>
+#include <cstdio>
 #include <optional>
 #include <queue>
+#include <utility>
 
 #include "planar_overlap.h"
 

@@ -4,7 +4,7 @@
 namespace wirewarp {
 
 /// How many fronts the Cholesky kernels of the test program have visited so far, in all threads, each with up to four
-/// right-hand sides: on any machine the same.
+/// right-hand sides. On one machine the same in every run; elsewhere rounding may end an iteration a step apart.
 struct FrontCounts {
   long factored;
   long substituted_forward;

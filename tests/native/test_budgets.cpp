@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the inner loops may take, in counts that are the same on every machine. Budgets of factorizations and
+// What the inner loops may take, in counts instead of seconds. Budgets of factorizations and
 // evaluations stand with the tests of what takes them.
 #include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
 
 #include "count_allocations.h"
 #include "count_fronts.h"

@@ -335,9 +335,8 @@ TEST(CoarseStart, StopsWhenAsked) {
 /// topology processing included.
 TEST(CoarseStart, ContradictingWiresThatEndInsideAreLeftToTheFineChart) {
   const int n = 104;
-  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
-    return Eigen::Vector3d(s, t, 0.8 * std::sin(3.14159 * s) * std::sin(3.14159 * t));
-  });
+  FlattenInput input = test::make_grid(
+      n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 0.8 * std::sin(kPi * s) * std::sin(kPi * t)); });
   for (int i = 8; i < n; i += 8) {
     test::add_wire(input, test::grid_row(n, i));
     test::add_wire(input, test::grid_column(n, n, i));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/geometry.h"
+#include "pi.h"
 #include "test_meshes.h"
 #include "topology/embed_path.h"
 #include "topology/straightest_geodesic.h"
@@ -135,7 +136,7 @@ TEST(EmbedPath, InsideAnInputFaceTheTrianglesAreDelaunay) {
       if (one.chart.source_face[at(f.idx())] != one.chart.source_face[at(g.idx())]) continue;
       const double opposite_angles = corner_angle(one.chart.mesh, one.chart.mesh.prev_halfedge_handle(h)) +
                                      corner_angle(one.chart.mesh, one.chart.mesh.prev_halfedge_handle(o));
-      EXPECT_LT(opposite_angles, 3.141592653589793 + 1e-6);
+      EXPECT_LT(opposite_angles, kPi + 1e-6);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "pi.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -234,8 +235,8 @@ TEST(ErrorCodes, Handles) {
   int f = 0;
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
-      const double a = 2 * 3.141592653589793 * i / n;
-      const double b = 2 * 3.141592653589793 * j / n;
+      const double a = 2 * kPi * i / n;
+      const double b = 2 * kPi * j / n;
       input.vertices.row(vertex(i, j)) << (2 + std::cos(b)) * std::cos(a), (2 + std::cos(b)) * std::sin(a), std::sin(b);
       input.faces.row(f++) << vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1);
       if (f < input.faces.rows()) input.faces.row(f++) << vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1);
@@ -249,7 +250,7 @@ TEST(ErrorCodes, InfeasibleLengths) {
   std::vector<std::array<double, 3>> points{{0, 0, 1}};
   std::vector<std::array<int, 3>> faces;
   for (int i = 0; i < 5; ++i) {
-    const double a = 2 * 3.141592653589793 * i / 5;
+    const double a = 2 * kPi * i / 5;
     points.push_back({std::cos(a), std::sin(a), 0});
     faces.push_back({0, 1 + i, 1 + (i + 1) % 5});
   }

@@ -12,6 +12,7 @@
 #include "outer/circle_embedding.h"
 #include "outer/free_arap.h"
 #include "outer/shape_error.h"
+#include "pi.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -108,10 +109,9 @@ TEST_P(CircleEmbedding, FlipsNoTriangle) {
   const Chart& chart = charts.charts.at(0);
   const Positions2 uv = embed_on_circle(chart);
   EXPECT_GT(smallest_area(chart, uv), 0);
-  const double pi = std::acos(-1.0);
   for (const HalfedgeHandle h : chart.boundary_loops.front()) {
     const double r = uv.row(chart.mesh.from_vertex_handle(h).idx()).norm();
-    EXPECT_NEAR(r * r * pi, area_3d(chart), 1e-12 * area_3d(chart));
+    EXPECT_NEAR(r * r * kPi, area_3d(chart), 1e-12 * area_3d(chart));
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "metrics/guarantee.h"
 #include "metrics/metrics.h"
+#include "pi.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -122,7 +123,7 @@ TEST(Guarantee, OverlapOfAnIsometricSpiralIsFound) {
   // A flat ring cut open has every length; closed past a full turn it cannot be cut out.
   const int n = 30;
   FlattenInput input = test::make_grid(n, 1, [](double s, double t) {
-    const double angle = -2.4 * 3.141592653589793 * s;
+    const double angle = -2.4 * kPi * s;
     return Eigen::Vector3d((1 + t) * std::cos(angle), (1 + t) * std::sin(angle), 0);
   });
   const Charts charts = charts_of(input);

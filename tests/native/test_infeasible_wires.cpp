@@ -10,6 +10,7 @@
 #include "index.h"
 #include "mesh/edge_table.h"
 #include "outer/free_arap.h"
+#include "pi.h"
 #include "refine/loose_lengths.h"
 #include "refine/tighten_lengths.h"
 #include "test_meshes.h"
@@ -78,9 +79,8 @@ TEST(InfeasibleWires, EveryEdgeOfACurvedPatchIsMended) {
 TEST(InfeasibleWires, ANetThatIsDenseAllOverGetsOneToleranceThatDoes) {
   // A dome with a flat outline: single wires cannot give way enough, all of them by a little can.
   const int n = 12;
-  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
-    return Eigen::Vector3d(s, t, 0.2 * std::sin(3.141592653589793 * s) * std::sin(3.141592653589793 * t));
-  });
+  FlattenInput input = test::make_grid(
+      n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 0.2 * std::sin(kPi * s) * std::sin(kPi * t)); });
   add_edges_as_wires(input, [](const Eigen::Vector3d&) { return true; });
   const Piece refused = flatten(input).pieces.at(0);
   ASSERT_TRUE(is_refused(refused));

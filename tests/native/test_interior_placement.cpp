@@ -9,6 +9,7 @@
 
 #include "inner/interior_placement.h"
 #include "inner/mean_value.h"
+#include "pi.h"
 
 namespace wirewarp {
 namespace {
@@ -95,7 +96,7 @@ TEST(MeanValue, EqualsTheLiteralFormula) {
 
 TEST(MeanValue, HoldsAtAnAngleNearPi) {
   // A fan around the origin, which lies h above the edge between the ring vertices 0 and 2.
-  const double h = 1e-9, pi = std::acos(-1.0);
+  const double h = 1e-9;
   HalfEdgeMesh mesh;
   const VertexHandle center = mesh.add_vertex({0, 0, 0});
   const std::vector<OpenMesh::Vec3d> points{{1, -h, 0}, {0, 1, 0}, {-2, -h, 0}};
@@ -103,7 +104,7 @@ TEST(MeanValue, HoldsAtAnAngleNearPi) {
   for (int j = 1; j <= 3; ++j) mesh.add_face(center, VertexHandle(j), VertexHandle(j % 3 + 1));
 
   const double below_0 = std::atan(h), below_2 = std::atan(h / 2);  // of the horizontal
-  const double tan_01 = std::tan((pi / 2 + below_0) / 2), tan_12 = std::tan((pi / 2 + below_2) / 2);
+  const double tan_01 = std::tan((kPi / 2 + below_0) / 2), tan_12 = std::tan((kPi / 2 + below_2) / 2);
   const double tan_20 = 1 / std::tan((below_2 + below_0) / 2);  // tan(π/2 - x) = 1 / tan x
   const std::vector<double> expected{(tan_20 + tan_01) / points[0].norm(), tan_01 + tan_12,
                                      (tan_12 + tan_20) / points[2].norm()};

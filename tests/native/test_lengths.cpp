@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "metrics/lengths.h"
+#include "pi.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -164,7 +165,7 @@ TEST(Lengths, OutlineOfAnAnnulusIsTwoClosedChains) {
     EXPECT_EQ(report.vertices.front(), report.vertices.back());
     EXPECT_FALSE(report.seam);
   }
-  const double sides = 12 * 2 * std::sin(3.141592653589793 / 12);
+  const double sides = 12 * 2 * std::sin(kPi / 12);
   EXPECT_NEAR(reports[0].length_2d, 2 * sides, 1e-13);
   EXPECT_NEAR(reports[1].length_2d, 1 * sides, 1e-13);
 }

@@ -222,6 +222,11 @@ TEST(MakePositive, LeavesWhatIsPositive) {
   EXPECT_EQ(make_positive(positive), positive);
 }
 
+TEST(MakePositive, LeavesWhatIsPositiveButNearlySingular) {
+  const Eigen::MatrixXd positive = (Eigen::Matrix2d() << 1, 1, 1, 1 + 1e-5).finished();  // pivots 1 and 1e-5
+  EXPECT_LT((make_positive(positive) - positive).norm(), 1e-14);
+}
+
 TEST(MakePositive, TakesMagnitudesOfEigenvalues) {
   const Eigen::MatrixXd q =
       Eigen::HouseholderQR<Eigen::MatrixXd>(as_positions(random_vector(8, 1)).leftCols(2).topRows(2)).householderQ();

@@ -6,6 +6,7 @@
 #include <thread>
 #include <vector>
 
+#include "pi.h"
 #include "reuse/chart_key.h"
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
@@ -16,7 +17,7 @@ namespace {
 /// Two domes side by side, a seam between them, a wire along each.
 FlattenInput two_domes() {
   FlattenInput input = test::make_grid(16, 8, [](double s, double t) {
-    return Eigen::Vector3d(4 * s, 2 * t, 0.3 * std::abs(std::sin(2 * 3.141592653589793 * s)) * std::sin(3 * t));
+    return Eigen::Vector3d(4 * s, 2 * t, 0.3 * std::abs(std::sin(2 * kPi * s)) * std::sin(3 * t));
   });
   test::add_seam(input, test::grid_column(16, 8, 8));
   test::add_wire(input, test::grid_column(16, 8, 4));

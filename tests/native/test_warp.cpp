@@ -10,6 +10,7 @@
 #include "outer/active_set_bfgs.h"
 #include "outer/choose_variation.h"
 #include "outer/free_arap.h"
+#include "pi.h"
 #include "test_meshes.h"
 #include "topology/process_topology.h"
 
@@ -227,7 +228,7 @@ TEST(ChooseVariation, BacksOffFromLengthsThatCannotBeKept) {
 
 TEST(ChooseVariation, ATubeIsDoneWithLittleWork) {
   FlattenInput tube = test::make_tube(16, 6, [](double s, double t) {  // a sleeve, narrower and bent at the end
-    const double angle = 2 * 3.141592653589793 * s, radius = 1 - 0.4 * t;
+    const double angle = 2 * kPi * s, radius = 1 - 0.4 * t;
     return Eigen::Vector3d(radius * std::cos(angle) + 0.5 * t * t, radius * std::sin(angle), 3 * t);
   });
   test::add_wire(tube, test::tube_ring(16, 3), 0.05);

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "coarsen/none.h"
 #include "index.h"
 
 namespace wirewarp {
@@ -69,7 +68,7 @@ void Coarsening::build_chart() {
 /// Lengths of the coarse wire edges, from the runs that they stand for.
 void Coarsening::take_runs() {
   std::vector<char> stays;
-  for (const int v : decimated_.coarse_vertex) stays.push_back(v == kNone ? 0 : 1);
+  for (const int v : decimated_.coarse_vertex) stays.push_back(v == -1 ? 0 : 1);
   coarse_.runs.resize(coarse_.network.edges.size());
   coarse_.wire_places.resize(fine_network_.edges.size());
   for (WireRun& run : find_wire_runs(fine_, fine_network_, stays)) {

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "coarsen/none.h"
 #include "index.h"
 #include "mesh/geometry.h"
 #include "pi.h"
@@ -19,6 +18,7 @@ constexpr double kWorstQuality = 0.25;  // of a new face: 1 is equilateral, 0 ha
 constexpr double kClearly = 1 + 1e-9;   // better: the same however the mesh is turned and scaled
 constexpr double kSharpestTurn = kPi / 4;
 constexpr double kWorthwhile = 0.02;  // share of the vertices that a round must remove
+
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The faces on one side of a vertex, laid into the plane with the vertex at the origin: all around it, or from one
@@ -37,14 +37,14 @@ class Decimation {
   DecimatedMesh result();
 
  private:
-  /// The neighbors along the wire of a vertex on one; both kNone on a free vertex.
+  /// The neighbors along the wire of a vertex on one; both -1 on a free vertex.
   using WireNeighbors = std::array<int, 2>;
   struct Place {
-    int next = kNone;  // removed vertex in the same face
+    int next = -1;  // removed vertex in the same face
     double weights[3] = {0, 0, 0};
   };
 
-  bool is_free(int v) const { return wire_neighbors_[at(v)][0] == kNone; }
+  bool is_free(int v) const { return wire_neighbors_[at(v)][0] == -1; }
   int remove_round();
   bool try_remove(VertexHandle v);
   void lay_out(HalfedgeHandle first, VertexHandle last, double turn, Fan& fan) const;
@@ -73,11 +73,11 @@ Decimation::Decimation(const Chart& chart, const WireNetwork& network, double ed
       longest_edge_(kLongestEdge * edge_length),
       is_kept_(chart.mesh.n_vertices(), 0),
       is_locked_(chart.mesh.n_vertices(), 0),
-      wire_neighbors_(chart.mesh.n_vertices(), {kNone, kNone}),
+      wire_neighbors_(chart.mesh.n_vertices(), {-1, -1}),
       corners_(chart.mesh.n_faces()),
-      first_point_(chart.mesh.n_faces(), kNone),
+      first_point_(chart.mesh.n_faces(), -1),
       places_(chart.mesh.n_vertices()),
-      face_of_point_(chart.mesh.n_vertices(), kNone),
+      face_of_point_(chart.mesh.n_vertices(), -1),
       fans_(2) {
   mesh_.request_vertex_status();
   mesh_.request_edge_status();
@@ -86,16 +86,16 @@ Decimation::Decimation(const Chart& chart, const WireNetwork& network, double ed
   for (int f = 0; f < triangles.rows(); ++f) {
     corners_[at(f)] = {triangles(f, 0), triangles(f, 1), triangles(f, 2)};
   }
-  std::vector<int> part(chart.mesh.n_vertices(), kNone);
+  std::vector<int> part(chart.mesh.n_vertices(), -1);
   for (const WireEdge& edge : network.edges) {
     const HalfedgeHandle h = mesh_.halfedge_handle(edge.edge, 0);
     const int ends[2] = {mesh_.from_vertex_handle(h).idx(), mesh_.to_vertex_handle(h).idx()};
     for (int k = 0; k < 2; ++k) {
       WireNeighbors& neighbors = wire_neighbors_[at(ends[k])];
-      if (neighbors[0] == kNone) {
+      if (neighbors[0] == -1) {
         neighbors[0] = ends[1 - k];
         part[at(ends[k])] = edge.part;
-      } else if (neighbors[1] == kNone && part[at(ends[k])] == edge.part) {
+      } else if (neighbors[1] == -1 && part[at(ends[k])] == edge.part) {
         neighbors[1] = ends[1 - k];
       } else {
         is_kept_[at(ends[k])] = 1;
@@ -103,7 +103,7 @@ Decimation::Decimation(const Chart& chart, const WireNetwork& network, double ed
     }
   }
   for (std::size_t v = 0; v < is_kept_.size(); ++v) {
-    if (wire_neighbors_[v][0] != kNone && wire_neighbors_[v][1] == kNone) is_kept_[v] = 1;
+    if (wire_neighbors_[v][0] != -1 && wire_neighbors_[v][1] == -1) is_kept_[v] = 1;
   }
   for (const WirePart& wire : chart.wire_parts) {
     if (wire.kind == WireKind::super_elastic || wire.kind == WireKind::boundary) continue;
@@ -218,12 +218,12 @@ void Decimation::move_points(const Fan& fan, VertexHandle v, VertexHandle w) {
     const int f = fan.faces[i].idx();
     Eigen::Vector2d corners[3];
     for (int k = 0; k < 3; ++k) corners[k] = position_of(i, corners_[at(f)][at(k)]);
-    for (int point = first_point_[at(f)]; point != kNone; point = places_[at(point)].next) {
+    for (int point = first_point_[at(f)]; point != -1; point = places_[at(point)].next) {
       const double* weights = places_[at(point)].weights;
       moved_.push_back(point);
       moved_to_.push_back(weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2]);
     }
-    first_point_[at(f)] = kNone;
+    first_point_[at(f)] = -1;
   }
   if (is_free(v.idx())) {
     moved_.push_back(v.idx());
@@ -233,7 +233,7 @@ void Decimation::move_points(const Fan& fan, VertexHandle v, VertexHandle w) {
   const Eigen::Vector2d a = fan.positions[apex];
   for (std::size_t m = 0; m < moved_.size(); ++m) {
     Place best;
-    int best_face = kNone;
+    int best_face = -1;
     double most_inside = -1e300;
     for (std::size_t i = 0; i < fan.faces.size(); ++i) {
       if (fan.rim[i] == w || fan.rim[i + 1] == w) continue;
@@ -297,7 +297,7 @@ DecimatedMesh Decimation::result() {
   mesh_.add_property(fine_vertex);
   for (const VertexHandle v : mesh_.all_vertices()) mesh_.property(fine_vertex, v) = v.idx();
   mesh_.garbage_collection();
-  result.coarse_vertex.assign(num_vertices, kNone);
+  result.coarse_vertex.assign(num_vertices, -1);
   for (const VertexHandle v : mesh_.vertices()) {
     result.fine_vertex.push_back(mesh_.property(fine_vertex, v));
     result.coarse_vertex[at(result.fine_vertex.back())] = v.idx();
@@ -308,7 +308,7 @@ DecimatedMesh Decimation::result() {
     CoarsePlace& place = result.places[v];
     const int coarse = result.coarse_vertex[v];
     place = {{coarse, coarse, coarse}, {1, 0, 0}};
-    if (coarse != kNone || face_of_point_[v] == kNone) continue;
+    if (coarse != -1 || face_of_point_[v] == -1) continue;
     for (int k = 0; k < 3; ++k) {
       place.vertices[k] = result.coarse_vertex[at(corners_[at(face_of_point_[v])][at(k)])];
       place.weights[k] = places_[v].weights[k];

@@ -6,7 +6,6 @@
 #include <complex>
 #include <numeric>
 
-#include "coarsen/none.h"
 #include "index.h"
 #include "pi.h"
 
@@ -64,7 +63,7 @@ void WireTurns::turn_around(WireHalfEdge first) {
     is_seen_[place_of(h)] = 1;
     runs.push_back(h);
     const int n = nodes_[place_of(h)];
-    if (n == kNone) break;
+    if (n == -1) break;
     const WireNode& node = network_.nodes[at(n)];
     const double turned = heading(node.out) - heading(node.in) - (kPi - node.surface_angle);
     rotations.push_back(rotations.back() + std::remainder(turned, 2 * kPi));

@@ -5,12 +5,10 @@
 #include <array>
 #include <cmath>
 
-#include "coarsen/none.h"
 #include "index.h"
 #include "pi.h"
 
 namespace wirewarp {
-namespace {}  // namespace
 
 std::vector<WireRun> find_wire_runs(const Chart& chart, const WireNetwork& network, const std::vector<char>& stays) {
   const auto start_of = [&](WireHalfEdge h) {
@@ -21,7 +19,7 @@ std::vector<WireRun> find_wire_runs(const Chart& chart, const WireNetwork& netwo
   for (int e = 0; e < num_edges; ++e) {
     for (const WireHalfEdge h : {WireHalfEdge{e, false}, WireHalfEdge{e, true}}) {
       auto& two = leaving[start_of(h)];
-      (two[0].edge == kNone ? two[0] : two[1]) = h;
+      (two[0].edge == -1 ? two[0] : two[1]) = h;
     }
   }
   std::vector<WireRun> runs;
@@ -56,8 +54,8 @@ void unroll(const WireNetwork& network, const std::vector<int>& node_at_arrival,
     if (i + 1 == run.half_edges.size()) break;
     const int left = node_at_arrival[place_of(run.half_edges[i])];
     const int right = node_at_arrival[place_of(opposite(run.half_edges[i + 1]))];
-    if (left == kNone || right == kNone) {  // on the boundary
-      heading += left == kNone ? -turn_at(right) : turn_at(left);
+    if (left == -1 || right == -1) {  // on the boundary
+      heading += left == -1 ? -turn_at(right) : turn_at(left);
       continue;
     }
     heading += (turn_at(left) - turn_at(right)) / 2;

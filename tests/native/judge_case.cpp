@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "judge_case.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "index.h"
+#include "judge.h"
+#include "test_meshes.h"
+
+namespace wirewarp::test {
+namespace {
+
+using Sentences = std::vector<std::string>;
+
+Sentences promises(const JudgeCase& judged) { return broken_promises(judged.input, judged.options, judged.result); }
+
+Sentences demands(const JudgeCase& judged) {
+  return broken_demands(judged.input, judged.options, judged.result, std::nullopt);
+}
+
+void expect_told(Sentences (*judge)(const JudgeCase&), JudgeCase judged, const Spoil& spoil,
+                 const std::string& sentence) {
+  EXPECT_EQ(judge(judged), Sentences{}) << "before it is spoiled";
+  spoil(judged);
+  const Sentences told = judge(judged);
+  const bool is_told =
+      std::any_of(told.begin(), told.end(), [&](const auto& one) { return one.find(sentence) != std::string::npos; });
+  EXPECT_TRUE(is_told) << sentence << " is not in: " << ::testing::PrintToString(told);
+}
+
+/// The corners say what the piece says.
+void write_corners(JudgeCase& spoiled, const Piece& piece) {
+  for (std::size_t f = 0; f < piece.source_face.size(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const int corner = piece.faces(static_cast<Eigen::Index>(f), k);
+      for (int c = 0; c < 3; ++c) {
+        if (spoiled.input.faces(piece.source_face[f], c) != piece.source_vertex[at(corner)]) continue;
+        spoiled.result.corner_uv.block<1, 2>(piece.source_face[f], 2 * c) = piece.vertices.row(corner);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+JudgeCase flattened(const FlattenInput& input, const Options& options) {
+  return {input, options, flatten(input, options)};
+}
+
+JudgeCase two_sheets() {
+  const int n = 8;
+  FlattenInput input = saddle(n, 0.2);
+  add_seam(input, grid_column(n, n, 4));
+  add_wire(input, grid_row(n, 4), 0, "rigid");
+  add_wire(input, grid_column(n, n, 2), 0.02, "elastic");
+  add_wire(input, grid_column(n, n, 6), 0.02, "other");
+  Options options;
+  options.layout = PieceLayout::row;
+  options.grain = 1;
+  return flattened(input, options);
+}
+
+void expect_broken(JudgeCase good, const Spoil& spoil, const std::string& sentence) {
+  expect_told(promises, std::move(good), spoil, sentence);
+}
+
+void expect_demanded(JudgeCase good, const Spoil& spoil, const std::string& sentence) {
+  expect_told(demands, std::move(good), spoil, sentence);
+}
+
+void move_vertex(JudgeCase& spoiled, int number, int source_vertex, const Eigen::RowVector2d& by) {
+  Piece& piece = spoiled.result.pieces.at(at(number));
+  const auto found = std::find(piece.source_vertex.begin(), piece.source_vertex.end(), source_vertex);
+  ASSERT_NE(found, piece.source_vertex.end());
+  piece.vertices.row(found - piece.source_vertex.begin()) += by;
+  write_corners(spoiled, piece);
+}
+
+void move_piece(JudgeCase& spoiled, int number, const Eigen::RowVector2d& by) {
+  Piece& piece = spoiled.result.pieces.at(at(number));
+  piece.vertices.rowwise() += by;
+  write_corners(spoiled, piece);
+}
+
+void turn_piece(JudgeCase& spoiled, int number, double angle) {
+  Piece& piece = spoiled.result.pieces.at(at(number));
+  piece.vertices = (piece.vertices * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose()).eval();
+  write_corners(spoiled, piece);
+}
+
+void fail(JudgeCase& sheets, ErrorCode code) {
+  Piece& piece = sheets.result.pieces.at(0);
+  piece.error = FlattenError(code, "The piece cannot be flattened.", {{piece.source_vertex.at(0)}, {}, {}}, true);
+}
+
+}  // namespace wirewarp::test

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results to spoil, one promise at a time: the judge of tests/judge has to tell.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "wirewarp/flatten.h"
+
+namespace wirewarp::test {
+
+/// What the judge is given.
+struct JudgeCase {
+  FlattenInput input;
+  Options options;
+  FlattenResult result;
+};
+
+JudgeCase flattened(const FlattenInput& input, const Options& options = {});
+
+/// A saddle of 8 by 8 quads, vertex i + 9 j, cut into two pieces along i = 4, in a row. The wires are "rigid" along
+/// j = 4 through both, "elastic" along i = 2, upright in piece 0, and "other" along i = 6 in piece 1.
+JudgeCase two_sheets();
+
+using Spoil = std::function<void(JudgeCase&)>;
+
+/// broken_promises() finds nothing in the good case, and says the sentence, or a longer one with it, once it is
+/// spoiled.
+void expect_broken(JudgeCase good, const Spoil& spoil, const std::string& sentence);
+
+/// The same of broken_demands(); the input was given no error.
+void expect_demanded(JudgeCase good, const Spoil& spoil, const std::string& sentence);
+
+// Spoils a result in its pieces and corners alike.
+void move_vertex(JudgeCase& spoiled, int piece, int source_vertex, const Eigen::RowVector2d& by);
+void move_piece(JudgeCase& spoiled, int piece, const Eigen::RowVector2d& by);
+void turn_piece(JudgeCase& spoiled, int piece, double angle);
+
+/// Gives piece 0 of the two sheets an error with a layout that names a vertex of it.
+void fail(JudgeCase& sheets, ErrorCode code);
+
+}  // namespace wirewarp::test

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The judge tells of spoiled shapes and lengths, and of pieces that should have come out flat.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "judge.h"
+#include "judge_case.h"
+#include "pi.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+using test::expect_broken;
+using test::expect_demanded;
+using test::fail;
+using test::flattened;
+using test::JudgeCase;
+using test::move_vertex;
+using test::two_sheets;
+
+TEST(Judge, TellsOfFacesThatAreNotInOnePiece) {
+  const auto name_twice = [](JudgeCase& c) {
+    c.result.pieces.at(1).source_face.at(0) = c.result.pieces.at(0).source_face.at(0);
+  };
+  expect_broken(two_sheets(), name_twice, "is in two pieces");
+  const auto leave_out = [](JudgeCase& c) { c.result.pieces.at(0).source_face.pop_back(); };
+  expect_broken(two_sheets(), leave_out, "a face is in no piece");
+  expect_broken(two_sheets(), leave_out, "source_face has wrong size");
+}
+
+TEST(Judge, TellsOfCoordinatesThatDisagreeOrLack) {
+  expect_broken(
+      two_sheets(), [](JudgeCase& c) { c.result.pieces.at(0).vertices(0, 0) += 1e-6; }, "piece and corner_uv differ");
+  expect_broken(
+      two_sheets(),
+      [](JudgeCase& c) {
+        for (const int f : c.result.pieces.at(0).source_face) {
+          c.result.corner_uv.row(f).setConstant(std::numeric_limits<double>::quiet_NaN());
+        }
+      },
+      "piece 0 has no error and no coordinates");
+}
+
+TEST(Judge, TellsOfFacesTurnedOver) {
+  const int inside = 1 + 9;  // on no line
+  expect_broken(
+      two_sheets(),
+      [](JudgeCase& c) {
+        move_vertex(c, 0, inside, {5, 0});
+      },
+      "is turned over");
+}
+
+TEST(Judge, TellsOfFacesThatOverlap) {
+  // A cone walked around twice: one and three quarters of a turn in the plane.
+  const JudgeCase cone = flattened(test::cone_patch(48, 2, 1, 2, std::asin(7.0 / 8), 4 * kPi));
+  ASSERT_TRUE(cone.result.pieces.at(0).error);
+  ASSERT_EQ(cone.result.pieces[0].error->code, ErrorCode::overlapping_faces);
+  expect_broken(
+      cone, [](JudgeCase& c) { c.result.pieces[0].error.reset(); }, "overlap");
+}
+
+TEST(Judge, TellsOfTornEdges) {
+  expect_broken(
+      two_sheets(), [](JudgeCase& c) { c.result.corner_uv(16 + 3, 0) += 1e-6; }, "torn at");
+}
+
+TEST(Judge, TellsOfLengthsThatAreOff) {
+  const int corner = 0, on_rigid = 1 + 9 * 4, on_elastic = 2 + 9 * 2;
+  expect_broken(
+      two_sheets(),
+      [](JudgeCase& c) {
+        move_vertex(c, 0, corner, {1e-6, 1e-6});
+      },
+      "outline 0-");
+  expect_broken(
+      two_sheets(),
+      [](JudgeCase& c) {
+        move_vertex(c, 0, on_rigid, {1e-6, 1e-6});
+      },
+      "wire \"rigid\" breaks");
+  expect_broken(
+      two_sheets(),
+      [](JudgeCase& c) {
+        move_vertex(c, 0, on_elastic, {1e-6, 1e-6});
+      },
+      "wire \"elastic\" breaks");
+  expect_broken(
+      two_sheets(), [](JudgeCase& c) { c.input.wires.at(1).tolerance = 1e-5; }, "wire \"elastic\" breaks");
+}
+
+TEST(Judge, TellsOfFailuresThatLegalInputMustNotHave) {
+  for (const ErrorCode code : {ErrorCode::not_solvable, ErrorCode::lengths_not_kept}) {
+    expect_demanded(
+        two_sheets(), [&](JudgeCase& c) { fail(c, code); }, std::string("a piece fails with ") + describe(code).name);
+  }
+  const auto fail_by_mesh = [](JudgeCase& c) { fail(c, ErrorCode::zero_area_face); };
+  expect_demanded(two_sheets(), fail_by_mesh, "legal input has the error zero_area_face");
+  JudgeCase faulty = two_sheets();
+  fail_by_mesh(faulty);
+  const auto told = test::broken_demands(faulty.input, faulty.options, faulty.result, ErrorCode::zero_area_face);
+  EXPECT_EQ(told, std::vector<std::string>{}) << "the fault that the input was given";
+}
+
+TEST(Judge, TellsOfPiecesThatUnfoldAndDoNotComeOutFlat) {
+  const JudgeCase patch = flattened(test::cylinder_patch(6, 4, 1, 2, 1));
+  expect_demanded(
+      patch, [](JudgeCase& c) { c.result.corner_uv *= 1 + 1e-5; }, "a piece that unfolds is distorted");
+  expect_demanded(
+      patch, [](JudgeCase& c) { fail(c, ErrorCode::infeasible_lengths); },
+      "a piece that unfolds has the error infeasible_lengths");
+}
+
+}  // namespace
+}  // namespace wirewarp
