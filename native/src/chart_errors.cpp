@@ -51,9 +51,13 @@ std::vector<VertexPair> edges_of(const Chart& chart, const std::vector<ProposedT
 
 }  // namespace
 
-FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, Method method,
-                              std::vector<ProposedTolerance> tolerances) {
+FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, const Options& options,
+                              std::vector<ProposedTolerance> tolerances, bool ran_out) {
   const std::string piece = "the piece around face " + std::to_string(chart.source_face.front());
+  const std::string allow_more =
+      "No flat shape of " + piece +
+      " with all lengths was found within max_factorizations = " + std::to_string(options.max_factorizations) +
+      ": raise it, or ";
   ErrorElements elements;
   elements.faces = chart.source_face;
   if (tolerances.empty()) {
@@ -61,15 +65,17 @@ FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires
       for (const HalfedgeHandle h : loop) elements.edges.push_back(source_edge(chart, h));
     }
     elements.proposed_seams = propose_seams(chart);
-    const std::string message = "The outline of " + piece +
-                                " cannot keep its length in the plane, whatever the wires do: mark a seam such as " +
+    const std::string none_found = "No flat shape of " + piece + " was found that keeps the length of its outline, " +
+                                   "even with its wires free: ";
+    const std::string message = (ran_out ? allow_more : none_found) + "mark a seam such as " +
                                 name_elements("edge", elements.proposed_seams) + ".";
     return FlattenError(ErrorCode::infeasible_lengths, message, std::move(elements));
   }
   elements.edges = edges_of(chart, tolerances);
-  const std::string message = "Not all wires of " + piece + " can keep their lengths in the plane: it lies flat " +
-                              name_tolerances(wires, tolerances) +
-                              (method == Method::refined ? "." : ", by the refined method.");
+  const std::string looser =
+      name_tolerances(wires, tolerances) + (options.method == Method::refined ? "." : ", by the refined method.");
+  const std::string contradict = "Not all wires of " + piece + " can keep their lengths in the plane: it lies flat ";
+  const std::string message = (ran_out ? allow_more + "lay it flat " : contradict) + looser;
   elements.proposed_tolerances = std::move(tolerances);
   return FlattenError(ErrorCode::infeasible_lengths, message, std::move(elements));
 }

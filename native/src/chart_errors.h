@@ -3,21 +3,22 @@
 #pragma once
 
 #include "charts/chart.h"
+#include "wirewarp/options.h"
 
 namespace wirewarp {
 
 /// The caller's progress function asked to stop.
 FlattenError cancelled();
 
-/// The outline and the wires contradict one another, whatever shape they take. tolerances: that settle it, proven with
-/// the refined method; empty where the outline contradicts itself, for which a seam is proposed.
-FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, Method method,
-                              std::vector<ProposedTolerance> tolerances);
+/// No shape with all lengths was found. tolerances: that settle it, proven with the refined method; empty where none
+/// do, for which a seam is proposed. ran_out: options.max_factorizations ended the search before all was tried.
+FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, const Options& options,
+                              std::vector<ProposedTolerance> tolerances, bool ran_out);
 
 /// The paper's methods find no angles under which the wires close; the refined one keeps the lengths.
 FlattenError needs_refinement(const Chart& chart);
 
-/// A factorization broke down.
+/// A factorization broke down, or rounding left no topology for the wires.
 FlattenError not_solvable(const Chart& chart);
 
 }  // namespace wirewarp

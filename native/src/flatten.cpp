@@ -2,6 +2,7 @@
 // The pipeline, top-down; the mathematics is in the files it names. native/README.md maps the paper to them.
 #include "wirewarp/flatten.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -21,9 +22,6 @@
 
 namespace wirewarp {
 namespace {
-
-/// Asked at every step of a chart with the name of its stage; false cancels.
-using GoOn = std::function<bool(const char* stage)>;
 
 void begin_stage(const GoOn& go_on, const char* stage) {
   if (!go_on(stage)) throw cancelled();
@@ -47,7 +45,8 @@ FlattenError explain_infeasible(const Chart& chart, const FlattenInput& input, c
   if (refined.was_stopped) return cancelled();
   std::vector<ProposedTolerance> tolerances = propose_tolerances(chart, options, refined, go_on);
   if (!go_on()) return cancelled();
-  return infeasible_wires(chart, input.wires, options.method, std::move(tolerances));
+  const bool ran_out = refined.shape.factorizations >= options.max_factorizations;
+  return infeasible_wires(chart, input.wires, options, std::move(tolerances), ran_out);
 }
 
 /// WireWarping and WireWarping++: the wires first, the surface follows (II).
@@ -77,7 +76,7 @@ void flatten_by_warping(const Chart& chart, const FlattenInput& input, const Opt
       choose_variation(prepared, *warp, bounds, [&] { begin_stage(go_on, "lengths"); });  // II-B, Algorithm 1
   if (!solution.shape.inner.is_feasible) {
     const auto may_go_on = [&] { return go_on("lengths"); };
-    const ChartRefinement refined_shape = refine_chart(chart, options, may_go_on);
+    const ChartRefinement refined_shape = refine_chart(chart, options, [&](const char*) { return may_go_on(); });
     if (refined_shape.shape.is_exact && !refined_shape.was_stopped) throw needs_refinement(chart);
     throw explain_infeasible(chart, input, options, refined_shape, may_go_on);
   }
@@ -91,7 +90,7 @@ void flatten_by_warping(const Chart& chart, const FlattenInput& input, const Opt
 void report_refinement(const ChartRefinement& refined, PieceReport& report) {
   report.inner_solves = refined.inner.num_solves;
   report.outer_iterations = refined.shape.iterations;
-  report.factorizations = refined.shape.factorizations;
+  report.factorizations = refined.shape.factorizations + refined.loose.factorizations;
   report.constraint_residual = refined.shape.length_error;
   report.objective = refined.shape.objective;
   if (refined.was_stopped) {
@@ -108,12 +107,13 @@ void report_refinement(const ChartRefinement& refined, PieceReport& report) {
 /// leaves the piece at the best shape so far.
 void flatten_by_refining(const Chart& chart, const FlattenInput& input, const Options& options, const GoOn& go_on,
                          Layout& layout) {
-  begin_stage(go_on, "shape");
+  begin_stage(go_on, "start");
   const StageTimer timer(layout.report.seconds, "shape");
   layout.network = build_wire_network(chart);
-  const auto may_go_on = [&] { return go_on("shape"); };
-  ChartRefinement refined = refine_chart(chart, options, may_go_on);
-  if (!refined.shape.is_exact) throw explain_infeasible(chart, input, options, refined, may_go_on);
+  ChartRefinement refined = refine_chart(chart, options, go_on);
+  if (!refined.shape.is_exact) {
+    throw explain_infeasible(chart, input, options, refined, [&] { return go_on("shape"); });
+  }
   report_refinement(refined, layout.report);
   layout.variation.assign(refined.shape.variation.begin(), refined.shape.variation.end());
   layout.uv = std::move(refined.shape.uv);
@@ -141,7 +141,7 @@ Layout solve_chart(const Chart& chart, const FlattenInput& input, const Options&
   } catch (const FlattenError& error) {
     layout.error = error;
     if (error.code == ErrorCode::cancelled) layout.report.termination = Termination::cancelled;
-  } catch (const std::domain_error&) {  // a factorization broke down
+  } catch (const std::domain_error&) {  // a factorization broke down, or rounding left no topology for the wires
     layout.error = not_solvable(chart);
   }
   return layout;
@@ -149,9 +149,16 @@ Layout solve_chart(const Chart& chart, const FlattenInput& input, const Options&
 
 std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& charts, const Options& options,
                                    ProgressReport& progress, Reuse& reuse) {
-  // Where each stage begins in a chart's share of the time. Nobody knows how many steps the last one takes: each step
-  // is told as a part of what is left.
-  const std::map<std::string, double> begins_at{{"wires", 0.0}, {"interior", 0.1}, {"lengths", 0.6}, {"shape", 0.0}};
+  // Where each stage begins and ends in a chart's share of the time. Nobody knows how many steps it takes: each step is
+  // told as a part of what is left.
+  struct Span {
+    double begin, end;
+  };
+  const std::map<std::string, Span> spans{{"wires", {0.0, 0.1}},
+                                          {"interior", {0.1, 0.6}},
+                                          {"lengths", {0.6, 1.0}},
+                                          {"start", {0.0, 0.15}},
+                                          {"shape", {0.15, 1.0}}};
   constexpr double kPerStep = 0.05;
   std::vector<Layout> layouts;
   double faces_done = 0;
@@ -159,8 +166,9 @@ std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& char
     const auto chart_faces = static_cast<double>(chart.source_face.size());
     double share_done = 0;
     const auto go_on = [&](const char* stage) {
-      const bool has_begun = begins_at.at(stage) <= share_done;
-      share_done = has_begun ? share_done + kPerStep * (1 - share_done) : begins_at.at(stage);
+      const Span& span = spans.at(stage);
+      const bool has_begun = span.begin <= share_done;
+      share_done = has_begun ? share_done + kPerStep * std::max(0.0, span.end - share_done) : span.begin;
       const double done = (faces_done + share_done * chart_faces) / static_cast<double>(input.faces.rows());
       return progress.go_on(stage, 0.2 + 0.7 * done);
     };

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <string>
 
 #include "wirewarp/flatten.h"
 
 namespace wirewarp {
+
+/// Asked at every step of a chart with the name of its stage; false cancels.
+using GoOn = std::function<bool(const char* stage)>;
 
 /// Passes progress on, and remembers that the caller cancelled.
 class ProgressReport {

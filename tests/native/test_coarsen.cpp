@@ -273,7 +273,8 @@ void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int m
   const std::optional<RefinementStart> start = start_from_coarse(chart, network, options, kNoLimits.go_on);
   ASSERT_TRUE(start);
   const RefinedShape shape = refine_shape(chart, network, options.fairness, *start, kNoLimits);
-  const RefinedShape from_scratch = refine_from_scratch(chart, network, options, [] { return true; }).shape;
+  const RefinedShape from_scratch =
+      refine_from_scratch(chart, network, options, [](const char*) { return true; }).shape;
   EXPECT_TRUE(shape.is_exact);
   EXPECT_TRUE(shape.converged);
   EXPECT_LT(shape.length_error, 1e-12);
@@ -308,7 +309,8 @@ TEST(CoarseStart, LargeChartsTakeThreeFactorizationsAtMost) {
   const int n = 104;  // 21,632 faces
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
   int asked = 0;
-  const ChartRefinement refined = refine_chart(charts.charts.at(0), Options{}, [&] { return ++asked > 0; });
+  const ChartRefinement refined =
+      refine_chart(charts.charts.at(0), Options{}, [&](const char*) { return ++asked > 0; });
   EXPECT_TRUE(refined.shape.converged);
   EXPECT_LE(refined.shape.factorizations, 3);
   EXPECT_GE(asked, refined.shape.factorizations);
@@ -318,11 +320,12 @@ TEST(CoarseStart, StopsWhenAsked) {
   const int n = 104;
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
   int asked = 0;
-  refine_chart(charts.charts.at(0), Options{}, [&] { return ++asked > 0; });
+  refine_chart(charts.charts.at(0), Options{}, [&](const char*) { return ++asked > 0; });
   bool was_exact = false;
   for (int last = 0; last < asked; ++last) {  // in the coarse chart, too
     int count = 0;
-    const ChartRefinement stopped = refine_chart(charts.charts.at(0), Options{}, [&] { return ++count <= last; });
+    const ChartRefinement stopped =
+        refine_chart(charts.charts.at(0), Options{}, [&](const char*) { return ++count <= last; });
     EXPECT_TRUE(stopped.was_stopped);
     EXPECT_EQ(count, last + 1);
     EXPECT_TRUE(!stopped.shape.is_exact || stopped.shape.length_error < 1e-10);

@@ -12,6 +12,7 @@
 #include "outer/free_arap.h"
 #include "pi.h"
 #include "refine/loose_lengths.h"
+#include "refine/refine_chart.h"
 #include "refine/tighten_lengths.h"
 #include "test_meshes.h"
 
@@ -90,7 +91,7 @@ TEST(InfeasibleWires, ANetThatIsDenseAllOverGetsOneToleranceThatDoes) {
     input.wires.at(at(p.wire)).tolerance = p.tolerance;
   }
   Options brief;
-  brief.max_factorizations = 12;
+  brief.max_factorizations = kExactLengthsFactorizations;
   const Piece mended = flatten(input, brief).pieces.at(0);
   EXPECT_TRUE(has_exact_lengths(mended)) << mended.error->what();
   EXPECT_EQ(mended.report.inner_solves, 0);  // found at once, from the shape with all of them free

@@ -308,7 +308,7 @@ TEST(ShortOutline, IsNotFoundInPiecesThatCanBeCut) {
 
 TEST(InfeasibleOutline, NamesTheSeamThatItProposes) {
   const Charts charts = test::charts_of(test::cylinder_tube(16, 8, 1, 4));
-  const FlattenError error = infeasible_wires(charts.charts[0], {}, Method::refined, {});
+  const FlattenError error = infeasible_wires(charts.charts[0], {}, Options{}, {}, false);
   ASSERT_FALSE(error.elements.proposed_seams.empty());
   const auto [from, to] = error.elements.proposed_seams[0];
   const std::string edge = std::to_string(from) + "-" + std::to_string(to);

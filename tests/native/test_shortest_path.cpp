@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "pi.h"
 #include "test_meshes.h"
@@ -108,6 +109,13 @@ TEST(ShortestPath, TakesTheNearestOfManySourcesAndTargets) {
   const auto path = shortest_edge_path(charts.charts[0].mesh, WireMask(charts.charts[0]),
                                        {vertex(1, 1), vertex(6, 5), vertex(3, 3)}, is_target);
   EXPECT_EQ(path, (std::vector<VertexHandle>{vertex(6, 5), vertex(7, 5), vertex(8, 5)}));
+}
+
+TEST(ShortestPath, SaysWhereThereIsNone) {
+  const Charts charts = test::charts_of(test::flat_rectangle(4, 4, 1, 1));
+  RefinedChart refined(charts.charts[0]);
+  const std::vector<char> no_target(charts.charts[0].mesh.n_vertices(), 0);
+  EXPECT_THROW(join_by_shortest_path(refined, {VertexHandle(12)}, no_target), std::domain_error);
 }
 
 }  // namespace

@@ -28,8 +28,9 @@ struct FlattenInput {
 
 class Cache;
 
-/// Called with the stage ("charts", "wires", "lengths", "interior", "measure") and the fraction of the whole run in
-/// [0, 1]; returning false cancels the pieces that are not flat yet. "measure" comes when all are: it runs to its end.
+/// Called with the stage ("charts", "start", "shape", "wires", "interior", "lengths", "measure") and the fraction of
+/// the run in [0, 1]; returning false cancels the pieces that are not flat yet. "measure" comes last: it runs to its
+/// end.
 using Progress = std::function<bool(const std::string& stage, double fraction)>;
 
 /// Flattens every chart of the input; pieces laid out without overlap, front faces with positive area.

@@ -34,11 +34,12 @@ std::optional<RefinementStart> start_from_coarse(const Chart& chart, const WireN
   Options brief = options;
   brief.max_factorizations = std::min(options.max_factorizations, kMaxFactorizations);
   try {
-    const RefinedShape shape = refine_from_scratch(coarse.chart, coarse.network, brief, go_on).shape;
+    const RefinedShape shape =
+        refine_from_scratch(coarse.chart, coarse.network, brief, [&](const char*) { return go_on(); }).shape;
     if (!shape.is_exact) return std::nullopt;
     return RefinementStart{prolong_positions(chart, network, coarse, shape.uv),
                            prolong_multipliers(coarse, shape.multipliers)};
-  } catch (const std::logic_error&) {  // a factorization broke down, or no topology serves the coarse wires
+  } catch (const std::domain_error&) {  // a factorization broke down, or no topology serves the coarse wires
     return std::nullopt;
   }
 }

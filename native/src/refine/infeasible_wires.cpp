@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include "index.h"
 
@@ -18,9 +19,7 @@ constexpr double kUneven = 5e-3;   // unevenness that a larger variation of othe
 constexpr double kRounded = 1e-3;  // of what is proposed
 constexpr double kLargest = 0.5;
 constexpr double kFree = std::numeric_limits<double>::infinity();
-constexpr int kFreeFactorizations = 10;                      // to know the lengths of free wires
-constexpr int kMaxFactorizations = kFreeFactorizations + 2;  // to know that there is a flat shape
-constexpr double kSpare = 1.1;                               // of tolerances that a free shape needs
+constexpr double kSpare = 1.1;  // of tolerances that a free shape needs
 
 using Tolerances = std::map<int, double>;  // by wire
 
@@ -92,32 +91,42 @@ Tolerances free_wires(const Chart& chart) {
   return tolerances;
 }
 
+std::vector<ProposedTolerance> listed(const Tolerances& tolerances) {
+  std::vector<ProposedTolerance> proposed;
+  for (const auto& [wire, tolerance] : tolerances) proposed.push_back({wire, tolerance});
+  return proposed;
+}
+
 }  // namespace
 
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Options& options,
                                                   const ChartRefinement& refined, const std::function<bool()>& go_on) {
-  const auto flattened = [&](const Tolerances& tolerances, int max_factorizations) {
+  const Tolerances all = free_wires(chart);
+  if (all.empty()) return {};
+  const auto flattened = [&](const Tolerances& tolerances, int max_factorizations) -> ChartRefinement {
     Options brief = options;
-    brief.max_factorizations = std::min(options.max_factorizations, max_factorizations);
-    return refine_chart(with_tolerances(chart, tolerances), brief, go_on);
+    brief.max_factorizations = max_factorizations;
+    try {
+      return refine_chart(with_tolerances(chart, tolerances), brief, [&](const char*) { return go_on(); });
+    } catch (const std::domain_error&) {  // these do not serve; others may
+      return {};
+    }
   };
+  const ChartRefinement free = flattened(all, kStartFactorizations);
+  if (free.was_stopped || !free.shape.is_exact) return {};
   const Tolerances plain = find_needs(chart, refined.loose, kKept);
   const Tolerances possible = find_needs(chart, refined.loose, kPerhapsKept);
-  const ChartRefinement free = flattened(free_wires(chart), kFreeFactorizations);
-  if (free.was_stopped || !free.shape.is_exact) return {};
   const Tolerances candidates[] = {widened(chart, plain, 1),    widened(chart, plain, 2),  widened(chart, possible, 1),
                                    widened(chart, possible, 2), shared(chart, free.shape), all_free(plain),
-                                   all_free(possible),          free_wires(chart)};
+                                   all_free(possible)};
+  std::set<Tolerances> tried{{}, all};
   for (const Tolerances& tolerances : candidates) {
-    if (tolerances.empty()) continue;
-    const ChartRefinement trial = flattened(tolerances, kMaxFactorizations);
+    if (!tried.insert(tolerances).second) continue;
+    const ChartRefinement trial = flattened(tolerances, kExactLengthsFactorizations);
     if (trial.was_stopped) return {};
-    if (!trial.shape.is_exact) continue;
-    std::vector<ProposedTolerance> proposed;
-    for (const auto& [wire, tolerance] : tolerances) proposed.push_back({wire, tolerance});
-    return proposed;
+    if (trial.shape.is_exact) return listed(tolerances);
   }
-  return {};
+  return listed(all);
 }
 
 }  // namespace wirewarp

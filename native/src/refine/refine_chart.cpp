@@ -2,7 +2,10 @@
 #include "refine/refine_chart.h"
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include "outer/choose_variation.h"
 #include "outer/free_arap.h"
@@ -14,17 +17,53 @@ namespace wirewarp {
 namespace {
 
 constexpr std::size_t kLargeChart = 20'000;  // faces: from here on a coarse start saves more than it costs
-constexpr int kFreedFactorizations = 10;     // for a start that need not be a minimum
 
 bool is_elastic(const WirePart& part) { return part.kind == WireKind::elastic; }
 
+/// The starts of one chart: they share the limits, and are counted together.
+class Attempts {
+ public:
+  Attempts(const Options& options, const GoOn& go_on)
+      : fairness_(options.fairness), max_factorizations_(options.max_factorizations), go_on_(go_on) {}
+
+  bool was_stopped() const { return was_stopped_; }
+
+  /// Asks in a stage, and not again after a no.
+  std::function<bool()> asking(const char* stage) {
+    return [this, stage] {
+      was_stopped_ = was_stopped_ || !go_on_(stage);
+      return !was_stopped_;
+    };
+  }
+
+  RefinedShape refine(const Chart& chart, const WireNetwork& network, const RefinementStart& start,
+                      int max_factorizations = std::numeric_limits<int>::max()) {
+    const int most = std::min(max_factorizations, max_factorizations_ - factorizations_);
+    RefinedShape shape = refine_shape(chart, network, fairness_, start, {most, asking("shape")});
+    factorizations_ += shape.factorizations;
+    return shape;
+  }
+
+  ChartRefinement finish(ChartRefinement result) const {
+    result.shape.factorizations = factorizations_;
+    result.was_stopped = was_stopped_;
+    return result;
+  }
+
+ private:
+  double fairness_;
+  int max_factorizations_;
+  const GoOn& go_on_;
+  int factorizations_ = 0;
+  bool was_stopped_ = false;
+};
+
 /// The least distorted shape with all elastic wires free, from a start.
-RefinedShape free_elastic_wires(Chart chart, double fairness, const Positions2& start, RefinementLimits limits) {
-  limits.max_factorizations = std::min(limits.max_factorizations, kFreedFactorizations);
+RefinedShape free_elastic_wires(Chart chart, const Positions2& start, Attempts& attempts) {
   for (WirePart& part : chart.wire_parts) {
     if (is_elastic(part)) part.kind = WireKind::super_elastic;
   }
-  return refine_shape(chart, build_held_network(chart), fairness, start, limits);
+  return attempts.refine(chart, build_held_network(chart), start, kStartFactorizations);
 }
 
 /// ψ(h⁰): the paper's flat shape, before any h is chosen.
@@ -38,72 +77,50 @@ WarpedShape warp_wires(const Chart& chart, const Options& options) {
   return shape;
 }
 
-}  // namespace
-
-ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
-                                    const std::function<bool()>& go_on) {
+ChartRefinement try_all_starts(const Chart& chart, const WireNetwork& held_network, const Options& options,
+                               Attempts& attempts) {
   ChartRefinement result;
-  RefinementLimits limits{options.max_factorizations, [&] {
-                            result.was_stopped = result.was_stopped || !go_on();
-                            return !result.was_stopped;
-                          }};
-  result.inner.is_feasible = true;
-  const FreeFlattening free = flatten_freely(chart, kFreeSteps, {}, limits.go_on);
-  if (result.was_stopped) return result;
-  result.shape = refine_shape(chart, held_network, options.fairness, free.uv, limits);
-  int used = result.shape.factorizations;
-  limits.max_factorizations -= used;
-  if (result.shape.is_exact || result.was_stopped) return result;
+  const auto attempt = [&](const Positions2& start) {
+    result.shape = attempts.refine(chart, held_network, start);
+    return result.shape.is_exact;
+  };
+  const Positions2 free = flatten_freely(chart, kFreeSteps, {}, attempts.asking("start")).uv;
+  if (attempts.was_stopped() || attempt(free) || attempts.was_stopped()) return result;
 
   if (std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(), is_elastic)) {
-    const RefinedShape freed = free_elastic_wires(chart, options.fairness, free.uv, limits);
-    used += freed.factorizations;
-    limits.max_factorizations -= freed.factorizations;
-    if (freed.is_exact && !result.was_stopped) {
-      result.shape = refine_shape(chart, held_network, options.fairness, freed.uv, limits);
-      result.shape.factorizations += used;
-    }
-    if (result.shape.is_exact || result.was_stopped) return result;
+    const RefinedShape freed = free_elastic_wires(chart, free, attempts);
+    if (attempts.was_stopped() || (freed.is_exact && attempt(freed.uv)) || attempts.was_stopped()) return result;
   }
 
   WarpedShape warped = warp_wires(chart, options);
   result.inner = std::move(warped.inner);
-  if (result.inner.is_feasible) {
-    result.shape = refine_shape(chart, held_network, options.fairness, warped.uv, limits);
-    result.shape.factorizations += used;
-    if (result.shape.is_exact || result.was_stopped) return result;
-  }
+  if ((result.inner.is_feasible && attempt(warped.uv)) || attempts.was_stopped()) return result;
 
-  result.loose = loosen_lengths(chart, held_network, options.fairness, free.uv, limits.go_on);
-  if (tighten_lengths(chart, held_network, options.fairness, result.loose.uv)) {
-    result.shape = refine_shape(chart, held_network, options.fairness, result.loose.uv, limits);
-    result.shape.factorizations += used + result.loose.factorizations;
-  }
+  result.loose = loosen_lengths(chart, held_network, options.fairness, free, attempts.asking("shape"));
+  if (tighten_lengths(chart, held_network, options.fairness, result.loose.uv)) attempt(result.loose.uv);
   return result;
 }
 
-ChartRefinement refine_chart(const Chart& chart, const Options& options, const std::function<bool()>& go_on) {
+}  // namespace
+
+ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
+                                    const GoOn& go_on) {
+  Attempts attempts(options, go_on);
+  return attempts.finish(try_all_starts(chart, held_network, options, attempts));
+}
+
+ChartRefinement refine_chart(const Chart& chart, const Options& options, const GoOn& go_on) {
   const WireNetwork held_network = build_held_network(chart);
-  if (chart.mesh.n_faces() < kLargeChart) return refine_from_scratch(chart, held_network, options, go_on);
-
+  Attempts attempts(options, go_on);
   ChartRefinement result;
-  const RefinementLimits limits{options.max_factorizations, [&] {
-                                  result.was_stopped = result.was_stopped || !go_on();
-                                  return !result.was_stopped;
-                                }};
-  result.inner.is_feasible = true;
-  const auto start = start_from_coarse(chart, held_network, options, limits.go_on);
-  if (start && !result.was_stopped) {
-    result.shape = refine_shape(chart, held_network, options.fairness, *start, limits);
+  if (chart.mesh.n_faces() >= kLargeChart) {
+    const auto start = start_from_coarse(chart, held_network, options, attempts.asking("start"));
+    if (start && !attempts.was_stopped()) result.shape = attempts.refine(chart, held_network, *start);
   }
-  if (result.shape.is_exact || result.was_stopped) return result;
-
-  const int used = result.shape.factorizations;
-  Options rest = options;
-  rest.max_factorizations = std::max(1, options.max_factorizations - used);
-  ChartRefinement from_scratch = refine_from_scratch(chart, held_network, rest, go_on);
-  from_scratch.shape.factorizations += used;
-  return from_scratch;
+  if (!result.shape.is_exact && !attempts.was_stopped()) {
+    result = try_all_starts(chart, held_network, options, attempts);
+  }
+  return attempts.finish(std::move(result));
 }
 
 }  // namespace wirewarp

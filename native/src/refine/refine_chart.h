@@ -2,18 +2,25 @@
 // The refined method for one chart: where it starts.
 #pragma once
 
-#include <functional>
-
 #include "inner/inner_problem.h"
+#include "progress_report.h"
 #include "refine/loose_lengths.h"
 #include "refine/refine_shape.h"
 #include "wirewarp/options.h"
 
 namespace wirewarp {
 
+/// Factorizations for a shape that is a start and need not be a minimum.
+inline constexpr int kStartFactorizations = 10;
+
+/// All that the starts of refine_from_scratch take to exact lengths, or to the end of what they try: one step from the
+/// free shape, the shape with elastic wires free, one step from there, one from the wires flattened alone.
+inline constexpr int kExactLengthsFactorizations = 1 + kStartFactorizations + 1 + 1;
+
 struct ChartRefinement {
-  RefinedShape shape;   // not exact: no flat shape with these lengths was found, or the limits came first
-  InnerSolution inner;  // of the wires alone; not feasible where even they do not close
+  RefinedShape shape;   // factorizations: of all starts; not exact: no flat shape with these lengths was found, or the
+                        // limits came first
+  InnerSolution inner;  // of the wires alone, if that start was tried; not feasible where even they do not close
   LooseShape loose;     // of the last start, if no other has exact lengths
   bool was_stopped = false;
 };
@@ -23,12 +30,14 @@ struct ChartRefinement {
 /// Then the wires are flattened alone: the angles of Eq. (1) on the network that process_topology prepares, the other
 /// vertices by interior placement (paper II-A); that shape has exact lengths. Where even this does not exist, the last
 /// start is the shape that breaks lengths at the least price: none, if it finds that they can be kept after all.
-/// held_network: of all wires but super-elastic ones.
+/// All starts together keep to options.max_factorizations, the search for the least price not counted.
+/// held_network: of all wires but super-elastic ones. go_on: asked in the stages "start" and "shape". Throws
+/// std::domain_error where a factorization breaks down or no topology serves the wires.
 ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
-                                    const std::function<bool()>& go_on);
+                                    const GoOn& go_on);
 
 /// Flattens a chart of 20,000 faces or more coarsely first, and starts from that shape (refine/coarse_start.h): two or
 /// three factorizations from the end. Smaller charts, and those that the coarse shape does not serve, from scratch.
-ChartRefinement refine_chart(const Chart& chart, const Options& options, const std::function<bool()>& go_on);
+ChartRefinement refine_chart(const Chart& chart, const Options& options, const GoOn& go_on);
 
 }  // namespace wirewarp

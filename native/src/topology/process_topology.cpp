@@ -24,7 +24,7 @@ std::optional<Chart> process_topology(const Chart& chart) {
   extend_hinged_wires(refined);  // III-A
   join_separate_loops(refined);  // III-B
   restore_delaunay(refined);
-  if (!is_sound(build_wire_network(refined.chart))) throw std::logic_error("A wire is hinged or a loop is separate.");
+  if (!is_sound(build_wire_network(refined.chart))) throw std::domain_error("A wire is hinged or a loop is separate.");
   return std::move(refined.chart);
 }
 

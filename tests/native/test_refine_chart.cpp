@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All starts of the refined method on one chart: what they take is counted and limited, told as progress, and a start
+// that fails ends nothing but its chart.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "index.h"
+#include "mesh/edge_table.h"
+#include "outer/free_arap.h"
+#include "refine/refine_chart.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+/// Every inner edge a wire of its own: they contradict one another, and all starts fail.
+FlattenInput saddle_of_wires(double tolerance) {
+  FlattenInput input = test::saddle(4, 0.5);
+  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+  for (int e = 0; e < edges.num_edges(); ++e) {
+    const auto [a, b] = edges.vertices(e);
+    if (edges.num_sides(e) == 2) test::add_wire(input, {a, b}, tolerance);
+  }
+  return input;
+}
+
+/// The first start and, with elastic wires free, the second and the step from there.
+int factorizations_of_first_starts(const Chart& chart) {
+  const auto refine = [](const Chart& on, const Positions2& start, int most) {
+    return refine_shape(on, build_held_network(on), Options{}.fairness, start, {most, [] { return true; }});
+  };
+  const Positions2 free = flatten_freely(chart, kFreeSteps).uv;
+  Chart loose = chart;
+  for (WirePart& part : loose.wire_parts) {
+    if (part.kind == WireKind::elastic) part.kind = WireKind::super_elastic;
+  }
+  const RefinedShape freed = refine(loose, free, kStartFactorizations);
+  EXPECT_TRUE(freed.is_exact);
+  return refine(chart, free, 100).factorizations + freed.factorizations + refine(chart, freed.uv, 100).factorizations;
+}
+
+TEST(RefineChart, CountsStartsThatFail) {
+  const Charts charts = test::charts_of(saddle_of_wires(1e-4));
+  const Chart& chart = charts.charts.at(0);
+  Options options;
+  const ChartRefinement whole = refine_chart(chart, options, [](const char*) { return true; });
+  ASSERT_FALSE(whole.shape.is_exact || whole.inner.is_feasible);
+  EXPECT_EQ(whole.shape.factorizations, factorizations_of_first_starts(chart));
+  EXPECT_LE(whole.shape.factorizations, kExactLengthsFactorizations);
+  for (int most = 1; most <= whole.shape.factorizations; ++most) {
+    options.max_factorizations = most;
+    EXPECT_EQ(refine_chart(chart, options, [](const char*) { return true; }).shape.factorizations, most);
+  }
+}
+
+TEST(RefineChart, CountsAStartThatFailsWithElasticWiresFree) {
+  FlattenInput input = saddle_of_wires(0);
+  input.wires.back().tolerance = 0.01;
+  const Charts charts = test::charts_of(input);
+  const ChartRefinement refined = refine_chart(charts.charts.at(0), Options{}, [](const char*) { return true; });
+  ASSERT_FALSE(refined.shape.is_exact || refined.inner.is_feasible);
+  EXPECT_EQ(refined.shape.factorizations, 2);  // a step each, with that wire and without
+}
+
+TEST(RefineChart, ASearchThatRanOutSaysSoAndProposesTheSame) {
+  const FlattenInput input = saddle_of_wires(0);
+  const auto error_with = [&](int max_factorizations) {
+    Options options;
+    options.max_factorizations = max_factorizations;
+    return *flatten(input, options).pieces.at(0).error;
+  };
+  const FlattenError whole = error_with(100), brief = error_with(1);
+  EXPECT_EQ(std::string(whole.what()).find("max_factorizations"), std::string::npos);
+  EXPECT_NE(std::string(brief.what()).find("max_factorizations = 1: raise it"), std::string::npos) << brief.what();
+  const auto &expected = whole.elements.proposed_tolerances, &proposed = brief.elements.proposed_tolerances;
+  ASSERT_FALSE(expected.empty());
+  ASSERT_EQ(proposed.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(proposed[i].wire, expected[i].wire);
+    EXPECT_EQ(proposed[i].tolerance, expected[i].tolerance);
+  }
+}
+
+TEST(RefineChart, CheapStepsOfTheFreeStartAreLittleProgress) {
+  int num_starts = 0;
+  double before_shape = 0;
+  const FlattenResult result = flatten(test::quarter_sphere(12), {}, [&](const std::string& stage, double fraction) {
+    num_starts += stage == "start";
+    if (stage == "start") before_shape = fraction;
+    return true;
+  });
+  EXPECT_FALSE(result.pieces.at(0).error);
+  EXPECT_GT(num_starts, 5);
+  EXPECT_GT(before_shape, 0.2);
+  EXPECT_LT(before_shape, 0.35);
+}
+
+TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
+  const int n = 12;
+  FlattenInput input = test::saddle(n, 0.9);
+  for (const int i : {3, 6, 9}) {
+    test::add_wire(input, test::grid_row(n, i));
+    test::add_wire(input, test::grid_column(n, n, i));
+  }
+  const Charts charts = test::charts_of(input);
+  const RefinedShape shape = refine_chart(charts.charts.at(0), Options{}, [](const char*) { return true; }).shape;
+  EXPECT_TRUE(shape.is_exact && shape.converged);
+}
+
+}  // namespace
+}  // namespace wirewarp
