@@ -31,10 +31,10 @@ void expect_broken(JudgeCase good, const Spoil& spoil, const std::string& senten
 /// The same of broken_demands(); the input was given no error.
 void expect_demanded(JudgeCase good, const Spoil& spoil, const std::string& sentence);
 
-// Spoils a result in its pieces and corners alike.
-void move_vertex(JudgeCase& spoiled, int piece, int source_vertex, const Eigen::RowVector2d& by);
-void move_piece(JudgeCase& spoiled, int piece, const Eigen::RowVector2d& by);
-void turn_piece(JudgeCase& spoiled, int piece, double angle);
+// Spoils the piece of this number, in its own coordinates and the corners alike.
+void move_vertex(JudgeCase& spoiled, int number, int source_vertex, const Eigen::RowVector2d& by);
+void move_piece(JudgeCase& spoiled, int number, const Eigen::RowVector2d& by);
+void turn_piece(JudgeCase& spoiled, int number, double angle);
 
 /// Gives piece 0 of the two sheets an error with a layout that names a vertex of it.
 void fail(JudgeCase& sheets, ErrorCode code);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "charts/chart.h"
+#include "index.h"
 
 namespace wirewarp {
 
