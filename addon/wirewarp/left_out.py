@@ -6,6 +6,20 @@ import bpy
 from .mesh_to_arrays import MeshArrays
 from .write_uv import UV_LAYER
 
+# Modifiers that move no vertex.
+OF_ATTRIBUTES = {
+    "DATA_TRANSFER",
+    "EDGE_SPLIT",
+    "NORMAL_EDIT",
+    "TRIANGULATE",
+    "UV_PROJECT",
+    "UV_WARP",
+    "VERTEX_WEIGHT_EDIT",
+    "VERTEX_WEIGHT_MIX",
+    "VERTEX_WEIGHT_PROXIMITY",
+    "WEIGHTED_NORMAL",
+}
+
 
 def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers: bool) -> list[str]:
     notes = []
@@ -22,7 +36,8 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
 
 def _shown_only(source: bpy.types.Object) -> list[str]:
     """What makes the object look different from its base mesh."""
-    shown = ["modifiers"] if any(modifier.show_viewport for modifier in source.modifiers) else []
+    moving = [modifier for modifier in source.modifiers if modifier.type not in OF_ATTRIBUTES]
+    shown = ["modifiers"] if any(modifier.show_viewport for modifier in moving) else []
     return shown + (["shape keys"] if _is_keyed(source.data.shape_keys, source) else [])
 
 

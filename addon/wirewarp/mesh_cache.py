@@ -45,14 +45,20 @@ def _drop_all(*_: object) -> None:
     _kept.clear()
 
 
+def _dropping_all() -> tuple[list, ...]:
+    """Of other frames as well: an animated model changes without an update of its own."""
+    handlers = bpy.app.handlers
+    return handlers.undo_post, handlers.redo_post, handlers.load_post, handlers.frame_change_post
+
+
 def attach() -> None:
     bpy.app.handlers.depsgraph_update_post.append(_drop_changed)
-    for handlers in (bpy.app.handlers.undo_post, bpy.app.handlers.redo_post, bpy.app.handlers.load_post):
+    for handlers in _dropping_all():
         handlers.append(_drop_all)
 
 
 def detach() -> None:
     bpy.app.handlers.depsgraph_update_post.remove(_drop_changed)
-    for handlers in (bpy.app.handlers.undo_post, bpy.app.handlers.redo_post, bpy.app.handlers.load_post):
+    for handlers in _dropping_all():
         handlers.remove(_drop_all)
     _drop_all()

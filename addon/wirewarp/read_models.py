@@ -4,7 +4,6 @@
 import bpy
 import numpy as np
 
-from .facing import INWARD, faces_inward
 from .issues import ObjectError
 from .left_out import left_out
 from .length_units import LengthText
@@ -64,6 +63,4 @@ def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None, units
     except ObjectError as error:
         issue = error.issue
     notes = left_out(source, arrays, use_modifiers)
-    if arrays and faces_inward(arrays):
-        notes.append(INWARD)
     return Model(source.name_full, facts, state, notes, units, arrays, known, solved, issue)

@@ -65,6 +65,12 @@ def _has_changed(source: bpy.types.Object, report: dict) -> bool:
     if not report.get("with_modifiers"):
         return has_changed(source, report)
     with _shown(source):
+        if source.mode != "OBJECT":
+            raise object_error(
+                "not_visible",
+                f'"{source.name}" has modifiers and is not in Object Mode, so nobody can tell whether they still make '
+                "the mesh that was flattened: leave the mode first.",
+            )
         if not shows_modified(source):
             raise object_error(
                 "not_visible",

@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass
 from types import ModuleType
 from typing import Any
 
+from .facing import INWARD, faces_inward
 from .flat_mesh import FlatMesh, flat_mesh
 from .flatten_job import FlattenChoices, Progress, flatten_arrays, has_layout
 from .issues import Issue, ObjectError
@@ -79,6 +80,8 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
         outcome = _outcome(model, result, meters)
     outcome.report["options"] = asdict(choices) | {"grain_wire": model.arrays.grain_wire if model.arrays else 0}
     outcome.report["notes"] += model.notes
+    if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored, they are as seen from outside
+        outcome.report["notes"].append(INWARD)
     for issue in outcome.report["issues"]:
         issue["sentence"] = plain_sentence(issue["sentence"], model.units)
     return outcome

@@ -54,7 +54,8 @@ def helper_ends(owner: bpy.types.Object) -> np.ndarray | None:
 def helper_ends_in_map(model: bpy.types.Object) -> np.ndarray | None:
     """The same in the model's UV layer; None where that is not of the same run."""
     helpers = find_helper_wires(model)
-    places = read_attribute(helpers.data, IN_MAP, "FLOAT_VECTOR", "POINT") if helpers else None
+    is_read = helpers and not helpers.data.is_editmode  # in Edit Mode Blender hides attributes
+    places = read_attribute(helpers.data, IN_MAP, "FLOAT_VECTOR", "POINT") if is_read else None
     return None if places is None else places[_edge_vertices(helpers.data)]
 
 

@@ -166,6 +166,19 @@ def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp
     assert bpy.ops.object.wirewarp_export_svg(filepath=str(path)) == {"FINISHED"}
 
 
+def test_another_frame_of_an_animated_modifier_is_a_change(addon, smooth):
+    modifier = smooth.modifiers["Smooth"]
+    for frame, levels in ((1, 1), (20, 2)):
+        modifier.levels = levels
+        modifier.keyframe_insert("levels", frame=frame)
+    bpy.context.scene.frame_set(1)
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    report = addon.report_store.last_report(smooth)
+    assert not addon.model_state.has_changed(smooth, report)
+    bpy.context.scene.frame_set(20)
+    assert addon.model_state.has_changed(smooth, report)
+
+
 def test_a_hidden_model_with_modifiers_is_looked_at_and_stays_hidden(smooth, tmp_path):
     path = tmp_path / "pattern.svg"
     select_only(flat_of(smooth))

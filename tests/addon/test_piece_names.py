@@ -69,6 +69,8 @@ def test_a_tube_turned_inside_out_keeps_front_and_back_and_is_told():
     assert middle_of(tube, "Front")[1] < 0
     (note,) = json.loads(tube["wirewarp_report"])["notes"]
     assert note.startswith("The faces point inward")
+    bpy.ops.object.wirewarp_flatten(mirror=True)
+    assert json.loads(tube["wirewarp_report"])["notes"] == []  # now they are as seen from outside
 
 
 def test_a_bowl_seen_from_its_hollow_is_not_taken_for_inside_out(addon):

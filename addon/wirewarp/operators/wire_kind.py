@@ -30,7 +30,7 @@ class WireKind:
         step=1,
     )
     tolerance_percent: FloatProperty(
-        name="Tolerance ±%",
+        name="Tolerance ±",
         description="Elastic wires: how much the total length may become longer or shorter, in percent",
         subtype="PERCENTAGE",
         min=0.0,
