@@ -6,12 +6,11 @@ import bpy
 from .mesh_to_arrays import MeshArrays
 from .write_uv import UV_LAYER
 
-# Modifiers that move no vertex.
+# Modifiers that move no vertex and make no face.
 OF_ATTRIBUTES = {
     "DATA_TRANSFER",
     "EDGE_SPLIT",
     "NORMAL_EDIT",
-    "TRIANGULATE",
     "UV_PROJECT",
     "UV_WARP",
     "VERTEX_WEIGHT_EDIT",
