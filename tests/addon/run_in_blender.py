@@ -37,7 +37,7 @@ if measured:
     measured.save()
 sys.stdout.flush()
 sys.stderr.flush()
-if getattr(bpy.app, "module", False):  # bpy 4.5 may wait for ever for a thread of its own when Python ends
+if not bpy.app.binary_path:  # the module may wait for ever for a thread of its own when Python ends
     shutil.rmtree(bpy.app.tempdir, ignore_errors=True)
     os._exit(int(code))
 sys.exit(int(code))

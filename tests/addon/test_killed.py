@@ -46,10 +46,10 @@ def test_the_file_saved_before_is_whole(addon, tmp_path, where):
     marks = wire_marks(source.data)
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
     saved = path.read_bytes()
-    if getattr(bpy.app, "module", False):
-        blender = [sys.executable, script, "--"]
-    else:
+    if bpy.app.binary_path:
         blender = [bpy.app.binary_path, "--background", "--factory-startup", "--python", script, "--"]
+    else:  # Blender as a Python module
+        blender = [sys.executable, script, "--"]
     done = subprocess.run([*blender, path, addon.__name__, where], capture_output=True, text=True)
     assert done.returncode == -signal.SIGKILL, done.stdout + done.stderr
     assert [file.name for file in folder.iterdir()] == ["bump.blend"]
