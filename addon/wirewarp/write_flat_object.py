@@ -85,8 +85,7 @@ def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> Fla
     if bpy.app.version < (4, 0, 0):  # later versions know the sizes from the starts
         mesh.polygons.foreach_set("loop_total", flat.polygon_sizes)
     mesh.update(calc_edges=True)
-    for elements in (mesh.vertices, mesh.edges, mesh.polygons):  # in Edit Mode, L takes one piece, not one more
-        elements.foreach_set("select", np.zeros(len(elements), dtype=bool))
+    _deselect(mesh)
     edges = read(mesh.edges, "vertices", np.int32, 2)
     marks = flat_marks(flat, edges, arrays)
     pieces = FlatPieces(
@@ -104,6 +103,16 @@ def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> Fla
     _write_marks(mesh, marks)
     remember_shape(mesh, pieces)
     return pieces
+
+
+def _deselect(mesh: bpy.types.Mesh) -> None:
+    """New elements are selected, but in Edit Mode L is to take one piece, not one more.
+
+    Without their attributes; to write them ends Blender 5.0, which keeps that of the edges as a single value.
+    """
+    for name in (".select_vert", ".select_edge", ".select_poly"):
+        if attribute := mesh.attributes.get(name):
+            mesh.attributes.remove(attribute)
 
 
 def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays, edges: np.ndarray) -> None:
