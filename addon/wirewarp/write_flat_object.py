@@ -108,7 +108,7 @@ def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> Fla
 def _deselect(mesh: bpy.types.Mesh) -> None:
     """New elements are selected, but in Edit Mode L is to take one piece, not one more.
 
-    Without their attributes; to write them ends Blender 5.0, which keeps that of the edges as a single value.
+    Their attributes go: Blender 5.0 gives that of the edges a wrong type and crashes when it is written.
     """
     for name in (".select_vert", ".select_edge", ".select_poly"):
         if attribute := mesh.attributes.get(name):
