@@ -37,7 +37,10 @@ def write_texts(context: bpy.types.Context, flat: bpy.types.Object, arrays: Flat
     size = float(np.linalg.norm(np.ptp(arrays.vertices, axis=0)))
     lines = {piece["index"]: (_one_line(piece["name"]), text.area(piece["area_2d"])) for piece in pieces}
     outline = outline_of(arrays)
-    placed = piece_texts(arrays, outline, inner_wires(arrays, outline), lines, LARGEST * size)
+    wires = {
+        index: [arrays.vertices[wire.vertices] for wire in own] for index, own in inner_wires(arrays, outline).items()
+    }
+    placed = piece_texts(arrays, outline, wires, lines, LARGEST * size)
     corners = _corners_by_piece(arrays)
     targets = []
     for piece in pieces:

@@ -2,71 +2,93 @@
 """Names along the lines: on paper, too, the sides that are sewn together have one number."""
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
 from .flat_pieces import FlatPieces
-from .interior import LETTER
-from .notches import vertices_at_wires
+from .notches import NOTCH, vertices_at_wires
 from .outlines import OutlineEdges
 from .pattern import PatternWire, PieceText
-from .seam_sides import SeamFinder, SeamSide
+from .room import Room, text_width
+from .seam_sides import SeamSide
 
-HEIGHT = 4.5  # of the letters, in millimeters
-BESIDE_SEAM = 9.0  # from the outline to the middle of the letters: beyond the notches
-BESIDE_WIRE = 3.5
+HEIGHTS = (4.5, 3.5, 2.5)  # of the letters, in millimeters; where none fits, the line goes without a name
+BESIDE = 0.75  # from a line to the letters
 ALONG_SEAM = (0.5, 0.4, 0.6, 0.3, 0.7)  # of its length: where no wire ends, the first best
 ROOM = 20.0  # from a wire's end
-ALONG_WIRE = 0.3  # wires often cross in their middles
+ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # wires often cross in their middles
 
 
-def seam_names(flat: FlatPieces, outline: OutlineEdges, seams: list[list]) -> dict[int, list[PieceText]]:
-    """By piece, at the same place of all sides of each run of a seam: its number, and "Seam" where there is room."""
-    finder, at_wires = SeamFinder(flat, outline), vertices_at_wires(flat, outline)
+def seam_names(
+    flat: FlatPieces, outline: OutlineEdges, seams: list[list[list[SeamSide]]], rooms: dict[int, Room]
+) -> dict[int, list[PieceText]]:
+    """By piece, at the same place of all sides of each run of a seam: its number, and "Seam" where there is room.
+
+    seams: of each its runs, of each run the sides; rooms: by piece, of those that are wanted.
+    """
+    at_wires = vertices_at_wires(flat, outline)
     names: dict[int, list[PieceText]] = {}
     for number, seam in enumerate(seams, start=1):
-        for sides in finder.sides(seam):
-            share = _free_share(flat, sides, at_wires)
-            for side in sides:
-                name = _seam_name(flat, outline, side, number, share)
-                names.setdefault(side.piece, []).append(name)
+        for sides in seam:
+            shares = _shares(flat, sides, at_wires)
+            for side in [side for side in sides if side.piece in rooms]:
+                name = rooms[side.piece].take(_on_side(flat, outline, side, number, shares))
+                if name:
+                    names.setdefault(side.piece, []).append(name)
     return names
 
 
-def _free_share(flat: FlatPieces, sides: list[SeamSide], at_wires: set[int]) -> float:
+def _shares(flat: FlatPieces, sides: list[SeamSide], at_wires: set[int]) -> list[float]:
+    """Where along the seam its name may stand, the best first."""
     if not sides:
-        return ALONG_SEAM[0]
+        return []
     along = sides[0].lengths(flat)
     ends = [along[place] for place, vertex in enumerate(sides[0].vertices) if vertex in at_wires]
-    return max(ALONG_SEAM, key=lambda share: min([ROOM, *(abs(end - share * along[-1]) for end in ends)]))
+    return sorted(ALONG_SEAM, key=lambda share: -min([ROOM, *(abs(end - share * along[-1]) for end in ends)]))
 
 
-def _seam_name(flat: FlatPieces, outline: OutlineEdges, side: SeamSide, number: int, share: float) -> PieceText:
+def _on_side(
+    flat: FlatPieces, outline: OutlineEdges, side: SeamSide, number: int, shares: list[float]
+) -> Iterator[PieceText]:
+    """Beyond the notches, or between them."""
     along = side.lengths(flat)
+    for height in HEIGHTS:
+        long = f"Seam {number}"
+        text = long if text_width(long, height) <= along[-1] / 2 else str(number)
+        for distance in (NOTCH + BESIDE, BESIDE):
+            for share in shares:
+                point, direction, row = _place(flat.vertices[side.vertices], along, share)
+                center = point + (distance + height / 2) * outline.inward[side.edges[row]]
+                yield PieceText((text,), center, height, _angle(direction))
+
+
+def wire_name(wire: PatternWire, room: Room) -> PieceText | None:
+    """Beside the line; None where the name is longer than the wire, or the piece too narrow for it."""
+    along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(wire.points, axis=0), axis=1))])
+    return room.take(
+        _beside(wire, along, share, height, side)
+        for height in HEIGHTS
+        if text_width(wire.name, height) <= along[-1]
+        for share in ALONG_WIRE
+        for side in (1, -1)
+    )
+
+
+def _beside(wire: PatternWire, along: np.ndarray, share: float, height: float, side: int) -> PieceText:
+    """side: 1 above the line, -1 below it."""
+    point, direction, _ = _place(wire.points, along, share)
+    angle = _angle(direction)
+    above = np.array([-math.sin(math.radians(angle)), math.cos(math.radians(angle))])
+    return PieceText((wire.name,), point + side * (BESIDE + height / 2) * above, height, angle)
+
+
+def _place(points: np.ndarray, along: np.ndarray, share: float) -> tuple[np.ndarray, np.ndarray, int]:
+    """Of a line: the point at this share of its length, the direction there, and the row of its step there."""
     length = share * along[-1]
     row = int(np.searchsorted(along, length, side="right")) - 1
-    a, b = flat.vertices[side.vertices[row : row + 2]]
-    point = a + (b - a) * (length - along[row]) / (along[row + 1] - along[row])
-    long = f"Seam {number}"
-    text = long if _width(long) <= along[-1] / 2 else str(number)
-    return PieceText((text,), point + BESIDE_SEAM * outline.inward[side.edges[row]], HEIGHT, _angle(b - a))
-
-
-def wire_name(wire: PatternWire) -> PieceText | None:
-    """Beside the line; None where the name is longer than the wire."""
-    along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(wire.points, axis=0), axis=1))])
-    if along[-1] < _width(wire.name):
-        return None
-    row = int(np.searchsorted(along, ALONG_WIRE * along[-1], side="right")) - 1
-    a, b = wire.points[row : row + 2]
-    point = np.array([np.interp(ALONG_WIRE * along[-1], along, column) for column in wire.points.T])
-    angle = _angle(b - a)
-    above = np.array([-math.sin(math.radians(angle)), math.cos(math.radians(angle))])
-    return PieceText((wire.name,), point + BESIDE_WIRE * above, HEIGHT, angle)
-
-
-def _width(text: str) -> float:
-    return LETTER * HEIGHT * len(text)
+    a, b = points[row : row + 2]
+    return a + (b - a) * (length - along[row]) / (along[row + 1] - along[row]), b - a, row
 
 
 def _angle(direction: np.ndarray) -> float:

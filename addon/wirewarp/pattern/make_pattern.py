@@ -12,6 +12,8 @@ from .line_names import seam_names, wire_name
 from .notches import place_notches
 from .outlines import outline_loops, outline_of
 from .pattern import Pattern, PatternPiece, PatternWire
+from .room import Room
+from .seam_sides import seam_sides
 from .texts import piece_texts
 
 TEXT_HEIGHT = 8.0  # at most, in millimeters
@@ -31,21 +33,31 @@ def make_pattern(
     seams: list[list],
     spacing: float,
 ) -> Pattern:
-    """flat: in millimeters; labels by piece: the pieces wanted; wire_names by id; seams, spacing: see place_notches."""
+    """flat: in millimeters; labels by piece: the pieces wanted; wire_names by id; seams: of each the edges, as vertex
+    pairs of the model; spacing: of notches along seams, 0 for none.
+
+    Raises ObjectError where the spacing is too small to be cut, or a seam is not found on pieces changed by hand.
+    """
     outline = outline_of(flat)
-    notches = place_notches(flat, outline, seams, spacing)
-    wires = inner_wires(flat, outline)
-    texts = piece_texts(flat, outline, wires, {index: label.lines for index, label in labels.items()}, TEXT_HEIGHT)
-    at_seams = seam_names(flat, outline, seams)
+    sides = seam_sides(flat, outline, seams)
+    notches = place_notches(flat, outline, sides, spacing)
+    wires = {
+        index: [PatternWire(wire_names[wire.wire_id], _kind(wire), flat.vertices[wire.vertices]) for wire in own]
+        for index, own in inner_wires(flat, outline).items()
+    }
+    inside = {
+        index: [wire.points for wire in wires.get(index, [])] + [notch.line for notch in notches.get(index, [])]
+        for index in labels
+    }
+    texts = piece_texts(flat, outline, inside, {index: label.lines for index, label in labels.items()}, TEXT_HEIGHT)
+    outlines = {index: [flat.vertices[loop] for loop in outline_loops(outline, index)] for index in labels}
+    rooms = {index: Room(outlines[index], inside[index], [texts[index]]) for index in labels}
+    at_seams = seam_names(flat, outline, sides, rooms)
     pieces = []
     for index, label in labels.items():
-        outlines = [flat.vertices[loop] for loop in outline_loops(outline, index)]
-        lines = [
-            PatternWire(wire_names[wire.wire_id], _kind(wire), flat.vertices[wire.vertices])
-            for wire in wires.get(index, [])
-        ]
-        line_names = at_seams.get(index, []) + [name for name in map(wire_name, lines) if name is not None]
-        pieces.append(PatternPiece(label.name, outlines, lines, notches.get(index, []), texts[index], line_names))
+        own = wires.get(index, [])
+        names = at_seams.get(index, []) + [name for wire in own if (name := wire_name(wire, rooms[index]))]
+        pieces.append(PatternPiece(label.name, outlines[index], own, notches.get(index, []), texts[index], names))
     return Pattern(title, pieces)
 
 

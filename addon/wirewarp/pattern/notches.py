@@ -1,38 +1,50 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where notches are: at the ends of wires, and at equal lengths along both sides of each seam."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from ..edge_keys import edge_keys
 from ..issues import object_error
+from .across import Across
 from .flat_pieces import FlatPieces
 from .outlines import OutlineEdges
 from .pattern import Notch
-from .seam_sides import SeamFinder, SeamSide
+from .seam_sides import SeamSide
 
 LEAST_SPACING = 1.0  # millimeters
 TOO_CLOSE = "Notches so close cannot be cut: choose 1 mm or more, or 0 for none along seams."
+NOTCH = 5.0  # length of a notch, in millimeters
+SHARE = 0.3  # of the way across the piece, the most that a notch may take
 CLEAR = 0.2  # of the spacing: so close to a wire's end, or to the end of the seam, there is no other notch
 
 
-def place_notches(flat: FlatPieces, outline: OutlineEdges, seams: list[list], spacing: float) -> dict[int, list[Notch]]:
-    """By piece. seams: of each the edges, as vertex pairs of the model; spacing: along seams, 0 for none.
+def place_notches(
+    flat: FlatPieces, outline: OutlineEdges, seams: list[list[list[SeamSide]]], spacing: float
+) -> dict[int, list[Notch]]:
+    """By piece. seams: of each its runs, of each run the sides; spacing: along seams, 0 for none.
 
     Raises ObjectError where the spacing is too small to be cut.
     """
     if 0 < spacing < LEAST_SPACING:
         raise object_error("notch_spacing", TOO_CLOSE)
-    at_wires = vertices_at_wires(flat, outline)
+    at_wires, across = vertices_at_wires(flat, outline), Across(flat, outline)
     notches: dict[int, list[Notch]] = {}
+
+    def add(piece: int, point: np.ndarray, inward: np.ndarray, kind: str) -> None:
+        length = min(NOTCH, SHARE * across(piece, point, inward))
+        notches.setdefault(piece, []).append(Notch(point, inward, length, kind))
+
     for vertex in sorted(at_wires):
         touching = np.flatnonzero((outline.edges == vertex).any(axis=1))
-        notch = Notch(flat.vertices[vertex], _unit(outline.inward[touching].sum(axis=0)), "wire")
-        notches.setdefault(int(outline.piece[touching[0]]), []).append(notch)
-    finder = SeamFinder(flat, outline)
-    for sides in [sides for seam in seams for sides in finder.sides(seam)] if spacing > 0 else []:
+        inward = _unit(outline.inward[touching].sum(axis=0))
+        add(int(outline.piece[touching[0]]), flat.vertices[vertex], inward, "wire")
+    for sides in [sides for seam in seams for sides in seam] if spacing > 0 else []:
         lengths = _lengths(flat, sides, at_wires, spacing)
         for side in sides:
-            notches.setdefault(side.piece, []).extend(_notches_at(flat, outline, side, lengths))
+            for point, inward in _places(flat, outline, side, lengths):
+                add(side.piece, point, inward, "seam")
     return notches
 
 
@@ -55,15 +67,16 @@ def _lengths(flat: FlatPieces, sides: list[SeamSide], at_wires: set[int], spacin
     return [length for length in lengths.tolist() if np.abs(np.array(taken) - length).min() > CLEAR * spacing]
 
 
-def _notches_at(flat: FlatPieces, outline: OutlineEdges, side: SeamSide, lengths: list[float]) -> list[Notch]:
+def _places(
+    flat: FlatPieces, outline: OutlineEdges, side: SeamSide, lengths: list[float]
+) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """The point of each notch, and the direction into the piece."""
     along = side.lengths(flat)
     points = flat.vertices[side.vertices]
-    notches = []
     for length, place in zip(lengths, np.searchsorted(along, lengths, side="right") - 1, strict=True):
         share = (length - along[place]) / (along[place + 1] - along[place])
         point = points[place] + share * (points[place + 1] - points[place])
-        notches.append(Notch(point, outline.inward[side.edges[place]], "seam"))
-    return notches
+        yield point, outline.inward[side.edges[place]]
 
 
 def _unit(vector: np.ndarray) -> np.ndarray:

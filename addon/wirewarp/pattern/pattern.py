@@ -19,7 +19,13 @@ class Notch:
 
     point: np.ndarray  # (2,)
     inward: np.ndarray  # (2,) unit vector, into the piece
+    length: float
     kind: str  # "wire": a wire ends here; "seam": at a measured length along the seam
+
+    @property
+    def line(self) -> np.ndarray:
+        """(2,2) from the outline to the end of the notch."""
+        return np.array([self.point, self.point + self.length * self.inward])
 
 
 @dataclass(frozen=True)

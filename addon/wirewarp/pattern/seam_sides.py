@@ -27,7 +27,16 @@ class SeamSide:
         return np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
 
 
-class SeamFinder:
+def seam_sides(flat: FlatPieces, outline: OutlineEdges, seams: list[list]) -> list[list[list[SeamSide]]]:
+    """Of each seam, given by its edges as vertex pairs of the model, its runs, and of each run the sides.
+
+    Raises ObjectError where the outline does not go on as the seam does.
+    """
+    finder = _SeamFinder(flat, outline)
+    return [finder.sides(seam) for seam in seams]
+
+
+class _SeamFinder:
     """Finds the sides of seams given by edges of the model."""
 
     def __init__(self, flat: FlatPieces, outline: OutlineEdges) -> None:

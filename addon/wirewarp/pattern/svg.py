@@ -18,7 +18,6 @@ from .pattern import Pattern, PatternPiece, PieceText
 SVG, INKSCAPE = "http://www.w3.org/2000/svg", "http://www.inkscape.org/namespaces/inkscape"
 MARGIN = 10.0  # around everything
 SQUARE = 100.0  # side of the square to measure after printing
-NOTCH = 5.0  # length of a notch
 DECIMALS = 4  # of a millimeter
 # As attributes of every line: many cutters' programs read neither style sheets nor what a group hands down.
 LINE_LOOK = {"fill": "none", "stroke-width": "0.3", "stroke-linejoin": "round"}
@@ -102,8 +101,7 @@ class _Drawing:
                 _add(line, "title").text = wire.name
         notches = self._add_layer(group, piece.name, "Notches")
         for notch in piece.notches:
-            ends = np.array([notch.point, notch.point + NOTCH * notch.inward])
-            self._add_path(notches, "notch", ends + offset, closed=False)
+            self._add_path(notches, "notch", notch.line + offset, closed=False)
         self._add_text(self._add_layer(group, piece.name, "Text"), piece.text, piece.text.center + offset)
         names = self._add_layer(group, piece.name, "Line Names") if piece.line_names else group
         for name in piece.line_names:

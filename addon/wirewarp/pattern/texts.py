@@ -3,7 +3,8 @@
 
 from collections.abc import Mapping
 
-from ..wire_chains import WireChain
+import numpy as np
+
 from .flat_pieces import FlatPieces
 from .interior import place_text
 from .outlines import OutlineEdges, outline_loops
@@ -13,14 +14,13 @@ from .pattern import PieceText
 def piece_texts(
     flat: FlatPieces,
     outline: OutlineEdges,
-    wires: Mapping[int, list[WireChain]],
+    lines_inside: Mapping[int, list[np.ndarray]],
     lines: Mapping[int, tuple[str, ...]],
     largest: float,
 ) -> dict[int, PieceText]:
-    """By piece; wires: inside it; largest: height of the letters at most."""
+    """By piece; lines_inside (k,2): wires and what else is drawn in it; largest: height of the letters at most."""
     texts = {}
     for index, own in lines.items():
         outlines = [flat.vertices[loop] for loop in outline_loops(outline, index)]
-        inside = [flat.vertices[wire.vertices] for wire in wires.get(index, [])]
-        texts[index] = place_text(own, outlines, inside, largest)
+        texts[index] = place_text(own, outlines, lines_inside.get(index, []), largest)
     return texts
