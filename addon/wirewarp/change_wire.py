@@ -5,9 +5,9 @@ import bpy
 import numpy as np
 
 from .edit_marks import OUTLINES_ARE_RIGID
-from .foreach import read
 from .issues import object_error
 from .mesh_to_arrays import faces_at_edges
+from .mesh_topology import read_seams
 from .repair_wires import repair_names
 from .wire_attributes import EdgeMarks, read_marks, write_marks
 from .wire_names import find_name
@@ -63,4 +63,4 @@ def _repair(mesh: bpy.types.Mesh) -> EdgeMarks:
 
 
 def _outline_mask(mesh: bpy.types.Mesh) -> np.ndarray:
-    return read(mesh.edges, "use_seam", bool) | (faces_at_edges(mesh) != 2)
+    return read_seams(mesh) | (faces_at_edges(mesh) != 2)

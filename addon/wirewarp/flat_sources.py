@@ -2,11 +2,10 @@
 """Reading from a flat mesh what of the model its elements are."""
 
 import bpy
-import numpy as np
 
 from .flat_attributes import has_flat_attributes, read_flat_attribute
-from .foreach import read
 from .issues import object_error
+from .mesh_topology import corner_vertices, edge_vertices, face_sizes
 from .owners import find_flat_object
 from .report_elements import FlatSources
 
@@ -23,9 +22,9 @@ def flat_sources(source: bpy.types.Object, report: dict) -> tuple[bpy.types.Obje
     mesh = flat.data
     return flat, FlatSources(
         vertices=read_flat_attribute(mesh, "source_vertex"),
-        edges=read(mesh.edges, "vertices", np.int32, 2),
+        edges=edge_vertices(mesh),
         faces=read_flat_attribute(mesh, "source_face"),
         piece=read_flat_attribute(mesh, "piece"),
-        loop_vertices=read(mesh.loops, "vertex_index", np.int32),
-        face_sizes=read(mesh.polygons, "loop_total", np.int32),
+        loop_vertices=corner_vertices(mesh),
+        face_sizes=face_sizes(mesh),
     )

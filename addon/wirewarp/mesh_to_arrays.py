@@ -11,6 +11,15 @@ import numpy as np
 from .foreach import read
 from .issues import object_error
 from .marking import own_ids
+from .mesh_topology import (
+    corner_edges,
+    corner_vertices,
+    edge_vertices,
+    face_sizes,
+    face_starts,
+    read_seams,
+    triangle_corners,
+)
 from .pieces.attribute import read_piece_ids
 from .pieces.face_regions import FaceRegions, face_regions
 from .wire_attributes import read_marks
@@ -75,12 +84,12 @@ def metric(source: bpy.types.Object) -> np.ndarray:
 
 def faces_at_edges(mesh: bpy.types.Mesh) -> np.ndarray:
     """(e,) how many faces each edge has."""
-    return np.bincount(read(mesh.loops, "edge_index", np.int32), minlength=len(mesh.edges))
+    return np.bincount(corner_edges(mesh), minlength=len(mesh.edges))
 
 
 def next_loops(mesh: bpy.types.Mesh) -> np.ndarray:
     """(l,) int32, the next corner of its face for each corner."""
-    starts, sizes = read(mesh.polygons, "loop_start", np.int32), read(mesh.polygons, "loop_total", np.int32)
+    starts, sizes = face_starts(mesh), face_sizes(mesh)
     following = np.arange(1, len(mesh.loops) + 1, dtype=np.int32)
     following[starts + sizes - 1] = starts
     return following
@@ -104,12 +113,13 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
     mirrored = bool(np.linalg.det(linear) < 0)
     mesh.calc_loop_triangles()
     # A mirrored object's faces still look outward in Blender, but their corners run the other way round.
-    order = [2, 1, 0] if mirrored else [0, 1, 2]
-    loops = np.ascontiguousarray(read(mesh.loop_triangles, "loops", np.int32, 3)[:, order])
-    loop_vertices = read(mesh.loops, "vertex_index", np.int32)
+    loops = triangle_corners(mesh)
+    if mirrored:
+        loops = np.ascontiguousarray(loops[:, ::-1])
+    loop_vertices = corner_vertices(mesh)
     vertices = read(mesh.vertices, "co", np.float32, 3).astype(np.float64) @ linear.T
-    edges = read(mesh.edges, "vertices", np.int32, 2)
-    sizes = read(mesh.polygons, "loop_total", np.int32)
+    edges = edge_vertices(mesh)
+    sizes = face_sizes(mesh)
     in_face = faces_at_edges(mesh) > 0
     marks = read_marks(mesh)
     return MeshArrays(
@@ -119,10 +129,10 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
         # Blender keeps the triangles in the order of their polygons: n - 2 of each.
         triangle_polygons=np.repeat(np.arange(len(sizes), dtype=np.int32), sizes - 2),
         loop_vertices=loop_vertices,
-        polygon_starts=read(mesh.polygons, "loop_start", np.int32),
+        polygon_starts=face_starts(mesh),
         polygon_sizes=sizes,
         edges=edges,
-        seams=edges[read(mesh.edges, "use_seam", bool) & in_face],  # a loose edge cuts nothing
+        seams=edges[read_seams(mesh) & in_face],  # a loose edge cuts nothing
         wires=_name_wires(
             source.data, chains_of_marks(edges, np.where(in_face, marks.wire_ids, 0), marks.tolerances, vertices)
         ),

@@ -11,6 +11,7 @@ from .foreach import read
 from .issues import ObjectError
 from .mesh_cache import kept
 from .mesh_to_arrays import MeshArrays, metric
+from .mesh_topology import corner_vertices, face_sizes, read_seams
 from .wire_attributes import TOLERANCE, WIRE, read_marks
 
 MODIFIED = "modified"  # of reports with modifiers
@@ -113,10 +114,10 @@ def _gather(mesh: bpy.types.Mesh, base: MeshArrays | None = None) -> tuple[list[
     marked = np.flatnonzero(marks.wire_ids).astype(np.int32)
     return [
         read(mesh.vertices, "co", np.float32, 3),
-        base.loop_vertices if base else read(mesh.loops, "vertex_index", np.int32),
-        base.polygon_sizes if base else read(mesh.polygons, "loop_total", np.int32),
+        base.loop_vertices if base else corner_vertices(mesh),
+        base.polygon_sizes if base else face_sizes(mesh),
     ], [
-        np.flatnonzero(read(mesh.edges, "use_seam", bool)).astype(np.int32),
+        np.flatnonzero(read_seams(mesh)).astype(np.int32),
         marked,
         marks.wire_ids[marked],
         marks.tolerances[marked],

@@ -6,6 +6,7 @@ import numpy as np
 
 from .flat_attributes import read_flat_attribute
 from .foreach import read
+from .mesh_topology import corner_edges, corner_vertices, edge_vertices, face_sizes
 from .pattern.flat_pieces import FlatPieces
 from .wire_attributes import read_marks
 
@@ -16,11 +17,11 @@ def read_flat_pieces(mesh: bpy.types.Mesh, scale: float) -> FlatPieces:
     return FlatPieces(
         vertices=read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64) * scale,
         source_vertex=read_flat_attribute(mesh, "source_vertex"),
-        loop_vertices=read(mesh.loops, "vertex_index", np.int32),
-        loop_edges=read(mesh.loops, "edge_index", np.int32),
-        face_sizes=read(mesh.polygons, "loop_total", np.int32),
+        loop_vertices=corner_vertices(mesh),
+        loop_edges=corner_edges(mesh),
+        face_sizes=face_sizes(mesh),
         face_piece=read_flat_attribute(mesh, "piece"),
-        edges=read(mesh.edges, "vertices", np.int32, 2),
+        edges=edge_vertices(mesh),
         wire_ids=marks.wire_ids,
         tolerances=marks.tolerances,
     )

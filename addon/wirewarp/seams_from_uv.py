@@ -9,6 +9,7 @@ import numpy as np
 from .foreach import read
 from .issues import object_error
 from .mesh_to_arrays import next_loops
+from .mesh_topology import corner_edges, corner_vertices, read_seams
 from .uv_islands import island_borders
 
 
@@ -24,10 +25,10 @@ def seams_from_uv(targets: Sequence[bpy.types.Object]) -> int:
 
 
 def _mark_borders(mesh: bpy.types.Mesh) -> int:
-    before = read(mesh.edges, "use_seam", bool)
+    before = read_seams(mesh)
     borders = island_borders(
-        read(mesh.loops, "edge_index", np.int32),
-        read(mesh.loops, "vertex_index", np.int32),
+        corner_edges(mesh),
+        corner_vertices(mesh),
         next_loops(mesh),
         read(mesh.uv_layers.active.data, "uv", np.float32, 2),
         len(mesh.edges),

@@ -8,6 +8,7 @@ from .edge_keys import edge_keys
 from .foreach import read
 from .issues import ObjectError, object_error
 from .mesh_to_arrays import element_counts
+from .mesh_topology import corner_edges, edge_vertices, face_sizes
 from .report_elements import Indices, Pairs
 
 
@@ -62,9 +63,9 @@ def select_elements(
     context.tool_settings.mesh_select_mode = tuple(level == each for each in range(3))
 
     loops = _loop_faces(mesh)
-    loop_edges = read(mesh.loops, "edge_index", np.int32)
+    loop_edges = corner_edges(mesh)
     edge_mask[loop_edges[face_mask[loops]]] = True
-    vertex_mask[read(mesh.edges, "vertices", np.int32, 2)[edge_mask].ravel()] = True
+    vertex_mask[edge_vertices(mesh)[edge_mask].ravel()] = True
     for elements, mask in ((mesh.vertices, vertex_mask), (mesh.edges, edge_mask), (mesh.polygons, face_mask)):
         elements.foreach_set("select", mask)
         hidden = read(elements, "hide", bool)
@@ -117,7 +118,7 @@ def _find_edges(mesh: bpy.types.Mesh, pairs: Pairs) -> tuple[np.ndarray, list[in
     if not len(pairs):
         return mask, []
     count = len(mesh.vertices)
-    keys, wanted = edge_keys(read(mesh.edges, "vertices", np.int32, 2), count), edge_keys(pairs, count)
+    keys, wanted = edge_keys(edge_vertices(mesh), count), edge_keys(pairs, count)
     mask[np.isin(keys, wanted)] = True
     missing = np.asarray(pairs)[~np.isin(wanted, keys)]
     return mask, missing.ravel().tolist()
@@ -125,7 +126,7 @@ def _find_edges(mesh: bpy.types.Mesh, pairs: Pairs) -> tuple[np.ndarray, list[in
 
 def _loop_faces(mesh: bpy.types.Mesh) -> np.ndarray:
     """The polygon of each loop."""
-    sizes = read(mesh.polygons, "loop_total", np.int32)
+    sizes = face_sizes(mesh)
     return np.repeat(np.arange(len(sizes)), sizes)
 
 

@@ -5,13 +5,13 @@ import bpy
 import numpy as np
 
 from .edge_keys import edge_keys
-from .foreach import read
+from .mesh_topology import edge_vertices, read_seams
 from .wire_attributes import read_marks, write_marks
 
 
 def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:
     """Marks edges, given as vertex pairs, as seams. Returns how many were none before."""
-    before = read(mesh.edges, "use_seam", bool)
+    before = read_seams(mesh)
     wanted = _mask(mesh, edges)
     mesh.edges.foreach_set("use_seam", before | wanted)
     mesh.update()
@@ -31,4 +31,4 @@ def loosen_wires(mesh: bpy.types.Mesh, wires: list[dict]) -> int:
 
 def _mask(mesh: bpy.types.Mesh, pairs: list) -> np.ndarray:
     count = len(mesh.vertices)
-    return np.isin(edge_keys(read(mesh.edges, "vertices", np.int32, 2), count), edge_keys(pairs, count))
+    return np.isin(edge_keys(edge_vertices(mesh), count), edge_keys(pairs, count))

@@ -34,11 +34,13 @@ def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
     At a vertex of two edges a chain goes on. Where four or more meet, chains go straight on, so that crossing lines
     stay whole. Where an odd number meets, one edge ends there, and so do lines that are not straight.
     """
-    following = _pair_sides(edges, positions)
-    used = np.zeros(len(edges), dtype=bool)
-    open_ends = np.flatnonzero(following < 0).tolist()
+    following, vertex_of_side = _pair_sides(edges, positions).tolist(), edges.ravel().tolist()
+    used = [False] * len(edges)
+    open_ends = [side for side, next_side in enumerate(following) if next_side < 0]
     first_sides = range(0, 2 * len(edges), 2)  # what no open end leads to is closed: start anywhere
-    return [_walk(start, edges, following, used) for start in [*open_ends, *first_sides] if not used[start // 2]]
+    return [
+        _walk(start, vertex_of_side, following, used) for start in [*open_ends, *first_sides] if not used[start // 2]
+    ]
 
 
 def chains_of_marks(
@@ -46,9 +48,11 @@ def chains_of_marks(
 ) -> list[WireChain]:
     """All marked edges (id not 0) as wires: one id and one tolerance a wire, one wire for each run of its edges."""
     marked = np.flatnonzero(wire_ids)
+    kinds, kind_of_edge = np.unique(tolerances[marked], return_inverse=True)
+    doubles = [shortest_double(tolerance) for tolerance in kinds]
     groups: dict[tuple[int, float], list[int]] = {}
-    for edge, wire_id, tolerance in zip(marked.tolist(), wire_ids[marked].tolist(), tolerances[marked], strict=True):
-        groups.setdefault((wire_id, shortest_double(tolerance)), []).append(edge)
+    for edge, wire_id, kind in zip(marked.tolist(), wire_ids[marked].tolist(), kind_of_edge.tolist(), strict=True):
+        groups.setdefault((wire_id, doubles[kind]), []).append(edge)
     return [
         WireChain(wire_id, tolerance, [members[edge] for edge in chain.edges], chain.vertices)
         for (wire_id, tolerance), members in groups.items()
@@ -96,13 +100,13 @@ def _straightest_pairs(sides: np.ndarray, edges: np.ndarray, positions: np.ndarr
     return pairs
 
 
-def _walk(start: int, edges: np.ndarray, following: np.ndarray, used: np.ndarray) -> Chain:
+def _walk(start: int, vertex_of_side: list[int], following: list[int], used: list[bool]) -> Chain:
     """From the side `start` until the chain ends or closes."""
-    chain = Chain([], [int(edges.ravel()[start])])
+    chain = Chain([], [vertex_of_side[start]])
     side = start
     while side >= 0 and not used[side // 2]:
         used[side // 2] = True
         chain.edges.append(side // 2)
-        chain.vertices.append(int(edges.ravel()[side ^ 1]))
-        side = int(following[side ^ 1])
+        chain.vertices.append(vertex_of_side[side ^ 1])
+        side = following[side ^ 1]
     return chain

@@ -9,6 +9,7 @@ import numpy as np
 
 from .foreach import read
 from .mesh_cache import kept
+from .mesh_topology import edge_vertices
 from .wire_attributes import TOLERANCE, WIRE, read_marks
 from .wire_chains import chains_of_marks
 from .wire_names import chain_names, find_name, list_places
@@ -75,7 +76,7 @@ def find_wires(mesh: bpy.types.Mesh) -> list[WireSummary]:
 def _gather(mesh: bpy.types.Mesh) -> _Marked:
     marks = read_marks(mesh)
     rows = np.flatnonzero(marks.wire_ids)
-    vertices = read(mesh.edges, "vertices", np.int32, 2)[rows]
+    vertices = edge_vertices(mesh)[rows]
     ends = read(mesh.vertices, "co", np.float32, 3).astype(np.float64)[vertices]
     return _Marked(rows, vertices, ends, marks.wire_ids[rows], marks.tolerances[rows])
 

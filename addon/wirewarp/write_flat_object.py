@@ -12,8 +12,8 @@ from .flat_attributes import add_flat_attribute
 from .flat_marks import FlatMarks, flat_marks
 from .flat_mesh import FlatMesh, edge_length_variation
 from .flat_shape import remember_shape
-from .foreach import read
 from .mesh_to_arrays import MeshArrays
+from .mesh_topology import corner_edges, edge_vertices
 from .owners import find_flat_object, model_of
 from .pattern.flat_pieces import FlatPieces
 from .pieces.attribute import PIECE
@@ -86,13 +86,13 @@ def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> Fla
         mesh.polygons.foreach_set("loop_total", flat.polygon_sizes)
     mesh.update(calc_edges=True)
     _deselect(mesh)
-    edges = read(mesh.edges, "vertices", np.int32, 2)
+    edges = edge_vertices(mesh)
     marks = flat_marks(flat, edges, arrays)
     pieces = FlatPieces(
         vertices=flat.vertices,
         source_vertex=flat.source_vertex,
         loop_vertices=flat.loop_vertices,
-        loop_edges=read(mesh.loops, "edge_index", np.int32),
+        loop_edges=corner_edges(mesh),
         face_sizes=flat.polygon_sizes,
         face_piece=flat.piece,
         edges=edges,

@@ -10,6 +10,7 @@ import numpy as np
 from .foreach import read, read_attribute
 from .helper_lines import HelperLines
 from .mesh_to_arrays import linear_part
+from .mesh_topology import edge_vertices
 from .owners import find_helper_wires
 from .remove_object import remove_object
 from .write_uv import UvFrame
@@ -60,7 +61,7 @@ def helper_ends_in_map(model: bpy.types.Object) -> np.ndarray | None:
 
 
 def _edge_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
-    return read(mesh.edges, "vertices", np.int32, 2).ravel()
+    return edge_vertices(mesh).ravel()
 
 
 def _in_space(points: np.ndarray) -> np.ndarray:

@@ -2,11 +2,10 @@
 """Writing what was solved, in Object Mode, once all of it is there."""
 
 import bpy
-import numpy as np
 
 from .flat_mesh import FlatMesh
-from .foreach import read
 from .helper_lines import helper_lines
+from .mesh_topology import edge_vertices
 from .model_maps import model_maps
 from .owners import find_flat_object
 from .pieces.keep_places import crowded_note, motions_in_order, pieces_in_place, remember_layout, wants_new_layout
@@ -61,7 +60,7 @@ def _write_to_model(source: bpy.types.Object, outcome: Outcome, flat: bpy.types.
     uv_frame = write_uv(mesh, outcome.result.corner_uv, arrays)
     outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": uv_frame.scale}
     if maps:
-        flat_edges = read(flat.data.edges, "vertices", np.int32, 2)
+        flat_edges = edge_vertices(flat.data)
         write_model_maps(mesh, model_maps(outcome.pieces, flat_edges, arrays), arrays)
     else:
         remove_model_maps(mesh)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import bpy
-import numpy as np
 from bpy.props import IntProperty
 
 from ..change_wire import wire_at
 from ..foreach import read
 from ..issues import ObjectError, object_error
+from ..mesh_topology import edge_vertices
 from ..selection import select_elements
 from ..wire_summary import find_wires
 
@@ -40,7 +40,7 @@ class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
             bpy.ops.object.mode_set(mode="OBJECT")
         try:
             rows = wire_at(target, self.edge).edges if self.edge >= 0 else self._rows_of_selected(target)
-            select_elements(context, target, edges=read(target.data.edges, "vertices", np.int32, 2)[rows])
+            select_elements(context, target, edges=edge_vertices(target.data)[rows])
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}

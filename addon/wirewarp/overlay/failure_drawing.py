@@ -10,6 +10,7 @@ from ..edge_keys import edge_keys
 from ..flat_attributes import has_flat_attributes, read_flat_attribute
 from ..foreach import read
 from ..mesh_to_arrays import next_loops
+from ..mesh_topology import corner_edges, edge_vertices, face_sizes
 from ..owners import model_of
 from .gather import gather_triangles
 from .gather_uv import uv_places
@@ -41,7 +42,7 @@ def failures(target: bpy.types.Object) -> Failures | None:
     if found is None:
         return None
     mesh = target.data
-    places, edges = read(mesh.vertices, "co", np.float32, 3), read(mesh.edges, "vertices", np.int32, 2)
+    places, edges = read(mesh.vertices, "co", np.float32, 3), edge_vertices(mesh)
     triangles = gather_triangles(mesh)
     failed = triangles.vertices[np.isin(triangles.polygons, found.faces)]
     lines = {kind: places[edges[mask].ravel()] for kind, mask in found.edges.items()}
@@ -54,7 +55,7 @@ def uv_failures(model: bpy.types.Object) -> Failures | None:
     if found is None:
         return None
     mesh = model.data
-    places, edge_of_loop, following = uv_places(mesh), read(mesh.loops, "edge_index", np.int32), next_loops(mesh)
+    places, edge_of_loop, following = uv_places(mesh), corner_edges(mesh), next_loops(mesh)
     triangles = gather_triangles(mesh)
     failed = triangles.corners[np.isin(triangles.polygons, found.faces)]
     lines = {}
@@ -75,7 +76,7 @@ def _elements(target: bpy.types.Object) -> _Elements | None:
             return None
         source = read_flat_attribute(mesh, "source_vertex")
     faces = _failed_faces(mesh, report["issues"])
-    pairs = np.sort(source[read(mesh.edges, "vertices", np.int32, 2)], axis=1)
+    pairs = np.sort(source[edge_vertices(mesh)], axis=1)
     masks = {
         "failed": _failed_edges(mesh, pairs, report["issues"], faces),
         "proposed": _named(pairs, [edge for issue in report["issues"] for edge in issue.get("proposed_seams", [])]),
@@ -96,8 +97,8 @@ def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[dict], f
     """
     failed = _named(pairs, [edge for issue in issues for edge in issue["edges"]])
     failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue["vertices"]]).any(axis=1)
-    face_of_corner = np.repeat(np.arange(len(mesh.polygons)), read(mesh.polygons, "loop_total", np.int32))
-    of_faces = read(mesh.loops, "edge_index", np.int32)[np.isin(face_of_corner, faces)]
+    face_of_corner = np.repeat(np.arange(len(mesh.polygons)), face_sizes(mesh))
+    of_faces = corner_edges(mesh)[np.isin(face_of_corner, faces)]
     return failed | (np.bincount(of_faces, minlength=len(pairs)) == 1)
 
 

@@ -11,6 +11,15 @@ import numpy as np
 from ..flat_attributes import has_flat_attributes, read_flat_attribute
 from ..foreach import read
 from ..mesh_to_arrays import evaluated_mesh, faces_at_edges
+from ..mesh_topology import (
+    corner_edges,
+    edge_vertices,
+    face_sizes,
+    read_seams,
+    triangle_corners,
+    triangle_faces,
+    triangle_vertices,
+)
 from ..wire_attributes import TOLERANCE, WIRE, read_marks
 from .line_marks import LineMarks
 from .surface_arrays import Triangles
@@ -35,10 +44,10 @@ def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iter
 
 
 def _lines(mesh: bpy.types.Mesh) -> LineMarks:
-    marks, seams = read_marks(mesh), read(mesh.edges, "use_seam", bool)
+    marks, seams = read_marks(mesh), read_seams(mesh)
     outlines = faces_at_edges(mesh) == 1
     rows = np.flatnonzero(seams | outlines | (marks.wire_ids != 0))
-    vertices = read(mesh.edges, "vertices", np.int32, 2)[rows]
+    vertices = edge_vertices(mesh)[rows]
     source, pieces = vertices, np.zeros(len(rows), dtype=np.int32)
     if has_flat_attributes(mesh, "source_vertex", "piece"):
         source = read_flat_attribute(mesh, "source_vertex")[vertices]
@@ -83,9 +92,9 @@ def _piece_in_edit_mode(edge: bmesh.types.BMEdge, layer: bmesh.types.BMLayerItem
 
 
 def _piece_of_edge(mesh: bpy.types.Mesh) -> np.ndarray:
-    sizes = read(mesh.polygons, "loop_total", np.int32)
+    sizes = face_sizes(mesh)
     piece_of_edge = np.zeros(len(mesh.edges), dtype=np.int32)
-    piece_of_edge[read(mesh.loops, "edge_index", np.int32)] = np.repeat(read_flat_attribute(mesh, "piece"), sizes)
+    piece_of_edge[corner_edges(mesh)] = np.repeat(read_flat_attribute(mesh, "piece"), sizes)
     return piece_of_edge
 
 
@@ -94,7 +103,7 @@ def gather_triangles(mesh: bpy.types.Mesh) -> Triangles:
     mesh.calc_loop_triangles()
     return Triangles(
         positions=read(mesh.vertices, "co", np.float32, 3),
-        vertices=read(mesh.loop_triangles, "vertices", np.int32, 3),
-        corners=read(mesh.loop_triangles, "loops", np.int32, 3),
-        polygons=read(mesh.loop_triangles, "polygon_index", np.int32),
+        vertices=triangle_vertices(mesh),
+        corners=triangle_corners(mesh),
+        polygons=triangle_faces(mesh),
     )

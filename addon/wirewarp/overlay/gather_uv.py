@@ -7,6 +7,7 @@ import numpy as np
 
 from ..foreach import read
 from ..mesh_to_arrays import faces_at_edges, next_loops
+from ..mesh_topology import corner_edges, corner_vertices, face_sizes, read_seams
 from ..pieces.attribute import PIECE, read_piece_ids
 from ..wire_attributes import TOLERANCE, WIRE, read_marks
 from ..write_uv import UV_LAYER
@@ -31,16 +32,16 @@ def uv_places(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def _lines(mesh: bpy.types.Mesh) -> LineMarks:
-    marks, seams, outlines = read_marks(mesh), read(mesh.edges, "use_seam", bool), faces_at_edges(mesh) == 1
-    edge_of_loop, following, places = read(mesh.loops, "edge_index", np.int32), next_loops(mesh), uv_places(mesh)
-    sizes = read(mesh.polygons, "loop_total", np.int32)
+    marks, seams, outlines = read_marks(mesh), read_seams(mesh), faces_at_edges(mesh) == 1
+    edge_of_loop, following, places = corner_edges(mesh), next_loops(mesh), uv_places(mesh)
+    sizes = face_sizes(mesh)
     loops = np.flatnonzero((seams | outlines | (marks.wire_ids != 0))[edge_of_loop])
     rows = edge_of_loop[loops]
     corners = np.column_stack([loops, following[loops]])
     return LineMarks(
         ends=places[corners],
         normals=np.tile(np.array([0, 0, 1], dtype=np.float32), (len(loops), 1)),
-        vertices=read(mesh.loops, "vertex_index", np.int32)[corners],
+        vertices=corner_vertices(mesh)[corners],
         pieces=np.repeat(read_piece_ids(mesh), sizes)[loops],
         seams=seams[rows],
         outlines=outlines[rows],

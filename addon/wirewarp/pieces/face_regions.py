@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from ..foreach import read
+from ..foreach import read_attribute
 
 SAMPLE = 5_000  # faces that are looked at: Blender tells groups vertex by vertex only, which is slow on large meshes
 CARRIED = 0.5  # weight from which on a vertex is in its group
@@ -52,7 +52,8 @@ def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) 
 
 
 def _materials(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
-    slots = read(mesh.polygons, "material_index", np.int32)[sample]
+    slots = read_attribute(mesh, "material_index", "INT", "FACE")
+    of_sample = np.zeros(len(sample), dtype=np.int32) if slots is None else slots[sample]
     materials = [slot.material for slot in source.material_slots]
-    present = [(material, sample[slots == index]) for index, material in enumerate(materials) if material]
+    present = [(material, sample[of_sample == index]) for index, material in enumerate(materials) if material]
     return [Region(material.name, faces) for material, faces in present if len(faces)]

@@ -11,6 +11,7 @@ import numpy as np
 from ..flat_attributes import has_flat_attributes, read_flat_attribute
 from ..flat_mesh import FlatMesh
 from ..foreach import read
+from ..mesh_topology import corner_vertices, face_sizes
 from ..pattern.flat_pieces import piece_of_vertices
 from .attribute import PIECE
 from .identity import PieceIdentity
@@ -75,7 +76,7 @@ def _read(mesh: bpy.types.Mesh) -> LaidOut | None:
     return LaidOut(
         vertices=places,
         source_vertex=read_flat_attribute(mesh, "source_vertex"),
-        loop_vertices=read(mesh.loops, "vertex_index", np.int32),
-        face_sizes=read(mesh.polygons, "loop_total", np.int32),
+        loop_vertices=corner_vertices(mesh),
+        face_sizes=face_sizes(mesh),
         piece_id=read_flat_attribute(mesh, PIECE),
     )
