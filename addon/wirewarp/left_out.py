@@ -4,6 +4,7 @@
 import bpy
 
 from .mesh_to_arrays import MeshArrays
+from .notes import note, warning
 from .write_uv import UV_LAYER
 
 # Modifiers that move no vertex and make no face.
@@ -20,16 +21,19 @@ OF_ATTRIBUTES = {
 }
 
 
-def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers: bool) -> list[str]:
+def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers: bool) -> list[dict]:
     notes = []
     shown = [] if use_modifiers else _shown_only(source)
     if shown:
         left = " and ".join(shown)
-        notes.append(f"Not the size you see: {left} were left out. Tick Modifiers in the settings and flatten again.")
+        text = f"Not the size you see: {left} were left out. Tick Modifiers in the settings and flatten again."
+        notes.append(warning(text))
     if use_modifiers and UV_LAYER in source.data.uv_layers:
-        notes.append(f'The UV map "{UV_LAYER}" is of an earlier run without modifiers and not of these flat pieces.')
+        text = f'The UV map "{UV_LAYER}" is of an earlier run without modifiers and not of these flat pieces.'
+        notes.append(note(text))
     if arrays and arrays.loose_marks:
-        notes.append(f"Left out of the wires, for no face has them: {arrays.loose_marks} marked edges.")
+        count = "1 marked edge" if arrays.loose_marks == 1 else f"{arrays.loose_marks} marked edges"
+        notes.append(warning(f"Left out of the wires, for no face has them: {count}."))
     return notes
 
 

@@ -16,10 +16,11 @@ from .flatten_job import issue_of_piece, polygons_of
 from .hints import strain_hints, wire_hints
 from .issues import Issue
 from .mesh_to_arrays import MeshArrays
+from .notes import note, warning
 from .pieces.identity import PieceIdentity
 from .strain import PieceStrain, piece_strain, triangles_around
 
-SCHEMA = "wirewarp-report-2"
+SCHEMA = "wirewarp-report-3"
 # Chains add up the rounding of their edges; the library itself checks every edge to 1e-9.
 LENGTH_LIMIT = 1e-8
 AT_LIMIT = 1e-6  # an elastic wire this close to its tolerance would go further if it could
@@ -207,13 +208,13 @@ def number(value: float) -> float | None:
     return float(value) if math.isfinite(value) else None
 
 
-def _notes(method: str, wires: list[dict]) -> list[str]:
+def _notes(method: str, wires: list[dict]) -> list[dict]:
     loose = [wire["name"] for wire in wires if wire["tolerance"] != 0]
     if method == "wirewarping" and loose:
-        return [f"Kept rigid by this method, tolerance not used: {', '.join(loose)}."]
+        return [note(f"Kept rigid by this method, tolerance not used: {', '.join(loose)}.")]
     return []
 
 
-def _warnings(pieces: list[dict]) -> list[str]:
+def _warnings(pieces: list[dict]) -> list[dict]:
     """Pieces that keep every promise but could be better: those that were cancelled, for one."""
-    return [f"{piece['name']}: {warning}" for piece in pieces if piece["ok"] for warning in piece["warnings"]]
+    return [warning(f"{piece['name']}: {text}") for piece in pieces if piece["ok"] for text in piece["warnings"]]

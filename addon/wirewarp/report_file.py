@@ -33,7 +33,8 @@ def run_message(reports: list[dict]) -> tuple[str, str]:
         return "ERROR", failure_text(reports)
     notes = [note for report in reports for note in report["notes"]]
     strained = strained_text(reports)
-    return "WARNING" if strained or notes else "INFO", "\n".join([strained or success_text(reports), *notes])
+    level = "WARNING" if strained or any(note["is_warning"] for note in notes) else "INFO"
+    return level, "\n".join([strained or success_text(reports), *(note["text"] for note in notes)])
 
 
 def failure_text(reports: list[dict]) -> str:

@@ -12,6 +12,7 @@ from .flatten_job import FlattenChoices, Progress, flatten_arrays, has_layout
 from .issues import Issue, ObjectError
 from .length_units import LengthText
 from .mesh_to_arrays import MeshArrays
+from .notes import warning
 from .pieces.identity import KnownPieces, PieceIdentity, identify_pieces
 from .plain_sentence import plain_sentence
 from .report import failure_report, object_report
@@ -28,7 +29,7 @@ class Model:
     name: str  # with the library's, Object.name_full
     facts: dict  # what its report begins with: names and numbers of elements
     state: dict | None  # see model_state; None if it could not be read
-    notes: list[str]
+    notes: list[dict]
     units: LengthText  # for sentences
     arrays: MeshArrays | None = None
     known: KnownPieces | None = None
@@ -81,7 +82,7 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
     outcome.report["options"] = asdict(choices) | {"grain_wire": model.arrays.grain_wire if model.arrays else 0}
     outcome.report["notes"] += model.notes
     if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored, they are as seen from outside
-        outcome.report["notes"].append(INWARD)
+        outcome.report["notes"].append(warning(INWARD))
     for issue in outcome.report["issues"]:
         issue["sentence"] = plain_sentence(issue["sentence"], model.units)
     return outcome

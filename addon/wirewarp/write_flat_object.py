@@ -14,6 +14,7 @@ from .flat_mesh import FlatMesh, edge_length_variation
 from .flat_shape import remember_shape
 from .mesh_to_arrays import MeshArrays
 from .mesh_topology import corner_edges, edge_vertices
+from .notes import note, warning
 from .owners import find_flat_object, model_of
 from .pattern.flat_pieces import FlatPieces
 from .pieces.attribute import PIECE
@@ -55,20 +56,18 @@ def _is_shared(flat: bpy.types.Object) -> bool:
     return flat.data.library is not None or any(model_of(user) != model for user in users)
 
 
-def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[str]:
+def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[dict]:
     """Unhides the object; returns, as notes, why it is still not to be seen in its true size."""
     target.hide_viewport = False
     notes = []
     if target in view_layer.objects.values():
         target.hide_set(False)
     if not target.visible_get(view_layer=view_layer):
-        notes.append(
-            f'"{target.name}" is not to be seen: its collection is hidden or excluded. Show it in the Outliner.'
-        )
+        text = f'"{target.name}" is not to be seen: its collection is hidden or excluded. Show it in the Outliner.'
+        notes.append(note(text))
     if not np.allclose(target.matrix_world.to_scale(), 1, rtol=0, atol=1e-6):
-        notes.append(
-            f'"{target.name}" is not shown in true size: its parent or a constraint scales it. Its mesh is true.'
-        )
+        text = f'"{target.name}" is not shown in true size: its parent or a constraint scales it. Its mesh is true.'
+        notes.append(warning(text))
     return notes
 
 

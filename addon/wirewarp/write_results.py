@@ -6,9 +6,11 @@ import bpy
 from .flat_mesh import FlatMesh
 from .helper_lines import helper_lines
 from .mesh_topology import edge_vertices
+from .local_views import show_where_shown
 from .model_maps import model_maps
-from .owners import find_flat_object
-from .pieces.keep_places import crowded_note, motions_in_order, pieces_in_place, remember_layout, wants_new_layout
+from .notes import note, warning
+from .owners import find_flat_object, find_helper_wires
+from .pieces.keep_places import crowded_text, motions_in_order, pieces_in_place, remember_layout, wants_new_layout
 from .pieces.motion import Motion
 from .pieces.records import write_pieces
 from .properties import FlattenSettings
@@ -20,7 +22,7 @@ from .wire_names import update_names
 from .write_flat_object import our_collection, show_flat_object, write_flat_object
 from .write_helper_wires import remove_helper_wires, write_helper_wires
 from .write_maps import remove_model_maps, write_model_maps
-from .write_texts import remove_texts, write_texts
+from .write_texts import find_texts, remove_texts, write_texts
 from .write_uv import UV_LAYER, UvFrame, write_uv
 
 
@@ -30,7 +32,8 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         source, arrays = find_source(outcome.model), outcome.model.arrays
         if outcome.pieces is None:
             if find_flat_object(source):
-                outcome.report["notes"].append("Nothing was written: the flat pieces are those of an earlier run.")
+                text = "Nothing was written: the flat pieces are those of an earlier run."
+                outcome.report["notes"].append(warning(text))
             remember(source, outcome.report)
             continue
         if source.data.library is None:
@@ -52,6 +55,8 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         context.view_layer.update()
         outcome.report["flat_object"] = flat.name
         outcome.report["notes"] += show_flat_object(context.view_layer, flat)
+        helpers = [find_helper_wires(owner) for owner in (source, flat)]
+        show_where_shown(source, [flat, *find_texts(flat), *filter(None, helpers)])
         store(source, outcome.report)
 
 
@@ -75,5 +80,5 @@ def _place(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> tup
     pieces, motions, crowded = pieces_in_place(outcome.pieces, earlier, options["gap"])
     if crowded:
         name_of = {identity.piece_id: identity.name for identity in outcome.identities}
-        outcome.report["notes"].append(crowded_note([name_of[piece_id] for piece_id in crowded]))
+        outcome.report["notes"].append(note(crowded_text([name_of[piece_id] for piece_id in crowded])))
     return pieces, motions_in_order(motions, outcome.identities)

@@ -8,6 +8,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix, Vector
 
+from .notes import note
 from .pattern.flat_pieces import FlatPieces
 from .pattern.inner_wires import inner_wires
 from .pattern.outlines import outline_of
@@ -30,7 +31,7 @@ def write_texts(context: bpy.types.Context, flat: bpy.types.Object, arrays: Flat
     remove_texts(flat)
     pieces = [piece for piece in report["pieces"] if piece["has_layout"]]
     if len(pieces) > MOST:
-        report["notes"].append(f"Texts are written on up to {MOST} pieces, these are {len(pieces)}.")
+        report["notes"].append(note(f"Texts are written on up to {MOST} pieces, these are {len(pieces)}."))
         return
     flat[FLAT_ID] = _id(flat, FLAT_ID) or random.randint(1, 2**31 - 1)
     text = length_text(context.scene)

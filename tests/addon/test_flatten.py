@@ -291,7 +291,7 @@ def test_modifiers_go_to_the_flat_object_only():
 
 def notes_after(addon, source, **settings):
     bpy.ops.object.wirewarp_flatten(**settings)
-    return addon.report_store.last_report(source)["notes"]
+    return [note["text"] for note in addon.report_store.last_report(source)["notes"]]
 
 
 def test_what_is_shown_but_not_flattened_is_said(addon):

@@ -172,7 +172,8 @@ def test_a_marked_edge_that_lost_its_face_is_left_out_and_said(addon):
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     report = addon.report_store.last_report(target)
     assert [wire["name"] for wire in report["wires"]] == ["Wire 1"]
-    assert report["notes"] == ["Left out of the wires, for no face has them: 1 marked edges."]
+    (note,) = report["notes"]
+    assert note["text"] == "Left out of the wires, for no face has them: 1 marked edge."
 
 
 def test_rigid_on_an_outline_is_as_good_as_said():

@@ -60,7 +60,8 @@ def test_tolerances_that_the_method_does_not_use_are_said(source, addon, tmp_pat
     mark(source, WIRE, kind="SUPER_ELASTIC")
     (entry,) = flatten_with_report(tmp_path, method="WIREWARPING")["objects"]
     assert entry["method"] == "wirewarping"
-    assert entry["notes"] == ["Kept rigid by this method, tolerance not used: Wire 1."]
+    text = "Kept rigid by this method, tolerance not used: Wire 1."
+    assert entry["notes"] == [{"text": text, "is_warning": False}]
     assert entry["wires"][0]["length_2d"][0] == pytest.approx(entry["wires"][0]["length_3d"], rel=1e-9)
     (row,) = addon.ui.report_rows.wire_rows(entry)
     assert row.note.endswith("; free, kept rigid")
@@ -224,7 +225,8 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
     assert (last["ok"], last["notes"]) == (True, [])
     stopped = next(report for report in map(report_of_run, range(9)) if report["ok"])
     assert stopped["pieces"][0]["termination"] == "cancelled"
-    assert stopped["notes"] == ["Top: Cancelled: the lengths are exact, but the shape could be less distorted."]
+    text = "Top: Cancelled: the lengths are exact, but the shape could be less distorted."
+    assert stopped["notes"] == [{"text": text, "is_warning": True}]
 
 
 def test_success_says_whether_lengths_were_to_stay(addon):
@@ -235,6 +237,19 @@ def test_success_says_whether_lengths_were_to_stay(addon):
     assert kept([report("wirewarp++", 0.0)]) == kept([report("wirewarping", 0.03)]) == "every length kept"
     either = "every length kept or within its tolerance"
     assert kept([report("wirewarp++", 0.0), report("wirewarp++", "inf")]) == either
+
+
+def test_what_is_only_good_to_know_is_no_warning(addon, source):
+    """In the message after a run; what may be wrong with the pieces is."""
+    bpy.ops.object.wirewarp_flatten()
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    report = addon.report_store.last_report(source)
+    (note,) = report["notes"]
+    assert "of an earlier run without modifiers" in note["text"]
+    level, text = addon.report_file.run_message([report])
+    assert level == "INFO" and text.endswith(note["text"])
+    report["notes"] = [note | {"is_warning": True}]
+    assert addon.report_file.run_message([report]) == ("WARNING", text)
 
 
 def test_the_method_and_the_settings_reach_the_core(source, tmp_path):

@@ -170,4 +170,5 @@ def test_very_many_pieces_get_no_texts_and_that_is_said(addon):
     source.data.edges.foreach_set("use_seam", [True] * len(source.data.edges))
     bpy.ops.object.wirewarp_flatten()
     assert texts() == {}
-    assert addon.report_store.last_report(source)["notes"] == ["Texts are written on up to 200 pieces, these are 225."]
+    (note,) = addon.report_store.last_report(source)["notes"]
+    assert note["text"] == "Texts are written on up to 200 pieces, these are 225."

@@ -64,7 +64,7 @@ def flatten_again(source):
 
 
 def notes(addon, source):
-    return addon.report_store.last_report(source)["notes"]
+    return [note["text"] for note in addon.report_store.last_report(source)["notes"]]
 
 
 def test_flattening_again_makes_the_size_true_and_keeps_the_place(addon):

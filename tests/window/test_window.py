@@ -49,6 +49,7 @@ TOURS = {
         "marks_are_undone",
         "frame_button",
     ],
+    "view_tours": ["pieces_are_seen_in_local_view"],
 }
 
 

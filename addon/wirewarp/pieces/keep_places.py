@@ -61,7 +61,7 @@ def _layout_text(options: dict) -> str:
     return json.dumps({name: options[name] for name in LAYOUT_OPTIONS})
 
 
-def crowded_note(names: list[str]) -> str:
+def crowded_text(names: list[str]) -> str:
     subject = f"{names[0]} has" if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]} have"
     return f"{subject} grown into other pieces and now {'lies' if len(names) == 1 else 'lie'} beside them."
 

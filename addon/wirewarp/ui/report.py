@@ -50,7 +50,7 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
             for line in tables_of(report).verdict:
                 draw_sentence(context, layout, line.text, line.icon)
         for note in report["notes"]:
-            draw_sentence(context, layout, note, "ERROR")
+            draw_sentence(context, layout, note["text"], "ERROR" if note["is_warning"] else "INFO")
         if "method_name" in report:
             draw_sentence(context, layout, f"Method: {report['method_name']}")
         if report["issues"]:

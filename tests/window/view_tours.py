@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tours to what a user finds and sees besides the sidebar; test_window.py runs each in a Blender of its own."""
+
+import bpy
+import drive
+from stage import flatten
+from surfaces import bump, grid, mark, on_line, select_only
+
+
+def pieces_are_seen_in_local_view() -> drive.Tour:
+    """Where the model is looked at alone, the pieces that it had before are added, and other objects are not."""
+    source = grid("Bump", bump)
+    mark(source, on_line(1, 0.0))
+    yield from flatten()
+    select_only(source)
+    with drive.in_view():
+        bpy.ops.view3d.localview(frame_selected=False)
+    view = drive.view_area().spaces.active
+
+    def seen() -> list[str]:
+        return [each.name for each in bpy.context.scene.objects if each.visible_get(viewport=view)]
+
+    yield lambda: seen() == ["Bump"]
+    yield from flatten()
+    yield from drive.ticks(10)
+    drive.screenshot("local_view")
+    assert sorted(seen()) == ["Bump", "Bump Flat", "Bump Flat Top"]
