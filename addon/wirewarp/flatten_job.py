@@ -56,7 +56,7 @@ def flatten_arrays(
             arrays.triangles,
             seams=arrays.seams,
             wires=[_library_wire(library, wire) for wire in arrays.wires],
-            options=_options(library, choices, _grain_index(arrays)),
+            options=library.Options(**asdict(used_choices(choices, arrays)), grain=_grain_index(arrays)),
             progress=progress,
             cache=solved,
         )
@@ -64,11 +64,11 @@ def flatten_arrays(
         raise ObjectError(issue_of_error(error, arrays)) from error
 
 
-def _options(library: ModuleType, choices: FlattenChoices, grain: int) -> Any:  # noqa: ANN401
+def used_choices(choices: FlattenChoices, arrays: MeshArrays) -> FlattenChoices:
     """While no wire is the grain wire, pieces stand as on the model: the first wires are often waist and hip."""
-    if choices.orientation == "wire" and grain == -1:
-        choices = replace(choices, orientation="up")
-    return library.Options(**asdict(choices), grain=grain)
+    if choices.orientation == "wire" and _grain_index(arrays) == -1:
+        return replace(choices, orientation="up")
+    return choices
 
 
 def _grain_index(arrays: MeshArrays) -> int:

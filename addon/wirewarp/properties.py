@@ -129,7 +129,7 @@ class FlattenSettings:
     use_modifiers: BoolProperty(
         name="Modifiers",
         description="Flatten the mesh as modifiers and shape keys leave it. There are flat pieces then, but no UV map "
-        "on the model, and a change of the modifiers alone is not noticed: flatten again before you export",
+        "on the model. That the modifiers have changed since is seen in Object Mode only",
         default=False,
     )
     helper_wires: BoolProperty(
@@ -188,8 +188,8 @@ def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Con
 class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
     auto_update: BoolProperty(
         name="Auto",
-        description="Flatten models that have flat pieces again by itself when seams, wires, shape or scale change, as "
-        "soon as the mouse moves. While a model of more than 20,000 vertices is in Edit Mode, its pieces wait",
+        description="Flatten models that have flat pieces again by themselves when seams, wires, shape, scale or, with "
+        "Modifiers, these change, as soon as the mouse moves. While a model of more than 20,000 vertices is in Edit Mode, its pieces wait",
         default=False,
         update=_look_for_changes,
     )

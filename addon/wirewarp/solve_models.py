@@ -8,7 +8,7 @@ from typing import Any
 
 from .facing import INWARD, faces_inward
 from .flat_mesh import FlatMesh, flat_mesh
-from .flatten_job import FlattenChoices, Progress, flatten_arrays, has_layout
+from .flatten_job import FlattenChoices, Progress, flatten_arrays, has_layout, used_choices
 from .issues import Issue, ObjectError
 from .length_units import LengthText
 from .mesh_to_arrays import MeshArrays
@@ -79,7 +79,8 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
         outcome = Outcome(model, failed_report(model, error.issue))
     else:
         outcome = _outcome(model, result, meters)
-    outcome.report["options"] = asdict(choices) | {"grain_wire": model.arrays.grain_wire if model.arrays else 0}
+    used = used_choices(choices, model.arrays) if model.arrays else choices
+    outcome.report["options"] = asdict(used) | {"grain_wire": model.arrays.grain_wire if model.arrays else 0}
     outcome.report["notes"] += model.notes
     if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored, they are as seen from outside
         outcome.report["notes"].append(warning(INWARD))

@@ -322,3 +322,15 @@ def test_joined_wires_have_the_names_they_had_in_the_report_and_in_the_list(sour
     wires = [wire["name"] for wire in addon.report_store.last_report(source)["wires"]]
     assert wires == [entry.name for entry in source.data.wirewarp_names]
     assert sorted(wires) == ["Bust", "Bust (2)", "Hip"]
+
+
+def test_the_report_says_what_stood_upright(source, tmp_path):
+    """Without a grain wire that is what is up, whatever was asked for."""
+
+    def upright(**settings):
+        return flatten_with_report(tmp_path, **settings)["objects"][0]["options"]["orientation"]
+
+    assert upright(orientation="WIRE") == "up"
+    assert upright(orientation="BOUNDARY") == "boundary"
+    source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
+    assert upright(orientation="WIRE") == "wire"
