@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 
-from .foreach import read_attribute
+from .foreach import read, read_attribute
 from .pieces.attribute import PIECE
 
 DOMAINS = {  # all INT
@@ -28,3 +28,9 @@ def read_flat_attribute(mesh: bpy.types.Mesh, name: str) -> np.ndarray | None:
 
 def has_flat_attributes(mesh: bpy.types.Mesh, *names: str) -> bool:
     return all(read_flat_attribute(mesh, name) is not None for name in names)
+
+
+def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
+    """Whether it holds flat pieces and nothing else, whatever became of their model. Of one not in Edit Mode."""
+    is_level = not read(mesh.vertices, "co", np.float32, 3)[:, 2].any()
+    return len(mesh.polygons) > 0 and is_level and has_flat_attributes(mesh, *DOMAINS)

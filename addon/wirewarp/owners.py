@@ -19,6 +19,11 @@ def model_or_self(target: bpy.types.Object) -> bpy.types.Object:
     return model_of(target) or target
 
 
+def is_deleted(model: bpy.types.Object) -> bool:
+    """Whether the user has deleted this model of flat pieces; it stays in the file as long as they point to it."""
+    return not model.users_scene
+
+
 def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
     """The object that remembers `source`: the one with our name first, should the user have copied it."""
     ours = [candidate for candidate in bpy.data.objects if model_of(candidate) == source]

@@ -189,7 +189,8 @@ class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
     auto_update: BoolProperty(
         name="Auto",
         description="Flatten models that have flat pieces again by themselves when seams, wires, shape, scale or, with "
-        "Modifiers, these change, as soon as the mouse moves. While a model of more than 20,000 vertices is in Edit Mode, its pieces wait",
+        "Modifiers, these change, as soon as the mouse moves. While a model of more than 20,000 vertices is in Edit "
+        "Mode, its pieces wait",
         default=False,
         update=_look_for_changes,
     )

@@ -7,13 +7,15 @@ from contextlib import contextmanager
 import bpy
 import numpy as np
 
+from .flat_attributes import is_flat_mesh
 from .issues import Issue, ObjectError, object_error
 from .mesh_to_arrays import linear_part, metric
-from .owners import is_helper, model_of
+from .owners import is_deleted, is_helper, model_of
 from .pieces.attribute import check_piece_attribute
 from .wire_attributes import check_attributes
 from .write_uv import check_uv_room
 
+DELETED = 'Their model "{}" was deleted: bring it back with Ctrl+Z, or select another one.'
 WORKING_MODES = {"OBJECT", "EDIT_MESH"}  # in which models are read and results written; in_object_mode leads there
 
 
@@ -38,7 +40,10 @@ def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Objec
     active = context.view_layer.objects.active
     if active and active.type == "MESH" and not active.visible_get():
         return f'Nothing to flatten: "{active.name}" is hidden. Show it in the Outliner and select it.'
-    if any(model_of(target) for target in context.selected_objects):
+    models = [model for model in map(model_of, context.selected_objects) if model]
+    if models and all(map(is_deleted, models)):
+        return f"Nothing to flatten: these are flat pieces. {DELETED.format(models[0].name)}"
+    if models:
         return "Nothing to flatten: flat pieces are not flattened again. Select the model."
     return "Nothing to flatten: select a mesh object."
 
@@ -46,6 +51,12 @@ def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Objec
 def check_target(target: bpy.types.Object, writes_uv: bool) -> None:
     """Raises ObjectError if the results cannot be written. writes_uv: the base mesh gets them too."""
     linear_part(target)
+    if is_flat_mesh(target.data):
+        raise object_error(
+            "flat_pieces",
+            f'"{target.name}" holds flat pieces, and their model was deleted: bring it back, or select another one. To '
+            'flatten them as they are, delete the attribute "source_vertex" under Object Data > Attributes.',
+        )
     if target.library is not None or (writes_uv and target.data.library is not None):
         raise object_error(
             "linked_data",

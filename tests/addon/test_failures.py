@@ -2,11 +2,13 @@
 """What cannot be done, each with its sentence; what is written then and what is not."""
 
 import json
+import re
 from types import SimpleNamespace
 
 import bpy
 import numpy as np
 import pytest
+from everything import draw_panels
 from surfaces import bump, edge_vertices, flat_of, grid, make_object, mark, on_line, read, select_only, uv_of
 
 CUBE = (
@@ -96,6 +98,23 @@ def test_the_flat_object_is_not_flattened_again():
     bpy.ops.object.wirewarp_flatten()
     select_only(flat_of(source))
     flatten_fails("flat pieces are not flattened again. Select the model")
+
+
+def test_flat_pieces_whose_model_was_deleted(addon):
+    """Blender keeps the model in the file, as the pieces point to it, but not where a script removes it."""
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    flat = flat_of(source)
+    select_only(source)
+    bpy.ops.object.delete()
+    select_only(flat)
+    sentence = 'These are flat pieces. Their model "Bump" was deleted: bring it back with Ctrl\\+Z'
+    flatten_fails(sentence.replace("These", "these"))
+    assert re.search(sentence, draw_panels(addon))
+    bpy.data.objects.remove(source)
+    flatten_fails('"Bump Flat" holds flat pieces, and their model was deleted')
+    flat.data.attributes.remove(flat.data.attributes["source_vertex"])
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 
 
 def test_other_modes():

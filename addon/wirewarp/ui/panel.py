@@ -5,7 +5,8 @@ import bpy
 
 from .. import core
 from ..issues import ObjectError
-from ..owners import find_flat_object, model_of
+from ..owners import find_flat_object, is_deleted, model_of
+from ..targets import DELETED
 from ..wire_summary import wires_of
 from .settings import draw_settings
 from .text import draw_sentence
@@ -32,7 +33,10 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         model = model_of(active)
         if model:
             sentence = f'These are the flat pieces of "{model.name}". Select it to mark and flatten.'
-            draw_sentence(context, layout, sentence, "INFO")
+            if is_deleted(model):
+                draw_sentence(context, layout, f"These are flat pieces. {DELETED.format(model.name)}", "ERROR")
+            else:
+                draw_sentence(context, layout, sentence, "INFO")
             return
         if context.mode != "EDIT_MESH":
             layout.operator("object.mode_set", text="Mark in Edit Mode", icon="EDITMODE_HLT").mode = "EDIT"
