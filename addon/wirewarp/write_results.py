@@ -5,8 +5,8 @@ import bpy
 
 from .flat_mesh import FlatMesh
 from .helper_lines import helper_lines
-from .mesh_topology import edge_vertices
 from .local_views import show_where_shown
+from .mesh_topology import edge_vertices
 from .model_maps import model_maps
 from .notes import note, warning
 from .owners import find_flat_object, find_helper_wires
