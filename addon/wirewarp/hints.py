@@ -21,7 +21,7 @@ MOST_REGIONS = 4  # of all pieces
 LEAST_AMOUNT = 0.1  # of the greatest: the others are single faces, or not worth words
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Region:
     """Triangles of one piece that hang together and must stretch or ease more than the limit, or the worst of them."""
 
@@ -30,6 +30,10 @@ class Region:
     stretch: float
     ease: float
     amount: float  # strain times area: what a dart there would have to take up
+
+    @property
+    def worst(self) -> float:
+        return max(self.stretch, self.ease)
 
 
 def strain_hints(pieces: Sequence[Any], strains: Sequence[PieceStrain | None], arrays: MeshArrays) -> list[Hint]:
@@ -40,19 +44,30 @@ def strain_hints(pieces: Sequence[Any], strains: Sequence[PieceStrain | None], a
         if strain is not None
         for region in _regions(index, piece, strain, arrays)
     ]
-    regions.sort(key=lambda region: -region.amount)
-    return [
-        Hint(
-            "strained",
-            f"{words[0].upper()}{words[1:]} near here: a dart or a seam here would relieve it.",
-            short=strain_figures(region.stretch, region.ease),
-            piece=region.piece,
-            faces=polygons_of(arrays, region.triangles),
-        )
-        for region in regions[:MOST_REGIONS]
-        if region.amount >= LEAST_AMOUNT * regions[0].amount
-        for words in [strain_words(region.stretch, region.ease)]
-    ]
+    places: dict[tuple[int, str], list[Region]] = {}  # one line for all that read alike
+    for region in _worth_words(regions):
+        places.setdefault((region.piece, strain_figures(region.stretch, region.ease)), []).append(region)
+    return [_strain_hint(piece, figures, alike, arrays) for (piece, figures), alike in places.items()]
+
+
+def _worth_words(regions: list[Region]) -> list[Region]:
+    """Largest amount first; of each piece among them also where its own figure in the report is from."""
+    ranked = sorted(regions, key=lambda region: -region.amount)
+    chosen = [region for region in ranked[:MOST_REGIONS] if region.amount >= LEAST_AMOUNT * ranked[0].amount]
+    worst = {region.piece: region for region in sorted(ranked, key=lambda region: region.worst)}
+    figures = [worst[region.piece] for region in chosen]
+    return [region for region in ranked if region in chosen or region in figures]
+
+
+def _strain_hint(piece: int, figures: str, alike: list[Region], arrays: MeshArrays) -> Hint:
+    words = strain_words(max(region.stretch for region in alike), max(region.ease for region in alike))
+    return Hint(
+        "strained",
+        f"{words[0].upper()}{words[1:]} near here: a dart or a seam here would relieve it.",
+        short=figures if len(alike) == 1 else f"{figures}, at {len(alike)} places",
+        piece=piece,
+        faces=polygons_of(arrays, np.concatenate([region.triangles for region in alike])),
+    )
 
 
 def wire_hints(wires: list[dict]) -> list[Hint]:

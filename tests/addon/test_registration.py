@@ -34,7 +34,7 @@ def test_menu_entries_come_and_go(addon):
 
 
 def test_every_class_of_the_add_on_is_registered(addon):
-    bases = (bpy.types.Operator, bpy.types.Panel, bpy.types.PropertyGroup, bpy.types.UIList)
+    bases = (bpy.types.Menu, bpy.types.Operator, bpy.types.Panel, bpy.types.PropertyGroup, bpy.types.UIList)
     modules = [module for name, module in sys.modules.items() if name.startswith(f"{addon.__name__}.")]
     found = {
         cls
@@ -92,20 +92,34 @@ def test_what_the_caller_leaves_out_is_taken_from_the_scene(addon):
     assert bpy.data.objects["Bump Flat"].data.polygons[0].normal.z > 0
 
 
-def test_menu_entries_take_the_settings_of_the_scene(addon):
-    """As after an entry of Blender's own that is executed and not invoked."""
-    for draw in addon.ui.menus.ADDED.values():
-        contexts = []
+class MenuLayout(SimpleNamespace):
+    """Notes what is drawn into a menu; as after an entry of Blender's own that is executed and not invoked."""
 
-        class Layout(SimpleNamespace):
-            def separator(self):
-                pass
+    def __init__(self):
+        super().__init__(operator_context="EXEC_REGION_WIN", contexts=[], menus=[])
 
-            def operator(self, _name, contexts=contexts, **_):
-                contexts.append(self.operator_context)
-                return SimpleNamespace()
+    def separator(self):
+        pass
 
-        layout = Layout(operator_context="EXEC_REGION_WIN")
-        tools = SimpleNamespace(mesh_select_mode=(False, True, False))
+    def menu(self, name):
+        self.menus.append(name)
+
+    def operator(self, _name, **_):
+        self.contexts.append(self.operator_context)
+        return SimpleNamespace()
+
+
+def test_menu_entries_take_the_settings_of_the_scene_and_stand_under_the_add_on_s_name(addon):
+    """F3 finds them by it."""
+    tools = SimpleNamespace(mesh_select_mode=(False, True, False))
+    menus = addon.ui.menus
+    for name, draw in menus.ADDED.items():
+        layout = MenuLayout()
         draw(SimpleNamespace(layout=layout), SimpleNamespace(tool_settings=tools))
-        assert set(contexts) == {"INVOKE_DEFAULT"}
+        assert set(layout.contexts) <= {"INVOKE_DEFAULT"}
+        assert len(layout.menus) == (0 if name == "TOPBAR_MT_file_export" else 1)
+        assert all(getattr(bpy.types, menu).bl_label == "WireWarp" for menu in layout.menus)
+    for cls in menus.CLASSES:
+        layout = MenuLayout()
+        cls.draw(SimpleNamespace(layout=layout), None)
+        assert set(layout.contexts) == {"INVOKE_DEFAULT"}

@@ -62,6 +62,17 @@ def press(kind: str, at: tuple[int, int] | None = None, **modifiers: bool) -> To
         yield from ticks(2)
 
 
+def type_text(text: str) -> Tour:
+    """Small letters and spaces, into the field that has the cursor."""
+    x, y = middle(region("WINDOW"))
+    for letter in text:
+        kind = "SPACE" if letter == " " else letter.upper()
+        window = window_manager().windows[0]
+        window.event_simulate(type=kind, value="PRESS", unicode=letter, x=x, y=y)
+        window.event_simulate(type=kind, value="RELEASE", x=x, y=y)
+        yield from ticks(1)
+
+
 def move_mouse_until(condition: Callable[[], bool]) -> Tour:
     """To and fro over the 3D view, at least once each way."""
     x, y = middle(region("WINDOW"))

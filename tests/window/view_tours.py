@@ -25,3 +25,17 @@ def pieces_are_seen_in_local_view() -> drive.Tour:
     yield from drive.ticks(10)
     drive.screenshot("local_view")
     assert sorted(seen()) == ["Bump", "Bump Flat", "Bump Flat Top"]
+
+
+def search_finds_commands_by_the_add_on_s_name() -> drive.Tour:
+    """F3, "wirewarp flatten", Enter."""
+    source = grid("Bump", bump)
+    select_only(source)
+    yield from drive.press("F3")
+    yield from drive.type_text("wirewarp")
+    yield from drive.ticks(20)
+    drive.screenshot("search")
+    yield from drive.type_text(" flat")
+    yield from drive.ticks(20)
+    yield from drive.press("RET")
+    yield lambda: "Bump Flat" in bpy.data.objects

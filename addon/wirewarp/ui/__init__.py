@@ -15,6 +15,7 @@ from .report import (
 from .wire_list import VIEW3D_PT_wirewarp_wires
 
 CLASSES = (
+    *menus.CLASSES,
     VIEW3D_PT_wirewarp_mark,
     VIEW3D_PT_wirewarp_wires,
     VIEW3D_PT_wirewarp_flatten,

@@ -1,19 +1,41 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Our commands in Blender's menus, by which F3 finds them too."""
+"""Our commands in Blender's menus, each under "WireWarp": F3 finds entries by the menus they are in, too."""
 
 import bpy
 
 
+class VIEW3D_MT_wirewarp(bpy.types.Menu):
+    """Flat pieces"""
+
+    bl_label = "WireWarp"
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        layout = _asking_layout(self)
+        layout.operator("object.wirewarp_flatten")
+        layout.operator("view3d.wirewarp_frame")
+        layout.operator("object.wirewarp_copy_report", text="Copy Report as CSV")
+        layout.operator("object.wirewarp_export_svg")
+
+
+class VIEW3D_MT_wirewarp_edges(bpy.types.Menu):
+    """Seams and wires on the selected edges"""
+
+    bl_label = "WireWarp"
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        layout = _asking_layout(self)
+        layout.operator("mesh.wirewarp_mark", text="Mark Rigid Wire").kind = "RIGID"
+        layout.operator("mesh.wirewarp_mark", text="Mark Elastic Wire").kind = "ELASTIC"
+        layout.operator("mesh.wirewarp_mark", text="Mark Free Wire").kind = "SUPER_ELASTIC"
+        layout.operator("mesh.wirewarp_clear")
+        layout.operator("mesh.wirewarp_select_wire").edge = -1
+        layout.operator("mesh.wirewarp_seams_from_uv_islands")
+
+
 def draw_edge_menu(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
     """Edge (Ctrl+E)."""
-    layout = _asking_layout(menu)
-    layout.separator()
-    layout.operator("mesh.wirewarp_mark", text="Mark Rigid Wire").kind = "RIGID"
-    layout.operator("mesh.wirewarp_mark", text="Mark Elastic Wire").kind = "ELASTIC"
-    layout.operator("mesh.wirewarp_mark", text="Mark Free Wire").kind = "SUPER_ELASTIC"
-    layout.operator("mesh.wirewarp_clear")
-    layout.operator("mesh.wirewarp_select_wire").edge = -1
-    layout.operator("mesh.wirewarp_seams_from_uv_islands")
+    menu.layout.separator()
+    menu.layout.menu(VIEW3D_MT_wirewarp_edges.__name__)
 
 
 def draw_context_menu(menu: bpy.types.Menu, context: bpy.types.Context) -> None:
@@ -22,11 +44,10 @@ def draw_context_menu(menu: bpy.types.Menu, context: bpy.types.Context) -> None:
         draw_edge_menu(menu, context)
 
 
-def draw_flatten_entry(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
+def draw_pieces_menu(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
     """Object, and UV in Edit Mode."""
-    layout = _asking_layout(menu)
-    layout.separator()
-    layout.operator("object.wirewarp_flatten", text="Flatten to Pattern")
+    menu.layout.separator()
+    menu.layout.menu(VIEW3D_MT_wirewarp.__name__)
 
 
 def draw_export_entry(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
@@ -39,11 +60,12 @@ def _asking_layout(menu: bpy.types.Menu) -> bpy.types.UILayout:
     return menu.layout
 
 
+CLASSES = (VIEW3D_MT_wirewarp, VIEW3D_MT_wirewarp_edges)
 ADDED = {
     "VIEW3D_MT_edit_mesh_edges": draw_edge_menu,
     "VIEW3D_MT_edit_mesh_context_menu": draw_context_menu,
-    "VIEW3D_MT_object": draw_flatten_entry,
-    "VIEW3D_MT_uv_map": draw_flatten_entry,
+    "VIEW3D_MT_object": draw_pieces_menu,
+    "VIEW3D_MT_uv_map": draw_pieces_menu,
     "TOPBAR_MT_file_export": draw_export_entry,
 }
 
