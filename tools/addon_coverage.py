@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from tools.environment import BUILD, ROOT, StepError, require_apt, run_quietly, say
+from tools.environment import BUILD, ROOT, StepError, output_of, require_apt, say
 
 ADDON = ROOT / "addon" / "wirewarp"
 FOLDER = BUILD / "coverage"
@@ -59,7 +59,7 @@ def _report(*kinds: str) -> dict:
     commands: list[list[str | Path]] = [["combine", "--keep", "--quiet", *measured], ["json", "--quiet", "-o", report]]
     for command in commands:
         whole = {"COVERAGE_FILE": str(FOLDER / "all")}
-        run_quietly(f"coverage {command[0]}", ["/usr/bin/python3", "-m", "coverage", *command], **whole)
+        output_of(["/usr/bin/python3", "-m", "coverage", *command], **whole)
     return json.loads(report.read_text())
 
 

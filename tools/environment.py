@@ -76,6 +76,16 @@ def run_quietly(what: str, command: Sequence[str | Path], **more: str) -> None:
     say(f"  done in {time.monotonic() - begin:.0f} s")
 
 
+def output_of(command: Sequence[str | Path], **more: str) -> str:
+    """What a command prints, run without a word; shown only if it fails."""
+    words = [str(c) for c in command]
+    done = subprocess.run(words, cwd=ROOT, env=clean_environment(**more), capture_output=True, text=True)
+    if done.returncode:
+        print(done.stdout + done.stderr, flush=True)
+        raise StepError(failure(command, done.returncode))
+    return done.stdout
+
+
 def failure(command: Sequence[str | Path], code: int) -> str:
     words = [str(c) for c in command]
     return f"exit code {code} from: {' '.join(words[:6])}{' ...' if len(words) > 6 else ''}"
@@ -163,7 +173,7 @@ def is_python(candidate: Path, version: str) -> bool:
 
 def venv(name: str, python: Path, *requirements: str) -> Path:
     """The Python of the venv build/venvs/NAME with these packages, made anew when they change."""
-    folder = BUILD / "venvs" / name
+    folder = (BUILD / "venvs" / name).resolve()  # worktrees may share them by a link
     interpreter = folder / "bin" / "python"
     key = fingerprint([], str(python), str(folder), *requirements)
     if not (interpreter.exists() and is_current(f"venv-{name}", key)):
