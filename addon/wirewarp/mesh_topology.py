@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which elements of a mesh belong together, and its seams: the fast way to ask Blender.
+"""Which elements of a mesh belong together, and its seams, read and written fast.
 
 Blender copies whole arrays only where the type is its own, and goes element by element otherwise. Its indices are
-unsigned; from 4.0 on what it keeps for corners and seams is found among the attributes, but not in Edit Mode.
+unsigned. From 4.0 on, what it keeps at corners and edges is found among the attributes, but not in Edit Mode.
 """
 
 import bpy
@@ -11,6 +11,7 @@ import numpy as np
 from .foreach import read, read_attribute
 
 SEAM = "uv_seam" if bpy.app.version >= (5, 0, 0) else ".uv_seam"
+HAS_ATTRIBUTES = bpy.app.version >= (4, 0, 0)
 
 
 def edge_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
@@ -55,10 +56,43 @@ def triangle_faces(mesh: bpy.types.Mesh) -> np.ndarray:
 
 def read_seams(mesh: bpy.types.Mesh) -> np.ndarray:
     """(e,) bool"""
-    if not _has_attributes(mesh):
+    if mesh.is_editmode or not HAS_ATTRIBUTES:
         return read(mesh.edges, "use_seam", bool)
     seams = read_attribute(mesh, SEAM, "BOOLEAN", "EDGE")
     return np.zeros(len(mesh.edges), dtype=bool) if seams is None else seams
+
+
+def write_corner_vertices(mesh: bpy.types.Mesh, vertices: np.ndarray) -> None:
+    """(l,) int32; as all that follow, of a mesh in Object Mode."""
+    if HAS_ATTRIBUTES:
+        mesh.attributes[".corner_vert"].data.foreach_set("value", vertices)
+    else:
+        mesh.loops.foreach_set("vertex_index", vertices.view(np.uint32))
+
+
+def write_faces(mesh: bpy.types.Mesh, starts: np.ndarray, sizes: np.ndarray) -> None:
+    """(f,) int32"""
+    mesh.polygons.foreach_set("loop_start", starts.view(np.uint32))
+    if not HAS_ATTRIBUTES:  # later versions know the sizes from the starts
+        mesh.polygons.foreach_set("loop_total", sizes.view(np.uint32))
+
+
+def write_seams(mesh: bpy.types.Mesh, seams: np.ndarray) -> None:
+    """(e,) bool"""
+    _write_flags(mesh, SEAM, "use_seam", seams)
+
+
+def write_sharp_edges(mesh: bpy.types.Mesh, sharp: np.ndarray) -> None:
+    """(e,) bool"""
+    _write_flags(mesh, "sharp_edge", "use_edge_sharp", sharp)
+
+
+def _write_flags(mesh: bpy.types.Mesh, attribute: str, name: str, flags: np.ndarray) -> None:
+    if HAS_ATTRIBUTES:
+        found = mesh.attributes.get(attribute) or mesh.attributes.new(attribute, "BOOLEAN", "EDGE")
+        found.data.foreach_set("value", flags)
+    else:
+        mesh.edges.foreach_set(name, flags)
 
 
 def _indices(collection: bpy.types.bpy_prop_collection, name: str, columns: int = 1) -> np.ndarray:
@@ -66,9 +100,6 @@ def _indices(collection: bpy.types.bpy_prop_collection, name: str, columns: int 
 
 
 def _of_corners(mesh: bpy.types.Mesh, attribute: str, name: str) -> np.ndarray:
-    found = read_attribute(mesh, attribute, "INT", "CORNER") if _has_attributes(mesh) else None
-    return _indices(mesh.loops, name) if found is None else found
-
-
-def _has_attributes(mesh: bpy.types.Mesh) -> bool:
-    return bpy.app.version >= (4, 0, 0) and not mesh.is_editmode
+    if mesh.is_editmode or not HAS_ATTRIBUTES or not len(mesh.loops):
+        return _indices(mesh.loops, name)
+    return read(mesh.attributes[attribute].data, "value", np.int32)

@@ -10,6 +10,7 @@ from .issues import ObjectError, object_error
 from .mesh_to_arrays import element_counts
 from .mesh_topology import corner_edges, edge_vertices, face_sizes
 from .report_elements import Indices, Pairs
+from .selection_attributes import deselect_all
 
 
 def check_indices(target: bpy.types.Object, report: dict) -> None:
@@ -53,7 +54,7 @@ def select_elements(
     edge_mask, loose_vertices = _find_edges(mesh, edges)
     face_mask = _mask(target, mesh.polygons, faces)
     vertex_mask = _mask(target, mesh.vertices, [*vertices, *loose_vertices])
-    _mend_edge_selection(mesh)
+    deselect_all(mesh)
     context.view_layer.objects.active = target
     for other in context.selected_objects:
         other.select_set(other == target)
@@ -85,13 +86,6 @@ def _frame(context: bpy.types.Context) -> None:
     region = next(region for region in area.regions if region.type == "WINDOW")
     with context.temp_override(area=area, region=region):
         bpy.ops.view3d.view_selected()
-
-
-def _mend_edge_selection(mesh: bpy.types.Mesh) -> None:
-    """Blender 5.0 gives the edges of new meshes this attribute in a wrong type, and crashes when they are selected."""
-    selection = mesh.attributes.get(".select_edge")
-    if selection is not None and selection.data_type != "BOOLEAN":
-        mesh.attributes.remove(selection)
 
 
 def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:

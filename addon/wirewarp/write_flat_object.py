@@ -13,12 +13,20 @@ from .flat_marks import FlatMarks, flat_marks
 from .flat_mesh import FlatMesh, edge_length_variation
 from .flat_shape import remember_shape
 from .mesh_to_arrays import MeshArrays
-from .mesh_topology import corner_edges, edge_vertices
+from .mesh_topology import (
+    corner_edges,
+    edge_vertices,
+    write_corner_vertices,
+    write_faces,
+    write_seams,
+    write_sharp_edges,
+)
 from .notes import note, warning
 from .owners import find_flat_object, model_of
 from .pattern.flat_pieces import FlatPieces
 from .pieces.attribute import PIECE
 from .pieces.records import FACE_COUNT
+from .selection_attributes import deselect_all
 from .wire_attributes import EdgeMarks, write_marks
 from .wire_names import write_names
 from .write_maps import write_flat_maps
@@ -72,19 +80,8 @@ def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) 
 
 
 def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> FlatPieces:
-    mesh.clear_geometry()
-    coordinates = np.zeros((len(flat.vertices), 3), dtype=np.float32)
-    coordinates[:, :2] = flat.vertices
-    mesh.vertices.add(len(flat.vertices))
-    mesh.vertices.foreach_set("co", coordinates.ravel())
-    mesh.loops.add(len(flat.loop_vertices))
-    mesh.loops.foreach_set("vertex_index", flat.loop_vertices)
-    mesh.polygons.add(len(flat.polygon_starts))
-    mesh.polygons.foreach_set("loop_start", flat.polygon_starts)
-    if bpy.app.version < (4, 0, 0):  # later versions know the sizes from the starts
-        mesh.polygons.foreach_set("loop_total", flat.polygon_sizes)
-    mesh.update(calc_edges=True)
-    _deselect(mesh)
+    _write_faces(mesh, flat)
+    deselect_all(mesh)  # in Edit Mode L is to take one piece, not one more
     edges = edge_vertices(mesh)
     marks = flat_marks(flat, edges, arrays)
     pieces = FlatPieces(
@@ -104,14 +101,18 @@ def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> Fla
     return pieces
 
 
-def _deselect(mesh: bpy.types.Mesh) -> None:
-    """New elements are selected, but in Edit Mode L is to take one piece, not one more.
-
-    Their attributes go: Blender 5.0 gives that of the edges a wrong type and crashes when it is written.
-    """
-    for name in (".select_vert", ".select_edge", ".select_poly"):
-        if attribute := mesh.attributes.get(name):
-            mesh.attributes.remove(attribute)
+def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
+    """And nothing else: what there was goes."""
+    mesh.clear_geometry()
+    coordinates = np.zeros((len(flat.vertices), 3), dtype=np.float32)
+    coordinates[:, :2] = flat.vertices
+    mesh.vertices.add(len(flat.vertices))
+    mesh.vertices.foreach_set("co", coordinates.ravel())
+    mesh.loops.add(len(flat.loop_vertices))
+    write_corner_vertices(mesh, flat.loop_vertices)
+    mesh.polygons.add(len(flat.polygon_starts))
+    write_faces(mesh, flat.polygon_starts, flat.polygon_sizes)
+    mesh.update(calc_edges=True)
 
 
 def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays, edges: np.ndarray) -> None:
@@ -126,8 +127,8 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays, 
 
 def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
     """Seams are red in Edit Mode as on the model, and wires, for which Blender has no color, blue as sharp edges."""
-    mesh.edges.foreach_set("use_seam", marks.seams)
-    mesh.edges.foreach_set("use_edge_sharp", marks.wire_ids != 0)
+    write_seams(mesh, marks.seams)
+    write_sharp_edges(mesh, marks.wire_ids != 0)
     write_marks(mesh, EdgeMarks(marks.wire_ids, marks.tolerances))
 
 

@@ -142,15 +142,16 @@ def _face_below(vertices: np.ndarray, corners: np.ndarray, center: np.ndarray) -
 
 def _fasten(view_layer: bpy.types.ViewLayer, flat: bpy.types.Object, targets: list[bpy.types.Object]) -> None:
     """To three vertices each, its origin in the middle of them: so a text moves with its piece, and the dashed line
-    that Blender draws to it has no length.
+    that Blender draws to it has no length. Texts that the view layer does not show stay with the whole object.
     """
-    view_layer.update()  # or it does not know the new objects
-    present = view_layer.objects.values()
-    shown = [target for target in targets if target in present]
-    poses = [target.matrix_basis.copy() for target in shown]
-    for target in shown:
+    poses = [target.matrix_basis.copy() for target in targets]
+    for target in targets:
         target.parent_type, target.matrix_basis = "VERTEX_3", Matrix()
-    view_layer.update()
-    for target, pose in zip(shown, poses, strict=True):
-        target.matrix_parent_inverse = target.matrix_world.inverted_safe() @ flat.matrix_world
+    view_layer.update()  # once: Blender makes the whole flat mesh anew as soon as something hangs on its vertices
+    present = view_layer.objects.values()
+    for target, pose in zip(targets, poses, strict=True):
+        if target in present:
+            target.matrix_parent_inverse = target.matrix_world.inverted_safe() @ flat.matrix_world
+        else:
+            target.parent_type = "OBJECT"
         target.matrix_basis = pose

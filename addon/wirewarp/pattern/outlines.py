@@ -65,10 +65,11 @@ def _areas(vertices: np.ndarray, a: np.ndarray, b: np.ndarray, piece: np.ndarray
     origin = np.zeros(piece.max(initial=-1) + 1, dtype=np.int64)
     origin[piece] = a
     # The shoelace formula; relative to one point of each piece, which may lie far from the origin.
-    (ax, bx), (ay, by) = (
-        (column[a] - column[origin][piece], column[b] - column[origin][piece])
-        for column in map(np.ascontiguousarray, vertices.T)
-    )
+    sides = []
+    for column in map(np.ascontiguousarray, vertices.T):
+        origins = column[origin][piece]
+        sides.append((column[a] - origins, column[b] - origins))
+    (ax, bx), (ay, by) = sides
     return np.bincount(piece, ax * by - ay * bx) / 2
 
 
