@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which elements of a mesh belong together, and its seams, read and written fast.
+"""Which elements of a mesh belong together, read and written fast.
 
 Blender copies whole arrays only where the type is its own, and goes element by element otherwise. Its indices are
 unsigned. From 4.0 on, what it keeps at corners and edges is found among the attributes, but not in Edit Mode.
@@ -10,8 +10,8 @@ import numpy as np
 
 from .foreach import read, read_attribute
 
-SEAM = "uv_seam" if bpy.app.version >= (5, 0, 0) else ".uv_seam"
 HAS_ATTRIBUTES = bpy.app.version >= (4, 0, 0)
+SEAM = "uv_seam" if bpy.app.version >= (4, 5, 0) else ".uv_seam"  # absent where there is no seam
 
 
 def edge_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
@@ -77,22 +77,13 @@ def write_faces(mesh: bpy.types.Mesh, starts: np.ndarray, sizes: np.ndarray) -> 
         mesh.polygons.foreach_set("loop_total", sizes.view(np.uint32))
 
 
-def write_seams(mesh: bpy.types.Mesh, seams: np.ndarray) -> None:
-    """(e,) bool"""
-    _write_flags(mesh, SEAM, "use_seam", seams)
-
-
 def write_sharp_edges(mesh: bpy.types.Mesh, sharp: np.ndarray) -> None:
     """(e,) bool"""
-    _write_flags(mesh, "sharp_edge", "use_edge_sharp", sharp)
-
-
-def _write_flags(mesh: bpy.types.Mesh, attribute: str, name: str, flags: np.ndarray) -> None:
     if HAS_ATTRIBUTES:
-        found = mesh.attributes.get(attribute) or mesh.attributes.new(attribute, "BOOLEAN", "EDGE")
-        found.data.foreach_set("value", flags)
+        found = mesh.attributes.get("sharp_edge") or mesh.attributes.new("sharp_edge", "BOOLEAN", "EDGE")
+        found.data.foreach_set("value", sharp)
     else:
-        mesh.edges.foreach_set(name, flags)
+        mesh.edges.foreach_set("use_edge_sharp", sharp)
 
 
 def _indices(collection: bpy.types.bpy_prop_collection, name: str, columns: int = 1) -> np.ndarray:

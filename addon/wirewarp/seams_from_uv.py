@@ -9,7 +9,7 @@ import numpy as np
 from .foreach import read
 from .issues import object_error
 from .mesh_to_arrays import next_loops
-from .mesh_topology import corner_edges, corner_vertices, read_seams, write_seams
+from .mesh_topology import corner_edges, corner_vertices, read_seams
 from .uv_islands import island_borders
 
 
@@ -33,6 +33,6 @@ def _mark_borders(mesh: bpy.types.Mesh) -> int:
         read(mesh.uv_layers.active.data, "uv", np.float32, 2),
         len(mesh.edges),
     )
-    write_seams(mesh, before | borders)
+    mesh.edges.foreach_set("use_seam", before | borders)
     mesh.update()
     return int(np.count_nonzero(borders & ~before))

@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 
 from .edge_keys import edge_keys
-from .mesh_topology import edge_vertices, read_seams, write_seams
+from .mesh_topology import edge_vertices, read_seams
 from .wire_attributes import read_marks, write_marks
 
 
@@ -13,7 +13,7 @@ def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:
     """Marks edges, given as vertex pairs, as seams. Returns how many were none before."""
     before = read_seams(mesh)
     wanted = _mask(mesh, edges)
-    write_seams(mesh, before | wanted)
+    mesh.edges.foreach_set("use_seam", before | wanted)
     mesh.update()
     return int(np.count_nonzero(wanted & ~before))
 

@@ -18,7 +18,6 @@ from .mesh_topology import (
     edge_vertices,
     write_corner_vertices,
     write_faces,
-    write_seams,
     write_sharp_edges,
 )
 from .notes import note, warning
@@ -127,7 +126,7 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays, 
 
 def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
     """Seams are red in Edit Mode as on the model, and wires, for which Blender has no color, blue as sharp edges."""
-    write_seams(mesh, marks.seams)
+    mesh.edges.foreach_set("use_seam", marks.seams)
     write_sharp_edges(mesh, marks.wire_ids != 0)
     write_marks(mesh, EdgeMarks(marks.wire_ids, marks.tolerances))
 
