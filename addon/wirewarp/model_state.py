@@ -12,10 +12,11 @@ from .issues import ObjectError
 from .mesh_cache import kept
 from .mesh_to_arrays import MeshArrays, metric
 from .mesh_topology import corner_vertices, face_sizes, read_seams
+from .place_sums import are_same_places, place_sums
 from .wire_attributes import TOLERANCE, WIRE, read_marks
 
 MODIFIED = "modified"  # of reports with modifiers
-UNKNOWN = "?"  # unlike any digest
+UNKNOWN = {"faces": "?"}  # unlike any mesh
 EDIT_LIMIT = 20_000  # vertices; larger meshes are not compared while in Edit Mode, where reading them is slow
 
 
@@ -52,7 +53,8 @@ def has_changed(source: bpy.types.Object, report: dict) -> bool:
     try:
         if any(state.get(part) != digest for part, digest in kept(mesh, "digests", _digests).items()):
             return True
-        return state.get(MODIFIED) is not None and _modified(source) not in (None, state[MODIFIED])
+        then, now = state.get(MODIFIED), _modified(source)
+        return None not in (then, now) and not _is_same(then, now)
     except ObjectError:  # an attribute of our name that was none when the report was made
         return True
 
@@ -62,19 +64,26 @@ def shows_modified(source: bpy.types.Object) -> bool:
     return source.mode == "OBJECT" and source.visible_get()
 
 
-def _modified(source: bpy.types.Object) -> str | None:
+def _modified(source: bpy.types.Object) -> dict | None:
     """Of the mesh as modifiers and shape keys leave it; None where that cannot be seen."""
-    return kept(source, MODIFIED, _modified_digest) if shows_modified(source) else None
+    return kept(source, MODIFIED, _modified_state) if shows_modified(source) else None
 
 
-def _modified_digest(source: bpy.types.Object) -> str:
+def _modified_state(source: bpy.types.Object) -> dict:
     """From what Blender has made already: evaluated_mesh would make it once more, for layers that are not asked for."""
     evaluated = source.evaluated_get(bpy.context.view_layer.depsgraph)
     try:
-        shape, marks = _gather(evaluated.to_mesh())
-        return _digest(shape + marks)
+        (points, *faces), marks = _gather(evaluated.to_mesh())
+        sums, rounding = place_sums(points, source.matrix_world.translation.length)
+        return {"faces": _digest(faces + marks), "sums": sums, "rounding": rounding}
     finally:
         evaluated.to_mesh_clear()
+
+
+def _is_same(then: dict, now: dict) -> bool:
+    if then["faces"] != now["faces"]:
+        return False
+    return are_same_places((then["sums"], then["rounding"]), (now["sums"], now["rounding"]))
 
 
 def has_moved(source: bpy.types.Object, report: dict) -> bool:

@@ -3,7 +3,9 @@
 
 import bmesh
 import bpy
+import numpy as np
 import pytest
+from mathutils import Euler, Matrix, Vector
 from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only
 
 LINE, OTHER = on_line(1, 0.0), on_line(0, 0.0)
@@ -164,6 +166,31 @@ def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     assert taken() == []
     assert bpy.ops.object.wirewarp_export_svg(filepath=str(path)) == {"FINISHED"}
+
+
+def test_a_model_and_what_its_modifiers_refer_to_may_move_together(addon, smooth):
+    report, mirror = addon.report_store.last_report(smooth), bpy.data.objects["Mirror"]
+    for step in range(1, 6):
+        motion = Matrix.LocRotScale(Vector((0.37, -7.1, 12.3)) * step, Euler((0.3, 0.2 * step, 1.1)), None)
+        for moved in (smooth, mirror):
+            moved.matrix_world = motion @ moved.matrix_world
+        bpy.context.view_layer.update()
+        assert not addon.model_state.has_changed(smooth, report)
+    mirror.location.x += 0.001
+    bpy.context.view_layer.update()
+    assert addon.model_state.has_changed(smooth, report)
+
+
+@pytest.mark.parametrize("count", [1, 100, 100_000])
+def test_one_vertex_that_moves_is_seen_and_rounding_is_not(addon, count):
+    random = np.random.default_rng(count)
+    points = random.uniform(-1, 1, (count, 3)).astype(np.float32)
+    before = addon.place_sums.place_sums(points, 1.0)
+    rounded = points + random.uniform(-3e-7, 3e-7, points.shape).astype(np.float32)
+    assert addon.place_sums.are_same_places(before, addon.place_sums.place_sums(rounded, 1.0))
+    moved = points.copy()
+    moved[count // 3, 1] += 1e-3
+    assert not addon.place_sums.are_same_places(before, addon.place_sums.place_sums(moved, 1.0))
 
 
 def test_another_frame_of_an_animated_modifier_is_a_change(addon, smooth):
