@@ -81,7 +81,7 @@ seams: (k, 2) vertex pairs along which the surface is cut.
 wires: Wire objects.
 options: Options; None for the defaults.
 progress: called as progress(stage, fraction); returning False cancels the pieces that are not flat yet, an exception
-    cancels and is raised again. The last stage, "measure", runs to its end.
+    cancels and is raised again. Always called in the calling thread. The last stage, "measure", runs to its end.
 cache: a Cache: pieces that did not change since its last run are not solved again.
 
 Raises FlattenError if the input is not a mesh with seams and wires. A region that cannot be flattened carries its

@@ -3,16 +3,19 @@
 #include "wirewarp/flatten.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "chart_errors.h"
 #include "charts/cut_into_charts.h"
+#include "charts_progress.h"
 #include "check_input/check_input.h"
 #include "feasibility/check_outline.h"
 #include "feasibility/propose_seams.h"
 #include "metrics/assemble_result.h"
 #include "metrics/helper_wires.h"
+#include "on_all_cores.h"
 #include "outer/choose_variation.h"
 #include "packing/pack_pieces.h"
 #include "progress_report.h"
@@ -147,38 +150,34 @@ Layout solve_chart(const Chart& chart, const FlattenInput& input, const Options&
   return layout;
 }
 
-std::vector<Layout> flatten_charts(const FlattenInput& input, const Charts& charts, const Options& options,
-                                   ProgressReport& progress, Reuse& reuse) {
-  // Where each stage begins and ends in a chart's share of the time. Nobody knows how many steps it takes: each step is
-  // told as a part of what is left.
-  struct Span {
-    double begin, end;
-  };
-  const std::map<std::string, Span> spans{{"wires", {0.0, 0.1}},
-                                          {"interior", {0.1, 0.6}},
-                                          {"lengths", {0.6, 1.0}},
-                                          {"start", {0.0, 0.15}},
-                                          {"shape", {0.15, 1.0}}};
-  constexpr double kPerStep = 0.05;
-  std::vector<Layout> layouts;
-  double faces_done = 0;
-  for (const Chart& chart : charts.charts) {
-    const auto chart_faces = static_cast<double>(chart.source_face.size());
-    double share_done = 0;
-    const auto go_on = [&](const char* stage) {
-      const Span& span = spans.at(stage);
-      const bool has_begun = span.begin <= share_done;
-      share_done = has_begun ? share_done + kPerStep * std::max(0.0, span.end - share_done) : span.begin;
-      const double done = (faces_done + share_done * chart_faces) / static_cast<double>(input.faces.rows());
-      return progress.go_on(stage, 0.2 + 0.7 * done);
-    };
+/// The largest first, so that no core waits long for the last.
+std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
+  std::vector<std::size_t> order(charts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return charts[a].source_face.size() > charts[b].source_face.size();
+  });
+  return order;
+}
+
+/// All charts, on all cores; each has the layout that it has alone.
+std::vector<Layout> flatten_charts(const FlattenInput& input, const std::vector<Chart>& charts, const Options& options,
+                                   ProgressReport& report, Reuse& reuse) {
+  std::vector<Layout> layouts(charts.size());
+  ChartsProgress progress(report, charts);
+  const std::vector<std::size_t> order = largest_first(charts);
+  const auto flatten_chart = [&](std::size_t i) {
+    const std::size_t c = order[i];
+    const Chart& chart = charts[c];
+    const auto go_on = [&](const char* stage) { return progress.go_on(c, stage); };
     if (chart.error) {
-      layouts.emplace_back().error = with_proposed_seams(*chart.error, chart);
+      layouts[c].error = with_proposed_seams(*chart.error, chart);
     } else {
-      layouts.push_back(reuse.layout_of(chart, [&] { return solve_chart(chart, input, options, go_on); }));
+      layouts[c] = reuse.layout_of(chart, [&] { return solve_chart(chart, input, options, go_on); });
     }
-    faces_done += chart_faces;
-  }
+    progress.finish(c);
+  };
+  on_all_cores(charts.size(), flatten_chart, [&] { progress.tell(); });
   return layouts;
 }
 
@@ -210,7 +209,7 @@ FlattenResult flatten(const FlattenInput& input, const Options& options, const P
       charts = cut_into_charts(input, edges);
     }
     Reuse reuse(cache, input, options);
-    std::vector<Layout> layouts = flatten_charts(input, charts, options, report, reuse);
+    std::vector<Layout> layouts = flatten_charts(input, charts.charts, options, report, reuse);
     reuse.finish();
     report.go_on("measure", 0.9);
     {

@@ -2,6 +2,7 @@
 // Progress, cancelling and the time of each stage of a run.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <map>
@@ -14,20 +15,29 @@ namespace wirewarp {
 /// Asked at every step of a chart with the name of its stage; false cancels.
 using GoOn = std::function<bool(const char* stage)>;
 
-/// Passes progress on, and remembers that the caller cancelled.
+/// Passes progress on, and remembers that the caller cancelled or threw.
 class ProgressReport {
  public:
   explicit ProgressReport(const Progress& progress) : progress_(progress) {}
 
   /// False once the caller has cancelled.
   bool go_on(const std::string& stage, double fraction) {
-    if (!is_cancelled_ && progress_) is_cancelled_ = !progress_(stage, fraction);
+    if (is_cancelled_ || !progress_) return !is_cancelled_;
+    try {
+      is_cancelled_ = !progress_(stage, fraction);
+    } catch (...) {
+      is_cancelled_ = true;  // for the charts in other threads
+      throw;
+    }
     return !is_cancelled_;
   }
 
+  /// In any thread.
+  bool is_cancelled() const { return is_cancelled_; }
+
  private:
   const Progress& progress_;
-  bool is_cancelled_ = false;
+  std::atomic<bool> is_cancelled_{false};
 };
 
 /// Adds the time from its construction to its destruction to seconds[stage].

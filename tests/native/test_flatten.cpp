@@ -308,17 +308,6 @@ TEST(Flatten, APieceWithFlippedFacesSaysSoAndKeepsItsLengths) {
   for (const WireReport& wire : piece.wires) EXPECT_LT(wire.max_edge_error, 1e-9);
 }
 
-TEST(Flatten, ReportsProgressThatNeverFalls) {
-  std::vector<double> fractions;
-  flatten(gores_with_a_wire(), {}, [&](const std::string&, double fraction) {
-    fractions.push_back(fraction);
-    return true;
-  });
-  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
-  EXPECT_EQ(fractions.front(), 0);
-  EXPECT_EQ(fractions.back(), 1);
-}
-
 TEST(Measure, JudgesFlattensOwnResultTheSame) {
   const FlattenInput input = gores_with_a_wire();
   const FlattenResult flat = flatten(input);

@@ -30,7 +30,7 @@ class Cache;
 
 /// Called with the stage ("charts", "start", "shape", "wires", "interior", "lengths", "measure") and the fraction of
 /// the run in [0, 1]; returning false cancels the pieces that are not flat yet. "measure" comes last: it runs to its
-/// end.
+/// end. Pieces are solved on several cores, but this is called in the thread that called flatten() alone.
 using Progress = std::function<bool(const std::string& stage, double fraction)>;
 
 /// Flattens every chart of the input; pieces laid out without overlap, front faces with positive area.

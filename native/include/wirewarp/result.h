@@ -118,7 +118,7 @@ struct FlattenResult {
   std::vector<WireReport> wires;          // whole wires
   std::string method;                     // the method used, or "measure"
   int reused_pieces = 0;                  // taken from the cache instead of being solved again
-  std::map<std::string, double> seconds;  // per stage, and "total"
+  std::map<std::string, double> seconds;  // per stage, summed over pieces that run side by side; and "total"
 };
 
 }  // namespace wirewarp

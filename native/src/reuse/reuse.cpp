@@ -30,6 +30,7 @@ Layout Reuse::layout_of(const Chart& chart, const std::function<Layout()>& solve
   std::string names = name_key(chart, input_.wires);
   const auto known = known_->by_key.find(key);
   if (known != known_->by_key.end() && (!known->second->layout.error || known->second->name_key == names)) {
+    const std::lock_guard lock(mutex_);
     ++num_reused_;
     of_this_run_.by_key.insert(*known);
     return known->second->layout;
@@ -38,6 +39,7 @@ Layout Reuse::layout_of(const Chart& chart, const std::function<Layout()>& solve
   Layout layout = solved->layout;
   if (layout.report.termination == Termination::cancelled) return layout;
   solved->layout.report.seconds.clear();  // no time is spent on it again
+  const std::lock_guard lock(mutex_);
   of_this_run_.by_key.insert_or_assign(std::move(key), std::move(solved));
   return layout;
 }

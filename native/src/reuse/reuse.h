@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "metrics/assemble_result.h"
@@ -27,7 +28,7 @@ class Reuse {
   /// cache: null: every chart is solved.
   Reuse(Cache* cache, const FlattenInput& input, const Options& options);
 
-  /// The layout of a sound chart: the known one, or the one that solve() makes. Whole ones are kept.
+  /// The layout of a sound chart: the known one, or the one that solve() makes. Whole ones are kept. In any thread.
   Layout layout_of(const Chart& chart, const std::function<Layout()>& solve);
 
   /// Hands all layouts of this run to the cache, in place of those it held.
@@ -40,6 +41,7 @@ class Reuse {
   const FlattenInput& input_;
   const Options& options_;
   std::shared_ptr<const SolvedCharts> known_;
+  std::mutex mutex_;  // of the two below
   SolvedCharts of_this_run_;
   int num_reused_ = 0;
 };

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Charts are solved on all cores: each as it is alone, and what the caller hears comes in the caller's thread.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+
+#include "on_all_cores.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+FlattenInput many_gores() { return test::sphere_of_gores(12, 4, 16); }
+
+/// The faces of one piece alone, with the same vertices.
+FlattenInput only(const FlattenInput& input, const Piece& piece) {
+  FlattenInput result = input;
+  result.faces.resize(static_cast<Eigen::Index>(piece.source_face.size()), 3);
+  for (std::size_t f = 0; f < piece.source_face.size(); ++f) {
+    result.faces.row(static_cast<Eigen::Index>(f)) = input.faces.row(piece.source_face[f]);
+  }
+  result.seams.resize(0, 2);  // its outline without them
+  return result;
+}
+
+TEST(ChartsAtOnce, EachIsSolvedAsItIsAlone) {
+  const FlattenInput input = many_gores();
+  const FlattenResult all = flatten(input);
+  ASSERT_EQ(all.pieces.size(), 12U);
+  for (const Piece& piece : all.pieces) {
+    const FlattenResult alone = flatten(only(input, piece));
+    ASSERT_EQ(alone.pieces.size(), 1U);
+    EXPECT_EQ(alone.pieces[0].report.objective, piece.report.objective);  // bit for bit
+    EXPECT_EQ(alone.pieces[0].report.factorizations, piece.report.factorizations);
+  }
+}
+
+TEST(ChartsAtOnce, ProgressIsToldInTheCallersThreadAndNeverFalls) {
+  const std::thread::id caller = std::this_thread::get_id();
+  std::vector<double> fractions;
+  bool elsewhere = false;
+  flatten(many_gores(), {}, [&](const std::string&, double fraction) {
+    elsewhere = elsewhere || std::this_thread::get_id() != caller;
+    fractions.push_back(fraction);
+    return true;
+  });
+  EXPECT_FALSE(elsewhere);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.front(), 0);
+  EXPECT_EQ(fractions.back(), 1);
+}
+
+TEST(ChartsAtOnce, CancellingReachesAllThreads) {
+  int calls = 0;
+  const FlattenResult result = flatten(many_gores(), {}, [&](const std::string&, double) { return ++calls < 2; });
+  EXPECT_EQ(calls, 2);
+  const auto is_cancelled = [](const Piece& piece) { return piece.error && piece.error->code == ErrorCode::cancelled; };
+  // one chart a thread may have been begun, and a chart that is flat by then stays
+  const auto begun = static_cast<std::ptrdiff_t>(std::max(1U, std::thread::hardware_concurrency()));
+  EXPECT_GE(std::count_if(result.pieces.begin(), result.pieces.end(), is_cancelled), 12 - begun);
+  for (const Piece& piece : result.pieces) {
+    EXPECT_TRUE(!piece.error || is_cancelled(piece)) << piece.error->what();
+  }
+}
+
+TEST(ChartsAtOnce, WhatProgressThrowsArrivesAndEndsTheRun) {
+  int calls = 0;
+  const auto throwing = [&](const std::string&, double) -> bool {
+    if (++calls < 3) return true;
+    throw std::runtime_error("no more");
+  };
+  EXPECT_THROW(flatten(many_gores(), {}, throwing), std::runtime_error);
+  EXPECT_EQ(calls, 3);
+}
+
+TEST(OnAllCores, DoesEachThingOnce) {
+  std::vector<std::atomic<int>> times(1000);
+  on_all_cores(
+      times.size(), [&](std::size_t i) { ++times[i]; }, [] {});
+  for (const std::atomic<int>& count : times) EXPECT_EQ(count, 1);
+  on_all_cores(
+      0, [](std::size_t) { FAIL(); }, [] {});
+}
+
+TEST(OnAllCores, WhatWorkThrowsArrives) {
+  const auto work = [](std::size_t i) {
+    if (i == 7) throw std::out_of_range("seven");
+  };
+  EXPECT_THROW(on_all_cores(100, work, [] {}), std::out_of_range);
+}
+
+}  // namespace
+}  // namespace wirewarp
