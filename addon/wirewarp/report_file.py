@@ -40,18 +40,16 @@ def run_message(reports: list[dict]) -> tuple[str, str]:
 def failure_text(reports: list[dict]) -> str:
     """What failed, one line each."""
     lines = [
-        f"{report['object']}{_piece_name(report, issue)}: {issue['sentence']}"
-        for report in reports
-        for issue in report["issues"]
+        f"{_place(report, issue['piece'])}: {issue['sentence']}" for report in reports for issue in report["issues"]
     ]
     return _capped(lines)
 
 
 def strained_text(reports: list[dict]) -> str:
     """Which of the pieces that keep their lengths no cloth can follow, one line each; "" if none."""
-    strained = [(report["object"], piece) for report in reports for piece in strained_pieces(report)]
+    strained = [(report, piece) for report in reports for piece in strained_pieces(report)]
     strained.sort(key=lambda entry: aspect_ratio(entry[1]), reverse=True)
-    return _capped([strain_text(f"{name}, {piece['name']},", piece) for name, piece in strained])
+    return _capped([strain_text(_subject(report, piece), piece) for report, piece in strained])
 
 
 def success_text(reports: list[dict]) -> str:
@@ -75,5 +73,13 @@ def _capped(lines: list[str]) -> str:
     return "\n".join(lines[:SHOWN_SENTENCES] + more)
 
 
-def _piece_name(report: dict, issue: dict) -> str:
-    return "" if issue["piece"] is None else f", {report['pieces'][issue['piece']]['name']}"
+def _subject(report: dict, piece: dict) -> str:
+    """As _place, in the middle of a sentence."""
+    place = _place(report, piece["index"])
+    return place if place == report["object"] else f"{place},"
+
+
+def _place(report: dict, piece: int | None) -> str:
+    """The object and the piece, where it is one and does not have the name of the object."""
+    name = report["object"] if piece is None else report["pieces"][piece]["name"]
+    return name if name == report["object"] else f"{report['object']}, {name}"

@@ -90,7 +90,7 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
 
 
 def _outcome(model: Model, result: Any, meters: float) -> Outcome:  # noqa: ANN401
-    identities = identify_pieces(result, model.arrays, model.known)
+    identities = identify_pieces(result, model.arrays, model.known, model.facts["object"])
     report = object_report(result, model.arrays, identities, meters)
     any_layout = bool(has_layout(result.corner_uv).any())
     pieces = flat_mesh(result, model.arrays, identities) if any_layout else None

@@ -165,7 +165,7 @@ def test_both_sides_of_a_dart_get_notches(tmp_path):
     source = grid("Bump", bump)
     mark_seam(source, lambda a, b: WIRE(a, b) and a[0] + b[0] > 0)
     drawing = export(source, tmp_path, flatten={}, notch_spacing=30.0)
-    assert len(drawing.lines("Top", "Notches")) == 2 * int(lengths_on(source, WIRE).sum() / 2 / 30)
+    assert len(drawing.lines("Bump", "Notches")) == 2 * int(lengths_on(source, WIRE).sum() / 2 / 30)
 
 
 def test_notches_too_close_to_be_cut_are_refused(source, tmp_path):

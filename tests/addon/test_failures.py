@@ -60,7 +60,7 @@ def test_one_bad_piece_spares_the_others(tmp_path):
 
 def test_no_good_piece_leaves_the_file_alone_but_for_the_report(tmp_path):
     source = cube()
-    flatten_fails("Cube, Around: ", report_path=str(tmp_path / "report.json"))
+    flatten_fails("Error: Cube: ", report_path=str(tmp_path / "report.json"))
     assert nothing_written(source)
     report = json.loads((tmp_path / "report.json").read_text())
     assert not report["ok"]
@@ -80,7 +80,7 @@ def test_a_failed_run_leaves_the_last_good_result():
 def test_a_failed_object_spares_the_others():
     good, bad = grid("Good", bump), cube("Bad")
     select_only(good, bad)
-    flatten_fails("Bad, Around: ")
+    flatten_fails("Error: Bad: ")
     assert len(flat_of(good).data.polygons) == 64
     assert nothing_written(bad)
 

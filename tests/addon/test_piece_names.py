@@ -100,12 +100,36 @@ def test_what_winds_around_is_named_after_its_place():
     ]
     for sleeve in sleeves:
         sleeve.data.edges.foreach_set("use_seam", [set(edge.vertices) == {0, 8} for edge in sleeve.data.edges])
-    assert flatten(sleeves[0]) == ["Around"]
-    sleeves[0].wirewarp_pieces.clear()
+    assert flatten(sleeves[0]) == ["Tube -4"]  # alone it is all of the model
     select_only(*sleeves)
     bpy.ops.object.join()
     assert sorted(flatten(sleeves[0])) == ["Left", "Right"]
     assert middle_of(sleeves[0], "Left")[0] > 3
+
+
+def test_a_model_of_one_piece_is_called_as_the_model_until_it_is_cut(addon):
+    source = grid("Sleeve", bump)
+    assert flatten(source) == ["Sleeve"]
+    select_only(source)
+    with pytest.raises(RuntimeError, match="^Error: Sleeve: "):  # and not "Sleeve, Sleeve"
+        source.data.vertices[40].co = source.data.vertices[41].co
+        bpy.ops.object.wirewarp_flatten()
+    source.data.vertices[40].co = (0, 0, 0.4)
+    mark_seam(source, on_line(0, 0.0))
+    assert sorted(flatten(source)) == ["Top Left", "Top Right"]
+
+
+def test_a_name_given_to_the_only_piece_stays_when_it_is_cut(addon):
+    source = grid("Sleeve", bump)
+    flatten(source)
+    source.wirewarp_pieces[0].name = "Arm"
+    mark_seam(source, on_line(0, 0.5))
+    assert "Arm" in flatten(source)
+
+
+def test_a_ring_around_the_middle_of_the_model_is_around(addon):
+    normals, offsets = np.zeros((2, 3)), np.array([[0, 0, 0], [0, 0, 0.4]])
+    assert addon.pieces.side_names.side_names(normals, offsets) == ["Around", "Top"]
 
 
 def test_more_than_two_of_one_side_are_numbered():

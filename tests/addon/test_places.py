@@ -219,7 +219,7 @@ def test_a_dart_does_not_confuse_the_fit():
     source = grid("Bump", bump)
     mark_seam(source, lambda a, b: on_line(1, 0.0)(a, b) and a[0] + b[0] > 0)
     bpy.ops.object.wirewarp_flatten()
-    move(source, "Top", angle=-0.7, by=(-3, 1))
+    move(source, "Bump", angle=-0.7, by=(-3, 1))
     flat = flat_of(source).data
     before = read(flat.vertices, "co", np.float32, 3)
     flatten(source)
@@ -230,7 +230,7 @@ def test_helper_wires_lie_on_the_moved_pieces():
     source = grid("Bump", bump)
     mark(source, lambda a, b: on_line(1, 0.0)(a, b) and abs(a[0] + b[0]) < 1)
     bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
-    move(source, "Top", angle=1.0, by=(6, 2))
+    move(source, "Bump", angle=1.0, by=(6, 2))
     flatten(source, method="WIREWARP_PLUS_PLUS")
     flat = read(flat_of(source).data.vertices, "co", np.float32, 3)
     helpers = bpy.data.objects["Bump Flat Helper Wires"].data

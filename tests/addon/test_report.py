@@ -198,7 +198,7 @@ def test_a_half_sphere_keeps_its_lengths_but_is_not_ready_to_cut(addon, tmp_path
     assert report["pieces"][0]["aspect_ratio_max"] > 1.4
     (line,) = addon.ui.verdict.verdict(report)
     assert line.icon == "ERROR"
-    assert line.text.startswith("Top: lengths kept, but the cloth must stretch up to")
+    assert line.text.startswith("Half Sphere: lengths kept, but the cloth must stretch up to")
 
 
 def test_a_strip_of_a_cylinder_is_ready_to_cut(addon, tmp_path):

@@ -112,7 +112,7 @@ def test_a_narrow_upright_piece_has_an_upright_text(addon):
     (text,) = texts().values()
     width, height = np.ptp(np.array(corners(text)), axis=0)
     assert height > 1.2 * width
-    assert addon.polygons.are_inside(np.array(corners(text)), outline_of(strip, addon, "Top")).all()
+    assert addon.polygons.are_inside(np.array(corners(text)), outline_of(strip, addon, "Strip")).all()
 
 
 def test_texts_are_replaced_renamed_and_switched_off(source):

@@ -24,7 +24,7 @@ def pieces_are_seen_in_local_view() -> drive.Tour:
     yield from flatten()
     yield from drive.ticks(10)
     drive.screenshot("local_view")
-    assert sorted(seen()) == ["Bump", "Bump Flat", "Bump Flat Top"]
+    assert sorted(seen()) == ["Bump", "Bump Flat", "Bump Flat Bump"]
 
 
 def search_finds_commands_by_the_add_on_s_name() -> drive.Tour:

@@ -42,8 +42,13 @@ class _Shape:
     offsets: np.ndarray  # (p,3), from the middle of the model, as a share of its size
 
 
-def identify_pieces(result: Any, arrays: MeshArrays, known: KnownPieces) -> list[PieceIdentity]:  # noqa: ANN401
-    """Of each piece of a FlattenResult, in their order."""
+def identify_pieces(
+    result: Any,  # noqa: ANN401
+    arrays: MeshArrays,
+    known: KnownPieces,
+    model_name: str,
+) -> list[PieceIdentity]:
+    """Of each piece of a FlattenResult, in their order. A piece that is the whole model is called like it."""
     count = len(result.pieces)
     piece_of_triangle = np.zeros(len(arrays.triangles), dtype=np.int64)
     for index, piece in enumerate(result.pieces):
@@ -51,11 +56,13 @@ def identify_pieces(result: Any, arrays: MeshArrays, known: KnownPieces) -> list
     shape = _measure(piece_of_triangle, count, arrays)
     ids = _assign_ids(piece_of_triangle, known.ids.astype(np.int64)[arrays.triangle_polygons], shape)
     old = [known.names.get(piece_id, "") for piece_id in ids]
+    if count > 1:  # what was the whole model may be a part now
+        old = ["" if name == model_name else name for name in old]
     names = _first_of_each(old)
     new = [index for index in range(count) if not names[index]]
     regions = region_names(_by_face(piece_of_triangle, arrays), count, arrays.regions)
     outward = -shape.normals if faces_inward(arrays) else shape.normals
-    sides = side_names(outward, shape.offsets)
+    sides = side_names(outward, shape.offsets) if count > 1 else [model_name]
     wanted = [old[index] or regions[index] or sides[index] for index in new]
     for index, name in zip(new, numbered(wanted, [name for name in names if name]), strict=True):
         names[index] = name
