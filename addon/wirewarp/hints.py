@@ -77,8 +77,8 @@ def wire_hints(wires: list[dict]) -> list[Hint]:
     return [
         Hint(
             "wire_at_limit",
-            f"The wire {wire['name']} is at its limit: a wider tolerance would lower the distortion.",
-            short=f"{wire['name']} {tolerance_text(wire['tolerance'])}",
+            f'The wire "{wire["name"]}" is at its limit: a wider tolerance would lower the distortion.',
+            short=f'"{wire["name"]}" {tolerance_text(wire["tolerance"])}',
             edges=list(pairwise(wire["vertices"])),
         )
         for wire in at_limit

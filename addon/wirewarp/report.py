@@ -51,7 +51,11 @@ def object_report(
     at_limit = {part["wire"] for piece in pieces for part in piece["wires"] if part["at_limit"]}
     wires = [
         _wire(wire, meters)
-        | {"at_limit": wire.wire_index in at_limit, "vertices": arrays.wires[wire.wire_index].chain.vertices}
+        | {
+            "at_limit": wire.wire_index in at_limit,
+            "vertices": arrays.wires[wire.wire_index].chain.vertices,
+            "wire_id": arrays.wires[wire.wire_index].chain.wire_id,
+        }
         for wire in result.wires
     ]
     good = [None if index in failed else strain for index, strain in enumerate(strains)]
@@ -209,7 +213,7 @@ def number(value: float) -> float | None:
 
 
 def _notes(method: str, wires: list[dict]) -> list[dict]:
-    loose = [wire["name"] for wire in wires if wire["tolerance"] != 0]
+    loose = [f'"{wire["name"]}"' for wire in wires if wire["tolerance"] != 0]
     if method == "wirewarping" and loose:
         return [note(f"Kept rigid by this method, tolerance not used: {', '.join(loose)}.")]
     return []

@@ -14,7 +14,9 @@ from bpy.app.handlers import persistent
 
 from .issues import Issue
 from .pieces.records import piece_names
+from .rename_wires import rename_wires
 from .report import SCHEMA, failure_report
+from .wire_names import present_names
 
 REPORT = "wirewarp_report"  # custom property of the object: JSON
 SEAL = "wirewarp_report_seal"  # another: the digest of that text
@@ -36,12 +38,13 @@ def remember(source: bpy.types.Object, report: dict) -> None:
 
 
 def last_report(source: bpy.types.Object) -> dict | None:
-    """The report of the last run, its pieces by the names they have now. None if there was none."""
+    """The report of the last run, its pieces and wires by the names they have now. None if there was none."""
     report = _find(source)
     if report and report["pieces"]:
         names = piece_names(source)
         for piece in report["pieces"]:
             piece["name"] = names.get(piece["piece_id"], piece["name"])
+        rename_wires(report, present_names(source.data, {wire["wire_id"]: wire["name"] for wire in report["wires"]}))
     return report
 
 

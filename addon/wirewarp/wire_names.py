@@ -40,6 +40,16 @@ def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
     return list(taken)
 
 
+def present_names(mesh: bpy.types.Mesh, earlier: Mapping[int, str]) -> dict[int, str]:
+    """What the wires, whose earlier names are given by id, are called now; none as another."""
+    listed = {entry.wire_id: entry.name for entry in mesh.wirewarp_names}
+    names, taken = {}, set()
+    for wire_id, name in earlier.items():
+        names[wire_id] = _numbered(listed.get(wire_id, name), taken)
+        taken.add(names[wire_id])
+    return names
+
+
 def update_names(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> None:
     """One entry for each of the ids that are on the mesh; entries of vanished wires go."""
     write_names(mesh, names_of(mesh, wire_ids))

@@ -133,8 +133,8 @@ def test_wires_at_their_limit_are_advised_longest_change_first(addon):
     report = flattened(addon, target)
     wires = [hint for hint in report["hints"] if hint["code"] == "wire_at_limit"]
     assert [hint["sentence"] for hint in wires] == [
-        "The wire Wire 2 is at its limit: a wider tolerance would lower the distortion.",
-        "The wire Wire 1 is at its limit: a wider tolerance would lower the distortion.",
+        'The wire "Wire 2" is at its limit: a wider tolerance would lower the distortion.',
+        'The wire "Wire 1" is at its limit: a wider tolerance would lower the distortion.',
     ]
     assert all(len(hint["edges"]) == 8 for hint in wires)
 

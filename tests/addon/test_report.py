@@ -7,7 +7,20 @@ from types import SimpleNamespace
 
 import bpy
 import pytest
-from surfaces import bump, edge_lengths, edge_vertices, grid, half_cylinder, mark, mark_seam, on_line, read, select_only
+from everything import draw_panels
+from surfaces import (
+    bump,
+    edge_lengths,
+    edge_vertices,
+    flat_of,
+    grid,
+    half_cylinder,
+    mark,
+    mark_seam,
+    on_line,
+    read,
+    select_only,
+)
 
 WIRE, SEAM = on_line(1, 0.0), on_line(0, 0.0)
 
@@ -60,7 +73,7 @@ def test_tolerances_that_the_method_does_not_use_are_said(source, addon, tmp_pat
     mark(source, WIRE, kind="SUPER_ELASTIC")
     (entry,) = flatten_with_report(tmp_path, method="WIREWARPING")["objects"]
     assert entry["method"] == "wirewarping"
-    text = "Kept rigid by this method, tolerance not used: Wire 1."
+    text = 'Kept rigid by this method, tolerance not used: "Wire 1".'
     assert entry["notes"] == [{"text": text, "is_warning": False}]
     assert entry["wires"][0]["length_2d"][0] == pytest.approx(entry["wires"][0]["length_3d"], rel=1e-9)
     (row,) = addon.ui.report_rows.wire_rows(entry)
@@ -334,3 +347,39 @@ def test_the_report_says_what_stood_upright(source, tmp_path):
     assert upright(orientation="BOUNDARY") == "boundary"
     source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
     assert upright(orientation="WIRE") == "wire"
+
+
+def test_the_report_follows_the_names_of_wires(addon):
+    """In tables, in advice and on the flat pieces; swapped names too."""
+    source = grid("Bump", bump)
+    for line, tolerance in ((0.0, 0.001), (0.5, 0.002)):
+        mark(source, on_line(1, line), kind="ELASTIC", tolerance=tolerance)
+    bpy.ops.object.wirewarp_flatten()
+    before = json.loads(json.dumps(addon.report_store.last_report(source)))
+    for entry in source.data.wirewarp_names:
+        entry.name = {"Wire 1": "Wire 2", "Wire 2": "Hip \\1"}[entry.name]
+    report = addon.report_store.last_report(source)
+
+    def swapped(text):
+        return text.replace("Wire 2", "Hip \\1").replace("Wire 1", "Wire 2")
+
+    assert [wire["name"] for wire in report["wires"]] == [swapped(wire["name"]) for wire in before["wires"]]
+    parts = [part["name"] for part in report["pieces"][0]["wires"]]
+    assert parts == [swapped(part["name"]) for part in before["pieces"][0]["wires"]]
+    for part in ("sentence", "short"):
+        assert [hint[part] for hint in report["hints"]] == [swapped(hint[part]) for hint in before["hints"]]
+    assert [hint["code"] for hint in before["hints"]].count("wire_at_limit") == 2
+    words = draw_panels(addon)
+    assert "Hip \\1" in words and "Wire 1" not in words
+    select_only(flat_of(source))
+    drawn = addon.overlay.object_drawing.marked_lines(flat_of(source), bpy.context.evaluated_depsgraph_get())
+    assert sorted(name.text for name in drawn.names if "Bump" not in name.text) == ["Hip \\1", "Wire 2"]
+
+
+def test_two_wires_renamed_alike_stay_apart(addon, source):
+    mark(source, on_line(0, 0.5))
+    bpy.ops.object.wirewarp_flatten()
+    for entry in source.data.wirewarp_names:
+        entry.name = "Waist"
+    names = [wire["name"] for wire in addon.report_store.last_report(source)["wires"]]
+    assert names == ["Waist", "Waist (2)"]

@@ -50,7 +50,7 @@ def with_helpers(lines: Lines, ends: np.ndarray | None) -> Lines:
 def lines_of(target: bpy.types.Object, marks: LineMarks) -> Lines:
     """The marked edges of this object, wherever they are drawn."""
     runs = wire_runs(marks.vertices, marks.ends, marks.wire_ids, marks.tolerances)
-    names = wire_line_names(marks, runs, chain_names(target.data, [run.wire_id for run in runs]))
+    names = wire_line_names(marks, runs, chain_names(model_or_self(target).data, [run.wire_id for run in runs]))
     report = current_report(target)
     if report:
         names += seam_line_names(marks, _seam_of_edge(report))

@@ -64,7 +64,9 @@ def _concerns_us(target: bpy.types.Object) -> bool:
 def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: ColorMap | None) -> Drawing:
     lines = failed = surface = None
     source = model_or_self(target)
-    made_of = stamp(target), stamp(target.data), target.data.is_editmode, Same(last_report(source)), source.name_full
+    names = [(entry.wire_id, entry.name) for entry in source.data.wirewarp_names]
+    report = Same(last_report(source))
+    made_of = stamp(target), stamp(target.data), target.data.is_editmode, report, source.name_full, names
     depsgraph = context.view_layer.depsgraph
     if context.scene.wirewarp.show_lines:
         lines = kept_drawing(target, "lines", made_of, lambda: _lines(target, depsgraph))

@@ -3,7 +3,6 @@
 
 from dataclasses import dataclass
 
-from ..report_names import piece_name
 from .report_rows import PieceRow, ReportRow, helper_rows, outline_rows, piece_rows, seam_rows, wire_rows
 from .verdict import VerdictLine, verdict
 
@@ -24,9 +23,9 @@ _tables: ReportTables | None = None
 
 
 def tables_of(report: dict) -> ReportTables:
-    """Of the report that was shown last, as long as its pieces keep their names."""
+    """Of the report that was shown last, as long as its pieces and wires keep their names."""
     global _report, _names, _tables
-    names = [piece_name(report, index) for index in range(len(report["pieces"]))]
+    names = [entry["name"] for entry in report["pieces"] + report["wires"]]
     if _tables is None or report is not _report or names != _names:
         _report, _names = report, names
         _tables = ReportTables(
