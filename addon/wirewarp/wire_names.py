@@ -43,7 +43,8 @@ def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
 def present_names(mesh: bpy.types.Mesh, earlier: Mapping[int, str]) -> dict[int, str]:
     """What the wires, whose earlier names are given by id, are called now; none as another."""
     listed = {entry.wire_id: entry.name for entry in mesh.wirewarp_names}
-    names, taken = {}, set()
+    names: dict[int, str] = {}
+    taken: set[str] = set()
     for wire_id, name in earlier.items():
         names[wire_id] = _numbered(listed.get(wire_id, name), taken)
         taken.add(names[wire_id])

@@ -5,13 +5,13 @@ import re
 
 import bpy
 import numpy as np
-from mathutils import Vector
 
 from .failed_pieces import show_failed
 from .flat_attributes import add_flat_attribute
 from .flat_marks import FlatMarks, flat_marks
 from .flat_mesh import FlatMesh, edge_length_variation
 from .flat_shape import remember_shape
+from .free_place import free_place
 from .mesh_to_arrays import MeshArrays
 from .mesh_topology import (
     corner_edges,
@@ -45,7 +45,7 @@ def write_flat_object(
     if target is None:
         target = bpy.data.objects.new(f"{source.name} Flat", bpy.data.meshes.new(f"{source.name} Flat"))
         target.wirewarp_source = source
-        target.location = _free_place(scene, source)
+        target.location = free_place(scene, source, flat.vertices.max(axis=0, initial=0.0))
     elif _is_shared(target):
         target.data = bpy.data.meshes.new(target.name)
     if scene not in target.users_scene:
@@ -139,14 +139,3 @@ def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
     collection = bpy.data.collections.new(COLLECTION)
     scene.collection.children.link(collection)
     return collection
-
-
-def _free_place(scene: bpy.types.Scene, source: bpy.types.Object) -> Vector:
-    """Right of the source and of all flat pieces there are, on the level of the source's lowest point."""
-    corners = [source.matrix_world @ Vector(corner) for corner in source.bound_box]
-    right = max(corner.x for corner in corners)
-    gap = 0.1 * max(source.dimensions)
-    for other in scene.objects:
-        if model_of(other):
-            right = max(right, *((other.matrix_world @ Vector(corner)).x for corner in other.bound_box))
-    return Vector((right + gap, min(corner.y for corner in corners), min(corner.z for corner in corners)))

@@ -2,7 +2,9 @@
 """What is hidden, excluded, deleted or scaled: results stay true and in sight, and what cannot be shown is said."""
 
 import bpy
+import numpy as np
 import pytest
+from mathutils import Vector
 from surfaces import bump, edge_lengths, flat_of, grid, select_only
 
 
@@ -77,6 +79,50 @@ def test_flattening_again_makes_the_size_true_and_keeps_the_place(addon):
     assert tuple(flat.location) == (5, 6, 7)
     assert edge_lengths(flat) == pytest.approx(before, rel=1e-5)
     assert notes(addon, source) == []
+
+
+def shadow(target):
+    """The lowest and the highest corner of an object in the world, seen from above."""
+    bpy.context.view_layer.update()
+    corners = np.array([target.matrix_world @ Vector(corner) for corner in target.bound_box])[:, :2]
+    return corners.min(axis=0), corners.max(axis=0)
+
+
+def are_apart(first, second):
+    (low, high), (bottom, top) = shadow(first), shadow(second)
+    return bool(np.any((high <= bottom) | (top <= low)))
+
+
+def neighbor(x, bottom, top, size=0.5):
+    """A box that stands at x beside the model, in its middle."""
+    bpy.ops.mesh.primitive_cube_add(size=1, location=(x, 0, (bottom + top) / 2), scale=(size, size, top - bottom))
+    return bpy.context.object
+
+
+def test_new_pieces_lie_clear_of_what_stands_beside_the_model():
+    standing = [neighbor(2.0, 0.0, 1.0), neighbor(4.6, -1.0, 1.0)]
+    source = grid("Bump", bump)
+    flatten_again(source)
+    assert all(are_apart(flat_of(source), each) for each in standing)
+    place = tuple(flat_of(source).location)
+    neighbor(*flat_of(source).location[:1], 0.0, 1.0)
+    flatten_again(source)
+    assert tuple(flat_of(source).location) == place  # theirs, or the user's, from now on
+
+
+@pytest.mark.parametrize(
+    ("bottom", "top", "size"),
+    [(-1.0, 0.0, 0.5), (0.5, 1.0, 0.5), (-1.0, 8.0, 30.0)],
+    ids=["below the floor", "hanging", "a room around all"],
+)
+def test_pieces_do_not_give_way_to_what_is_not_in_their_way(bottom, top, size):
+    source = grid("Bump", bump)
+    flatten_again(source)
+    expected = flat_of(source).location.x
+    bpy.data.objects.remove(flat_of(source))
+    neighbor(2.0, bottom, top, size)
+    flatten_again(source)
+    assert flat_of(source).location.x == pytest.approx(expected)
 
 
 def test_a_parent_that_scales_the_pieces_is_said(addon):
