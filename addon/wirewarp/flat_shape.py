@@ -7,7 +7,7 @@ import numpy as np
 from .flat_mesh import edge_lengths
 from .foreach import read_attribute
 from .pattern.flat_pieces import FlatPieces
-from .pattern.outlines import signed_areas
+from .pattern.outlines import outline_of, signed_areas
 from .read_flat_pieces import read_flat_pieces
 from .stored_numbers import read_numbers
 
@@ -48,4 +48,4 @@ def _counts(mesh: bpy.types.Mesh) -> list[int]:
 
 def _areas(pieces: FlatPieces) -> np.ndarray:
     """By piece."""
-    return signed_areas(pieces.vertices, pieces.loop_vertices, pieces.face_sizes, pieces.face_piece)
+    return signed_areas(pieces.vertices, outline_of(pieces))

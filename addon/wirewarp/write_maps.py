@@ -72,14 +72,18 @@ def _write_colors(
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
     at_vertex = np.bincount(ends, np.repeat(variation, 2), minlength=len(mesh.vertices)) / edges_at  # their mean
     unplaced = np.flatnonzero(~placed[corners.face])
+    # A color of four float32 has the size of one complex number: to take these is far faster than to take rows. All
+    # maps use the same memory, for new memory is slower still.
+    taken = np.empty(len(corners.face), dtype=np.complex128)
+    colors = taken.view(np.float32).reshape(-1, 4)
     for color_map, values, at_corner in (
         (ASPECT_RATIO, maps.aspect_ratio, corners.face),
         (STRETCH, maps.stretch, corners.face),
         (ARAP_ENERGY, maps.energy_density, corners.face),
         (LENGTH_VARIATION, at_vertex, corners.vertex),
     ):
-        # A color of four float32 has the size of one complex number: to take these is far faster than to take rows.
-        colors = color_map.colors(values).view(np.complex128).ravel()[at_corner].view(np.float32).reshape(-1, 4)
+        own = color_map.colors(values).view(np.complex128).ravel()
+        np.take(own, at_corner, out=taken, mode="clip")  # with the default mode it would use memory of its own
         colors[unplaced] = NO_LAYOUT
         attribute = mesh.color_attributes.new(prefix + color_map.attribute, "FLOAT_COLOR", "CORNER")
         attribute.data.foreach_set("color", colors.ravel())

@@ -34,7 +34,9 @@ class UvFrame:
 
     def __call__(self, points: np.ndarray) -> np.ndarray:
         """(...,2) to UV."""
-        return np.clip((points - self.low) / self.scale, 0, 1)
+        uv = points - self.low
+        uv /= self.scale  # in its own place, for new memory is what takes the time
+        return np.clip(uv, 0, 1, out=uv)
 
 
 def write_uv(mesh: bpy.types.Mesh, corner_uv: np.ndarray, arrays: MeshArrays) -> UvFrame:
@@ -65,6 +67,6 @@ def loop_coordinates(corner_uv: np.ndarray, arrays: MeshArrays) -> tuple[np.ndar
     loop_uv = np.zeros((len(arrays.loop_vertices), 2), dtype=np.float32)
     # The corners that triangles of one quad share lie in one piece, so they write the same numbers. A pair of float32
     # has the size of one complex number: to put these is faster than to put rows.
-    pairs = np.ascontiguousarray(frame(uv).reshape(-1, 2).astype(np.float32))
+    pairs = frame(uv).reshape(-1, 2).astype(np.float32)
     loop_uv.view(np.complex64)[loops.ravel(), 0] = pairs.view(np.complex64)[:, 0]
     return loop_uv, frame

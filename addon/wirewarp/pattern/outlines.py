@@ -45,11 +45,9 @@ def number_edges(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> np.ndarra
     return np.unique(edge_keys(sides, int(loop_vertices.max(initial=0)) + 1), return_inverse=True)[1]
 
 
-def signed_areas(
-    vertices: np.ndarray, loop_vertices: np.ndarray, face_sizes: np.ndarray, face_piece: np.ndarray
-) -> np.ndarray:
+def signed_areas(vertices: np.ndarray, outline: OutlineEdges) -> np.ndarray:
     """(p,) of the pieces 0, 1, ...; below 0 of one that runs clockwise."""
-    return _areas(vertices, *_face_sides(loop_vertices, face_sizes), np.repeat(face_piece, face_sizes))
+    return _areas(vertices, outline.edges[:, 0], outline.edges[:, 1], outline.piece)
 
 
 def _face_sides(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
