@@ -264,14 +264,14 @@ TEST(ErrorCodes, InfeasibleLengths) {
 }
 
 TEST(ErrorCodes, AChartThatIsNotSolvableSparesTheOthers) {
-  // Squares inside squares, each a ten-billionth of the one around it: a walk along the edges leaves the inner ones so
+  // A pyramid of squares, each a ten-billionth of the one below it: a walk along the edges leaves the inner ones so
   // rarely that the chance drowns in rounding.
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 3>> faces;
   const int rings = 4;
   for (int ring = 0; ring < rings; ++ring) {
     const double size = std::pow(1e-10, ring);
-    points.insert(points.end(), {{size, 0, 0}, {0, size, 0}, {-size, 0, 0}, {0, -size, 0}});
+    points.insert(points.end(), {{size, 0, -size}, {0, size, -size}, {-size, 0, -size}, {0, -size, -size}});
     if (ring == 0) continue;
     for (int i = 0; i < 4; ++i) {
       const int outer = 4 * (ring - 1) + i;

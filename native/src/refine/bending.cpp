@@ -85,10 +85,10 @@ void Bending::add_hessian(VertexMatrix& hessian) const {
     const int vertices[3] = {node.a, node.b, node.c};
     const Eigen::Matrix2d* rows[3] = {&node.to_a, &node.to_b, &node.to_c};
     for (int i = 0; i < 3; ++i) {
-      hessian.add_diagonal(vertices[i], node.weight * rows[i]->transpose() * *rows[i]);
       for (int j = 0; j < 3; ++j) {
-        if (vertices[i] <= vertices[j]) continue;
-        hessian.add(hessian.block(vertices[i], vertices[j]), node.weight * rows[i]->transpose() * *rows[j]);
+        const Eigen::Matrix2d block = node.weight * rows[i]->transpose() * *rows[j];
+        if (vertices[i] > vertices[j]) hessian.add(hessian.block(vertices[i], vertices[j]), block);
+        if (vertices[i] == vertices[j]) hessian.add_diagonal(vertices[i], block);  // a = c around a slit of one edge
       }
     }
   }

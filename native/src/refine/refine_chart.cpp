@@ -11,6 +11,7 @@
 #include "outer/free_arap.h"
 #include "refine/coarse_start.h"
 #include "refine/tighten_lengths.h"
+#include "refine/unfold.h"
 #include "topology/process_topology.h"
 
 namespace wirewarp {
@@ -113,7 +114,9 @@ ChartRefinement refine_chart(const Chart& chart, const Options& options, const G
   const WireNetwork held_network = build_held_network(chart);
   Attempts attempts(options, go_on);
   ChartRefinement result;
-  if (chart.mesh.n_faces() >= kLargeChart) {
+  if (const std::optional<Positions2> unfolded = unfold(chart)) {
+    result.shape = attempts.refine(chart, held_network, *unfolded);
+  } else if (chart.mesh.n_faces() >= kLargeChart) {
     const auto start = start_from_coarse(chart, held_network, options, attempts.asking("start"));
     if (start && !attempts.was_stopped()) result.shape = attempts.refine(chart, held_network, *start);
   }

@@ -36,8 +36,9 @@ struct ChartRefinement {
 ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
                                     const GoOn& go_on);
 
-/// Flattens a chart of 20,000 faces or more coarsely first, and starts from that shape (refine/coarse_start.h): two or
-/// three factorizations from the end. Smaller charts, and those that the coarse shape does not serve, from scratch.
+/// Unfolds a chart that is folded from a plane (refine/unfold.h): mostly nothing is left to do. Flattens a chart of
+/// 20,000 faces or more coarsely first, and starts from that shape (refine/coarse_start.h): two or three factorizations
+/// from the end. Smaller charts, and those that these starts do not serve, from scratch.
 ChartRefinement refine_chart(const Chart& chart, const Options& options, const GoOn& go_on);
 
 }  // namespace wirewarp

@@ -67,11 +67,13 @@ class Refinement {
 
   void minimize();
   bool may_go_on() const { return system_.num_factorizations() < limits_.max_factorizations && limits_.go_on(); }
-  double worthwhile() const { return std::max({kWorthwhile * now_.value, kIsometric * area_, rounding_}); }
+  double isometric() const { return std::max(kIsometric * area_, rounding_); }
+  double worthwhile() const { return std::max(kWorthwhile * now_.value, isometric()); }
   double length_error() const { return constraints_.largest_error(constraints_.residual(now_.uv, now_.variation)); }
   bool factorize(const Convexity& convexity);
   Step newton_step() const;
   bool evaluate(Iterate& trial) const;
+  Outcome take_step();
   Outcome take_newton_step();
   Outcome take_steps_with_factor(double slope);
   Outcome take_step_in_ball();
@@ -289,17 +291,22 @@ Refinement::Outcome Refinement::search_ball(const TangentSpace& space,
   return Outcome::accepted;
 }
 
-/// Newton steps where the exact Hessian is positive, steps in a ball where it is not or they fail.
+/// A Newton step where the exact Hessian is positive, a step in a ball where it is not or that fails.
+Refinement::Outcome Refinement::take_step() {
+  if (now_.value <= isometric()) return Outcome::converged;  // no step takes off more than all
+  Outcome outcome = is_positive_ ? take_newton_step() : Outcome::not_positive;
+  is_positive_ = outcome == Outcome::accepted;
+  const bool failed = outcome == Outcome::not_positive || outcome == Outcome::rejected;
+  if (failed && may_go_on()) outcome = take_step_in_ball();
+  return outcome;
+}
+
 void Refinement::minimize() {
   Outcome outcome = Outcome::accepted;
   while (outcome == Outcome::accepted && may_go_on()) {
     now_.value = objective_.value_and_gradient(now_.uv, gradient_);
     ++iterations_;
-    outcome = Outcome::not_positive;
-    if (is_positive_) outcome = take_newton_step();
-    is_positive_ = outcome == Outcome::accepted;
-    const bool failed = outcome == Outcome::not_positive || outcome == Outcome::rejected;
-    if (failed && may_go_on()) outcome = take_step_in_ball();
+    outcome = take_step();
   }
   converged_ = outcome == Outcome::converged;
 }

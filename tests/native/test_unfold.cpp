@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Charts folded from one plane lie flat without strain, others do not.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "mesh/geometry.h"
+#include "outer/shape_error.h"
+#include "pi.h"
+#include "refine/refine_chart.h"
+#include "refine/unfold.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+/// Of the unfolded chart over its area; infinite where it does not unfold.
+double strain_energy(const FlattenInput& input) {
+  const Charts charts = test::charts_of(input);
+  const auto uv = unfold(charts.charts.at(0));
+  if (!uv) return std::numeric_limits<double>::infinity();
+  return ShapeError(charts.charts[0]).energy(*uv) / surface_area(charts.charts[0].mesh);
+}
+
+TEST(Unfold, FoldedSheetsKeepAllTriangles) {
+  FlattenInput slit_tube = test::cylinder_tube(24, 6, 1, 2);
+  test::add_seam(slit_tube, test::tube_line(24, 6, 0));
+  for (const FlattenInput& input :
+       {test::flat_annulus(16, 3, 1, 3), test::flat_plate_with_two_holes(4), test::cylinder_patch(20, 8, 1, 5, 3),
+        test::cone_patch(20, 8, 0.1, 3, 0.4, 6), slit_tube, test::flat_rectangle(200, 200, 1, 1)}) {
+    EXPECT_LE(strain_energy(input), 1e-22);  // strains of 1e-11
+  }
+}
+
+TEST(Unfold, ShortEdgesDoNotTurnWhatLiesBehindThem) {
+  const double shortest = 1e-9;  // laid across these, directions are off by 1e-7
+  const FlattenInput input = test::make_grid(30, 30, [&](double s, double t) -> Eigen::Vector3d {
+    const double x = std::pow(shortest, 1 - s), y = std::pow(shortest, 1 - t);
+    return {std::sin(x), std::cos(x), y};
+  });
+  EXPECT_LE(strain_energy(input), 1e-22);
+}
+
+TEST(Unfold, CurvedAndClosedSurfacesDoNot) {
+  for (const FlattenInput& input : {test::saddle(8, 0.1), test::quarter_sphere(8), test::cylinder_tube(12, 3, 1, 1)}) {
+    EXPECT_TRUE(std::isinf(strain_energy(input)));
+  }
+}
+
+TEST(Unfold, AnUnfoldedChartNeedsNoFactorization) {
+  FlattenInput input = test::cylinder_patch(20, 8, 1, kPi, 3);
+  test::add_wire(input, test::grid_row(20, 4));
+  test::add_wire(input, test::grid_column(20, 8, 7), 0.05);
+  const Charts charts = test::charts_of(input);
+  const RefinedShape shape = refine_chart(charts.charts.at(0), Options{}, [](const char*) { return true; }).shape;
+  EXPECT_TRUE(shape.is_exact && shape.converged);
+  EXPECT_EQ(shape.factorizations, 0);
+  EXPECT_LE(shape.objective, 1e-20);
+}
+
+/// Vertices a little off a plane, as files with seven digits hold them: a start, though not the shape.
+TEST(Unfold, ANearlyFlatChartIsRefinedFromThere) {
+  const double digits = 1e-7;
+  unsigned state = 1;
+  const FlattenInput input = test::make_grid(20, 20, [&](double s, double t) -> Eigen::Vector3d {
+    state = state * 1664525u + 1013904223u;
+    return {s, t, digits * (state >> 16) / 65536.0};
+  });
+  const double unfolded = strain_energy(input);
+  const Piece piece = flatten(input).pieces.at(0);
+  EXPECT_FALSE(piece.error);
+  EXPECT_EQ(piece.report.termination, Termination::converged);
+  EXPECT_LE(piece.metrics.arap_energy, unfolded);
+}
+
+}  // namespace
+}  // namespace wirewarp
