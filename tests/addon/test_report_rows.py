@@ -135,11 +135,15 @@ def test_the_list_of_pieces_has_the_worst_first(addon):
     mark_seam(source, on_line(0, 0.5))
     bpy.ops.object.wirewarp_flatten()
     listed = bpy.types.WIREWARP_UL_pieces
-    this = SimpleNamespace(filter_name="", bitflag_filter_item=1 << 30)
+    this = SimpleNamespace(filter_name="", bitflag_filter_item=1 << 30, use_filter_sort_alpha=False)
     shown, places = listed.filter_items(this, bpy.context, source, "wirewarp_pieces")
     strains = [max(p["stretch_max"], p["ease_max"]) for p in addon.report_store.last_report(source)["pieces"]]
     assert shown == []
     assert sorted(places) == [0, 1]
     assert places.index(0) == np.argmax(strains)
+    this.use_filter_sort_alpha = True
+    source.wirewarp_pieces[0].name, source.wirewarp_pieces[1].name = "b", "A"
+    assert listed.filter_items(this, bpy.context, source, "wirewarp_pieces") == ([], [1, 0])
+    this.use_filter_sort_alpha = False
     source.wirewarp_pieces.add()  # none of the report's
     assert listed.filter_items(this, bpy.context, source, "wirewarp_pieces") == ([], [])

@@ -42,9 +42,12 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         self, context: bpy.types.Context, source: bpy.types.Object, entries_name: str
     ) -> tuple[list[int], list[int]]:
         """Which entries are shown (empty: all), and the place of each."""
-        entries = getattr(source, entries_name)
-        by_name = bpy.types.UI_UL_list.filter_items_by_name
-        shown = by_name(self.filter_name, self.bitflag_filter_item, entries, "name") if self.filter_name else []
+        entries, helper = getattr(source, entries_name), bpy.types.UI_UL_list
+        shown = []
+        if self.filter_name:
+            shown = helper.filter_items_by_name(self.filter_name, self.bitflag_filter_item, entries, "name")
+        if self.use_filter_sort_alpha:
+            return shown, helper.sort_items_by_name(entries, "name")
         places = {row.index: place for place, row in enumerate(tables_of(shown_report(context)).pieces)}
         if places.keys() != set(range(len(entries))):
             return shown, []
