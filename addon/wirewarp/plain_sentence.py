@@ -18,7 +18,15 @@ def plain_sentence(sentence: str, units: LengthText) -> str:
     sentence = re.sub(rf"such as (?:along )?{LISTED}", "such as the proposed one", sentence)
     sentence = re.sub(r"\blong at vertex \d+", "long", sentence)
     sentence = re.sub(rf"\b{NUMBER} (?:units )?long\b", lambda match: f"{units.rough(float(match[1]))} long", sentence)
+    sentence = re.sub(rf" long(?=(?:,| and) {NUMBER} \S+ long\b)", "", sentence)
+    too_short = rf"\b(outline(s?), .*,) can hold no more than {NUMBER} % of its area in the plane"
+    sentence = re.sub(too_short, _short, sentence)
     return re.sub(rf'"[^"]*"|{LISTED}', _counted, sentence)
+
+
+def _short(match: re.Match) -> str:
+    outlines, plural, _ = match.groups()
+    return f"{outlines} {'are' if plural else 'is'} too short to lie around it"
 
 
 def _counted(match: re.Match) -> str:
