@@ -103,5 +103,5 @@ def test_the_refined_method_adds_none(source, addon):
 
 def test_they_are_listed_through_all_pieces(source, addon):
     rows = addon.ui.report_rows.helper_rows(addon.report_store.last_report(source))
-    assert {row.name for row in rows} == {f"Helper {k}: Top" for k in range(1, len(rows) + 1)}
+    assert {row.name for row in rows} == {f"Helper {k}: Bump" for k in range(1, len(rows) + 1)}
     assert len(rows) == len(reported(addon, source))
