@@ -42,7 +42,8 @@ def fuzz() -> None:
     corpora = {name: BUILD / "fuzz" / f"{name}_corpus" for name in ("flatten", "reader")}
     for corpus in corpora.values():
         corpus.mkdir(exist_ok=True)
-    options = ["-timeout=60", "-print_final_stats=1", f"-artifact_prefix={BUILD / 'fuzz'}/"]
+    longest = ["-max_len=600", "-len_control=0"]  # bytes; a mesh of 5 by 5 quads with wires takes about 400
+    options = [*longest, "-timeout=60", "-print_final_stats=1", f"-artifact_prefix={BUILD / 'fuzz'}/"]
     run([BUILD / "fuzz" / "wirewarp_fuzz", f"-max_total_time={FLATTEN_SECONDS}", *options, corpora["flatten"]])
     python = venv("fuzz", DEBIAN_PYTHON, *ATHERIS)
     reader = ROOT / "tests" / "fuzz" / "fuzz_wire_reader.py"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer on the whole of flatten(): any bytes are a mesh with seams, wires and options, legal or not. What is not a
-// typed error must keep every promise.
+// libFuzzer on the whole of flatten(): bytes are a mesh with seams, wires, options and the moment of a cancellation.
+// Half of them are a small mesh that is changed a little, since hardly any list of faces is a surface; half are any
+// faces at all. What is not a typed error must keep every promise, and measure() must agree.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <cstdio>
@@ -8,6 +9,8 @@
 #include <limits>
 
 #include "judge.h"
+#include "random_network.h"
+#include "small_mesh.h"
 
 namespace wirewarp::test {
 namespace {
@@ -17,6 +20,7 @@ constexpr int kMostVertices = 40;
 struct Asked {
   FlattenInput input;
   Options options;
+  int steps_until_cancelled;
 };
 
 double any_coordinate(FuzzedDataProvider& bytes) {
@@ -41,27 +45,28 @@ double any_tolerance(FuzzedDataProvider& bytes) {
   }
 }
 
+/// Mostly legal; without further bytes the default.
 Options any_options(FuzzedDataProvider& bytes) {
   Options options;
   options.method = bytes.PickValueInArray({Method::refined, Method::wirewarp_plus_plus, Method::wirewarping});
   options.node_weight = bytes.PickValueInArray({NodeWeight::length, NodeWeight::uniform});
   options.inner = bytes.PickValueInArray({Inner::minimum, Inner::least_norm});
-  options.fairness = bytes.ConsumeBool() ? 0.1 : bytes.ConsumeFloatingPointInRange<double>(0, 11);
-  options.max_factorizations = bytes.ConsumeIntegralInRange(0, 100);
-  options.gap = bytes.ConsumeFloatingPointInRange<double>(0, 1.01);
+  if (bytes.ConsumeBool()) options.fairness = bytes.ConsumeFloatingPointInRange<double>(0, 10);
+  options.max_factorizations = 100 - bytes.ConsumeIntegralInRange(0, 100);
+  options.gap = bytes.ConsumeProbability<double>();
   options.mirror = bytes.ConsumeBool();
   options.layout = bytes.PickValueInArray({PieceLayout::packed, PieceLayout::row});
   options.orientation = bytes.PickValueInArray({Orientation::wire, Orientation::boundary, Orientation::up});
   options.grain = bytes.ConsumeIntegralInRange(-1, 3);
-  for (double& x : options.up) x = any_coordinate(bytes);
+  if (bytes.ConsumeBool()) {
+    for (double& x : options.up) x = any_coordinate(bytes);
+  }
   return options;
 }
 
-Asked any_case(FuzzedDataProvider& bytes) {
-  Asked result;
-  result.options = any_options(bytes);
+FlattenInput any_input(FuzzedDataProvider& bytes) {
+  FlattenInput input;
   const int num_vertices = bytes.ConsumeIntegralInRange(0, kMostVertices);
-  FlattenInput& input = result.input;
   input.vertices.resize(num_vertices, 3);
   for (int i = 0; i < 3 * num_vertices; ++i) input.vertices.data()[i] = any_coordinate(bytes);
   input.seams.resize(bytes.ConsumeIntegralInRange(0, 12), 2);
@@ -75,7 +80,36 @@ Asked any_case(FuzzedDataProvider& bytes) {
   }
   input.faces.resize(bytes.ConsumeIntegralInRange(0, 2 * kMostVertices), 3);
   for (int i = 0; i < input.faces.size(); ++i) input.faces.data()[i] = any_vertex(bytes, num_vertices);
-  return result;
+  return input;
+}
+
+/// Seams and wires are walks along edges. Without further bytes a flat sheet with none.
+FlattenInput changed_mesh(FuzzedDataProvider& bytes) {
+  RandomStream random([&] { return 1 - (bytes.ConsumeIntegral<std::uint16_t>() + 1) / 65536.0; });
+  FlattenInput input = small_mesh(random);
+  change_faces(random, input);
+  std::string description;
+  add_random_seams(random, input, description);
+  add_random_wires(random, input, description);
+  return input;
+}
+
+Asked any_case(FuzzedDataProvider& bytes) {
+  const Options options = any_options(bytes);
+  const int steps = bytes.ConsumeBool() ? bytes.ConsumeIntegralInRange(0, 200) : std::numeric_limits<int>::max();
+  return {bytes.ConsumeBool() ? any_input(bytes) : changed_mesh(bytes), options, steps};
+}
+
+/// Pieces that keep every promise do so for measure() too.
+std::vector<std::string> doubts_of_measure(const Asked& asked, const FlattenResult& result) {
+  std::vector<std::string> doubts;
+  if (asked.options.mirror) return doubts;  // all faces turned over
+  const FlattenResult measured = measure(asked.input, result.corner_uv);
+  for (std::size_t p = 0; p < result.pieces.size(); ++p) {
+    const auto& error = measured.pieces.at(p).error;
+    if (!result.pieces[p].error && error) doubts.push_back(std::string("measure() says: ") + error->what());
+  }
+  return doubts;
 }
 
 void demand_none(const std::vector<std::string>& broken) {
@@ -84,17 +118,23 @@ void demand_none(const std::vector<std::string>& broken) {
   std::abort();
 }
 
+void flatten_and_judge(const Asked& asked) {
+  int steps = 0;
+  const Progress progress = [&](const std::string&, double) { return steps++ < asked.steps_until_cancelled; };
+  try {
+    const FlattenResult result = flatten(asked.input, asked.options, progress);
+    demand_none(broken_promises(asked.input, asked.options, result));
+    demand_none(doubts_of_measure(asked, result));
+  } catch (const FlattenError& error) {
+    demand_none(faults_of_error(error, asked.input));
+  }
+}
+
 }  // namespace
 }  // namespace wirewarp::test
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   FuzzedDataProvider bytes(data, size);
-  const wirewarp::test::Asked asked = wirewarp::test::any_case(bytes);
-  try {
-    wirewarp::test::demand_none(
-        wirewarp::test::broken_promises(asked.input, asked.options, flatten(asked.input, asked.options)));
-  } catch (const wirewarp::FlattenError& error) {
-    wirewarp::test::demand_none(wirewarp::test::faults_of_error(error, asked.input));
-  }
+  wirewarp::test::flatten_and_judge(wirewarp::test::any_case(bytes));
   return 0;
 }

@@ -14,9 +14,22 @@ namespace {
 
 Eigen::Vector3d dome(double s, double t) { return {s, t, 0.2 * std::cos(kPi * (s - 0.5)) * std::cos(kPi * (t - 0.5))}; }
 
-FlattenInput dome_with_wire() {
+/// A rigid wire along row 5, an elastic one along column 3.
+FlattenInput dome_with_wires() {
   FlattenInput input = test::make_grid(10, 10, dome);
   test::add_wire(input, test::grid_row(10, 5));
+  test::add_wire(input, test::grid_column(10, 10, 3), 0.05);
+  return input;
+}
+
+/// Both in one input; the wires of the first alone.
+FlattenInput side_by_side(const FlattenInput& first, const FlattenInput& second) {
+  FlattenInput input = first;
+  const auto offset = static_cast<int>(first.vertices.rows());
+  input.vertices.resize(offset + second.vertices.rows(), 3);
+  input.vertices << first.vertices, second.vertices;
+  input.faces.resize(first.faces.rows() + second.faces.rows(), 3);
+  input.faces << first.faces, (second.faces.array() + offset).matrix();
   return input;
 }
 
@@ -26,16 +39,25 @@ void expect_flat(const FlattenInput& input) {
     Options options;
     options.method = method;
     const FlattenResult result = flatten(input, options);
-    for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
+    for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << result.method << ": " << piece.error->what();
     EXPECT_EQ(test::broken_promises(input, options, result), std::vector<std::string>{}) << result.method;
   }
 }
 
 TEST(ExtremeInput, AnglesOfAMillionth) {
-  FlattenInput input = dome_with_wire();
-  for (const int v : test::grid_row(10, 5)) {  // the wire lies a millionth above the row below it
+  FlattenInput input = dome_with_wires();
+  for (const int v : test::grid_row(10, 5)) {  // the rigid wire lies a millionth above the row below it
     input.vertices.row(v) = input.vertices.row(v - 11) + 1e-5 * (input.vertices.row(v) - input.vertices.row(v - 11));
   }
+  expect_flat(input);
+}
+
+TEST(ExtremeInput, ATriangleAMillionTimesAsWideAsHigh) {
+  FlattenInput input;
+  input.vertices.resize(3, 3);
+  input.vertices << 0, 0, 0, 1, 0, 0, 0.5, 1e-6, 0;
+  input.faces.resize(1, 3);
+  input.faces << 0, 1, 2;
   expect_flat(input);
 }
 
@@ -46,17 +68,30 @@ TEST(ExtremeInput, EdgesThatDifferByAMillion) {
 }
 
 TEST(ExtremeInput, AMillionSidesAway) {
-  FlattenInput input = dome_with_wire();
+  FlattenInput input = dome_with_wires();
   input.vertices.rowwise() += Eigen::RowVector3d(1e6, -1e6, 1e6);
   expect_flat(input);
 }
 
 TEST(ExtremeInput, TinyAndHuge) {
   for (const double size : {1e-4, 1e5}) {
-    FlattenInput input = dome_with_wire();
+    FlattenInput input = dome_with_wires();
     input.vertices *= size;
     expect_flat(input);
   }
+}
+
+TEST(ExtremeInput, TinyBesideHuge) {
+  FlattenInput tiny = dome_with_wires(), huge = dome_with_wires();
+  tiny.vertices *= 1e-4;
+  huge.vertices *= 1e5;
+  expect_flat(side_by_side(tiny, huge));
+}
+
+TEST(ExtremeInput, TwoChartsInTheSamePlace) {
+  const FlattenInput input = side_by_side(dome_with_wires(), dome_with_wires());
+  EXPECT_EQ(flatten(input).pieces.size(), 2U);
+  expect_flat(input);
 }
 
 /// Rounding of coordinates alone strains it by 1e-11: the search ends there, and does not stop short of anything.

@@ -4,20 +4,27 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <utility>
 #include <vector>
 
 namespace wirewarp::test {
 
-/// Random numbers that a seed fixes on every platform: the engine is standardized, the distributions of the standard
-/// library are not.
+/// Random numbers, and what is made of them. A seed fixes them on every platform: the engine is standardized, the
+/// distributions of the standard library are not.
 class RandomStream {
  public:
-  explicit RandomStream(std::uint64_t seed) : engine_(seed) {}
+  explicit RandomStream(std::uint64_t seed)
+      : next_([engine = std::mt19937_64(seed)]() mutable {
+          return std::ldexp(static_cast<double>(engine() >> 11), -53);
+        }) {}
+
+  /// next() is in [0, 1): a fuzzer's numbers.
+  explicit RandomStream(std::function<double()> next) : next_(std::move(next)) {}
 
   /// In [0, 1).
-  double uniform() { return std::ldexp(static_cast<double>(engine_() >> 11), -53); }
+  double uniform() { return next_(); }
 
   /// In [low, high).
   double between(double low, double high) { return low + (high - low) * uniform(); }
@@ -47,7 +54,7 @@ class RandomStream {
   }
 
  private:
-  std::mt19937_64 engine_;
+  std::function<double()> next_;
 };
 
 }  // namespace wirewarp::test

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "random_stream.h"
+#include "wirewarp/flatten.h"
+
+namespace wirewarp::test {
+
+/// A sheet, tube or torus of a few quads, of any shape in space, without seams and wires. Legal.
+FlattenInput small_mesh(RandomStream& random);
+
+/// Takes out, turns over, splits, welds and adds a few faces: any topology, legal or not.
+void change_faces(RandomStream& random, FlattenInput& input);
+
+}  // namespace wirewarp::test
