@@ -56,7 +56,7 @@ FlattenResult run_flatten(const py::object& vertices, const py::object& faces, c
       return python_progress.report(stage, fraction);
     };
     result = flatten(input, checked_options, report, solved_before);
-  } catch (const FlattenError&) {
+  } catch (...) {
     python_progress.rethrow();
     throw;
   }

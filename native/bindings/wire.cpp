@@ -27,7 +27,11 @@ Wire make_wire(const py::object& vertices, const py::object& tolerance, const py
   if (!py::isinstance<py::str>(name)) {
     throw FlattenError(ErrorCode::invalid_type, "Wire name must be a string, not " + type_name(name) + ".");
   }
-  wire.name = name.cast<std::string>();
+  try {
+    wire.name = name.cast<std::string>();
+  } catch (const py::cast_error&) {
+    throw FlattenError(ErrorCode::invalid_type, "Wire name has characters that are no text (lone surrogates).");
+  }
   return wire;
 }
 

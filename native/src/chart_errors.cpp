@@ -65,8 +65,10 @@ FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires
       for (const HalfedgeHandle h : loop) elements.edges.push_back(source_edge(chart, h));
     }
     elements.proposed_seams = propose_seams(chart);
-    const std::string none_found = "No flat shape of " + piece + " was found that keeps the length of its outline, " +
-                                   "even with its wires free: ";
+    const bool has_wires = std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(),
+                                       [](const WirePart& part) { return part.kind != WireKind::boundary; });
+    const std::string none_found = "No flat shape of " + piece + " was found that keeps the length of its outline" +
+                                   (has_wires ? ", even with its wires free: " : ": ");
     const std::string message = (ran_out ? allow_more : none_found) + "mark a seam such as " +
                                 name_elements("edge", elements.proposed_seams) + ".";
     return FlattenError(ErrorCode::infeasible_lengths, message, std::move(elements));

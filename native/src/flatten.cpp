@@ -171,7 +171,7 @@ std::vector<Layout> flatten_charts(const FlattenInput& input, const std::vector<
     const Chart& chart = charts[c];
     const auto go_on = [&](const char* stage) { return progress.go_on(c, stage); };
     if (chart.error) {
-      layouts[c].error = with_proposed_seams(*chart.error, chart);
+      layouts[c].error = report.is_cancelled() ? *chart.error : with_proposed_seams(*chart.error, chart);
     } else {
       layouts[c] = reuse.layout_of(chart, [&] { return solve_chart(chart, input, options, go_on); });
     }

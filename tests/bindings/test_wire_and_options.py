@@ -97,9 +97,10 @@ def test_what_is_no_tolerance_is_refused(tolerance, code):
     assert caught.value.code is code
 
 
-def test_a_wire_name_is_a_string():
-    with pytest.raises(FlattenError, match="int") as caught:
-        Wire([0, 1], name=3)
+@pytest.mark.parametrize(("name", "why"), [(3, "int"), ("\ud800", "lone surrogates")])
+def test_a_wire_name_is_text(name, why):
+    with pytest.raises(FlattenError, match=why) as caught:
+        Wire([0, 1], name=name)
     assert caught.value.code is ErrorCode.invalid_type
 
 

@@ -120,18 +120,27 @@ TEST(Overlap, StripBentPastAFullTurnCoversItsBeginning) {
   EXPECT_EQ(found, expected);
 }
 
-TEST(Overlap, RingWoundTwiceCoversItselfEverywhereWithoutAnyCrossing) {
+/// A ring of as many bands as there are radii less one, wound twice around the middle.
+std::vector<int> overlap_of_ring_wound_twice(const std::vector<double>& radii) {
   const int nx = 24;
-  const Charts charts = charts_of(test::flat_annulus(nx, 2, 1, 2));
+  const Charts charts = charts_of(test::flat_annulus(nx, static_cast<int>(radii.size()) - 1, 1, 2));
   const Chart& chart = charts.charts[0];
   Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
   for (int v = 0; v < uv.rows(); ++v) {
     const double turn = -4 * kPi * (v % nx) / nx;
-    const int ring = v / nx;
-    const double radius = 1 + 0.5 * ring;
+    const double radius = radii[static_cast<std::size_t>(v / nx)];
     uv.row(v) << radius * std::cos(turn), radius * std::sin(turn);
   }
-  EXPECT_EQ(overlapping_faces(chart, uv).size(), chart.mesh.n_faces());
+  return overlapping_faces(chart, uv);
+}
+
+TEST(Overlap, RingWoundTwiceCoversItselfEverywhereWithoutAnyCrossing) {
+  EXPECT_EQ(overlap_of_ring_wound_twice({1, 1.5, 2}).size(), 24U * 2 * 2);
+}
+
+TEST(Overlap, RimsThinnerThanAnyOverlapDoNotHideWhatLiesBehind) {
+  // The band between the rims overlaps itself; faces of 1e-10 are too thin to overlap anything by more than rounding.
+  EXPECT_EQ(overlap_of_ring_wound_twice({1, 1 + 1e-10, 2 - 1e-10, 2}).size(), 24U * 2);
 }
 
 TEST(Overlap, FoldedCornerOverlapsItsNeighbors) {

@@ -315,6 +315,19 @@ TEST(InfeasibleOutline, NamesTheSeamThatItProposes) {
   EXPECT_NE(std::string(error.what()).find(edge), std::string::npos) << error.what();
 }
 
+TEST(ShortOutline, OfManyOpeningsNamesTheLongest) {
+  const int nx = 24, ny = 24;
+  FlattenInput input = test::cylinder_tube(nx, ny, 1, 6);
+  int face = 0;
+  input = test::keep_faces(input, [&](const Eigen::Vector3d&) { return face++ % 146 != 75; });
+  const FlattenResult result = flatten(input);
+  ASSERT_TRUE(result.pieces.at(0).error);
+  EXPECT_EQ(result.pieces[0].error->code, ErrorCode::boundary_too_short);
+  const std::string message = result.pieces[0].error->what();
+  EXPECT_NE(message.find(" and 5 more, can hold"), std::string::npos) << message;
+  EXPECT_EQ(result.pieces[0].error->elements.vertices.size(), 10U);  // 2 ends and 8 holes
+}
+
 TEST(ShortOutline, SparesTheOtherPieces) {
   FlattenInput input = test::cylinder_tube(16, 8, 1, 6);
   test::add_seam(input, test::tube_ring(16, 4));

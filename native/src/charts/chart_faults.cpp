@@ -89,8 +89,11 @@ void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const
   for (std::size_t corner = 0; corner < fan.size(); ++corner) {
     const int v = input.faces.data()[corner];
     if (!is_pinched[static_cast<std::size_t>(v)]) continue;
-    std::vector<int>& pinched = faults[static_cast<std::size_t>(cut.chart_of_face[corner / 3])].pinched;
-    if (std::find(pinched.begin(), pinched.end(), v) == pinched.end()) pinched.push_back(v);
+    faults[static_cast<std::size_t>(cut.chart_of_face[corner / 3])].pinched.push_back(v);
+  }
+  for (Faults& of_chart : faults) {
+    std::sort(of_chart.pinched.begin(), of_chart.pinched.end());
+    of_chart.pinched.erase(std::unique(of_chart.pinched.begin(), of_chart.pinched.end()), of_chart.pinched.end());
   }
 }
 

@@ -30,10 +30,10 @@ void check_seams(const FlattenInput& input, const EdgeTable& edges) {
     if (edges.find(pair[0], pair[1]) < 0) bad.push_back(pair);
   }
   if (bad.empty()) return;
-  throw FlattenError(
-      ErrorCode::seam_not_an_edge,
-      "Seam " + name_elements("edge", bad) + " is not an edge of the mesh: mark seams on existing edges.",
-      {{}, bad, {}});
+  throw FlattenError(ErrorCode::seam_not_an_edge,
+                     "Seam " + name_elements("edge", bad) + (bad.size() == 1 ? " is not an edge" : " are not edges") +
+                         " of the mesh: mark seams on existing edges.",
+                     {{}, bad, {}});
 }
 
 void check_wire(const FlattenInput& input, const EdgeTable& edges, std::size_t w, std::vector<int>& wire_of_edge) {
@@ -73,7 +73,8 @@ void check_wire(const FlattenInput& input, const EdgeTable& edges, std::size_t w
   if (!missing.empty()) {
     throw FlattenError(ErrorCode::wire_not_an_edge,
                        "The " + label + " runs along " + name_elements("edge", missing) +
-                           ", not an edge of the mesh: consecutive vertices of a wire must share an edge.",
+                           (missing.size() == 1 ? ", not an edge" : ", not edges") +
+                           " of the mesh: consecutive vertices of a wire must share an edge.",
                        {{}, missing, {}});
   }
 }
@@ -103,8 +104,10 @@ void check_options(const Options& options, std::size_t num_wires) {
 }
 
 void check_mesh(const FlattenInput& input) {
-  if (input.faces.rows() == 0) {
-    throw FlattenError(ErrorCode::empty_mesh, "The mesh has no faces: there is nothing to flatten.");
+  if (input.faces.rows() == 0 || input.vertices.rows() == 0) {
+    throw FlattenError(ErrorCode::empty_mesh, std::string("The mesh has no ") +
+                                                  (input.vertices.rows() == 0 ? "vertices" : "faces") +
+                                                  ": there is nothing to flatten.");
   }
   std::set<int> bad_vertices;
   std::vector<int> bad_faces;

@@ -12,6 +12,8 @@
 namespace wirewarp {
 namespace {
 
+constexpr std::size_t kMostNamed = 5;
+
 PieceOutline outline_of(const Chart& chart) {
   PieceOutline outline{surface_area(chart.mesh), {}};
   for (const HalfEdgeChain& chain : chart.boundary_loops) {
@@ -39,13 +41,15 @@ std::string name_loop(const Chart& chart, const OutlineLoop& loop) {
          name_elements("vertex", std::vector<int>{source_of_loop(chart, loop)});
 }
 
-/// "its outline, 0.4 units long at vertex 3," or "its outlines, 0.4 units long at vertex 3 and 0.2 units long at vertex
-/// 7,".
+/// The longest few: "its outline, 0.4 units long at vertex 3," or "its outlines, 0.4 units long at vertex 3 and 0.2
+/// units long at vertex 7,".
 std::string name_outlines(const Chart& chart, const std::vector<OutlineLoop>& loops) {
   std::string names = loops.size() == 1 ? "its outline, " : "its outlines, ";
-  for (std::size_t i = 0; i < loops.size(); ++i) {
+  const std::size_t num_named = std::min(loops.size(), kMostNamed);
+  for (std::size_t i = 0; i < num_named; ++i) {
     names += (i == 0 ? "" : i + 1 == loops.size() ? " and " : ", ") + name_loop(chart, loops[i]);
   }
+  if (num_named < loops.size()) names += " and " + std::to_string(loops.size() - num_named) + " more";
   return names + ",";
 }
 

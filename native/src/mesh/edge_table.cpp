@@ -39,10 +39,11 @@ EdgeTable::EdgeTable(const Triangles& faces, int num_vertices) : faces_(faces) {
 int EdgeTable::find(int a, int b) const {
   const int smaller = std::min(a, b);
   const int larger = std::max(a, b);
-  for (int e = edge_begin_[at(smaller)]; e < edge_begin_[at(smaller + 1)]; ++e) {
-    if (vertices(e)[1] == larger) return e;
-  }
-  return -1;
+  const auto begin = vertices_.begin() + edge_begin_[at(smaller)],
+             end = vertices_.begin() + edge_begin_[at(smaller + 1)];
+  const auto found =
+      std::lower_bound(begin, end, larger, [](const VertexPair& edge, int vertex) { return edge[1] < vertex; });
+  return found != end && (*found)[1] == larger ? static_cast<int>(found - vertices_.begin()) : -1;
 }
 
 }  // namespace wirewarp

@@ -88,6 +88,15 @@ bool any_not_positive(const Triangles& faces, const Positions2& uv) {
   return false;
 }
 
+/// True if a face is not several times as high as overlaps are deep: no other face penetrates it.
+bool any_too_thin(const std::vector<int>& candidates, const Triangles& faces, const Positions2& uv, double depth) {
+  return std::any_of(candidates.begin(), candidates.end(), [&](int face) {
+    const Corners t = corners_of(faces, uv, face);
+    const double base = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+    return cross(t[1] - t[0], t[2] - t[0]) < 4 * depth * base;
+  });
+}
+
 bool any(const std::vector<bool>& flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); }
 
 std::vector<int> indices_of(const std::vector<bool>& flags) {
@@ -110,7 +119,11 @@ std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vecto
   // Without flips the number of faces over a point changes only across boundary edges, and grows to their left. Where
   // a part of the plane that is covered twice ends, some boundary edge ends it, and the face left of that edge lies
   // there over another one: if no boundary face overlaps any face, nothing does. That costs one look at every face.
-  if (!any_not_positive(faces, uv) && !any(overlaps_with(indices_of(on_boundary), faces, uv, depth))) return {};
+  const std::vector<int> boundary = indices_of(on_boundary);
+  if (!any_not_positive(faces, uv) && !any_too_thin(boundary, faces, uv, depth) &&
+      !any(overlaps_with(boundary, faces, uv, depth))) {
+    return {};
+  }
 
   std::vector<int> all(static_cast<std::size_t>(faces.rows()));
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);

@@ -46,20 +46,26 @@ std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
   return hull;
 }
 
-/// The long side of the smallest rectangle around the points: one of its sides lies on a side of their hull.
+/// The long side of the smallest rectangle around the points: one of its sides lies on a side of their hull, and the
+/// corners of the hull that touch the others go around with it (rotating calipers, G. Toussaint, 1983).
 Eigen::Vector2d long_side_of_smallest_box(const std::vector<Eigen::Vector2d>& points) {
   const std::vector<Eigen::Vector2d> hull = convex_hull(points);
   double best_area = std::numeric_limits<double>::infinity();
   Eigen::Vector2d best(0, 0);
+  const auto corner = [&](std::size_t i) { return hull[i % hull.size()]; };
+  std::size_t right = 0, top = 0, left = 0;
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Eigen::Vector2d along = (hull[(i + 1) % hull.size()] - hull[i]).normalized();
+    const Eigen::Vector2d along = (corner(i + 1) - corner(i)).normalized();
     const Eigen::Vector2d across(-along.y(), along.x());
-    double low = 0, high = 0, width = 0;
-    for (const Eigen::Vector2d& p : hull) {
-      low = std::min(low, along.dot(p - hull[i]));
-      high = std::max(high, along.dot(p - hull[i]));
-      width = std::max(width, across.dot(p - hull[i]));
-    }
+    const auto farthest = [&](std::size_t from, const Eigen::Vector2d& direction) {
+      while (from < i + hull.size() && direction.dot(corner(from + 1) - corner(from)) > 0) ++from;
+      return from;
+    };
+    right = farthest(std::max(right, i), along);
+    top = farthest(std::max(top, right), across);
+    left = farthest(std::max(left, top), -along);
+    const double low = along.dot(corner(left) - corner(i)), high = along.dot(corner(right) - corner(i));
+    const double width = across.dot(corner(top) - corner(i));
     const double area = (high - low) * width;
     if (area >= best_area * (1 - kSameLength)) continue;
     best_area = area;

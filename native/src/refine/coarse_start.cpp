@@ -22,6 +22,13 @@ double typical_edge_length(const HalfEdgeMesh& mesh) {
   return std::sqrt(4 / std::sqrt(3.0) * surface_area(mesh) / static_cast<double>(mesh.n_faces()));
 }
 
+/// A slit of one edge has two sides between the same two vertices; coarsening knows an edge by its ends.
+bool has_slit_of_one_edge(const HalfEdgeMesh& mesh) {
+  return std::any_of(mesh.halfedges_begin(), mesh.halfedges_end(), [&](const HalfedgeHandle h) {
+    return mesh.is_boundary(h) && mesh.next_halfedge_handle(mesh.next_halfedge_handle(h)) == h;
+  });
+}
+
 }  // namespace
 
 std::optional<RefinementStart> start_from_coarse(const Chart& chart, const WireNetwork& network, const Options& options,
@@ -29,7 +36,7 @@ std::optional<RefinementStart> start_from_coarse(const Chart& chart, const WireN
   const double fine = typical_edge_length(chart.mesh);
   const double wanted =
       std::min(kCoarsening * fine, kPerWiggle * options.fairness * std::sqrt(surface_area(chart.mesh)));
-  if (wanted < kLeastCoarsening * fine || !go_on()) return std::nullopt;
+  if (wanted < kLeastCoarsening * fine || has_slit_of_one_edge(chart.mesh) || !go_on()) return std::nullopt;
   const CoarseChart coarse = coarsen(chart, network, wanted);
   Options brief = options;
   brief.max_factorizations = std::min(options.max_factorizations, kMaxFactorizations);
