@@ -9,6 +9,7 @@ from bpy.app.handlers import persistent
 
 T = TypeVar("T")
 Owner = TypeVar("Owner", bpy.types.Mesh, bpy.types.Object)
+Take = Callable[[bpy.types.ID, str, Callable], Any]  # kept or read_anew
 _kept: dict[tuple[str, str], dict[str, Any]] = {}  # by owner, then by what it is
 
 
@@ -18,6 +19,11 @@ def kept(owner: Owner, what: str, gather: Callable[[Owner], T]) -> T:
     if what not in found:
         found[what] = gather(owner)
     return found[what]
+
+
+def read_anew(owner: Owner, _what: str, gather: Callable[[Owner], T]) -> T:
+    """As kept, whatever was kept: scripts may change a mesh without telling Blender."""
+    return gather(owner)
 
 
 def stamp(owner: bpy.types.Mesh | bpy.types.Object) -> object:

@@ -26,6 +26,8 @@ from .wire_attributes import read_marks
 from .wire_chains import WireChain, chains_of_marks
 from .wire_names import chain_names
 
+LARGEST = 1e18  # Blender units
+
 
 @dataclass(frozen=True)
 class NamedWire:
@@ -61,6 +63,15 @@ def object_to_arrays(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | 
         return _mesh_to_arrays(source.data, source, linear)
     with evaluated_mesh(source, depsgraph) as mesh:
         return _mesh_to_arrays(mesh, source, linear)
+
+
+def _check_size(source: bpy.types.Object, vertices: np.ndarray) -> None:
+    """Areas must be numbers in single precision. What is no number at all the core names by its vertex."""
+    if LARGEST < np.abs(vertices).max(initial=0) < np.inf:
+        raise object_error(
+            "too_large",
+            f'"{source.name}" is more than {LARGEST:.0e} Blender units wide, too large for true areas: scale it down.',
+        )
 
 
 def linear_part(source: bpy.types.Object) -> np.ndarray:
@@ -118,6 +129,7 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
         loops = np.ascontiguousarray(loops[:, ::-1])
     loop_vertices = corner_vertices(mesh)
     vertices = read(mesh.vertices, "co", np.float32, 3).astype(np.float64) @ linear.T
+    _check_size(source, vertices)
     edges = edge_vertices(mesh)
     sizes = face_sizes(mesh)
     in_face = faces_at_edges(mesh) > 0

@@ -9,7 +9,7 @@ import numpy as np
 
 from .foreach import read
 from .issues import ObjectError
-from .mesh_cache import kept
+from .mesh_cache import Take, kept
 from .mesh_to_arrays import MeshArrays, metric
 from .mesh_topology import corner_vertices, face_sizes, read_seams
 from .place_sums import are_same_places, place_sums
@@ -38,8 +38,8 @@ def present_state(source: bpy.types.Object, with_modifiers: bool) -> dict | None
         return None
 
 
-def has_changed(source: bpy.types.Object, report: dict) -> bool:
-    """Whether geometry, seams, wires or scale are other than when the report was made.
+def has_changed(source: bpy.types.Object, report: dict, take: Take = kept) -> bool:
+    """Whether geometry, seams, wires or scale are other than when the report was made; take: kept, or read_anew.
 
     Of a report with modifiers, also whether these make another mesh; not where that cannot be seen: see shows_modified.
     """
@@ -51,9 +51,9 @@ def has_changed(source: bpy.types.Object, report: dict) -> bool:
     if mesh.is_editmode and not _comparable_in_edit_mode(mesh):
         return False
     try:
-        if any(state.get(part) != digest for part, digest in kept(mesh, "digests", _digests).items()):
+        if any(state.get(part) != digest for part, digest in take(mesh, "digests", _digests).items()):
             return True
-        then, now = state.get(MODIFIED), _modified(source)
+        then, now = state.get(MODIFIED), _modified(source, take)
         return None not in (then, now) and not _is_same(then, now)
     except ObjectError:  # an attribute of our name that was none when the report was made
         return True
@@ -64,9 +64,9 @@ def shows_modified(source: bpy.types.Object) -> bool:
     return source.mode == "OBJECT" and source.visible_get()
 
 
-def _modified(source: bpy.types.Object) -> dict | None:
+def _modified(source: bpy.types.Object, take: Take = kept) -> dict | None:
     """Of the mesh as modifiers and shape keys leave it; None where that cannot be seen."""
-    return kept(source, MODIFIED, _modified_state) if shows_modified(source) else None
+    return take(source, MODIFIED, _modified_state) if shows_modified(source) else None
 
 
 def _modified_state(source: bpy.types.Object) -> dict:

@@ -6,6 +6,8 @@ Scripts and users may have changed both pointers, and converted or exchanged the
 
 import bpy
 
+from .object_names import name_with
+
 
 def model_of(target: bpy.types.Object) -> bpy.types.Object | None:
     """The model that these flat pieces were made from; None of what is none."""
@@ -27,8 +29,29 @@ def is_deleted(model: bpy.types.Object) -> bool:
 def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
     """The object that remembers `source`: the one with our name first, should the user have copied it."""
     ours = [candidate for candidate in bpy.data.objects if model_of(candidate) == source]
-    named = [candidate for candidate in ours if candidate.name == f"{source.name} Flat"]
+    named = [candidate for candidate in ours if candidate.name == flat_name(source)]
     return next(iter(named + ours), None)
+
+
+def flat_name(source: bpy.types.Object) -> str:
+    return name_with(source.name, " Flat")
+
+
+def has_flat_object(source: bpy.types.Object) -> bool:
+    """Whether there are flat pieces that the user has not deleted."""
+    flat = find_flat_object(source)
+    return flat is not None and bool(flat.users_scene)
+
+
+def is_earlier(target: bpy.types.Object) -> bool:
+    """Whether these are flat pieces that the next run leaves as they are: a copy, or parts separated from them."""
+    model = model_of(target)
+    return model is not None and target != find_flat_object(model) and bool(target.users_scene)
+
+
+def earlier_sentence(target: bpy.types.Object) -> str:
+    flat = find_flat_object(model_of(target))
+    return f'"{target.name}" is a copy or a part of earlier pieces: go by "{flat.name}", and delete the others.'
 
 
 def is_helper(target: bpy.types.Object) -> bool:

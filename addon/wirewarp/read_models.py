@@ -4,9 +4,10 @@
 import bpy
 import numpy as np
 
-from .issues import ObjectError
+from .issues import ObjectError, object_error
 from .left_out import left_out
 from .length_units import LengthText
+from .mesh_cache import read_anew
 from .mesh_to_arrays import element_counts, object_to_arrays
 from .model_state import has_changed, model_state
 from .owners import find_flat_object
@@ -29,11 +30,22 @@ def find_source(model: Model) -> bpy.types.Object | None:
     return next((candidate for candidate in bpy.data.objects if candidate.name_full == model.name), None)
 
 
-def is_current(context: bpy.types.Context, model: Model, use_modifiers: bool) -> bool:
-    """Whether the object is still as it was read, in Object Mode."""
+def check_current(context: bpy.types.Context, models: list[Model], use_modifiers: bool) -> None:
+    """Raises ObjectError if an object is no longer as it was read, or may not be written any more, in Object Mode."""
     depsgraph = _updated_depsgraph(context, use_modifiers)
+    changed = [model.facts["object"] for model in models if not _is_current(model, depsgraph)]
+    if changed:
+        names = ", ".join(f'"{name}"' for name in changed)
+        sentence = f"{names} changed while it was flattened, nothing was written: flatten again."
+        raise object_error("changed", sentence)
+    for model in models:
+        if model.issue is None:
+            check_target(find_source(model), writes_uv=not use_modifiers)
+
+
+def _is_current(model: Model, depsgraph: bpy.types.Depsgraph | None) -> bool:
     source = find_source(model)
-    if source is None or has_changed(source, {"model_state": model.state}):
+    if source is None or source.type != "MESH" or has_changed(source, {"model_state": model.state}, read_anew):
         return False
     if depsgraph is None or model.arrays is None:
         return True

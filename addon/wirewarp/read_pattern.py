@@ -10,12 +10,14 @@ import numpy as np
 from .flat_attributes import has_flat_attributes, read_flat_attribute
 from .flat_shape import has_kept_shape
 from .issues import object_error
+from .mesh_cache import read_anew
 from .model_state import has_changed, shows_modified
-from .owners import find_flat_object
+from .owners import find_flat_object, has_flat_object
 from .pattern.make_pattern import PieceLabel, make_pattern
 from .pattern.pattern import Pattern
 from .read_flat_pieces import read_flat_pieces
-from .report_store import last_report
+from .report_store import pieces_report
+from .targets import check_not_edited
 from .unit_text import length_text, meters_per_blender_unit
 from .wire_names import names_of
 
@@ -46,9 +48,10 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: floa
 
 
 def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
-    report, flat = last_report(source), find_flat_object(source)
-    if report is None or flat is None or not flat.users_scene or "flat_object" not in report:
+    report, flat = pieces_report(source), find_flat_object(source)
+    if report is None or not has_flat_object(source) or "flat_object" not in report:
         raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')
+    check_not_edited(source)
     if _has_changed(source, report):
         raise object_error("changed", f'"{source.name}" has changed since it was flattened: flatten it again.')
     if _is_edited(flat.data, report):
@@ -63,7 +66,7 @@ def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
 def _has_changed(source: bpy.types.Object, report: dict) -> bool:
     """A model with modifiers may be hidden, and Blender makes nothing of hidden objects: it is shown for a moment."""
     if not report.get("with_modifiers"):
-        return has_changed(source, report)
+        return has_changed(source, report, read_anew)
     with _shown(source):
         if source.mode != "OBJECT":
             raise object_error(
@@ -77,7 +80,7 @@ def _has_changed(source: bpy.types.Object, report: dict) -> bool:
                 f'"{source.name}" is hidden, so nobody can tell whether its modifiers still make the mesh that was '
                 "flattened: show it in the Outliner.",
             )
-        return has_changed(source, report)
+        return has_changed(source, report, read_anew)
 
 
 @contextmanager

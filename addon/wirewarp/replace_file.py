@@ -2,20 +2,40 @@
 """Files that are there whole or not at all. No Blender in here."""
 
 import os
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+LONGEST_NAME = 200  # bytes; most systems allow 255
+NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # on one system or another
+
+
+def file_name(name: str, ending: str) -> str:
+    """For the file of an object of this name, in whatever folder."""
+    plain = NOT_IN_NAMES.sub("_", name).encode(errors="replace")
+    return plain[: LONGEST_NAME - len(ending)].decode(errors="ignore") + ending
+
+
+def check_file(path: Path) -> None:
+    """Raises OSError if no file of ours can be there. A model is never overwritten, whatever name was clicked on."""
+    path = path.resolve()
+    if not path.parent.is_dir():
+        raise OSError(f'there is no folder "{path.parent}"')
+    if path.exists() and not path.is_file():
+        raise OSError(f"it is no file but a {'directory' if path.is_dir() else 'device'}")
+    if re.fullmatch(r"\.blend\d*", path.suffix.lower()):
+        raise OSError("it is a Blender file by its name; choose another name")
 
 
 @contextmanager
 def replaced_file(path: Path) -> Iterator[Path]:
     """For `with`: a path beside this one to write to, which takes its place if nothing was raised.
 
-    So a full disk leaves the file that was there. Raises OSError if that is a folder or a device.
+    So a full disk leaves the file that was there. Raises OSError as check_file does.
     """
     path = path.resolve()  # what a link leads to is replaced, and the link stays
-    if path.exists() and not path.is_file():
-        raise OSError(f"it is no file but a {'directory' if path.is_dir() else 'device'}")
+    check_file(path)
     unfinished = path.with_name(f".wirewarp-{os.getpid()}.part")
     try:
         yield unfinished

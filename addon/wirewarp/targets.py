@@ -10,8 +10,8 @@ import numpy as np
 from .flat_attributes import is_flat_mesh
 from .issues import Issue, ObjectError, object_error
 from .mesh_to_arrays import linear_part, metric
-from .owners import is_deleted, is_helper, model_of
-from .pieces.attribute import check_piece_attribute
+from .owners import find_flat_object, find_helper_wires, is_deleted, is_helper, model_of
+from .pieces.attribute import check_piece_room
 from .wire_attributes import check_attributes
 from .write_uv import check_uv_room
 
@@ -49,8 +49,12 @@ def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Objec
 
 
 def check_target(target: bpy.types.Object, writes_uv: bool) -> None:
-    """Raises ObjectError if the results cannot be written. writes_uv: the base mesh gets them too."""
+    """Raises ObjectError if the results cannot be written. writes_uv: the base mesh gets them too.
+
+    All that can refuse is asked here, before the first of them is written. Of an object in Object Mode.
+    """
     linear_part(target)
+    check_not_edited(target)
     if is_flat_mesh(target.data):
         raise object_error(
             "flat_pieces",
@@ -70,10 +74,26 @@ def check_target(target: bpy.types.Object, writes_uv: bool) -> None:
             "again: make it local with Object > Relations > Make Local > Selected Objects and Data.",
         )
     check_attributes(target.data)
-    check_piece_attribute(target.data)
     if writes_uv:
-        check_uv_room(target.data)
+        check_piece_room(target)
+        check_uv_room(target)
         _check_users(target)
+
+
+def check_not_edited(target: bpy.types.Object) -> None:
+    """Raises ObjectError where the model's or the results' mesh is in Edit Mode: Blender hides its attributes then.
+
+    in_object_mode leaves the Edit Mode of one view layer; other scenes and windows have theirs.
+    """
+    flat = find_flat_object(target)
+    results = [flat, *(find_helper_wires(owner) for owner in (target, flat) if owner)]
+    for each in [target, *filter(None, results)]:
+        if each.data.is_editmode:
+            raise object_error(
+                "edited_elsewhere",
+                f'The mesh "{each.data.name}" is being edited in another scene or view layer: leave Edit Mode there '
+                "first.",
+            )
 
 
 def _check_users(target: bpy.types.Object) -> None:

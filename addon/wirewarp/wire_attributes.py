@@ -12,7 +12,7 @@ import bmesh
 import bpy
 import numpy as np
 
-from .issues import object_error
+from .attribute_names import check_attribute
 from .marking import MAX_ID
 
 WIRE = "wirewarp_wire"
@@ -36,13 +36,7 @@ def new_wire_id() -> int:
 def check_attributes(mesh: bpy.types.Mesh) -> None:
     """Raises ObjectError if an attribute of our name has another type or domain."""
     for name, data_type in _EXPECTED.items():
-        attribute = mesh.attributes.get(name)
-        if attribute and (attribute.domain, attribute.data_type) != ("EDGE", data_type):
-            raise object_error(
-                "attribute_type",
-                f'The attribute "{name}" of mesh "{mesh.name}" is not of type {data_type} on edges: '
-                "rename or delete it under Object Data > Attributes.",
-            )
+        check_attribute(mesh, name, data_type, "EDGE")
 
 
 def has_marks(mesh: bpy.types.Mesh) -> bool:

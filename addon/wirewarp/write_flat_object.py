@@ -21,7 +21,7 @@ from .mesh_topology import (
     write_sharp_edges,
 )
 from .notes import note, warning
-from .owners import find_flat_object, model_of
+from .owners import find_flat_object, flat_name, model_of
 from .pattern.flat_pieces import FlatPieces
 from .pieces.attribute import PIECE
 from .pieces.records import FACE_COUNT
@@ -43,7 +43,7 @@ def write_flat_object(
     """
     target = find_flat_object(source)
     if target is None:
-        target = bpy.data.objects.new(f"{source.name} Flat", bpy.data.meshes.new(f"{source.name} Flat"))
+        target = bpy.data.objects.new(flat_name(source), bpy.data.meshes.new(flat_name(source)))
         target.wirewarp_source = source
         target.location = free_place(scene, source, flat.vertices.max(axis=0, initial=0.0))
     elif _is_shared(target):
@@ -51,6 +51,8 @@ def write_flat_object(
     if scene not in target.users_scene:
         our_collection(scene).objects.link(target)
     target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
+    target.shape_key_clear()  # of the former vertices, as are groups of them
+    target.vertex_groups.clear()
     pieces = _write_mesh(target.data, flat, arrays)
     write_names(target.data, {wire.chain.wire_id: wire.name for wire in arrays.wires})
     show_failed(target.data, flat.failed)

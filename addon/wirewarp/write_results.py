@@ -9,13 +9,13 @@ from .local_views import show_where_shown
 from .mesh_topology import edge_vertices
 from .model_maps import model_maps
 from .notes import note, warning
-from .owners import find_flat_object, find_helper_wires
+from .owners import earlier_sentence, find_flat_object, find_helper_wires, is_earlier, model_of
 from .pieces.keep_places import crowded_text, motions_in_order, pieces_in_place, remember_layout, wants_new_layout
 from .pieces.motion import Motion
-from .pieces.records import write_pieces
+from .pieces.records import with_new_names, write_pieces
 from .properties import FlattenSettings
 from .read_models import find_source
-from .report_store import remember, store
+from .report_store import remember, store, with_names
 from .solve_models import Outcome
 from .wire_attributes import wires_on
 from .wire_names import update_names
@@ -38,7 +38,9 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
             continue
         if source.data.library is None:
             update_names(source.data, wires_on(source.data))
+        outcome.identities = with_new_names(source, outcome.model.known, outcome.identities)
         write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
+        with_names(source, outcome.report)
         pieces, motions = _place(source, outcome, settings.keep_places)
         flat, flat_arrays = write_flat_object(context.scene, source, pieces, arrays)
         remember_layout(flat, outcome.report["options"])
@@ -54,10 +56,15 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
             remove_texts(flat)
         context.view_layer.update()
         outcome.report["flat_object"] = flat.name
-        outcome.report["notes"] += show_flat_object(context.view_layer, flat)
+        outcome.report["notes"] += show_flat_object(context.view_layer, flat) + _notes_on_others(source)
         helpers = [find_helper_wires(owner) for owner in (source, flat)]
         show_where_shown(source, [flat, *find_texts(flat), *filter(None, helpers)])
         store(source, outcome.report)
+
+
+def _notes_on_others(source: bpy.types.Object) -> list[dict]:
+    others = [each for each in bpy.data.objects if model_of(each) == source and is_earlier(each)]
+    return [warning(earlier_sentence(each)) for each in others]
 
 
 def _write_to_model(source: bpy.types.Object, outcome: Outcome, flat: bpy.types.Object, maps: bool) -> UvFrame:

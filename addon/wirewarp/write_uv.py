@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
+from .attribute_names import check_free
 from .flatten_job import has_layout
 from .issues import object_error
 from .mesh_to_arrays import MeshArrays
@@ -15,9 +16,13 @@ UV_SCALE = "wirewarp_uv_scale"
 MAX_UV_LAYERS = 8
 
 
-def check_uv_room(mesh: bpy.types.Mesh) -> None:
+def check_uv_room(target: bpy.types.Object) -> None:
     """Raises ObjectError where there is no room for our layer."""
-    if UV_LAYER not in mesh.uv_layers and len(mesh.uv_layers) >= MAX_UV_LAYERS:
+    mesh = target.data
+    if UV_LAYER in mesh.uv_layers:
+        return
+    check_free(target, UV_LAYER, "the map of the pieces")
+    if len(mesh.uv_layers) >= MAX_UV_LAYERS:
         raise object_error(
             "no_uv_room",
             f'Mesh "{mesh.name}" already has {MAX_UV_LAYERS} UV maps, and Blender allows no more: '
@@ -45,9 +50,7 @@ def write_uv(mesh: bpy.types.Mesh, corner_uv: np.ndarray, arrays: MeshArrays) ->
     The scale is kept on the mesh as wirewarp_uv_scale.
     """
     loop_uv, frame = loop_coordinates(corner_uv, arrays)
-    if UV_LAYER not in mesh.uv_layers:
-        mesh.uv_layers.new(name=UV_LAYER, do_init=False)
-    layer = mesh.uv_layers[UV_LAYER]
+    layer = mesh.uv_layers.get(UV_LAYER) or mesh.uv_layers.new(name=UV_LAYER, do_init=False)
     if hasattr(layer, "uv"):  # Blender 3.5 and later
         layer.uv.foreach_set("vector", loop_uv.ravel())
     else:

@@ -2,6 +2,7 @@
 import bpy
 
 from ..report_csv import report_csv
+from ..report_store import last_report, pieces_report
 from ..unit_text import length_text
 from .report_operator import ReportOperator
 
@@ -12,6 +13,10 @@ class OBJECT_OT_wirewarp_copy_report(ReportOperator, bpy.types.Operator):
     bl_idname = "object.wirewarp_copy_report"
     bl_label = "Copy as CSV"
     bl_options = {"REGISTER"}
+
+    def report_of(self, source: bpy.types.Object) -> dict | None:
+        """Of the flat pieces, if there are any."""
+        return pieces_report(source) or last_report(source)
 
     def act(self, context: bpy.types.Context, _source: bpy.types.Object, report: dict) -> set[str]:
         table = report_csv(report, length_text(context.scene))

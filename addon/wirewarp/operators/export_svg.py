@@ -5,11 +5,12 @@ import bpy
 from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
-from ..issues import ObjectError
-from ..owners import model_or_self
+from ..issues import ObjectError, object_error
+from ..owners import earlier_sentence, is_earlier, model_or_self
 from ..pattern.pattern import Pattern
 from ..pattern.svg import page_size, write_svg
 from ..read_pattern import read_pattern
+from ..replace_file import file_name
 from ..targets import in_object_mode
 from ..ui.text import draw_sentence
 
@@ -53,7 +54,7 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         source = _source(context)
         if not self.filepath:
-            self.filepath = str(Path(bpy.data.filepath).parent / f"{source.name} Pattern.svg")
+            self.filepath = str(Path(bpy.data.filepath).parent / file_name(source.name, " Pattern.svg"))
         try:
             self._sizes = _size_sentences(self._pattern(context, failed_too=True))
         except ObjectError as error:
@@ -82,7 +83,9 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
         return {"FINISHED"}
 
     def _pattern(self, context: bpy.types.Context, failed_too: bool) -> Pattern:
-        source = _source(context)
+        active, source = context.active_object, _source(context)
+        if is_earlier(active):
+            raise object_error("earlier_pieces", earlier_sentence(active))
         with in_object_mode(context):
             return read_pattern(context.scene, source, self.notch_spacing, failed_too)
 

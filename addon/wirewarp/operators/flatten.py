@@ -6,6 +6,7 @@ from bpy.props import StringProperty
 
 from .. import core, window_run
 from ..properties import take_settings
+from ..replace_file import check_file
 from ..targets import WORKING_MODES, mesh_targets, nothing_to_flatten
 from ..ui.settings import draw_settings
 from .flatten_steps import FlattenSteps
@@ -53,11 +54,18 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
         refusal = core.problem() or nothing_to_flatten(context, sources)
         if window_run.is_running():
             refusal = "Flatten is at work: wait for its end, or press Esc."
-        elif not refusal and self.report_file and not self.report_file.parent.is_dir():
-            refusal = f'The report cannot be written: there is no folder "{self.report_file.parent}".'
+        elif not refusal and self.report_file:
+            refusal = self._file_refusal()
         if refusal:
             self.report({"ERROR"}, refusal)
         return bool(refusal)
+
+    def _file_refusal(self) -> str:
+        try:
+            check_file(self.report_file)
+        except OSError as error:
+            return f'"{self.report_file}" cannot be written: {error.strerror or error}.'
+        return ""
 
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)

@@ -8,9 +8,9 @@ from pathlib import Path
 import bpy
 
 from .. import core, window_run
-from ..issues import Issue
+from ..issues import Issue, ObjectError
 from ..properties import FlattenSettings, choices_of
-from ..read_models import is_current, read_models
+from ..read_models import check_current, read_models
 from ..redraw import redraw_views
 from ..report_file import run_message, run_report, write_json
 from ..solve_models import CancelledError, Model, Outcome, Solver, failed_report, solve_models
@@ -103,14 +103,12 @@ class FlattenSteps(FlattenSettings):
         if context.mode not in WORKING_MODES or _place(context) != (self._scene, self._view_layer):
             sentence = "The mode or the scene was changed during the run, nothing was written: flatten again."
             return self.give_up(context, "elsewhere", sentence, "ERROR")
-        with in_object_mode(context):
-            changed = [m.facts["object"] for m in self._models if not is_current(context, m, self.use_modifiers)]
-            if not changed:
+        try:
+            with in_object_mode(context):
+                check_current(context, self._models, self.use_modifiers)
                 self._write(context, outcomes)
-        if changed:
-            names = ", ".join(f'"{name}"' for name in changed)
-            sentence = f"{names} changed while it was flattened, nothing was written: flatten again."
-            return self.give_up(context, "changed", sentence, "ERROR")
+        except ObjectError as error:
+            return self.give_up(context, error.issue.code, str(error), "ERROR")
         return self._tell(context, outcomes)
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:

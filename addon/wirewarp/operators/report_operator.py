@@ -9,7 +9,7 @@ from ..report_store import last_report
 
 
 class ReportOperator:
-    """Acts on the report of the active model, or of the model of active flat pieces. Subclasses say how."""
+    """Acts on a report of the active model, or of the model of active flat pieces. Subclasses say how."""
 
     bl_options = {"REGISTER", "UNDO"}
 
@@ -24,9 +24,13 @@ class ReportOperator:
         active = context.active_object
         return active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}
 
+    def report_of(self, source: bpy.types.Object) -> dict | None:
+        """The one that is shown."""
+        return last_report(source)
+
     def execute(self, context: bpy.types.Context) -> set[str]:
         source = model_or_self(context.active_object)
-        report = last_report(source)
+        report = self.report_of(source)
         try:
             if report is None:
                 raise object_error("not_flattened", f'"{source.name}" has not been flattened yet.')

@@ -5,6 +5,7 @@ from bpy.props import EnumProperty, IntProperty
 from ..flat_sources import flat_sources
 from ..issues import object_error
 from ..report_elements import Elements, elements_of, faces_of_piece, on_flat
+from ..report_store import last_report, pieces_report
 from ..selection import check_indices, select_elements
 from .report_operator import ReportOperator
 
@@ -31,6 +32,10 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         options={"HIDDEN"},
     )
     index: IntProperty(name="Index", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
+
+    def report_of(self, source: bpy.types.Object) -> dict | None:
+        """Of the list of pieces, or of all else in the panel."""
+        return (pieces_report if self.what in {"PIECE", "STRETCH", "EASE"} else last_report)(source)
 
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
         elements = elements_of(report, self.what, self.index)

@@ -7,7 +7,7 @@ from ..model_state import has_moved
 from ..redraw import redraw_views
 from ..selection import check_indices
 from ..take_proposals import loosen_wires, mark_seams
-from ..targets import in_object_mode
+from ..targets import check_not_edited, in_object_mode
 from .report_operator import ReportOperator
 
 
@@ -49,6 +49,7 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
         proposed = issues[self.issue][key] if self.issue < len(issues) else None
         if not proposed:
             raise object_error("not_in_report", f'The report of "{source.name}" proposes no such thing.')
+        check_not_edited(source)
         check_indices(source, report)
         if has_moved(source, report):
             raise object_error("changed", f'"{source.name}" has changed since it was flattened: flatten it again.')

@@ -14,7 +14,7 @@ from ..model_state import has_changed
 from ..owners import find_flat_object, model_of, model_or_self
 from ..pieces.attribute import PIECE
 from ..pieces.records import piece_names
-from ..report_store import last_report
+from ..report_store import last_report, pieces_report
 from ..stored_numbers import read_numbers
 from ..wire_names import chain_names
 from ..write_helper_wires import helper_ends
@@ -60,11 +60,11 @@ def lines_of(target: bpy.types.Object, marks: LineMarks) -> Lines:
 def current_report(target: bpy.types.Object) -> dict | None:
     """The last report, if its elements are still those of the object as it is shown."""
     source = model_or_self(target)
+    if source != target:
+        return pieces_report(source)
     report = last_report(source)
     if not report:
         return None
-    if source != target:
-        return report
     other_shape = report.get("with_modifiers", False) != _is_modified(source)
     return None if other_shape or has_changed(source, report) else report
 

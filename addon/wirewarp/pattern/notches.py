@@ -14,6 +14,7 @@ from .pattern import Notch
 from .seam_sides import SeamSide
 
 LEAST_SPACING = 1.0  # millimeters
+MOST = 10_000  # along one seam
 TOO_CLOSE = "Notches so close cannot be cut: choose 1 mm or more, or 0 for none along seams."
 NOTCH = 5.0  # length of a notch, in millimeters
 SHARE = 0.3  # of the way across the piece, the most that a notch may take
@@ -25,7 +26,7 @@ def place_notches(
 ) -> dict[int, list[Notch]]:
     """By piece. seams: of each its runs, of each run the sides; spacing: along seams, 0 for none.
 
-    Raises ObjectError where the spacing is too small to be cut.
+    Raises ObjectError where the spacing is too small to be cut, or for a seam of that length.
     """
     if 0 < spacing < LEAST_SPACING:
         raise object_error("notch_spacing", TOO_CLOSE)
@@ -40,7 +41,8 @@ def place_notches(
         touching = np.flatnonzero((outline.edges == vertex).any(axis=1))
         inward = _unit(outline.inward[touching].sum(axis=0))
         add(int(outline.piece[touching[0]]), flat.vertices[vertex], inward, "wire")
-    for sides in [sides for seam in seams for sides in seam] if spacing > 0 else []:
+    for number, sides in _runs(seams) if spacing > 0 else []:
+        _check_count(flat, number, sides, spacing)
         lengths = _lengths(flat, sides, at_wires, spacing)
         for side in sides:
             for point, inward in _places(flat, outline, side, lengths):
@@ -57,14 +59,28 @@ def vertices_at_wires(flat: FlatPieces, outline: OutlineEdges) -> set[int]:
     return set(on_outline[np.isin(flat.source_vertex[on_outline], flat.source_vertex[ends])].tolist())
 
 
+def _runs(seams: list[list[list[SeamSide]]]) -> list[tuple[int, list[SeamSide]]]:
+    """The sides of each run, and the number of its seam, from 1."""
+    return [(number, sides) for number, seam in enumerate(seams, start=1) for sides in seam if sides]
+
+
+def _check_count(flat: FlatPieces, number: int, sides: list[SeamSide], spacing: float) -> None:
+    length = sides[0].lengths(flat)[-1]
+    if length > MOST * spacing:
+        sentence = (
+            f"Seam {number} is {length / 1000:,.0f} m long, too long for a notch every {spacing:g} mm: see whether "
+            "Scene > Units > Unit Scale is what you want, or choose 0 for no notches along seams."
+        )
+        raise object_error("notch_count", sentence)
+
+
 def _lengths(flat: FlatPieces, sides: list[SeamSide], at_wires: set[int], spacing: float) -> list[float]:
     """At which lengths from the start of the seam; the same for all its sides."""
-    if not sides:
-        return []
     along = sides[0].lengths(flat)
     taken = [along[-1], *(along[place] for place, vertex in enumerate(sides[0].vertices) if vertex in at_wires)]
     lengths = spacing * np.arange(1, int(along[-1] / spacing) + 1)
-    return [length for length in lengths.tolist() if np.abs(np.array(taken) - length).min() > CLEAR * spacing]
+    near = np.abs(lengths[:, None] - np.unique(taken)).min(axis=1)
+    return lengths[near > CLEAR * spacing].tolist()
 
 
 def _places(

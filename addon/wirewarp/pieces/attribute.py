@@ -7,25 +7,21 @@ It stays with the faces when they are subdivided, duplicated or joined, so that 
 import bpy
 import numpy as np
 
-from ..issues import object_error
+from ..attribute_names import check_attribute, check_free
 
 PIECE = "wirewarp_piece"
 
 
-def check_piece_attribute(mesh: bpy.types.Mesh) -> None:
-    """Raises ObjectError if an attribute of our name has another type or domain."""
-    attribute = mesh.attributes.get(PIECE)
-    if attribute and (attribute.domain, attribute.data_type) != ("FACE", "INT"):
-        raise object_error(
-            "attribute_type",
-            f'The attribute "{PIECE}" of mesh "{mesh.name}" is not of type INT on faces: '
-            "rename or delete it under Object Data > Attributes.",
-        )
+def check_piece_room(target: bpy.types.Object) -> None:
+    """Raises ObjectError where the ids cannot be written to the object's mesh."""
+    check_attribute(target.data, PIECE, "INT", "FACE")
+    if PIECE not in target.data.attributes:
+        check_free(target, PIECE, "what tells pieces apart")
 
 
 def read_piece_ids(mesh: bpy.types.Mesh) -> np.ndarray:
     """(f,) int32 of a mesh that is not in Edit Mode."""
-    check_piece_attribute(mesh)
+    check_attribute(mesh, PIECE, "INT", "FACE")
     ids = np.zeros(len(mesh.polygons), dtype=np.int32)
     if PIECE in mesh.attributes:
         mesh.attributes[PIECE].data.foreach_get("value", ids)
@@ -34,6 +30,5 @@ def read_piece_ids(mesh: bpy.types.Mesh) -> np.ndarray:
 
 def write_piece_ids(mesh: bpy.types.Mesh, ids: np.ndarray) -> None:
     """ids (f,) int32."""
-    if PIECE not in mesh.attributes:
-        mesh.attributes.new(PIECE, "INT", "FACE")
-    mesh.attributes[PIECE].data.foreach_set("value", ids)
+    attribute = mesh.attributes.get(PIECE) or mesh.attributes.new(PIECE, "INT", "FACE")
+    attribute.data.foreach_set("value", ids)

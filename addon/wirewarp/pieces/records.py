@@ -2,6 +2,7 @@
 """The list of pieces on the model's object, where the user renames them, and the ids on its faces."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import bpy
@@ -34,6 +35,14 @@ def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
         inside = (faces >= 0) & (faces < face_count)  # new faces, made by hand, carry none or any
         ids[faces[inside]] = read_flat_attribute(mesh, PIECE)[inside]
     return ids
+
+
+def with_new_names(
+    source: bpy.types.Object, known: KnownPieces, identities: Sequence[PieceIdentity]
+) -> list[PieceIdentity]:
+    """What the user has renamed since `known` was read has the new name."""
+    renamed = dict(piece_names(source).items() - known.names.items())
+    return [replace(identity, name=renamed.get(identity.piece_id, identity.name)) for identity in identities]
 
 
 def write_pieces(

@@ -4,9 +4,10 @@
 import bpy
 
 from ..cloth import percent_text
+from ..report_store import pieces_report
 from .panel import SidebarPanel
 from .piece_figures import draw_figures
-from .report import shown_report, shown_source
+from .report import shown_source
 from .report_rows import PieceRow
 from .report_table import draw_select
 from .report_tables import tables_of
@@ -48,15 +49,21 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
             shown = helper.filter_items_by_name(self.filter_name, self.bitflag_filter_item, entries, "name")
         if self.use_filter_sort_alpha:
             return shown, helper.sort_items_by_name(entries, "name")
-        places = {row.index: place for place, row in enumerate(tables_of(shown_report(context)).pieces)}
+        places = {row.index: place for place, row in enumerate(tables_of(_shown_pieces(context)).pieces)}
         if places.keys() != set(range(len(entries))):
             return shown, []
         return shown, [places[index] for index in range(len(entries))]
 
 
+def _shown_pieces(context: bpy.types.Context) -> dict | None:
+    """The report of the pieces there are, whatever has failed since."""
+    source = shown_source(context)
+    return pieces_report(source) if source else None
+
+
 def _row_of(context: bpy.types.Context, index: int) -> PieceRow | None:
     """None where the report is of other pieces than the list."""
-    return next((row for row in tables_of(shown_report(context)).pieces if row.index == index), None)
+    return next((row for row in tables_of(_shown_pieces(context)).pieces if row.index == index), None)
 
 
 class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
@@ -64,7 +71,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        report = shown_report(context)
+        report = _shown_pieces(context)
         return report is not None and "flat_object" in report and len(shown_source(context).wirewarp_pieces) > 0
 
     def draw(self, context: bpy.types.Context) -> None:

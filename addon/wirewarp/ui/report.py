@@ -3,11 +3,12 @@
 
 import bpy
 
+from ..flat_sources import no_pieces_sentence
 from ..mesh_cache import stamp
 from ..model_state import has_changed
 from ..overlay.cache import Same, kept_drawing
-from ..owners import model_or_self
-from ..report_store import last_report
+from ..owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
+from ..report_store import last_report, pieces_report
 from ..unit_text import length_text
 from .panel import SidebarPanel
 from .report_rows import largest_difference
@@ -16,6 +17,8 @@ from .report_table import draw_table
 from .report_tables import tables_of
 from .text import draw_sentence, is_wide
 from .tick import mark_of
+
+CHANGED = "The model has changed since: flatten again."
 
 
 def shown_report(context: bpy.types.Context) -> dict | None:
@@ -40,12 +43,13 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
-        report = shown_report(context)
-        changed = _has_changed(shown_source(context), report)
-        if changed:
+        source, report = shown_source(context), shown_report(context)
+        changed = _has_changed(source, report)
+        untrue = CHANGED if changed else _why_untrue(context.active_object, source, report)
+        if untrue:
             warning = layout.column()
             warning.alert = True
-            draw_sentence(context, warning, "The model has changed since: flatten again.", "ERROR")
+            draw_sentence(context, warning, untrue, "ERROR")
         else:
             for line in tables_of(report).verdict:
                 draw_sentence(context, layout, line.text, line.icon)
@@ -59,8 +63,15 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
             draw_issues(context, box, report)
         if report["hints"]:
             draw_hints(context, layout, report)
-        if report["pieces"]:
+        if (pieces_report(source) or report)["pieces"]:
             layout.operator("object.wirewarp_copy_report", icon="COPYDOWN")
+
+
+def _why_untrue(active: bpy.types.Object, source: bpy.types.Object, report: dict) -> str:
+    """Why the report of an unchanged model says nothing of what is to be seen; "" if it does."""
+    if "flat_object" in report and not has_flat_object(source):
+        return no_pieces_sentence(source)
+    return earlier_sentence(active) if is_earlier(active) else ""
 
 
 def _has_changed(source: bpy.types.Object, report: dict) -> bool:

@@ -17,23 +17,22 @@ class ReportTables:
     pieces: list[PieceRow]
 
 
-_report: dict | None = None
-_names: list[str] = []
-_tables: ReportTables | None = None
+_kept: list[tuple[dict, list[str], ReportTables]] = []  # of the last two reports: of the pieces, and of a failure
 
 
 def tables_of(report: dict) -> ReportTables:
-    """Of the report that was shown last, as long as its pieces and wires keep their names."""
-    global _report, _names, _tables
+    """Of a report that was shown last, as long as its pieces and wires keep their names."""
     names = [entry["name"] for entry in report["pieces"] + report["wires"]]
-    if _tables is None or report is not _report or names != _names:
-        _report, _names = report, names
-        _tables = ReportTables(
-            verdict=verdict(report),
-            seams=seam_rows(report),
-            wires=wire_rows(report),
-            outlines=outline_rows(report),
-            helpers=helper_rows(report),
-            pieces=piece_rows(report),
-        )
-    return _tables
+    for shown, known, tables in _kept:
+        if shown is report and known == names:
+            return tables
+    tables = ReportTables(
+        verdict=verdict(report),
+        seams=seam_rows(report),
+        wires=wire_rows(report),
+        outlines=outline_rows(report),
+        helpers=helper_rows(report),
+        pieces=piece_rows(report),
+    )
+    _kept[:] = [(report, names, tables), *_kept[:1]]
+    return tables

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The result there is: it outlives runs that fail, and is told from what only looks like it."""
+
+import bpy
+import numpy as np
+import pytest
+from everything import answer, draw_panels
+from surfaces import bump, flat_of, grid, mark_seam, on_line, read, select_only
+from test_failures import cube
+
+READY, AGAIN = "Ready to cut", 'There are no flat pieces to this report: flatten "Bump" again'
+
+
+@pytest.fixture
+def source():
+    """Two pieces."""
+    target = grid("Bump", bump, size=4)
+    mark_seam(target, on_line(0, 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    return target
+
+
+def fail(source):
+    """A run of which nothing comes, and the model as it was."""
+    corner = source.data.vertices[0]
+    place = corner.co.copy()
+    corner.co.x = float("nan")
+    with pytest.raises(RuntimeError, match="finite"):
+        bpy.ops.object.wirewarp_flatten()
+    corner.co = place
+    source.data.update()
+
+
+def export(tmp_path):
+    return answer("object.wirewarp_export_svg", filepath=str(tmp_path / "pattern.svg"))
+
+
+@pytest.mark.parametrize("saved", [False, True])
+def test_a_failed_run_leaves_the_report_of_the_pieces(source, addon, tmp_path, saved):
+    fail(source)
+    if saved:
+        bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "failed.blend"))
+        bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "failed.blend"))
+        source = bpy.data.objects["Bump"]
+        select_only(source)
+    assert not addon.report_store.last_report(source)["ok"]
+    assert addon.report_store.pieces_report(source)["ok"]
+    words = draw_panels(addon)
+    assert "Not flattened" in words or "The model has changed since" in words
+    assert export(tmp_path) == "{'FINISHED'}"
+    assert answer("object.wirewarp_copy_report") == "{'FINISHED'}"
+    assert answer("mesh.wirewarp_select_result", what="PIECE", index=0) == "{'FINISHED'}"
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    assert addon.report_store.last_report(source)["ok"]
+    assert "wirewarp_failure" not in source
+
+
+def test_a_failed_report_stays_with_its_object(addon, tmp_path):
+    closed = cube()
+    with pytest.raises(RuntimeError, match="closed"):
+        bpy.ops.object.wirewarp_flatten()
+    closed.name = "Renamed"
+    assert not addon.report_store.last_report(closed)["ok"]
+    bpy.data.objects.remove(closed)
+    for name in ("Cube", "Renamed"):
+        other = grid(name, bump, size=4)
+        assert addon.report_store.last_report(other) is None
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "other.blend"))
+    assert not [each for each in bpy.data.objects if "wirewarp_failure" in each or "wirewarp_report" in each]
+
+
+def test_a_piece_renamed_during_a_run_keeps_its_new_name(source, addon):
+    models = addon.read_models.read_models(bpy.context, [source], use_modifiers=False)
+    settings = bpy.context.scene.wirewarp
+    choices, library = addon.properties.choices_of(settings), addon.core.library()
+    outcomes = addon.solve_models.solve_models(library, models, choices, 1.0, lambda *_: True)
+    source.wirewarp_pieces[0].name = "Sleeve"
+    addon.write_results.write_results(bpy.context, outcomes, settings)
+    names = {entry.name for entry in source.wirewarp_pieces}
+    assert "Sleeve" in names
+    assert {piece["name"] for piece in outcomes[0].report["pieces"]} == names
+    assert {each.data.body.split("\n")[0] for each in bpy.data.objects if each.type == "FONT"} == names
+
+
+def test_shape_keys_and_groups_of_earlier_pieces_are_gone(source):
+    flat = flat_of(source)
+    flat.shape_key_add(name="Basis")
+    flat.vertex_groups.new(name="piece")
+    source.data.vertices[0].co.x -= 1
+    bpy.ops.object.wirewarp_flatten()
+    assert flat.data.shape_keys is None
+    assert "piece" in flat.data.attributes
+    places = read(flat.data.vertices, "co", np.float32, 3)
+    shown = flat.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+    assert np.array_equal(read(shown.vertices, "co", np.float32, 3), places)
+
+
+def test_a_change_that_blender_was_not_told_of_is_seen_by_the_export(source, tmp_path, addon):
+    assert READY in draw_panels(addon)  # and the panel has kept what it found
+    places = read(source.data.vertices, "co", np.float32, 3)
+    source.data.vertices.foreach_set("co", (2 * places).ravel())
+    assert '"Bump" has changed since it was flattened' in export(tmp_path)
+
+
+def test_a_copy_of_the_model_has_no_pieces(source, addon):
+    select_only(source)
+    bpy.ops.object.duplicate()
+    words = draw_panels(addon)
+    assert 'There are no flat pieces to this report: flatten "Bump.001" again' in words
+    assert READY not in words
+
+
+def test_deleted_pieces_are_not_ready_to_cut(source, addon, tmp_path):
+    select_only(source)
+    assert READY in draw_panels(addon)
+    bpy.data.objects.remove(flat_of(source))
+    words = draw_panels(addon)
+    assert AGAIN in words
+    assert READY not in words
+    assert "no flat pieces" in export(tmp_path)
+
+
+def test_a_copy_of_the_pieces_is_told_from_them(source, addon, tmp_path):
+    select_only(flat_of(source))
+    bpy.ops.object.duplicate()
+    copy = bpy.context.active_object
+    sentence = '"Bump Flat.001" is a copy or a part of earlier pieces: go by "Bump Flat"'
+    assert sentence in draw_panels(addon)
+    assert sentence in export(tmp_path)
+    select_only(source)
+    assert export(tmp_path) == "{'FINISHED'}"
+    bpy.ops.object.wirewarp_flatten()
+    assert any(sentence in note["text"] for note in addon.report_store.last_report(source)["notes"])
+    bpy.data.objects.remove(copy)
+    bpy.ops.object.wirewarp_flatten()
+    assert not addon.report_store.last_report(source)["notes"]
+
+
+def test_the_longest_name_leaves_room_for_what_says_that_these_are_its_pieces():
+    source = grid("ä" * 200, bump, size=4)
+    bpy.ops.object.wirewarp_flatten()
+    bpy.ops.object.wirewarp_flatten()
+    (flat,) = [each for each in bpy.data.objects if each.wirewarp_source == source]
+    assert flat.name.startswith("ää")
+    assert flat.name.endswith("ä Flat")
