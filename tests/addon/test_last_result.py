@@ -22,12 +22,11 @@ def source():
 
 def fail(source):
     """A run of which nothing comes, and the model as it was."""
-    corner = source.data.vertices[0]
-    place = corner.co.copy()
-    corner.co.x = float("nan")
+    place = source.data.vertices[0].co.copy()
+    source.data.vertices[0].co.x = float("nan")
     with pytest.raises(RuntimeError, match="finite"):
         bpy.ops.object.wirewarp_flatten()
-    corner.co = place
+    source.data.vertices[0].co = place
     source.data.update()
 
 
