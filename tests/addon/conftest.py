@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import use_everything
-from surfaces import bump, grid, mark, mark_seam, on_line, read, select_only
+from surfaces import bump, grid, join_cube, mark, mark_seam, on_line, read
 
 # The legacy add-on, and the extension in Blender's repository for local files.
 MODULE_NAMES = ("wirewarp_addon", "bl_ext.user_default.wirewarp")
@@ -34,10 +34,7 @@ def empty_scene() -> None:
 def model():
     """Two good pieces with a wire that ends inside one, which gets a helper wire, and a closed piece that fails."""
     target = grid("Bump", bump, size=4)
-    bpy.ops.mesh.primitive_cube_add(location=(4, 0, 0))
-    closed = bpy.context.object
-    select_only(target, closed)
-    bpy.ops.object.join()
+    join_cube(target)
     mark_seam(target, on_line(0, 0.0))
     mark(target, lambda a, b: on_line(1, 0.0)(a, b) and max(a[0], b[0]) < 0.6, kind="ELASTIC", tolerance=0.05)
     with pytest.raises(RuntimeError, match="is closed"):

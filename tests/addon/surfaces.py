@@ -44,6 +44,13 @@ def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads") -> bpy
     return make_object(name, vertices, polygons)
 
 
+def join_cube(target: bpy.types.Object) -> None:
+    """A piece of its own beside the others, closed, so that it fails: faces after theirs."""
+    bpy.ops.mesh.primitive_cube_add(location=(4, 0, 0))
+    select_only(target, bpy.context.object)
+    bpy.ops.object.join()
+
+
 def bump(x: float, y: float) -> tuple[float, float, float]:
     """A shallow dome over the square."""
     return (x, y, 0.4 * (1 - x * x) * (1 - y * y))
@@ -100,6 +107,12 @@ def wire_marks(mesh: bpy.types.Mesh) -> dict[tuple[int, float], int]:
     tolerances = read(mesh.attributes["wirewarp_tolerance"].data, "value", np.float32)
     keys, counts = np.unique(np.column_stack([ids, tolerances.astype(float)])[ids != 0], axis=0, return_counts=True)
     return {(int(wire), float(tolerance)): int(count) for (wire, tolerance), count in zip(keys, counts, strict=True)}
+
+
+def flatten(source: bpy.types.Object, **settings: object) -> None:
+    """This object alone."""
+    select_only(source)
+    bpy.ops.object.wirewarp_flatten(**settings)
 
 
 def flat_of(source: bpy.types.Object) -> bpy.types.Object:

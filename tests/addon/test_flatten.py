@@ -12,6 +12,7 @@ from surfaces import (
     edge_vertices,
     flat_of,
     flat_sources,
+    flatten,
     grid,
     half_cylinder,
     mark,
@@ -234,8 +235,7 @@ def test_twice_replaces():
     flat.name, flat.location = "My Pattern", (5, 6, 7)
     before = len(mesh_objects()), len(bpy.data.meshes), len(source.data.uv_layers)
     mark_seam(source, on_line(0, 0.0))
-    select_only(source)
-    bpy.ops.object.wirewarp_flatten()
+    flatten(source)
     assert (len(mesh_objects()), len(bpy.data.meshes), len(source.data.uv_layers)) == before
     assert flat.data == mesh
     assert tuple(flat.location) == (5, 6, 7)

@@ -7,12 +7,11 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, grid, half_cylinder, mark, mark_seam, on_line, select_only
+from surfaces import bump, flatten, grid, half_cylinder, join_cube, mark, mark_seam, on_line
 
 
 def flattened(addon, target, **settings):
-    select_only(target)
-    bpy.ops.object.wirewarp_flatten(**settings)
+    flatten(target, **settings)
     return addon.report_store.last_report(target)
 
 
@@ -142,10 +141,7 @@ def test_wires_at_their_limit_are_advised_longest_change_first(addon):
 def test_what_failed_gets_no_advice(addon):
     source = grid("Bump", lambda x, y: (x, y, 1.5 * (1 - x * x) * (1 - y * y)))
     mark_seam(source, on_line(0, 0.0))
-    bpy.ops.mesh.primitive_cube_add(location=(4, 0, 0))
-    cube = bpy.context.object
-    select_only(source, cube)
-    bpy.ops.object.join()
+    join_cube(source)
     with pytest.raises(RuntimeError, match="is closed"):
         bpy.ops.object.wirewarp_flatten()
     report = addon.report_store.last_report(source)

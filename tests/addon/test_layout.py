@@ -9,6 +9,7 @@ from surfaces import (
     edge_vertices,
     flat_of,
     flat_sources,
+    flatten,
     grid,
     half_cylinder,
     mark,
@@ -16,17 +17,11 @@ from surfaces import (
     on_line,
     read,
     select_edges,
-    select_only,
 )
 
 
 def places_of(source):
     return read(flat_of(source).data.vertices, "co", np.float32, 3)[:, :2]
-
-
-def flatten(source, **settings):
-    select_only(source)
-    bpy.ops.object.wirewarp_flatten(**settings)
 
 
 def difference(source, a, b):

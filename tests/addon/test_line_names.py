@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from drawing import LABEL, SVG, Drawing
-from surfaces import bump, grid, make_object, mark, mark_seam, on_line, select_only
+from surfaces import bump, flatten, grid, make_object, mark, mark_seam, on_line
 
 
 @pytest.fixture
@@ -23,8 +23,7 @@ def source():
 
 
 def exported(source, tmp_path):
-    select_only(source)
-    bpy.ops.object.wirewarp_flatten()
+    flatten(source)
     path = tmp_path / "pattern.svg"
     assert bpy.ops.object.wirewarp_export_svg(filepath=str(path)) == {"FINISHED"}
     return Drawing(path)

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Euler, Matrix, Vector
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only
+from surfaces import bump, flat_of, flatten, grid, mark, mark_seam, on_line, select_edges, select_only
 
 LINE, OTHER = on_line(1, 0.0), on_line(0, 0.0)
 
@@ -16,8 +16,7 @@ def source():
     target = grid("Bump", bump)
     mark_seam(target, OTHER)
     mark(target, LINE)
-    select_only(target)
-    bpy.ops.object.wirewarp_flatten()
+    flatten(target)
     return target
 
 
@@ -116,8 +115,7 @@ def smooth():
     mirror.location.x = 3
     target.modifiers.new("Smooth", "SUBSURF").levels = 1
     target.modifiers.new("Mirror", "MIRROR").mirror_object = mirror
-    select_only(target)
-    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    flatten(target, use_modifiers=True)
     return target
 
 

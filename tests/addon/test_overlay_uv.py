@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_only
+from surfaces import bump, flat_of, flatten, grid, mark, mark_seam, on_line, select_only
 
 SEAM, RIGID, ELASTIC = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5)
 
@@ -100,8 +100,7 @@ def test_helper_wires_lie_in_the_map_where_their_wires_end(addon, mode, monkeypa
     flat = flat_of(source).data
     for vertex in flat.vertices:  # a quarter turn
         vertex.co = (-vertex.co.y, vertex.co.x, 0)
-    select_only(source)
-    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
+    flatten(source, method="WIREWARP_PLUS_PLUS")
     select_only(source)
     bpy.ops.object.mode_set(mode=mode)
     places = shown(addon)[0].lines.places

@@ -12,6 +12,7 @@ from surfaces import (
     edge_lengths,
     edge_vertices,
     flat_of,
+    flatten,
     grid,
     mark,
     mark_seam,
@@ -32,11 +33,6 @@ def source():
     mark_seam(target, SEAM)
     bpy.ops.object.wirewarp_flatten()
     return target
-
-
-def flatten(source, **settings):
-    select_only(source)
-    bpy.ops.object.wirewarp_flatten(**settings)
 
 
 def places_of(source):

@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Vector
-from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_only
+from surfaces import bump, flat_of, flatten, grid, make_object, mark, mark_seam, on_line, read, select_only
 
 
 @pytest.fixture
@@ -18,11 +18,6 @@ def source():
     mark(target, on_line(1, 0.0))
     bpy.ops.object.wirewarp_flatten()
     return target
-
-
-def flatten(source, **settings):
-    select_only(source)
-    bpy.ops.object.wirewarp_flatten(**settings)
 
 
 def texts():

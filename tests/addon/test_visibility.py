@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Vector
-from surfaces import bump, edge_lengths, flat_of, grid, select_only
+from surfaces import bump, edge_lengths, flat_of, flatten, grid, select_only
 
 
 def failed_source():
@@ -60,11 +60,6 @@ def test_select_issues_shows_a_hidden_model():
     assert (source.visible_get(), source.mode) == (True, "EDIT")
 
 
-def flatten_again(source):
-    select_only(source)
-    bpy.ops.object.wirewarp_flatten()
-
-
 def notes(addon, source):
     return [note["text"] for note in addon.report_store.last_report(source)["notes"]]
 
@@ -75,7 +70,7 @@ def test_flattening_again_makes_the_size_true_and_keeps_the_place(addon):
     flat = flat_of(source)
     before = edge_lengths(flat)
     flat.location, flat.rotation_euler, flat.scale, flat.delta_scale = (5, 6, 7), (0, 0, 1), (2, 2, 2), (3, 1, 1)
-    flatten_again(source)
+    flatten(source)
     assert tuple(flat.location) == (5, 6, 7)
     assert edge_lengths(flat) == pytest.approx(before, rel=1e-5)
     assert notes(addon, source) == []
@@ -102,11 +97,11 @@ def neighbor(x, bottom, top, size=0.5):
 def test_new_pieces_lie_clear_of_what_stands_beside_the_model():
     standing = [neighbor(2.0, 0.0, 1.0), neighbor(4.6, -1.0, 1.0)]
     source = grid("Bump", bump)
-    flatten_again(source)
+    flatten(source)
     assert all(are_apart(flat_of(source), each) for each in standing)
     place = tuple(flat_of(source).location)
     neighbor(*flat_of(source).location[:1], 0.0, 1.0)
-    flatten_again(source)
+    flatten(source)
     assert tuple(flat_of(source).location) == place  # theirs, or the user's, from now on
 
 
@@ -117,11 +112,11 @@ def test_new_pieces_lie_clear_of_what_stands_beside_the_model():
 )
 def test_pieces_do_not_give_way_to_what_is_not_in_their_way(bottom, top, size):
     source = grid("Bump", bump)
-    flatten_again(source)
+    flatten(source)
     expected = flat_of(source).location.x
     bpy.data.objects.remove(flat_of(source))
     neighbor(2.0, bottom, top, size)
-    flatten_again(source)
+    flatten(source)
     assert flat_of(source).location.x == pytest.approx(expected)
 
 
@@ -132,7 +127,7 @@ def test_a_parent_that_scales_the_pieces_is_said(addon):
     bpy.context.scene.collection.objects.link(parent)
     parent.scale = (2, 2, 2)
     flat_of(source).parent = parent
-    flatten_again(source)
+    flatten(source)
     (note,) = notes(addon, source)
     assert '"Bump Flat" is not shown in true size' in note
 
@@ -146,7 +141,7 @@ def test_hidden_pieces_come_back(addon, how):
         flat.hide_set(True)
     else:
         flat.hide_viewport = True
-    flatten_again(source)
+    flatten(source)
     assert flat.visible_get()
     assert notes(addon, source) == []
 
@@ -156,6 +151,6 @@ def test_pieces_in_a_collection_out_of_sight_are_said(addon, how):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     setattr(layer_collection("WireWarp"), how, True)
-    flatten_again(source)
+    flatten(source)
     (note,) = notes(addon, source)
     assert '"Bump Flat" is not to be seen: its collection is hidden or excluded' in note
