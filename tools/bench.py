@@ -5,9 +5,9 @@ import os
 from pathlib import Path
 
 from tools.blender import BLENDER_APT, BPY_APT, bpy_python, run_with_addon
-from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, pip_install, require_apt, run, say, venv
+from tools.environment import BUILD, ROOT, require_apt, run, say
 from tools.native import CORE_APT, build_native
-from tools.package import package
+from tools.package import venv_with_core
 
 APT = (*CORE_APT, *BLENDER_APT, *BPY_APT, "libbenchmark-dev")
 PACKAGES = ("numpy==1.26.4", "libigl==2.6.3", "matplotlib==3.10.9")
@@ -47,12 +47,10 @@ def measure_real_meshes(python: Path) -> list[str | Path]:
     return ["--real-meshes", counts]
 
 
-def bench(is_full: bool) -> None:
+def run_bench(is_full: bool) -> None:
     require_apt(*APT)
     build_native("bench")
-    wheel = package()["3.11"]
-    python = venv("bench", DEBIAN_PYTHON, *PACKAGES)
-    pip_install(python, f"installing {wheel.name}", "--no-deps", "--force-reinstall", wheel)
+    python = venv_with_core("bench", "3.11", *PACKAGES)
     measured = [measure_the_core(is_full), measure_in_blender(), measure_peers(python, is_full)]
     real = measure_real_meshes(python)
     run([python, "bench/write_page.py", *measured, *real], PYTHONPATH=str(ROOT / "results"))

@@ -18,7 +18,9 @@ from tools.environment import (
     find_python,
     fingerprint,
     is_current,
+    pip_install,
     require_apt,
+    require_python,
     run_quietly,
     say,
     set_current,
@@ -72,6 +74,16 @@ def package_legacy() -> Path:
     """Builds the legacy zip alone, and returns it."""
     require_apt(*BUILD_APT)
     return zips.write_legacy(DIST, PLATFORM, build_wheel(LEGACY_PYTHON, DEBIAN_PYTHON))
+
+
+def venv_with_core(name: str, version: str, *requirements: str) -> Path:
+    """The Python of the venv build/venvs/NAME with these packages and with the wheel of this tree."""
+    python = require_python(version)
+    require_apt(*BUILD_APT)
+    wheel = build_wheel(version, python)
+    interpreter = venv(name, python, *requirements)
+    pip_install(interpreter, f"installing {wheel.name}", "--no-deps", "--force-reinstall", wheel)
+    return interpreter
 
 
 def extension_zip() -> Path:
