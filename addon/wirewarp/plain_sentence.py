@@ -13,6 +13,11 @@ PLURALS = {"vertex": "vertices", "edge": "edges", "face": "faces"}
 
 def plain_sentence(sentence: str, units: LengthText) -> str:
     """Of an issue: a piece's name stands before its sentence, and a button shows the elements, which are counted."""
+    parts = re.split(r'("[^"]*")', sentence)
+    return "".join(part if part.startswith('"') else _plain(part, units) for part in parts)  # names stay as they are
+
+
+def _plain(sentence: str, units: LengthText) -> str:
     sentence = re.sub(r"\b([Tt]he piece) around face \d+(?: \(\d+ (?:face|triangle)s?\))?", r"\1", sentence)
     sentence = re.sub(rf" \(a distortion of at least {NUMBER}\)", "", sentence)
     sentence = re.sub(rf"such as (?:along )?{LISTED}", "such as the proposed one", sentence)
@@ -21,7 +26,7 @@ def plain_sentence(sentence: str, units: LengthText) -> str:
     sentence = re.sub(rf" long(?=(?:,| and) {NUMBER} \S+ long\b)", "", sentence)
     too_short = rf"\b(outline(s?), .*,) can hold no more than {NUMBER} % of its area in the plane"
     sentence = re.sub(too_short, _short, sentence)
-    return re.sub(rf'"[^"]*"|{LISTED}', _counted, sentence)
+    return re.sub(LISTED, _counted, sentence)
 
 
 def _short(match: re.Match) -> str:
@@ -31,8 +36,6 @@ def _short(match: re.Match) -> str:
 
 def _counted(match: re.Match) -> str:
     noun, others, last, more = match.groups()
-    if noun is None:
-        return match[0]  # the name of a wire, in quotes
     singular = "vertex" if noun.lower() == "vertices" else noun.lower().removesuffix("s")
     count = len(re.findall(r", | and ", others)) + (int(last) if more else 1)
     text = f"{count} {PLURALS[singular]}" if count > 1 else f"one {singular}"

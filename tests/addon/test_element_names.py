@@ -64,6 +64,7 @@ def test_counts(addon, sentence, counts, expected):
             "mark a seam; its outline, 0.5 long at vertex 3, can hold no more than 6.23 % of its area in the plane.",
             "mark a seam; its outline, 500 mm long, is too short to lie around it.",
         ),
+        ('The wire "Hip 3 long" is not valid.', 'The wire "Hip 3 long" is not valid.'),
         ("Wire 4 of the piece around face 7 is as long as its outline.", None),
         ("The outline of the piece around face 7 cannot keep", "The outline of the piece cannot keep"),
         ("Its outline, 12000 units long at vertex 1,", "Its outline, 12000000 mm long,"),
