@@ -10,9 +10,8 @@ import numpy as np
 
 from .issues import Issue, ObjectError
 from .marking import plan_wires
-from .mesh_to_arrays import linear_part
 from .repair_wires import repair_names
-from .wire_attributes import edit_layers, new_wire_id
+from .wire_attributes import check_attributes, edit_layers, new_wire_id
 
 OUTLINES_ARE_RIGID = "Outlines are rigid, or the two sides of a seam would not match"
 
@@ -21,9 +20,11 @@ def mark_selected(targets: Sequence[bpy.types.Object], tolerance: float) -> tupl
     """The selected edges become wires, one a chain. Returns the numbers of wires and of edges that were left out.
 
     Where a tolerance is asked for, edges of seams and outlines are left out: they are rigid anyway. Raises ObjectError,
-    with nothing marked, if no other edge is selected, and on an edge without a face.
+    with nothing marked on any, if no other edge is selected, on an edge without a face, and on attributes that are not
+    ours.
     """
     for target in targets:
+        check_attributes(target.data)
         _refuse_loose(target)
     left_out = [edge for target in targets for edge in _outline_edges(target)] if tolerance > 0 else []
     if left_out and len(left_out) == sum(map(_count_selected, targets)):
@@ -51,8 +52,14 @@ def _mark_object(target: bpy.types.Object, tolerance: float) -> int:
     return len(planned)
 
 
-def clear_selected(target: bpy.types.Object) -> int:
-    """Selected edges stop being wires. Returns how many did."""
+def clear_selected(targets: Sequence[bpy.types.Object]) -> int:
+    """Selected edges stop being wires. Returns how many did. Raises ObjectError on attributes that are not ours."""
+    for target in targets:
+        check_attributes(target.data)
+    return sum(map(_clear_object, targets))
+
+
+def _clear_object(target: bpy.types.Object) -> int:
     edit, wire_layer, tolerance_layer = edit_layers(target.data)
     cleared = [edge for edge in _selected_edges(edit) if edge[wire_layer]]
     for edge in cleared:
@@ -106,7 +113,7 @@ def _pairs(edges: list[bmesh.types.BMEdge]) -> list[tuple[int, int]]:
 
 def _positions(target: bpy.types.Object, edit: bmesh.types.BMesh) -> np.ndarray:
     """As seen in the viewport, so that unapplied scale does not change what is straight."""
-    return np.array([vertex.co[:] for vertex in edit.verts]) @ linear_part(target).T
+    return np.array([vertex.co[:] for vertex in edit.verts]) @ np.array(target.matrix_world)[:3, :3].T
 
 
 def _finish(mesh: bpy.types.Mesh, edit: bmesh.types.BMesh, wire_layer: bmesh.types.BMLayerItem) -> None:

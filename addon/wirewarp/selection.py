@@ -11,27 +11,30 @@ from .mesh_to_arrays import element_counts
 from .mesh_topology import corner_edges, edge_vertices, face_sizes
 from .report_elements import Indices, Pairs
 from .selection_attributes import deselect_all
+from .targets import check_local
 
 
 def check_indices(target: bpy.types.Object, report: dict) -> None:
     """Raises ObjectError if the report's elements are not, or no longer, those of the object's own mesh."""
-    if target.library is not None or target.data.library is not None:
-        raise object_error(
-            "linked_data", f'"{target.name}" is linked from another file and has no Edit Mode here: make it local.'
-        )
+    check_local(target, target.data)
     if report.get("with_modifiers"):
         raise object_error(
             "with_modifiers",
             "The report is of the mesh with modifiers: apply the modifiers and flatten again.",
         )
-    if target.data.is_editmode:
-        target.update_from_editmode()
+    update_mesh(target)
     if "counts" in report and report["counts"] != element_counts(target.data):
         raise _changed(target)
 
 
 def _changed(target: bpy.types.Object) -> ObjectError:
     return object_error("changed", f'"{target.name}" has changed since it was flattened: flatten it again.')
+
+
+def update_mesh(target: bpy.types.Object) -> None:
+    """Brings vertices, edges, faces and their selection up to date; attributes cannot be read in Edit Mode."""
+    if target.data.is_editmode:
+        target.update_from_editmode()
 
 
 def select_elements(
@@ -44,16 +47,18 @@ def select_elements(
     """Makes `target` the active object and enters its Edit Mode with these elements selected, and no others.
 
     edges are vertex pairs; a pair that is no edge of the mesh (the diagonal of a quad) selects its two vertices. The
-    selection mode is the coarsest that can show everything, and the view goes there. Raises ObjectError if the object
-    cannot be shown, or has no such elements.
+    selection mode is the coarsest that can show everything, and the view goes there. Raises ObjectError, with nothing
+    changed, if the object cannot be shown or edited, or has no such elements.
     """
-    _show(context, target)
-    if context.mode == "EDIT_MESH":
-        bpy.ops.object.mode_set(mode="OBJECT")
+    check_local(target, target.data)
+    update_mesh(target)
     mesh = target.data
     edge_mask, loose_vertices = _find_edges(mesh, edges)
     face_mask = _mask(target, mesh.polygons, faces)
     vertex_mask = _mask(target, mesh.vertices, [*vertices, *loose_vertices])
+    _show(context, target)
+    if context.mode == "EDIT_MESH":
+        bpy.ops.object.mode_set(mode="OBJECT")
     deselect_all(mesh)
     context.view_layer.objects.active = target
     for other in context.selected_objects:

@@ -61,18 +61,9 @@ def check_target(target: bpy.types.Object, writes_uv: bool) -> None:
             f'"{target.name}" holds flat pieces, and their model was deleted: bring it back, or select another one. To '
             'flatten them as they are, delete the attribute "source_vertex" under Object Data > Attributes.',
         )
-    if target.library is not None or (writes_uv and target.data.library is not None):
-        raise object_error(
-            "linked_data",
-            f'"{target.name}" is linked from another file, so nothing can be written to it: '
-            "make it local with Object > Relations > Make Local > Selected Objects and Data.",
-        )
-    if target.override_library is not None or (writes_uv and target.data.override_library is not None):
-        raise object_error(
-            "library_override",
-            f'"{target.name}" is a library override, and what would be written to it is lost when the file is opened '
-            "again: make it local with Object > Relations > Make Local > Selected Objects and Data.",
-        )
+    check_local(target, target)
+    if writes_uv:
+        check_local(target, target.data)
     check_attributes(target.data)
     if writes_uv:
         check_piece_room(target)
@@ -94,6 +85,21 @@ def check_not_edited(target: bpy.types.Object) -> None:
                 f'The mesh "{each.data.name}" is being edited in another scene or view layer: leave Edit Mode there '
                 "first.",
             )
+
+
+def check_local(target: bpy.types.Object, written: bpy.types.Object | bpy.types.Mesh) -> None:
+    """Raises ObjectError if the object, or its mesh, whichever is to be written, belongs to another file."""
+    remedy = "make it local with Object > Relations > Make Local > Selected Objects and Data."
+    if written.library is not None:
+        raise object_error(
+            "linked_data", f'"{target.name}" is linked from another file and cannot be changed in this one: {remedy}'
+        )
+    if written.override_library is not None:
+        raise object_error(
+            "library_override",
+            f'"{target.name}" is a library override, and what would be written to it is lost when the file is opened '
+            f"again: {remedy}",
+        )
 
 
 def _check_users(target: bpy.types.Object) -> None:

@@ -74,9 +74,8 @@ def wires_on(mesh: bpy.types.Mesh) -> list[int]:
 def edit_layers(mesh: bpy.types.Mesh) -> tuple:
     """(bmesh, wire layer, tolerance layer) of a mesh in Edit Mode; missing layers are made.
 
-    Making a layer invalidates every edge reference taken before.
+    Making a layer invalidates every edge reference taken before. Attributes of our names are ours: check_attributes.
     """
-    check_attributes(mesh)
     edit = bmesh.from_edit_mesh(mesh)
     layers = edit.edges.layers
     if WIRE not in layers.int:

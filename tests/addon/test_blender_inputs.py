@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import answer, draw_panels
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read, select_only
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read, select_only, wire_marks
 from test_flatten import assert_true_lengths
 
 FLATTEN = "object.wirewarp_flatten"
@@ -23,7 +23,7 @@ def link(path, kind, name):
 @pytest.fixture
 def library(tmp_path):
     """A file with a flattened model; the one at hand is empty again."""
-    grid("Bump", bump)
+    mark(grid("Bump", bump), WIRE)
     bpy.ops.object.wirewarp_flatten()
     path = tmp_path / "library.blend"
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
@@ -43,6 +43,23 @@ def test_a_library_override_is_made_local_first(library):
     bpy.ops.object.make_local(type="SELECT_OBDATA")
     assert answer(FLATTEN) == DONE
     assert flat_of(target).library is None
+
+
+@pytest.mark.parametrize("kind", ["is linked from another file", "is a library override"])
+@pytest.mark.parametrize("command", ["change_wire", "grain_wire", "select_wire"])
+def test_wires_of_another_file_are_made_local_first(library, addon, kind, command):
+    target = link(library, "objects", "Bump")
+    bpy.context.scene.collection.objects.link(target)
+    if "override" in kind:
+        target = target.override_create(remap_local_usages=True)
+        target.data.override_create(remap_local_usages=True)
+        bpy.context.view_layer.update()
+    other = grid("Other", bump)
+    select_only(target, other)
+    before, edge = wire_marks(target.data), addon.wire_summary.wires_of(target)[0].edges[0]
+    assert f'"Bump" {kind}' in answer(f"mesh.wirewarp_{command}", edge=edge)
+    assert (wire_marks(target.data), target.data.wirewarp_grain) == (before, 0)
+    assert (bpy.context.active_object, set(bpy.context.selected_objects)) == (target, {target, other})
 
 
 def test_flat_pieces_beside_those_of_another_file(library):

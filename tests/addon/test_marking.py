@@ -5,7 +5,7 @@ import math
 
 import bpy
 import pytest
-from surfaces import bump, grid, mark, mark_seam, on_line, select_edges, wire_marks
+from surfaces import bump, grid, mark, mark_seam, on_line, select_edges, select_only, wire_marks
 
 EAST_WEST, NORTH_SOUTH = on_line(1, 0.0), on_line(0, 0.0)
 
@@ -74,13 +74,40 @@ def test_clear_without_a_wire_selected_does_nothing():
     assert bpy.ops.mesh.wirewarp_clear() == {"CANCELLED"}
 
 
-def test_several_objects_in_edit_mode():
-    first, second = grid("First", bump), grid("Second", bump)
-    for target in (first, second):
-        select_edges(target, EAST_WEST)
+def two_in_edit_mode(line):
+    targets = [grid("First", bump), grid("Second", bump)]
+    for target in targets:
+        select_edges(target, line)
         bpy.ops.object.mode_set(mode="OBJECT")
-    first.select_set(True)
+    select_only(*targets)
     bpy.ops.object.mode_set(mode="EDIT")
+    return targets
+
+
+@pytest.mark.parametrize("operator", ["mark", "clear"])
+def test_of_several_objects_all_or_none_are_written(operator):
+    first, second = two_in_edit_mode(EAST_WEST)
+    bpy.ops.mesh.wirewarp_mark()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    second.data.attributes.remove(second.data.attributes["wirewarp_wire"])
+    second.data.attributes.new("wirewarp_wire", "FLOAT", "EDGE")
+    before = wire_marks(first.data)
+    bpy.ops.object.mode_set(mode="EDIT")
+    with pytest.raises(RuntimeError, match='attribute "wirewarp_wire" of mesh "Second"'):
+        getattr(bpy.ops.mesh, f"wirewarp_{operator}")(**{"kind": "SUPER_ELASTIC"} if operator == "mark" else {})
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert wire_marks(first.data) == before
+
+
+def test_a_model_scaled_to_nothing_is_marked_as_any():
+    target = grid("Bump", bump)
+    target.scale.z = 0
+    mark(target, EAST_WEST, NORTH_SOUTH)
+    assert list(wire_marks(target.data).values()) == [8, 8]
+
+
+def test_several_objects_in_edit_mode():
+    first, second = two_in_edit_mode(EAST_WEST)
     bpy.ops.mesh.wirewarp_mark()
     bpy.ops.object.mode_set(mode="OBJECT")
     assert [list(wire_marks(target.data).values()) for target in (first, second)] == [[8], [8]]

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From a line of the report to its edges and faces."""
 
+from functools import partial
+
 import bpy
 import numpy as np
 import pytest
@@ -55,6 +57,21 @@ def test_a_piece_among_the_flat_ones(source, index):
 def select_fails(match, **what):
     with pytest.raises(RuntimeError, match=match):
         bpy.ops.mesh.wirewarp_select_result(**what)
+
+
+def test_what_cannot_be_shown_leaves_the_user_where_he_was(source, addon):
+    flat, other = flat_of(source), grid("Other", bump)
+    select_only(source, other)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.data.objects.remove(flat)
+    select_fails("no flat pieces to this report", what="PIECE", index=0)
+    select = partial(addon.selection.select_elements, bpy.context)
+    with pytest.raises(addon.issues.ObjectError, match="has changed"):
+        select(source, faces=[64])
+    with pytest.raises(addon.issues.ObjectError, match="not in this view layer"):
+        select(bpy.data.objects.new("Nowhere", other.data), faces=[0])
+    assert (source.mode, other.mode) == ("EDIT", "EDIT")
+    assert (bpy.context.active_object, set(bpy.context.selected_objects)) == (source, {source, other})
 
 
 def test_what_is_not_there_is_said(source):

@@ -137,6 +137,7 @@ def test_what_is_no_wire_is_not_changed_or_selected(source):
     select_edges(source, on_line(1, 0.5))
     with pytest.raises(RuntimeError, match="No selected edge is a wire"):
         bpy.ops.mesh.wirewarp_select_wire()
+    assert source.mode == "EDIT"
 
 
 def test_an_elastic_wire_needs_a_tolerance(addon, source):

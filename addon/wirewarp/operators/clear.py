@@ -18,7 +18,7 @@ class MESH_OT_wirewarp_clear(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         try:
-            count = sum(clear_selected(target) for target in context.objects_in_mode_unique_data)
+            count = clear_selected(context.objects_in_mode_unique_data)
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}

@@ -7,6 +7,7 @@ from ..issues import object_error
 from ..report_elements import Elements, elements_of, faces_of_piece, on_flat
 from ..report_store import last_report, pieces_report
 from ..selection import check_indices, select_elements
+from ..targets import in_object_mode
 from .report_operator import ReportOperator
 
 
@@ -44,14 +45,14 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         # The elements of a mesh with modifiers are to be had on the flat pieces only.
         wants_flat = context.active_object != source or report.get("with_modifiers")
         if wants_flat and self._lies_flat(report, elements):
-            _leave_edit_mode(context)
-            flat, sources = flat_sources(source, report)
+            with in_object_mode(context):
+                flat, sources = flat_sources(source, report)
             _select(context, flat, on_flat(elements, sources))
             return {"FINISHED"}
         check_indices(source, report)
-        _leave_edit_mode(context)
         if elements.whole_piece:
-            _, sources = flat_sources(source, report)
+            with in_object_mode(context):
+                _, sources = flat_sources(source, report)
             elements = Elements(faces=faces_of_piece(elements.piece, sources))
         _select(context, source, elements)
         return {"FINISHED"}
@@ -61,12 +62,6 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         if self.what != "ISSUE":
             return True
         return elements.piece is not None and report["pieces"][elements.piece]["has_layout"]
-
-
-def _leave_edit_mode(context: bpy.types.Context) -> None:
-    """Where attributes cannot be read."""
-    if context.mode == "EDIT_MESH":
-        bpy.ops.object.mode_set(mode="OBJECT")
 
 
 def _select(context: bpy.types.Context, target: bpy.types.Object, elements: Elements) -> None:

@@ -6,7 +6,7 @@ from ..change_wire import wire_at
 from ..foreach import read
 from ..issues import ObjectError, object_error
 from ..mesh_topology import edge_vertices
-from ..selection import select_elements
+from ..selection import select_elements, update_mesh
 from ..wire_summary import find_wires
 
 
@@ -36,8 +36,7 @@ class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         target = context.active_object
-        if context.mode == "EDIT_MESH":
-            bpy.ops.object.mode_set(mode="OBJECT")
+        update_mesh(target)
         try:
             rows = wire_at(target, self.edge).edges if self.edge >= 0 else self._rows_of_selected(target)
             select_elements(context, target, edges=edge_vertices(target.data)[rows])

@@ -6,7 +6,7 @@ from bpy.props import IntProperty
 
 from ..issues import ObjectError
 from ..owners import model_of
-from ..targets import in_object_mode
+from ..targets import check_local, in_object_mode
 
 
 class WireOperator:
@@ -28,9 +28,11 @@ class WireOperator:
         return True
 
     def execute(self, context: bpy.types.Context) -> set[str]:
+        target = context.active_object
         try:
+            check_local(target, target.data)
             with in_object_mode(context):
-                self.act(context.active_object)
+                self.act(target)
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
