@@ -4,6 +4,7 @@
 // faces at all. What is not a typed error must keep every promise, and measure() must agree.
 #include <fuzzer/FuzzedDataProvider.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -20,7 +21,7 @@ constexpr int kMostVertices = 40;
 struct Asked {
   FlattenInput input;
   Options options;
-  int steps_until_cancelled;
+  int steps_until_cancelled = std::numeric_limits<int>::max();
 };
 
 double any_coordinate(FuzzedDataProvider& bytes) {
@@ -57,7 +58,6 @@ Options any_options(FuzzedDataProvider& bytes) {
   options.mirror = bytes.ConsumeBool();
   options.layout = bytes.PickValueInArray({PieceLayout::packed, PieceLayout::row});
   options.orientation = bytes.PickValueInArray({Orientation::wire, Orientation::boundary, Orientation::up});
-  options.grain = bytes.ConsumeIntegralInRange(-1, 3);
   if (bytes.ConsumeBool()) {
     for (double& x : options.up) x = any_coordinate(bytes);
   }
@@ -95,9 +95,13 @@ FlattenInput changed_mesh(FuzzedDataProvider& bytes) {
 }
 
 Asked any_case(FuzzedDataProvider& bytes) {
-  const Options options = any_options(bytes);
-  const int steps = bytes.ConsumeBool() ? bytes.ConsumeIntegralInRange(0, 200) : std::numeric_limits<int>::max();
-  return {bytes.ConsumeBool() ? any_input(bytes) : changed_mesh(bytes), options, steps};
+  Asked asked;
+  asked.options = any_options(bytes);
+  if (bytes.ConsumeBool()) asked.steps_until_cancelled = bytes.ConsumeIntegralInRange(0, 200);
+  asked.options.grain = bytes.ConsumeIntegralInRange(-1, 3);
+  asked.input = bytes.ConsumeBool() ? any_input(bytes) : changed_mesh(bytes);
+  asked.options.grain = std::min(asked.options.grain, static_cast<int>(asked.input.wires.size()));  // one is too many
+  return asked;
 }
 
 /// Pieces that keep every promise do so for measure() too.

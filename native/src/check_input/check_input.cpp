@@ -39,12 +39,12 @@ void check_seams(const FlattenInput& input, const EdgeTable& edges) {
 void check_wire(const FlattenInput& input, const EdgeTable& edges, std::size_t w, std::vector<int>& wire_of_edge) {
   const Wire& wire = input.wires[w];
   const std::string label = name_wires(input.wires, {static_cast<int>(w)});
+  check_vertices_in_range(wire.vertices, input.vertices.rows(), "The " + label);
   if (wire.vertices.size() < 2) {
     throw FlattenError(ErrorCode::wire_too_short,
                        "The " + label + " has fewer than two vertices: give it at least one edge.",
                        {wire.vertices, {}, {}});
   }
-  check_vertices_in_range(wire.vertices, input.vertices.rows(), "The " + label);
   if (!(wire.tolerance >= 0)) {
     throw FlattenError(ErrorCode::invalid_tolerance,
                        "The " + label + " has a tolerance of " + std::to_string(wire.tolerance) +
