@@ -85,7 +85,7 @@ def test_the_refined_method_takes_few_factorizations(results, name):
     # On the quarter sphere no step from a free flattening reaches exact lengths, and a saddle is on the way.
     most = 16 if name == "Quarter sphere" else 8
     for piece in results[name].pieces:
-        assert 0 < piece.report.factorizations <= most
+        assert piece.report.factorizations <= most  # none where it unfolds
 
 
 @pytest.mark.parametrize("name", SAMPLES)

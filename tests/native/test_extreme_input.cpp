@@ -67,6 +67,19 @@ TEST(ExtremeInput, EdgesThatDifferByAMillion) {
   expect_flat(input);
 }
 
+TEST(ExtremeInput, EdgesThatDifferByAMillionDoNotStopTheRefinedMethod) {
+  // Columns and, in the second, rows: the shortest edges are a million times stiffer in their turns than the sheet.
+  for (const bool in_both : {false, true}) {
+    FlattenInput input = test::make_grid(
+        10, 10, [&](double s, double t) { return dome(std::pow(1e-6, 1 - s), in_both ? std::pow(1e-6, 1 - t) : t); });
+    test::add_wire(input, test::grid_row(10, 5));
+    test::add_wire(input, test::grid_column(10, 10, 3), 0.05);
+    const Piece piece = flatten(input).pieces.at(0);
+    EXPECT_FALSE(piece.error) << piece.error->what();
+    EXPECT_EQ(piece.report.termination, Termination::converged);
+  }
+}
+
 TEST(ExtremeInput, AMillionSidesAway) {
   FlattenInput input = dome_with_wires();
   input.vertices.rowwise() += Eigen::RowVector3d(1e6, -1e6, 1e6);

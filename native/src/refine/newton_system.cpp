@@ -15,7 +15,9 @@ namespace {
 constexpr double kMass = 1e-4;
 constexpr double kPin = 1e6;
 constexpr double kSmallestStiffness = 1e8;
-constexpr double kStiffness = 1e4;  // over the largest diagonal entry of the Hessian at an edge's ends
+// Over the largest diagonal entry of the Hessian at an edge's ends. No more: what the entries of short edges round off
+// must stay far below the stiffness of the surface.
+constexpr double kStiffness = 10;
 constexpr int kMultiplierSteps = 3;
 constexpr double kAccuracy = 1e-9;      // of changes of length, over how far the ends of edges move apart or aside
 constexpr double kRough = 1e-5;         // the same, for ∂λ/∂h: steps are corrected after it
