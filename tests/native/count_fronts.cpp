@@ -23,26 +23,31 @@ const FrontKernels& real() {
   return kernels;
 }
 
-constexpr FrontKernels kCountingKernels{[](Tile* panel, Tile* schur, int m, int r) {
-                                          ++factored;
-                                          return real().factor(panel, schur, m, r);
-                                        },
-                                        [](const Tile* panel, int m, int r, double* x) {
-                                          ++substituted_forward;
-                                          real().solve_lower(panel, m, r, x);
-                                        },
-                                        [](const Tile* panel, int m, int r, double* x) {
-                                          ++substituted_forward;
-                                          real().solve_lower_4(panel, m, r, x);
-                                        },
-                                        [](const Tile* panel, int m, int r, double* x, Tile* sums) {
-                                          ++substituted_back;
-                                          real().solve_upper(panel, m, r, x, sums);
-                                        },
-                                        [](const Tile* panel, int m, int r, double* x) {
-                                          ++substituted_back;
-                                          real().solve_upper_4(panel, m, r, x);
-                                        }};
+constexpr FrontKernels kCountingKernels{
+    [](Tile* panel, Tile* schur, int m, int r) {
+      ++factored;
+      return real().factor(panel, schur, m, r);
+    },
+    [](Tile* lower, Tile* lower_schur, Tile* upper, Tile* upper_schur, int m, int r) {
+      ++factored;
+      return real().factor_lu(lower, lower_schur, upper, upper_schur, m, r);
+    },
+    [](const Tile* panel, int m, int r, double* x) {
+      ++substituted_forward;
+      real().solve_lower(panel, m, r, x);
+    },
+    [](const Tile* panel, int m, int r, double* x) {
+      ++substituted_forward;
+      real().solve_lower_4(panel, m, r, x);
+    },
+    [](const Tile* panel, int m, int r, double* x, Tile* sums) {
+      ++substituted_back;
+      real().solve_upper(panel, m, r, x, sums);
+    },
+    [](const Tile* panel, int m, int r, double* x) {
+      ++substituted_back;
+      real().solve_upper_4(panel, m, r, x);
+    }};
 
 }  // namespace
 

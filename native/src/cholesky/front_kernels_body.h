@@ -76,17 +76,31 @@ inline void subtract_product(Tile* const (&c)[kRows], const Tile* const (&a)[kRo
   }
 }
 
-/// Cholesky factorization of a tile; false at a pivot that is not a positive finite number.
-inline bool factor_tile(Tile& tile) {
-  double* const l = tile.entries;
+/// Of the two factors of a matrix, L and Uᵀ, each is multiplied by rows of the other. A symmetric matrix has one, L =
+/// Uᵀ, which is its own other.
+template <typename T, int kFactors>
+inline T& other(T (&factors)[kFactors], int f) {
+  return factors[kFactors - 1 - f];
+}
+
+/// Factorization of a diagonal tile; false at a pivot that is not a positive finite number.
+template <int kFactors>
+inline bool factor_tile(Tile* const (&tiles)[kFactors]) {
   for (int j = 0; j < kTile; ++j) {
-    const double pivot = l[kTile * j + j];
+    const double pivot = tiles[0]->entries[kTile * j + j];
     if (!(pivot > 0 && pivot < HUGE_VAL)) return false;
     const double inverse = 1 / sqrt(pivot);
-    l[kTile * j + j] = inverse;
-    for (int i = j + 1; i < kTile; ++i) l[kTile * j + i] *= inverse;
-    for (int k = j + 1; k < kTile; ++k) {
-      for (int i = k; i < kTile; ++i) l[kTile * k + i] -= l[kTile * j + i] * l[kTile * j + k];
+    for (Tile* const tile : tiles) {
+      double* const l = tile->entries;
+      l[kTile * j + j] = inverse;
+      for (int i = j + 1; i < kTile; ++i) l[kTile * j + i] *= inverse;
+    }
+    for (int f = 0; f < kFactors; ++f) {
+      double* const l = tiles[f]->entries;
+      const double* const u = other(tiles, f)->entries;
+      for (int k = j + 1; k < kTile; ++k) {
+        for (int i = k; i < kTile; ++i) l[kTile * k + i] -= l[kTile * j + i] * u[kTile * j + k];
+      }
     }
   }
   return true;
@@ -101,44 +115,64 @@ struct FrontTiles {
   Tile* at(int t, int j) const { return j < m ? panel + panel_row(t, m) + j : schur + triangle_size(t - m) + (j - m); }
 };
 
-/// Tiles (t, j) of kRows rows from t on, for columns j from begin to end, less the product of pivots first to j or
-/// last, whichever comes first; columns before last are divided by their diagonal tile, which makes them columns of L.
+/// Tiles (t, j) of kRows rows of a factor from t on, for columns j from begin to end, less the product of pivots first
+/// to j or last, whichever comes first; columns before last are divided by their diagonal tile, which makes them
+/// columns of the factor.
 template <int kRows>
-void update_rows(const FrontTiles& front, int t, int first, int last, int begin, int end) {
+void update_rows(const FrontTiles& front, const FrontTiles& other, int t, int first, int last, int begin, int end) {
   Tile* c[kRows];
   const Tile* a[kRows];
   for (int row = 0; row < kRows; ++row) a[row] = front.at(t + row, first);
   for (int j = begin; j < end; ++j) {
     for (int row = 0; row < kRows; ++row) c[row] = front.at(t + row, j);
     const bool is_factor = j < last;
-    subtract_product(c, a, front.at(j, first), (is_factor ? j : last) - first, is_factor ? front.at(j, j) : nullptr);
+    subtract_product(c, a, other.at(j, first), (is_factor ? j : last) - first, is_factor ? other.at(j, j) : nullptr);
   }
 }
 
-bool factor(Tile* panel, Tile* schur, int m, int r) {
-  const FrontTiles front{panel, schur, m};
+/// kRows rows from t on below a block of pivots, all columns up to the diagonal: the block's own, then those that are
+/// still to be factored, then S.
+template <int kRows, int kFactors>
+void update_below(const FrontTiles (&fronts)[kFactors], int t, int first, int last) {
+  for (int f = 0; f < kFactors; ++f) update_rows<kRows>(fronts[f], other(fronts, f), t, first, last, first, last);
+  for (int f = 0; f < kFactors; ++f) {
+    update_rows<kRows>(fronts[f], other(fronts, f), t, first, last, last, t + 1);
+    for (int row = 1; row < kRows; ++row) {
+      update_rows<1>(fronts[f], other(fronts, f), t + row, first, last, t + 1, t + row + 1);
+    }
+  }
+}
+
+template <int kFactors>
+bool factor_fronts(const FrontTiles (&fronts)[kFactors], int m, int r) {
   for (int first = 0; first < m; first += kBlock) {
     const int last = first + kBlock < m ? first + kBlock : m;
     for (int t = first; t < last; ++t) {
-      update_rows<1>(front, t, first, last, first, t);
-      Tile* diagonal[1] = {front.at(t, t)};
-      const Tile* row[1] = {front.at(t, first)};
-      subtract_product<1>(diagonal, row, row[0], t - first, nullptr);
-      if (!factor_tile(*diagonal[0])) return false;
-    }
-    // All columns up to the diagonal: the block's own, then those that are still to be factored, then S.
-    for (int t = last; t < m + r; t += kRowsAtOnce) {
-      if (t + kRowsAtOnce <= m + r) {
-        update_rows<kRowsAtOnce>(front, t, first, last, first, t + 1);
-        for (int below = t + 1; below < t + kRowsAtOnce; ++below) {
-          update_rows<1>(front, below, first, last, t + 1, below + 1);
-        }
-      } else {
-        for (int below = t; below < m + r; ++below) update_rows<1>(front, below, first, last, first, below + 1);
+      for (int f = 0; f < kFactors; ++f) update_rows<1>(fronts[f], other(fronts, f), t, first, last, first, t);
+      Tile* diagonal[kFactors];
+      for (int f = 0; f < kFactors; ++f) {
+        diagonal[f] = fronts[f].at(t, t);
+        Tile* const tile[1] = {diagonal[f]};
+        const Tile* const row[1] = {fronts[f].at(t, first)};
+        subtract_product(tile, row, other(fronts, f).at(t, first), t - first, nullptr);
       }
+      if (!factor_tile(diagonal)) return false;
     }
+    int t = last;
+    for (; t + kRowsAtOnce <= m + r; t += kRowsAtOnce) update_below<kRowsAtOnce>(fronts, t, first, last);
+    for (; t < m + r; ++t) update_below<1>(fronts, t, first, last);
   }
   return true;
+}
+
+bool factor(Tile* panel, Tile* schur, int m, int r) {
+  const FrontTiles fronts[] = {{panel, schur, m}};
+  return factor_fronts(fronts, m, r);
+}
+
+bool factor_lu(Tile* lower, Tile* lower_schur, Tile* upper, Tile* upper_schur, int m, int r) {
+  const FrontTiles fronts[] = {{lower, lower_schur, m}, {upper, upper_schur, m}};
+  return factor_fronts(fronts, m, r);
 }
 
 }  // namespace
@@ -149,7 +183,7 @@ bool factor(Tile* panel, Tile* schur, int m, int r) {
 namespace wirewarp {
 namespace {
 
-constexpr FrontKernels kKernels = {factor, solve_lower, solve_lower_4, solve_upper, solve_upper_4};
+constexpr FrontKernels kKernels = {factor, factor_lu, solve_lower, solve_lower_4, solve_upper, solve_upper_4};
 
 }  // namespace
 }  // namespace wirewarp

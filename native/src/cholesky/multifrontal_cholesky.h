@@ -12,19 +12,15 @@
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <array>
-#include <atomic>
 #include <memory>
 #include <vector>
 
 #include "cholesky/front_kernels.h"
 #include "cholesky/front_layout.h"
 #include "cholesky/nested_dissection.h"
+#include "cholesky/substitution.h"
 
 namespace wirewarp {
-
-/// The processor has a second core for a second thread.
-bool has_second_core();
 
 class MultifrontalCholesky {
  public:
@@ -43,15 +39,10 @@ class MultifrontalCholesky {
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const;
 
   /// Supernodes that substitution visits.
-  struct Branches {
-    std::array<std::vector<int>, FrontLayout::num_shares> shares;
-    std::vector<int> last;
-    bool are_worth_threads;
-  };
-  /// Those that hold some vertices, and all their ancestors; and all that are not among them.
-  Branches branches_to(const std::vector<int>& vertices) const;
-  Branches others(const Branches& branches) const;
-  const Branches& all() const { return all_; }
+  using Branches = Substitution::Branches;
+  Branches branches_to(const std::vector<int>& vertices) const { return substitution_.branches_to(vertices); }
+  Branches others(const Branches& branches) const { return substitution_.others(branches); }
+  const Branches& all() const { return substitution_.all(); }
 
   /// The two halves of a solution, for parts of b and x. b := L⁻¹ b, where b is zero but at vertices in the branches.
   void substitute_forward(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const;
@@ -59,21 +50,13 @@ class MultifrontalCholesky {
   void substitute_back(Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const;
 
  private:
-  void eliminate(int node, const double* values);
-  void add_child(int child, int node);
-  Branches branches_where(const std::vector<char>& is_visited) const;
-  template <int kColumns>
-  void substitute_forward_4(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const;
-  template <int kColumns>
-  void substitute_back_4(Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const;
-
   FrontLayout layout_;
-  Branches all_;
+  Substitution substitution_;
   const FrontKernels* kernels_;
   bool in_threads_;
   std::unique_ptr<Tile[]> factor_;
-  std::unique_ptr<Tile[]> schur_;
-  std::atomic<bool> positive_definite_{false};
+  std::unique_ptr<Tile[]> schurs_;
+  bool positive_definite_ = false;
 };
 
 }  // namespace wirewarp

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 #include "cholesky/cut_cover.h"
@@ -27,10 +26,14 @@ class Dissection {
         side_(at(graph.num_vertices()), Side::outside),
         keys_(side_.size()) {}
 
+  /// Parts of the graph that are not joined are dissected each by itself.
   DissectionTree run() {
-    std::vector<int> vertices(side_.size());
-    std::iota(vertices.begin(), vertices.end(), 0);
-    dissect(vertices.begin(), vertices.end());
+    std::vector<char> is_met(side_.size(), 0);
+    for (std::size_t v = 0; v < side_.size(); ++v) {
+      if (is_met[v]) continue;
+      std::vector<int> part = all_joined_to(static_cast<int>(v), is_met);
+      dissect(part.begin(), part.end());
+    }
     return std::move(tree_);
   }
 
@@ -40,6 +43,21 @@ class Dissection {
     int lower = 0, upper = 0;  // vertices of each half with neighbors in the other
     int smaller() const { return std::min(lower, upper); }
   };
+
+  /// In ascending order.
+  std::vector<int> all_joined_to(int vertex, std::vector<char>& is_met) const {
+    std::vector<int> part{vertex};
+    is_met[at(vertex)] = 1;
+    for (std::size_t next = 0; next < part.size(); ++next) {
+      const int v = part[next];
+      for (int i = graph_.start[at(v)]; i < graph_.start[at(v) + 1]; ++i) {
+        const int neighbor = graph_.neighbors[at(i)];
+        if (!std::exchange(is_met[at(neighbor)], 1)) part.push_back(neighbor);
+      }
+    }
+    std::sort(part.begin(), part.end());
+    return part;
+  }
 
   /// Appends the nodes of a set of vertices whose only neighbors outside are in separators. Returns their roots.
   std::vector<int> dissect(Iterator begin, Iterator end) {

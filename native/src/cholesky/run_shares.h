@@ -3,9 +3,13 @@
 
 #include <cstddef>
 #include <future>
+#include <thread>
 #include <vector>
 
 namespace wirewarp {
+
+/// The processor has a second core for a second thread.
+inline bool has_second_core() { return std::thread::hardware_concurrency() > 1; }
 
 /// Calls work(0) to work(num_shares - 1), all but the first in threads of their own if asked for.
 template <typename Work>

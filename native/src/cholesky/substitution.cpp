@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solutions with the factor, front by front: L⁻¹ b from the leaves up, then L⁻ᵀ of that from the roots down. What the
-// shares add to the rows of the last fronts is summed apart and then in a fixed order, so that it does not matter how
-// many threads there are.
+#include "cholesky/substitution.h"
+
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
 
-#include "cholesky/multifrontal_cholesky.h"
 #include "cholesky/run_shares.h"
 #include "index.h"
 
@@ -67,42 +65,39 @@ class FrontRows {
 
 }  // namespace
 
-void MultifrontalCholesky::solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const {
-  substitute_forward(b, all_);
-  substitute_back(b, all_);
-}
+Substitution::Substitution(const FrontLayout& layout, bool in_threads, const FrontKernels& kernels)
+    : layout_(layout),
+      in_threads_(in_threads),
+      kernels_(kernels),
+      all_(branches_where(std::vector<char>(layout.fronts.size(), 1))) {}
 
-void MultifrontalCholesky::substitute_forward(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const {
-  if (!positive_definite_) throw std::logic_error("multifrontal Cholesky: there is no factor to solve with");
-  if (b.rows() != layout_.num_unknowns) throw std::invalid_argument("multifrontal Cholesky: b has another size");
+void Substitution::forward(const Tile* factor, Columns b, const Branches& nonzero) const {
+  if (b.rows() != layout_.num_unknowns) throw std::invalid_argument("substitution: b has another size");
   for (Eigen::Index first = 0; first < b.cols(); first += kTile) {
     const Eigen::Index columns = std::min<Eigen::Index>(kTile, b.cols() - first);
-    const auto substitute = columns == 1 ? &MultifrontalCholesky::substitute_forward_4<1>
-                                         : &MultifrontalCholesky::substitute_forward_4<kTile>;
-    (this->*substitute)(b.middleCols(first, columns), nonzero);
+    const auto substitute = columns == 1 ? &Substitution::forward_4<1> : &Substitution::forward_4<kTile>;
+    (this->*substitute)(factor, b.middleCols(first, columns), nonzero);
   }
 }
 
-void MultifrontalCholesky::substitute_back(Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const {
-  if (!positive_definite_) throw std::logic_error("multifrontal Cholesky: there is no factor to solve with");
+void Substitution::back(const Tile* factor, Columns b, const Branches& wanted) const {
   for (Eigen::Index first = 0; first < b.cols(); first += kTile) {
     const Eigen::Index columns = std::min<Eigen::Index>(kTile, b.cols() - first);
-    const auto substitute =
-        columns == 1 ? &MultifrontalCholesky::substitute_back_4<1> : &MultifrontalCholesky::substitute_back_4<kTile>;
-    (this->*substitute)(b.middleCols(first, columns), wanted);
+    const auto substitute = columns == 1 ? &Substitution::back_4<1> : &Substitution::back_4<kTile>;
+    (this->*substitute)(factor, b.middleCols(first, columns), wanted);
   }
 }
 
 template <int kColumns>
-void MultifrontalCholesky::substitute_forward_4(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const {
-  const auto solve = kColumns == 1 ? kernels_->solve_lower : kernels_->solve_lower_4;
+void Substitution::forward_4(const Tile* factor, Columns b, const Branches& nonzero) const {
+  const auto solve = kColumns == 1 ? kernels_.solve_lower : kernels_.solve_lower_4;
   const auto visit = [&](const std::vector<int>& fronts, Columns shared) {
     const FrontRows<kColumns> rows(layout_);
     Columns own = b;
     for (int f : fronts) {
       const Front& front = layout_.fronts[at(f)];
       rows.gather(front, own, shared);
-      solve(factor_.get() + front.panel, front.pivot_tiles, front.row_tiles, rows.numbers());
+      solve(factor + front.panel, front.pivot_tiles, front.row_tiles, rows.numbers());
       rows.scatter(front, own, shared);
     }
   };
@@ -122,18 +117,18 @@ void MultifrontalCholesky::substitute_forward_4(Eigen::Ref<Eigen::MatrixXd> b, c
 }
 
 template <int kColumns>
-void MultifrontalCholesky::substitute_back_4(Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const {
+void Substitution::back_4(const Tile* factor, Columns b, const Branches& wanted) const {
   const auto visit = [&](const std::vector<int>& fronts, const Columns& shared) {
     const FrontRows<kColumns> rows(layout_);
     Columns own = b;
     for (auto f = fronts.rbegin(); f != fronts.rend(); ++f) {
       const Front& front = layout_.fronts[at(*f)];
       rows.gather(front, own, shared);
-      const Tile* const panel = factor_.get() + front.panel;
+      const Tile* const panel = factor + front.panel;
       if constexpr (kColumns == 1) {
-        kernels_->solve_upper(panel, front.pivot_tiles, front.row_tiles, rows.numbers(), rows.sums());
+        kernels_.solve_upper(panel, front.pivot_tiles, front.row_tiles, rows.numbers(), rows.sums());
       } else {
-        kernels_->solve_upper_4(panel, front.pivot_tiles, front.row_tiles, rows.numbers());
+        kernels_.solve_upper_4(panel, front.pivot_tiles, front.row_tiles, rows.numbers());
       }
       rows.scatter_pivots(front, own);
     }
@@ -149,7 +144,7 @@ void MultifrontalCholesky::substitute_back_4(Eigen::Ref<Eigen::MatrixXd> b, cons
              [&](std::size_t share) { visit(wanted.shares[share], shared); });
 }
 
-MultifrontalCholesky::Branches MultifrontalCholesky::branches_to(const std::vector<int>& vertices) const {
+Substitution::Branches Substitution::branches_to(const std::vector<int>& vertices) const {
   std::vector<char> is_visited(layout_.fronts.size(), 0);
   for (int v : vertices) {
     for (int f = layout_.front_of_vertex.at(at(v)); f != -1 && !is_visited[at(f)]; f = layout_.fronts[at(f)].parent) {
@@ -159,7 +154,7 @@ MultifrontalCholesky::Branches MultifrontalCholesky::branches_to(const std::vect
   return branches_where(is_visited);
 }
 
-MultifrontalCholesky::Branches MultifrontalCholesky::others(const Branches& branches) const {
+Substitution::Branches Substitution::others(const Branches& branches) const {
   std::vector<char> is_other(layout_.fronts.size(), 1);
   for (const std::vector<int>& share : branches.shares) {
     for (int f : share) is_other[at(f)] = 0;
@@ -168,7 +163,7 @@ MultifrontalCholesky::Branches MultifrontalCholesky::others(const Branches& bran
   return branches_where(is_other);
 }
 
-MultifrontalCholesky::Branches MultifrontalCholesky::branches_where(const std::vector<char>& is_visited) const {
+Substitution::Branches Substitution::branches_where(const std::vector<char>& is_visited) const {
   Branches branches{};
   std::size_t tiles = 0;
   const auto add = [&](const std::vector<int>& fronts, std::vector<int>& visited) {

@@ -1,105 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inner/elimination_order.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <numeric>
+#include <array>
+#include <utility>
 
+#include "cholesky/matrix_graph.h"
+#include "cholesky/nested_dissection.h"
 #include "index.h"
+#include "mesh/seen_from_the_side.h"
 
 namespace wirewarp {
 namespace {
 
-constexpr std::size_t kLeafSize = 8;  // edges
+using SparseMatrix = Eigen::SparseMatrix<double>;
+using LoopPair = std::array<int, 2>;
 
-class Dissection {
- public:
-  Dissection(const Eq1& eq1, const WireNetwork& network)
-      : eq1_(eq1), network_(network), side_(network.edges.size(), kOutside) {}
+int num_loops(const Eq1& eq1) { return eq1.num_closures() / 2; }
 
-  /// edges: of one region; loops: those with all their edges in it.
-  void dissect(std::vector<int> edges, const std::vector<int>& loops) {
-    if (edges.size() <= kLeafSize) {
-      append(edges, loops);
-      return;
-    }
-    const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
-    const int axis = longest_axis(edges);
-    std::nth_element(edges.begin(), middle, edges.end(), [&](int a, int b) {
-      const double x = network_.edges[at(a)].middle[axis];
-      const double y = network_.edges[at(b)].middle[axis];
-      return x < y || (x == y && a < b);
-    });
-    std::vector<int> lower(edges.begin(), middle);
-    std::vector<int> upper;
-    std::vector<int> separator;
-    for (int e : lower) side_[at(e)] = kLower;
-    for (auto e = middle; e != edges.end(); ++e) (touches_lower(*e) ? separator : upper).push_back(*e);
-    for (int e : upper) side_[at(e)] = kUpper;
-
-    std::vector<int> lower_loops;
-    std::vector<int> upper_loops;
-    std::vector<int> separator_loops;
-    for (int loop : loops) {
-      const char side = common_side(loop);
-      (side == kLower ? lower_loops : side == kUpper ? upper_loops : separator_loops).push_back(loop);
-    }
-    for (int e : edges) side_[at(e)] = kOutside;
-    dissect(std::move(lower), lower_loops);
-    dissect(std::move(upper), upper_loops);
-    append(separator, separator_loops);
+/// The loops on both sides of each edge, -1 where there is none.
+std::vector<LoopPair> loops_of_edges(const Eq1& eq1) {
+  std::vector<LoopPair> loops(at(eq1.num_edges()), {-1, -1});
+  for (int loop = 0; loop < num_loops(eq1); ++loop) {
+    for (int e : eq1.loop_edges(loop)) loops[at(e)][loops[at(e)][0] == -1 ? 0 : 1] = loop;
   }
+  return loops;
+}
 
-  std::vector<int> order;
-
- private:
-  static constexpr char kOutside = 0, kLower = 1, kUpper = 2;
-
-  void append(const std::vector<int>& edges, const std::vector<int>& loops) {
-    order.insert(order.end(), edges.begin(), edges.end());
-    for (int loop : loops) {
-      order.push_back(eq1_.num_edges() + 2 * loop);
-      order.push_back(eq1_.num_edges() + 2 * loop + 1);
-    }
+/// Loops that share an edge, or that have edges with a common wire-node.
+Graph neighbors_of_loops(const Eq1& eq1) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int loop = 0; loop < num_loops(eq1); ++loop) {
+    for (int e : eq1.loop_edges(loop)) entries.emplace_back(e, loop, 1.0);
   }
+  SparseMatrix on_loops(eq1.num_edges(), num_loops(eq1));
+  on_loops.setFromTriplets(entries.begin(), entries.end());
+  const SparseMatrix neighbors = on_loops.transpose() * SparseMatrix(eq1.laplacian().cwiseAbs() * on_loops);
+  return graph_of(neighbors.triangularView<Eigen::Lower>(), 1);
+}
 
-  int longest_axis(const std::vector<int>& edges) const {
-    Eigen::AlignedBox3d box;
-    for (int e : edges) box.extend(network_.edges[at(e)].middle);
-    int axis = 0;
-    box.sizes().maxCoeff(&axis);
-    return axis;
+Positions2 middles_of_loops(const Eq1& eq1, const WireNetwork& network) {
+  Positions3 middles = Positions3::Zero(num_loops(eq1), 3);
+  for (int loop = 0; loop < num_loops(eq1); ++loop) {
+    const std::vector<int>& edges = eq1.loop_edges(loop);
+    for (int e : edges) middles.row(loop) += network.edges[at(e)].middle.transpose();
+    middles.row(loop) /= static_cast<double>(edges.size());
   }
-
-  bool touches_lower(int edge) const {
-    for (Eigen::SparseMatrix<double>::InnerIterator it(eq1_.laplacian(), edge); it; ++it) {
-      if (side_[at(static_cast<int>(it.row()))] == kLower) return true;
-    }
-    return false;
-  }
-
-  char common_side(int loop) const {
-    const std::vector<int>& edges = eq1_.loop_edges(loop);
-    const char first = side_[at(edges[0])];
-    const bool all = std::all_of(edges.begin(), edges.end(), [&](int e) { return side_[at(e)] == first; });
-    return all ? first : kOutside;
-  }
-
-  const Eq1& eq1_;
-  const WireNetwork& network_;
-  std::vector<char> side_;  // of each edge while its region is halved
-};
+  return seen_from_the_side(middles);
+}
 
 }  // namespace
 
 std::vector<int> order_elimination(const Eq1& eq1, const WireNetwork& network) {
-  std::vector<int> edges(at(eq1.num_edges()));
-  std::vector<int> loops(at(eq1.num_closures() / 2));
-  std::iota(edges.begin(), edges.end(), 0);
-  std::iota(loops.begin(), loops.end(), 0);
-  Dissection dissection(eq1, network);
-  dissection.dissect(std::move(edges), loops);
-  return std::move(dissection.order);
+  std::vector<int> order;
+  std::vector<char> is_ordered(at(eq1.num_edges()), 0);
+  const auto append = [&](int e) {
+    if (!std::exchange(is_ordered[at(e)], 1)) order.push_back(e);
+  };
+  const std::vector<LoopPair> loops = loops_of_edges(eq1);
+  for (int loop = 0; loop < num_loops(eq1); ++loop) {
+    const std::vector<int>& edges = eq1.loop_edges(loop);
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+      const LoopPair& here = loops[at(edges[i])];
+      if (here[0] == loop && here == loops[at(edges[i + 1])]) append(edges[i]);
+    }
+  }
+  for (const DissectionTree::Node& node :
+       nested_dissection(neighbors_of_loops(eq1), middles_of_loops(eq1, network)).nodes) {
+    for (int loop : node.vertices) {
+      for (int e : eq1.loop_edges(loop)) append(e);
+      for (int row : {0, 1}) order.push_back(eq1.num_edges() + 2 * loop + row);
+    }
+  }
+  for (int e = 0; e < eq1.num_edges(); ++e) append(e);  // those on no loop
+  return order;
 }
 
 }  // namespace wirewarp

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 
+#include "cholesky/run_shares.h"
 #include "inner/mean_value.h"
+#include "mesh/geometry.h"
+#include "mesh/seen_from_the_side.h"
 
 namespace wirewarp {
 namespace {
@@ -32,7 +35,7 @@ InteriorPlacement::InteriorPlacement(const Chart& chart, const WireNetwork& netw
   if (interior_.empty()) return;
 
   const int rows = static_cast<int>(interior_.size());
-  SparseLu::Matrix matrix(rows, rows);
+  Matrix matrix(rows, rows);
   matrix.reserve(7 * interior_.size());
   to_network_.resize(rows, static_cast<int>(mesh.n_vertices()));
   std::vector<WeightedVertex> ring;
@@ -53,7 +56,8 @@ InteriorPlacement::InteriorPlacement(const Chart& chart, const WireNetwork& netw
   }
   matrix.finalize();
   to_network_.finalize();
-  lu_.emplace(matrix);
+  const Positions2 positions = seen_from_the_side(points_of(mesh)(interior_, Eigen::all));
+  lu_.emplace(matrix, positions, has_second_core());
 }
 
 void InteriorPlacement::place(Positions2& uv) const {

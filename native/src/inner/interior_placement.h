@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "charts/chart.h"
-#include "inner/sparse_lu.h"
+#include "cholesky/multifrontal_lu.h"
 #include "topology/wire_network.h"
 #include "wirewarp/types.h"
 
@@ -34,9 +34,11 @@ class InteriorPlacement {
   int factorizations() const { return lu_ ? 1 : 0; }
 
  private:
-  std::vector<int> interior_;    // chart vertices off the network: row i of the matrices is vertex interior_[i]
-  SparseLu::Matrix to_network_;  // B, with a column per chart vertex
-  std::optional<SparseLu> lu_;   // of I - W
+  using Matrix = MultifrontalLu::Matrix;
+
+  std::vector<int> interior_;         // chart vertices off the network: row i of the matrices is vertex interior_[i]
+  Matrix to_network_;                 // B, with a column per chart vertex
+  std::optional<MultifrontalLu> lu_;  // of I - W
 };
 
 }  // namespace wirewarp

@@ -42,6 +42,15 @@ inline double surface_area(const HalfEdgeMesh& mesh) {
   return area;
 }
 
+/// One row per vertex.
+inline Positions3 points_of(const HalfEdgeMesh& mesh) {
+  Positions3 points(static_cast<Eigen::Index>(mesh.n_vertices()), 3);
+  for (const VertexHandle v : mesh.vertices()) {
+    points.row(v.idx()) << mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2];
+  }
+  return points;
+}
+
 /// The corners of each face, beginning where its first half-edge does. #faces by 3.
 inline Triangles triangles_of(const HalfEdgeMesh& mesh) {
   Triangles triangles(static_cast<Eigen::Index>(mesh.n_faces()), 3);

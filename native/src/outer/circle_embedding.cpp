@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outer/circle_embedding.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -9,7 +8,9 @@
 
 #include "cholesky/matrix_graph.h"
 #include "cholesky/multifrontal_cholesky.h"
+#include "cholesky/run_shares.h"
 #include "mesh/geometry.h"
+#include "mesh/seen_from_the_side.h"
 #include "pi.h"
 
 namespace wirewarp {
@@ -40,17 +41,6 @@ void put_on_circle(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop, double r
     uv.row(mesh.from_vertex_handle(h).idx()) << radius * std::cos(radians * along), radius * std::sin(radians * along);
     along += edge_length(mesh, h);
   }
-}
-
-/// The points of the mesh along the two directions in which they spread most.
-Positions2 seen_from_the_side(const HalfEdgeMesh& mesh) {
-  const auto num_vertices = static_cast<Eigen::Index>(mesh.n_vertices());
-  Eigen::MatrixX3d points(num_vertices, 3);
-  for (const VertexHandle v : mesh.vertices())
-    points.row(v.idx()) << mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2];
-  points.rowwise() -= points.colwise().mean().eval();
-  const Eigen::Matrix3d spread = points.transpose() * points;
-  return points * Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().rightCols<2>();
 }
 
 /// Springs between points, which are the chart's vertices, then the apexes; those on a loop are fixed where uv has
@@ -147,7 +137,7 @@ Positions2 embed_on_circle(const Chart& chart) {
 
   const std::size_t num_holes = chart.boundary_loops.size() - 1;
   Springs springs(mesh, chart.boundary_loops.front(), num_holes, uv);
-  Positions2 layout = seen_from_the_side(mesh);
+  Positions2 layout = seen_from_the_side(points_of(mesh));
   layout.conservativeResize(num_vertices + static_cast<Eigen::Index>(num_holes), 2);
   add_faces(mesh, springs);
   for (std::size_t hole = 0; hole < num_holes; ++hole) {

@@ -12,15 +12,19 @@ namespace {
 
 /// The layout turned so that up becomes +y, with its lower-left corner at the origin.
 Positions2 stand_upright(const Positions2& uv, const Eigen::Vector2d& up) {
-  const Eigen::RowVector2d center = (uv.colwise().minCoeff() + uv.colwise().maxCoeff()) / 2;
-  Positions2 turned = uv.rowwise() - center;  // small numbers round less
+  Eigen::Matrix2d transposed_rotation = Eigen::Matrix2d::Identity();
   if (up.norm() > 0) {
     const Eigen::Vector2d y = up.normalized();
-    Eigen::Matrix2d transposed_rotation;
     transposed_rotation << y.y(), y.x(), -y.x(), y.y();
-    turned *= transposed_rotation;
   }
-  return turned.rowwise() - Eigen::RowVector2d(turned.colwise().minCoeff());
+  const Eigen::RowVector2d center = (uv.colwise().minCoeff() + uv.colwise().maxCoeff()) / 2;
+  Positions2 turned(uv.rows(), 2);  // and no other as large: on a large piece new memory is what takes time
+  for (Eigen::Index v = 0; v < uv.rows(); ++v) {
+    turned.row(v) = (uv.row(v) - center) * transposed_rotation;  // small numbers round less
+  }
+  const Eigen::RowVector2d corner = turned.colwise().minCoeff();
+  turned.rowwise() -= corner;
+  return turned;
 }
 
 }  // namespace

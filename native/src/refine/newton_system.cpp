@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cholesky/run_shares.h"
 #include "index.h"
 #include "mesh/geometry.h"
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cholesky/multifrontal_lu.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "cholesky/eliminate_fronts.h"
+#include "cholesky/matrix_graph.h"
+#include "cholesky/nested_dissection.h"
+#include "index.h"
+
+namespace wirewarp {
+namespace {
+
+using Columns = Eigen::SparseMatrix<double>;
+
+bool have_same_pattern(const Columns& a, const Columns& b) {
+  return a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
+}  // namespace
+
+/// The triangles of A, the upper one transposed. What is lower is told by the order of elimination, not by the numbers
+/// of row and column: those of an entry may stand exchanged.
+struct MultifrontalLu::Triangles {
+  Triangles(const Matrix& a, const Positions2& positions)
+      : lower(a.triangularView<Eigen::Lower>()),
+        upper(a.transpose().triangularView<Eigen::Lower>()),
+        tree(nested_dissection(graph_of(lower, 1), positions)) {
+    if (!have_same_pattern(lower, upper)) throw std::invalid_argument("multifrontal LU: the pattern is not symmetric");
+    std::vector<int> place(at(static_cast<int>(lower.rows())));
+    int count = 0;
+    for (const DissectionTree::Node& node : tree.nodes) {
+      for (int v : node.vertices) place[at(v)] = count++;
+    }
+    for (int column = 0; column < lower.outerSize(); ++column) {
+      for (int i = lower.outerIndexPtr()[column]; i < lower.outerIndexPtr()[column + 1]; ++i) {
+        const bool is_lower = place[at(lower.innerIndexPtr()[i])] >= place[at(column)];
+        if (!is_lower) std::swap(lower.valuePtr()[i], upper.valuePtr()[i]);
+      }
+    }
+  }
+
+  Columns lower, upper;
+  DissectionTree tree;
+};
+
+MultifrontalLu::MultifrontalLu(const Matrix& a, const Positions2& positions, bool in_threads,
+                               const FrontKernels& kernels)
+    : MultifrontalLu(Triangles(a, positions), in_threads, kernels) {}
+
+MultifrontalLu::MultifrontalLu(const Triangles& a, bool in_threads, const FrontKernels& kernels)
+    : layout_(lay_out_fronts(a.lower, a.tree, 1)),
+      substitution_(layout_, in_threads, kernels),
+      lower_(new Tile[layout_.panel_tiles]),
+      upper_(new Tile[layout_.panel_tiles]) {
+  const Tiles lower_schurs(new Tile[layout_.schur_tiles]);
+  const Tiles upper_schurs(new Tile[layout_.schur_tiles]);
+  const bool is_factored = eliminate_fronts(layout_, in_threads, [&](int f) {
+    const Front& front = layout_.fronts[at(f)];
+    assemble_front(layout_, f, a.lower.valuePtr(), lower_.get(), lower_schurs.get());
+    assemble_front(layout_, f, a.upper.valuePtr(), upper_.get(), upper_schurs.get());
+    return kernels.factor_lu(&lower_[front.panel], &lower_schurs[front.schur], &upper_[front.panel],
+                             &upper_schurs[front.schur], front.pivot_tiles, front.row_tiles);
+  });
+  if (!is_factored) throw std::domain_error("multifrontal LU: a pivot is not positive");
+}
+
+void MultifrontalLu::substitute(const Tiles& forward, const Tiles& back, Positions2& b) const {
+  Eigen::MatrixXd x = b;
+  substitution_.forward(forward.get(), x, substitution_.all());
+  substitution_.back(back.get(), x, substitution_.all());
+  b = x;
+}
+
+}  // namespace wirewarp

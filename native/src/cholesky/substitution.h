@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Solutions with a factor, front by front: L⁻¹ b from the leaves up, then L⁻ᵀ of that from the roots down. What the
+// shares add to the rows of the last fronts is summed apart and then in a fixed order, so that it does not matter how
+// many threads there are.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "cholesky/front_kernels.h"
+#include "cholesky/front_layout.h"
+
+namespace wirewarp {
+
+class Substitution {
+ public:
+  /// layout, kernels: must outlive this.
+  Substitution(const FrontLayout& layout, bool in_threads, const FrontKernels& kernels);
+
+  /// Supernodes to visit.
+  struct Branches {
+    std::array<std::vector<int>, FrontLayout::num_shares> shares;
+    std::vector<int> last;
+    bool are_worth_threads;
+  };
+  /// Those that hold some vertices, and all their ancestors; and all that are not among them.
+  Branches branches_to(const std::vector<int>& vertices) const;
+  Branches others(const Branches& branches) const;
+  const Branches& all() const { return all_; }
+
+  /// b := L⁻¹ b, where b is zero but at vertices in the branches. factor: the panels of all fronts.
+  void forward(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const;
+  /// b := L⁻ᵀ b at vertices in the branches. Ancestors are among the branches or have been before.
+  void back(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const;
+
+ private:
+  Branches branches_where(const std::vector<char>& is_visited) const;
+  template <int kColumns>
+  void forward_4(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const;
+  template <int kColumns>
+  void back_4(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const;
+
+  const FrontLayout& layout_;
+  bool in_threads_;
+  const FrontKernels& kernels_;
+  Branches all_;
+};
+
+}  // namespace wirewarp
