@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Building and testing the core, with expected input and with random one."""
 
+from tools import core_coverage
 from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, require_apt, run, run_quietly, venv
 from tools.package import BUILD_APT
 
@@ -22,6 +23,13 @@ def native_tests(preset: str) -> None:
     require_apt(*NATIVE_APT)
     build_native(preset)
     run(["ctest", "--preset", preset, "-j2", "--progress"])
+
+
+def instrumented_native_tests() -> None:
+    """Under the sanitizers, with the core's coverage."""
+    core_coverage.begin()
+    native_tests("asan")
+    core_coverage.show()
 
 
 def random_cases(count: int = FEW_CASES) -> None:
