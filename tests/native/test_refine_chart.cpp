@@ -3,6 +3,7 @@
 // that fails ends nothing but its chart.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "index.h"
@@ -61,6 +62,32 @@ TEST(RefineChart, CountsAStartThatFailsWithElasticWiresFree) {
   const ChartRefinement refined = refine_chart(charts.charts.at(0), Options{}, [](const char*) { return true; });
   ASSERT_FALSE(refined.shape.is_exact || refined.inner.is_feasible);
   EXPECT_EQ(refined.shape.factorizations, 2);  // a step each, with that wire and without
+}
+
+TEST(RefineChart, OptionsOfTheWiresAloneDoNotMatter) {
+  // A strongly curved net: the free shape is too far from exact lengths, and the wires are flattened alone.
+  const int n = 12;
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    const double longitude = 2 * (s - 0.5), latitude = 2 * (t - 0.5);
+    return Eigen::Vector3d(std::sin(longitude) * std::cos(latitude), std::sin(latitude),
+                           std::cos(longitude) * std::cos(latitude));
+  });
+  for (const int i : {2, 4, 6, 8, 10}) {
+    test::add_wire(input, test::grid_row(n, i));
+    test::add_wire(input, test::grid_column(n, n, i));
+  }
+  const Charts charts = test::charts_of(input);
+  const auto objective_with = [&](const Options& options) {
+    const ChartRefinement refined = refine_chart(charts.charts.at(0), options, [](const char*) { return true; });
+    EXPECT_TRUE(refined.inner.is_feasible && refined.shape.is_exact);
+    return refined.shape.objective;
+  };
+  Options uniform, least_norm;
+  uniform.node_weight = NodeWeight::uniform;
+  least_norm.inner = Inner::least_norm;
+  const double plain = objective_with({});
+  EXPECT_EQ(objective_with(uniform), plain);
+  EXPECT_EQ(objective_with(least_norm), plain);
 }
 
 TEST(RefineChart, ASearchThatRanOutSaysSoAndProposesTheSame) {

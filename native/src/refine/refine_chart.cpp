@@ -68,12 +68,13 @@ RefinedShape free_elastic_wires(Chart chart, const Positions2& start, Attempts& 
 }
 
 /// ψ(h⁰): the paper's flat shape, before any h is chosen.
-WarpedShape warp_wires(const Chart& chart, const Options& options) {
+WarpedShape warp_wires(const Chart& chart) {
+  const Options plain;  // those of Eq. (1) are not the refined method's
   const std::optional<Chart> refined = process_topology(chart);
   const Chart& prepared = refined ? *refined : chart;
   const WireNetwork network = build_wire_network(prepared);
-  Warp warp(prepared, network, options.node_weight, Inner::minimum);
-  WarpedShape shape = start_variation(prepared, warp, variation_bounds(prepared, options), [] {}).shape;
+  Warp warp(prepared, network, plain.node_weight, plain.inner);
+  WarpedShape shape = start_variation(prepared, warp, variation_bounds(prepared, plain), [] {}).shape;
   if (shape.inner.is_feasible) shape.uv.conservativeResize(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
   return shape;
 }
@@ -93,7 +94,7 @@ ChartRefinement try_all_starts(const Chart& chart, const WireNetwork& held_netwo
     if (attempts.was_stopped() || (freed.is_exact && attempt(freed.uv)) || attempts.was_stopped()) return result;
   }
 
-  WarpedShape warped = warp_wires(chart, options);
+  WarpedShape warped = warp_wires(chart);
   result.inner = std::move(warped.inner);
   if ((result.inner.is_feasible && attempt(warped.uv)) || attempts.was_stopped()) return result;
 
