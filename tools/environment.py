@@ -177,6 +177,8 @@ def venv(name: str, python: Path, *requirements: str) -> Path:
     interpreter = folder / "bin" / "python"
     key = fingerprint([], str(python), str(folder), *requirements)
     if not (interpreter.exists() and is_current(f"venv-{name}", key)):
+        if python == DEBIAN_PYTHON:
+            require_apt("python3-venv")
         shutil.rmtree(folder, ignore_errors=True)
         folder.parent.mkdir(parents=True, exist_ok=True)
         run_quietly(f"venv build/venvs/{name}", [python, "-m", "venv", folder])

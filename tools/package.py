@@ -78,8 +78,8 @@ def package_legacy() -> Path:
 
 def venv_with_core(name: str, version: str, *requirements: str) -> Path:
     """The Python of the venv build/venvs/NAME with these packages and with the wheel of this tree."""
+    require_apt(*BUILD_APT)  # Debian's Python counts only with its headers
     python = require_python(version)
-    require_apt(*BUILD_APT)
     wheel = build_wheel(version, python)
     interpreter = venv(name, python, *requirements)
     pip_install(interpreter, f"installing {wheel.name}", "--no-deps", "--force-reinstall", wheel)

@@ -15,6 +15,8 @@ from tools.environment import ROOT, StepError
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 VERSION: str = PROJECT["project"]["version"]
+if not re.fullmatch(r"\d+\.\d+\.\d+", VERSION):
+    raise SystemExit(f"pyproject.toml: version {VERSION} is not three numbers, as Blender wants them")
 ADDON: dict[str, Any] = PROJECT["tool"]["wirewarp"]["addon"]
 LEGACY_MODULE = "wirewarp_addon"
 LEGACY_TAG = "cp311"

@@ -82,9 +82,11 @@ def _library_wire(library: ModuleType, wire: NamedWire) -> Any:  # noqa: ANN401
         return library.Wire(wire.chain.vertices, tolerance=wire.chain.tolerance, name=wire.name)
     except library.FlattenError as error:  # knows neither the wire's name nor where it is
         edges = list(pairwise(wire.chain.vertices))
-        raise ObjectError(
-            Issue(str(error.code), f'The wire "{wire.name}" is not valid: {error}', edges=edges)
-        ) from error
+        sentence = (
+            f'The tolerance of the wire "{wire.name}" is none that a wire can have: click on it in the list of wires, '
+            "and choose Rigid, Elastic or Free."
+        )
+        raise ObjectError(Issue(str(error.code), sentence, edges=edges)) from error
 
 
 def issue_of_piece(piece: Any, index: int, arrays: MeshArrays) -> Issue:  # noqa: ANN401

@@ -16,7 +16,8 @@ def report_csv(report: dict, units: LengthText) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(_header(units))
-    writer.writerows(_rows(report, units))
+    for kind, name, piece, *figures in _rows(report, units):
+        writer.writerow([kind, _plain(name), _plain(piece), *figures])
     return text.getvalue()
 
 
@@ -82,6 +83,11 @@ def _piece_row(name: str, piece: dict, units: LengthText) -> list[str]:
         _number(piece["ease_max"], 100),
         _kept(piece),
     ]
+
+
+def _plain(name: str) -> str:
+    """As spreadsheets take it for a text, and not for a formula."""
+    return f"'{name}" if name.startswith(("=", "+", "-", "@", "\t", "\r")) else name
 
 
 def _number(value: float | None, factor: float = 1) -> str:

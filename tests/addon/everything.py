@@ -29,13 +29,17 @@ COMMANDS = [  # what writes comes last
 
 
 class AnyLayout:
-    """Takes whatever a panel draws, and keeps the words."""
+    """Takes whatever a panel draws, and keeps the words and the operators."""
 
-    def __init__(self, words):
-        vars(self)["words"] = words
+    def __init__(self, words, buttons):
+        vars(self).update(words=words, buttons=buttons)
 
     def __getattr__(self, _name):
-        return lambda *_, **__: AnyLayout(self.words)
+        return lambda *_, **__: AnyLayout(self.words, self.buttons)
+
+    def operator(self, name, **_):
+        self.buttons.append(name)
+        return AnyLayout(self.words, self.buttons)
 
     def __setattr__(self, _name, _value):
         pass
@@ -66,15 +70,17 @@ def sidebar(width=300):
     )
 
 
-def draw_panels(addon):
-    """All that are to be seen, narrow and wide; returns what they say."""
-    words = []
+def draw_panels(addon, buttons=None):
+    """All that are to be seen, narrow and wide; returns what they say, and adds their operators to `buttons`."""
+    words, buttons = [], [] if buttons is None else buttons
     for cls in addon.ui.CLASSES:
         if not issubclass(cls, bpy.types.Panel):
             continue
         parts = [vars(base) for base in reversed(cls.__mro__) if base.__module__.startswith(addon.__name__)]
         own = {name: part for each in parts for name, part in each.items() if not name.startswith(("__", "bl_rna"))}
-        panel = type(cls.__name__, (), own | {"layout": AnyLayout(words)})()  # Blender alone makes its own panels
+        panel = type(
+            cls.__name__, (), own | {"layout": AnyLayout(words, buttons)}
+        )()  # Blender alone makes its own panels
         for width in (200, 600):
             context = sidebar(width)
             if "poll" not in own or panel.poll(context):

@@ -182,6 +182,7 @@ def test_linked_data(tmp_path):
 def test_a_report_file_in_no_folder(tmp_path):
     source = grid("Bump", bump)
     flatten_fails("there is no folder", report_path=str(tmp_path / "none" / "report.json"))
+    flatten_fails("Blender file, which has not been saved", report_path="//report.json")
     assert nothing_written(source)
 
 
@@ -202,7 +203,7 @@ def bump_with_a_faulty_wire():
 
 def test_a_faulty_wire_is_named_as_the_user_named_it():
     source = bump_with_a_faulty_wire()
-    flatten_fails('Bump: .*"Dart Line".*tolerance')
+    flatten_fails('Bump: The tolerance of the wire "Dart Line" is none')
     assert nothing_written(source)
 
 

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
+from everything import draw_panels
 from surfaces import bump, edge_vertices, flat_of, grid, make_object, mark, on_line, read, round_bump, select_only
 
 WIRE = on_line(1, 0.0)
@@ -107,13 +108,16 @@ def test_a_model_that_has_changed_is_left_alone(mode):
     assert len(seams_of(source)) == 0
 
 
-def test_a_report_of_the_mesh_with_modifiers_is_of_other_edges():
+def test_a_report_of_the_mesh_with_modifiers_is_of_other_edges(addon):
     source = tube()
     source.modifiers.new("Finer", "SUBSURF").levels = 1
     with pytest.raises(RuntimeError, match="mark a seam"):
         bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    with pytest.raises(RuntimeError, match="apply the modifiers and flatten again"):
+    with pytest.raises(RuntimeError, match="flatten without Modifiers"):
         take()
+    buttons = []
+    assert "flatten without Modifiers" in draw_panels(addon, buttons)
+    assert not {"mesh.wirewarp_take_proposal", "mesh.wirewarp_select_result"} & set(buttons)
 
 
 def test_there_is_nothing_to_take():

@@ -83,6 +83,11 @@ def table_of(addon, report):
     return list(csv.DictReader(io.StringIO(text)))
 
 
+def test_a_name_is_no_formula(addon, report):
+    pieces = [piece | {"name": "=1+1"} for piece in report["pieces"]]
+    assert [line["Name"] for line in table_of(addon, report | {"pieces": pieces})][-1] == "'=1+1"
+
+
 def test_the_table_for_spreadsheets_has_every_line_in_the_scenes_units(addon, report):
     settings = bpy.context.scene.unit_settings
     settings.system, settings.length_unit, settings.scale_length = "METRIC", "CENTIMETERS", 0.1

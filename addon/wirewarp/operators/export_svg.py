@@ -5,6 +5,7 @@ import bpy
 from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
+from ..given_file import OPTIONS, given_file
 from ..issues import ObjectError, object_error
 from ..owners import earlier_sentence, is_earlier, model_or_self
 from ..pattern.pattern import Pattern
@@ -23,9 +24,7 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
 
     filename_ext = ".svg"
     # Skipped when settings are kept for the next time: the next model gets a name of its own.
-    filepath: StringProperty(
-        name="File Path", description="The file to write", subtype="FILE_PATH", options={"SKIP_SAVE"}
-    )
+    filepath: StringProperty(name="File Path", description="The file to write", subtype="FILE_PATH", options=OPTIONS)
     filter_glob: StringProperty(description="The files shown", default="*.svg", options={"HIDDEN"})
     notch_spacing: FloatProperty(
         name="Notches Every",
@@ -69,15 +68,15 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
         self.layout.prop(self, "failed_pieces")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        path = Path(bpy.path.abspath(self.filepath))
         try:
+            path = given_file(self.filepath)
             pattern = self._pattern(context, self.failed_pieces)
             write_svg(path, pattern)
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         except OSError as error:
-            self.report({"ERROR"}, f'"{path}" cannot be written: {error.strerror or error}.')
+            self.report({"ERROR"}, f'"{self.filepath}" cannot be written: {error.strerror or error}.')
             return {"CANCELLED"}
         self.report({"INFO"}, f'"{path.name}": {" ".join(_size_sentences(pattern))} Print at 100 %.')
         return {"FINISHED"}

@@ -5,6 +5,7 @@ import bpy
 from bpy.props import StringProperty
 
 from .. import core, window_run
+from ..given_file import OPTIONS, given_file
 from ..properties import take_settings
 from ..replace_file import check_file
 from ..targets import WORKING_MODES, mesh_targets, nothing_to_flatten
@@ -23,7 +24,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
         name="Report File",
         description="Write the whole report to this JSON file, lengths in meters and in Blender units",
         subtype="FILE_PATH",
-        options={"SKIP_SAVE"},
+        options=OPTIONS,
     )
 
     @classmethod
@@ -47,14 +48,14 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     @property
     def report_file(self) -> Path | None:
-        return Path(bpy.path.abspath(self.report_path)) if self.report_path else None
+        return given_file(self.report_path) if self.report_path else None
 
     def _is_refused(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> bool:
         """Whether nothing can be done at all; says why."""
         refusal = core.problem() or nothing_to_flatten(context, sources)
         if window_run.is_running():
             refusal = "Flatten is at work: wait for its end, or press Esc."
-        elif not refusal and self.report_file:
+        elif not refusal and self.report_path:
             refusal = self._file_refusal()
         if refusal:
             self.report({"ERROR"}, refusal)
@@ -64,7 +65,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
         try:
             check_file(self.report_file)
         except OSError as error:
-            return f'"{self.report_file}" cannot be written: {error.strerror or error}.'
+            return f'"{self.report_path}" cannot be written: {error.strerror or error}.'
         return ""
 
     def draw(self, _context: bpy.types.Context) -> None:

@@ -9,6 +9,7 @@ from .report_table import SHOWN_ROWS, draw_select
 from .text import draw_sentence
 
 SHOWN_HINTS = 5
+WITH_MODIFIERS = "To be shown what to mark, flatten without Modifiers: these make other edges than the model has."
 ADVICE = {
     "wire_at_limit": "A wider tolerance on these wires would lower the distortion:",
     "strained": "The cloth must give here; a dart or a seam would relieve it:",
@@ -18,11 +19,15 @@ ADVICE = {
 def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: dict) -> None:
     issues = report["issues"]
     for index, issue in enumerate(issues[:SHOWN_ROWS]):
-        _draw_entry(context, layout, with_piece(report, issue), issue, "ISSUE", index)
-        _draw_proposals(context, layout, index, issue)
+        is_shown = not report.get("with_modifiers") or _lies_flat(report, issue)
+        _draw_entry(context, layout, with_piece(report, issue), "ISSUE", index, is_shown and _has_place(issue))
+        if not report.get("with_modifiers"):
+            _draw_proposals(context, layout, index, issue)
+        elif issue["proposed_seams"] or issue["proposed_tolerances"]:
+            draw_sentence(context, layout, WITH_MODIFIERS, "INFO")
     if len(issues) > SHOWN_ROWS:
         layout.label(text=f"and {len(issues) - SHOWN_ROWS} more")
-    if sum(map(_has_place, issues)) > 1:
+    if sum(map(_has_place, issues)) > 1 and not report.get("with_modifiers"):
         layout.operator("mesh.wirewarp_select_issues", text="Select All Problems", icon="RESTRICT_SELECT_OFF")
     if any(issue["code"] == "multi_user_scale" for issue in issues):
         button = layout.operator("object.make_single_user", text="Make Single User")
@@ -38,17 +43,16 @@ def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: d
         column = layout.column(align=True)
         draw_sentence(context, column, advice, "INFO")
         for index, hint in hints[:SHOWN_HINTS]:
-            _draw_entry(context, column, with_piece(report, hint, "short"), hint, "HINT", index)
+            _draw_entry(context, column, with_piece(report, hint, "short"), "HINT", index, _has_place(hint))
         if len(hints) > SHOWN_HINTS:
             column.label(text=f"and {len(hints) - SHOWN_HINTS} more", icon="BLANK1")
 
 
 def _draw_entry(
-    context: bpy.types.Context, layout: bpy.types.UILayout, text: str, entry: dict, what: str, index: int
+    context: bpy.types.Context, layout: bpy.types.UILayout, text: str, what: str, index: int, placed: bool
 ) -> None:
-    """The text, and the button that selects what it is about."""
+    """The text, and if it has a place the button that selects what it is about."""
     row = layout.row(align=True)
-    placed = _has_place(entry)
     spare = (6 if what == "ISSUE" else 0) + (22 if placed else 0)
     draw_sentence(context, row, text, "ERROR" if what == "ISSUE" else "DOT", spare)
     if placed:
@@ -57,6 +61,10 @@ def _draw_entry(
 
 def _has_place(entry: dict) -> bool:
     return bool(entry["vertices"] or entry["edges"] or entry["faces"])
+
+
+def _lies_flat(report: dict, issue: dict) -> bool:
+    return issue["piece"] is not None and report["pieces"][issue["piece"]]["has_layout"]
 
 
 def _draw_proposals(context: bpy.types.Context, layout: bpy.types.UILayout, index: int, issue: dict) -> None:
