@@ -20,7 +20,7 @@ def check_indices(target: bpy.types.Object, report: dict) -> None:
     if report.get("with_modifiers"):
         raise object_error(
             "with_modifiers",
-            "The report is of the mesh that the modifiers make, not of the one that is marked: flatten without Modifiers.",
+            "The report is of the mesh that modifiers make, not of the one that is marked: flatten without Modifiers.",
         )
     update_mesh(target)
     if "counts" in report and report["counts"] != element_counts(target.data):
