@@ -13,9 +13,9 @@
 #include "check_input/check_input.h"
 #include "feasibility/check_outline.h"
 #include "feasibility/propose_seams.h"
+#include "in_threads.h"
 #include "metrics/assemble_result.h"
 #include "metrics/helper_wires.h"
-#include "on_all_cores.h"
 #include "outer/choose_variation.h"
 #include "packing/pack_pieces.h"
 #include "progress_report.h"
@@ -177,7 +177,7 @@ std::vector<Layout> flatten_charts(const FlattenInput& input, const std::vector<
     }
     progress.finish(c);
   };
-  on_all_cores(charts.size(), flatten_chart, [&] { progress.tell(); });
+  run_in_threads(charts.size(), num_cores(), flatten_chart, [&] { progress.tell(); });
   return layouts;
 }
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "on_all_cores.h"
+#include "in_threads.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -76,20 +76,18 @@ TEST(ChartsAtOnce, WhatProgressThrowsArrivesAndEndsTheRun) {
   EXPECT_EQ(calls, 3);
 }
 
-TEST(OnAllCores, DoesEachThingOnce) {
+TEST(RunInThreads, DoesEachThingOnce) {
   std::vector<std::atomic<int>> times(1000);
-  on_all_cores(
-      times.size(), [&](std::size_t i) { ++times[i]; }, [] {});
+  run_in_threads(times.size(), 8, [&](std::size_t i) { ++times[i]; });
   for (const std::atomic<int>& count : times) EXPECT_EQ(count, 1);
-  on_all_cores(
-      0, [](std::size_t) { FAIL(); }, [] {});
+  run_in_threads(0, 8, [](std::size_t) { FAIL(); });
 }
 
-TEST(OnAllCores, WhatWorkThrowsArrives) {
+TEST(RunInThreads, WhatWorkThrowsArrives) {
   const auto work = [](std::size_t i) {
     if (i == 7) throw std::out_of_range("seven");
   };
-  EXPECT_THROW(on_all_cores(100, work, [] {}), std::out_of_range);
+  EXPECT_THROW(run_in_threads(100, 2, work), std::out_of_range);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "cholesky/front_kernels.h"
 #include "cholesky/front_layout.h"
-#include "cholesky/run_shares.h"
+#include "in_threads.h"
 
 namespace wirewarp {
 
@@ -24,7 +24,8 @@ bool eliminate_fronts(const FrontLayout& layout, bool in_threads, const Eliminat
       if (is_good && !eliminate(f)) is_good = false;
     }
   };
-  run_shares(layout.shares.size(), in_threads, [&](std::size_t share) { eliminate_all(layout.shares[share]); });
+  run_in_threads(layout.shares.size(), in_threads ? layout.shares.size() : 1,
+                 [&](std::size_t share) { eliminate_all(layout.shares[share]); });
   eliminate_all(layout.last_fronts);
   return is_good;
 }

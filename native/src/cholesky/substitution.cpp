@@ -5,7 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cholesky/run_shares.h"
+#include "in_threads.h"
 #include "index.h"
 
 namespace wirewarp {
@@ -104,7 +104,7 @@ void Substitution::forward_4(const Tile* factor, Columns b, const Branches& nonz
   const auto num_shared = static_cast<Eigen::Index>(layout_.shared_vertices.size());
   const int k = layout_.unknowns_per_vertex;
   std::array<Eigen::MatrixXd, FrontLayout::num_shares> sums;
-  run_shares(sums.size(), in_threads_ && nonzero.are_worth_threads, [&](std::size_t share) {
+  run_in_threads(sums.size(), num_threads(nonzero), [&](std::size_t share) {
     sums[share].setZero(k * num_shared, b.cols());
     visit(nonzero.shares[share], sums[share]);
   });
@@ -140,8 +140,8 @@ void Substitution::back_4(const Tile* factor, Columns b, const Branches& wanted)
   for (Eigen::Index i = 0; i < num_shared; ++i) {
     shared.middleRows(k * i, k) = b.middleRows(k * layout_.shared_vertices[static_cast<std::size_t>(i)], k);
   }
-  run_shares(wanted.shares.size(), in_threads_ && wanted.are_worth_threads,
-             [&](std::size_t share) { visit(wanted.shares[share], shared); });
+  run_in_threads(wanted.shares.size(), num_threads(wanted),
+                 [&](std::size_t share) { visit(wanted.shares[share], shared); });
 }
 
 Substitution::Branches Substitution::branches_to(const std::vector<int>& vertices) const {

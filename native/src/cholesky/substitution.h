@@ -36,6 +36,9 @@ class Substitution {
 
  private:
   Branches branches_where(const std::vector<char>& is_visited) const;
+  std::size_t num_threads(const Branches& branches) const {
+    return in_threads_ && branches.are_worth_threads ? FrontLayout::num_shares : 1;
+  }
   template <int kColumns>
   void forward_4(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const;
   template <int kColumns>

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "cholesky/run_shares.h"
+#include "in_threads.h"
 #include "inner/mean_value.h"
 #include "mesh/geometry.h"
 #include "mesh/seen_from_the_side.h"

@@ -8,7 +8,7 @@
 
 #include "cholesky/matrix_graph.h"
 #include "cholesky/multifrontal_cholesky.h"
-#include "cholesky/run_shares.h"
+#include "in_threads.h"
 #include "mesh/geometry.h"
 #include "mesh/seen_from_the_side.h"
 #include "pi.h"

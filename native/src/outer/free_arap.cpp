@@ -13,7 +13,7 @@
 #include "charts/enclosed_area.h"
 #include "cholesky/matrix_graph.h"
 #include "cholesky/multifrontal_cholesky.h"
-#include "cholesky/run_shares.h"
+#include "in_threads.h"
 #include "outer/circle_embedding.h"
 #include "outer/shape_error.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cholesky/run_shares.h"
+#include "in_threads.h"
 #include "index.h"
 #include "mesh/geometry.h"
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Independent work on several threads. Which thread does what never changes a result.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <future>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace wirewarp {
+
+inline std::size_t num_cores() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+/// The processor has a second core for a second thread.
+inline bool has_second_core() { return num_cores() > 1; }
+
+/// Calls work(0) to work(count - 1), begun in this order, on at most so many threads. The calling thread is one of
+/// them, and calls meanwhile() from time to time once there is nothing left to begin.
+template <typename Work>
+void run_in_threads(
+    std::size_t count, std::size_t num_threads, const Work& work, const std::function<void()>& meanwhile = [] {}) {
+  std::atomic<std::size_t> next{0};
+  const auto take_what_is_left = [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  };
+  std::vector<std::future<void>> others;
+  try {
+    while (others.size() + 1 < std::min(count, num_threads)) {
+      others.push_back(std::async(std::launch::async, take_what_is_left));
+    }
+  } catch (const std::system_error&) {  // the system gives no more threads: those there are do all
+  }
+  take_what_is_left();
+  for (std::future<void>& other : others) {
+    while (other.wait_for(std::chrono::milliseconds(20)) == std::future_status::timeout) meanwhile();
+    other.get();
+  }
+}
+
+}  // namespace wirewarp
