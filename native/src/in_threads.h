@@ -8,8 +8,10 @@
 #include <cstddef>
 #include <functional>
 #include <future>
+#include <optional>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace wirewarp {
@@ -18,6 +20,16 @@ inline std::size_t num_cores() { return std::max(1U, std::thread::hardware_concu
 
 /// The processor has a second core for a second thread.
 inline bool has_second_core() { return num_cores() > 1; }
+
+/// None where the system gives no more threads.
+template <typename Work>
+std::optional<std::future<void>> begin_thread(const Work& work) {
+  try {
+    return std::async(std::launch::async, work);
+  } catch (const std::system_error&) {
+    return std::nullopt;
+  }
+}
 
 /// Calls work(0) to work(count - 1), begun in this order, on at most so many threads. The calling thread is one of
 /// them, and calls meanwhile() from time to time once there is nothing left to begin.
@@ -29,11 +41,10 @@ void run_in_threads(
     for (std::size_t i = next++; i < count; i = next++) work(i);
   };
   std::vector<std::future<void>> others;
-  try {
-    while (others.size() + 1 < std::min(count, num_threads)) {
-      others.push_back(std::async(std::launch::async, take_what_is_left));
-    }
-  } catch (const std::system_error&) {  // the system gives no more threads: those there are do all
+  while (others.size() + 1 < std::min(count, num_threads)) {
+    std::optional<std::future<void>> other = begin_thread(take_what_is_left);
+    if (!other) break;  // those there are do all
+    others.push_back(std::move(*other));
   }
   take_what_is_left();
   for (std::future<void>& other : others) {
