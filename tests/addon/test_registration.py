@@ -10,15 +10,27 @@ import pytest
 from surfaces import bump, grid
 
 
+def handlers_of(addon) -> list[tuple[str, str]]:
+    """The add-on's own among all handlers of the application: list and function."""
+    return [
+        (name, function.__qualname__)
+        for name, functions in inspect.getmembers(bpy.app.handlers, lambda member: isinstance(member, list))
+        for function in functions
+        if function.__module__.startswith(addon.__name__)
+    ]
+
+
 def test_register_and_unregister_twice(addon):
-    handlers = [len(bpy.app.handlers.undo_post), len(bpy.app.handlers.depsgraph_update_post)]
+    handlers = handlers_of(addon)
+    assert len(handlers) > 2
     for _ in range(2):
         addon.unregister()
         assert not hasattr(bpy.types.Scene, "wirewarp")
         assert not hasattr(bpy.types, "OBJECT_OT_wirewarp_flatten")
+        assert handlers_of(addon) == []
         addon.register()
     assert hasattr(bpy.types, "OBJECT_OT_wirewarp_flatten")
-    assert [len(bpy.app.handlers.undo_post), len(bpy.app.handlers.depsgraph_update_post)] == handlers
+    assert handlers_of(addon) == handlers
 
 
 def test_menu_entries_come_and_go(addon):
