@@ -31,22 +31,22 @@ std::optional<std::future<void>> begin_thread(const Work& work) {
   }
 }
 
-/// Calls work(0) to work(count - 1), begun in this order, on at most so many threads. The calling thread is one of
-/// them, and calls meanwhile() from time to time once there is nothing left to begin.
+/// Calls work(0) to work(count - 1), begun in this order, on at most so many threads. The calling thread does the
+/// first, goes on with others, and calls meanwhile() from time to time once there is nothing left to begin.
 template <typename Work>
 void run_in_threads(
     std::size_t count, std::size_t num_threads, const Work& work, const std::function<void()>& meanwhile = [] {}) {
-  std::atomic<std::size_t> next{0};
-  const auto take_what_is_left = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
+  std::atomic<std::size_t> next{1};
+  const auto begin_at = [&](std::size_t i) {
+    for (; i < count; i = next++) work(i);
   };
   std::vector<std::future<void>> others;
   while (others.size() + 1 < std::min(count, num_threads)) {
-    std::optional<std::future<void>> other = begin_thread(take_what_is_left);
+    std::optional<std::future<void>> other = begin_thread([&] { begin_at(next++); });
     if (!other) break;  // those there are do all
     others.push_back(std::move(*other));
   }
-  take_what_is_left();
+  begin_at(0);
   for (std::future<void>& other : others) {
     while (other.wait_for(std::chrono::milliseconds(20)) == std::future_status::timeout) meanwhile();
     other.get();

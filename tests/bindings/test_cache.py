@@ -137,10 +137,11 @@ def test_an_error_is_reused_only_where_it_names_the_same():
 
 def test_a_cancelled_piece_is_solved_next_time(sheet):
     cache = Cache()
-    cancelled = wirewarp.flatten(**sheet, cache=cache, progress=lambda stage, fraction: fraction < 0.5)
-    assert [piece.report.termination for piece in cancelled.pieces] == ["converged", "cancelled", "cancelled"]
-    assert cache.size == 1
-    run_again(cache, sheet, 1)
+    cancelled = wirewarp.flatten(**sheet, cache=cache, progress=lambda stage, fraction: stage == "charts")
+    ends = [piece.report.termination for piece in cancelled.pieces]
+    assert "cancelled" in ends  # that of the calling thread; others may be flat before they hear of it
+    assert cache.size == ends.count("converged")
+    run_again(cache, sheet, cache.size)
 
 
 def test_a_cancelled_run_does_not_lose_what_it_did_not_need_to_solve(sheet):
