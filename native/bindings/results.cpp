@@ -102,9 +102,12 @@ void bind_piece_parts(py::module_& module) {
       .field("factorizations", &PieceReport::factorizations,
              "Of the placement of the vertices between wires and the free flattening; refined: of Newton systems.")
       .field("constraint_residual", &PieceReport::constraint_residual,
-             "Largest gap of a wire loop over its length; refined: largest error of an edge over its length.")
+             "Largest gap of a wire loop over its length; refined: largest error of an edge's length over that length "
+             "plus "
+             "1e-5 of the root of the piece's area.")
       .field("projected_gradient", &PieceReport::projected_gradient,
-             "Of the inner problem at the end, for a mean node weight of 1; NaN with inner=\"least-norm\" and refined.")
+             "Of the inner problem at the end, where a node of mean length weighs 1; NaN with inner=\"least-norm\" and "
+             "refined.")
       .field("objective", &PieceReport::objective,
              "What the refined method minimizes: arap_energy plus the angle term, plus a barrier where triangles are "
              "about to turn over; NaN for other methods.")

@@ -90,8 +90,10 @@ struct PieceReport {
   int gradient_evaluations = 0;
   int factorizations = 0;          // of the interior placement and free flattening; refined: of Newton systems, those
                                    // on the coarser mesh of a large piece not counted
-  double constraint_residual = 0;  // largest gap of a wire loop at the end / its length; refined: max_edge_error
-  double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // of Eq. (1) at the end, mean node weight 1
+  double constraint_residual = 0;  // largest gap of a wire loop at the end / its length; refined: largest error of an
+                                   // edge's length / (its length + 1e-5 of the root of the piece's area)
+  double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // of Eq. (1) at the end; the weight of a node
+                                                                         // of mean length is 1
   double objective = std::numeric_limits<double>::quiet_NaN();  // refined: arap_energy + angle term, + a barrier where
                                                                 // triangles are about to turn over
   std::map<std::string, double> seconds;                        // per stage
@@ -118,7 +120,7 @@ struct FlattenResult {
   std::vector<WireReport> wires;          // whole wires
   std::string method;                     // the method used, or "measure"
   int reused_pieces = 0;                  // taken from the cache instead of being solved again
-  std::map<std::string, double> seconds;  // per stage, summed over pieces that run side by side; and "total"
+  std::map<std::string, double> seconds;  // of flatten(): per stage, summed over pieces side by side; and "total"
 };
 
 }  // namespace wirewarp

@@ -8,7 +8,8 @@
 namespace wirewarp {
 namespace {
 
-/// Weight 1/ℓ turns the sum of Eq. (1) into ∫ Δκ² ds, whatever the vertices. Scaled so that the mean weight is about 1.
+/// Weight 1/ℓ turns the sum of Eq. (1) into ∫ Δκ² ds, whatever the vertices. Scaled so that a node of mean length
+/// weighs 1.
 Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight) {
   const auto num_nodes = static_cast<Eigen::Index>(network.nodes.size());
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(num_nodes);

@@ -13,7 +13,7 @@ struct InnerSolution {
   Eigen::VectorXd headings;                                              // φ, radians, #wire edges
   Eigen::VectorXd psi;                                                   // their change from the starting headings
   Eigen::VectorXd multipliers;                                           // λ of the closures, #closures
-  double angle_variation = 0;                                            // Eq. (1), weights scaled to mean length 1
+  double angle_variation = 0;                                            // Eq. (1), a node of mean length weighs 1
   double closure_residual = 0;                                           // largest gap of a loop / its length
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // largest entry of ∇F + Jᵀλ; NaN: not sought
   int num_solves = 0;                                                    // factorizations

@@ -42,7 +42,7 @@ class LooseLengths {
 
  private:
   struct Group {
-    double weight;      // W L
+    double weight;      // W
     double length = 0;  // L
     int part;           // -1: boundary
   };

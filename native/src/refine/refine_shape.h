@@ -22,7 +22,7 @@ struct RefinedShape {
   Eigen::VectorXd variation;    // h, one per wire part of the chart; on super-elastic ones what came out
   Eigen::VectorXd multipliers;  // λ, one per edge of the network
   double objective = 0;         // f over the 3D area
-  double length_error = 0;      // largest, over the length of its edge
+  double length_error = 0;      // LengthConstraints::largest_error
   int iterations = 0;
   int factorizations = 0;
   bool is_exact = false;   // the lengths are: uv is a flat shape to cut
