@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "outer/choose_variation.h"
@@ -67,16 +68,21 @@ RefinedShape free_elastic_wires(Chart chart, const Positions2& start, Attempts& 
   return attempts.refine(chart, build_held_network(chart), start, kStartFactorizations);
 }
 
-/// ψ(h⁰): the paper's flat shape, before any h is chosen.
-WarpedShape warp_wires(const Chart& chart) {
+/// ψ(h⁰): the paper's flat shape, before any h is chosen. None where no topology serves the wires or Eq. (1) breaks
+/// down.
+std::optional<WarpedShape> warp_wires(const Chart& chart) {
   const Options plain;  // those of Eq. (1) are not the refined method's
-  const std::optional<Chart> refined = process_topology(chart);
-  const Chart& prepared = refined ? *refined : chart;
-  const WireNetwork network = build_wire_network(prepared);
-  Warp warp(prepared, network, plain.node_weight, plain.inner);
-  WarpedShape shape = start_variation(prepared, warp, variation_bounds(prepared, plain), [] {}).shape;
-  if (shape.inner.is_feasible) shape.uv.conservativeResize(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
-  return shape;
+  try {
+    const std::optional<Chart> refined = process_topology(chart);
+    const Chart& prepared = refined ? *refined : chart;
+    const WireNetwork network = build_wire_network(prepared);
+    Warp warp(prepared, network, plain.node_weight, plain.inner);
+    WarpedShape shape = start_variation(prepared, warp, variation_bounds(prepared, plain), [] {}).shape;
+    if (shape.inner.is_feasible) shape.uv.conservativeResize(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
+    return shape;
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  }
 }
 
 ChartRefinement try_all_starts(const Chart& chart, const WireNetwork& held_network, const Options& options,
@@ -94,11 +100,14 @@ ChartRefinement try_all_starts(const Chart& chart, const WireNetwork& held_netwo
     if (attempts.was_stopped() || (freed.is_exact && attempt(freed.uv)) || attempts.was_stopped()) return result;
   }
 
-  WarpedShape warped = warp_wires(chart);
-  result.inner = std::move(warped.inner);
-  if ((result.inner.is_feasible && attempt(warped.uv)) || attempts.was_stopped()) return result;
+  if (std::optional<WarpedShape> warped = warp_wires(chart)) {
+    result.inner = std::move(warped->inner);
+    if (result.inner.is_feasible && attempt(warped->uv)) return result;
+  }
+  if (attempts.was_stopped()) return result;
 
   result.loose = loosen_lengths(chart, held_network, options.fairness, free, attempts.asking("shape"));
+  if (attempts.was_stopped()) return result;
   if (tighten_lengths(chart, held_network, options.fairness, result.loose.uv)) attempt(result.loose.uv);
   return result;
 }
