@@ -77,11 +77,11 @@ def run_quietly(what: str, command: Sequence[str | Path], **more: str) -> None:
 
 
 def output_of(command: Sequence[str | Path], **more: str) -> str:
-    """What a command prints, run without a word; shown only if it fails."""
+    """What a command prints, run without a word; only the end of it is shown, and only if it fails."""
     words = [str(c) for c in command]
     done = subprocess.run(words, cwd=ROOT, env=clean_environment(**more), capture_output=True, text=True)
     if done.returncode:
-        print(done.stdout + done.stderr, flush=True)
+        print(done.stdout[-2000:] + done.stderr[-2000:], flush=True)  # gcov prints megabytes
         raise StepError(failure(command, done.returncode))
     return done.stdout
 
