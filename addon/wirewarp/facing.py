@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from .mesh_to_arrays import MeshArrays
+from .mesh_arrays import MeshArrays
 from .triangle_areas import area_vectors
 
 ALL_ROUND = 0.3  # of the area: by so much at most may one side outweigh the others, or in and out are not told apart

@@ -7,7 +7,7 @@ import numpy as np
 
 from .edge_keys import edge_keys
 from .flat_mesh import FlatMesh
-from .mesh_to_arrays import MeshArrays
+from .mesh_arrays import MeshArrays
 
 
 @dataclass(frozen=True)

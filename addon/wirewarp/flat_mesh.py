@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from .flatten_job import has_layout
-from .mesh_to_arrays import MeshArrays
+from .mesh_arrays import MeshArrays
 from .pieces.identity import PieceIdentity
 from .triangle_areas import triangle_areas
 

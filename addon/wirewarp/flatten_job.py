@@ -11,7 +11,7 @@ import numpy as np
 
 from .element_names import count_faces, name_elements
 from .issues import Issue, ObjectError
-from .mesh_to_arrays import MeshArrays, NamedWire
+from .mesh_arrays import MeshArrays, NamedWire
 from .proposals import looser_wires, seams_on_edges
 
 # What the library advises, by Blender's own names.

@@ -11,7 +11,7 @@ import numpy as np
 from .cloth import STRAIN_LIMIT, strain_figures, strain_words
 from .flatten_job import polygons_of
 from .issues import Hint
-from .mesh_to_arrays import MeshArrays
+from .mesh_arrays import MeshArrays
 from .strain import PieceStrain, connected_regions
 from .tolerance_text import tolerance_text
 from .triangle_areas import triangle_areas

@@ -3,7 +3,7 @@
 
 import bpy
 
-from .mesh_to_arrays import MeshArrays
+from .mesh_arrays import MeshArrays
 from .notes import note, warning
 from .write_uv import UV_LAYER
 

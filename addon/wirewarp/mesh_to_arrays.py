@@ -3,7 +3,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import bpy
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from .foreach import read
 from .issues import object_error
 from .marking import own_ids
+from .mesh_arrays import MeshArrays, NamedWire
 from .mesh_topology import (
     corner_edges,
     corner_vertices,
@@ -21,39 +22,12 @@ from .mesh_topology import (
     triangle_corners,
 )
 from .pieces.attribute import read_piece_ids
-from .pieces.face_regions import FaceRegions, face_regions
+from .pieces.face_regions import face_regions
 from .wire_attributes import read_marks
 from .wire_chains import WireChain, chains_of_marks
 from .wire_names import chain_names
 
 LARGEST = 1e18  # Blender units
-
-
-@dataclass(frozen=True)
-class NamedWire:
-    name: str
-    chain: WireChain
-
-
-@dataclass(frozen=True)
-class MeshArrays:
-    """Indices are Blender's. Triangles are wound so that the surface is seen from outside, mirrored objects' too."""
-
-    vertices: np.ndarray  # (n,3) float64, Blender units, the object's rotation, scale and shear applied
-    triangles: np.ndarray  # (m,3) int32, as Blender shows the faces
-    triangle_loops: np.ndarray  # (m,3) int32, the loop at each corner
-    triangle_polygons: np.ndarray  # (m,) int32, ascending
-    loop_vertices: np.ndarray  # (l,) int32
-    polygon_starts: np.ndarray  # (f,) int32, first loop of each polygon
-    polygon_sizes: np.ndarray  # (f,) int32
-    edges: np.ndarray  # (e,2) int32
-    seams: np.ndarray  # (k,2) int32
-    wires: list[NamedWire]
-    grain_wire: int  # id of the wire that stands upright in its pieces; 0: none was chosen
-    piece_ids: np.ndarray  # (f,) int32, of the pieces that the polygons were in when last flattened; 0 none
-    regions: FaceRegions
-    loose_marks: int  # edges without a face that are marked as wires: they are left out
-    mirrored: bool
 
 
 def object_to_arrays(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None) -> MeshArrays:

@@ -9,7 +9,7 @@ import numpy as np
 
 from .edge_keys import edge_keys
 from .issues import LooserWire
-from .mesh_to_arrays import MeshArrays
+from .mesh_arrays import MeshArrays
 
 
 def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> list[tuple[int, int]]:

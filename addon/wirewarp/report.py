@@ -15,7 +15,7 @@ import numpy as np
 from .flatten_job import issue_of_piece, polygons_of
 from .hints import strain_hints, wire_hints
 from .issues import Issue
-from .mesh_to_arrays import MeshArrays
+from .mesh_arrays import MeshArrays
 from .notes import note, warning
 from .pieces.identity import PieceIdentity
 from .strain import PieceStrain, piece_strain, triangles_around

@@ -11,7 +11,7 @@ from .flat_mesh import FlatMesh, flat_mesh
 from .flatten_job import FlattenChoices, Progress, flatten_arrays, has_layout, used_choices
 from .issues import Issue, ObjectError
 from .length_units import LengthText
-from .mesh_to_arrays import MeshArrays
+from .mesh_arrays import MeshArrays
 from .notes import warning
 from .pieces.identity import KnownPieces, PieceIdentity, identify_pieces
 from .plain_sentence import plain_sentence

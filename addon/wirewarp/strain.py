@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from .edge_keys import edge_keys
-from .mesh_to_arrays import MeshArrays
+from .mesh_arrays import MeshArrays
 
 
 @dataclass(frozen=True)

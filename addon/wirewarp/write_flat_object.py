@@ -12,7 +12,7 @@ from .flat_marks import FlatMarks, flat_marks
 from .flat_mesh import FlatMesh, edge_length_variation
 from .flat_shape import remember_shape
 from .free_place import free_place
-from .mesh_to_arrays import MeshArrays
+from .mesh_arrays import MeshArrays
 from .mesh_topology import (
     corner_edges,
     edge_vertices,

@@ -8,7 +8,7 @@ import numpy as np
 
 from .color_maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION, NO_LAYOUT, STRETCH
 from .flat_mesh import FlatMesh
-from .mesh_to_arrays import MeshArrays
+from .mesh_arrays import MeshArrays
 from .model_maps import ModelMaps
 
 PREFIX = "wirewarp_"  # of the model's attributes, among which are the user's own

@@ -9,7 +9,7 @@ import numpy as np
 from .attribute_names import check_free
 from .flatten_job import has_layout
 from .issues import object_error
-from .mesh_to_arrays import MeshArrays
+from .mesh_arrays import MeshArrays
 
 UV_LAYER = "WireWarp"
 UV_SCALE = "wirewarp_uv_scale"

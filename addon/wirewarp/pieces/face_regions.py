@@ -1,28 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Vertex groups and materials of a model as sets of faces, for naming pieces after them."""
 
-from dataclasses import dataclass
-
 import bpy
 import numpy as np
 
 from ..foreach import read_attribute
+from .regions import FaceRegions, Region
 
 SAMPLE = 5_000  # faces that are looked at: Blender tells groups vertex by vertex only, which is slow on large meshes
 CARRIED = 0.5  # weight from which on a vertex is in its group
-
-
-@dataclass(frozen=True)
-class Region:
-    name: str
-    faces: np.ndarray  # (k,) int64, faces of the sample
-
-
-@dataclass(frozen=True)
-class FaceRegions:
-    sample: np.ndarray  # (s,) int64: faces of which the regions are known
-    groups: list[Region]
-    materials: list[Region]
 
 
 def face_regions(source: bpy.types.Object, mesh: bpy.types.Mesh) -> FaceRegions:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..facing import faces_inward
-from ..mesh_to_arrays import MeshArrays
+from ..mesh_arrays import MeshArrays
 from ..triangle_areas import area_vectors
 from .region_names import region_names
 from .side_names import numbered, side_names

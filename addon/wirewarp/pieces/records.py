@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 
 from ..flat_attributes import has_flat_attributes, read_flat_attribute
-from ..mesh_to_arrays import MeshArrays
+from ..mesh_arrays import MeshArrays
 from .attribute import PIECE, write_piece_ids
 from .identity import KnownPieces, PieceIdentity, ids_by_face
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from .face_regions import FaceRegions, Region
+from .regions import FaceRegions, Region
 
 
 def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegions) -> list[str | None]:
