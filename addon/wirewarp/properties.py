@@ -117,8 +117,8 @@ class FlattenSettings:
     keep_places: BoolProperty(
         name="Keep Places",
         description="Pieces stay where they lie in the flat object, moved or turned as you have left them; new pieces "
-        "go beside them. Another Layout, Upright, grain wire, Gap or Mirrored moves them all. Off: all pieces are "
-        "laid out anew",
+        "go beside them. Another Layout, Upright, grain wire, Gap or Mirrored moves them all; a model that was turned "
+        "does not. Off: all pieces are laid out anew",
         default=True,
     )
     mirror: BoolProperty(

@@ -2,6 +2,7 @@
 """Writing what was solved, in Object Mode, once all of it is there."""
 
 import bpy
+import numpy as np
 
 from .flat_mesh import FlatMesh
 from .helper_lines import helper_lines
@@ -10,7 +11,17 @@ from .mesh_topology import edge_vertices
 from .model_maps import model_maps
 from .notes import note, warning
 from .owners import earlier_sentence, find_flat_object, find_helper_wires, is_earlier, model_of
-from .pieces.keep_places import crowded_text, motions_in_order, pieces_in_place, remember_layout, wants_new_layout
+from .pieces.keep_places import (
+    TURNED_TEXT,
+    crowded_text,
+    is_turned,
+    motions_in_order,
+    pieces_in_place,
+    present_up,
+    remember_layout,
+    up_when_laid_out,
+    wants_new_layout,
+)
 from .pieces.motion import Motion
 from .pieces.records import with_new_names, write_pieces
 from .properties import FlattenSettings
@@ -41,9 +52,9 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         outcome.identities = with_new_names(source, outcome.model.known, outcome.identities)
         write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
         with_names(source, outcome.report)
-        pieces, motions = _place(source, outcome, settings.keep_places)
+        pieces, motions, up = _place(source, outcome, settings.keep_places)
         flat, flat_arrays = write_flat_object(context.scene, source, pieces, arrays)
-        remember_layout(flat, outcome.report["options"])
+        remember_layout(flat, outcome.report["options"], up)
         uv_frame = None if settings.use_modifiers else _write_to_model(source, outcome, flat, settings.maps_on_model)
         if settings.helper_wires:
             lines = helper_lines(outcome.result, motions)
@@ -79,8 +90,8 @@ def _write_to_model(source: bpy.types.Object, outcome: Outcome, flat: bpy.types.
     return uv_frame
 
 
-def _place(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> tuple[FlatMesh, list[Motion]]:
-    """The pieces where they lay before, if they are to stay there, and how each was moved for that."""
+def _place(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> tuple[FlatMesh, list[Motion], np.ndarray]:
+    """The pieces where they lay before, if they are to stay there, how each was moved for that, and what was up (3,)."""
     options, earlier = outcome.report["options"], find_flat_object(source)
     if not keep_places or (earlier and wants_new_layout(options, earlier)):
         earlier = None
@@ -88,4 +99,8 @@ def _place(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> tup
     if crowded:
         name_of = {identity.piece_id: identity.name for identity in outcome.identities}
         outcome.report["notes"].append(note(crowded_text([name_of[piece_id] for piece_id in crowded])))
-    return pieces, motions_in_order(motions, outcome.identities)
+    up = present_up(source)
+    then = up_when_laid_out(earlier, up) if earlier else up
+    if is_turned(up, then, options):
+        outcome.report["notes"].append(note(TURNED_TEXT))
+    return pieces, motions_in_order(motions, outcome.identities), then

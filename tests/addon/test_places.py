@@ -186,6 +186,28 @@ def test_pieces_that_the_user_put_over_each_other_stay_there(source, addon):
     assert notes_of(addon, source) == []
 
 
+def test_a_model_that_is_turned_leaves_its_pieces_as_they_stand_and_that_is_said(source, addon):
+    before = places_of(source)
+    source.rotation_euler.z = 1.0
+    flatten(source)
+    assert notes_of(addon, source) == []  # what is up stays that
+    source.rotation_euler.x = math.radians(90)
+    for _ in range(2):
+        flatten(source)
+        assert_same_places(places_of(source), before)
+        (note,) = notes_of(addon, source)
+        assert note.startswith("The model was turned since its pieces were laid out")
+    flatten(source, keep_places=False)
+    assert notes_of(addon, source) == []
+    flatten(source)
+    assert notes_of(addon, source) == []
+    source.rotation_euler.x = 0
+    flatten(source, orientation="BOUNDARY")
+    source.rotation_euler.x = 1.0
+    flatten(source, orientation="BOUNDARY")
+    assert notes_of(addon, source) == []
+
+
 @pytest.mark.parametrize("settings", [{"keep_places": False}, {"gap": 8.0}, {"mirror": True}])
 def test_laid_out_anew_where_that_is_wanted(source, settings):
     flatten(source, **settings)

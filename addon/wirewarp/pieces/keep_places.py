@@ -11,8 +11,10 @@ import numpy as np
 from ..flat_attributes import has_flat_attributes, read_flat_attribute
 from ..flat_mesh import FlatMesh
 from ..foreach import read
+from ..mesh_to_arrays import linear_part
 from ..mesh_topology import corner_vertices, face_sizes
 from ..pattern.flat_pieces import piece_of_vertices
+from ..stored_numbers import read_numbers
 from .attribute import PIECE
 from .identity import PieceIdentity
 from .motion import STAY, Motion
@@ -21,6 +23,12 @@ from .places import LaidOut, find_places, laid_out
 # Of the report: with other ones the user wants another layout.
 LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "gap", "mirror")
 LAYOUT = "wirewarp_layout"  # of the flat mesh: with which ones it was laid out
+UP = "wirewarp_up"  # of the flat mesh: what was up then
+TURNED = 0.999  # cosine of the angle, 2.5 degrees, from which on another direction is up
+TURNED_TEXT = (
+    "The model was turned since its pieces were laid out, and Keep Places leaves them as they stand. To have them "
+    "upright again, switch it off and flatten."
+)
 
 
 def pieces_in_place(
@@ -53,8 +61,26 @@ def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
     return earlier.data.get(LAYOUT) != _layout_text(options)
 
 
-def remember_layout(flat: bpy.types.Object, options: dict) -> None:
-    flat.data[LAYOUT] = _layout_text(options)
+def remember_layout(flat: bpy.types.Object, options: dict, up: np.ndarray) -> None:
+    """up (3,): the direction in the model's own space that was up when the pieces were laid out."""
+    flat.data[LAYOUT], flat.data[UP] = _layout_text(options), up.tolist()
+
+
+def present_up(source: bpy.types.Object) -> np.ndarray:
+    """(3,) of length 1: the direction in the model's own space that is up in the world."""
+    up = linear_part(source)[2]
+    return up / np.linalg.norm(up)
+
+
+def up_when_laid_out(flat: bpy.types.Object, now: np.ndarray) -> np.ndarray:
+    """(3,) as remember_layout was told; what is up now, where there is no such note."""
+    up = read_numbers(flat.data, UP)
+    return up if up is not None and up.shape == (3,) else now
+
+
+def is_turned(up: np.ndarray, then: np.ndarray, options: dict) -> bool:
+    """Whether pieces that stand as the model stood then would stand otherwise if they were laid out anew."""
+    return options["orientation"] == "up" and not float(up @ then) > TURNED
 
 
 def _layout_text(options: dict) -> str:
