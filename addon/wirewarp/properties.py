@@ -140,7 +140,8 @@ class FlattenSettings:
     )
     piece_texts: BoolProperty(
         name="Texts",
-        description="Write name and area on each flat piece, as text objects that move with them",
+        description="Write name and area on each flat piece, as text objects that move with them. Each run writes them "
+        "anew",
         default=True,
     )
     maps_on_model: BoolProperty(

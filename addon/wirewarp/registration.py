@@ -12,6 +12,7 @@ from . import (
     properties,
     report_store,
     solved_pieces,
+    text_units,
     ui,
     window_run,
 )
@@ -37,6 +38,7 @@ def register_ui() -> None:
     ui.tick.attach()
     ui.menus.attach()
     solved_pieces.attach()
+    text_units.attach()
     window_run.attach()
     auto_update.attach()
 
@@ -44,6 +46,7 @@ def register_ui() -> None:
 def unregister_ui() -> None:
     auto_update.detach()
     window_run.detach()
+    text_units.detach()
     solved_pieces.detach()
     ui.menus.detach()
     ui.tick.detach()

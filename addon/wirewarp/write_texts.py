@@ -20,6 +20,7 @@ from .write_flat_object import our_collection
 
 PIECE_ID = "wirewarp_piece"  # custom property of a text, a child of the flat object
 FLAT_ID = "wirewarp_flat"  # custom property of a flat object and of its texts: a random number
+AREA = "wirewarp_area"  # custom property of a text: of its piece, in square Blender units
 LARGEST = 0.04  # height of the letters, by the size of all pieces together
 THICKNESS = 0.0007  # by the same size: from the pieces up, so that both are seen
 MATERIAL = "WireWarp Text"
@@ -48,7 +49,7 @@ def write_texts(context: bpy.types.Context, flat: bpy.types.Object, arrays: Flat
         place = placed[piece["index"]]
         below = _face_below(arrays.vertices, corners[piece["index"]], place.center)
         target = _new_text(flat, piece["name"], place, arrays.vertices[below].mean(axis=0), THICKNESS * size)
-        target[PIECE_ID], target[FLAT_ID] = piece["piece_id"], flat[FLAT_ID]
+        target[PIECE_ID], target[FLAT_ID], target[AREA] = piece["piece_id"], flat[FLAT_ID], piece["area_2d"]
         target.parent_vertices = below
         our_collection(context.scene).objects.link(target)
         targets.append(target)
@@ -73,11 +74,11 @@ def _find_orphans() -> list[bpy.types.Object]:
 
 def _all_texts() -> list[bpy.types.Object]:
     """Of this file."""
-    return [
-        target
-        for target in bpy.data.objects
-        if target.type == "FONT" and target.library is None and _id(target, PIECE_ID)
-    ]
+    return list(filter(_is_text, bpy.data.objects))
+
+
+def _is_text(target: bpy.types.Object) -> bool:
+    return target.type == "FONT" and target.library is None and bool(_id(target, PIECE_ID))
 
 
 def _id(target: bpy.types.Object, name: str) -> int:
@@ -92,6 +93,15 @@ def rename_text(flat: bpy.types.Object, piece_id: int, name: str) -> None:
         if target.get(PIECE_ID) == piece_id:
             _, *rest = target.data.body.split("\n")
             target.data.body = "\n".join([_one_line(name), *rest])
+
+
+def write_areas(scene: bpy.types.Scene) -> None:
+    """The second line of each text in the scene says the area in the units that the scene has now."""
+    units = length_text(scene)
+    for target in filter(_is_text, scene.objects):
+        area, (name, *rest) = target.get(AREA), target.data.body.split("\n")
+        if isinstance(area, float) and rest and rest[0] != units.area(area):
+            target.data.body = "\n".join([name, units.area(area), *rest[1:]])
 
 
 def _one_line(name: str) -> str:

@@ -123,6 +123,21 @@ def test_texts_are_replaced_renamed_and_switched_off(source):
     assert not bpy.data.curves
 
 
+def test_areas_follow_the_units_of_the_scene_and_names_stay(source, addon):
+    (piece,) = [each for each in addon.report_store.last_report(source)["pieces"] if each["name"] == "Top Left"]
+    text, units = texts()["Top Left"], bpy.context.scene.unit_settings
+    area = 0.1**2 * piece["area_2d"]  # in square meters
+    assert text.data.body == f"Top Left\n{1e4 * area:.1f} cm²"
+    text.data.body = f"Sleeve\n{1e4 * area:.1f} cm²\ncut twice"
+    units.system, units.length_unit = "IMPERIAL", "INCHES"
+    addon.text_units.write_all_areas()
+    assert text.data.body == f"Sleeve\n{area / 0.0254**2:.2f} in²\ncut twice"
+    text.data.body = "Sleeve"
+    units.system = "METRIC"
+    addon.text_units.write_all_areas()
+    assert text.data.body == "Sleeve"
+
+
 def test_texts_of_a_deleted_flat_object_go_with_the_next_run(source):
     select_only(flat_of(source))
     bpy.ops.object.delete()

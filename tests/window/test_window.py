@@ -49,7 +49,11 @@ TOURS = {
         "marks_are_undone",
         "frame_button",
     ],
-    "view_tours": ["pieces_are_seen_in_local_view", "search_finds_commands_by_the_add_on_s_name"],
+    "view_tours": [
+        "pieces_are_seen_in_local_view",
+        "search_finds_commands_by_the_add_on_s_name",
+        "areas_follow_the_units",
+    ],
 }
 
 
