@@ -12,6 +12,7 @@ from .issues import Issue, ObjectError
 from .marking import plan_wires
 from .repair_wires import repair_names
 from .wire_attributes import check_attributes, edit_layers, new_wire_id
+from .words import counted
 
 OUTLINES_ARE_RIGID = "Outlines are rigid, or the two sides of a seam would not match"
 
@@ -86,7 +87,7 @@ def _refuse_loose(target: bpy.types.Object) -> None:
     edit = bmesh.from_edit_mesh(target.data)  # its edges live as long as this does
     loose = [edge for edge in _selected_edges(edit) if not edge.link_faces]
     if loose:
-        count = "1 selected edge belongs" if len(loose) == 1 else f"{len(loose)} selected edges belong"
+        count = counted(len(loose), "selected edge belongs", "selected edges belong")
         sentence = (
             f'{count} to no face of "{target.name}", so there is nothing to flatten along it: leave such edges out, or '
             "delete them with Mesh > Clean Up > Delete Loose."
@@ -101,7 +102,7 @@ def _outline_edges(target: bpy.types.Object) -> list[tuple[int, int]]:
 
 
 def _all_on_outlines(targets: Sequence[bpy.types.Object], edges: list[tuple[int, int]]) -> ObjectError:
-    count = "1 selected edge lies" if len(edges) == 1 else f"{len(edges)} selected edges lie"
+    count = counted(len(edges), "selected edge lies", "selected edges lie")
     names = " and ".join(f'"{target.name}"' for target in targets)
     sentence = f"{count} on a seam or outline of {names}. {OUTLINES_ARE_RIGID}: select other edges, or mark them rigid."
     return ObjectError(Issue("tolerance_on_outline", sentence, edges=edges))

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from .words import counted
+
 
 def name_elements(sentence: str, triangle_polygons: np.ndarray, faces: Sequence[int], wire_names: list[str]) -> str:
     """The sentence with "face(s) 3, 4 and 12 more" in polygons instead of triangles, and wires by their names.
@@ -43,7 +45,7 @@ def count_faces(sentence: str, counts: Sequence[tuple[int, int]]) -> str:
         number, kind = int(match[1]), match[2] or ""
         polygons = {polygons for triangles, polygons in counts if triangles == number}
         count, noun = (polygons.pop(), "face") if len(polygons) == 1 else (number, "triangle")
-        return f"{count} {kind}{noun}{'' if count == 1 else 's'}"
+        return counted(count, f"{kind}{noun}")
 
     return re.sub(r"\b(\d+) (flipped |overlapping )?(?:face|triangle)s?\b", translate, sentence)
 

@@ -44,3 +44,8 @@ class ObjectError(Exception):
 
 def object_error(code: str, sentence: str) -> ObjectError:
     return ObjectError(Issue(code, sentence))
+
+
+def changed_error(name: str) -> ObjectError:
+    """name: of an object whose report is of another shape."""
+    return object_error("changed", f'"{name}" has changed since it was flattened: flatten it again.')

@@ -5,6 +5,7 @@ import bpy
 
 from .mesh_arrays import MeshArrays
 from .notes import note, warning
+from .words import counted
 from .write_uv import UV_LAYER
 
 # Modifiers that move no vertex and make no face.
@@ -32,7 +33,7 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
         text = f'The UV map "{UV_LAYER}" is of an earlier run without modifiers and not of these flat pieces.'
         notes.append(note(text))
     if arrays and arrays.loose_marks:
-        count = "1 marked edge" if arrays.loose_marks == 1 else f"{arrays.loose_marks} marked edges"
+        count = counted(arrays.loose_marks, "marked edge")
         notes.append(warning(f"Left out of the wires, for no face has them: {count}."))
     return notes
 

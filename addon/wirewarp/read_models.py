@@ -16,6 +16,7 @@ from .solve_models import Model
 from .solved_pieces import solved_pieces
 from .targets import check_target
 from .unit_text import length_text
+from .words import quoted
 
 
 def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], use_modifiers: bool) -> list[Model]:
@@ -35,8 +36,7 @@ def check_current(context: bpy.types.Context, models: list[Model], use_modifiers
     depsgraph = _updated_depsgraph(context, use_modifiers)
     changed = [model.facts["object"] for model in models if not _is_current(model, depsgraph)]
     if changed:
-        names = ", ".join(f'"{name}"' for name in changed)
-        sentence = f"{names} changed while it was flattened, nothing was written: flatten again."
+        sentence = f"{quoted(changed)} changed while it was flattened, nothing was written: flatten again."
         raise object_error("changed", sentence)
     for model in models:
         if model.issue is None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from .flat_attributes import has_flat_attributes, read_flat_attribute
 from .flat_shape import has_kept_shape
-from .issues import object_error
+from .issues import changed_error, object_error
 from .mesh_cache import read_anew
 from .model_state import has_changed, shows_modified
 from .owners import find_flat_object, has_flat_object
@@ -53,7 +53,7 @@ def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
         raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')
     check_not_edited(source)
     if _has_changed(source, report):
-        raise object_error("changed", f'"{source.name}" has changed since it was flattened: flatten it again.')
+        raise changed_error(source.name)
     if _is_edited(flat.data, report):
         raise object_error(
             "edited_pieces",

@@ -17,6 +17,11 @@ def file_name(name: str, ending: str) -> str:
     return plain[: LONGEST_NAME - len(ending)].decode(errors="ignore") + ending
 
 
+def unwritten(path: str | Path, error: OSError) -> str:
+    """The sentence for a file that cannot be written."""
+    return f'"{path}" cannot be written: {error.strerror or error}.'
+
+
 def check_file(path: Path) -> None:
     """Raises OSError if no file of ours can be there. A model is never overwritten, whatever name was clicked on."""
     path = path.resolve()
@@ -28,6 +33,15 @@ def check_file(path: Path) -> None:
         raise OSError("it is a Blender file by its name; choose another name")
 
 
+def check_room(path: Path) -> None:
+    """As check_file; also raises OSError if the folder takes no new files."""
+    path = path.resolve()
+    check_file(path)
+    with _unfinished(path).open("wb"):
+        pass
+    _unfinished(path).unlink()
+
+
 @contextmanager
 def replaced_file(path: Path) -> Iterator[Path]:
     """For `with`: a path beside this one to write to, which takes its place if nothing was raised.
@@ -36,9 +50,14 @@ def replaced_file(path: Path) -> Iterator[Path]:
     """
     path = path.resolve()  # what a link leads to is replaced, and the link stays
     check_file(path)
-    unfinished = path.with_name(f".wirewarp-{os.getpid()}.part")
+    unfinished = _unfinished(path)
     try:
         yield unfinished
         unfinished.replace(path)
     finally:
         unfinished.unlink(missing_ok=True)
+
+
+def _unfinished(path: Path) -> Path:
+    """Beside it, for what is being written."""
+    return path.with_name(f".wirewarp-{os.getpid()}.part")

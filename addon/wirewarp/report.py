@@ -19,6 +19,7 @@ from .mesh_arrays import MeshArrays
 from .notes import note, warning
 from .pieces.identity import PieceIdentity
 from .strain import PieceStrain, piece_strain, triangles_around
+from .words import quoted
 
 SCHEMA = "wirewarp-report-3"
 # Chains add up the rounding of their edges; the library itself checks every edge to 1e-9.
@@ -213,9 +214,9 @@ def number(value: float) -> float | None:
 
 
 def _notes(method: str, wires: list[dict]) -> list[dict]:
-    loose = [f'"{wire["name"]}"' for wire in wires if wire["tolerance"] != 0]
+    loose = [wire["name"] for wire in wires if wire["tolerance"] != 0]
     if method == "wirewarping" and loose:
-        return [note(f"Kept rigid by this method, tolerance not used: {', '.join(loose)}.")]
+        return [note(f"Kept rigid by this method, tolerance not used: {quoted(loose)}.")]
     return []
 
 

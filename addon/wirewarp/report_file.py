@@ -7,6 +7,7 @@ from pathlib import Path
 from .cloth import aspect_ratio, ready_text, strain_text, strained_pieces
 from .replace_file import replaced_file
 from .report import SCHEMA
+from .words import counted
 
 SHOWN_SENTENCES = 4
 
@@ -55,7 +56,7 @@ def strained_text(reports: list[dict]) -> str:
 def success_text(reports: list[dict]) -> str:
     """Of reports without an issue and without a strained piece."""
     pieces = [piece for report in reports for piece in report["pieces"]]
-    count = f"{len(pieces)} flat piece{'s' if len(pieces) != 1 else ''}"
+    count = counted(len(pieces), "flat piece")
     return f"{ready_text(pieces)}: {count}, {kept_text(reports)} ({reports[0]['method_name']})"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams along the borders of UV islands. Of meshes in Object Mode."""
+"""Seams from the islands of a UV map."""
 
 from collections.abc import Sequence
 
@@ -11,26 +11,35 @@ from .issues import object_error
 from .mesh_to_arrays import next_loops
 from .mesh_topology import corner_edges, corner_vertices, read_seams
 from .uv_islands import island_borders
+from .write_uv import UV_LAYER
 
 
-def seams_from_uv(targets: Sequence[bpy.types.Object]) -> int:
-    """Marks the borders of the active UV maps' islands; seams that are there stay. Returns the number of new ones.
+def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
+    """Marks the borders of the islands of each object's map; seams that are there stay.
 
-    Raises ObjectError, with nothing marked, if one has no UV map.
+    Returns the number of new ones, and the names of the maps. Raises ObjectError, with nothing marked, if one has no UV
+    map.
     """
-    for target in targets:
-        if target.data.uv_layers.active is None:
-            raise object_error("no_uv_map", f'"{target.name}" has no UV map: unwrap it first (UV > Unwrap).')
-    return sum(_mark_borders(target.data) for target in targets)
+    maps = [_find_map(target) for target in targets]
+    count = sum(_mark_borders(target.data, layer) for target, layer in zip(targets, maps, strict=True))
+    return count, list(dict.fromkeys(layer.name for layer in maps))
 
 
-def _mark_borders(mesh: bpy.types.Mesh) -> int:
+def _find_map(target: bpy.types.Object) -> bpy.types.MeshUVLoopLayer:
+    """The active map, which after Flatten is that of the flat pieces: then the user's own, if there is one."""
+    active, others = target.data.uv_layers.active, [each for each in target.data.uv_layers if each.name != UV_LAYER]
+    if active is None:
+        raise object_error("no_uv_map", f'"{target.name}" has no UV map: unwrap it first (UV > Unwrap).')
+    return others[0] if active.name == UV_LAYER and others else active
+
+
+def _mark_borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> int:
     before = read_seams(mesh)
     borders = island_borders(
         corner_edges(mesh),
         corner_vertices(mesh),
         next_loops(mesh),
-        read(mesh.uv_layers.active.data, "uv", np.float32, 2),
+        read(layer.data, "uv", np.float32, 2),
         len(mesh.edges),
     )
     mesh.edges.foreach_set("use_seam", before | borders)

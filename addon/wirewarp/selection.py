@@ -6,7 +6,7 @@ import numpy as np
 
 from .edge_keys import edge_keys
 from .foreach import read
-from .issues import ObjectError, object_error
+from .issues import changed_error, object_error
 from .mesh_to_arrays import element_counts
 from .mesh_topology import corner_edges, edge_vertices, face_sizes
 from .report_elements import Indices, Pairs
@@ -24,11 +24,7 @@ def check_indices(target: bpy.types.Object, report: dict) -> None:
         )
     update_mesh(target)
     if "counts" in report and report["counts"] != element_counts(target.data):
-        raise _changed(target)
-
-
-def _changed(target: bpy.types.Object) -> ObjectError:
-    return object_error("changed", f'"{target.name}" has changed since it was flattened: flatten it again.')
+        raise changed_error(target.name)
 
 
 def update_mesh(target: bpy.types.Object) -> None:
@@ -133,6 +129,6 @@ def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, ind
     """Raises ObjectError if there are no such ones among the elements of the object's mesh."""
     wanted, mask = np.asarray(indices, dtype=np.int64), np.zeros(len(elements), dtype=bool)
     if np.any((wanted < 0) | (wanted >= len(elements))):
-        raise _changed(target)
+        raise changed_error(target.name)
     mask[wanted] = True
     return mask

@@ -192,6 +192,16 @@ def test_a_report_file_that_cannot_be_written(tmp_path):
     assert nothing_written(source)
 
 
+def test_a_report_file_in_a_folder_that_takes_none(tmp_path):
+    """/proc takes new files from nobody, whatever he may do."""
+    source = grid("Bump", bump)
+    flatten_fails('"/proc/report.json" cannot be written: ', report_path="/proc/report.json")
+    assert nothing_written(source)
+    path = tmp_path / "report.json"
+    bpy.ops.object.wirewarp_flatten(report_path=str(path))
+    assert list(tmp_path.iterdir()) == [path]
+
+
 def bump_with_a_faulty_wire():
     """A wire along the middle whose tolerance is no number, as a file edited by hand may have it."""
     source = grid("Bump", bump)

@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, edge_vertices, grid, mark_seam, on_line, read, select_edges, select_only
+from surfaces import bump, edge_vertices, flatten, grid, mark_seam, on_line, read, select_edges, select_only
 
 CUT, ACROSS = on_line(0, 0.0), on_line(1, 0.0)
 
@@ -53,6 +53,34 @@ def test_a_map_of_one_island_adds_nothing():
     assert bpy.ops.mesh.wirewarp_seams_from_uv_islands() == {"CANCELLED"}
     bpy.ops.object.mode_set(mode="OBJECT")
     assert seam_edges(target.data) == set()
+
+
+def test_after_a_run_the_users_own_map_is_read(capfd):
+    target = with_islands()
+    flatten(target)
+    assert target.data.uv_layers.active.name == "WireWarp"
+    select_edges(target)
+    bpy.ops.mesh.wirewarp_seams_from_uv_islands()
+    assert '8 edges marked as seam by the UV map "Map"' in capfd.readouterr().out
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert seam_edges(target.data) == edges_on(target.data, CUT)
+
+
+def test_the_active_one_of_several_maps_is_read_and_ours_if_there_is_no_other(capfd):
+    target = with_islands()
+    plain = target.data.uv_layers.new(name="Plain", do_init=False)  # all in one point
+    target.data.uv_layers.active = plain
+    select_edges(target)
+    assert bpy.ops.mesh.wirewarp_seams_from_uv_islands() == {"CANCELLED"}
+    assert 'Every border of the islands of the UV map "Plain" is a seam' in capfd.readouterr().out
+    other = grid("Bump", bump)
+    mark_seam(other, CUT)
+    flatten(other)
+    select_edges(other)
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.mark_seam(clear=True)
+    bpy.ops.mesh.wirewarp_seams_from_uv_islands()
+    assert '8 edges marked as seam by the UV map "WireWarp"' in capfd.readouterr().out
 
 
 def test_without_a_map_nothing_is_marked():

@@ -8,6 +8,7 @@ from ..change_wire import change_wire, wire_at
 from ..edit_marks import OUTLINES_ARE_RIGID
 from ..issues import ObjectError
 from ..wire_summary import listed_wires
+from ..words import counted
 from .wire_kind import NEEDS_TOLERANCE, WireKind
 from .wire_operator import WireOperator
 
@@ -49,7 +50,7 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
     def act(self, target: bpy.types.Object) -> None:
         left_out = change_wire(target, self.edge, self.name, self.chosen_tolerance())
         if left_out:
-            lie = "1 edge that lies" if left_out == 1 else f"{left_out} edges that lie"
+            lie = counted(left_out, "edge that lies", "edges that lie")
             self.report({"WARNING"}, f"Changed, but not {lie} on a seam or outline. {OUTLINES_ARE_RIGID}.")
 
     def draw(self, _context: bpy.types.Context) -> None:

@@ -11,9 +11,10 @@ from ..owners import earlier_sentence, is_earlier, model_or_self
 from ..pattern.pattern import Pattern
 from ..pattern.svg import page_size, write_svg
 from ..read_pattern import read_pattern
-from ..replace_file import file_name
+from ..replace_file import file_name, unwritten
 from ..targets import in_object_mode
 from ..ui.text import draw_sentence
+from ..words import counted
 
 
 class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
@@ -76,7 +77,7 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         except OSError as error:
-            self.report({"ERROR"}, f'"{self.filepath}" cannot be written: {error.strerror or error}.')
+            self.report({"ERROR"}, unwritten(self.filepath, error))
             return {"CANCELLED"}
         self.report({"INFO"}, f'"{path.name}": {" ".join(_size_sentences(pattern))} Print at 100 %.')
         return {"FINISHED"}
@@ -96,7 +97,7 @@ def _source(context: bpy.types.Context) -> bpy.types.Object:
 def _size_sentences(pattern: Pattern) -> list[str]:
     width, height = page_size(pattern)
     wide, high = pattern.largest.size
-    count = "1 piece" if len(pattern.pieces) == 1 else f"{len(pattern.pieces)} pieces"
+    count = counted(len(pattern.pieces), "piece")
     return [
         f"{count} on {width:.0f} × {height:.0f} mm.",
         f"The largest, {pattern.largest.name}: {wide:.0f} × {high:.0f} mm.",

@@ -7,7 +7,7 @@ from bpy.props import StringProperty
 from .. import core, window_run
 from ..given_file import OPTIONS, given_file
 from ..properties import take_settings
-from ..replace_file import check_file
+from ..replace_file import check_room, unwritten
 from ..targets import WORKING_MODES, mesh_targets, nothing_to_flatten
 from ..ui.settings import draw_settings
 from .flatten_steps import FlattenSteps
@@ -63,9 +63,9 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     def _file_refusal(self) -> str:
         try:
-            check_file(self.report_file)
+            check_room(self.report_file)
         except OSError as error:
-            return f'"{self.report_path}" cannot be written: {error.strerror or error}.'
+            return unwritten(self.report_path, error)
         return ""
 
     def draw(self, _context: bpy.types.Context) -> None:

@@ -12,6 +12,7 @@ from ..issues import Issue, ObjectError
 from ..properties import FlattenSettings, choices_of
 from ..read_models import check_current, read_models
 from ..redraw import redraw_views
+from ..replace_file import unwritten
 from ..report_file import run_message, run_report, write_json
 from ..solve_models import CancelledError, Model, Outcome, Solver, failed_report, solve_models
 from ..targets import WORKING_MODES, in_object_mode
@@ -139,7 +140,7 @@ class FlattenSteps(FlattenSettings):
         try:
             write_json(self.report_file, run_report(core.library().__version__, units, reports))
         except OSError as error:
-            self.report({"ERROR"}, f'"{self.report_file}" cannot be written: {error.strerror or error}.')
+            self.report({"ERROR"}, unwritten(self.report_file, error))
 
 
 def _place(context: bpy.types.Context) -> tuple[str, str]:

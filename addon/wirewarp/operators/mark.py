@@ -3,6 +3,7 @@ import bpy
 
 from ..edit_marks import OUTLINES_ARE_RIGID, mark_selected
 from ..issues import ObjectError
+from ..words import counted
 from .wire_kind import DESCRIPTIONS, NEEDS_TOLERANCE, WireKind
 
 
@@ -38,9 +39,9 @@ class MESH_OT_wirewarp_mark(WireKind, bpy.types.Operator):
         if count == 0:
             self.report({"ERROR"}, "Nothing to mark: select the edges of the wire first.")
             return {"CANCELLED"}
-        marked = f"{count} wire{'s' if count != 1 else ''} marked"
+        marked = f"{counted(count, 'wire')} marked"
         if left_out:
-            lie = "1 selected edge that lies" if left_out == 1 else f"{left_out} selected edges that lie"
+            lie = counted(left_out, "selected edge that lies", "selected edges that lie")
             self.report({"WARNING"}, f"{marked}, but not {lie} on a seam or outline. {OUTLINES_ARE_RIGID}.")
         else:
             self.report({"INFO"}, marked)

@@ -2,12 +2,13 @@
 import bpy
 from bpy.props import EnumProperty, IntProperty
 
-from ..issues import object_error
+from ..issues import changed_error, object_error
 from ..model_state import has_moved
 from ..redraw import redraw_views
 from ..selection import check_indices
 from ..take_proposals import loosen_wires, mark_seams
 from ..targets import check_not_edited, in_object_mode
+from ..words import counted
 from .report_operator import ReportOperator
 
 
@@ -37,9 +38,8 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
         if count == 0:
             self.report({"INFO"}, "Done already: flatten again")
             return {"CANCELLED"}
-        edges = "1 edge" if count == 1 else f"{count} edges"
         done = "marked as seam" if self.what == "SEAMS" else "made more elastic"
-        self.report({"INFO"}, f"{edges} {done}: flatten again")
+        self.report({"INFO"}, f"{counted(count, 'edge')} {done}: flatten again")
         return {"FINISHED"}
 
     def _take(self, source: bpy.types.Object, report: dict) -> int:
@@ -52,5 +52,5 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
         check_not_edited(source)
         check_indices(source, report)
         if has_moved(source, report):
-            raise object_error("changed", f'"{source.name}" has changed since it was flattened: flatten it again.')
+            raise changed_error(source.name)
         return (mark_seams if self.what == "SEAMS" else loosen_wires)(source.data, proposed)

@@ -5,6 +5,7 @@ import bpy
 
 from ..report_names import with_piece
 from ..tolerance_text import tolerance_text
+from ..words import counted
 from .report_table import SHOWN_ROWS, draw_select
 from .text import draw_sentence
 
@@ -70,8 +71,7 @@ def _lies_flat(report: dict, issue: dict) -> bool:
 def _draw_proposals(context: bpy.types.Context, layout: bpy.types.UILayout, index: int, issue: dict) -> None:
     seams, wires = issue["proposed_seams"], issue["proposed_tolerances"]
     if seams:
-        count = "1 Edge" if len(seams) == 1 else f"{len(seams)} Edges"
-        _draw_button(layout, "SEAMS", index, f"Mark {count} as Seam", "EDGESEL")
+        _draw_button(layout, "SEAMS", index, f"Mark {counted(len(seams), 'Edge')} as Seam", "EDGESEL")
     if wires:
         named = ", ".join(f"{wire['name']} {tolerance_text(float(wire['tolerance']))}" for wire in wires[:SHOWN_ROWS])
         named += f" and {len(wires) - SHOWN_ROWS} more" if len(wires) > SHOWN_ROWS else ""

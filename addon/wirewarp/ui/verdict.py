@@ -6,6 +6,7 @@ from typing import NamedTuple
 from ..cloth import largest, ready_text, strain_words, strained_pieces
 from ..report_file import kept_text
 from ..report_names import piece_names
+from ..words import counted
 
 SHOWN_NAMES = 4
 
@@ -22,7 +23,7 @@ def verdict(report: dict) -> list[VerdictLine]:
         return [VerdictLine("Not flattened", "CANCEL")]
     strained = strained_pieces(report)
     good = [piece for piece in pieces if piece["ok"] and piece not in strained]
-    count = "1 piece" if len(pieces) == 1 else f"{len(pieces)} pieces"
+    count = counted(len(pieces), "piece")
     lines = []
     if not report["ok"]:
         failed = f"{sum(not piece['ok'] for piece in pieces)} of {count}" if len(pieces) > 1 else "the piece"

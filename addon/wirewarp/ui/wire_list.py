@@ -9,6 +9,7 @@ from ..owners import model_of
 from ..tolerance_text import tolerance_text
 from ..unit_text import length_text
 from ..wire_summary import WireSummary, editable_name, listed_wires
+from ..words import counted
 from .panel import SidebarPanel
 from .text import draw_sentence, is_wide
 
@@ -46,7 +47,7 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
         if len(wires) > SHOWN_WIRES:
             self.layout.label(text=f"and {len(wires) - SHOWN_WIRES} more")
         total = sum(wire.length(linear) for _, wire in wires)
-        self.layout.label(text=f"{len(wires)} wire{'s' if len(wires) != 1 else ''}, {text(total)} in all")
+        self.layout.label(text=f"{counted(len(wires), 'wire')}, {text(total)} in all")
 
     def _lines(
         self, context: bpy.types.Context, column: bpy.types.UILayout
