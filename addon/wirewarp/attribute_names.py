@@ -13,12 +13,19 @@ def check_attribute(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str
     """Raises ObjectError if an attribute of our name has another type or domain."""
     attribute = mesh.attributes.get(name)
     if attribute and (attribute.domain, attribute.data_type) != (domain, data_type):
-        plural = {"EDGE": "edges", "FACE": "faces"}[domain]
+        plural = {"EDGE": "edges", "FACE": "faces", "CORNER": "face corners"}[domain]
         raise object_error(
             "attribute_type",
             f'The attribute "{name}" of mesh "{mesh.name}" is not of type {data_type} on {plural}: '
             "rename or delete it under Object Data > Attributes.",
         )
+
+
+def check_room(target: bpy.types.Object, name: str, data_type: str, domain: str, what: str) -> None:
+    """Raises ObjectError if the object's mesh can have no attribute of ours of this name; what: that needs it."""
+    check_attribute(target.data, name, data_type, domain)
+    if name not in target.data.attributes:
+        check_free(target, name, what)
 
 
 def check_free(target: bpy.types.Object, name: str, what: str) -> None:

@@ -16,6 +16,7 @@ from .proposals import looser_wires, seams_on_edges
 
 # What the library advises, by Blender's own names.
 COMMANDS = {
+    "empty_mesh": " In Edit Mode: fill its outlines with faces (F, or Face > Grid Fill).",
     "zero_area_face": " In Edit Mode: Mesh > Clean Up > Degenerate Dissolve.",
     "repeated_face": " In Edit Mode: Mesh > Delete > Only Faces.",
     "repeated_vertex_in_face": " In Edit Mode: Mesh > Delete > Only Faces.",

@@ -26,6 +26,7 @@ def _plain(sentence: str, units: LengthText) -> str:
     sentence = re.sub(rf" long(?=(?:,| and) {NUMBER} \S+ long\b)", "", sentence)
     too_short = rf"\b(outline(s?), .*,) can hold no more than {NUMBER} % of its area in the plane"
     sentence = re.sub(too_short, _short, sentence)
+    sentence = sentence.replace("not all finite and below 1e60 in magnitude", "no numbers, or beyond all measure")
     return re.sub(LISTED, _counted, sentence)
 
 

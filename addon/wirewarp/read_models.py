@@ -12,6 +12,7 @@ from .mesh_to_arrays import element_counts, object_to_arrays
 from .model_state import has_changed, model_state
 from .owners import find_flat_object
 from .pieces.records import known_pieces
+from .properties import FlattenSettings
 from .solve_models import Model
 from .solved_pieces import solved_pieces
 from .targets import check_target
@@ -19,11 +20,13 @@ from .unit_text import length_text
 from .words import quoted
 
 
-def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], use_modifiers: bool) -> list[Model]:
+def read_models(
+    context: bpy.types.Context, sources: list[bpy.types.Object], settings: FlattenSettings
+) -> list[Model]:
     """What cannot be flattened becomes a model with an issue."""
-    depsgraph = _updated_depsgraph(context, use_modifiers)
+    depsgraph = _updated_depsgraph(context, settings)
     units = length_text(context.scene)
-    return [_read(source, depsgraph, units) for source in sources]
+    return [_read(source, depsgraph, units, settings) for source in sources]
 
 
 def find_source(model: Model) -> bpy.types.Object | None:
@@ -31,16 +34,20 @@ def find_source(model: Model) -> bpy.types.Object | None:
     return next((candidate for candidate in bpy.data.objects if candidate.name_full == model.name), None)
 
 
-def check_current(context: bpy.types.Context, models: list[Model], use_modifiers: bool) -> None:
+def check_current(context: bpy.types.Context, models: list[Model], settings: FlattenSettings) -> None:
     """Raises ObjectError if an object is no longer as it was read, or may not be written any more, in Object Mode."""
-    depsgraph = _updated_depsgraph(context, use_modifiers)
+    depsgraph = _updated_depsgraph(context, settings)
     changed = [model.facts["object"] for model in models if not _is_current(model, depsgraph)]
     if changed:
         sentence = f"{quoted(changed)} changed while it was flattened, nothing was written: flatten again."
         raise object_error("changed", sentence)
     for model in models:
         if model.issue is None:
-            check_target(find_source(model), writes_uv=not use_modifiers)
+            _check(find_source(model), settings)
+
+
+def _check(source: bpy.types.Object, settings: FlattenSettings) -> None:
+    check_target(source, writes_model=not settings.use_modifiers, writes_maps=settings.maps_on_model)
 
 
 def _is_current(model: Model, depsgraph: bpy.types.Depsgraph | None) -> bool:
@@ -53,18 +60,21 @@ def _is_current(model: Model, depsgraph: bpy.types.Depsgraph | None) -> bool:
     return np.array_equal(arrays.vertices, model.arrays.vertices) and np.array_equal(arrays.edges, model.arrays.edges)
 
 
-def _updated_depsgraph(context: bpy.types.Context, use_modifiers: bool) -> bpy.types.Depsgraph | None:
+def _updated_depsgraph(context: bpy.types.Context, settings: FlattenSettings) -> bpy.types.Depsgraph | None:
+    """None where modifiers do not matter."""
     context.view_layer.update()
-    return context.evaluated_depsgraph_get() if use_modifiers else None
+    return context.evaluated_depsgraph_get() if settings.use_modifiers else None
 
 
-def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None, units: LengthText) -> Model:
-    use_modifiers = depsgraph is not None
+def _read(
+    source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None, units: LengthText, settings: FlattenSettings
+) -> Model:
+    use_modifiers = settings.use_modifiers
     names = {"object": source.name, "mesh": source.data.name, "with_modifiers": use_modifiers}
     facts = names | {"counts": element_counts(source.data)}
     arrays = known = state = solved = issue = None
     try:
-        check_target(source, writes_uv=not use_modifiers)
+        _check(source, settings)
         arrays = object_to_arrays(source, depsgraph)
         # Results with modifiers are not written to the model, and of objects that share a mesh the last one's are on
         # it: only the flat pieces know this object's last ids.

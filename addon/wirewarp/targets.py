@@ -13,6 +13,7 @@ from .mesh_to_arrays import linear_part, metric
 from .owners import find_flat_object, find_helper_wires, is_deleted, is_helper, model_of
 from .pieces.attribute import check_piece_room
 from .wire_attributes import check_attributes
+from .write_maps import check_map_room
 from .write_uv import check_uv_room
 
 DELETED = 'Their model "{}" was deleted: bring it back with Ctrl+Z, or select another one.'
@@ -48,8 +49,8 @@ def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Objec
     return "Nothing to flatten: select a mesh object."
 
 
-def check_target(target: bpy.types.Object, writes_uv: bool) -> None:
-    """Raises ObjectError if the results cannot be written. writes_uv: the base mesh gets them too.
+def check_target(target: bpy.types.Object, writes_model: bool, writes_maps: bool) -> None:
+    """Raises ObjectError if the results cannot be written. writes_model: to the base mesh too; writes_maps: and these.
 
     All that can refuse is asked here, before the first of them is written. Of an object in Object Mode.
     """
@@ -62,13 +63,15 @@ def check_target(target: bpy.types.Object, writes_uv: bool) -> None:
             'flatten them as they are, delete the attribute "source_vertex" under Object Data > Attributes.',
         )
     check_local(target, target)
-    if writes_uv:
+    if writes_model:
         check_local(target, target.data)
     check_attributes(target.data)
-    if writes_uv:
+    if writes_model:
         check_piece_room(target)
         check_uv_room(target)
         _check_users(target)
+    if writes_model and writes_maps:
+        check_map_room(target)
 
 
 def check_not_edited(target: bpy.types.Object) -> None:

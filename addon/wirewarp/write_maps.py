@@ -6,6 +6,7 @@ from typing import NamedTuple
 import bpy
 import numpy as np
 
+from .attribute_names import check_room
 from .color_maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION, NO_LAYOUT, STRETCH
 from .flat_mesh import FlatMesh
 from .mesh_arrays import MeshArrays
@@ -14,6 +15,10 @@ from .model_maps import ModelMaps
 PREFIX = "wirewarp_"  # of the model's attributes, among which are the user's own
 RANGE = "wirewarp_range_"  # on the flat mesh, before the name of each map: its smallest and its largest value
 VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "stretch": "FACE", "length_variation": "EDGE"}
+ON_MODEL = {  # the attributes there, with type and domain
+    **{PREFIX + name: ("FLOAT", domain) for name, domain in VALUES.items()},
+    **{PREFIX + each.attribute: ("FLOAT_COLOR", "CORNER") for each in COLOR_MAPS},
+}
 
 
 class Corners(NamedTuple):
@@ -22,6 +27,12 @@ class Corners(NamedTuple):
     face: np.ndarray  # (l,) the face of each corner
     vertex: np.ndarray  # (l,)
     edges: np.ndarray  # (e,2)
+
+
+def check_map_room(target: bpy.types.Object) -> None:
+    """Raises ObjectError where the maps cannot be written to the object's mesh."""
+    for name, (data_type, domain) in ON_MODEL.items():
+        check_room(target, name, data_type, domain, "a map of the option Model Maps")
 
 
 def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, edges: np.ndarray, variation: np.ndarray) -> None:
@@ -48,9 +59,11 @@ def write_model_maps(mesh: bpy.types.Mesh, maps: ModelMaps, arrays: MeshArrays) 
 
 
 def remove_model_maps(mesh: bpy.types.Mesh) -> None:
-    for name in [*VALUES, *(each.attribute for each in COLOR_MAPS)]:
-        if PREFIX + name in mesh.attributes:
-            mesh.attributes.remove(mesh.attributes[PREFIX + name])
+    """What only has the name of one stays: it is not ours."""
+    for name, kind in ON_MODEL.items():
+        attribute = mesh.attributes.get(name)
+        if attribute and (attribute.data_type, attribute.domain) == kind:
+            mesh.attributes.remove(attribute)
 
 
 def _write_values(mesh: bpy.types.Mesh, prefix: str, maps: FlatMesh | ModelMaps, variation: np.ndarray) -> None:

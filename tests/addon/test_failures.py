@@ -125,7 +125,7 @@ def test_other_modes():
 
 def test_a_mesh_without_faces():
     make_object("Points", [(0, 0, 0), (1, 0, 0)], [])
-    flatten_fails("Points: The mesh has no faces: there is nothing to flatten")
+    flatten_fails("Points: The mesh has no faces: there is nothing to flatten. In Edit Mode: fill its outlines")
 
 
 def test_zero_scale():
@@ -200,6 +200,13 @@ def test_a_report_file_in_a_folder_that_takes_none(tmp_path):
     path = tmp_path / "report.json"
     bpy.ops.object.wirewarp_flatten(report_path=str(path))
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_vertex_that_is_nowhere():
+    source = grid("Bump", bump)
+    source.data.vertices[40].co.z = float("nan")
+    flatten_fails("The coordinates of one vertex are no numbers, or beyond all measure: move or delete")
+    assert nothing_written(source)
 
 
 def bump_with_a_faulty_wire():

@@ -70,7 +70,7 @@ def test_a_failed_report_stays_with_its_object(addon, tmp_path):
 
 
 def test_a_piece_renamed_during_a_run_keeps_its_new_name(source, addon):
-    models = addon.read_models.read_models(bpy.context, [source], use_modifiers=False)
+    models = addon.read_models.read_models(bpy.context, [source], bpy.context.scene.wirewarp)
     settings = bpy.context.scene.wirewarp
     choices, library = addon.properties.choices_of(settings), addon.core.library()
     outcomes = addon.solve_models.solve_models(library, models, choices, 1.0, lambda *_: True)

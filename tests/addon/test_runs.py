@@ -11,7 +11,7 @@ from surfaces import bump, grid, half_cylinder, mark, mark_seam, on_line, select
 
 
 def read_models(addon, *sources):
-    return addon.read_models.read_models(bpy.context, list(sources), use_modifiers=False)
+    return addon.read_models.read_models(bpy.context, list(sources), bpy.context.scene.wirewarp)
 
 
 def solver(addon, models):

@@ -130,9 +130,9 @@ def test_a_wire_all_on_a_seam_stays_rigid(addon, source):
 
 
 def test_what_is_no_wire_is_not_changed_or_selected(source):
-    with pytest.raises(RuntimeError, match='Edge 0 of "Bump" belongs to no wire'):
+    with pytest.raises(RuntimeError, match='Edge 0 of "Bump" is no part of a wire: choose one'):
         bpy.ops.mesh.wirewarp_change_wire(edge=0)
-    with pytest.raises(RuntimeError, match='Edge 0 of "Bump" belongs to no wire'):
+    with pytest.raises(RuntimeError, match='Edge 0 of "Bump" is no part of a wire: choose one'):
         bpy.ops.mesh.wirewarp_select_wire(edge=0)
     select_edges(source, on_line(1, 0.5))
     with pytest.raises(RuntimeError, match="No selected edge is a wire"):

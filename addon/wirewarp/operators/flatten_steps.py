@@ -40,7 +40,7 @@ class FlattenSteps(FlattenSettings):
     def begin_run(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
         """Reads now and solves in a thread, while modal() waits for it."""
         with in_object_mode(context):
-            self._models = read_models(context, sources, self.use_modifiers)
+            self._models = read_models(context, sources, self)
         self._scene, self._view_layer = _place(context)
         what = sources[0].name if len(sources) == 1 else f"{len(sources)} objects"
         self._run = window_run.begin(context, what, self._solver(context, self._models))
@@ -65,7 +65,7 @@ class FlattenSteps(FlattenSettings):
     def flatten_now(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
         """All at once; Blender waits."""
         with in_object_mode(context):
-            models = read_models(context, sources, self.use_modifiers)
+            models = read_models(context, sources, self)
             outcomes = self._solve_waiting(context, models)
             self._write(context, outcomes)
         return self._tell(context, outcomes)
@@ -106,7 +106,7 @@ class FlattenSteps(FlattenSettings):
             return self.give_up(context, "elsewhere", sentence, "ERROR")
         try:
             with in_object_mode(context):
-                check_current(context, self._models, self.use_modifiers)
+                check_current(context, self._models, self)
                 self._write(context, outcomes)
         except ObjectError as error:
             return self.give_up(context, error.issue.code, str(error), "ERROR")

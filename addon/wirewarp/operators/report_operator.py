@@ -33,7 +33,7 @@ class ReportOperator:
         report = self.report_of(source)
         try:
             if report is None:
-                raise object_error("not_flattened", f'"{source.name}" has not been flattened yet.')
+                raise object_error("not_flattened", f'"{source.name}" has not been flattened yet: press Flatten first.')
             return self.act(context, source, report)
         except ObjectError as error:
             self.report({"ERROR"}, str(error))

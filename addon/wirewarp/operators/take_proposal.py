@@ -48,7 +48,9 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
         issues = report["issues"]
         proposed = issues[self.issue][key] if self.issue < len(issues) else None
         if not proposed:
-            raise object_error("not_in_report", f'The report of "{source.name}" proposes no such thing.')
+            proposal = "seam" if self.what == "SEAMS" else "tolerance"
+            sentence = f'The report of "{source.name}" proposes no {proposal} here: flatten again to see what it proposes.'
+            raise object_error("not_in_report", sentence)
         check_not_edited(source)
         check_indices(source, report)
         if has_moved(source, report):

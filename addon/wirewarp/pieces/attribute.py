@@ -7,16 +7,14 @@ It stays with the faces when they are subdivided, duplicated or joined, so that 
 import bpy
 import numpy as np
 
-from ..attribute_names import check_attribute, check_free
+from ..attribute_names import check_attribute, check_room
 
 PIECE = "wirewarp_piece"
 
 
 def check_piece_room(target: bpy.types.Object) -> None:
     """Raises ObjectError where the ids cannot be written to the object's mesh."""
-    check_attribute(target.data, PIECE, "INT", "FACE")
-    if PIECE not in target.data.attributes:
-        check_free(target, PIECE, "what tells pieces apart")
+    check_room(target, PIECE, "INT", "FACE", "what tells pieces apart")
 
 
 def read_piece_ids(mesh: bpy.types.Mesh) -> np.ndarray:
