@@ -65,7 +65,7 @@ def seconds_of_steps(sheet: bpy.types.Object) -> dict[str, float]:
     """What the operator does, step by step."""
     context, settings = bpy.context, bpy.context.scene.wirewarp
     marks = [time.perf_counter()]
-    models = read_models(context, [sheet], context.scene.wirewarp)
+    models = read_models(context, [sheet], settings)
     marks.append(time.perf_counter())
     outcomes = solve_models(core.library(), models, choices_of(settings), 1.0, lambda _stage, _fraction: True)
     marks.append(time.perf_counter())

@@ -12,7 +12,8 @@ from .wire_chains import WireChain
 @dataclass(frozen=True)
 class NamedWire:
     name: str
-    chain: WireChain
+    chain: WireChain  # with an id that no other wire has
+    marked_id: int  # the id that its edges carry: a wire that was copied shares it with its copies
 
 
 @dataclass(frozen=True)

@@ -134,6 +134,6 @@ def _name_wires(named: bpy.types.Mesh, chains: list[WireChain]) -> list[NamedWir
     """Each with a name and an id of its own."""
     ids = [chain.wire_id for chain in chains]
     return [
-        NamedWire(name, replace(chain, wire_id=own))
+        NamedWire(name, replace(chain, wire_id=own), chain.wire_id)
         for name, own, chain in zip(chain_names(named, ids), own_ids(ids), chains, strict=True)
     ]

@@ -29,12 +29,16 @@ def is_deleted(model: bpy.types.Object) -> bool:
 def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
     """The object that remembers `source`: the one with our name first, should the user have copied it."""
     ours = [candidate for candidate in bpy.data.objects if model_of(candidate) == source]
-    named = [candidate for candidate in ours if candidate.name == flat_name(source)]
+    named = [candidate for candidate in ours if candidate.name == flat_name(source.name)]
     return next(iter(named + ours), None)
 
 
-def flat_name(source: bpy.types.Object) -> str:
-    return name_with(source.name, " Flat")
+def flat_name(model_name: str) -> str:
+    return name_with(model_name, " Flat")
+
+
+def helper_name(owner_name: str) -> str:
+    return name_with(owner_name, " Helper Wires")
 
 
 def has_flat_object(source: bpy.types.Object) -> bool:

@@ -13,6 +13,7 @@ from .model_state import has_changed, model_state
 from .owners import find_flat_object
 from .pieces.records import known_pieces
 from .properties import FlattenSettings
+from .report_store import flattened_name
 from .solve_models import Model
 from .solved_pieces import solved_pieces
 from .targets import check_target
@@ -79,7 +80,8 @@ def _read(
         # Results with modifiers are not written to the model, and of objects that share a mesh the last one's are on
         # it: only the flat pieces know this object's last ids.
         asks_flat_pieces = use_modifiers or source.data.users > 1
-        known = known_pieces(source, arrays, find_flat_object(source) if asks_flat_pieces else None)
+        flat = find_flat_object(source) if asks_flat_pieces else None
+        known = known_pieces(source, arrays, flat, flattened_name(source))
         state = model_state(source, None if use_modifiers else arrays)
         solved = solved_pieces(source)
     except ObjectError as error:

@@ -44,7 +44,8 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: floa
     seams = [seam["edges"] for seam in report["seams"]]
     pieces = read_flat_pieces(flat.data, millimeters)
     wire_ids = np.unique(pieces.wire_ids[pieces.wire_ids != 0]).tolist()
-    return make_pattern(source.name, pieces, labels, names_of(source.data, wire_ids), seams, spacing)
+    names = names_of(source.data, wire_ids) | {wire["wire_id"]: wire["name"] for wire in report["wires"]}
+    return make_pattern(source.name, pieces, labels, names, seams, spacing)
 
 
 def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:

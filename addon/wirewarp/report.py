@@ -21,7 +21,7 @@ from .pieces.identity import PieceIdentity
 from .strain import PieceStrain, piece_strain, triangles_around
 from .words import quoted
 
-SCHEMA = "wirewarp-report-3"
+SCHEMA = "wirewarp-report-4"
 # Chains add up the rounding of their edges; the library itself checks every edge to 1e-9.
 LENGTH_LIMIT = 1e-8
 AT_LIMIT = 1e-6  # an elastic wire this close to its tolerance would go further if it could
@@ -56,6 +56,7 @@ def object_report(
             "at_limit": wire.wire_index in at_limit,
             "vertices": arrays.wires[wire.wire_index].chain.vertices,
             "wire_id": arrays.wires[wire.wire_index].chain.wire_id,
+            "marked_id": arrays.wires[wire.wire_index].marked_id,
         }
         for wire in result.wires
     ]

@@ -53,13 +53,18 @@ def pieces_report(source: bpy.types.Object) -> dict | None:
     return with_names(source, _read(source, REPORT))
 
 
+def flattened_name(source: bpy.types.Object) -> str:
+    """What the model was called when its flat pieces were made; its present name where there are none."""
+    return (_read(source, REPORT) or {}).get("object", source.name)
+
+
 def with_names(source: bpy.types.Object, report: dict | None) -> dict | None:
     """The report itself, its pieces and wires called as in the lists of the model."""
     if report and report["pieces"]:
         names = piece_names(source)
         for piece in report["pieces"]:
             piece["name"] = names.get(piece["piece_id"], piece["name"])
-        rename_wires(report, present_names(source.data, {wire["wire_id"]: wire["name"] for wire in report["wires"]}))
+        rename_wires(report, present_names(source.data, report["wires"]))
     return report
 
 

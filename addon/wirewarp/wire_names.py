@@ -40,14 +40,18 @@ def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
     return list(taken)
 
 
-def present_names(mesh: bpy.types.Mesh, earlier: Mapping[int, str]) -> dict[int, str]:
-    """What the wires, whose earlier names are given by id, are called now; none as another."""
+def present_names(mesh: bpy.types.Mesh, wires: Iterable[dict]) -> dict[int, str]:
+    """What the wires of a report are called now, by their own ids; none as another, copies as what they are copied of.
+
+    mesh: of the model.
+    """
     listed = {entry.wire_id: entry.name for entry in mesh.wirewarp_names}
     names: dict[int, str] = {}
     taken: set[str] = set()
-    for wire_id, name in earlier.items():
-        names[wire_id] = _numbered(listed.get(wire_id, name), taken)
-        taken.add(names[wire_id])
+    for wire in wires:
+        name = listed.get(wire["wire_id"]) or listed.get(wire["marked_id"]) or wire["name"]
+        names[wire["wire_id"]] = _numbered(name, taken)
+        taken.add(names[wire["wire_id"]])
     return names
 
 

@@ -43,7 +43,8 @@ def write_flat_object(
     """
     target = find_flat_object(source)
     if target is None:
-        target = bpy.data.objects.new(flat_name(source), bpy.data.meshes.new(flat_name(source)))
+        name = flat_name(source.name)
+        target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
         target.wirewarp_source = source
         target.location = free_place(scene, source, flat.vertices.max(axis=0, initial=0.0))
     elif _is_shared(target):

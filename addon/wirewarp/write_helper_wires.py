@@ -11,8 +11,7 @@ from .foreach import read, read_attribute
 from .helper_lines import HelperLines
 from .mesh_to_arrays import linear_part
 from .mesh_topology import edge_vertices
-from .object_names import name_with
-from .owners import find_helper_wires
+from .owners import find_helper_wires, helper_name
 from .remove_object import remove_object
 from .write_uv import UvFrame
 
@@ -71,7 +70,7 @@ def _in_space(points: np.ndarray) -> np.ndarray:
 
 
 def _new_object(collection: bpy.types.Collection, owner: bpy.types.Object) -> bpy.types.Object:
-    name = name_with(owner.name, " Helper Wires")
+    name = helper_name(owner.name)
     target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
     target.wirewarp_helpers_of = target.parent = owner
     target.hide_viewport = target.hide_select = target.hide_render = True  # the overlay draws them

@@ -5,6 +5,7 @@ import bpy
 import numpy as np
 
 from .flat_mesh import FlatMesh
+from .follow_name import follow_name
 from .helper_lines import helper_lines
 from .local_views import show_where_shown
 from .mesh_topology import edge_vertices
@@ -52,6 +53,7 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         outcome.identities = with_new_names(source, outcome.model.known, outcome.identities)
         write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
         with_names(source, outcome.report)
+        follow_name(source, outcome.model.known.model_name)
         pieces, motions, up = _place(source, outcome, settings.keep_places)
         flat, flat_arrays = write_flat_object(context.scene, source, pieces, arrays)
         remember_layout(flat, outcome.report["options"], up)

@@ -72,7 +72,7 @@ def edited(**entries):
         lambda _: "",
         lambda _: "{}",
         lambda _: "[" * 100_000,
-        lambda _: '{"schema": "wirewarp-report-3"}',
+        lambda _: '{"schema": "wirewarp-report-4"}',
         lambda _: "\udcff",  # a byte that is no character
         lambda _: 7,
         lambda _: [1, 2],

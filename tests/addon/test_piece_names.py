@@ -8,7 +8,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, grid, make_object, mark_seam, on_line, read, select_edges, select_only
+from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_edges, select_only
 
 TURN = [2 * math.pi * k / 8 for k in range(8)]
 TUBE_FACES = [[k, (k + 1) % 8, (k + 1) % 8 + 8, k + 8] for k in range(8)]
@@ -125,6 +125,28 @@ def test_a_name_given_to_the_only_piece_stays_when_it_is_cut(addon):
     source.wirewarp_pieces[0].name = "Arm"
     mark_seam(source, on_line(0, 0.5))
     assert "Arm" in flatten(source)
+
+
+def test_results_follow_the_name_of_the_model_and_names_given_by_the_user_stay():
+    source = grid("Sleeve", bump)
+    mark(source, lambda a, b: on_line(1, 0.0)(a, b) and max(a[0], b[0]) < 0.6)  # which gets a helper wire
+    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
+    source.name = "Cuff"
+    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
+    assert names_of(source) == ["Cuff"]
+    names = {each.name for each in bpy.data.objects}
+    assert names == {"Cuff", "Cuff Flat", "Cuff Flat Cuff", "Cuff Helper Wires", "Cuff Flat Helper Wires"}
+    bpy.data.objects["Cuff Flat"].name = "Paper"
+    source.wirewarp_pieces[0].name = "Arm"
+    source.name = "Band"
+    assert flatten(source) == ["Arm"]
+    assert {"Paper", "Band Helper Wires"} <= {each.name for each in bpy.data.objects}
+    mark_seam(source, on_line(0, 0.0))
+    flatten(source)
+    source.wirewarp_pieces[0].name = "Band"
+    assert "Band" in flatten(source)
+    source.name = "Shirt"
+    assert "Band" in flatten(source)
 
 
 def test_a_ring_around_the_middle_of_the_model_is_around(addon):

@@ -49,12 +49,18 @@ def with_helpers(lines: Lines, ends: np.ndarray | None) -> Lines:
 
 def lines_of(target: bpy.types.Object, marks: LineMarks) -> Lines:
     """The marked edges of this object, wherever they are drawn."""
-    runs = wire_runs(marks.vertices, marks.ends, marks.wire_ids, marks.tolerances)
-    names = wire_line_names(marks, runs, chain_names(model_or_self(target).data, [run.wire_id for run in runs]))
-    report = current_report(target)
+    runs, report = wire_runs(marks.vertices, marks.ends, marks.wire_ids, marks.tolerances), current_report(target)
+    names = wire_line_names(marks, runs, _wire_names(target, [run.wire_id for run in runs], report))
     if report:
         names += seam_line_names(marks, _seam_of_edge(report))
     return Lines(lines_by_kind(marks), dashes_by_kind(marks, runs), names)
+
+
+def _wire_names(target: bpy.types.Object, wire_ids: list[int], report: dict | None) -> list[str]:
+    """On flat pieces as in the report, for there copies of wires have ids of their own."""
+    names = chain_names(model_or_self(target).data, wire_ids)
+    given = {wire["wire_id"]: wire["name"] for wire in report["wires"]} if report and model_of(target) else {}
+    return [given.get(wire_id, name) for wire_id, name in zip(wire_ids, names, strict=True)]
 
 
 def current_report(target: bpy.types.Object) -> dict | None:

@@ -23,7 +23,8 @@ class KnownPieces:
     """What is known before a run."""
 
     ids: np.ndarray  # (f,) int32, one per face of the model; 0 on faces that were in no piece yet
-    names: Mapping[int, str]
+    names: Mapping[int, str]  # of the pieces of the last run, by id
+    model_name: str  # what the model was called then
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,7 @@ def identify_pieces(
     known: KnownPieces,
     model_name: str,
 ) -> list[PieceIdentity]:
-    """Of each piece of a FlattenResult, in their order. A piece that is the whole model is called like it."""
+    """Of each piece of a FlattenResult, in their order. A piece that is the whole model is called as that is now."""
     count = len(result.pieces)
     piece_of_triangle = np.zeros(len(arrays.triangles), dtype=np.int64)
     for index, piece in enumerate(result.pieces):
@@ -56,8 +57,8 @@ def identify_pieces(
     shape = _measure(piece_of_triangle, count, arrays)
     ids = _assign_ids(piece_of_triangle, known.ids.astype(np.int64)[arrays.triangle_polygons], shape)
     old = [known.names.get(piece_id, "") for piece_id in ids]
-    if count > 1:  # what was the whole model may be a part now
-        old = ["" if name == model_name else name for name in old]
+    if list(known.names.values()) == [known.model_name]:
+        old = [""] * count  # what was the whole model may be a part now, and the model may have another name
     names = _first_of_each(old)
     new = [index for index in range(count) if not names[index]]
     regions = region_names(_by_face(piece_of_triangle, arrays), count, arrays.regions)

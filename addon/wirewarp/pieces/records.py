@@ -21,10 +21,15 @@ def piece_names(source: bpy.types.Object) -> dict[int, str]:
     return {entry.piece_id: entry.name for entry in source.wirewarp_pieces}
 
 
-def known_pieces(source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Object | None) -> KnownPieces:
-    """By the ids on the model or, if given, on its flat pieces, which have those of the last run in any case."""
+def known_pieces(
+    source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Object | None, model_name: str
+) -> KnownPieces:
+    """By the ids on the model or, if given, on its flat pieces, which have those of the last run in any case.
+
+    model_name: what the model was called in that run.
+    """
     ids = _ids_of_flat_pieces(flat.data, len(arrays.piece_ids)) if flat else arrays.piece_ids
-    return KnownPieces(ids if ids.any() else arrays.piece_ids, piece_names(source))
+    return KnownPieces(ids if ids.any() else arrays.piece_ids, piece_names(source), model_name)
 
 
 def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
