@@ -37,7 +37,7 @@ class Region:
 
 
 def strain_hints(pieces: Sequence[Any], strains: Sequence[PieceStrain | None], arrays: MeshArrays) -> list[Hint]:
-    """Where the cloth is strained most, largest amount first. strains: None for a piece that failed."""
+    """Where the cloth is strained most, the worst first. strains: None for a piece that failed."""
     regions = [
         region
         for index, (piece, strain) in enumerate(zip(pieces, strains, strict=True))
@@ -45,13 +45,13 @@ def strain_hints(pieces: Sequence[Any], strains: Sequence[PieceStrain | None], a
         for region in _regions(index, piece, strain, arrays)
     ]
     places: dict[tuple[int, str], list[Region]] = {}  # one line for all that read alike
-    for region in _worth_words(regions):
+    for region in sorted(_worth_words(regions), key=lambda region: -region.worst):
         places.setdefault((region.piece, strain_figures(region.stretch, region.ease)), []).append(region)
     return [_strain_hint(piece, figures, alike, arrays) for (piece, figures), alike in places.items()]
 
 
 def _worth_words(regions: list[Region]) -> list[Region]:
-    """Largest amount first; of each piece among them also where its own figure in the report is from."""
+    """Those with the largest amount; of each piece among them also where its own figure in the report is from."""
     ranked = sorted(regions, key=lambda region: -region.amount)
     chosen = [region for region in ranked[:MOST_REGIONS] if region.amount >= LEAST_AMOUNT * ranked[0].amount]
     worst = {region.piece: region for region in sorted(ranked, key=lambda region: region.worst)}
@@ -71,9 +71,9 @@ def _strain_hint(piece: int, figures: str, alike: list[Region], arrays: MeshArra
 
 
 def wire_hints(wires: list[dict]) -> list[Hint]:
-    """Elastic wires of a report that would go further if they could; the largest change first."""
+    """Elastic wires of a report that would go further if they could; the largest change, in percent, first."""
     at_limit = [wire for wire in wires if wire["at_limit"]]
-    at_limit.sort(key=lambda wire: -abs(wire["difference"][0] or 0))
+    at_limit.sort(key=lambda wire: -abs(wire["percent"][0] or 0))
     return [
         Hint(
             "wire_at_limit",

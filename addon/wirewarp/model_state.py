@@ -76,14 +76,19 @@ def _modified_state(source: bpy.types.Object) -> dict:
     try:
         (points, *faces), marks = _gather(evaluated.to_mesh())
         sums, rounding = place_sums(points, source.matrix_world.translation.length)
-        return {"faces": _digest(faces + marks), "sums": sums, "rounding": rounding}
+        matrix = [value for row in source.matrix_world for value in row]
+        own = {"faces": _digest(faces + marks), "points": _digest([points]), "matrix": matrix}
+        return own | {"sums": sums, "rounding": rounding}
     finally:
         evaluated.to_mesh_clear()
 
 
 def _is_same(then: dict, now: dict) -> bool:
+    """To the last digit, unless the object was moved: see place_sums."""
     if then["faces"] != now["faces"]:
         return False
+    if then["points"] == now["points"] or then["matrix"] == now["matrix"]:
+        return then["points"] == now["points"]
     return are_same_places((then["sums"], then["rounding"]), (now["sums"], now["rounding"]))
 
 

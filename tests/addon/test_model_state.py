@@ -179,6 +179,21 @@ def test_a_model_and_what_its_modifiers_refer_to_may_move_together(addon, smooth
     assert addon.model_state.has_changed(smooth, report)
 
 
+def test_the_least_move_of_one_vertex_by_a_modifier_is_a_change(addon):
+    """Of one among so many that rounding in all of them would add up to more."""
+    target, hook = grid("Bump", bump, size=60), bpy.data.objects.new("Hook", None)
+    bpy.context.scene.collection.objects.link(hook)
+    modifier = target.modifiers.new("Hook", "HOOK")
+    modifier.object = hook
+    modifier.vertex_indices_set([1800])
+    flatten(target, use_modifiers=True)
+    report = addon.report_store.last_report(target)
+    assert not addon.model_state.has_changed(target, report)
+    hook.location.z = 1e-5
+    bpy.context.view_layer.update()
+    assert addon.model_state.has_changed(target, report)
+
+
 @pytest.mark.parametrize("count", [1, 100, 100_000])
 def test_one_vertex_that_moves_is_seen_and_rounding_is_not(addon, count):
     random = np.random.default_rng(count)
