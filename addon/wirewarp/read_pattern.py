@@ -14,7 +14,7 @@ from .mesh_cache import read_anew
 from .model_state import has_changed, shows_modified
 from .owners import find_flat_object, has_flat_object
 from .pattern.make_pattern import PieceLabel, make_pattern
-from .pattern.pattern import Pattern
+from .pattern.pattern import IMPERIAL, METRIC, Pattern
 from .read_flat_pieces import read_flat_pieces
 from .report_store import pieces_report
 from .targets import check_not_edited
@@ -45,7 +45,8 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: floa
     pieces = read_flat_pieces(flat.data, millimeters)
     wire_ids = np.unique(pieces.wire_ids[pieces.wire_ids != 0]).tolist()
     names = names_of(source.data, wire_ids) | {wire["wire_id"]: wire["name"] for wire in report["wires"]}
-    return make_pattern(source.name, pieces, labels, names, seams, spacing)
+    ruler = IMPERIAL if scene.unit_settings.system == "IMPERIAL" else METRIC
+    return make_pattern(source.name, pieces, labels, names, seams, spacing, ruler)
 
 
 def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:

@@ -8,7 +8,7 @@ from bpy_extras.io_utils import ExportHelper
 from ..given_file import OPTIONS, given_file
 from ..issues import ObjectError, object_error
 from ..owners import earlier_sentence, is_earlier, model_or_self
-from ..pattern.pattern import Pattern
+from ..pattern.pattern import IMPERIAL, INCH, Pattern
 from ..pattern.svg import page_size, write_svg
 from ..read_pattern import read_pattern
 from ..replace_file import file_name, unwritten
@@ -29,8 +29,8 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
     filter_glob: StringProperty(description="The files shown", default="*.svg", options={"HIDDEN"})
     notch_spacing: FloatProperty(
         name="Notches Every",
-        description="Distance in millimeters of notches along seams, from the same end on both sides. Ends of wires "
-        "always get one. At least 1 mm; 0: no others",
+        description="Distance in millimeters (25.4 to the inch) of notches along seams, from the same end on both "
+        "sides. Ends of wires always get one. At least 1 mm; 0: no others",
         min=0.0,
         soft_max=500.0,
         default=100.0,
@@ -66,6 +66,8 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
         for sentence in self._sizes:
             draw_sentence(context, self.layout, sentence)
         self.layout.prop(self, "notch_spacing", text="Notches Every (mm)")
+        if context.scene.unit_settings.system == "IMPERIAL":
+            self.layout.label(text=f"That is {self.notch_spacing / INCH:.2f} in")
         self.layout.prop(self, "failed_pieces")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -96,9 +98,14 @@ def _source(context: bpy.types.Context) -> bpy.types.Object:
 
 def _size_sentences(pattern: Pattern) -> list[str]:
     width, height = page_size(pattern)
-    wide, high = pattern.largest.size
     count = counted(len(pattern.pieces), "piece")
     return [
-        f"{count} on {width:.0f} × {height:.0f} mm.",
-        f"The largest, {pattern.largest.name}: {wide:.0f} × {high:.0f} mm.",
+        f"{count} on {_size_text(pattern, width, height)}.",
+        f"The largest, {pattern.largest.name}: {_size_text(pattern, *pattern.largest.size)}.",
     ]
+
+
+def _size_text(pattern: Pattern, width: float, height: float) -> str:
+    """Of millimeters, in inches too for those who measure in them."""
+    inches = f" ({width / INCH:.1f} × {height / INCH:.1f} in)" if pattern.ruler == IMPERIAL else ""
+    return f"{width:.0f} × {height:.0f} mm{inches}"

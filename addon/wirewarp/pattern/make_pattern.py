@@ -11,7 +11,7 @@ from .inner_wires import inner_wires
 from .line_names import seam_names, wire_name
 from .notches import place_notches
 from .outlines import outline_loops, outline_of
-from .pattern import Pattern, PatternPiece, PatternWire
+from .pattern import Pattern, PatternPiece, PatternWire, Ruler
 from .room import Room
 from .seam_sides import seam_sides
 from .texts import piece_texts
@@ -32,6 +32,7 @@ def make_pattern(
     wire_names: Mapping[int, str],
     seams: list[list],
     spacing: float,
+    ruler: Ruler,
 ) -> Pattern:
     """flat: in millimeters; labels by piece: the pieces wanted; wire_names by id; seams: of each the edges, as vertex
     pairs of the model; spacing: of notches along seams, 0 for none.
@@ -58,7 +59,7 @@ def make_pattern(
         own = wires.get(index, [])
         names = at_seams.get(index, []) + [name for wire in own if (name := wire_name(wire, rooms[index]))]
         pieces.append(PatternPiece(label.name, outlines[index], own, notches.get(index, []), texts[index], names))
-    return Pattern(title, pieces)
+    return Pattern(title, pieces, ruler)
 
 
 def _kind(chain: WireChain) -> str:

@@ -53,9 +53,22 @@ class PatternPiece:
 
 
 @dataclass(frozen=True)
+class Ruler:
+    """The square to measure after printing."""
+
+    side: float
+    text: str
+
+
+INCH = 25.4
+METRIC, IMPERIAL = Ruler(100.0, "100 mm"), Ruler(4 * INCH, "4 in")
+
+
+@dataclass(frozen=True)
 class Pattern:
     title: str
     pieces: list[PatternPiece]
+    ruler: Ruler
 
     @property
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:

@@ -13,11 +13,10 @@ import numpy as np
 
 from ..replace_file import replaced_file
 from .interior import LINE
-from .pattern import Pattern, PatternPiece, PieceText
+from .pattern import Pattern, PatternPiece, PieceText, Ruler
 
 SVG, INKSCAPE = "http://www.w3.org/2000/svg", "http://www.inkscape.org/namespaces/inkscape"
 MARGIN = 10.0  # around everything
-SQUARE = 100.0  # side of the square to measure after printing
 DECIMALS = 4  # of a millimeter
 # As attributes of every line: many cutters' programs read neither style sheets nor what a group hands down.
 LINE_LOOK = {"fill": "none", "stroke-width": "0.3", "stroke-linejoin": "round"}
@@ -54,12 +53,13 @@ def _page(pattern: Pattern) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """
     low, high = pattern.bounds
     width, height = high - low
-    beside = np.array([width + MARGIN + SQUARE, max(height, SQUARE)])
-    below = np.array([max(width, SQUARE), height + MARGIN + SQUARE])
+    side = pattern.ruler.side
+    beside = np.array([width + MARGIN + side, max(height, side)])
+    below = np.array([max(width, side), height + MARGIN + side])
     border = np.array([MARGIN, MARGIN])
     if np.prod(beside) <= np.prod(below):
         return beside + 2 * MARGIN, border - low, border + (width + MARGIN, 0)
-    return below + 2 * MARGIN, border + (0, SQUARE + MARGIN) - low, border
+    return below + 2 * MARGIN, border + (0, side + MARGIN) - low, border
 
 
 def _document(pattern: Pattern) -> ElementTree.Element:
@@ -72,7 +72,7 @@ def _document(pattern: Pattern) -> ElementTree.Element:
     drawing = _Drawing(root, float(size[1]))
     for piece in pattern.pieces:
         drawing.add_piece(piece, offset)
-    drawing.add_square(square)
+    drawing.add_square(pattern.ruler, square)
     for element in root.iter():  # names may hold what XML cannot
         element.text = element.text and NO_CHARACTER.sub("\ufffd", element.text)
         for key, value in element.items():
@@ -107,12 +107,12 @@ class _Drawing:
         for name in piece.line_names:
             self._add_text(names, name, name.center + offset)
 
-    def add_square(self, corner: np.ndarray) -> None:
+    def add_square(self, ruler: Ruler, corner: np.ndarray) -> None:
         layer = self._add_layer(self._root, "", "Scale")
-        corners = corner + SQUARE * np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+        corners = corner + ruler.side * np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
         self._add_path(layer, "cut", corners, closed=True)
-        center = corner + SQUARE / 2
-        self._add_text(layer, PieceText((f"{SQUARE:g} mm", "Measure before cutting"), center, 5.0, 0.0), center)
+        center = corner + ruler.side / 2
+        self._add_text(layer, PieceText((ruler.text, "Measure before cutting"), center, 5.0, 0.0), center)
 
     def _add_path(self, layer: ElementTree.Element, kind: str, points: np.ndarray, closed: bool) -> ElementTree.Element:
         down = points * (1, -1) + (0, self._height)
