@@ -5,6 +5,7 @@ import bpy
 
 from . import (
     auto_update,
+    drop_helpers,
     keep_names,
     mesh_cache,
     operators,
@@ -33,6 +34,7 @@ def unregister_classes() -> None:
 def register_ui() -> None:
     report_store.attach()
     keep_names.attach()
+    drop_helpers.attach()
     mesh_cache.attach()
     overlay.attach()
     ui.tick.attach()
@@ -52,5 +54,6 @@ def unregister_ui() -> None:
     ui.tick.detach()
     overlay.detach()
     mesh_cache.detach()
+    drop_helpers.detach()
     keep_names.detach()
     report_store.detach()

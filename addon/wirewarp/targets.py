@@ -16,7 +16,10 @@ from .wire_attributes import check_attributes
 from .write_maps import check_map_room
 from .write_uv import check_uv_room
 
-DELETED = 'Their model "{}" was deleted: bring it back with Ctrl+Z, or select another one.'
+DELETED = (
+    'Their model "{}" was deleted: bring it back with Ctrl+Z, or select another one. It stays in the file until its '
+    "pieces are deleted too."
+)
 WORKING_MODES = {"OBJECT", "EDIT_MESH"}  # in which models are read and results written; in_object_mode leads there
 
 

@@ -105,3 +105,16 @@ def test_they_are_listed_through_all_pieces(source, addon):
     rows = addon.ui.report_rows.helper_rows(addon.report_store.last_report(source))
     assert {row.name for row in rows} == {f"Helper {k}: Bump" for k in range(1, len(rows) + 1)}
     assert len(rows) == len(reported(addon, source))
+
+
+def test_they_do_not_keep_deleted_models_and_pieces_in_the_file(source, tmp_path):
+    path, other = str(tmp_path / "deleted.blend"), grid("Other", bump)
+    mark(other, short_line)
+    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
+    select_only(source, flat_of(source))
+    bpy.ops.object.delete()
+    for _ in range(2):  # what has lost its last user is still in the first file, as always in Blender
+        bpy.ops.wm.save_as_mainfile(filepath=path)
+        bpy.ops.wm.open_mainfile(filepath=path)
+    present = {each.name for each in bpy.data.objects if each.type == "MESH"}
+    assert present == {"Other", "Other Flat", "Other Helper Wires", "Other Flat Helper Wires"}
