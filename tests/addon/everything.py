@@ -4,10 +4,12 @@
 from types import SimpleNamespace
 
 import bpy
-from surfaces import select_only
+import numpy as np
+from surfaces import read, select_only
 from view_context import view_context
 
 EDGE = {"edge": 0}
+ATTRIBUTES = ("wirewarp_wire", "wirewarp_tolerance", "wirewarp_piece")
 KINDS = ("SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE", "HINT")
 COMMANDS = [  # what writes comes last
     ("object.wirewarp_copy_report", {}),
@@ -115,6 +117,59 @@ def to_object_mode():
         bpy.ops.object.mode_set(mode="OBJECT")
 
 
+def stored():
+    """What of all meshes, in Object Mode, may only change where something is done: marks, names, reports."""
+    return {each.name: _stored_on(each) for each in bpy.data.objects if each.type == "MESH"}
+
+
+def _stored_on(target):
+    mesh = target.data
+    properties = [target.get(f"wirewarp_{name}") for name in ("report", "report_seal", "failure", "failure_seal")]
+    return (
+        [_values(mesh.attributes[name]) for name in ATTRIBUTES if name in mesh.attributes],
+        read(mesh.edges, "use_seam", bool).tobytes(),
+        [(entry.wire_id, entry.name) for entry in mesh.wirewarp_names],
+        mesh.wirewarp_grain,
+        [(entry.piece_id, entry.name) for entry in target.wirewarp_pieces],
+        [value if isinstance(value, str) else type(value) for value in properties],
+    )
+
+
+def _values(attribute):
+    """As bytes, for some are no numbers."""
+    dtype = {"INT": np.int32, "FLOAT": np.float32}.get(attribute.data_type)
+    values = read(attribute.data, "value", dtype).tobytes() if dtype else b""
+    return attribute.name, attribute.data_type, attribute.domain, values
+
+
+def place():
+    """Where the user is."""
+    context = bpy.context
+    return context.mode, context.active_object, set(context.selected_objects), set(context.objects_in_mode)
+
+
+def call(command, settings):
+    """What is refused or comes to nothing leaves all as it was, and the user where he was.
+
+    A run of Flatten may fail in part; what it leaves of results is not looked at here.
+    """
+    before, where = stored_in_object_mode(), place()
+    said = answer(command, **settings)
+    if said == "{'FINISHED'}" or "flatten" in command:
+        return
+    assert place() == where, f"{command} {settings}: {said}"
+    assert stored_in_object_mode() == before, f"{command} {settings}: {said}"
+
+
+def stored_in_object_mode():
+    if bpy.context.mode != "EDIT_MESH":
+        return stored()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    found = stored()
+    bpy.ops.object.mode_set(mode="EDIT")
+    return found
+
+
 def use_everything(addon, name, mode, folder):
     """With the object of this name active: draws all, and calls all from this mode.
 
@@ -126,7 +181,7 @@ def use_everything(addon, name, mode, folder):
         if target is None or not target.visible_get():
             break
         select_only(target)
-        if mode == "EDIT" and target.type == "MESH":
+        if mode == "EDIT" and target.type == "MESH" and not (target.data.library or target.data.override_library):
             bpy.ops.object.mode_set(mode="EDIT")
             bpy.ops.mesh.select_all(action="SELECT")
         if command is None:
@@ -134,7 +189,7 @@ def use_everything(addon, name, mode, folder):
             draw_overlays(addon)
         else:
             path = {"filepath": str(folder / "pattern.svg")} if "export" in command else {}
-            answer(command, **settings, **path)
+            call(command, settings | path)
     to_object_mode()
     draw_panels(addon)
     draw_overlays(addon)

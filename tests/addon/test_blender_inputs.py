@@ -62,6 +62,22 @@ def test_wires_of_another_file_are_made_local_first(library, addon, kind, comman
     assert (bpy.context.active_object, set(bpy.context.selected_objects)) == (target, {target, other})
 
 
+@pytest.mark.parametrize("kind", ["linked", "override"])
+def test_a_model_and_pieces_of_another_file_answer(library, everything_answers, kind):
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)  # without the fixture's own model
+
+    def spoil():
+        for name in ("Bump", "Bump Flat"):
+            if name not in bpy.context.scene.objects:
+                target = link(library, "objects", name)
+                bpy.context.scene.collection.objects.link(target)
+                if kind == "override":
+                    target = target.override_create(remap_local_usages=True)
+                    target.data.override_create(remap_local_usages=True)
+
+    everything_answers(spoil)
+
+
 def test_flat_pieces_beside_those_of_another_file(library):
     """Of the same names, in a collection of the same name, which cannot be written."""
     bpy.context.scene.collection.children.link(link(library, "collections", "WireWarp"))
