@@ -29,7 +29,7 @@ def load(addon_version: str) -> None:
             found = importlib.import_module(f".{_INSIDE}.wirewarp", __package__)
         else:
             found = importlib.import_module("wirewarp")
-    except ImportError as error:
+    except Exception as error:  # what a damaged library or one for another numpy raises, is not ours to know
         _problem = loading_problem(error, inside / "wirewarp" if inside.is_dir() else folder_of("wirewarp"))
         return
     library_version = getattr(found, "__version__", "of an unknown version")

@@ -20,7 +20,7 @@ def folder_of(package: str) -> Path | None:
     return Path(spec.submodule_search_locations[0]) if spec and spec.submodule_search_locations else None
 
 
-def loading_problem(error: ImportError, folder: Path | None) -> str:
+def loading_problem(error: Exception, folder: Path | None) -> str:
     """error: what importing the library raised; folder: where its files are, None if there are none."""
     modules = [file for file in sorted(folder.glob("_wirewarp.*")) if file.suffix in _BINARIES] if folder else []
     if not modules:

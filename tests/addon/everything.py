@@ -119,7 +119,7 @@ def to_object_mode():
 
 def stored():
     """What of all meshes, in Object Mode, may only change where something is done: marks, names, reports."""
-    return {each.name: _stored_on(each) for each in bpy.data.objects if each.type == "MESH"}
+    return {each.name_full: _stored_on(each) for each in bpy.data.objects if each.type == "MESH"}
 
 
 def _stored_on(target):

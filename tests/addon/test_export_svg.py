@@ -380,6 +380,12 @@ def test_a_folder_that_is_not_there_is_a_sentence(source, tmp_path):
         bpy.ops.object.wirewarp_export_svg(filepath=str(tmp_path / "none" / "pattern.svg"))
 
 
+def test_the_folder_of_a_file_that_was_never_saved_is_a_sentence(source):
+    bpy.ops.object.wirewarp_flatten()
+    with pytest.raises(RuntimeError, match='"//pattern.svg" cannot be written: "//" is the folder of the Blender file'):
+        bpy.ops.object.wirewarp_export_svg(filepath="//pattern.svg")
+
+
 def test_sizes_told_before_saving(source, addon):
     bpy.ops.object.wirewarp_flatten()
     pattern = addon.read_pattern.read_pattern(bpy.context.scene, source, 100.0, False)

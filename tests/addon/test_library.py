@@ -104,6 +104,11 @@ def test_a_library_of_another_version(addon, library_copy):
     check_sentence(addon, rf"add-on is WireWarp {addon.VERSION} but the library found is 99\.0\.0\. Remove WireWarp")
 
 
+def test_a_library_that_breaks_down(addon, library_copy):
+    (library_copy / "__init__.py").write_text('raise RuntimeError("compiled for another numpy")\n')
+    check_sentence(addon, r"library does not load \(compiled for another numpy\): it may be damaged\. Remove WireWarp")
+
+
 def test_another_package_of_the_same_name(addon, library_copy):
     (library_copy / "__init__.py").write_text("")
     check_sentence(addon, "the library found is of an unknown version. Remove WireWarp")
