@@ -75,7 +75,7 @@ def test_what_cannot_be_shown_leaves_the_user_where_he_was(source, addon):
 
 
 def test_what_is_not_there_is_said(source):
-    select_fails('report of "Bump" has no line 2 of this kind: choose one', what="SEAM", index=1)
+    select_fails('report of "Bump" has no line 2 of this kind: choose another', what="SEAM", index=1)
     select_fails('report of "Bump" has no line 3 of this kind', what="OUTLINE", index=2)
     bpy.data.objects.remove(flat_of(source))
     select_fails('no flat pieces to this report: flatten "Bump" again', what="PIECE", index=0)

@@ -41,7 +41,7 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
         elements = elements_of(report, self.what, self.index)
         if elements is None:
-            sentence = f'The report of "{source.name}" has no line {self.index + 1} of this kind: choose one of the panel.'
+            sentence = f'The report of "{source.name}" has no line {self.index + 1} of this kind: choose another.'
             raise object_error("not_in_report", sentence)
         # The elements of a mesh with modifiers are to be had on the flat pieces only.
         wants_flat = context.active_object != source or report.get("with_modifiers")

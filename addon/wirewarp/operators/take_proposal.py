@@ -49,7 +49,7 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
         proposed = issues[self.issue][key] if self.issue < len(issues) else None
         if not proposed:
             proposal = "seam" if self.what == "SEAMS" else "tolerance"
-            sentence = f'The report of "{source.name}" proposes no {proposal} here: flatten again to see what it proposes.'
+            sentence = f'The report of "{source.name}" proposes no {proposal} here: flatten again to see what helps.'
             raise object_error("not_in_report", sentence)
         check_not_edited(source)
         check_indices(source, report)
