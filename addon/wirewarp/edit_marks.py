@@ -11,7 +11,7 @@ import numpy as np
 from .issues import Issue, ObjectError
 from .marking import plan_wires
 from .repair_wires import repair_names
-from .wire_attributes import check_attributes, edit_layers, new_wire_id
+from .wire_attributes import WIRE, check_attributes, edit_layers, new_wire_id
 from .words import counted
 
 OUTLINES_ARE_RIGID = "Outlines are rigid, or the two sides of a seam would not match"
@@ -34,10 +34,10 @@ def mark_selected(targets: Sequence[bpy.types.Object], tolerance: float) -> tupl
 
 
 def _mark_object(target: bpy.types.Object, tolerance: float) -> int:
-    edit, wire_layer, tolerance_layer = edit_layers(target.data)
-    selected = [edge for edge in _selected_edges(edit) if tolerance == 0 or not _is_outline(edge)]
-    if not selected:
+    if not _edges_to_mark(bmesh.from_edit_mesh(target.data), tolerance):
         return 0
+    edit, wire_layer, tolerance_layer = edit_layers(target.data)
+    selected = _edges_to_mark(edit, tolerance)
     _repair(target.data, edit, wire_layer)
     edit.verts.index_update()
     edges = np.array([[vertex.index for vertex in edge.verts] for edge in selected])
@@ -53,6 +53,10 @@ def _mark_object(target: bpy.types.Object, tolerance: float) -> int:
     return len(planned)
 
 
+def _edges_to_mark(edit: bmesh.types.BMesh, tolerance: float) -> list[bmesh.types.BMEdge]:
+    return [edge for edge in _selected_edges(edit) if tolerance == 0 or not _is_outline(edge)]
+
+
 def clear_selected(targets: Sequence[bpy.types.Object]) -> int:
     """Selected edges stop being wires. Returns how many did. Raises ObjectError on attributes that are not ours."""
     for target in targets:
@@ -61,6 +65,8 @@ def clear_selected(targets: Sequence[bpy.types.Object]) -> int:
 
 
 def _clear_object(target: bpy.types.Object) -> int:
+    if WIRE not in bmesh.from_edit_mesh(target.data).edges.layers.int:
+        return 0
     edit, wire_layer, tolerance_layer = edit_layers(target.data)
     cleared = [edge for edge in _selected_edges(edit) if edge[wire_layer]]
     for edge in cleared:

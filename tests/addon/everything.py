@@ -148,26 +148,18 @@ def place():
     return context.mode, context.active_object, set(context.selected_objects), set(context.objects_in_mode)
 
 
-def call(command, settings):
-    """What is refused or comes to nothing leaves all as it was, and the user where he was.
+def call(command, settings, before):
+    """What is refused or comes to nothing leaves all as it was stored before, and the user where he was.
 
     A run of Flatten may fail in part; what it leaves of results is not looked at here.
     """
-    before, where = stored_in_object_mode(), place()
+    where = place()
     said = answer(command, **settings)
     if said == "{'FINISHED'}" or "flatten" in command:
         return
     assert place() == where, f"{command} {settings}: {said}"
-    assert stored_in_object_mode() == before, f"{command} {settings}: {said}"
-
-
-def stored_in_object_mode():
-    if bpy.context.mode != "EDIT_MESH":
-        return stored()
-    bpy.ops.object.mode_set(mode="OBJECT")
-    found = stored()
-    bpy.ops.object.mode_set(mode="EDIT")
-    return found
+    to_object_mode()
+    assert stored() == before, f"{command} {settings}: {said}"
 
 
 def use_everything(addon, name, mode, folder):
@@ -181,6 +173,7 @@ def use_everything(addon, name, mode, folder):
         if target is None or not target.visible_get():
             break
         select_only(target)
+        before = stored()
         if mode == "EDIT" and target.type == "MESH" and not (target.data.library or target.data.override_library):
             bpy.ops.object.mode_set(mode="EDIT")
             bpy.ops.mesh.select_all(action="SELECT")
@@ -189,7 +182,7 @@ def use_everything(addon, name, mode, folder):
             draw_overlays(addon)
         else:
             path = {"filepath": str(folder / "pattern.svg")} if "export" in command else {}
-            call(command, settings | path)
+            call(command, settings | path, before)
     to_object_mode()
     draw_panels(addon)
     draw_overlays(addon)

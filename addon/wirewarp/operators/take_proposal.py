@@ -30,14 +30,15 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
     issue: IntProperty(name="Issue", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
 
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
-        if context.mode == "EDIT_MESH" and source.mode != "EDIT":
-            bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
+        edits_others = context.mode == "EDIT_MESH" and source.mode != "EDIT"
         with in_object_mode(context):
             count = self._take(source, report)
-        redraw_views()
         if count == 0:
             self.report({"INFO"}, "Done already: flatten again")
             return {"CANCELLED"}
+        if edits_others:
+            bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
+        redraw_views()
         done = "marked as seam" if self.what == "SEAMS" else "made more elastic"
         self.report({"INFO"}, f"{counted(count, 'edge')} {done}: flatten again")
         return {"FINISHED"}
