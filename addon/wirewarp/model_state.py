@@ -9,8 +9,8 @@ import numpy as np
 
 from .foreach import read
 from .issues import ObjectError
-from .mesh_cache import Take, kept
 from .mesh_arrays import MeshArrays
+from .mesh_cache import Take, kept
 from .mesh_to_arrays import metric
 from .mesh_topology import corner_vertices, face_sizes, read_seams
 from .place_sums import are_same_places, place_sums

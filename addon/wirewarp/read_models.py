@@ -21,9 +21,7 @@ from .unit_text import length_text
 from .words import quoted
 
 
-def read_models(
-    context: bpy.types.Context, sources: list[bpy.types.Object], settings: FlattenSettings
-) -> list[Model]:
+def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], settings: FlattenSettings) -> list[Model]:
     """What cannot be flattened becomes a model with an issue."""
     depsgraph = _updated_depsgraph(context, settings)
     units = length_text(context.scene)

@@ -92,9 +92,7 @@ def _write_to_model(source: bpy.types.Object, outcome: Outcome, flat: bpy.types.
     return uv_frame
 
 
-def _place(
-    source: bpy.types.Object, outcome: Outcome, keep_places: bool
-) -> tuple[FlatMesh, list[Motion], np.ndarray]:
+def _place(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> tuple[FlatMesh, list[Motion], np.ndarray]:
     """The pieces where they lay before, if they are to stay there; how each was moved for it; and what was up (3,)."""
     options, earlier = outcome.report["options"], find_flat_object(source)
     if not keep_places or (earlier and wants_new_layout(options, earlier)):
