@@ -196,21 +196,6 @@ def test_page_square_and_units_are_millimeters(source, tmp_path):
     assert beside.any()
 
 
-def test_who_measures_in_inches_gets_a_square_and_sizes_in_inches(source, tmp_path, capfd):
-    units = bpy.context.scene.unit_settings
-    units.system, units.scale_length = "IMPERIAL", 0.1
-    drawing = export(source, tmp_path, flatten={})
-    (scale,) = [group for group in drawing.root.findall(f"{SVG}g") if group.get(LABEL) == "Scale"]
-    assert steps(points_of(scale.find(f"{SVG}path"))) == pytest.approx([4 * 25.4] * 4)
-    assert next(scale.iter(f"{SVG}tspan")).text == "4 in"
-    width, height = (float(drawing.root.get(side)[:-2]) for side in ("width", "height"))
-    said = f"2 pieces on {width:.0f} × {height:.0f} mm ({width / 25.4:.1f} × {height / 25.4:.1f} in)."
-    assert said in capfd.readouterr().out
-    square = points_of(scale.find(f"{SVG}path"))
-    everything = np.concatenate([*drawing.outlines(), square])
-    assert everything.max(axis=0) == pytest.approx([width - 10, height - 10], abs=ROUNDED)
-
-
 def test_groups_are_named_even_where_names_are_no_ids(source, tmp_path):
     bpy.ops.object.wirewarp_flatten()
     for entry, name in zip(source.wirewarp_pieces, ("1 <Ärmel>", "1 >Ärmel<"), strict=True):
@@ -384,13 +369,3 @@ def test_the_folder_of_a_file_that_was_never_saved_is_a_sentence(source):
     bpy.ops.object.wirewarp_flatten()
     with pytest.raises(RuntimeError, match='"//pattern.svg" cannot be written: "//" is the folder of the Blender file'):
         bpy.ops.object.wirewarp_export_svg(filepath="//pattern.svg")
-
-
-def test_sizes_told_before_saving(source, addon):
-    bpy.ops.object.wirewarp_flatten()
-    pattern = addon.read_pattern.read_pattern(bpy.context.scene, source, 100.0, False)
-    total, largest = addon.operators.export_svg._size_sentences(pattern)
-    assert re.fullmatch(r"2 pieces on \d+ × \d+ mm\.", total)
-    wide, high = map(int, re.fullmatch(r"The largest, Top (?:Left|Right): (\d+) × (\d+) mm\.", largest).groups())
-    assert 200 < max(wide, high) < 260
-    assert 100 < min(wide, high) < 130

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sizes of the pattern as they are told, and the square to measure, in the units that the cutter's ruler has."""
+
+import re
+
+import bpy
+import numpy as np
+import pytest
+from drawing import LABEL, SVG, Drawing, points_of, steps
+from surfaces import bump, grid, mark_seam, on_line
+
+
+@pytest.fixture
+def source():
+    """Two pieces; a Blender unit is 100 mm."""
+    units = bpy.context.scene.unit_settings
+    units.scale_length, units.length_unit = 0.1, "MILLIMETERS"
+    target = grid("Bump", bump)
+    mark_seam(target, on_line(0, 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    return target
+
+
+def test_sizes_told_before_saving(source, addon):
+    pattern = addon.read_pattern.read_pattern(bpy.context.scene, source, 100.0, False)
+    total, largest = addon.operators.export_svg._size_sentences(pattern)
+    assert re.fullmatch(r"2 pieces on \d+ × \d+ mm\.", total)
+    wide, high = map(int, re.fullmatch(r"The largest, Top (?:Left|Right): (\d+) × (\d+) mm\.", largest).groups())
+    assert 200 < max(wide, high) < 260
+    assert 100 < min(wide, high) < 130
+
+
+def test_who_measures_in_inches_gets_a_square_and_sizes_in_inches(source, tmp_path, capfd):
+    units = bpy.context.scene.unit_settings
+    units.system, units.scale_length = "IMPERIAL", 0.1
+    path = tmp_path / "pattern.svg"
+    bpy.ops.object.wirewarp_export_svg(filepath=str(path))
+    drawing = Drawing(path)
+    (scale,) = [group for group in drawing.root.findall(f"{SVG}g") if group.get(LABEL) == "Scale"]
+    assert steps(points_of(scale.find(f"{SVG}path"))) == pytest.approx([4 * 25.4] * 4)
+    assert next(scale.iter(f"{SVG}tspan")).text == "4 in"
+    width, height = (float(drawing.root.get(side)[:-2]) for side in ("width", "height"))
+    said = f"2 pieces on {width:.0f} × {height:.0f} mm ({width / 25.4:.1f} × {height / 25.4:.1f} in)."
+    assert said in capfd.readouterr().out
+    square = points_of(scale.find(f"{SVG}path"))
+    everything = np.concatenate([*drawing.outlines(), square])
+    assert everything.max(axis=0) == pytest.approx([width - 10, height - 10], abs=5e-4)
