@@ -117,15 +117,6 @@ Eq1::Eq1(const WireNetwork& network, NodeWeight node_weight) {
   laplacian_.setFromTriplets(entries.begin(), entries.end());
 }
 
-Eigen::VectorXd Eq1::planar_angles(const Eigen::VectorXd& psi) const {
-  Eigen::VectorXd angles(num_nodes());
-  for (int i = 0; i < num_nodes(); ++i) {
-    const Node& node = nodes_[at(i)];
-    angles[i] = node.base - (psi[node.out] - psi[node.in]);
-  }
-  return angles;
-}
-
 double Eq1::angle_variation(const Eigen::VectorXd& psi) const {
   double sum = 0;
   for (const Node& node : nodes_) {

@@ -31,7 +31,6 @@ class Eq1 {
   Eq1(const WireNetwork& network, NodeWeight node_weight);
 
   int num_edges() const { return static_cast<int>(base_headings_.size()); }
-  int num_nodes() const { return static_cast<int>(nodes_.size()); }
   int num_closures() const { return 2 * static_cast<int>(loops_.size()); }
 
   /// The wire edges of closure rows 2 loop and 2 loop + 1.
@@ -43,9 +42,6 @@ class Eq1 {
 
   /// φ: radians, one per wire edge, of its half-edge 0. #edges.
   Eigen::VectorXd headings(const Eigen::VectorXd& psi) const { return base_headings_ + psi; }
-
-  /// θ: radians, one per node.
-  Eigen::VectorXd planar_angles(const Eigen::VectorXd& psi) const;
 
   /// ½ Σ w (θ − α)².
   double angle_variation(const Eigen::VectorXd& psi) const;

@@ -8,7 +8,6 @@
 #include "pi.h"
 
 namespace wirewarp {
-namespace {}  // namespace
 
 Eigen::VectorXd project_on_angle_sums(const WireNetwork& network, const Eigen::VectorXd& weights) {
   const int num_nodes = static_cast<int>(network.nodes.size());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "disjoint_sets.h"
 #include "index.h"
 
 namespace wirewarp {
@@ -16,19 +17,13 @@ std::vector<std::vector<int>> shortest_spanning_tree(const Chart& chart, const W
   std::iota(by_length.begin(), by_length.end(), 0);
   std::stable_sort(by_length.begin(), by_length.end(),
                    [&](int a, int b) { return network.edges[at(a)].length < network.edges[at(b)].length; });
-  std::vector<int> parent(chart.mesh.n_vertices());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root_of = [&](int v) {
-    while (parent[at(v)] != v) v = parent[at(v)] = parent[at(parent[at(v)])];
-    return v;
-  };
+  DisjointSets joined(chart.mesh.n_vertices());
   std::vector<std::vector<int>> tree(chart.mesh.n_vertices());
   for (const int e : by_length) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(network.edges[at(e)].edge, 0);
     const int from = chart.mesh.from_vertex_handle(h).idx();
     const int to = chart.mesh.to_vertex_handle(h).idx();
-    if (root_of(from) == root_of(to)) continue;
-    parent[at(root_of(from))] = root_of(to);
+    if (!joined.unite(from, to)) continue;
     tree[at(from)].push_back(e);
     tree[at(to)].push_back(e);
   }

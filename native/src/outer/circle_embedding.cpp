@@ -22,18 +22,6 @@ double length_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
   return length;
 }
 
-double area_of(const HalfEdgeMesh& mesh) {
-  double area = 0;
-  for (const FaceHandle face : mesh.faces()) {
-    const HalfedgeHandle h = mesh.halfedge_handle(face), next = mesh.next_halfedge_handle(h);
-    const auto& corner = mesh.point(mesh.to_vertex_handle(h));
-    const auto along = mesh.point(mesh.to_vertex_handle(next)) - corner;
-    const auto back = mesh.point(mesh.from_vertex_handle(h)) - corner;
-    area += (along % back).norm() / 2;
-  }
-  return area;
-}
-
 void put_on_circle(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop, double radius, Positions2& uv) {
   const double radians = 2 * kPi / length_of(mesh, loop);
   double along = 0;
@@ -133,7 +121,7 @@ Positions2 embed_on_circle(const Chart& chart) {
   const HalfEdgeMesh& mesh = chart.mesh;
   const auto num_vertices = static_cast<int>(mesh.n_vertices());
   Positions2 uv(num_vertices, 2);
-  put_on_circle(mesh, chart.boundary_loops.front(), std::sqrt(area_of(mesh) / kPi), uv);
+  put_on_circle(mesh, chart.boundary_loops.front(), std::sqrt(surface_area(mesh) / kPi), uv);
 
   const std::size_t num_holes = chart.boundary_loops.size() - 1;
   Springs springs(mesh, chart.boundary_loops.front(), num_holes, uv);

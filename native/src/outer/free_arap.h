@@ -26,7 +26,8 @@ inline constexpr int kFreeSteps = 30;
 
 /// Takes at most max_iterations steps from the given layout (one row per chart vertex; mirrored if its area is
 /// negative) or, without one, from the embedding on a circle. No step raises E. go_on is asked before each; false: stop
-/// at the layout at hand.
+/// at the layout at hand. Throws std::domain_error where rounding leaves the Laplacian, or the springs of the
+/// embedding, not positive definite.
 FreeFlattening flatten_freely(
     const Chart& chart, int max_iterations, const std::optional<Positions2>& start = {},
     const std::function<bool()>& go_on = [] { return true; });
