@@ -70,7 +70,8 @@ void flatten_by_warping(const Chart& chart, const FlattenInput& input, const Opt
   std::optional<Warp> warp;  // ψ (II-A)
   {
     const StageTimer timer(seconds, "interior");
-    warp.emplace(prepared, network, options.node_weight, options.inner);
+    const auto ask = [&go_on] { begin_stage(go_on, "wires"); };
+    warp.emplace(prepared, network, options.node_weight, options.inner, ask);
     layout.report.factorizations = warp->interior_factorizations();
   }
   const StageTimer timer(seconds, "lengths");

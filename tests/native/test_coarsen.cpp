@@ -81,6 +81,14 @@ TEST(Coarsen, TakesMostVerticesOut) {
   EXPECT_GT(c.coarse.chart.mesh.n_faces(), 50u);
 }
 
+TEST(Coarsen, StopsWhenAskedWithWhatThereIs) {
+  const Coarse c(with_cross(jittered_grid(40, 0.3, dome), 40));
+  int rounds = 0;
+  const CoarseChart once = coarsen(c.chart, c.network, 0.2, [&] { return rounds++ < 1; });
+  EXPECT_LT(once.chart.mesh.n_faces(), c.chart.mesh.n_faces());
+  EXPECT_GT(once.chart.mesh.n_faces(), 2 * c.coarse.chart.mesh.n_faces());
+}
+
 TEST(Coarsen, WireVerticesStayOnTheirWires) {
   const int n = 40;
   const FlattenInput input = with_cross(jittered_grid(n, 0.3, dome), n);

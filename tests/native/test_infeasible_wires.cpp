@@ -165,7 +165,10 @@ TEST(LooseLengths, NobodyPaysWhereLengthsCanBeKept) {
   EXPECT_LT(loose.excess.maxCoeff(), 1e-4);  // the last smoothing
   EXPECT_LT(loose.unevenness.maxCoeff(), 1e-4);
   EXPECT_LT(loose.boundary_strain, 1e-4);
-  EXPECT_TRUE(tighten_lengths(chart, network, 0.1, loose.uv));
+  const Positions2 untouched = loose.uv;
+  EXPECT_FALSE(tighten_lengths(chart, network, 0.1, loose.uv, [] { return false; }));
+  EXPECT_EQ((loose.uv - untouched).norm(), 0);
+  EXPECT_TRUE(tighten_lengths(chart, network, 0.1, loose.uv, [] { return true; }));
   for (const WireEdge& edge : network.edges) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
     const double length =

@@ -3,9 +3,11 @@
 // that fails ends nothing but its chart.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "count_fronts.h"
 #include "index.h"
 #include "mesh/edge_table.h"
 #include "outer/free_arap.h"
@@ -106,6 +108,62 @@ TEST(RefineChart, ASearchThatRanOutSaysSoAndProposesTheSame) {
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_EQ(proposed[i].wire, expected[i].wire);
     EXPECT_EQ(proposed[i].tolerance, expected[i].tolerance);
+  }
+}
+
+/// Counts of what was done between two questions, at most, and after the first no.
+struct Silence {
+  void hear() {
+    const FrontCounts now = count_fronts();
+    factored = std::max(factored, now.factored - last.factored);
+    substituted = std::max(substituted, now.substituted_forward - last.substituted_forward);
+    last = now;
+  }
+  FrontCounts last = count_fronts();
+  long factored = 0, substituted = 0;
+};
+
+/// Of one Newton system.
+long fronts_of(const FlattenInput& input) {
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+  const Positions2 start = flatten_freely(chart, kFreeSteps).uv;
+  const long before = count_fronts().factored;
+  refine_shape(chart, build_held_network(chart), 0.1, start, {1, [] { return true; }});
+  return count_fronts().factored - before;
+}
+
+TEST(RefineChart, CancellingIsHeardAtOnceWhateverIsTried) {
+  for (const double tolerance : {0.0, 1e-4}) {
+    const FlattenInput input = saddle_of_wires(tolerance);
+    const long fronts = fronts_of(input);
+    for (const Method method : {Method::refined, Method::wirewarp_plus_plus}) {
+      Options options;
+      options.method = method;
+      Silence whole;
+      int questions = 0;
+      flatten(input, options, [&](const std::string& stage, double) {
+        whole.hear();
+        questions += stage != "measure";
+        return true;
+      });
+      EXPECT_LE(whole.factored, 3 * fronts) << "the free shape, and before it the embedding on a circle";
+      EXPECT_LE(whole.substituted, (tolerance > 0 ? 60 : 25) * fronts) << "steps to exact lengths, and for each wire";
+      for (int last = 0; last < questions; last += 1 + questions / 20) {
+        int asked = 0;
+        Silence after;
+        const FlattenResult result = flatten(input, options, [&](const std::string&, double) {
+          after = {};
+          return asked++ < last;
+        });
+        after.hear();
+        EXPECT_EQ(asked, last + 1);
+        ASSERT_TRUE(result.pieces.at(0).error);
+        EXPECT_EQ(result.pieces[0].error->code, ErrorCode::cancelled) << last;
+        EXPECT_EQ(after.factored, 0) << last;
+        EXPECT_EQ(after.substituted, 0) << last;
+      }
+    }
   }
 }
 

@@ -119,6 +119,27 @@ TEST(Warp, GradientCostsOneFactorizationHoweverManyWires) {
   }
 }
 
+TEST(Warp, AsksBeforeEachFactorizationAndGoesNoFurther) {
+  struct Stop {};
+  const Charts charts = test::charts_of(test::quarter_sphere(12));
+  const Chart& chart = charts.charts[0];
+  const WireNetwork network = build_wire_network(chart);
+  int questions = 0, answers = std::numeric_limits<int>::max();
+  Warp warp(chart, network, NodeWeight::length, Inner::minimum, [&] {
+    if (++questions > answers) throw Stop();
+  });
+  const Eigen::VectorXd h = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chart.wire_parts.size()));
+  warp.gradient(warp(h));
+  const int whole = questions;
+  EXPECT_GE(whole, warp.inner_factorizations());
+  for (answers = 0; answers < whole; ++answers) {
+    questions = 0;
+    const int before = warp.inner_factorizations();
+    EXPECT_THROW(warp.gradient(warp(h)), Stop);
+    EXPECT_LE(warp.inner_factorizations() - before, answers);
+  }
+}
+
 void set_tolerance(FlattenInput& input, double tolerance) {
   for (Wire& wire : input.wires) wire.tolerance = tolerance;
 }

@@ -12,8 +12,8 @@ namespace {
 
 class Coarsening {
  public:
-  Coarsening(const Chart& chart, const WireNetwork& network, double edge_length)
-      : fine_(chart), fine_network_(network), decimated_(decimate(chart, network, edge_length)) {}
+  Coarsening(const Chart& chart, const WireNetwork& network, double edge_length, const std::function<bool()>& go_on)
+      : fine_(chart), fine_network_(network), decimated_(decimate(chart, network, edge_length, go_on)) {}
 
   CoarseChart run();
 
@@ -126,8 +126,9 @@ CoarseChart Coarsening::run() {
 
 }  // namespace
 
-CoarseChart coarsen(const Chart& chart, const WireNetwork& network, double edge_length) {
-  return Coarsening(chart, network, edge_length).run();
+CoarseChart coarsen(const Chart& chart, const WireNetwork& network, double edge_length,
+                    const std::function<bool()>& go_on) {
+  return Coarsening(chart, network, edge_length, go_on).run();
 }
 
 }  // namespace wirewarp

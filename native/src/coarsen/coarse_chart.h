@@ -2,6 +2,7 @@
 // A chart and its wires with fewer vertices: the same refinement problem, coarser.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "coarsen/decimate.h"
@@ -23,7 +24,9 @@ struct CoarseChart {
   std::vector<CoarseWirePlace> wire_places;  // per fine wire edge
 };
 
-/// network: of all wires but super-elastic ones. edge_length: wanted, scene units.
-CoarseChart coarsen(const Chart& chart, const WireNetwork& network, double edge_length);
+/// network: of all wires but super-elastic ones. edge_length: wanted, scene units. go_on: of decimate().
+CoarseChart coarsen(
+    const Chart& chart, const WireNetwork& network, double edge_length,
+    const std::function<bool()>& go_on = [] { return true; });
 
 }  // namespace wirewarp

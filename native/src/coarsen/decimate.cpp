@@ -33,7 +33,7 @@ struct Fan {
 class Decimation {
  public:
   Decimation(const Chart& chart, const WireNetwork& network, double edge_length);
-  void run();
+  void run(const std::function<bool()>& go_on);
   DecimatedMesh result();
 
  private:
@@ -285,9 +285,9 @@ int Decimation::remove_round() {
   return removed;
 }
 
-void Decimation::run() {
+void Decimation::run(const std::function<bool()>& go_on) {
   auto left = static_cast<double>(mesh_.n_vertices());
-  for (double removed = left; removed > kWorthwhile * left; left -= removed) removed = remove_round();
+  for (double removed = left; removed > kWorthwhile * left && go_on(); left -= removed) removed = remove_round();
 }
 
 DecimatedMesh Decimation::result() {
@@ -323,9 +323,10 @@ DecimatedMesh Decimation::result() {
 
 }  // namespace
 
-DecimatedMesh decimate(const Chart& chart, const WireNetwork& network, double edge_length) {
+DecimatedMesh decimate(const Chart& chart, const WireNetwork& network, double edge_length,
+                       const std::function<bool()>& go_on) {
   Decimation decimation(chart, network, edge_length);
-  decimation.run();
+  decimation.run(go_on);
   return decimation.result();
 }
 

@@ -8,6 +8,7 @@
 // vertex on a wire or boundary goes along it alone; where such lines meet, end or turn sharply it stays.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "charts/chart.h"
@@ -29,7 +30,8 @@ struct DecimatedMesh {
 };
 
 /// network: the lines along which wire vertices stay. edge_length: wanted, scene units; no new edge is longer than
-/// twice that.
-DecimatedMesh decimate(const Chart& chart, const WireNetwork& network, double edge_length);
+/// twice that. go_on is asked before each round over all vertices; false: stop with what there is.
+DecimatedMesh decimate(const Chart& chart, const WireNetwork& network, double edge_length,
+                       const std::function<bool()>& go_on);
 
 }  // namespace wirewarp

@@ -36,7 +36,6 @@ InnerSolution InnerProblem::solve_from(const Eigen::VectorXd& start, const Eigen
   solution.is_feasible = close_loops(lengths, solution.psi);
   if (solution.is_feasible) solution.is_minimum = inner == Inner::least_norm || minimize(lengths, solution);
   solution.headings = eq1_.headings(solution.psi);
-  solution.angle_variation = eq1_.angle_variation(solution.psi);
   solution.closure_residual = largest(eq1_.closure(solution.psi, lengths));
   solution.num_solves = kkt_.num_factorizations() - solves_before;
   return solution;
@@ -141,6 +140,7 @@ Eigen::VectorXd InnerProblem::softer_turn(Eigen::VectorXd turn) const {
 /// Eq. (1) falls by `decrease` at least.
 bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& direction, double t, double decrease,
                         Eigen::VectorXd& psi, double& value) const {
+  ask();
   Eigen::VectorXd trial = psi + t * direction;
   if (!restore(lengths, trial)) return false;
   const double trial_value = eq1_.angle_variation(trial);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 
 #include "inner/eq1.h"
 #include "inner/kkt_system.h"
@@ -13,7 +14,6 @@ struct InnerSolution {
   Eigen::VectorXd headings;                                              // φ, radians, #wire edges
   Eigen::VectorXd psi;                                                   // their change from the starting headings
   Eigen::VectorXd multipliers;                                           // λ of the closures, #closures
-  double angle_variation = 0;                                            // Eq. (1), a node of mean length weighs 1
   double closure_residual = 0;                                           // largest gap of a loop / its length
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // largest entry of ∇F + Jᵀλ; NaN: not sought
   int num_solves = 0;                                                    // factorizations
@@ -21,10 +21,14 @@ struct InnerSolution {
   bool is_minimum = false;  // stationary to 1e-10 with the right inertia (or closing is all that was asked for)
 };
 
-/// Solves Eq. (1) on one network for as many lengths as wanted; factors what does not depend on them once.
+/// Solves Eq. (1) on one network for as many lengths as wanted. All throw std::domain_error where a factorization
+/// breaks down on a zero pivot.
 class InnerProblem {
  public:
-  InnerProblem(const WireNetwork& network, NodeWeight node_weight) : eq1_(network, node_weight), kkt_(eq1_, network) {}
+  /// ask: before each factorization, and before each step along closed loops.
+  InnerProblem(
+      const WireNetwork& network, NodeWeight node_weight, Ask ask = [] {})
+      : eq1_(network, node_weight), kkt_(eq1_, network, std::move(ask)) {}
 
   /// The local minimum of Eq. (1) reached from the surface angles (Inner::minimum), or the first point where every
   /// loop closes (Inner::least_norm). lengths: positive, scene units, #wire edges.
@@ -39,6 +43,8 @@ class InnerProblem {
   /// by_headings, by_lengths: ∂E/∂φ, ∂E/∂l at the solution, a minimum. #wire edges each.
   Eigen::VectorXd total_derivative(const InnerSolution& solution, const Eigen::VectorXd& lengths,
                                    const Eigen::VectorXd& by_headings, const Eigen::VectorXd& by_lengths);
+
+  void ask() const { kkt_.ask(); }
 
   int num_factorizations() const { return kkt_.num_factorizations(); }
 

@@ -2,6 +2,7 @@
 #include "inner/kkt_system.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "inner/elimination_order.h"
 
@@ -12,8 +13,11 @@ constexpr double kRegularization = 1e-13;
 
 }  // namespace
 
-KktSystem::KktSystem(const Eq1& eq1, const WireNetwork& network)
-    : num_edges_(eq1.num_edges()), num_closures_(eq1.num_closures()), order_(num_edges_ + num_closures_) {
+KktSystem::KktSystem(const Eq1& eq1, const WireNetwork& network, Ask ask)
+    : num_edges_(eq1.num_edges()),
+      num_closures_(eq1.num_closures()),
+      ask_(std::move(ask)),
+      order_(num_edges_ + num_closures_) {
   const std::vector<int> order = order_elimination(eq1, network);
   for (int i = 0; i < num_edges_ + num_closures_; ++i) order_.indices()[order[static_cast<std::size_t>(i)]] = i;
 }
@@ -21,6 +25,7 @@ KktSystem::KktSystem(const Eq1& eq1, const WireNetwork& network)
 bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& diagonal,
                        const Eigen::SparseMatrix<double>& jacobian) {
   using Iterator = Eigen::SparseMatrix<double>::InnerIterator;
+  ask_();
   const double mean_diagonal = laplacian.diagonal().mean();
   const Eigen::VectorXi& position = order_.indices();
   std::vector<Eigen::Triplet<double>> entries;

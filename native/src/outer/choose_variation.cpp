@@ -18,7 +18,7 @@ namespace {
 constexpr double kTolerance = 1e-6;  // relative decrease that is not worth another step
 constexpr double kIsometry = 1e-14;  // shape error: strains of 1e-7, the rounding of meshes in single precision
 constexpr int kMaxEvaluations = 100;
-constexpr double kShortest = -0.99;  // 1 + h > 0 on super-elastic parts, with room for the line search
+constexpr double kShortest = -0.99;  // 1 + h > 0, with room for the line search
 constexpr double kLongest = 100;
 
 OuterSolution measured(const Warp& warp, const Eigen::VectorXd& variation, WarpedShape shape) {
@@ -96,16 +96,17 @@ VariationBounds variation_bounds(const Chart& chart, const Options& options) {
   return bounds;
 }
 
-OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
-                              const BeforeEvaluation& before_evaluation) {
-  before_evaluation();
+OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds) {
   OuterSolution rigid = evaluate(warp, Eigen::VectorXd::Zero(bounds.lower.size()));
   const bool has_rigid = rigid.shape.inner.is_feasible;
   if (bounds.elastic_parts().empty() || (has_rigid && rigid.shape_error < kIsometry)) return rigid;
 
-  before_evaluation();
+  warp.ask();
   const std::optional<Positions2> layout = has_rigid ? std::optional(rigid.shape.uv) : std::nullopt;
-  const FreeFlattening free = flatten_freely(chart, kFreeSteps, layout);
+  const FreeFlattening free = flatten_freely(chart, kFreeSteps, layout, [&] {
+    warp.ask();
+    return true;
+  });
   OuterSolution relaxed =
       evaluate(warp, length_variation(chart, free.uv).cwiseMax(bounds.lower).cwiseMin(bounds.upper));
   const int inner_solves = rigid.inner_solves + relaxed.inner_solves;
@@ -121,7 +122,8 @@ OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBou
 
 OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
                                const BeforeEvaluation& before_evaluation) {
-  OuterSolution start = start_variation(chart, warp, bounds, before_evaluation);
+  before_evaluation();
+  OuterSolution start = start_variation(chart, warp, bounds);
   const bool can_improve =
       !bounds.elastic_parts().empty() && start.shape.inner.is_feasible && !(start.shape_error < kIsometry);
   return can_improve ? improve(warp, bounds, std::move(start), before_evaluation) : start;

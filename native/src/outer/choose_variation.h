@@ -28,17 +28,17 @@ struct VariationBounds {
   std::vector<int> elastic_parts() const;
 };
 
-/// |h| <= tolerance on elastic parts, 1 + h > 0 on super-elastic ones. WireWarping keeps the user's wires rigid and
-/// leaves only the helper wires free. The least-norm solution has no gradient by h: there h is 0 everywhere.
+/// |h| <= tolerance on elastic parts, and -0.99 <= h <= 100 on all, super-elastic ones among them. WireWarping keeps
+/// the user's wires rigid and leaves only the helper wires free. The least-norm solution has no gradient by h: there h
+/// is 0 everywhere.
 VariationBounds variation_bounds(const Chart& chart, const Options& options);
-
-/// Called before each evaluation; may throw to cancel.
-using BeforeEvaluation = std::function<void()>;
 
 /// h0, where the search begins: the lengths of a free ARAP flattening within the bounds, or h = 0 where ψ(0) is better,
 /// is an isometry, or no part is elastic. shape.inner is not feasible where neither exists.
-OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
-                              const BeforeEvaluation& before_evaluation);
+OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds);
+
+/// Called before each evaluation; may throw to cancel.
+using BeforeEvaluation = std::function<void()>;
 
 /// The length variations with the least shape error within the bounds, found from h0; h0 itself where there is nothing
 /// to improve. The wire angles follow from one h to the next, so that E does not jump where Eq. (1) has several minima.

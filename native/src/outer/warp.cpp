@@ -17,12 +17,12 @@ Eigen::VectorXd edge_lengths(const WireNetwork& network) {
 
 }  // namespace
 
-Warp::Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner)
+Warp::Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner, Ask ask)
     : network_(network),
       num_vertices_(static_cast<int>(chart.mesh.n_vertices())),
       num_parts_(static_cast<int>(chart.wire_parts.size())),
       inner_(inner),
-      inner_problem_(network, node_weight),
+      inner_problem_(network, node_weight, std::move(ask)),
       layout_(chart, network),
       placement_(chart, network),
       shape_error_(chart),

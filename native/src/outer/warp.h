@@ -18,10 +18,13 @@ struct WarpedShape {
   InnerSolution inner;      // where the lengths cannot be kept (not feasible), uv is empty
 };
 
+/// All throw std::domain_error where a factorization breaks down.
 class Warp {
  public:
   /// chart and network must outlive the warp. network: every wire-patch a disk (see process_topology).
-  Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner);
+  /// ask: before each step and factorization of Eq. (1).
+  Warp(
+      const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner, Ask ask = [] {});
 
   /// ψ(h). variation: h > -1, one per wire part of the chart; boundaries keep their length.
   WarpedShape operator()(const Eigen::VectorXd& variation);
@@ -36,6 +39,9 @@ class Warp {
   /// placement, layout and Eq. (1): one factorization of the inner problem and one transposed solve of the placement,
   /// however many wires there are.
   Eigen::VectorXd gradient(const WarpedShape& shape);
+
+  /// For those who work with the warp.
+  void ask() const { inner_problem_.ask(); }
 
   int interior_factorizations() const { return placement_.factorizations(); }
   int inner_factorizations() const { return inner_problem_.num_factorizations(); }  // of all calls so far

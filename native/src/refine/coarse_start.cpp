@@ -37,13 +37,14 @@ std::optional<RefinementStart> start_from_coarse(const Chart& chart, const WireN
   const double wanted =
       std::min(kCoarsening * fine, kPerWiggle * options.fairness * std::sqrt(surface_area(chart.mesh)));
   if (wanted < kLeastCoarsening * fine || has_slit_of_one_edge(chart.mesh) || !go_on()) return std::nullopt;
-  const CoarseChart coarse = coarsen(chart, network, wanted);
+  const CoarseChart coarse = coarsen(chart, network, wanted, go_on);
+  if (!go_on()) return std::nullopt;
   Options brief = options;
   brief.max_factorizations = std::min(options.max_factorizations, kMaxFactorizations);
   try {
     const RefinedShape shape =
         refine_from_scratch(coarse.chart, coarse.network, brief, [&](const char*) { return go_on(); }).shape;
-    if (!shape.is_exact) return std::nullopt;
+    if (!shape.is_exact || !go_on()) return std::nullopt;
     return RefinementStart{prolong_positions(chart, network, coarse, shape.uv),
                            prolong_multipliers(coarse, shape.multipliers)};
   } catch (const std::domain_error&) {  // a factorization broke down, or no topology serves the coarse wires

@@ -15,8 +15,8 @@ namespace {
 
 // Strains that pass for the rounding of the smoothing, 1e-4: first those that are plainly none, then those that may be.
 constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
-constexpr double kUneven = 5e-3;   // unevenness that a larger variation of other wires may take away
-constexpr double kRounded = 1e-3;  // of what is proposed
+constexpr double kUneven = 5e-3;                  // unevenness that a larger variation of other wires may take away
+constexpr double kFineStep = 1e-3, kStep = 5e-3;  // of what is proposed: 0.1 %, from 0.5 % on 0.5 %
 constexpr double kLargest = 0.5;
 constexpr double kFree = std::numeric_limits<double>::infinity();
 constexpr double kSpare = 1.1;  // of tolerances that a free shape needs
@@ -38,7 +38,8 @@ Tolerances find_needs(const Chart& chart, const LooseShape& loose, double kept) 
 }
 
 double rounded_up(double tolerance) {
-  return tolerance > kLargest ? kFree : std::ceil(tolerance / kRounded - 1e-9) * kRounded;
+  const double step = tolerance > kStep ? kStep : kFineStep;
+  return tolerance > kLargest ? kFree : std::ceil(tolerance / step - 1e-9) * step;
 }
 
 /// The wires' own tolerances and so many times their needs.
@@ -103,16 +104,19 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Opti
                                                   const ChartRefinement& refined, const std::function<bool()>& go_on) {
   const Tolerances all = free_wires(chart);
   if (all.empty()) return {};
-  const auto flattened = [&](const Tolerances& tolerances, int max_factorizations) -> ChartRefinement {
-    Options brief = options;
-    brief.max_factorizations = max_factorizations;
+  const GoOn may_go_on = [&](const char*) { return go_on(); };
+  const auto with = [&](const Tolerances& tolerances, const auto& refine) -> ChartRefinement {
     try {
-      return refine_chart(with_tolerances(chart, tolerances), brief, [&](const char*) { return go_on(); });
+      return refine(with_tolerances(chart, tolerances));
     } catch (const std::domain_error&) {  // these do not serve; others may
       return {};
     }
   };
-  const ChartRefinement free = flattened(all, kStartFactorizations);
+  const ChartRefinement free = with(all, [&](const Chart& freed) {
+    Options brief = options;
+    brief.max_factorizations = kStartFactorizations;
+    return refine_chart(freed, brief, may_go_on);
+  });
   if (free.was_stopped || !free.shape.is_exact) return {};
   const Tolerances plain = find_needs(chart, refined.loose, kKept);
   const Tolerances possible = find_needs(chart, refined.loose, kPerhapsKept);
@@ -122,7 +126,8 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Opti
   std::set<Tolerances> tried{{}, all};
   for (const Tolerances& tolerances : candidates) {
     if (!tried.insert(tolerances).second) continue;
-    const ChartRefinement trial = flattened(tolerances, kExactLengthsFactorizations);
+    const ChartRefinement trial =
+        with(tolerances, [&](const Chart& looser) { return reach_exact_lengths(looser, options, may_go_on); });
     if (trial.was_stopped) return {};
     if (trial.shape.is_exact) return listed(tolerances);
   }

@@ -24,6 +24,7 @@ constexpr double kAccuracy = 1e-9;      // of changes of length, over how far th
 constexpr double kRough = 1e-5;         // the same, for ∂λ/∂h: steps are corrected after it
 constexpr double kWellPositive = 1e-4;  // least pivot over the largest diagonal entry
 constexpr int kColumnsAtOnce = 4;       // what the Cholesky kernels take
+constexpr int kManyVariations = 200;    // beyond, eigenvalues cost more than the Newton system
 
 std::vector<VertexPair> coupled_vertices(const FairShapeError& objective) {
   std::vector<VertexPair> pairs;
@@ -64,6 +65,20 @@ VertexPair pinned_vertices(const Chart& chart) {
   return {middle.idx(), farthest.idx()};
 }
 
+/// With so much more on the diagonal that it is positive, from 1e-5 of the largest entry on: ten times as much each
+/// time.
+Eigen::MatrixXd shifted(Eigen::MatrixXd symmetric) {
+  constexpr double kMost = 1e6;
+  const double largest = symmetric.diagonal().cwiseAbs().maxCoeff();
+  double shift = 0;
+  for (double next = 1e-5; next < kMost; next *= 10) {
+    symmetric.diagonal().array() += (next - shift) * largest;
+    shift = next;
+    if (Eigen::LLT<Eigen::MatrixXd>(symmetric).info() == Eigen::Success) break;
+  }
+  return symmetric;
+}
+
 }  // namespace
 
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric) {
@@ -72,6 +87,7 @@ Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric) {
     const Eigen::ArrayXd pivots = factor.matrixLLT().diagonal().array().square();
     if (pivots.minCoeff() > kWellPositive * symmetric.diagonal().maxCoeff()) return symmetric;
   }
+  if (symmetric.rows() > kManyVariations) return shifted(symmetric);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric);
   const Eigen::ArrayXd magnitudes = eigen.eigenvalues().cwiseAbs();
   const Eigen::VectorXd positive = magnitudes.max(1e-6 * magnitudes.maxCoeff()).matrix();

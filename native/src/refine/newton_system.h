@@ -28,7 +28,7 @@ struct Convexity {
 };
 
 /// A symmetric matrix as it is where it is well positive; else with the magnitudes of its eigenvalues, none below 1e-6
-/// of the largest: a model that has a minimum.
+/// of the largest: a model that has a minimum. One of more than 200 rows gets a larger diagonal instead.
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric);
 
 /// S = −Tᵀ ∂λ/∂h: the Hessian by h of the least q(d) = g·d + ½ d·Hd with J d = T h. lengths: T; multipliers: ∂λ/∂h.

@@ -20,6 +20,8 @@ namespace {
 
 constexpr std::size_t kLargeChart = 20'000;  // faces: from here on a coarse start saves more than it costs
 
+constexpr int kNoLimit = std::numeric_limits<int>::max();
+
 bool is_elastic(const WirePart& part) { return part.kind == WireKind::elastic; }
 
 /// The starts of one chart: they share the limits, and are counted together.
@@ -39,7 +41,7 @@ class Attempts {
   }
 
   RefinedShape refine(const Chart& chart, const WireNetwork& network, const RefinementStart& start,
-                      int max_factorizations = std::numeric_limits<int>::max()) {
+                      int max_factorizations = kNoLimit) {
     const int most = std::min(max_factorizations, max_factorizations_ - factorizations_);
     RefinedShape shape = refine_shape(chart, network, fairness_, start, {most, asking("shape")});
     factorizations_ += shape.factorizations;
@@ -68,39 +70,59 @@ RefinedShape free_elastic_wires(Chart chart, const Positions2& start, Attempts& 
   return attempts.refine(chart, build_held_network(chart), start, kStartFactorizations);
 }
 
-/// ψ(h⁰): the paper's flat shape, before any h is chosen. None where no topology serves the wires or Eq. (1) breaks
-/// down.
-std::optional<WarpedShape> warp_wires(const Chart& chart) {
+struct Stopped {};
+
+/// ψ(h⁰): the paper's flat shape, before any h is chosen. None where no topology serves the wires, Eq. (1) breaks down
+/// or go_on stops it.
+std::optional<WarpedShape> warp_wires(const Chart& chart, const std::function<bool()>& go_on) {
   const Options plain;  // those of Eq. (1) are not the refined method's
+  const auto ask = [&] {
+    if (!go_on()) throw Stopped();
+  };
   try {
+    ask();
     const std::optional<Chart> refined = process_topology(chart);
     const Chart& prepared = refined ? *refined : chart;
     const WireNetwork network = build_wire_network(prepared);
-    Warp warp(prepared, network, plain.node_weight, plain.inner);
-    WarpedShape shape = start_variation(prepared, warp, variation_bounds(prepared, plain), [] {}).shape;
+    ask();
+    Warp warp(prepared, network, plain.node_weight, plain.inner, ask);
+    WarpedShape shape = start_variation(prepared, warp, variation_bounds(prepared, plain)).shape;
     if (shape.inner.is_feasible) shape.uv.conservativeResize(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
     return shape;
   } catch (const std::domain_error&) {
     return std::nullopt;
+  } catch (const Stopped&) {
+    return std::nullopt;
   }
 }
 
-ChartRefinement try_all_starts(const Chart& chart, const WireNetwork& held_network, const Options& options,
+enum class Goal { least_distortion, exact_lengths };
+
+ChartRefinement try_all_starts(const Chart& chart, const WireNetwork& held_network, const Options& options, Goal goal,
                                Attempts& attempts) {
   ChartRefinement result;
   const auto attempt = [&](const Positions2& start) {
-    result.shape = attempts.refine(chart, held_network, start);
+    result.shape = attempts.refine(chart, held_network, start, goal == Goal::exact_lengths ? 0 : kNoLimit);
+    if (goal == Goal::exact_lengths && !result.shape.is_exact) {
+      result.shape = attempts.refine(chart, held_network, start, 1);
+    }
     return result.shape.is_exact;
   };
   const Positions2 free = flatten_freely(chart, kFreeSteps, {}, attempts.asking("start")).uv;
-  if (attempts.was_stopped() || attempt(free) || attempts.was_stopped()) return result;
-
-  if (std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(), is_elastic)) {
+  const auto from_free_shape = [&] { return !attempts.was_stopped() && attempt(free); };
+  const auto from_free_elastic_wires = [&] {
+    if (attempts.was_stopped() || std::none_of(chart.wire_parts.begin(), chart.wire_parts.end(), is_elastic)) {
+      return false;
+    }
     const RefinedShape freed = free_elastic_wires(chart, free, attempts);
-    if (attempts.was_stopped() || (freed.is_exact && attempt(freed.uv)) || attempts.was_stopped()) return result;
-  }
+    return !attempts.was_stopped() && freed.is_exact && attempt(freed.uv);
+  };
+  // That with many elastic wires free takes the least time.
+  const bool is_done = goal == Goal::exact_lengths ? from_free_elastic_wires() || from_free_shape()
+                                                   : from_free_shape() || from_free_elastic_wires();
+  if (is_done || attempts.was_stopped()) return result;
 
-  if (std::optional<WarpedShape> warped = warp_wires(chart)) {
+  if (std::optional<WarpedShape> warped = warp_wires(chart, attempts.asking("start"))) {
     result.inner = std::move(warped->inner);
     if (result.inner.is_feasible && attempt(warped->uv)) return result;
   }
@@ -108,7 +130,9 @@ ChartRefinement try_all_starts(const Chart& chart, const WireNetwork& held_netwo
 
   result.loose = loosen_lengths(chart, held_network, options.fairness, free, attempts.asking("shape"));
   if (attempts.was_stopped()) return result;
-  if (tighten_lengths(chart, held_network, options.fairness, result.loose.uv)) attempt(result.loose.uv);
+  const bool is_tight =
+      tighten_lengths(chart, held_network, options.fairness, result.loose.uv, attempts.asking("shape"));
+  if (is_tight && !attempts.was_stopped()) attempt(result.loose.uv);
   return result;
 }
 
@@ -117,7 +141,13 @@ ChartRefinement try_all_starts(const Chart& chart, const WireNetwork& held_netwo
 ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
                                     const GoOn& go_on) {
   Attempts attempts(options, go_on);
-  return attempts.finish(try_all_starts(chart, held_network, options, attempts));
+  return attempts.finish(try_all_starts(chart, held_network, options, Goal::least_distortion, attempts));
+}
+
+ChartRefinement reach_exact_lengths(const Chart& chart, Options options, const GoOn& go_on) {
+  options.max_factorizations = kExactLengthsFactorizations;
+  Attempts attempts(options, go_on);
+  return attempts.finish(try_all_starts(chart, build_held_network(chart), options, Goal::exact_lengths, attempts));
 }
 
 ChartRefinement refine_chart(const Chart& chart, const Options& options, const GoOn& go_on) {
@@ -131,7 +161,7 @@ ChartRefinement refine_chart(const Chart& chart, const Options& options, const G
     if (start && !attempts.was_stopped()) result.shape = attempts.refine(chart, held_network, *start);
   }
   if (!result.shape.is_exact && !attempts.was_stopped()) {
-    result = try_all_starts(chart, held_network, options, attempts);
+    result = try_all_starts(chart, held_network, options, Goal::least_distortion, attempts);
   }
   return attempts.finish(std::move(result));
 }

@@ -36,9 +36,13 @@ struct ChartRefinement {
 ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
                                     const GoOn& go_on);
 
+/// What refine_from_scratch tries until lengths are exact, and no more: one step from each start. options'
+/// max_factorizations does not count.
+ChartRefinement reach_exact_lengths(const Chart& chart, Options options, const GoOn& go_on);
+
 /// Unfolds a chart that is folded from a plane (refine/unfold.h): mostly nothing is left to do. Flattens a chart of
 /// 20,000 faces or more coarsely first, and starts from that shape (refine/coarse_start.h): two or three factorizations
-/// from the end. Smaller charts, and those that these starts do not serve, from scratch.
+/// from the end. Smaller charts, and those that these starts do not serve, from scratch. Throws as that does.
 ChartRefinement refine_chart(const Chart& chart, const Options& options, const GoOn& go_on);
 
 }  // namespace wirewarp

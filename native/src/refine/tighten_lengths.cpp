@@ -51,14 +51,15 @@ bool is_within_tolerance(const Chart& chart, const LengthConstraints& constraint
 
 }  // namespace
 
-bool tighten_lengths(const Chart& chart, const WireNetwork& network, double fairness, Positions2& uv) {
+bool tighten_lengths(const Chart& chart, const WireNetwork& network, double fairness, Positions2& uv,
+                     const std::function<bool()>& go_on) {
   const LengthConstraints constraints(chart, network);
   FairShapeError objective(chart, network, fairness);
   NewtonSystem system(chart, objective, constraints, uv);
   Eigen::VectorXd variation = length_variation(chart, uv)(constraints.elastic_parts());
   const Eigen::VectorXd no_forces = Eigen::VectorXd::Zero(constraints.size());
   double error = constraints.largest_error(constraints.residual(uv, variation));
-  for (int i = 0; i < kMaxFactorizations && error > LengthConstraints::exact; ++i) {
+  for (int i = 0; i < kMaxFactorizations && error > LengthConstraints::exact && go_on(); ++i) {
     if (!system.factorize(uv, no_forces, {Curvature::none, false})) return false;
     const LeastChange least_change(constraints, system);
     for (int k = 0; k < kMaxSteps && error > LengthConstraints::exact; ++k) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include "charts/chart.h"
 #include "topology/wire_network.h"
 #include "wirewarp/types.h"
@@ -10,7 +12,8 @@ namespace wirewarp {
 /// Moves uv to exact lengths by Newton steps that look at nothing else: each the least change in the metric of the
 /// Laplacian, with whatever variations of the elastic parts it takes. Those matter where more lengths are held than a
 /// flat shape has freedom. False where the steps do not get there, or leave the tolerances. network: of all wires but
-/// super-elastic ones.
-bool tighten_lengths(const Chart& chart, const WireNetwork& network, double fairness, Positions2& uv);
+/// super-elastic ones. go_on is asked before each factorization; false: stop with what there is.
+bool tighten_lengths(const Chart& chart, const WireNetwork& network, double fairness, Positions2& uv,
+                     const std::function<bool()>& go_on);
 
 }  // namespace wirewarp
