@@ -29,6 +29,7 @@ class MeshArrays:
     polygon_sizes: np.ndarray  # (f,) int32
     edges: np.ndarray  # (e,2) int32
     seams: np.ndarray  # (k,2) int32
+    outline: np.ndarray  # (k,2) int32, edges of one face
     wires: list[NamedWire]
     grain_wire: int  # id of the wire that stands upright in its pieces; 0: none was chosen
     piece_ids: np.ndarray  # (f,) int32, of the pieces that the polygons were in when last flattened; 0 none

@@ -106,7 +106,8 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
     _check_size(source, vertices)
     edges = edge_vertices(mesh)
     sizes = face_sizes(mesh)
-    in_face = faces_at_edges(mesh) > 0
+    face_count = faces_at_edges(mesh)
+    in_face = face_count > 0
     marks = read_marks(mesh)
     return MeshArrays(
         vertices=vertices,
@@ -119,6 +120,7 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
         polygon_sizes=sizes,
         edges=edges,
         seams=edges[read_seams(mesh) & in_face],  # a loose edge cuts nothing
+        outline=edges[face_count == 1],
         wires=_name_wires(
             source.data, chains_of_marks(edges, np.where(in_face, marks.wire_ids, 0), marks.tolerances, vertices)
         ),

@@ -20,6 +20,7 @@ from .report_store import pieces_report
 from .targets import check_not_edited
 from .unit_text import length_text, meters_per_blender_unit
 from .wire_names import names_of
+from .write_flat_object import is_true_size
 
 
 def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: float, failed_too: bool) -> Pattern:
@@ -61,6 +62,13 @@ def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
             "edited_pieces",
             f'The pieces in "{flat.name}" were changed by hand, and their lengths are not those of the model any more: '
             f'flatten "{source.name}" again. Moving and turning whole pieces is fine.',
+        )
+    bpy.context.view_layer.update()
+    if not is_true_size(flat):
+        raise object_error(
+            "scaled_pieces",
+            f'"{flat.name}" or its parent is scaled or mirrored as a whole, and the pattern would not be. Clear the '
+            f'scale (Alt+S), or scale "{source.name}" and flatten again.',
         )
     return report, flat
 

@@ -16,6 +16,7 @@ from .notes import warning
 from .pieces.identity import KnownPieces, PieceIdentity, identify_pieces
 from .plain_sentence import plain_sentence
 from .report import failure_report, object_report
+from .torn_edges import torn_text
 
 
 class CancelledError(Exception):
@@ -84,6 +85,9 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
     outcome.report["notes"] += model.notes
     if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored, they are as seen from outside
         outcome.report["notes"].append(warning(INWARD))
+    torn = torn_text(model.arrays) if model.arrays else ""
+    if torn:
+        outcome.report["notes"].append(warning(torn))
     for issue in outcome.report["issues"]:
         issue["sentence"] = plain_sentence(issue["sentence"], model.units)
     return outcome

@@ -20,6 +20,7 @@ DELETED = (
     'Their model "{}" was deleted: bring it back with Ctrl+Z, or select another one. It stays in the file until its '
     "pieces are deleted too."
 )
+CONVERTIBLE = {"CURVE", "SURFACE", "META", "FONT"}
 WORKING_MODES = {"OBJECT", "EDIT_MESH"}  # in which models are read and results written; in_object_mode leads there
 
 
@@ -47,6 +48,8 @@ def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Objec
     models = [model for model in map(model_of, context.selected_objects) if model]
     if models and all(map(is_deleted, models)):
         return f"Nothing to flatten: these are flat pieces. {DELETED.format(models[0].name)}"
+    if active and active.select_get() and active.type in CONVERTIBLE:
+        return f'Nothing to flatten: "{active.name}" is no mesh. Object > Convert > Mesh makes it one.'
     if models:
         return "Nothing to flatten: flat pieces are not flattened again. Select the model."
     return "Nothing to flatten: select a mesh object."
@@ -115,8 +118,9 @@ def _check_users(target: bpy.types.Object) -> None:
         shares = other.data == target.data and other.users_scene  # what is in no scene has no true scale
         if shares and not np.allclose(metric(other), own, rtol=1e-5, atol=1e-5 * np.abs(own).max()):
             sentence = (
-                f'"{target.name}" and "{other.name}" share the mesh "{target.data.name}" but differ in scale, and one '
-                "UV map cannot be true for both: use Object > Relations > Make Single User > Object & Data."
+                f'"{target.name}" and "{other.name}" share the mesh "{target.data.name}" but differ in scale, or one '
+                "is mirrored, and one UV map cannot be true for both: use Object > Relations > Make Single User > "
+                "Object & Data."
             )
             raise ObjectError(Issue("multi_user_scale", sentence))
 

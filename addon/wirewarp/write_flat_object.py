@@ -66,6 +66,11 @@ def _is_shared(flat: bpy.types.Object) -> bool:
     return flat.data.library is not None or any(model_of(user) != model for user in users)
 
 
+def is_true_size(flat: bpy.types.Object) -> bool:
+    """Whether the object is shown as its mesh is, neither scaled nor mirrored."""
+    return np.allclose(flat.matrix_world.to_scale(), 1, rtol=0, atol=1e-5)
+
+
 def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[dict]:
     """Unhides the object; returns, as notes, why it is still not to be seen in its true size."""
     target.hide_viewport = False
@@ -75,7 +80,7 @@ def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) 
     if not target.visible_get(view_layer=view_layer):
         text = f'"{target.name}" is not to be seen: its collection is hidden or excluded. Show it in the Outliner.'
         notes.append(note(text))
-    if not np.allclose(target.matrix_world.to_scale(), 1, rtol=0, atol=1e-6):
+    if not is_true_size(target):
         text = f'"{target.name}" is not shown in true size: its parent or a constraint scales it. Its mesh is true.'
         notes.append(warning(text))
     return notes

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from drawing import LABEL, SVG, Drawing, points_of, steps
-from surfaces import bump, grid, mark_seam, on_line
+from surfaces import bump, flat_of, grid, mark_seam, on_line, select_only
 
 
 @pytest.fixture
@@ -28,6 +28,37 @@ def test_sizes_told_before_saving(source, addon):
     wide, high = map(int, re.fullmatch(r"The largest, Top (?:Left|Right): (\d+) × (\d+) mm\.", largest).groups())
     assert 200 < max(wide, high) < 260
     assert 100 < min(wide, high) < 130
+
+
+@pytest.mark.parametrize("scale", [(0.9, 0.9, 0.9), (-1, 1, 1)])
+@pytest.mark.parametrize("by_parent", [False, True])
+def test_pieces_that_are_scaled_as_a_whole_are_refused(source, tmp_path, scale, by_parent):
+    scaled = flat_of(source)
+    if by_parent:
+        scaled = flat_of(source).parent = bpy.data.objects.new("Table", None)
+        bpy.context.scene.collection.objects.link(scaled)
+    scaled.scale = scale
+    with pytest.raises(RuntimeError, match='"Bump Flat" or its parent is scaled or mirrored.*scale "Bump" and flatten'):
+        bpy.ops.object.wirewarp_export_svg(filepath=str(tmp_path / "pattern.svg"))
+    scaled.scale, scaled.rotation_euler = (1, 1, 1), (0.1, 0.2, 0.3)
+    assert bpy.ops.object.wirewarp_export_svg(filepath=str(tmp_path / "pattern.svg")) == {"FINISHED"}
+
+
+def test_one_of_several_selected_models_is_written_and_that_is_said(source, tmp_path, capfd):
+    other = grid("Other", bump)
+    bpy.ops.object.wirewarp_flatten()
+    path = str(tmp_path / "pattern.svg")
+    bpy.ops.object.wirewarp_export_svg(filepath=path)
+    assert "Of the selected ones" not in capfd.readouterr().out
+    select_only(other, source, flat_of(source))
+    bpy.ops.object.wirewarp_export_svg(filepath=path)
+    assert 'Print at 100 %. Of the selected ones, "Other" only.' in capfd.readouterr().out
+
+
+def test_the_paper_says_that_there_is_no_allowance(source, tmp_path):
+    path = tmp_path / "pattern.svg"
+    bpy.ops.object.wirewarp_export_svg(filepath=str(path))
+    assert ">No seam allowance<" in path.read_text()
 
 
 def test_who_measures_in_inches_gets_a_square_and_sizes_in_inches(source, tmp_path, capfd):

@@ -93,6 +93,11 @@ def test_nothing_selected():
     flatten_fails('Nothing to flatten: "Bump.001" is hidden')
 
 
+def test_what_is_no_mesh_is_converted_first():
+    bpy.ops.curve.primitive_bezier_circle_add()
+    flatten_fails('"BezierCircle" is no mesh. Object > Convert > Mesh')
+
+
 def test_the_flat_object_is_not_flattened_again():
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()

@@ -2,11 +2,13 @@
 """Flat pieces stay where the user has put them."""
 
 import math
+from types import SimpleNamespace
 
 import bmesh
 import bpy
 import numpy as np
 import pytest
+from everything import draw_panels
 from surfaces import (
     bump,
     edge_lengths,
@@ -184,6 +186,27 @@ def test_pieces_that_the_user_put_over_each_other_stay_there(source, addon):
     flatten(source)
     assert_same_places(places_of(source), before)
     assert notes_of(addon, source) == []
+
+
+def test_the_button_that_lays_out_anew_is_there_where_places_are_kept(source, addon):
+    def buttons():
+        found = []
+        draw_panels(addon, found)
+        return found.count("object.wirewarp_flatten")
+
+    with_button = buttons()
+    bpy.context.scene.wirewarp.keep_places = False
+    assert buttons() == with_button - 2  # narrow and wide
+    bpy.context.scene.wirewarp.keep_places = True
+    select_only(flat_of(source))
+    assert buttons() == 0  # these are not flattened
+
+    flatten_button = addon.operators.OBJECT_OT_wirewarp_flatten
+    asked = {
+        given: SimpleNamespace(is_property_set=lambda _, given=given: given, keep_places=False) for given in (0, 1)
+    }
+    words = [flatten_button.description(bpy.context, asked[given]) for given in (0, 1)]
+    assert "keep the length" in words[0] and "lay all pieces out anew" in words[1]
 
 
 def test_a_model_that_is_turned_leaves_its_pieces_as_they_stand_and_that_is_said(source, addon):

@@ -7,7 +7,7 @@ from bpy_extras.io_utils import ExportHelper
 
 from ..given_file import OPTIONS, given_file
 from ..issues import ObjectError, object_error
-from ..owners import earlier_sentence, is_earlier, model_or_self
+from ..owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
 from ..pattern.pattern import IMPERIAL, INCH, Pattern
 from ..pattern.svg import page_size, write_svg
 from ..read_pattern import read_pattern
@@ -81,7 +81,8 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
         except OSError as error:
             self.report({"ERROR"}, unwritten(self.filepath, error))
             return {"CANCELLED"}
-        self.report({"INFO"}, f'"{path.name}": {" ".join(_size_sentences(pattern))} Print at 100 %.')
+        only = f' Of the selected ones, "{pattern.title}" only.' if _has_others(context) else ""
+        self.report({"INFO"}, f'"{path.name}": {" ".join(_size_sentences(pattern))} Print at 100 %.{only}')
         return {"FINISHED"}
 
     def _pattern(self, context: bpy.types.Context, failed_too: bool) -> Pattern:
@@ -94,6 +95,12 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
 
 def _source(context: bpy.types.Context) -> bpy.types.Object:
     return model_or_self(context.active_object)
+
+
+def _has_others(context: bpy.types.Context) -> bool:
+    """Whether pieces of other models are selected, too: each has a file of its own."""
+    sources = {model_or_self(each) for each in context.selected_objects} - {_source(context)}
+    return any(map(has_flat_object, sources))
 
 
 def _size_sentences(pattern: Pattern) -> list[str]:

@@ -28,6 +28,11 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
     )
 
     @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        anew = properties.is_property_set("keep_places") and not properties.keep_places
+        return "Flatten again, and lay all pieces out anew, wherever they have been put" if anew else cls.__doc__
+
+    @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         if context.mode in WORKING_MODES:
             return True

@@ -18,6 +18,7 @@ from .pattern import Pattern, PatternPiece, PieceText, Ruler
 SVG, INKSCAPE = "http://www.w3.org/2000/svg", "http://www.inkscape.org/namespaces/inkscape"
 MARGIN = 10.0  # around everything
 DECIMALS = 4  # of a millimeter
+ON_PAPER = ("Measure before cutting", "No seam allowance")  # below the length, in the square
 # As attributes of every line: many cutters' programs read neither style sheets nor what a group hands down.
 LINE_LOOK = {"fill": "none", "stroke-width": "0.3", "stroke-linejoin": "round"}
 LOOKS = {
@@ -112,7 +113,7 @@ class _Drawing:
         corners = corner + ruler.side * np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
         self._add_path(layer, "cut", corners, closed=True)
         center = corner + ruler.side / 2
-        self._add_text(layer, PieceText((ruler.text, "Measure before cutting"), center, 5.0, 0.0), center)
+        self._add_text(layer, PieceText((ruler.text, *ON_PAPER), center, 5.0, 0.0), center)
 
     def _add_path(self, layer: ElementTree.Element, kind: str, points: np.ndarray, closed: bool) -> ElementTree.Element:
         down = points * (1, -1) + (0, self._height)

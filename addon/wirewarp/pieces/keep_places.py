@@ -26,8 +26,8 @@ LAYOUT = "wirewarp_layout"  # of the flat mesh: with which ones it was laid out
 UP = "wirewarp_up"  # of the flat mesh: what was up then
 TURNED = 0.999  # cosine of the angle, 2.5 degrees, from which on another direction is up
 TURNED_TEXT = (
-    "The model was turned since its pieces were laid out, and Keep Places leaves them as they stand. To have them "
-    "upright again, switch it off and flatten."
+    "The model was turned since its pieces were laid out, and Keep Places leaves them as they stand. Lay Out Anew, in "
+    "the panel Pieces, has them upright again."
 )
 
 

@@ -83,4 +83,6 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         chosen = _row_of(context, source.wirewarp_active_piece)
         if chosen:
             draw_figures(context, self.layout, chosen)
+        if context.active_object == source and context.scene.wirewarp.keep_places:
+            self.layout.operator("object.wirewarp_flatten", text="Lay Out Anew", icon="MOD_ARRAY").keep_places = False
         self.layout.operator("object.wirewarp_export_svg", icon="EXPORT")
