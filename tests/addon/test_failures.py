@@ -95,7 +95,7 @@ def test_nothing_selected():
 
 def test_what_is_no_mesh_is_converted_first():
     bpy.ops.curve.primitive_bezier_circle_add()
-    flatten_fails('"BezierCircle" is no mesh. Object > Convert > Mesh')
+    flatten_fails('Circle" is no mesh. Object > Convert > Mesh makes it one')
 
 
 def test_the_flat_object_is_not_flattened_again():
