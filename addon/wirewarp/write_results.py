@@ -18,6 +18,7 @@ from .pieces.keep_places import (
     is_turned,
     motions_in_order,
     pieces_in_place,
+    places_of_absent,
     present_up,
     remember_layout,
     up_when_laid_out,
@@ -54,9 +55,11 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
         with_names(source, outcome.report)
         follow_name(source, outcome.model.known.model_name)
-        pieces, motions, up = _place(source, outcome, settings.keep_places)
+        earlier = _kept_object(source, outcome, settings.keep_places)
+        pieces, motions, up = _place(source, outcome, earlier)
+        away = places_of_absent(outcome.pieces, earlier, outcome.identities)
         flat, flat_arrays = write_flat_object(context.scene, source, pieces, arrays)
-        remember_layout(flat, outcome.report["options"], up)
+        remember_layout(flat, outcome.report["options"], up, away)
         uv_frame = None if settings.use_modifiers else _write_to_model(source, outcome, flat, settings.maps_on_model)
         if settings.helper_wires:
             lines = helper_lines(outcome.result, motions)
@@ -92,11 +95,18 @@ def _write_to_model(source: bpy.types.Object, outcome: Outcome, flat: bpy.types.
     return uv_frame
 
 
-def _place(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> tuple[FlatMesh, list[Motion], np.ndarray]:
-    """The pieces where they lay before, if they are to stay there; how each was moved for it; and what was up (3,)."""
-    options, earlier = outcome.report["options"], find_flat_object(source)
-    if not keep_places or (earlier and wants_new_layout(options, earlier)):
-        earlier = None
+def _kept_object(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> bpy.types.Object | None:
+    """The flat object in which the pieces stay where they lie; None where all are laid out anew."""
+    earlier = find_flat_object(source)
+    is_kept = keep_places and earlier and not wants_new_layout(outcome.report["options"], earlier)
+    return earlier if is_kept else None
+
+
+def _place(
+    source: bpy.types.Object, outcome: Outcome, earlier: bpy.types.Object | None
+) -> tuple[FlatMesh, list[Motion], np.ndarray]:
+    """The pieces where they lay in the flat object `earlier`; how each was moved for it; and what was up then (3,)."""
+    options = outcome.report["options"]
     pieces, motions, crowded = pieces_in_place(outcome.pieces, earlier, options["gap"])
     if crowded:
         name_of = {identity.piece_id: identity.name for identity in outcome.identities}

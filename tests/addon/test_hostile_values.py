@@ -88,7 +88,7 @@ def test_lists_that_are_empty(model, everything_answers):
 
 BELOW = pytest.mark.skipif(bpy.app.version >= (5, 0, 0), reason="Blender 5 keeps what is below properties to itself")
 STORED = [3, 2.5, "text", [1, 2, 3], [0.5, NAN], {"a": 1}]
-ON_FLAT_MESH = ["flat_counts", "flat_areas", "range_stretch_color", "layout", "source_faces"]
+ON_FLAT_MESH = ["flat_counts", "flat_areas", "range_stretch_color", "layout", "source_faces", "up", "away"]
 
 
 @pytest.mark.parametrize("value", STORED)

@@ -25,6 +25,7 @@ from surfaces import (
 )
 
 SEAM = on_line(0, 0.0)
+HALVES = ["Top Left", "Top Right"]
 NEAR = 1e-5  # of coordinates of about 10, in single precision
 
 
@@ -186,6 +187,36 @@ def test_pieces_that_the_user_put_over_each_other_stay_there(source, addon):
     flatten(source)
     assert_same_places(places_of(source), before)
     assert notes_of(addon, source) == []
+
+
+def test_a_piece_that_failed_comes_back_to_its_place(source):
+    move(source, "Top Left", angle=0.5, by=(3, 4))
+    before = places_of(source)
+    face = max(source.data.polygons, key=lambda each: each.center.x)
+    for _ in range(2):
+        face.flip()
+        for _ in range(2):
+            with pytest.raises(RuntimeError, match="Top Left"):
+                flatten(source)
+            assert {name for name, _ in places_of(source)} == {"Top Right"}
+        face.flip()
+        flatten(source)
+        assert_same_places(places_of(source), before)
+    assert "wirewarp_away" not in flat_of(source).data
+
+
+def test_another_piece_in_its_place_is_not_laid_over(source):
+    before = places_of(source)
+    face = max(source.data.polygons, key=lambda each: each.center.x)
+    face.flip()
+    with pytest.raises(RuntimeError, match="Top Left"):
+        flatten(source)
+    middle = {name: np.mean([place for key, place in before.items() if key[0] == name], axis=0) for name in HALVES}
+    move(source, "Top Right", by=middle["Top Left"] - middle["Top Right"])
+    face.flip()
+    flatten(source)
+    found = boxes(source)
+    assert are_apart(found["Top Left"], found["Top Right"])
 
 
 def test_the_button_that_lays_out_anew_is_there_where_places_are_kept(source, addon):

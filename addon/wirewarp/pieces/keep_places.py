@@ -18,12 +18,14 @@ from ..stored_numbers import read_numbers
 from .attribute import PIECE
 from .identity import PieceIdentity
 from .motion import STAY, Motion
-from .places import LaidOut, find_places, laid_out
+from .places import LaidOut, find_places, laid_out, points_of
 
 # Of the report: with other ones the user wants another layout.
 LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "gap", "mirror")
 LAYOUT = "wirewarp_layout"  # of the flat mesh: with which ones it was laid out
 UP = "wirewarp_up"  # of the flat mesh: what was up then
+AWAY = "wirewarp_away"  # of the flat mesh: see LaidOut
+MOST = 2.0**53  # what a float holds as a whole number
 TURNED = 0.999  # cosine of the angle, 2.5 degrees, from which on another direction is up
 TURNED_TEXT = (
     "The model was turned since its pieces were laid out, and Keep Places leaves them as they stand. Lay Out Anew, in "
@@ -61,9 +63,23 @@ def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
     return earlier.data.get(LAYOUT) != _layout_text(options)
 
 
-def remember_layout(flat: bpy.types.Object, options: dict, up: np.ndarray) -> None:
-    """up (3,): the direction in the model's own space that was up when the pieces were laid out."""
+def places_of_absent(
+    flat: FlatMesh, earlier: bpy.types.Object | None, identities: Sequence[PieceIdentity]
+) -> np.ndarray:
+    """(k,4) LaidOut.away: where those of the pieces that have no flat shape now lay in the flat object `earlier`."""
+    present = set(np.unique(flat.piece_id).tolist())
+    absent = [identity.piece_id for identity in identities if identity.piece_id not in present]
+    known = _read(earlier.data) if earlier and absent else None
+    return points_of(known, absent) if known else np.empty((0, 4))
+
+
+def remember_layout(flat: bpy.types.Object, options: dict, up: np.ndarray, away: np.ndarray) -> None:
+    """up (3,): the direction in the model's own space that was up when the pieces were laid out; away: see LaidOut."""
     flat.data[LAYOUT], flat.data[UP] = _layout_text(options), up.tolist()
+    if len(away):
+        flat.data[AWAY] = away.ravel().tolist()
+    elif AWAY in flat.data:
+        del flat.data[AWAY]
 
 
 def present_up(source: bpy.types.Object) -> np.ndarray:
@@ -105,4 +121,12 @@ def _read(mesh: bpy.types.Mesh) -> LaidOut | None:
         loop_vertices=corner_vertices(mesh),
         face_sizes=face_sizes(mesh),
         piece_id=read_flat_attribute(mesh, PIECE),
+        away=_read_away(mesh),
     )
+
+
+def _read_away(mesh: bpy.types.Mesh) -> np.ndarray:
+    numbers = read_numbers(mesh, AWAY)
+    if numbers is None or len(numbers) % 4 or not np.all(np.abs(numbers) < MOST):
+        return np.empty((0, 4))
+    return numbers.reshape(-1, 4).astype(np.float64)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pieces stay where the user has put them when they are flattened again. No Blender in here."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -13,6 +13,7 @@ from ..pattern.outlines import OutlineEdges, number_edges, outline_edges
 from ..polygons import Segments, overlap
 from .motion import STAY, Motion, fit_motion
 
+SAMPLE = 100  # points by which the place of a piece is remembered
 LIKE = 0.7  # correlation of a piece with the earlier one; below it their vertices are not the same ones any more
 
 
@@ -25,6 +26,7 @@ class LaidOut:
     loop_vertices: np.ndarray  # (l,) int32
     face_sizes: np.ndarray  # (f,) int32
     piece_id: np.ndarray  # (f,) int32
+    away: np.ndarray  # (k,4) float64: piece id, source vertex and place of points of pieces that are not there just now
 
 
 @dataclass(frozen=True)
@@ -43,19 +45,29 @@ class _Pieces:
         present, first = np.unique(ids[order], return_index=True)
         self._vertices = dict(zip(present.tolist(), np.split(order, first[1:]), strict=True))
         self._vertices.pop(0, None)  # of no piece
+        away_ids = pieces.away[:, 0].astype(np.int64)
+        self._away = {piece_id: pieces.away[away_ids == piece_id] for piece_id in np.unique(away_ids).tolist()}
 
     def __iter__(self) -> Iterator[int]:
         return iter(self._vertices)
 
     def __contains__(self, piece_id: int) -> bool:
-        return piece_id in self._vertices
+        return piece_id in self._vertices or piece_id in self._away
+
+    def is_away(self, piece_id: int) -> bool:
+        """Whether it has a place but no shape."""
+        return piece_id not in self._vertices
 
     def points(self, piece_id: int) -> np.ndarray:
         """(k,2)"""
+        if self.is_away(piece_id):
+            return self._away[piece_id][:, 2:]
         return self._pieces.vertices[self._vertices[piece_id]]
 
     def sources(self, piece_id: int) -> np.ndarray:
         """(k,) the vertex of the model of each point."""
+        if self.is_away(piece_id):
+            return self._away[piece_id][:, 1].astype(np.int64)
         return self._pieces.source_vertex[self._vertices[piece_id]]
 
     def box(self, piece_id: int, motion: Motion = STAY) -> np.ndarray:
@@ -79,7 +91,22 @@ class _Pieces:
 
 
 def laid_out(flat: FlatMesh) -> LaidOut:
-    return LaidOut(flat.vertices, flat.source_vertex, flat.loop_vertices, flat.polygon_sizes, flat.piece_id)
+    return LaidOut(
+        flat.vertices, flat.source_vertex, flat.loop_vertices, flat.polygon_sizes, flat.piece_id, np.empty((0, 4))
+    )
+
+
+def points_of(earlier: LaidOut, piece_ids: Sequence[int]) -> np.ndarray:
+    """(k,4) as LaidOut.away: some points of each of these pieces that is there, or away already."""
+    pieces = _Pieces(earlier)
+    rows = [np.empty((0, 4))]
+    for piece_id in piece_ids:
+        if piece_id in pieces:
+            sources, points = pieces.sources(piece_id), pieces.points(piece_id)
+            some = slice(None, None, -(-len(sources) // SAMPLE))
+            ids = np.full(len(sources[some]), piece_id)
+            rows.append(np.column_stack([ids, sources[some], points[some]]))
+    return np.concatenate(rows)
 
 
 def find_places(pieces: LaidOut, earlier: LaidOut, gap: float) -> Places:
@@ -130,7 +157,11 @@ def _crowded(kept: dict[int, Motion], now: _Pieces, then: _Pieces) -> list[int]:
     for piece_id in sorted(close, key=growth.__getitem__):
         hit = any(
             overlap(now.outline(piece_id, kept[piece_id]), now.outline(other, kept[other]))
-            and not overlap(then.outline(piece_id), then.outline(other))
+            and (
+                then.is_away(piece_id)
+                or then.is_away(other)
+                or not overlap(then.outline(piece_id), then.outline(other))
+            )
             for other in staying
             if other in close[piece_id]
         )
