@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "metrics/overlap.h"
+#include "mesh/overlap.h"
 #include "pi.h"
 #include "test_meshes.h"
 

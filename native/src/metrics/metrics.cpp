@@ -6,20 +6,12 @@
 
 #include "index.h"
 #include "mesh/geometry.h"
+#include "mesh/overlap.h"
 #include "metrics/arap.h"
-#include "metrics/overlap.h"
 #include "pi.h"
 
 namespace wirewarp {
 namespace {
-
-std::vector<bool> faces_on_boundary(const Chart& chart) {
-  std::vector<bool> flags(chart.mesh.n_faces(), false);
-  for (const HalfEdgeChain& loop : chart.boundary_loops) {
-    for (const HalfedgeHandle h : loop) flags[at(chart.mesh.face_handle(h).idx())] = true;
-  }
-  return flags;
-}
 
 Eigen::Vector3d position(const HalfEdgeMesh& mesh, int vertex) {
   const HalfEdgeMesh::Point& p = mesh.point(VertexHandle(vertex));
@@ -94,7 +86,7 @@ Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Po
   measure_faces(chart, faces, uv, metrics);
   measure_wire_edges(chart, network, uv, metrics);
   measure_angles(chart, network, uv, metrics);
-  for (const int f : find_overlapping_faces(faces, faces_on_boundary(chart), uv)) {
+  for (const int f : find_overlapping_faces(faces, faces_on_boundary(chart.mesh), uv)) {
     metrics.overlapping_faces.push_back(chart.source_face[at(f)]);
   }
   return metrics;

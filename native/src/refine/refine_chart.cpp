@@ -2,15 +2,15 @@
 #include "refine/refine_chart.h"
 
 #include <algorithm>
-#include <functional>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "outer/choose_variation.h"
 #include "outer/free_arap.h"
+#include "refine/attempts.h"
 #include "refine/coarse_start.h"
+#include "refine/open_slits.h"
 #include "refine/tighten_lengths.h"
 #include "refine/unfold.h"
 #include "topology/process_topology.h"
@@ -20,47 +20,13 @@ namespace {
 
 constexpr std::size_t kLargeChart = 20'000;  // faces: from here on a coarse start saves more than it costs
 
-constexpr int kNoLimit = std::numeric_limits<int>::max();
-
 bool is_elastic(const WirePart& part) { return part.kind == WireKind::elastic; }
 
-/// The starts of one chart: they share the limits, and are counted together.
-class Attempts {
- public:
-  Attempts(const Options& options, const GoOn& go_on)
-      : fairness_(options.fairness), max_factorizations_(options.max_factorizations), go_on_(go_on) {}
-
-  bool was_stopped() const { return was_stopped_; }
-
-  /// Asks in a stage, and not again after a no.
-  std::function<bool()> asking(const char* stage) {
-    return [this, stage] {
-      was_stopped_ = was_stopped_ || !go_on_(stage);
-      return !was_stopped_;
-    };
-  }
-
-  RefinedShape refine(const Chart& chart, const WireNetwork& network, const RefinementStart& start,
-                      int max_factorizations = kNoLimit) {
-    const int most = std::min(max_factorizations, max_factorizations_ - factorizations_);
-    RefinedShape shape = refine_shape(chart, network, fairness_, start, {most, asking("shape")});
-    factorizations_ += shape.factorizations;
-    return shape;
-  }
-
-  ChartRefinement finish(ChartRefinement result) const {
-    result.shape.factorizations = factorizations_;
-    result.was_stopped = was_stopped_;
-    return result;
-  }
-
- private:
-  double fairness_;
-  int max_factorizations_;
-  const GoOn& go_on_;
-  int factorizations_ = 0;
-  bool was_stopped_ = false;
-};
+ChartRefinement finish(ChartRefinement result, const Attempts& attempts) {
+  result.shape.factorizations = attempts.factorizations();
+  result.was_stopped = attempts.was_stopped();
+  return result;
+}
 
 /// The least distorted shape with all elastic wires free, from a start.
 RefinedShape free_elastic_wires(Chart chart, const Positions2& start, Attempts& attempts) {
@@ -136,18 +102,37 @@ ChartRefinement try_all_starts(const Chart& chart, const WireNetwork& held_netwo
   return result;
 }
 
+/// From a start that is near the minimum, where the chart is large enough for one. Not exact where there is none.
+RefinedShape refine_from_coarse(const Chart& chart, const WireNetwork& held_network, const Options& options,
+                                Attempts& attempts) {
+  if (chart.mesh.n_faces() < kLargeChart) return {};
+  const auto start = start_from_coarse(chart, held_network, options, attempts.asking("start"));
+  return start && !attempts.was_stopped() ? attempts.refine(chart, held_network, *start) : RefinedShape{};
+}
+
+RefinedShape refine_with_slits(const Chart& chart, const WireNetwork& held_network, const std::vector<Slit>& slits,
+                               const Options& options, Attempts& attempts) {
+  const auto refine_sewn = [&](const Chart& sewn, const WireNetwork& sewn_network) {
+    RefinedShape shape = refine_from_coarse(sewn, sewn_network, options, attempts);
+    if (shape.is_exact || attempts.was_stopped()) return shape;
+    const Positions2 free = flatten_freely(sewn, kFreeSteps, {}, attempts.asking("start")).uv;
+    return attempts.was_stopped() ? shape : attempts.refine(sewn, sewn_network, free);
+  };
+  return open_slits(chart, held_network, slits, refine_sewn, attempts);
+}
+
 }  // namespace
 
 ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
                                     const GoOn& go_on) {
   Attempts attempts(options, go_on);
-  return attempts.finish(try_all_starts(chart, held_network, options, Goal::least_distortion, attempts));
+  return finish(try_all_starts(chart, held_network, options, Goal::least_distortion, attempts), attempts);
 }
 
 ChartRefinement reach_exact_lengths(const Chart& chart, Options options, const GoOn& go_on) {
   options.max_factorizations = kExactLengthsFactorizations;
   Attempts attempts(options, go_on);
-  return attempts.finish(try_all_starts(chart, build_held_network(chart), options, Goal::exact_lengths, attempts));
+  return finish(try_all_starts(chart, build_held_network(chart), options, Goal::exact_lengths, attempts), attempts);
 }
 
 ChartRefinement refine_chart(const Chart& chart, const Options& options, const GoOn& go_on) {
@@ -156,14 +141,16 @@ ChartRefinement refine_chart(const Chart& chart, const Options& options, const G
   ChartRefinement result;
   if (const std::optional<Positions2> unfolded = unfold(chart)) {
     result.shape = attempts.refine(chart, held_network, *unfolded);
-  } else if (chart.mesh.n_faces() >= kLargeChart) {
-    const auto start = start_from_coarse(chart, held_network, options, attempts.asking("start"));
-    if (start && !attempts.was_stopped()) result.shape = attempts.refine(chart, held_network, *start);
+  } else if (const std::vector<Slit> slits = find_slits(chart); !slits.empty()) {
+    result.shape = refine_with_slits(chart, held_network, slits, options, attempts);
+  }
+  if (!result.shape.is_exact && !attempts.was_stopped()) {
+    result.shape = refine_from_coarse(chart, held_network, options, attempts);
   }
   if (!result.shape.is_exact && !attempts.was_stopped()) {
     result = try_all_starts(chart, held_network, options, Goal::least_distortion, attempts);
   }
-  return attempts.finish(std::move(result));
+  return finish(std::move(result), attempts);
 }
 
 }  // namespace wirewarp

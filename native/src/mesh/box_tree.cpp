@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "metrics/box_tree.h"
+#include "mesh/box_tree.h"
 
 #include <algorithm>
 #include <numeric>

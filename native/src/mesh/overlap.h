@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "mesh/half_edge_mesh.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
@@ -13,9 +14,13 @@ namespace wirewarp {
 /// faces: m by 3, rows of uv, consistently oriented. on_boundary: one flag per face, true if it has a boundary edge.
 /// uv: n by 2, finite, scene units.
 ///
-/// Two faces overlap if they penetrate each other by more than 1e-9 times the diagonal of the piece (plus rounding of
-/// the coordinates): faces that touch, and the two sides of a slit or dart that closes exactly flat, do not.
+/// Two faces overlap if they penetrate each other by more than relative_depth times the diagonal of the piece (plus
+/// rounding of the coordinates): faces that touch, and the two sides of a slit or dart that closes exactly flat, do
+/// not.
 std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vector<bool>& on_boundary,
-                                        const Positions2& uv);
+                                        const Positions2& uv, double relative_depth = 1e-9);
+
+/// One flag per face, true if it has a boundary edge.
+std::vector<bool> faces_on_boundary(const HalfEdgeMesh& mesh);
 
 }  // namespace wirewarp

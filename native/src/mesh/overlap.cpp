@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "metrics/overlap.h"
+#include "mesh/overlap.h"
 
 #include <algorithm>
 #include <array>
@@ -7,12 +7,11 @@
 #include <limits>
 #include <utility>
 
-#include "metrics/box_tree.h"
+#include "index.h"
+#include "mesh/box_tree.h"
 
 namespace wirewarp {
 namespace {
-
-constexpr double kRelativeDepth = 1e-9;
 
 using Corners = std::array<Eigen::Vector2d, 3>;
 
@@ -110,11 +109,11 @@ std::vector<int> indices_of(const std::vector<bool>& flags) {
 }  // namespace
 
 std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vector<bool>& on_boundary,
-                                        const Positions2& uv) {
+                                        const Positions2& uv, double relative_depth) {
   if (faces.rows() == 0) return {};
   const double size = (uv.colwise().maxCoeff() - uv.colwise().minCoeff()).norm();
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * uv.cwiseAbs().maxCoeff();
-  const double depth = kRelativeDepth * size + rounding;
+  const double depth = relative_depth * size + rounding;
 
   // Without flips the number of faces over a point changes only across boundary edges, and grows to their left. Where
   // a part of the plane that is covered twice ends, some boundary edge ends it, and the face left of that edge lies
@@ -128,6 +127,14 @@ std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vecto
   std::vector<int> all(static_cast<std::size_t>(faces.rows()));
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
   return indices_of(overlaps_with(all, faces, uv, depth));
+}
+
+std::vector<bool> faces_on_boundary(const HalfEdgeMesh& mesh) {
+  std::vector<bool> flags(mesh.n_faces(), false);
+  for (const HalfedgeHandle h : mesh.halfedges()) {
+    if (mesh.is_boundary(h)) flags[at(mesh.face_handle(mesh.opposite_halfedge_handle(h)).idx())] = true;
+  }
+  return flags;
 }
 
 }  // namespace wirewarp

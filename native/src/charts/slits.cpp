@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "charts/slits.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "charts/cut_into_charts.h"
+#include "disjoint_sets.h"
+#include "mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+/// None where an edge has no other rim in the loop.
+std::optional<std::vector<int>> find_mates(const Chart& chart, const HalfEdgeChain& loop) {
+  std::map<VertexPair, int> first;
+  std::vector<int> mate(loop.size(), -1);
+  for (int i = 0; i < static_cast<int>(loop.size()); ++i) {
+    const auto [other, is_first] = first.try_emplace(source_edge(chart, loop[at(i)]), i);
+    if (is_first) continue;
+    if (mate[at(other->second)] >= 0) return std::nullopt;
+    mate[at(other->second)] = i;
+    mate[at(i)] = other->second;
+  }
+  const bool is_matched = std::find(mate.begin(), mate.end(), -1) == mate.end();
+  return is_matched ? std::optional(mate) : std::nullopt;
+}
+
+/// Where the rims turn back: the place of the half-edge that leaves a tip. None where they never do.
+std::optional<int> find_tip(const std::vector<int>& mate) {
+  const int count = static_cast<int>(mate.size());
+  for (int i = 0; i < count; ++i) {
+    if (mate[at(i)] == (i + count - 1) % count) return i;
+  }
+  return std::nullopt;
+}
+
+std::vector<int> vertices_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& chain, const std::vector<int>& label) {
+  std::vector<int> vertices{label[at(mesh.from_vertex_handle(chain.front()).idx())]};
+  for (const HalfedgeHandle h : chain) vertices.push_back(label[at(mesh.to_vertex_handle(h).idx())]);
+  return vertices;
+}
+
+/// The edges of a slit, each once, in as few chains as its rims run through one after another.
+std::vector<HalfEdgeChain> chains_of(const Slit& slit) {
+  std::vector<HalfEdgeChain> chains;
+  bool goes_on = false;
+  for (int i = 0; i < static_cast<int>(slit.rims.size()); ++i) {
+    const bool is_new = i < slit.mate[at(i)];
+    if (is_new && !goes_on) chains.emplace_back();
+    if (is_new) chains.back().push_back(slit.rims[at(i)]);
+    goes_on = is_new;
+  }
+  return chains;
+}
+
+}  // namespace
+
+std::vector<Slit> find_slits(const Chart& chart) {
+  std::vector<Slit> slits;
+  for (std::size_t l = 1; l < chart.boundary_loops.size(); ++l) {
+    Slit slit{chart.boundary_loops[l], {}};
+    std::optional<std::vector<int>> mate = find_mates(chart, slit.rims);
+    const std::optional<int> tip = mate ? find_tip(*mate) : std::nullopt;
+    if (!tip) continue;
+    std::rotate(slit.rims.begin(), slit.rims.begin() + *tip, slit.rims.end());
+    slit.mate = *find_mates(chart, slit.rims);
+    slits.push_back(std::move(slit));
+  }
+  return slits;
+}
+
+std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits) {
+  const HalfEdgeMesh& mesh = chart.mesh;
+  DisjointSets vertices(mesh.n_vertices());
+  for (const Slit& slit : slits) {
+    for (std::size_t i = 0; i < slit.rims.size(); ++i) {
+      const HalfedgeHandle one = slit.rims[i], other = slit.rims[at(slit.mate[i])];
+      vertices.unite(mesh.from_vertex_handle(one).idx(), mesh.to_vertex_handle(other).idx());
+    }
+  }
+  SewnChart sewn;
+  int num_vertices = 0;
+  sewn.vertex = vertices.number(num_vertices);
+
+  FlattenInput surface;
+  surface.vertices.resize(num_vertices, 3);
+  const Positions3 points = points_of(mesh);
+  for (int v = 0; v < points.rows(); ++v) surface.vertices.row(sewn.vertex[at(v)]) = points.row(v);
+  surface.faces = triangles_of(mesh).unaryExpr([&](int v) { return sewn.vertex[at(v)]; });
+  for (const WirePart& part : chart.wire_parts) {
+    if (part.kind == WireKind::boundary) continue;
+    surface.wires.push_back({vertices_of(mesh, part.half_edges, sewn.vertex), part.tolerance, {}});
+  }
+  for (const Slit& slit : slits) {
+    for (const HalfEdgeChain& chain : chains_of(slit)) {
+      surface.wires.push_back({vertices_of(mesh, chain, sewn.vertex), 0, {}});
+    }
+  }
+  const EdgeTable edges(surface.faces, num_vertices);
+  Charts charts = cut_into_charts(surface, edges);
+  const bool is_whole = charts.charts.size() == 1 && !charts.charts[0].error;
+  if (!is_whole || static_cast<int>(charts.charts[0].mesh.n_vertices()) != num_vertices) return std::nullopt;
+  sewn.chart = std::move(charts.charts[0]);
+  return sewn;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/open_slits.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "feasibility/check_outline.h"
+#include "mesh/geometry.h"
+#include "mesh/overlap.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kOpening = 0.1;         // slope of opened rims against the shut slit
+constexpr double kOverlapDepth = 1e-10;  // a tenth of what counts as overlap in the end, when pieces have been turned
+
+/// A chart with some slits sewn, and the way to and from it.
+class SewnProblem {
+ public:
+  SewnProblem(const Chart& open, const WireNetwork& open_network, SewnChart sewn)
+      : sewn_(std::move(sewn)), network_(build_held_network(sewn_.chart)) {
+    for (const WireEdge& edge : open_network.edges) {
+      const HalfedgeHandle h = open.mesh.halfedge_handle(edge.edge, 0);
+      const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn_.vertex[at(v.idx())]); };
+      const HalfedgeHandle there = sewn_.chart.mesh.find_halfedge(sewn_end(open.mesh.from_vertex_handle(h)),
+                                                                  sewn_end(open.mesh.to_vertex_handle(h)));
+      edge_.push_back(network_.wire_edge_of_edge[at(sewn_.chart.mesh.edge_handle(there).idx())]);
+    }
+  }
+
+  const Chart& chart() const { return sewn_.chart; }
+  const WireNetwork& network() const { return network_; }
+
+  /// Edges that are sewn together bear the forces of both.
+  RefinementStart to_sewn(const RefinementStart& open) const {
+    RefinementStart start{Positions2(static_cast<Eigen::Index>(chart().mesh.n_vertices()), 2),
+                          Eigen::VectorXd::Zero(static_cast<Eigen::Index>(network_.edges.size()))};
+    for (int v = 0; v < open.uv.rows(); ++v) start.uv.row(sewn_.vertex[at(v)]) = open.uv.row(v);
+    for (int e = 0; e < open.multipliers.size(); ++e) start.multipliers[edge_[at(e)]] += open.multipliers[e];
+    return start;
+  }
+
+  RefinementStart to_open(const RefinedShape& sewn) const {
+    std::vector<int> num_open(network_.edges.size(), 0);
+    for (const int e : edge_) ++num_open[at(e)];
+    RefinementStart start{sewn.uv(sewn_.vertex, Eigen::all), Eigen::VectorXd(static_cast<Eigen::Index>(edge_.size()))};
+    for (int e = 0; e < start.multipliers.size(); ++e) {
+      start.multipliers[e] = sewn.multipliers[edge_[at(e)]] / num_open[at(edge_[at(e)])];
+    }
+    return start;
+  }
+
+ private:
+  SewnChart sewn_;
+  WireNetwork network_;
+  std::vector<int> edge_;  // of the sewn network, one per edge of the open one
+};
+
+/// Distance along the rims to the nearest tip, of the vertex where each half-edge begins.
+std::vector<double> distances_from_tips(const Chart& chart, const Slit& slit) {
+  std::vector<double> distance(slit.rims.size(), 0);
+  for (std::size_t i = 1; i < distance.size(); ++i) {
+    const bool is_tip = slit.mate[i] == static_cast<int>(i) - 1;
+    distance[i] = is_tip ? 0 : distance[i - 1] + edge_length(chart.mesh, slit.rims[i - 1]);
+  }
+  double to_next = 0;
+  for (std::size_t i = distance.size(); i-- > 0;) {
+    to_next = distance[i] == 0 ? 0 : to_next + edge_length(chart.mesh, slit.rims[i]);
+    distance[i] = std::min(distance[i], to_next);
+  }
+  return distance;
+}
+
+/// Moves the rims of a slit apart, each into the chart.
+void open_a_little(const Chart& chart, const Slit& slit, Positions2& uv) {
+  const std::vector<double> distance = distances_from_tips(chart, slit);
+  const std::size_t count = slit.rims.size();
+  const auto vertex = [&](std::size_t i) { return chart.mesh.from_vertex_handle(slit.rims[i % count]).idx(); };
+  Positions2 moved(count, 2);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::RowVector2d along = (uv.row(vertex(i + 1)) - uv.row(vertex(i + count - 1))).normalized();
+    moved.row(static_cast<Eigen::Index>(i)) =
+        uv.row(vertex(i)) + kOpening * distance[i] * Eigen::RowVector2d(-along.y(), along.x());
+  }
+  for (std::size_t i = 0; i < count; ++i) uv.row(vertex(i)) = moved.row(static_cast<Eigen::Index>(i));
+}
+
+bool touches(const Chart& chart, const Slit& slit, const std::vector<int>& faces) {
+  return std::any_of(slit.rims.begin(), slit.rims.end(), [&](HalfedgeHandle h) {
+    return std::binary_search(faces.begin(), faces.end(), chart.mesh.face_handle(h).idx());
+  });
+}
+
+}  // namespace
+
+RefinedShape open_slits(const Chart& chart, const WireNetwork& network, const std::vector<Slit>& slits,
+                        const std::function<RefinedShape(const Chart& chart, const WireNetwork& network)>& refine_sewn,
+                        Attempts& attempts) {
+  const auto sewn_problem = [&](const std::vector<Slit>& shut) -> std::optional<SewnProblem> {
+    std::optional<SewnChart> sewn = sew(chart, shut);
+    if (!sewn) return std::nullopt;
+    return SewnProblem(chart, network, std::move(*sewn));
+  };
+  const auto as_open = [&](const SewnProblem& problem, const RefinedShape& sewn) {
+    RefinedShape shape = attempts.refine(chart, network, problem.to_open(sewn), 0);
+    shape.converged = sewn.converged;
+    shape.iterations = sewn.iterations;
+    return shape;
+  };
+  const std::optional<SewnProblem> all_shut = sewn_problem(slits);
+  if (!all_shut || find_short_outline(all_shut->chart())) return {};
+  const RefinedShape whole = refine_sewn(all_shut->chart(), all_shut->network());
+  if (!whole.is_exact) return {};
+  RefinedShape best = as_open(*all_shut, whole);
+
+  std::vector<Slit> shut, open;
+  for (const Slit& slit : slits) (slit.rims.size() == 2 ? shut : open).push_back(slit);
+  while (!open.empty() && !attempts.ran_out()) {
+    const std::optional<SewnProblem> problem = sewn_problem(shut);
+    if (!problem) return best;
+    RefinementStart start{best.uv, best.multipliers};
+    for (const Slit& slit : open) open_a_little(chart, slit, start.uv);
+    RefinedShape trial = attempts.refine(problem->chart(), problem->network(), problem->to_sewn(start));
+    if (attempts.ran_out() && !trial.converged) best.converged = false;
+    if (!trial.is_exact) return best;
+    trial = as_open(*problem, trial);
+    const std::vector<int> overlapping =
+        find_overlapping_faces(triangles_of(chart.mesh), faces_on_boundary(chart.mesh), trial.uv, kOverlapDepth);
+    if (overlapping.empty()) return trial.objective < best.objective ? trial : best;
+    const auto crossed = std::stable_partition(open.begin(), open.end(),
+                                               [&](const Slit& slit) { return !touches(chart, slit, overlapping); });
+    if (crossed == open.end()) return best;
+    shut.insert(shut.end(), crossed, open.end());
+    open.erase(crossed, open.end());
+  }
+  best.converged = best.converged && open.empty();
+  return best;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Charts with slits: each opens or stays shut, exact at every stop.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "charts/slits.h"
+#include "index.h"
+#include "refine/refine_chart.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr int kSize = 20;
+
+int vertex(int i, int j) { return i + (kSize + 1) * j; }
+
+std::vector<int> along_row(int i, int j, int num_edges) {
+  std::vector<int> chain;
+  for (int k = 0; k <= num_edges; ++k) chain.push_back(vertex(i + k, j));
+  return chain;
+}
+
+std::vector<int> along_column(int i, int j, int num_edges) {
+  std::vector<int> chain;
+  for (int k = 0; k <= num_edges; ++k) chain.push_back(vertex(i, j + k));
+  return chain;
+}
+
+/// The sheet is pressed together at the top of the bump and pulled apart sideways on its slope.
+FlattenInput bump_with_slits() {
+  FlattenInput input = test::make_grid(kSize, kSize, [](double s, double t) {
+    return Eigen::Vector3d(s, t, 0.25 * std::exp(-12 * ((s - 0.5) * (s - 0.5) + (t - 0.4) * (t - 0.4))));
+  });
+  test::add_seam(input, along_row(8, 8, 5));
+  test::add_seam(input, along_column(10, 14, 5));
+  return input;
+}
+
+/// The largest distance between the two copies of a vertex on the rims.
+double gap(const Chart& chart, const Slit& slit, const Positions2& uv) {
+  double largest = 0;
+  for (std::size_t i = 0; i < slit.rims.size(); ++i) {
+    const int one = chart.mesh.from_vertex_handle(slit.rims[i]).idx();
+    const int other = chart.mesh.to_vertex_handle(slit.rims[at(slit.mate[i])]).idx();
+    largest = std::max(largest, (uv.row(one) - uv.row(other)).norm());
+  }
+  return largest;
+}
+
+TEST(OpenSlits, OneOpensAndOneStaysShut) {
+  const FlattenInput input = bump_with_slits();
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+  const RefinedShape shape = refine_chart(chart, Options{}, [](const char*) { return true; }).shape;
+  EXPECT_TRUE(shape.is_exact && shape.converged);
+  EXPECT_LE(shape.factorizations, 15);
+  std::vector<double> gaps;
+  for (const Slit& slit : find_slits(chart)) gaps.push_back(gap(chart, slit, shape.uv));
+  ASSERT_EQ(gaps.size(), 2U);
+  EXPECT_EQ(std::min(gaps[0], gaps[1]), 0);
+  EXPECT_GT(std::max(gaps[0], gaps[1]), 1e-4);
+  const Piece piece = flatten(input).pieces.at(0);
+  EXPECT_FALSE(piece.error) << piece.error->what();
+  EXPECT_EQ(piece.report.objective, shape.objective);
+}
+
+TEST(OpenSlits, StopAtAnyBudgetWithExactLengths) {
+  const Charts charts = test::charts_of(bump_with_slits());
+  const Chart& chart = charts.charts.at(0);
+  const auto refined = [&](int most) {
+    Options options;
+    options.max_factorizations = most;
+    return refine_chart(chart, options, [](const char*) { return true; }).shape;
+  };
+  const RefinedShape whole = refined(100);
+  for (int most = 1; most < whole.factorizations; ++most) {
+    const RefinedShape shape = refined(most);
+    EXPECT_TRUE(shape.is_exact) << most;
+    EXPECT_FALSE(shape.converged) << most;
+    EXPECT_EQ(shape.factorizations, most);
+    EXPECT_GE(shape.objective, whole.objective * (1 - 1e-9)) << most;
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp
