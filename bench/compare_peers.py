@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flattens the benchmark sheet by every method at every size, and writes what was found as JSON:
 
-WIREWARP_BPY_PYTHON=PYTHON python bench/compare_peers.py OUTPUT.json [--full] [--sizes N ...] [--rounds N]
+PYTHONPATH=results WIREWARP_BPY_PYTHON=PYTHON python bench/compare_peers.py OUTPUT.json [--full]
+    [--sizes N ...] [--rounds N]
 
 PYTHON is one that has the module bpy.
 """

@@ -22,25 +22,24 @@ from wirewarp_addon.read_models import read_models
 from wirewarp_addon.solve_models import solve_models
 from wirewarp_addon.write_results import write_results
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from surfaces import bumpy_sheet  # noqa: E402 (the folder must be on the path first)
+
 TURNS = 3
 
 
-def bumpy_sheet(triangles: int) -> bpy.types.Object:
-    """The sheet of native/bench/bumpy_sheet.h with two rigid wires across its middle; active and selected."""
-    n = round((triangles / 2) ** 0.5)
-    side = np.linspace(-1.0, 1.0, n + 1)
-    x, y = (c.ravel() for c in np.meshgrid(side, side))
-    index = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)
-    a, b, c, d = (q.ravel() for q in (index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]))
-    faces = np.stack([np.column_stack([a, b, c]), np.column_stack([a, c, d])], axis=1).reshape(-1, 3)
+def add_sheet(triangles: int) -> bpy.types.Object:
+    """With two rigid wires across its middle; active and selected."""
+    surface = bumpy_sheet(triangles)
     mesh = bpy.data.meshes.new("Sheet")
-    height = 0.3 * np.sin(3.1 * x + 0.4) * np.cos(2.7 * y - 0.3)
-    mesh.from_pydata(np.column_stack([x, y, height]).tolist(), [], faces.tolist())
+    mesh.from_pydata(surface.vertices.tolist(), [], surface.faces.tolist())
     ends = np.empty(2 * len(mesh.edges), dtype=np.int32)
     mesh.edges.foreach_get("vertices", ends)
-    rows, columns = ends.reshape(-1, 2) // (n + 1), ends.reshape(-1, 2) % (n + 1)
-    wires = np.where((rows == n // 2).all(axis=1), 1, np.where((columns == n // 2).all(axis=1), 2, 0))
-    mesh.attributes.new("wirewarp_wire", "INT", "EDGE").data.foreach_set("value", wires.astype(np.int32))
+    wires = np.zeros(len(mesh.edges), dtype=np.int32)
+    for number, chain in enumerate(surface.few_wires, start=1):
+        wires[np.isin(ends, chain).reshape(-1, 2).all(axis=1)] = number
+    mesh.attributes.new("wirewarp_wire", "INT", "EDGE").data.foreach_set("value", wires)
     sheet = bpy.data.objects.new("Sheet", mesh)
     bpy.context.scene.collection.objects.link(sheet)
     bpy.context.view_layer.update()
@@ -58,7 +57,7 @@ def seconds_of(work: Callable[[], object]) -> float:
 def new_sheet(triangles: int) -> bpy.types.Object:
     """In a new file, so that nothing is known of an earlier run."""
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    return bumpy_sheet(triangles)
+    return add_sheet(triangles)
 
 
 def seconds_of_steps(sheet: bpy.types.Object) -> dict[str, float]:

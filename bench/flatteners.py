@@ -16,6 +16,7 @@ import numpy as np
 import wirewarp
 from peak_memory import cost_of
 from surfaces import Surface
+from true_size import at_true_size
 
 FOLDER = Path(__file__).resolve().parent
 TOLERANCE = 0.03
@@ -76,9 +77,7 @@ def unwrap_in_blender(method: str, surface: Surface) -> Answer:
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
         found = np.load(unwrap)
         corner_uv, seconds, megabytes = found["corner_uv"], float(found["seconds"]), float(found["megabytes"])
-    scaled = corner_uv.copy()
-    for piece in judge(surface, corner_uv).pieces:
-        scaled[piece.source_face] *= np.sqrt(piece.metrics.area_3d / abs(piece.metrics.area_2d))
+    scaled = at_true_size(corner_uv, judge(surface, corner_uv))
     return Answer(judge(surface, scaled), seconds, megabytes)
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Panels of real garments by every method, and what becomes of every mesh file as it is. None of it is published:
 
-WIREWARP_BPY_PYTHON=PYTHON python bench/real_meshes.py FOLDER OUTPUT.md COUNTS.json [--panels N]
+PYTHONPATH=results WIREWARP_BPY_PYTHON=PYTHON python bench/real_meshes.py FOLDER OUTPUT.md COUNTS.json [--panels N]
 
 PYTHON is one that has the module bpy. FOLDER is searched to any depth; its folder _panels has panels, with wires in
 NAME.wires.json beside NAME.obj. COUNTS has only how many files ended how.
@@ -18,12 +18,13 @@ import flatteners
 import numpy as np
 import wirewarp
 from comparison import Comparison, compare
-from machine import commit, machine
+from machine import machine
 from mesh_files import READERS, read_mesh
 from peer_tables import peer_table
 from run_apart import NoAnswerError, run_apart
 from surfaces import Surface
 from tables import table
+from which_commit import commit
 
 LIMIT = 60.0  # seconds
 MESH_SUFFIXES = (*READERS, ".dae", ".dxf")

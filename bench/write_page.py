@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes docs/benchmarks.md and its pictures from what was measured:
+"""Writes a page, docs/benchmarks.md for the longest run, and its pictures from what was measured:
 
-python bench/write_page.py NATIVE_JSON BLENDER_JSON PEERS_JSON [--real-meshes JSON] [--output FILE]
+PYTHONPATH=results python bench/write_page.py NATIVE_JSON BLENDER_JSON PEERS_JSON PAGE [--real-meshes JSON]
 """
 
 import argparse
@@ -13,10 +13,11 @@ import tables
 from compare_peers import LARGEST, load
 from comparison import Comparison
 from libigl_maps import ITERATIONS, MOST_ITERATIONS, STILL
-from machine import ROOT, commit, machine
+from machine import machine
 from palette import use_style
 from plots import plot_lengths, plot_times
 from targets import nearest, target_table
+from which_commit import commit
 
 NO_REAL_MESHES = "They were not at hand in this run (`WIREWARP_MESHES` names their folder)."
 
@@ -143,9 +144,9 @@ def document(benchmarks: list[dict], in_blender: dict, peers: dict[str, list[Com
     lines = [
         "# Benchmarks",
         "",
-        "Written by `./dev bench`, with the largest sizes by `./dev bench --full`. The surface is a smoothly bent "
-        "square sheet of even quads (`native/bench/bumpy_sheet.h`), with straight wires across it, half of them in "
-        "each direction.",
+        "Written by `./dev bench --full`; `./dev bench` leaves out the largest sizes and writes to `build/bench/`. The "
+        "surface is a smoothly bent square sheet of even quads (`native/bench/bumpy_sheet.h`), with straight wires "
+        "across it, half of them in each direction.",
         "",
         f"Machine: {machine()}. Commit: {commit()}.",
         "",
@@ -171,8 +172,8 @@ def main() -> None:
     parser.add_argument("native_json", type=Path, help="what wirewarp_bench --benchmark_out=FILE wrote")
     parser.add_argument("blender_json", type=Path, help="what flatten_in_blender.py wrote")
     parser.add_argument("peers_json", type=Path, help="what compare_peers.py wrote")
+    parser.add_argument("page", type=Path, help="to write; its pictures go into the folder beside it of its name")
     parser.add_argument("--real-meshes", type=Path, help="what real_meshes.py wrote")
-    parser.add_argument("--output", type=Path, default=ROOT / "docs" / "benchmarks.md")
     arguments = parser.parse_args()
 
     benchmarks = json.loads(arguments.native_json.read_text())["benchmarks"]
@@ -181,12 +182,12 @@ def main() -> None:
     real = json.loads(arguments.real_meshes.read_text()) if arguments.real_meshes else None
     page = document(benchmarks, in_blender, peers, real)  # before the pictures change what commit() says
     use_style()
-    pictures = arguments.output.with_suffix("")
+    pictures = arguments.page.with_suffix("")
     pictures.mkdir(parents=True, exist_ok=True)
     plot_times(peers["sheets"], pictures / "times.png")
     plot_lengths(nearest(peers["sheets"], 10_000) or peers["sheets"][-1], pictures / "lengths.png")
-    arguments.output.write_text(page, encoding="utf-8")
-    print(f"wrote {arguments.output}")
+    arguments.page.write_text(page, encoding="utf-8")
+    print(f"wrote {arguments.page}")
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ import numpy as np
 import wirewarp
 from arap import arap_map
 from shapes import Shape
+from true_size import at_true_size
 
 Unwraps = dict[str, np.ndarray]  # what unwrap_in_blender.py wrote: (m, 3, 2) corner UVs by "SAMPLE/METHOD"
 
@@ -41,10 +42,7 @@ def measure(shape: Shape, corner_uv: np.ndarray) -> wirewarp.FlattenResult:
 def blender(shape: Shape, unwraps: Unwraps, method: str) -> wirewarp.FlattenResult:
     """Blender's unwrap, every island scaled to its area on the model."""
     corner_uv = unwraps[f"{shape.name}/{method}"]
-    scaled = corner_uv.copy()
-    for piece in measure(shape, corner_uv).pieces:
-        scaled[piece.source_face] *= np.sqrt(piece.metrics.area_3d / abs(piece.metrics.area_2d))
-    return measure(shape, scaled)
+    return measure(shape, at_true_size(corner_uv, measure(shape, corner_uv)))
 
 
 def arap(shape: Shape, unwraps: Unwraps) -> wirewarp.FlattenResult:

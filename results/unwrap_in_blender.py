@@ -15,35 +15,11 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "blend_samples"))
+FOLDER = Path(__file__).resolve().parent
+sys.path[:0] = [str(FOLDER), str(FOLDER.parent / "blend_samples")]
 
-from shapes import Shape, all_shapes  # noqa: E402 (the folder must be on the path first)
-
-
-def add_mesh(shape: Shape) -> bpy.types.Mesh:
-    """The sample as the only object, active, with its seams marked."""
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    mesh = bpy.data.meshes.new(shape.name)
-    mesh.from_pydata(shape.vertices.tolist(), [], shape.faces)
-    seams = {frozenset(pair) for pair in shape.seams.tolist()}
-    for edge in mesh.edges:
-        edge.use_seam = frozenset(edge.vertices) in seams
-    model = bpy.data.objects.new(shape.name, mesh)
-    bpy.context.scene.collection.objects.link(model)
-    bpy.context.view_layer.objects.active = model
-    model.select_set(True)
-    return mesh
-
-
-def unwrap(mesh: bpy.types.Mesh, method: str) -> np.ndarray:
-    """(loops, 2) UVs."""
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.uv.unwrap(method=method)
-    bpy.ops.object.mode_set(mode="OBJECT")
-    uv = np.empty(2 * len(mesh.loops), dtype=np.float32)
-    mesh.uv_layers.active.data.foreach_get("uv", uv)
-    return uv.reshape(-1, 2).astype(float)
+from model_in_blender import add_model, read_uv  # noqa: E402 (the folders must be on the path first)
+from shapes import Shape, all_shapes  # noqa: E402
 
 
 def triangle_loops(shape: Shape) -> np.ndarray:
@@ -61,9 +37,10 @@ def main() -> None:
     output = Path(sys.argv[sys.argv.index("--") + 1])
     unwraps = {}
     for shape in all_shapes():
-        mesh = add_mesh(shape)
         for method in ("ANGLE_BASED", "CONFORMAL"):
-            unwraps[f"{shape.name}/{method}"] = unwrap(mesh, method)[triangle_loops(shape)]
+            mesh = add_model(shape.vertices, shape.faces, shape.seams)
+            bpy.ops.uv.unwrap(method=method)
+            unwraps[f"{shape.name}/{method}"] = read_uv(mesh)[triangle_loops(shape)]
     output.parent.mkdir(parents=True, exist_ok=True)
     np.savez_compressed(output, **unwraps)
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 import argparse
 import os
 import re
-import subprocess
 from pathlib import Path
 
 os.environ["IGL_NUM_THREADS"] = os.environ["OMP_NUM_THREADS"] = "1"  # the same sums in every run
@@ -30,14 +29,10 @@ from methods import METHODS  # noqa: E402
 from palette import use_style  # noqa: E402
 from shapes import all_shapes  # noqa: E402
 from text import wrap  # noqa: E402
+from which_commit import commit  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
 SECTIONS = [figure_1, figure_3, figure_6, figure_8, figure_9, figure_11, beyond_the_paper, all_samples]
-
-
-def commit() -> str:
-    command = ["git", "-C", str(ROOT), "describe", "--always", "--dirty"]
-    return subprocess.check_output(command, text=True).strip()
 
 
 def contents(sections: list[str]) -> str:

@@ -13,6 +13,7 @@ APT = (*CORE_APT, *BLENDER_APT, *BPY_APT, "libbenchmark-dev")
 PACKAGES = ("numpy==1.26.4", "libigl==2.6.3", "matplotlib==3.10.9")
 PEER = "bpy==4.5.15"  # the Blender whose unwraps are compared
 FOLDER = BUILD / "bench"
+SHARED = {"PYTHONPATH": str(ROOT / "results")}  # modules that both pages use
 NOT_THE_LARGEST = "--benchmark_filter=-triangles:1000000"
 
 
@@ -32,7 +33,7 @@ def measure_in_blender() -> Path:
 def measure_peers(python: Path, is_full: bool) -> Path:
     output = FOLDER / "peers.json"
     options = ["--full"] if is_full else []
-    run([python, "bench/compare_peers.py", output, *options], WIREWARP_BPY_PYTHON=str(bpy_python(PEER)))
+    run([python, "bench/compare_peers.py", output, *options], WIREWARP_BPY_PYTHON=str(bpy_python(PEER)), **SHARED)
     return output
 
 
@@ -43,14 +44,16 @@ def measure_real_meshes(python: Path) -> list[str | Path]:
         say("real meshes are NOT MEASURED: WIREWARP_MESHES names no folder")
         return []
     page, counts = FOLDER / "real_meshes.md", FOLDER / "real_meshes.json"
-    run([python, "bench/real_meshes.py", folder, page, counts], WIREWARP_BPY_PYTHON=str(bpy_python(PEER)))
+    run([python, "bench/real_meshes.py", folder, page, counts], WIREWARP_BPY_PYTHON=str(bpy_python(PEER)), **SHARED)
     return ["--real-meshes", counts]
 
 
 def run_bench(is_full: bool) -> None:
+    """Only the full run replaces the page of record."""
     require_apt(*APT)
     build_native("bench")
     python = venv_with_core("bench", "3.11", *PACKAGES)
     measured = [measure_the_core(is_full), measure_in_blender(), measure_peers(python, is_full)]
     real = measure_real_meshes(python)
-    run([python, "bench/write_page.py", *measured, *real], PYTHONPATH=str(ROOT / "results"))
+    page = ROOT / "docs" / "benchmarks.md" if is_full else FOLDER / "benchmarks.md"
+    run([python, "bench/write_page.py", *measured, page, *real], **SHARED)

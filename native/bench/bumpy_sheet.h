@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface the benchmarks flatten, at any size. bench/peers.py makes the same one.
+// The surface the benchmarks flatten, at any size. bench/surfaces.py makes the same one.
 #pragma once
 
 #include <cmath>
