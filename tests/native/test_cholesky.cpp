@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
@@ -17,6 +15,7 @@
 #include "cholesky/multifrontal_cholesky.h"
 #include "cholesky_problems.h"
 #include "count_allocations.h"
+#include "dense_algebra.h"
 
 namespace wirewarp {
 namespace {
@@ -130,10 +129,12 @@ TEST(MultifrontalCholesky, RenumberingTheVerticesRenumbersTheSolution) {
 /// A − c eᵢeᵢᵀ is positive definite for c < 1 / (A⁻¹)ᵢᵢ alone.
 TEST(MultifrontalCholesky, FindsASingleNegativePivotWhereverItIs) {
   CholeskyProblem problem = mesh_problem(12, 2);
-  const Eigen::VectorXd inverse_diagonal = full(problem.lower).inverse().diagonal();
+  const Eigen::Index size = problem.lower.rows();
+  const Eigen::VectorXd inverse_diagonal =
+      test::solve(full(problem.lower), Eigen::MatrixXd::Identity(size, size)).diagonal();
   for (const FrontKernels* kernels : all_kernels()) {
     MultifrontalCholesky cholesky = analyze(problem, *kernels);
-    for (int i = 0; i < problem.lower.rows(); ++i) {
+    for (Eigen::Index i = 0; i < size; ++i) {
       const double diagonal = problem.lower.coeff(i, i);
       problem.lower.coeffRef(i, i) = diagonal - (1 - 1e-7) / inverse_diagonal[i];
       EXPECT_TRUE(cholesky.factorize(problem.lower)) << i;
@@ -148,8 +149,7 @@ TEST(MultifrontalCholesky, IsPositiveDefiniteUpToTheSmallestEigenvalue) {
   for (CholeskyProblem& problem : cholesky_problems()) {
     if (problem.lower.rows() > 300) continue;  // for the sake of the dense eigenvalues
     SCOPED_TRACE(problem.name);
-    const double smallest =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full(problem.lower), Eigen::EigenvaluesOnly).eigenvalues()[0];
+    const double smallest = test::eigenvalues(full(problem.lower))[0];
     MultifrontalCholesky cholesky(problem.lower, problem.tree(), problem.unknowns_per_vertex, true);
     const Eigen::VectorXd diagonal = problem.lower.diagonal();
     problem.lower.diagonal().array() -= smallest * (1 - 1e-6);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <random>
 
+#include "dense_algebra.h"
 #include "refine/fair_shape_error.h"
 #include "test_meshes.h"
 
@@ -20,10 +21,6 @@ Positions2 random_positions(Eigen::Index rows, unsigned seed) {
 }
 
 double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
-
-Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues();
-}
 
 /// A bent sheet with crossing wires, and layouts with open, compressed, nearly closed and turned triangles.
 class FairShapeErrorOnASaddle : public testing::Test {
@@ -99,11 +96,11 @@ TEST_F(FairShapeErrorOnASaddle, EveryOtherCurvatureIsAboveTheExactOneAndTheConve
     const Eigen::MatrixXd exact = hessian(uv, Curvature::exact), open = hessian(uv, Curvature::exact_where_open);
     const Eigen::MatrixXd convex = hessian(uv, Curvature::convex), none = hessian(uv, Curvature::none);
     const double rounding = 1e-12 * none.norm();
-    EXPECT_LT(eigenvalues(exact).minCoeff(), -rounding) << "nothing to mend";
-    EXPECT_GT(eigenvalues(open - exact).minCoeff(), -rounding);
-    EXPECT_GT(eigenvalues(convex - open).minCoeff(), -rounding);
-    EXPECT_GT(eigenvalues(none - convex).minCoeff(), -rounding);
-    EXPECT_GT(eigenvalues(convex).minCoeff(), -rounding);
+    EXPECT_LT(test::eigenvalues(exact).minCoeff(), -rounding) << "nothing to mend";
+    EXPECT_GT(test::eigenvalues(open - exact).minCoeff(), -rounding);
+    EXPECT_GT(test::eigenvalues(convex - open).minCoeff(), -rounding);
+    EXPECT_GT(test::eigenvalues(none - convex).minCoeff(), -rounding);
+    EXPECT_GT(test::eigenvalues(convex).minCoeff(), -rounding);
   }
 }
 

@@ -2,11 +2,12 @@
 // Lengths as equations, and the linear system of a Newton step under them, against dense algebra.
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "dense_algebra.h"
 #include "outer/free_arap.h"
 #include "refine/newton_system.h"
 #include "refine/refine_shape.h"
@@ -59,15 +60,12 @@ class NewtonSystemOnASaddle : public testing::Test {
 
   /// H reduced to the null space of J.
   Eigen::MatrixXd reduced_hessian(const Eigen::VectorXd& multipliers, const Convexity& convexity) {
-    const Eigen::MatrixXd h = dense(system.hessian(uv, multipliers, convexity));
-    const Eigen::MatrixXd space = Eigen::FullPivLU<Eigen::MatrixXd>(jacobian(constraints.directions(uv))).kernel();
-    const Eigen::MatrixXd basis = Eigen::HouseholderQR<Eigen::MatrixXd>(space).householderQ() *
-                                  Eigen::MatrixXd::Identity(num_unknowns, space.cols());
-    return basis.transpose() * h * basis;
+    return test::reduced_to(test::null_space(jacobian(constraints.directions(uv))),
+                            dense(system.hessian(uv, multipliers, convexity)));
   }
 
   double lowest_curvature(const Eigen::VectorXd& multipliers, const Convexity& convexity) {
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(reduced_hessian(multipliers, convexity)).eigenvalues()[0];
+    return test::eigenvalues(reduced_hessian(multipliers, convexity))[0];
   }
 
   const Charts charts = test::charts_of(input());
@@ -199,7 +197,8 @@ TEST_F(NewtonSystemOnASaddle, TheHessianByVariationIsThatOfTheDenseSystem) {
   const Eigen::MatrixXd h = dense(system.hessian(uv, multipliers, convex));
   // min ½ d·Hd with J d = T h is ½ h·S h: S = Tᵀ (J H⁻¹ Jᵀ)⁻¹ T, the pins make H regular.
   const Eigen::MatrixXd t = constraints.elastic_lengths();
-  const Eigen::MatrixXd expected = t.transpose() * (j * h.llt().solve(j.transpose())).ldlt().solve(t);
+  const Eigen::MatrixXd by_force = test::product(j, test::solve(h, j.transpose()));
+  const Eigen::MatrixXd expected = test::product(t.transpose(), test::solve(by_force, t));
   EXPECT_LT((s - expected).norm(), 1e-5 * expected.norm());
 }
 
@@ -209,11 +208,12 @@ TEST_F(NewtonSystemOnASaddle, TheStiffnessByVariationIsThatOfTheDenseSystem) {
   ASSERT_TRUE(system.factorize(uv, 0 * soft, convex));
   const Eigen::MatrixXd j = jacobian(system.directions());
   const Eigen::MatrixXd stretched = soft.asDiagonal() * constraints.elastic_lengths();
-  const Eigen::MatrixXd a = dense(system.hessian(uv, 0 * soft, convex)) + j.transpose() * soft.asDiagonal() * j;
-  const Eigen::MatrixXd pulled = j.transpose() * stretched;
+  const Eigen::MatrixXd a =
+      dense(system.hessian(uv, 0 * soft, convex)) + test::product(j.transpose(), soft.asDiagonal() * j);
+  const Eigen::MatrixXd pulled = test::product(j.transpose(), stretched);
   // min over d of ½ Σ ρ (J d − T h)² + ½ d·Hd is ½ h·S h.
   const Eigen::MatrixXd expected =
-      constraints.elastic_lengths().transpose() * stretched - pulled.transpose() * a.llt().solve(pulled);
+      constraints.elastic_lengths().transpose() * stretched - test::product(pulled.transpose(), test::solve(a, pulled));
   EXPECT_LT((system.stiffness_by_variation() - expected).norm(), 1e-9 * expected.norm());
 }
 
@@ -228,8 +228,7 @@ TEST(MakePositive, LeavesWhatIsPositiveButNearlySingular) {
 }
 
 TEST(MakePositive, TakesMagnitudesOfEigenvalues) {
-  const Eigen::MatrixXd q =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(as_positions(random_vector(8, 1)).leftCols(2).topRows(2)).householderQ();
+  const Eigen::Matrix2d q = test::orthonormal(as_positions(random_vector(4, 1)));
   const Eigen::MatrixXd symmetric = q * Eigen::Vector2d(-3, 1e-9).asDiagonal() * q.transpose();
   const Eigen::MatrixXd expected = q * Eigen::Vector2d(3, 3e-6).asDiagonal() * q.transpose();
   EXPECT_LT((make_positive(symmetric) - expected).norm(), 1e-12);

@@ -4,9 +4,10 @@
 //   (H + σG) d = -g on the space,   σ = 0 or |d|_G = Δ,   H + σG positive semidefinite on the space
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <random>
 
+#include "dense_algebra.h"
 #include "refine/tangent_model.h"
 
 namespace wirewarp {
@@ -28,10 +29,10 @@ struct Problem {
     const Eigen::MatrixXd a = random_matrix(kUnknowns, kUnknowns, random),
                           b = random_matrix(kUnknowns, kUnknowns, random);
     hessian = a + a.transpose() + shift * Eigen::MatrixXd::Identity(kUnknowns, kUnknowns);
-    metric = b * b.transpose() + Eigen::MatrixXd::Identity(kUnknowns, kUnknowns);
+    metric = test::product(b, b.transpose()) + Eigen::MatrixXd::Identity(kUnknowns, kUnknowns);
     constraints = random_matrix(kConstraints, kUnknowns, random);
     gradient = random_matrix(kUnknowns, 1, random);
-    space = Eigen::FullPivLU<Eigen::MatrixXd>(constraints).kernel();
+    space = test::null_space(constraints);
   }
 
   TangentModel model(int max_size) const {
@@ -46,7 +47,7 @@ struct Problem {
     kkt.topRightCorner(kUnknowns, kConstraints) = constraints.transpose();
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(kUnknowns + kConstraints);
     rhs.head(kUnknowns) = r;
-    const Eigen::VectorXd solution = kkt.fullPivLu().solve(rhs);
+    const Eigen::VectorXd solution = test::solve(kkt, rhs);
     r -= constraints.transpose() * solution.tail(kConstraints);
     return solution.head(kUnknowns);
   }
@@ -54,9 +55,7 @@ struct Problem {
   double value(const Eigen::VectorXd& d) const { return gradient.dot(d) + 0.5 * d.dot(hessian * d); }
 
   Eigen::VectorXd eigenvalues_in_space(const Eigen::MatrixXd& m) const {
-    return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(space.transpose() * m * space,
-                                                                     space.transpose() * metric * space)
-        .eigenvalues();
+    return test::eigenvalues(test::reduced_to(space, m), test::reduced_to(space, metric));
   }
 
   Eigen::MatrixXd hessian, metric, constraints, space;
@@ -92,8 +91,9 @@ TEST(TangentModel, TakesTheNewtonStepOfAConvexQuadraticWhereTheBallHoldsIt) {
   for (unsigned seed = 0; seed < 10; ++seed) {
     const Problem problem(seed, 30);
     ASSERT_GT(problem.eigenvalues_in_space(problem.hessian).minCoeff(), 0);
-    const Eigen::MatrixXd reduced = problem.space.transpose() * problem.hessian * problem.space;
-    const Eigen::VectorXd newton = -problem.space * reduced.llt().solve(problem.space.transpose() * problem.gradient);
+    const Eigen::MatrixXd reduced = test::reduced_to(problem.space, problem.hessian);
+    const Eigen::VectorXd newton =
+        -problem.space * test::solve(reduced, problem.space.transpose() * problem.gradient).col(0);
     const ModelStep step = problem.model(kUnknowns).step(1e3);
     EXPECT_TRUE(step.is_inside);
     // It stops where a hundredth of the force is left, and q lacks the square of that.
