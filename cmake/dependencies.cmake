@@ -36,6 +36,7 @@ function(build_openmesh)
   set(CMAKE_POLICY_VERSION_MINIMUM 3.5)  # it asks for less than newer CMakes still know
   set(CMAKE_COMPILE_WARNING_AS_ERROR OFF)
   FetchContent_MakeAvailable(OpenMesh)
+  set_property(DIRECTORY ${openmesh_SOURCE_DIR} PROPERTY EXCLUDE_FROM_ALL ON)  # what nobody links is not built
   set(library OpenMeshCoreStatic)
   if(WIN32)
     set(library OpenMeshCore)  # static there, and the only one

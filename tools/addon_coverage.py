@@ -11,6 +11,7 @@ from tools.environment import BUILD, ROOT, StepError, output_of, require_apt, sa
 
 ADDON = ROOT / "addon" / "wirewarp"
 FOLDER = BUILD / "coverage"
+COVERAGE_APT = ("python3-coverage",)
 KINDS = ("headless", "window")
 NEEDS_WINDOW = {  # what Blender runs in a window only; all others are tested without one, too
     "addon/wirewarp/operators/frame.py": "moves a view",
@@ -24,7 +25,7 @@ REGISTERING = {"attach", "detach", "register", "unregister"}  # run of every mod
 
 def begin(kind: str) -> dict[str, str]:
     """Forgets what was measured before of this kind; returns environment variables for the tests."""
-    require_apt("python3-coverage")
+    require_apt(*COVERAGE_APT)
     FOLDER.mkdir(parents=True, exist_ok=True)
     for old in FOLDER.glob(f"{kind}.*"):
         old.unlink()

@@ -62,7 +62,7 @@ def debian_blender_tests() -> None:
 
 def window_tests() -> None:
     require_apt(*BLENDER_APT, *WINDOW_APT)
-    python = venv("repository", DEBIAN_PYTHON, PYTEST)
+    python = venv("window", DEBIAN_PYTHON, PYTEST)
     settings = {"WIREWARP_ZIP": str(package_legacy())} | addon_coverage.begin("window")
     run([python, "-m", "pytest", "-q", "tests/window"], **settings)
     addon_coverage.show("window")

@@ -17,6 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build"
 DEBIAN_PYTHON = Path("/usr/bin/python3.11")
+CORES = len(os.sched_getaffinity(0))
 SYSTEM_PATH = "/usr/local/sbin:/usr/sbin:/sbin:/usr/bin:/bin"  # dpkg needs the sbin folders
 CALLERS_PATH = os.environ.get("PATH", "")
 

@@ -2,7 +2,8 @@
 """Building and testing the core, with expected input and with random one."""
 
 from tools import core_coverage
-from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, require_apt, run, run_quietly, venv
+from tools.environment import BUILD, CORES, DEBIAN_PYTHON, ROOT, require_apt, run, run_quietly, venv
+from tools.old_glibc import openmesh_source
 from tools.package import BUILD_APT
 
 CORE_APT = (*BUILD_APT, "libopenmesh-dev")
@@ -10,25 +11,34 @@ NATIVE_APT = (*CORE_APT, "libgtest-dev", "libnlopt-dev", "nlohmann-json3-dev")
 FUZZ_APT = (*CORE_APT, "clang", "libclang-rt-14-dev")
 ATHERIS = ("atheris==3.0.0", "numpy==1.26.4")  # libFuzzer for Python
 FEW_CASES, MANY_CASES = 1_000, 10_000
-FLATTEN_SECONDS, READER_SECONDS = 600, 120
+FUZZ_SECONDS = {"flatten": 600, "reader": 120}
 
 
-def build_native(preset: str, *targets: str) -> None:
-    run_quietly(f"configuring build/{preset}", ["cmake", "--preset", preset])
+def build_native(preset: str, *targets: str, **definitions: str) -> None:
+    """All targets, if none is named; definitions: variables of CMake."""
+    defined = [f"-D{name}={value}" for name, value in definitions.items()]
+    run_quietly(f"configuring build/{preset}", ["cmake", "--preset", preset, *defined])
     only = ["--target", *targets] if targets else []
-    run_quietly(f"building build/{preset}", ["cmake", "--build", "--preset", preset, *only])
+    run_quietly(f"building build/{preset}", ["cmake", "--build", "--preset", preset, "-j", str(CORES), *only])
 
 
-def native_tests(preset: str) -> None:
+def run_native_tests(preset: str) -> None:
+    run(["ctest", "--preset", preset, "-j", str(CORES), "--progress"])
+
+
+def native_tests() -> None:
+    """On the core as the wheels have it, with the same OpenMesh: then these need not compile it again."""
     require_apt(*NATIVE_APT)
-    build_native(preset)
-    run(["ctest", "--preset", preset, "-j2", "--progress"])
+    build_native("release", "wirewarp_tests", FETCHCONTENT_SOURCE_DIR_OPENMESH=str(openmesh_source()))
+    run_native_tests("release")
 
 
 def instrumented_native_tests() -> None:
-    """Under the sanitizers, with the core's coverage."""
+    """Under the sanitizers, with the core's coverage, and with Debian's OpenMesh."""
+    require_apt(*NATIVE_APT)
+    build_native("asan")
     core_coverage.begin()
-    native_tests("asan")
+    run_native_tests("asan")
     core_coverage.show()
 
 
@@ -36,15 +46,17 @@ def random_cases(count: int = FEW_CASES) -> None:
     """The first so many random cases, under the sanitizers."""
     require_apt(*NATIVE_APT)
     build_native("asan", "wirewarp_random_cases")
+    core_coverage.begin()  # or what an older build has counted is met
     run([BUILD / "asan" / "wirewarp_random_cases", "0", str(count)])
 
 
-def fuzz() -> None:
+def fuzz(is_short: bool) -> None:
     """Many random cases, then inputs that a fuzzer finds, to flatten() and to the add-on's reader of wires.
 
     What a fuzzer has found interesting is kept in build/fuzz, and is where the next run begins.
     """
-    random_cases(MANY_CASES)
+    share = 0.1 if is_short else 1
+    random_cases(round(share * MANY_CASES))
     require_apt(*FUZZ_APT)
     build_native("fuzz", "wirewarp_fuzz")
     corpora = {name: BUILD / "fuzz" / f"{name}_corpus" for name in ("flatten", "reader")}
@@ -52,7 +64,8 @@ def fuzz() -> None:
         corpus.mkdir(exist_ok=True)
     longest = ["-max_len=600", "-len_control=0"]  # bytes; a mesh of 5 by 5 quads with wires takes about 400
     options = [*longest, "-timeout=60", "-print_final_stats=1", f"-artifact_prefix={BUILD / 'fuzz'}/"]
-    run([BUILD / "fuzz" / "wirewarp_fuzz", f"-max_total_time={FLATTEN_SECONDS}", *options, corpora["flatten"]])
+    time_of = {name: f"-max_total_time={share * seconds:.0f}" for name, seconds in FUZZ_SECONDS.items()}
+    run([BUILD / "fuzz" / "wirewarp_fuzz", time_of["flatten"], *options, corpora["flatten"]])
     python = venv("fuzz", DEBIAN_PYTHON, *ATHERIS)
     reader = ROOT / "tests" / "fuzz" / "fuzz_wire_reader.py"
-    run([python, reader, f"-max_total_time={READER_SECONDS}", *options, corpora["reader"]])
+    run([python, reader, time_of["reader"], *options, corpora["reader"]])

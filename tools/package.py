@@ -64,9 +64,10 @@ def package() -> dict[str, Path]:
     require_apt(*BUILD_APT)
     found = {version: find_python(version) for version in PYTHONS}
     wheels = {version: build_wheel(version, python) for version, python in found.items() if python}
-    for old in set(DIST.glob("wirewarp-*")) - set(wheels.values()):
+    for old in set(DIST.glob("wirewarp-*.whl")) - set(wheels.values()):
         old.unlink()
-    zips.write_zips(DIST)
+    for old in set(DIST.glob("wirewarp-*.zip")) - set(zips.write_zips(DIST)):
+        old.unlink()
     return wheels
 
 

@@ -2,7 +2,6 @@
 """clang-tidy on every C++ source but the fuzzer's, which needs a clang of its own; .clang-tidy says which checks."""
 
 import json
-import os
 import re
 import subprocess
 from collections.abc import Iterable
@@ -11,6 +10,7 @@ from pathlib import Path
 
 from tools.environment import (
     BUILD,
+    CORES,
     DEBIAN_PYTHON,
     ROOT,
     StepError,
@@ -42,7 +42,7 @@ def tidy() -> None:
     keys = {source: fingerprint(what_decides(source, headers), *TOOLS, commands[source]) for source in commands}
     changed = [source for source in commands if not is_current(stamp(source), keys[source])]
     say(f"clang-tidy on {len(changed)} of {len(commands)} sources")
-    with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+    with ThreadPoolExecutor(CORES) as pool:
         clean = list(pool.map(lambda source: is_clean(python.parent / "clang-tidy", source, keys[source]), changed))
     if not all(clean):
         raise StepError(f"clang-tidy has findings in {clean.count(False)} sources")
@@ -72,7 +72,9 @@ def headers_by_name() -> dict[str, list[Path]]:
 
 
 def what_decides(source: Path, headers: dict[str, list[Path]]) -> Iterable[Path]:
-    """The settings, the source and all headers of ours that it includes, directly or not; headers go by name."""
+    """The settings, the source and all headers of ours that it includes, directly or not.
+
+    Headers go by name: of two with one name, both count."""
     seen = {source}
     todo = [source]
     while todo:

@@ -5,6 +5,7 @@ Version and manifest come from pyproject.toml alone. The same sources and wheels
 """
 
 import json
+import os
 import re
 import tomllib
 import zipfile
@@ -129,11 +130,14 @@ def write_legacy(folder: Path, platform: str, wheel: Path) -> Path:
 
 
 def write_zip(path: Path, files: dict[str, bytes]) -> Path:
-    """Sorted names and one fixed time: the same files give the same bytes."""
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+    """Sorted names and one fixed time: the same files give the same bytes. It takes the place of an old one that may be
+    in use.
+    """
+    part = path.with_suffix(f".part{os.getpid()}")
+    with zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted(files):
             entry = zipfile.ZipInfo(name, date_time=(1980, 1, 1, 0, 0, 0))
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = 0o644 << 16
             archive.writestr(entry, files[name])
-    return path
+    return part.replace(path)

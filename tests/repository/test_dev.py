@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which steps ./dev test runs, in which order, and how it ends."""
+
+import importlib.machinery
+import importlib.util
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tools import environment, steps
+from tools.environment import NotTestedError, StepError
+from tools.steps import Outcome, Step, run_in_order, run_side_by_side, show
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(scope="module")
+def dev():
+    loader = importlib.machinery.SourceFileLoader("dev", str(ROOT / "dev"))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("dev", loader))
+    loader.exec_module(module)
+    return module
+
+
+@pytest.fixture
+def main(dev, monkeypatch):
+    """Runs `./dev test WORDS` with steps that do nothing but end as their names say; returns the exit code."""
+    monkeypatch.setattr(dev, "missing_python_notice", lambda: None)
+    monkeypatch.setattr(dev, "require_apt", lambda *names: None)
+
+    def run(names: list[str], *words: str) -> int:
+        monkeypatch.setattr(dev, "test_steps", lambda: [Step(name, work_named(name)) for name in names])
+        monkeypatch.setattr(sys, "argv", ["dev", "test", *words])
+        return dev.main()
+
+    return run
+
+
+def work_named(name: str):
+    def work() -> None:
+        if name.startswith("bad"):
+            raise StepError("it is bad")
+        if name.startswith("lacking"):
+            raise NotTestedError("there is no such Python")
+
+    return work
+
+
+def table(output: str) -> list[tuple[str, str]]:
+    """(step, outcome) of each row but the last, which is the time of all."""
+    rows = output.partition("===== summary\n")[2].splitlines()
+    return [(row[:24].strip(), row[24:35].strip()) for row in rows if row.endswith(" s") and not row.startswith("all ")]
+
+
+def test_steps_are_chosen_by_how_their_names_begin(main, capfd):
+    assert main(["lint", "blender-3.4", "blender-4.2", "window"], "blender", "li") == 0
+    assert [name for name, _ in table(capfd.readouterr().out)] == ["lint", "blender-3.4", "blender-4.2"]
+
+
+def test_an_unknown_step_names_the_known_ones(main, capfd):
+    assert main(["lint", "window"], "windows") == 1
+    assert "no step begins with windows; there are: lint, window" in capfd.readouterr().out
+
+
+def test_a_failed_step_is_told_and_the_others_run_all_the_same(main, capfd):
+    assert main(["bad", "good"], "bad", "good") == 1
+    output = capfd.readouterr().out
+    assert "dev: it is bad" in output and "dev: failed: bad" in output
+    assert table(output) == [("bad", "FAILED"), ("good", "passed")]
+
+
+def test_a_step_that_cannot_be_tested_here_fails_nothing_and_is_named(main, capfd):
+    assert main(["lacking"], "lacking") == 0
+    output = capfd.readouterr().out
+    assert "lacking is NOT TESTED: there is no such Python" in output
+    assert table(output) == [("lacking", "NOT TESTED")]
+
+
+def test_all_steps_run_side_by_side_and_end_the_same(main, capfd, tmp_path, monkeypatch):
+    monkeypatch.setattr(steps, "LOGS", tmp_path)
+    assert main(["good", "bad", "lacking"]) == 1
+    assert table(capfd.readouterr().out) == [("good", "passed"), ("bad", "FAILED"), ("lacking", "NOT TESTED")]
+
+
+def test_no_name_of_a_step_begins_as_another(dev):
+    names = [step.name for step in dev.test_steps()]
+    assert [(a, b) for a in names for b in names if a != b and a.startswith(b)] == []
+
+
+def test_a_step_comes_after_the_one_it_builds_on(dev):
+    before: set[str] = set()
+    for step in dev.test_steps():
+        assert not step.after or step.after in before, step.name
+        before.add(step.name)
+
+
+@pytest.fixture
+def log(tmp_path, monkeypatch):
+    """What steps write, in order; also takes the place of build/log."""
+    monkeypatch.setattr(steps, "LOGS", tmp_path)
+    return tmp_path / "events"
+
+
+def writer(log: Path, text: str):
+    def write() -> None:
+        with log.open("a") as events:
+            events.write(text + "\n")
+
+    return write
+
+
+def test_side_by_side_a_step_waits_for_another(log):
+    chosen = [
+        Step("first", writer(log, "first")),
+        Step("last", writer(log, "last"), after="middle"),
+        Step("middle", writer(log, "middle"), after="first"),
+    ]
+    assert [outcome.name for outcome in run_side_by_side(chosen)] == ["first", "last", "middle"]
+    assert log.read_text().split() == ["first", "middle", "last"]
+
+
+def test_side_by_side_the_output_of_a_step_stays_together(log, capfd):
+    def speak(name: str):
+        def work() -> None:
+            for _ in range(50):
+                subprocess.run(["echo", name], check=True)
+                print(name, flush=True)
+
+        return work
+
+    run_side_by_side([Step("one", speak("1")), Step("two", speak("2"))])
+    words = [line for line in capfd.readouterr().out.splitlines() if line in ("1", "2")]
+    assert sorted(words) in (words, words[::-1])
+    assert len(words) == 200
+
+
+@pytest.mark.parametrize("end", [lambda: os.kill(os.getpid(), signal.SIGKILL), lambda: 1 / 0], ids=["killed", "raises"])
+def test_side_by_side_a_step_that_breaks_down_has_failed(log, end):
+    assert [outcome.word for outcome in run_side_by_side([Step("broken", end), Step("good", lambda: None)])] == [
+        "FAILED",
+        "passed",
+    ]
+
+
+def test_only_expected_errors_are_outcomes():
+    with pytest.raises(ZeroDivisionError):
+        run_in_order([Step("broken", lambda: 1 / 0)])
+
+
+def test_the_table_has_the_time_of_all(capfd):
+    show([Outcome("a", "passed", 3.0), Outcome("b", "passed", 4.0)], 5.0)
+    assert [row.split()[-2] for row in capfd.readouterr().out.splitlines() if row.endswith(" s")] == ["3", "4", "5"]
+
+
+def test_without_the_right_to_install_the_command_is_told(monkeypatch):
+    monkeypatch.setattr(os, "geteuid", lambda: 1000)
+    monkeypatch.setattr(environment, "may_use_sudo", lambda: False)
+    with pytest.raises(StepError, match=r"as root.*\n.*apt-get install .* no-such-package$"):
+        environment.require_apt("base-files", "no-such-package")
+
+
+@pytest.mark.parametrize("words", [["lint", "window"], ["test", "--full"], ["bench", "--short"], ["no-such-command"]])
+def test_words_that_a_command_does_not_take_are_refused(dev, words, monkeypatch, capfd):
+    monkeypatch.setattr(sys, "argv", ["dev", *words])
+    with pytest.raises(SystemExit) as stopped:
+        dev.main()
+    assert stopped.value.code == 2
+    assert "usage: dev" in capfd.readouterr().err

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the steps of ./dev test: some one after the other, or all of them two at a time."""
+
+import multiprocessing
+import os
+import sys
+import time
+from collections.abc import Callable, Container, Iterable, Sequence
+from dataclasses import dataclass
+from multiprocessing.connection import wait
+from multiprocessing.context import ForkProcess
+
+from tools.environment import BUILD, NotTestedError, StepError, say
+
+PASSED, FAILED, NOT_TESTED = "passed", "FAILED", "NOT TESTED"
+EXIT_CODES = {0: PASSED, 1: FAILED, 2: NOT_TESTED}
+LOGS = BUILD / "log"
+AT_ONCE = 2  # so that a step that uses one core leaves none idle
+PROCESSES = multiprocessing.get_context("fork")
+
+
+@dataclass(frozen=True)
+class Step:
+    name: str
+    work: Callable[[], None]  # raises StepError or NotTestedError
+    after: str = ""  # the step whose builds this one takes over
+
+
+@dataclass(frozen=True)
+class Outcome:
+    name: str
+    word: str
+    seconds: float
+
+
+def run_in_order(steps: Iterable[Step]) -> list[Outcome]:
+    """Each with its output as it comes."""
+    outcomes = []
+    for step in steps:
+        print(f"\n===== {step.name}", flush=True)
+        begin = time.monotonic()
+        word = _word_of(step)
+        outcomes.append(Outcome(step.name, word, time.monotonic() - begin))
+    return outcomes
+
+
+def run_side_by_side(steps: Sequence[Step]) -> list[Outcome]:
+    """Each in a process of its own, whose output is kept in build/log and shown when it ends; in the order given."""
+    LOGS.mkdir(parents=True, exist_ok=True)
+    waiting = list(steps)
+    running: list[tuple[Step, ForkProcess, float]] = []
+    outcomes: dict[str, Outcome] = {}
+    while waiting or running:
+        while len(running) < AT_ONCE and (step := _next(waiting, outcomes)):
+            waiting.remove(step)
+            process = PROCESSES.Process(target=_run_apart, args=(step,))
+            process.start()
+            running.append((step, process, time.monotonic()))
+            say(f"{step.name} begins")
+        ended = wait([process.sentinel for _, process, _ in running])
+        for step, process, begin in [entry for entry in running if entry[1].sentinel in ended]:
+            process.join()
+            word = EXIT_CODES.get(process.exitcode or 0, FAILED)
+            outcomes[step.name] = Outcome(step.name, word, time.monotonic() - begin)
+            print(f"\n===== {step.name}\n{(LOGS / step.name).read_text(errors='replace')}", flush=True)
+        running = [entry for entry in running if entry[1].sentinel not in ended]
+    return [outcomes[step.name] for step in steps]
+
+
+def show(outcomes: Sequence[Outcome], seconds: float) -> None:
+    """Prints a table; seconds: of all together, by the clock. Raises StepError if a step failed."""
+    print("\n===== summary")
+    for outcome in (*outcomes, Outcome("all", "", seconds)):
+        print(f"{outcome.name:24} {outcome.word:10} {outcome.seconds:6.0f} s")
+    if failed := [outcome.name for outcome in outcomes if outcome.word == FAILED]:
+        raise StepError(f"failed: {', '.join(failed)}")
+
+
+def _next(waiting: list[Step], ended: Container[str]) -> Step | None:
+    return next((step for step in waiting if not step.after or step.after in ended), None)
+
+
+def _word_of(step: Step) -> str:
+    try:
+        step.work()
+    except NotTestedError as reason:
+        say(f"{step.name} is NOT TESTED: {reason}")
+        return NOT_TESTED
+    except StepError as failure:
+        say(str(failure))
+        return FAILED
+    return PASSED
+
+
+def _run_apart(step: Step) -> None:
+    """In a process of its own, which ends with the step."""
+    with (LOGS / step.name).open("w", buffering=1) as log:
+        os.dup2(log.fileno(), 1)  # for the programs it runs
+        os.dup2(log.fileno(), 2)
+        sys.stdout = sys.stderr = log
+        word = _word_of(step)
+    sys.exit(next(code for code, name in EXIT_CODES.items() if name == word))
