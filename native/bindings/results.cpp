@@ -89,7 +89,7 @@ void bind_piece_parts(py::module_& module) {
       .field("area_3d", &Metrics::area_3d, "Square scene units.")
       .field("area_2d", &Metrics::area_2d, "Square scene units.");
 
-  Record<PieceReport>(module, "PieceReport", "What the solver did for one piece.")
+  Record<PieceReport>(module, "PieceReport", "What the solver did for one piece. Counts are of all that was tried, for a piece that failed too.")
       .field(
           "termination", [](const PieceReport& report, py::handle) { return py::str(name_of(report.termination)); },
           "'converged', 'stalled' (short of the method's criterion: see warnings), 'failed', 'cancelled' or "
@@ -100,11 +100,11 @@ void bind_piece_parts(py::module_& module) {
       .field("outer_iterations", &PieceReport::outer_iterations, "Steps over the wires' lengths.")
       .field("gradient_evaluations", &PieceReport::gradient_evaluations, "Gradients with respect to them.")
       .field("factorizations", &PieceReport::factorizations,
-             "Of the placement of the vertices between wires and the free flattening; refined: of Newton systems.")
+             "Of the placement of the vertices between wires and the free flattening; refined: of Newton systems, "
+             "counted as Options.max_factorizations does.")
       .field("constraint_residual", &PieceReport::constraint_residual,
              "Largest gap of a wire loop over its length; refined: largest error of an edge's length over that length "
-             "plus "
-             "1e-5 of the root of the piece's area.")
+             "plus 1e-5 of the root of the piece's area. NaN where no shape was found, and for measured pieces.")
       .field("projected_gradient", &PieceReport::projected_gradient,
              "Of the inner problem at the end, where a node of mean length weighs 1; NaN with inner=\"least-norm\" and "
              "refined.")

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "check_input/sentence.h"
 #include "feasibility/propose_seams.h"
+#include "mesh/geometry.h"
 
 namespace wirewarp {
 
@@ -36,6 +38,10 @@ std::string name_tolerances(const std::vector<Wire>& wires, const std::vector<Pr
   return text + (text.empty() ? "" : " and ") + "with " + name_wires(wires, free) + " free";
 }
 
+void add_edges(const Chart& chart, const HalfEdgeChain& chain, std::vector<VertexPair>& edges) {
+  for (const HalfedgeHandle h : chain) edges.push_back(source_edge(chart, h));
+}
+
 std::vector<VertexPair> edges_of(const Chart& chart, const std::vector<ProposedTolerance>& tolerances) {
   std::vector<VertexPair> edges;
   for (const WirePart& part : chart.wire_parts) {
@@ -43,17 +49,37 @@ std::vector<VertexPair> edges_of(const Chart& chart, const std::vector<ProposedT
     const bool is_named = std::any_of(tolerances.begin(), tolerances.end(), [&](const ProposedTolerance& proposed) {
       return proposed.wire == part.wire_index;
     });
-    if (!is_named) continue;
-    for (const HalfedgeHandle h : part.half_edges) edges.push_back(source_edge(chart, h));
+    if (is_named) add_edges(chart, part.half_edges, edges);
   }
   return edges;
+}
+
+std::string name_piece(const Chart& chart) {
+  return "the piece around face " + std::to_string(chart.source_face.front());
+}
+
+/// Input faces by height, the least first: those that are less than a millionth as high as the highest.
+std::vector<int> small_faces(const Chart& chart) {
+  constexpr double kSmall = 1e-6;
+  std::vector<std::pair<double, int>> by_height;
+  for (const FaceHandle f : chart.mesh.faces()) {
+    double longest = 0;
+    for (const HalfedgeHandle h : chart.mesh.fh_range(f)) longest = std::max(longest, edge_length(chart.mesh, h));
+    by_height.emplace_back(2 * face_area(chart.mesh, f) / longest, chart.source_face[at(f.idx())]);
+  }
+  std::sort(by_height.begin(), by_height.end());
+  std::vector<int> small;
+  for (const auto& [height, face] : by_height) {
+    if (height < kSmall * by_height.back().first) small.push_back(face);
+  }
+  return small;
 }
 
 }  // namespace
 
 FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, const Options& options,
                               std::vector<ProposedTolerance> tolerances, bool ran_out) {
-  const std::string piece = "the piece around face " + std::to_string(chart.source_face.front());
+  const std::string piece = name_piece(chart);
   const std::string allow_more =
       "No flat shape of " + piece +
       " with all lengths was found within max_factorizations = " + std::to_string(options.max_factorizations) +
@@ -61,14 +87,10 @@ FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires
   ErrorElements elements;
   elements.faces = chart.source_face;
   if (tolerances.empty()) {
-    for (const HalfEdgeChain& loop : chart.boundary_loops) {
-      for (const HalfedgeHandle h : loop) elements.edges.push_back(source_edge(chart, h));
-    }
+    for (const HalfEdgeChain& loop : chart.boundary_loops) add_edges(chart, loop, elements.edges);
     elements.proposed_seams = propose_seams(chart);
-    const bool has_wires = std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(),
-                                       [](const WirePart& part) { return part.kind != WireKind::boundary; });
     const std::string none_found = "No flat shape of " + piece + " was found that keeps the length of its outline" +
-                                   (has_wires ? ", even with its wires free: " : ": ");
+                                   (has_wires(chart) ? ", even with its wires free: " : ": ");
     const std::string message = (ran_out ? allow_more : none_found) + "mark a seam such as " +
                                 name_elements("edge", elements.proposed_seams) + ".";
     return FlattenError(ErrorCode::infeasible_lengths, message, std::move(elements));
@@ -84,17 +106,36 @@ FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires
 
 FlattenError needs_refinement(const Chart& chart) {
   return FlattenError(ErrorCode::infeasible_lengths,
-                      "Bent first, the wires of the piece around face " + std::to_string(chart.source_face.front()) +
+                      "Bent first, the wires of " + name_piece(chart) +
                           " find no flat shape: take the refined method, which keeps them within their tolerances.",
                       {{}, {}, chart.source_face});
 }
 
 FlattenError not_solvable(const Chart& chart) {
+  const std::string piece = capitalized(name_piece(chart)) + " cannot be laid out in double precision";
+  const std::vector<int> small = small_faces(chart);
+  if (small.empty()) {
+    return FlattenError(ErrorCode::not_solvable, piece + ": remesh it, or cut it in two with a seam.",
+                        {{}, {}, chart.source_face});
+  }
   return FlattenError(ErrorCode::not_solvable,
-                      "The piece around face " + std::to_string(chart.source_face.front()) +
-                          " cannot be laid out in double precision, for its faces differ too much in size: merge "
-                          "vertices that lie very close together, or remesh it.",
-                      {{}, {}, chart.source_face});
+                      piece + ", for its faces differ too much in size: at " + name_elements("face", small) +
+                          " merge vertices that lie very close together, or remesh it.",
+                      {{}, {}, small});
+}
+
+FlattenError not_joined(const Chart& chart) {
+  ErrorElements elements;
+  for (const WirePart& part : chart.wire_parts) {
+    if (part.kind != WireKind::boundary) add_edges(chart, part.half_edges, elements.edges);
+  }
+  for (std::size_t i = 1; i < chart.boundary_loops.size(); ++i) {
+    add_edges(chart, chart.boundary_loops[i], elements.edges);
+  }
+  const std::string message = "No helper wires can be laid between " + name_elements("edge", elements.edges) + " of " +
+                              name_piece(chart) +
+                              " in double precision: take the refined method, which needs none, or remesh the piece.";
+  return FlattenError(ErrorCode::not_solvable, message, std::move(elements));
 }
 
 }  // namespace wirewarp

@@ -18,7 +18,11 @@ FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires
 /// The paper's methods find no angles under which the wires close; the refined one keeps the lengths.
 FlattenError needs_refinement(const Chart& chart);
 
-/// A factorization broke down, or rounding left no topology for the wires.
+/// A factorization broke down: faces differ too much in size, and the error names those that are small.
 FlattenError not_solvable(const Chart& chart);
+
+/// Rounding leaves no way for the helper wires of the paper's methods; the refined one needs none. The error names the
+/// edges of wires and holes.
+FlattenError not_joined(const Chart& chart);
 
 }  // namespace wirewarp

@@ -18,28 +18,18 @@
 #include "metrics/helper_wires.h"
 #include "outer/choose_variation.h"
 #include "packing/pack_pieces.h"
+#include "piece_report.h"
 #include "progress_report.h"
 #include "refine/infeasible_wires.h"
 #include "reuse/reuse.h"
 #include "topology/process_topology.h"
+#include "topology/unjoined_wires.h"
 
 namespace wirewarp {
 namespace {
 
 void begin_stage(const GoOn& go_on, const char* stage) {
   if (!go_on(stage)) throw cancelled();
-}
-
-void report_solution(const OuterSolution& solution, PieceReport& report) {
-  report.inner_solves = solution.inner_solves;
-  report.outer_iterations = solution.iterations;
-  report.gradient_evaluations = solution.evaluations;
-  report.factorizations += solution.free_factorizations;
-  report.constraint_residual = solution.shape.inner.closure_residual;
-  report.projected_gradient = solution.shape.inner.projected_gradient;
-  if (!solution.shape.inner.is_minimum) report.warnings.push_back("The wire angles stopped short of their minimum.");
-  if (!solution.converged) report.warnings.push_back("The wire lengths stopped short of the least distortion.");
-  report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
 }
 
 /// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
@@ -78,33 +68,17 @@ void flatten_by_warping(const Chart& chart, const FlattenInput& input, const Opt
   const VariationBounds bounds = variation_bounds(prepared, options);
   OuterSolution solution =
       choose_variation(prepared, *warp, bounds, [&] { begin_stage(go_on, "lengths"); });  // II-B, Algorithm 1
+  report_solution(solution, layout.report);
   if (!solution.shape.inner.is_feasible) {
     const auto may_go_on = [&] { return go_on("lengths"); };
     const ChartRefinement refined_shape = refine_chart(chart, options, [&](const char*) { return may_go_on(); });
     if (refined_shape.shape.is_exact && !refined_shape.was_stopped) throw needs_refinement(chart);
     throw explain_infeasible(chart, input, options, refined_shape, may_go_on);
   }
-  report_solution(solution, layout.report);
   layout.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
   layout.variation.assign(solution.variation.begin(),
                           solution.variation.begin() + static_cast<std::ptrdiff_t>(chart.wire_parts.size()));
   layout.uv = std::move(solution.shape.uv);
-}
-
-void report_refinement(const ChartRefinement& refined, PieceReport& report) {
-  report.inner_solves = refined.inner.num_solves;
-  report.outer_iterations = refined.shape.iterations;
-  report.factorizations = refined.shape.factorizations + refined.loose.factorizations;
-  report.constraint_residual = refined.shape.length_error;
-  report.objective = refined.shape.objective;
-  if (refined.was_stopped) {
-    report.warnings.push_back("Cancelled: the lengths are exact, but the shape could be less distorted.");
-  } else if (!refined.shape.converged) {
-    report.warnings.push_back("The shape stopped short of the least distortion.");
-  }
-  report.termination = refined.was_stopped       ? Termination::cancelled
-                       : report.warnings.empty() ? Termination::converged
-                                                 : Termination::stalled;
 }
 
 /// The refined method: wires and surface at once, under the same exact lengths. Once those are reached, cancelling
@@ -115,10 +89,10 @@ void flatten_by_refining(const Chart& chart, const FlattenInput& input, const Op
   const StageTimer timer(layout.report.seconds, "shape");
   layout.network = build_wire_network(chart);
   ChartRefinement refined = refine_chart(chart, options, go_on);
+  report_refinement(refined, layout.report);
   if (!refined.shape.is_exact) {
     throw explain_infeasible(chart, input, options, refined, [&] { return go_on("shape"); });
   }
-  report_refinement(refined, layout.report);
   layout.variation.assign(refined.shape.variation.begin(), refined.shape.variation.end());
   layout.uv = std::move(refined.shape.uv);
 }
@@ -145,7 +119,9 @@ Layout solve_chart(const Chart& chart, const FlattenInput& input, const Options&
   } catch (const FlattenError& error) {
     layout.error = error;
     if (error.code == ErrorCode::cancelled) layout.report.termination = Termination::cancelled;
-  } catch (const std::domain_error&) {  // a factorization broke down, or rounding left no topology for the wires
+  } catch (const UnjoinedWires&) {
+    layout.error = not_joined(chart);
+  } catch (const std::domain_error&) {  // a factorization broke down
     layout.error = not_solvable(chart);
   }
   return layout;

@@ -9,6 +9,7 @@
 #include "index.h"
 #include "metrics/assemble_result.h"
 #include "metrics/lengths.h"
+#include "progress_report.h"
 
 namespace wirewarp {
 namespace {
@@ -83,36 +84,51 @@ Positions2 gather_corners(const Chart& chart, const CornerUv& corner_uv) {
   return uv;
 }
 
+Layout read_layout(const Chart& chart, const CornerUv& corner_uv) {
+  Layout layout;
+  layout.report.termination = Termination::measured;
+  layout.error = chart.error;
+  if (chart.error) return layout;
+  try {
+    layout.uv = gather_corners(chart, corner_uv);
+    layout.variation = fit_variation(chart, layout.uv);
+    layout.network = build_wire_network(chart);
+  } catch (const FlattenError& error) {
+    layout.error = error;
+  }
+  return layout;
+}
+
+void check_corners(const FlattenInput& input, const CornerUv& corner_uv) {
+  if (corner_uv.rows() == input.faces.rows()) return;
+  throw FlattenError(ErrorCode::invalid_shape, "corner_uv has " + std::to_string(corner_uv.rows()) +
+                                                   " rows for " + std::to_string(input.faces.rows()) +
+                                                   " faces: give it one for each face.");
+}
+
 }  // namespace
 
 FlattenResult measure(const FlattenInput& input, const CornerUv& corner_uv) {
-  check_mesh(input);
-  if (corner_uv.rows() != input.faces.rows()) {
-    throw FlattenError(ErrorCode::invalid_shape, "corner_uv has " + std::to_string(corner_uv.rows()) + " faces and " +
-                                                     "the mesh " + std::to_string(input.faces.rows()) +
-                                                     ": give three corners for each face.");
-  }
-  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
-  check_seams_and_wires(input, edges);
-  const Charts charts = cut_into_charts(input, edges);
-
-  std::vector<Layout> layouts(charts.charts.size());
-  for (std::size_t c = 0; c < layouts.size(); ++c) {
-    const Chart& chart = charts.charts[c];
-    Layout& layout = layouts[c];
-    layout.report.termination = Termination::measured;
-    layout.error = chart.error;
-    if (chart.error) continue;
-    try {
-      layout.uv = gather_corners(chart, corner_uv);
-      layout.variation = fit_variation(chart, layout.uv);
-      layout.network = build_wire_network(chart);
-    } catch (const FlattenError& error) {
-      layout.error = error;
+  std::map<std::string, double> seconds;
+  FlattenResult result;
+  {
+    const StageTimer total(seconds, "total");
+    check_mesh(input);
+    check_corners(input, corner_uv);
+    const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+    check_seams_and_wires(input, edges);
+    Charts charts;
+    {
+      const StageTimer timer(seconds, "charts");
+      charts = cut_into_charts(input, edges);
     }
+    const StageTimer timer(seconds, "measure");
+    std::vector<Layout> layouts;
+    for (const Chart& chart : charts.charts) layouts.push_back(read_layout(chart, corner_uv));
+    result = assemble_result(input, charts, std::move(layouts), false);
   }
-  FlattenResult result = assemble_result(input, charts, std::move(layouts), false);
   result.corner_uv = corner_uv;
+  result.seconds = std::move(seconds);
   result.method = "measure";
   return result;
 }

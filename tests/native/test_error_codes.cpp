@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "chart_errors.h"
 #include "pi.h"
 #include "test_meshes.h"
 
@@ -290,9 +291,29 @@ TEST(ErrorCodes, AChartThatIsNotSolvableSparesTheOthers) {
   const FlattenResult result = flatten(triangles(points, faces));
   ASSERT_TRUE(result.pieces[0].error.has_value());
   EXPECT_EQ(result.pieces[0].error->code, Code::not_solvable) << result.pieces[0].error->what();
-  EXPECT_EQ(result.pieces[0].error->elements.faces.size(), num_nested);
+  std::set<int> small;  // all but those with a side of the outermost square
+  for (std::size_t f = 0; f < num_nested; ++f) {
+    if (f >= 8 || f % 2 == 1) small.insert(static_cast<int>(f));
+  }
+  const std::vector<int>& named = result.pieces[0].error->elements.faces;
+  EXPECT_EQ(std::set<int>(named.begin(), named.end()), small);
+  expect_names(*result.pieces[0].error, "differ too much in size");
   EXPECT_EQ(result.pieces[0].report.termination, Termination::failed);
   EXPECT_FALSE(result.pieces[1].error.has_value());
+}
+
+TEST(ErrorCodes, WiresThatCannotBeJoinedNameThemselvesAndTheRefinedMethod) {
+  FlattenInput input = test::flat_plate_with_two_holes(4);
+  test::add_wire(input, {input.faces(0, 0), input.faces(0, 1)});
+  test::add_wire(input, {input.faces(20, 1), input.faces(20, 2)});
+  const Chart chart = test::charts_of(input).charts[0];
+  const FlattenError error = not_joined(chart);
+  EXPECT_EQ(error.code, Code::not_solvable);
+  std::size_t num_edges = 0;
+  for (const WirePart& part : chart.wire_parts) num_edges += part.kind == WireKind::boundary ? 0 : part.half_edges.size();
+  for (std::size_t i = 1; i < 3; ++i) num_edges += chart.boundary_loops.at(i).size();
+  EXPECT_EQ(error.elements.edges.size(), num_edges);
+  expect_names(error, "take the refined method");
 }
 
 TEST(ErrorCodes, Cancelled) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "index.h"
+#include "pi.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -77,6 +78,36 @@ TEST(FailedPieces, SidesOfASeamStandInTheOrderOfPiecesWhicheverFails) {
     EXPECT_EQ(result.seams.at(0).pieces, (std::vector<int>{0, 1}));
     EXPECT_TRUE(std::isnan(result.seams[0].length_2d[bad]));
     EXPECT_NEAR(result.seams[0].length_2d[1 - bad], 1, 1e-9);
+  }
+}
+
+/// A cap of five triangles around an apex, every edge a rigid wire: no flat shape has its lengths.
+FlattenInput cap_of_rigid_edges() {
+  FlattenInput input;
+  input.vertices.resize(6, 3);
+  input.faces.resize(5, 3);
+  input.vertices.row(0) << 0, 0, 1;
+  for (int i = 0; i < 5; ++i) {
+    const double angle = 2 * kPi * i / 5;
+    input.vertices.row(1 + i) << std::cos(angle), std::sin(angle), 0;
+    input.faces.row(i) << 0, 1 + i, 1 + (i + 1) % 5;
+    test::add_wire(input, {0, 1 + i});
+  }
+  return input;
+}
+
+TEST(FailedPieces, SayWhatWasTriedAndNoFiguresOfAShape) {
+  for (const Method method : {Method::refined, Method::wirewarping}) {
+    Options options;
+    options.method = method;
+    const Piece piece = flatten(cap_of_rigid_edges(), options).pieces.at(0);
+    ASSERT_TRUE(piece.error.has_value());
+    EXPECT_EQ(piece.error->code, ErrorCode::infeasible_lengths);
+    EXPECT_EQ(piece.report.termination, Termination::failed);
+    EXPECT_GT(piece.report.factorizations + piece.report.inner_solves, 0);
+    EXPECT_TRUE(std::isnan(piece.report.constraint_residual));
+    EXPECT_TRUE(std::isnan(piece.report.objective));
+    EXPECT_TRUE(piece.report.warnings.empty());
   }
 }
 

@@ -41,6 +41,14 @@ TEST(Measure, RoundedCornersAreNoTear) {
   EXPECT_NE(result.pieces[0].error.value_or(FlattenError(ErrorCode::cancelled, "")).code, ErrorCode::uv_discontinuous);
 }
 
+TEST(Measure, SaysHowLongItTookAndThatNothingWasSolved) {
+  const FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
+  const FlattenResult result = measure(input, flatten(input).corner_uv);
+  EXPECT_GE(result.seconds.at("total"), result.seconds.at("charts") + result.seconds.at("measure"));
+  EXPECT_EQ(result.pieces[0].report.termination, Termination::measured);
+  EXPECT_TRUE(std::isnan(result.pieces[0].report.constraint_residual));
+}
+
 TEST(Measure, AFlatteningWithGapsIsRefused) {
   const FlattenInput input = test::flat_rectangle(2, 2, 1, 1);
   CornerUv corners = flatten(input).corner_uv;

@@ -80,7 +80,7 @@ enum class Termination {
   measured,  // by measure(): nothing was solved
 };
 
-/// What the solver did for one piece.
+/// What the solver did for one piece. Counts are of all that was tried, for a piece that failed too.
 struct PieceReport {
   Termination termination = Termination::failed;
   std::string message;  // one sentence
@@ -88,10 +88,12 @@ struct PieceReport {
   int inner_solves = 0;  // factorizations of the inner problem (Eq. 1)
   int outer_iterations = 0;
   int gradient_evaluations = 0;
-  int factorizations = 0;          // of the interior placement and free flattening; refined: of Newton systems, those
-                                   // on the coarser mesh of a large piece not counted
-  double constraint_residual = 0;  // largest gap of a wire loop at the end / its length; refined: largest error of an
-                                   // edge's length / (its length + 1e-5 of the root of the piece's area)
+  int factorizations = 0;        // of the interior placement and free flattening; refined: of Newton systems, counted
+                                 // as Options::max_factorizations does
+  double constraint_residual = std::numeric_limits<double>::quiet_NaN();  // largest gap of a wire loop / its length;
+                                                                          // refined: largest error of an edge's length
+                                                                          // / (its length + 1e-5 of the root of the
+                                                                          // piece's area); NaN: nothing was found
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // of Eq. (1) at the end; the weight of a node
                                                                          // of mean length is 1
   double objective = std::numeric_limits<double>::quiet_NaN();  // refined: arap_energy + angle term, + a barrier where
@@ -120,7 +122,7 @@ struct FlattenResult {
   std::vector<WireReport> wires;          // whole wires
   std::string method;                     // the method used, or "measure"
   int reused_pieces = 0;                  // taken from the cache instead of being solved again
-  std::map<std::string, double> seconds;  // of flatten(): per stage, summed over pieces side by side; and "total"
+  std::map<std::string, double> seconds;  // per stage, summed over pieces side by side; and "total"
 };
 
 }  // namespace wirewarp

@@ -7,7 +7,7 @@ namespace wirewarp {
 
 /// Extends every wire that ends inside the chart by a helper wire, straight on until it meets a wire or a boundary
 /// (paper III-A). Where straight on leads round the surface, the shortest path to another wire or boundary is taken.
-/// Throws std::domain_error where there is none.
+/// Throws UnjoinedWires where there is none.
 void extend_hinged_wires(RefinedChart& refined);
 
 }  // namespace wirewarp

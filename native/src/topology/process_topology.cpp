@@ -2,10 +2,10 @@
 #include "topology/process_topology.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "topology/hinged_wires.h"
 #include "topology/separate_loops.h"
+#include "topology/unjoined_wires.h"
 
 namespace wirewarp {
 namespace {
@@ -24,7 +24,7 @@ std::optional<Chart> process_topology(const Chart& chart) {
   extend_hinged_wires(refined);  // III-A
   join_separate_loops(refined);  // III-B
   restore_delaunay(refined);
-  if (!is_sound(build_wire_network(refined.chart))) throw std::domain_error("A wire is hinged or a loop is separate.");
+  if (!is_sound(build_wire_network(refined.chart))) throw UnjoinedWires("A wire is hinged or a loop is separate.");
   return std::move(refined.chart);
 }
 

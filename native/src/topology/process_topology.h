@@ -12,7 +12,7 @@ namespace wirewarp {
 /// - its first vertices and all wires and boundaries are the chart's own, same handles, same positions;
 /// - new vertices follow, with source_vertex -1; source_face of a cut face is the input face it is a part of;
 /// - helper wires follow the chart's wire parts: super-elastic, wire_index -1, parts counted from 0.
-/// Throws std::domain_error where there is no such network: rounding spoils a path, or separate_loops.h has no way.
+/// Throws UnjoinedWires where there is no such network: rounding spoils a path, or separate_loops.h has no way.
 std::optional<Chart> process_topology(const Chart& chart);
 
 }  // namespace wirewarp

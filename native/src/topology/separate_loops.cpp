@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <stdexcept>
 
 #include "topology/shortest_path.h"
+#include "topology/unjoined_wires.h"
 
 namespace wirewarp {
 namespace {
@@ -63,7 +63,7 @@ std::size_t choose_loop(const std::vector<WireLoop>& loops) {
     if (loops[i].joints.size() > 1) continue;
     if (chosen == loops.size() || loops[i].length < loops[chosen].length) chosen = i;
   }
-  if (chosen == loops.size()) throw std::domain_error("Wire loops form a ring with one region on both sides.");
+  if (chosen == loops.size()) throw UnjoinedWires("Wire loops form a ring with one region on both sides.");
   return chosen;
 }
 

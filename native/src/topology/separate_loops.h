@@ -20,7 +20,7 @@ std::vector<WireLoop> find_separate_loops(const WireNetwork& network);
 
 /// Joins loops by helper wires until every region has one loop alone. Each loop gets four: the shortest path to
 /// another loop, unless one wire joins it already, then those from the vertex farthest along the loop and from the two
-/// halfway between (paper III-B). Throws std::domain_error where loops form a ring with one region on both sides, or no
+/// halfway between (paper III-B). Throws UnjoinedWires where loops form a ring with one region on both sides, or no
 /// path joins them.
 void join_separate_loops(RefinedChart& refined);
 

@@ -2,13 +2,13 @@
 #include "topology/shortest_path.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "mesh/shortest_paths.h"
 #include "pi.h"
 #include "topology/embed_path.h"
 #include "topology/straightest_geodesic.h"
 #include "topology/strip.h"
+#include "topology/unjoined_wires.h"
 
 namespace wirewarp {
 namespace {
@@ -66,10 +66,10 @@ HalfEdgeChain join_by_shortest_path(RefinedChart& refined, const std::vector<Ver
   const HalfEdgeMesh& mesh = refined.chart.mesh;
   is_target.resize(mesh.n_vertices(), 0);
   const std::vector<VertexHandle> edge_path = shortest_edge_path(mesh, refined.wires, sources, is_target);
-  if (edge_path.empty()) throw std::domain_error("No path leads from one wire loop to another in the same region.");
+  if (edge_path.empty()) throw UnjoinedWires("No path leads from one wire loop to another in the same region.");
   const SurfacePath straight = straighten(mesh, refined.wires, edge_path);
   const std::optional<SurfacePath> path = snap_to_vertices(mesh, refined.wires, straight);
-  if (!path) throw std::domain_error("A shortest path between wire loops ends off its loops.");
+  if (!path) throw UnjoinedWires("A shortest path between wire loops ends off its loops.");
   HalfEdgeChain chain = embed_path(refined, *path);
   add_helper_wire(refined, chain);
   return chain;

@@ -19,7 +19,7 @@ std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const Wir
 SurfacePath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
 /// Adds a helper wire along the straightened shortest path from any source to the nearest target, and returns it.
-/// Cuts edges for it where wires leave no room. Throws std::domain_error if no target lies in a region of a source, or
+/// Cuts edges for it where wires leave no room. Throws UnjoinedWires if no target lies in a region of a source, or
 /// the straightened path ends elsewhere.
 HalfEdgeChain join_by_shortest_path(RefinedChart& refined, const std::vector<VertexHandle>& sources,
                                     std::vector<char> is_target);

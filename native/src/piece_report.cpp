@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "piece_report.h"
+
+namespace wirewarp {
+
+void report_solution(const OuterSolution& solution, PieceReport& report) {
+  report.inner_solves = solution.inner_solves;
+  report.outer_iterations = solution.iterations;
+  report.gradient_evaluations = solution.evaluations;
+  report.factorizations += solution.free_factorizations;
+  const InnerSolution& inner = solution.shape.inner;
+  if (!inner.is_feasible) return;
+  report.constraint_residual = inner.closure_residual;
+  report.projected_gradient = inner.projected_gradient;
+  if (!inner.is_minimum) report.warnings.push_back("The wire angles stopped short of their minimum.");
+  if (!solution.converged) report.warnings.push_back("The wire lengths stopped short of the least distortion.");
+  report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
+}
+
+void report_refinement(const ChartRefinement& refined, PieceReport& report) {
+  report.inner_solves = refined.inner.num_solves;
+  report.outer_iterations = refined.shape.iterations;
+  report.factorizations = refined.shape.factorizations;
+  if (!refined.shape.is_exact) return;
+  report.constraint_residual = refined.shape.length_error;
+  report.objective = refined.shape.objective;
+  if (refined.was_stopped) {
+    report.warnings.push_back("Cancelled: the lengths are exact, but the shape could be less distorted.");
+  } else if (!refined.shape.converged) {
+    report.warnings.push_back("The shape stopped short of the least distortion.");
+  }
+  report.termination = refined.was_stopped       ? Termination::cancelled
+                       : report.warnings.empty() ? Termination::converged
+                                                 : Termination::stalled;
+}
+
+}  // namespace wirewarp

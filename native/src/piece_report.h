@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the solvers tell of a piece. Of one that they found no shape for, what was tried.
+#pragma once
+
+#include "outer/choose_variation.h"
+#include "refine/refine_chart.h"
+
+namespace wirewarp {
+
+void report_solution(const OuterSolution& solution, PieceReport& report);
+
+void report_refinement(const ChartRefinement& refined, PieceReport& report);
+
+}  // namespace wirewarp
