@@ -19,18 +19,26 @@ bool is_all_rigid(const Options& options) {
   return options.method == Method::wirewarping || options.inner == Inner::least_norm;
 }
 
-/// The edges of a wire that lie inside pieces without an error, part by part. Parts end on seams and borders.
+/// The edges of a wire that lie inside pieces without an error, part by part. Parts end on seams and borders, and where
+/// pieces touch.
 std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire& wire) {
   std::vector<std::vector<EdgeLengths>> parts(1);
-  for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
-    if (i > 0 && judged.is_outline_vertex(wire.vertices[i])) parts.emplace_back();
+  const auto piece_at = [&](std::size_t i) {
+    return judged.piece_of(judged.sides().at(edge_of(wire.vertices[i], wire.vertices[i + 1])).front().face);
+  };
+  const std::size_t last = wire.vertices.size() - 2;
+  const auto begins_part = [&](std::size_t i) {
+    return judged.is_outline_vertex(wire.vertices[i]) || piece_at(i) != piece_at(i > 0 ? i - 1 : last);
+  };
+  for (std::size_t i = 0; i <= last; ++i) {
+    if (i > 0 && begins_part(i)) parts.emplace_back();
     const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
     const Side side = judged.sides().at(edge).front();
-    const Piece& piece = judged.result.pieces[at(judged.piece_of(side.face))];
+    const Piece& piece = judged.result.pieces[at(piece_at(i))];
     if (judged.is_outline(edge) || piece.error) continue;  // outlines are checked; failed pieces promise nothing
     parts.back().push_back({judged.length_3d(edge), judged.length_2d(side), kRounding * judged.uv_size(piece)});
   }
-  const bool goes_on = wire.vertices.front() == wire.vertices.back() && !judged.is_outline_vertex(wire.vertices[0]);
+  const bool goes_on = wire.vertices.front() == wire.vertices.back() && !begins_part(0);
   if (goes_on && parts.size() > 1) {  // across the wire's begin
     parts.front().insert(parts.front().end(), parts.back().begin(), parts.back().end());
     parts.pop_back();

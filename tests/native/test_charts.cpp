@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "judge.h"
+#include "pi.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -196,6 +199,60 @@ TEST(Charts, AWireAlongTheOutlineIsABoundaryPart) {
         EXPECT_EQ(chart.mesh.to_vertex_handle(part.half_edges[i]),
                   chart.mesh.from_vertex_handle(part.half_edges[i + 1]));
       }
+    }
+  }
+}
+
+/// Two flat disks of six triangles, one level and one upright, that share vertex 0 in their middle: the rims are 1 to 6
+/// and 7 to 12.
+FlattenInput disks_that_touch() {
+  FlattenInput input;
+  input.vertices.setZero(13, 3);
+  input.faces.resize(12, 3);
+  for (int i = 0; i < 6; ++i) {
+    const double angle = 2 * kPi * i / 6;
+    input.vertices.row(1 + i) << std::cos(angle), std::sin(angle), 0;
+    input.vertices.row(7 + i) << 0, std::cos(angle), std::sin(angle);
+    input.faces.row(i) << 0, 1 + i, 1 + (i + 1) % 6;
+    input.faces.row(6 + i) << 0, 7 + i, 7 + (i + 1) % 6;
+  }
+  return input;
+}
+
+TEST(Charts, ChartsThatTouchInAVertexAreFlattenedEachForItself) {
+  FlattenInput triangles;
+  triangles.vertices.resize(5, 3);
+  triangles.vertices << 0, 0, 0, 1, 0, 0, 1, 1, 0, -1, 0, 0, -1, -1, 1;
+  triangles.faces.resize(2, 3);
+  triangles.faces << 0, 1, 2, 0, 3, 4;
+  for (const FlattenInput& input : {triangles, disks_that_touch()}) {
+    const FlattenResult result = flatten(input);
+    ASSERT_EQ(result.pieces.size(), 2u);
+    for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
+    EXPECT_EQ(test::broken_promises(input, {}, result), std::vector<std::string>{});
+    expect_sound(charts_of(input), input);
+  }
+}
+
+TEST(Charts, AWireThroughThePointWhereChartsTouchHasAPartInEach) {
+  for (const double tolerance : {0.0, 0.1}) {
+    for (const std::vector<int>& chain : {std::vector<int>{2, 0, 9}, std::vector<int>{0, 9, 8, 0, 2, 3, 0}}) {
+      FlattenInput input = disks_that_touch();
+      test::add_wire(input, chain, tolerance);
+      std::multiset<VertexPair> expected, found;
+      for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+        expected.insert({std::min(chain[i], chain[i + 1]), std::max(chain[i], chain[i + 1])});
+      }
+      for (const Chart& chart : charts_of(input).charts) {
+        EXPECT_EQ(chart.wire_parts.size(), chain.size() > 3 ? 3u : 1u);
+        for (const WirePart& part : chart.wire_parts) {
+          for (const HalfedgeHandle h : part.half_edges) found.insert(source_edge(chart, h));
+        }
+      }
+      EXPECT_EQ(found, expected);
+      const FlattenResult result = flatten(input);
+      EXPECT_EQ(test::broken_promises(input, {}, result), std::vector<std::string>{});
+      EXPECT_NEAR(result.wires.at(0).length_2d, static_cast<double>(chain.size() - 1), 1e-8);  // edges of length 1
     }
   }
 }

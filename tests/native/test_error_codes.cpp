@@ -202,15 +202,16 @@ TEST(ErrorCodes, NonManifoldEdge) {
 }
 
 TEST(ErrorCodes, NonManifoldVertex) {
-  // Two triangles that touch in vertex 0.
-  const FlattenInput input =
-      triangles({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 3, 4}});
-  for (std::size_t piece : {0u, 1u}) {
-    const FlattenError error = carried_by(input, piece);
-    EXPECT_EQ(error.code, Code::non_manifold_vertex);
-    EXPECT_EQ(error.elements.vertices, std::vector<int>{0});
-    expect_names(error, "vertex 0");
-  }
+  // A ring of quads but for one triangle: its ends touch in a vertex.
+  const int n = 8;
+  FlattenInput input = test::flat_annulus(n, 1, 1, 2);
+  const Eigen::RowVector3i left_out = input.faces.bottomRows(1);
+  input.faces.conservativeResize(2 * n - 1, 3);
+  const FlattenError error = carried_by(input);
+  EXPECT_EQ(error.code, Code::non_manifold_vertex);
+  ASSERT_EQ(error.elements.vertices.size(), 1u);
+  EXPECT_TRUE((left_out.array() == error.elements.vertices[0]).any());
+  expect_names(error, "vertex " + std::to_string(error.elements.vertices[0]));
 }
 
 TEST(ErrorCodes, InconsistentOrientation) {

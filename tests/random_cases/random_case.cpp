@@ -4,6 +4,7 @@
 #include "random_faults.h"
 #include "random_mesh.h"
 #include "random_network.h"
+#include "touching_parts.h"
 
 namespace wirewarp::test {
 namespace {
@@ -51,6 +52,7 @@ RandomCase make_random_case(std::uint64_t seed) {
     result.fault = add_random_fault(random, result.input, result.options);
     result.description += std::string(" with ") + describe(*result.fault).name;
   }
+  if (!result.fault && random.chance(0.1) && let_parts_touch(random, result.input)) result.description += " touching";
   return result;
 }
 

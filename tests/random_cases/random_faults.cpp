@@ -2,6 +2,7 @@
 #include "random_faults.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -19,6 +20,23 @@ int append_vertex(FlattenInput& input, const Eigen::Vector3d& position) {
   input.vertices.conservativeResize(input.vertices.rows() + 1, 3);
   input.vertices.bottomRows(1) = position.transpose();
   return static_cast<int>(input.vertices.rows()) - 1;
+}
+
+/// A ring of eight quads without the triangle that would join its ends along two edges: a vertex alone does.
+void append_ring_that_touches_itself(FlattenInput& input, const Eigen::Vector3d& at, double size) {
+  constexpr int kAround = 8;
+  const int first = static_cast<int>(input.vertices.rows());
+  for (int i = 0; i < kAround; ++i) {
+    const double angle = 2 * 3.141592653589793 * i / kAround;
+    for (const double radius : {1.0, 2.0}) {
+      append_vertex(input, at + size * radius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0));
+    }
+  }
+  for (int i = 0; i < kAround; ++i) {
+    const int inner = first + 2 * i, next = first + 2 * ((i + 1) % kAround);
+    append_face(input, inner, inner + 1, next + 1);
+    if (i + 1 < kAround) append_face(input, inner, next + 1, next);
+  }
 }
 
 /// Seams would make a third face at an edge legal, and would cut a turned face from its neighbors.
@@ -102,14 +120,10 @@ ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& o
       append_face(input, b, a, append_vertex(input, up + 0.3 * side));  // three at least at a-b
       return ErrorCode::non_manifold_edge;
     }
-    case 12: {
+    case 12:
       clear_marks(input);
-      const Eigen::Vector3d side = input.vertices.row(b) - input.vertices.row(a);
-      const Eigen::Vector3d other = input.vertices.row(c) - input.vertices.row(a);
-      const Eigen::Vector3d at = input.vertices.row(a);
-      append_face(input, a, append_vertex(input, at - side), append_vertex(input, at - other));
+      append_ring_that_touches_itself(input, input.vertices.row(a), (input.vertices.row(b) - input.vertices.row(a)).norm());
       return ErrorCode::non_manifold_vertex;
-    }
     case 13: {
       clear_marks(input);
       const int turned = face_with_neighbor(random, input);

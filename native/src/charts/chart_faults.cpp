@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
 
 #include "check_input/sentence.h"
 
@@ -76,20 +77,24 @@ void find_edge_faults(const FlattenInput& input, const EdgeTable& edges, const S
   }
 }
 
+/// Charts may touch in a vertex; a chart that touches itself there would be held together by a point.
 void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                         std::vector<Faults>& faults) {
   const std::vector<int> fan = fans_of_uncut_surface(input.faces, edges);
   std::vector<int> first_fan(static_cast<std::size_t>(input.vertices.rows()), -1);
-  std::vector<char> is_pinched(static_cast<std::size_t>(input.vertices.rows()), 0);
+  std::vector<char> has_several(static_cast<std::size_t>(input.vertices.rows()), 0);
   for (std::size_t corner = 0; corner < fan.size(); ++corner) {
     const auto v = static_cast<std::size_t>(input.faces.data()[corner]);
     if (first_fan[v] < 0) first_fan[v] = fan[corner];
-    if (fan[corner] != first_fan[v]) is_pinched[v] = 1;
+    if (fan[corner] != first_fan[v]) has_several[v] = 1;
   }
+  std::map<VertexPair, int> fan_in_chart;  // by chart and vertex
   for (std::size_t corner = 0; corner < fan.size(); ++corner) {
     const int v = input.faces.data()[corner];
-    if (!is_pinched[static_cast<std::size_t>(v)]) continue;
-    faults[static_cast<std::size_t>(cut.chart_of_face[corner / 3])].pinched.push_back(v);
+    if (!has_several[static_cast<std::size_t>(v)]) continue;
+    const int chart = cut.chart_of_face[corner / 3];
+    const int first = fan_in_chart.insert({{chart, v}, fan[corner]}).first->second;
+    if (fan[corner] != first) faults[static_cast<std::size_t>(chart)].pinched.push_back(v);
   }
   for (Faults& of_chart : faults) {
     std::sort(of_chart.pinched.begin(), of_chart.pinched.end());
@@ -137,7 +142,8 @@ std::optional<FlattenError> first_fault(const Faults& faults) {
   if (!faults.pinched.empty()) {
     return FlattenError(
         Code::non_manifold_vertex,
-        "Faces touch at " + name_elements("vertex", faults.pinched) + " without sharing an edge: split such vertices.",
+        "The piece touches itself at " + name_elements("vertex", faults.pinched) +
+            " without sharing an edge there: split such vertices.",
         {faults.pinched, {}, {}});
   }
   return std::nullopt;

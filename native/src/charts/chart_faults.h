@@ -10,7 +10,8 @@
 
 namespace wirewarp {
 
-/// For each chart the first fault that keeps it from being an oriented manifold with faces of positive area.
+/// For each chart the first fault that keeps it from being an oriented manifold with faces of positive area. Charts
+/// may touch in a vertex.
 std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
                                                            const SurfaceCut& cut);
 

@@ -17,19 +17,24 @@ struct Run {
 };
 
 /// Cuts the vertices of a wire into runs; turns a closed wire first, so that its runs do not depend on where its list
-/// begins: to the vertex of lowest index of those where a run begins.
+/// begins: to the vertex of lowest index of those where a run begins. A run also ends in a vertex where the wire passes
+/// to a chart that touches the first one in this vertex alone.
 std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& edges, const SurfaceCut& cut,
                                  const Outline& outline) {
   const bool is_closed = vertices.front() == vertices.back();
   const int num_edges = static_cast<int>(vertices.size()) - 1;
-  std::vector<char> is_outline;  // per edge
-  for (int i = 0; i < num_edges; ++i) {
-    is_outline.push_back(cut.is_outline(edges, edges.find(vertices[at(i)], vertices[at(i + 1)])));
-  }
+  std::vector<int> wire_edges;
+  for (int i = 0; i < num_edges; ++i) wire_edges.push_back(edges.find(vertices[at(i)], vertices[at(i + 1)]));
+  const auto is_outline = [&](int i) { return cut.is_outline(edges, wire_edges[at(i)]); };
+  const auto fan_at = [&](int i, int vertex) {
+    return cut.fan_of_corner[at(edges.corner_at(edges.side(wire_edges[at(i)], 0), vertex))];
+  };
   const auto begins_run = [&](int i) {
-    const char before = is_outline[at(i > 0 ? i - 1 : is_closed ? num_edges - 1 : i)];
-    const std::vector<char>& is_cut = is_outline[at(i)] ? outline.is_junction : outline.is_on_outline;
-    return before != is_outline[at(i)] || is_cut[at(vertices[at(i)])] != 0;
+    const int before = i > 0 ? i - 1 : is_closed ? num_edges - 1 : i;
+    const int v = vertices[at(i)];
+    if (is_outline(before) != is_outline(i)) return true;
+    if (is_outline(i)) return outline.is_junction[at(v)] != 0;
+    return outline.is_on_outline[at(v)] != 0 || fan_at(before, v) != fan_at(i, v);
   };
   if (is_closed) {
     int first = -1;
@@ -39,13 +44,13 @@ std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& ed
     if (first > 0) {
       vertices.pop_back();
       std::rotate(vertices.begin(), vertices.begin() + first, vertices.end());
-      std::rotate(is_outline.begin(), is_outline.begin() + first, is_outline.end());
+      std::rotate(wire_edges.begin(), wire_edges.begin() + first, wire_edges.end());
       vertices.push_back(vertices.front());
     }
   }
   std::vector<Run> runs;
   for (int i = 0; i < num_edges; ++i) {
-    if (i == 0 || begins_run(i)) runs.push_back({i, i, is_outline[at(i)] != 0});
+    if (i == 0 || begins_run(i)) runs.push_back({i, i, is_outline(i)});
     runs.back().end = i + 1;
   }
   return runs;
