@@ -24,6 +24,7 @@
 #include "reuse/reuse.h"
 #include "topology/process_topology.h"
 #include "topology/unjoined_wires.h"
+#include "tuning.h"
 
 namespace wirewarp {
 namespace {
@@ -32,19 +33,25 @@ void begin_stage(const GoOn& go_on, const char* stage) {
   if (!go_on(stage)) throw cancelled();
 }
 
+/// What all charts of a run have in common.
+struct Run {
+  const FlattenInput& input;
+  const Options& options;
+  const Tuning& tuning;
+};
+
 /// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
-FlattenError explain_infeasible(const Chart& chart, const FlattenInput& input, const Options& options,
-                                const ChartRefinement& refined, const std::function<bool()>& go_on) {
+FlattenError explain_infeasible(const Chart& chart, const Run& run, const ChartRefinement& refined,
+                                const std::function<bool()>& go_on) {
   if (refined.was_stopped) return cancelled();
-  std::vector<ProposedTolerance> tolerances = propose_tolerances(chart, options, refined, go_on);
+  std::vector<ProposedTolerance> tolerances = propose_tolerances(chart, run.options, refined, go_on);
   if (!go_on()) return cancelled();
-  const bool ran_out = refined.shape.factorizations >= options.max_factorizations;
-  return infeasible_wires(chart, input.wires, options, std::move(tolerances), ran_out);
+  const bool ran_out = refined.shape.factorizations >= run.options.max_factorizations;
+  return infeasible_wires(chart, run.input.wires, run.options, std::move(tolerances), ran_out);
 }
 
 /// WireWarping and WireWarping++: the wires first, the surface follows (II).
-void flatten_by_warping(const Chart& chart, const FlattenInput& input, const Options& options, const GoOn& go_on,
-                        Layout& layout) {
+void flatten_by_warping(const Chart& chart, const Run& run, const GoOn& go_on, Layout& layout) {
   std::map<std::string, double>& seconds = layout.report.seconds;
   begin_stage(go_on, "wires");
   std::optional<Chart> refined;
@@ -61,19 +68,20 @@ void flatten_by_warping(const Chart& chart, const FlattenInput& input, const Opt
   {
     const StageTimer timer(seconds, "interior");
     const auto ask = [&go_on] { begin_stage(go_on, "wires"); };
-    warp.emplace(prepared, network, options.node_weight, options.inner, ask);
+    warp.emplace(prepared, network, run.options.node_weight, run.options.inner, ask);
     layout.report.factorizations = warp->interior_factorizations();
   }
   const StageTimer timer(seconds, "lengths");
-  const VariationBounds bounds = variation_bounds(prepared, options);
+  const VariationBounds bounds = variation_bounds(prepared, run.options);
   OuterSolution solution =
       choose_variation(prepared, *warp, bounds, [&] { begin_stage(go_on, "lengths"); });  // II-B, Algorithm 1
   report_solution(solution, layout.report);
   if (!solution.shape.inner.is_feasible) {
     const auto may_go_on = [&] { return go_on("lengths"); };
-    const ChartRefinement refined_shape = refine_chart(chart, options, [&](const char*) { return may_go_on(); });
+    const ChartRefinement refined_shape =
+        refine_chart(chart, run.options, [&](const char*) { return may_go_on(); }, run.tuning);
     if (refined_shape.shape.is_exact && !refined_shape.was_stopped) throw needs_refinement(chart);
-    throw explain_infeasible(chart, input, options, refined_shape, may_go_on);
+    throw explain_infeasible(chart, run, refined_shape, may_go_on);
   }
   layout.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
   layout.variation.assign(solution.variation.begin(),
@@ -83,15 +91,14 @@ void flatten_by_warping(const Chart& chart, const FlattenInput& input, const Opt
 
 /// The refined method: wires and surface at once, under the same exact lengths. Once those are reached, cancelling
 /// leaves the piece at the best shape so far.
-void flatten_by_refining(const Chart& chart, const FlattenInput& input, const Options& options, const GoOn& go_on,
-                         Layout& layout) {
+void flatten_by_refining(const Chart& chart, const Run& run, const GoOn& go_on, Layout& layout) {
   begin_stage(go_on, "start");
   const StageTimer timer(layout.report.seconds, "shape");
   layout.network = build_wire_network(chart);
-  ChartRefinement refined = refine_chart(chart, options, go_on);
+  ChartRefinement refined = refine_chart(chart, run.options, go_on, run.tuning);
   report_refinement(refined, layout.report);
   if (!refined.shape.is_exact) {
-    throw explain_infeasible(chart, input, options, refined, [&] { return go_on("shape"); });
+    throw explain_infeasible(chart, run, refined, [&] { return go_on("shape"); });
   }
   layout.variation.assign(refined.shape.variation.begin(), refined.shape.variation.end());
   layout.uv = std::move(refined.shape.uv);
@@ -110,12 +117,11 @@ const char* name_of(Method method) {
 }
 
 /// The layout of a sound chart, or why it has none.
-Layout solve_chart(const Chart& chart, const FlattenInput& input, const Options& options, const GoOn& go_on) {
+Layout solve_chart(const Chart& chart, const Run& run, const GoOn& go_on) {
   Layout layout;
   try {
     if (std::optional<FlattenError> error = find_short_outline(chart)) throw std::move(*error);
-    (options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, input, options, go_on,
-                                                                                   layout);
+    (run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, run, go_on, layout);
   } catch (const FlattenError& error) {
     layout.error = error;
     if (error.code == ErrorCode::cancelled) layout.report.termination = Termination::cancelled;
@@ -138,8 +144,8 @@ std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
 }
 
 /// All charts, on all cores; each has the layout that it has alone.
-std::vector<Layout> flatten_charts(const FlattenInput& input, const std::vector<Chart>& charts, const Options& options,
-                                   ProgressReport& report, Reuse& reuse) {
+std::vector<Layout> flatten_charts(const std::vector<Chart>& charts, const Run& run, ProgressReport& report,
+                                   Reuse& reuse) {
   std::vector<Layout> layouts(charts.size());
   ChartsProgress progress(report, charts);
   const std::vector<std::size_t> order = largest_first(charts);
@@ -150,7 +156,7 @@ std::vector<Layout> flatten_charts(const FlattenInput& input, const std::vector<
     if (chart.error) {
       layouts[c].error = report.is_cancelled() ? *chart.error : with_proposed_seams(*chart.error, chart);
     } else {
-      layouts[c] = reuse.layout_of(chart, [&] { return solve_chart(chart, input, options, go_on); });
+      layouts[c] = reuse.layout_of(chart, [&] { return solve_chart(chart, run, go_on); });
     }
     progress.finish(c);
   };
@@ -168,6 +174,11 @@ void pack(const Charts& charts, const Options& options, std::vector<Layout>& lay
 }  // namespace
 
 FlattenResult flatten(const FlattenInput& input, const Options& options, const Progress& progress, Cache* cache) {
+  return flatten_tuned(input, options, {}, progress, cache);
+}
+
+FlattenResult flatten_tuned(const FlattenInput& input, const Options& options, const Tuning& tuning,
+                            const Progress& progress, Cache* cache) {
   std::map<std::string, double> seconds;
   FlattenResult result;
   {
@@ -186,7 +197,7 @@ FlattenResult flatten(const FlattenInput& input, const Options& options, const P
       charts = cut_into_charts(input, edges);
     }
     Reuse reuse(cache, input, options);
-    std::vector<Layout> layouts = flatten_charts(input, charts.charts, options, report, reuse);
+    std::vector<Layout> layouts = flatten_charts(charts.charts, {input, options, tuning}, report, reuse);
     reuse.finish();
     report.go_on("measure", 0.9);
     {

@@ -6,13 +6,14 @@
 #include <optional>
 #include <string>
 
-#include "wirewarp/flatten.h"
+#include "tuning.h"
 
 namespace wirewarp::test {
 
 struct RandomCase {
   FlattenInput input;
   Options options;
+  Tuning tuning;
   std::optional<ErrorCode> fault;  // the error that must come, thrown or carried by a piece; none: the input is legal
   std::string description;
 };

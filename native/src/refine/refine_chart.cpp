@@ -18,8 +18,6 @@
 namespace wirewarp {
 namespace {
 
-constexpr std::size_t kLargeChart = 20'000;  // faces: from here on a coarse start saves more than it costs
-
 bool is_elastic(const WirePart& part) { return part.kind == WireKind::elastic; }
 
 ChartRefinement finish(ChartRefinement result, const Attempts& attempts) {
@@ -104,16 +102,16 @@ ChartRefinement try_all_starts(const Chart& chart, const WireNetwork& held_netwo
 
 /// From a start that is near the minimum, where the chart is large enough for one. Not exact where there is none.
 RefinedShape refine_from_coarse(const Chart& chart, const WireNetwork& held_network, const Options& options,
-                                Attempts& attempts) {
-  if (chart.mesh.n_faces() < kLargeChart) return {};
+                                const Tuning& tuning, Attempts& attempts) {
+  if (chart.mesh.n_faces() < tuning.large_chart) return {};
   const auto start = start_from_coarse(chart, held_network, options, attempts.asking("start"));
   return start && !attempts.was_stopped() ? attempts.refine(chart, held_network, *start) : RefinedShape{};
 }
 
 RefinedShape refine_with_slits(const Chart& chart, const WireNetwork& held_network, const std::vector<Slit>& slits,
-                               const Options& options, Attempts& attempts) {
+                               const Options& options, const Tuning& tuning, Attempts& attempts) {
   const auto refine_sewn = [&](const Chart& sewn, const WireNetwork& sewn_network) {
-    RefinedShape shape = refine_from_coarse(sewn, sewn_network, options, attempts);
+    RefinedShape shape = refine_from_coarse(sewn, sewn_network, options, tuning, attempts);
     if (shape.is_exact || attempts.was_stopped()) return shape;
     const Positions2 free = flatten_freely(sewn, kFreeSteps, {}, attempts.asking("start")).uv;
     return attempts.was_stopped() ? shape : attempts.refine(sewn, sewn_network, free);
@@ -135,17 +133,17 @@ ChartRefinement reach_exact_lengths(const Chart& chart, Options options, const G
   return finish(try_all_starts(chart, build_held_network(chart), options, Goal::exact_lengths, attempts), attempts);
 }
 
-ChartRefinement refine_chart(const Chart& chart, const Options& options, const GoOn& go_on) {
+ChartRefinement refine_chart(const Chart& chart, const Options& options, const GoOn& go_on, const Tuning& tuning) {
   const WireNetwork held_network = build_held_network(chart);
   Attempts attempts(options, go_on);
   ChartRefinement result;
   if (const std::optional<Positions2> unfolded = unfold(chart)) {
     result.shape = attempts.refine(chart, held_network, *unfolded);
   } else if (const std::vector<Slit> slits = find_slits(chart); !slits.empty()) {
-    result.shape = refine_with_slits(chart, held_network, slits, options, attempts);
+    result.shape = refine_with_slits(chart, held_network, slits, options, tuning, attempts);
   }
   if (!result.shape.is_exact && !attempts.was_stopped()) {
-    result.shape = refine_from_coarse(chart, held_network, options, attempts);
+    result.shape = refine_from_coarse(chart, held_network, options, tuning, attempts);
   }
   if (!result.shape.is_exact && !attempts.was_stopped()) {
     result = try_all_starts(chart, held_network, options, Goal::least_distortion, attempts);

@@ -6,6 +6,7 @@
 #include "progress_report.h"
 #include "refine/loose_lengths.h"
 #include "refine/refine_shape.h"
+#include "tuning.h"
 #include "wirewarp/options.h"
 
 namespace wirewarp {
@@ -41,9 +42,9 @@ ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_
 ChartRefinement reach_exact_lengths(const Chart& chart, Options options, const GoOn& go_on);
 
 /// Unfolds a chart that is folded from a plane (refine/unfold.h): mostly nothing is left to do. Sews up the slits of
-/// others first (refine/open_slits.h). Flattens a chart of 20,000 faces or more coarsely first, and starts from that
-/// shape (refine/coarse_start.h): two or three factorizations from the end. Smaller charts, and those that these starts
-/// do not serve, from scratch. Throws as that does.
-ChartRefinement refine_chart(const Chart& chart, const Options& options, const GoOn& go_on);
+/// others first (refine/open_slits.h). Flattens a chart of tuning.large_chart faces or more coarsely first, and
+/// starts from that shape (refine/coarse_start.h): two or three factorizations from the end. Smaller charts, and those
+/// that these starts do not serve, from scratch. Throws as that does.
+ChartRefinement refine_chart(const Chart& chart, const Options& options, const GoOn& go_on, const Tuning& tuning = {});
 
 }  // namespace wirewarp
