@@ -93,9 +93,17 @@ std::optional<TooLarge> narrow(const py::array& array, int* out) {
   return is_unsigned ? narrow<std::uint64_t>(array, out) : narrow<std::int64_t>(array, out);
 }
 
-[[noreturn]] void throw_too_large(const std::string& element, const TooLarge& found, ErrorElements elements) {
+[[noreturn]] void throw_too_large(const std::string& element, const std::string& value, ErrorElements elements) {
   throw FlattenError(ErrorCode::vertex_out_of_range,
-                     element + " names vertex " + found.value + ", which the mesh does not have.", std::move(elements));
+                     element + " names vertex " + value + ", but no mesh has vertices beyond 2147483647: use indices "
+                     "of this mesh.", std::move(elements));
+}
+
+/// "3-7-9": what a row of an array holds.
+std::string row_text(const py::array& array, int row) {
+  std::string joined;
+  for (const py::handle item : array[py::int_(row)]) joined += (joined.empty() ? "" : "-") + text(item);
+  return joined;
 }
 
 template <class Matrix>
@@ -110,7 +118,7 @@ Matrix read_indices(py::handle value, const std::string& name, const std::string
     const int row = static_cast<int>(found->index / kColumns);
     ErrorElements elements;
     if (element == "Face") elements.faces = {row};
-    throw_too_large(element + " " + std::to_string(row), *found, elements);
+    throw_too_large(element + " " + std::to_string(row) + " (" + row_text(array, row) + ")", found->value, elements);
   }
   return result;
 }
@@ -127,7 +135,7 @@ std::vector<int> read_sequence(py::handle value) {
     if (!number) throw py::error_already_set();
     int overflow = 0;
     const long long v = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
-    if (overflow != 0 || v != static_cast<int>(v)) throw_too_large(element, {0, text(number)}, {});
+    if (overflow != 0 || v != static_cast<int>(v)) throw_too_large(element, text(number), {});
     result.push_back(static_cast<int>(v));
   }
   return result;
@@ -146,12 +154,7 @@ VertexPairs read_seams(py::handle value) {
   return read_indices<VertexPairs>(value, "seams", "Seam edge");
 }
 
-CornerUv read_corner_uv(py::handle value, Eigen::Index face_count) {
-  CornerUv result = read_reals<CornerUv>(value, "corner_uv", {3, 2});
-  if (result.rows() == face_count) return result;
-  throw FlattenError(ErrorCode::invalid_shape, "corner_uv has " + std::to_string(result.rows()) + " rows for " +
-                                                   std::to_string(face_count) + " faces; it needs one per face.");
-}
+CornerUv read_corner_uv(py::handle value) { return read_reals<CornerUv>(value, "corner_uv", {3, 2}); }
 
 std::vector<int> read_chain(py::handle value) {
   const std::string name = "Wire vertices";
@@ -171,7 +174,7 @@ std::vector<int> read_chain(py::handle value) {
   }
   std::vector<int> result(static_cast<std::size_t>(array.size()));
   if (const auto found = narrow(array, result.data())) {
-    throw_too_large("Wire vertex " + std::to_string(found->index), *found, {});
+    throw_too_large("Wire vertex " + std::to_string(found->index), found->value, {});
   }
   return result;
 }

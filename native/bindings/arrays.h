@@ -25,8 +25,8 @@ Triangles read_faces(py::handle value);
 /// seams (k, 2), whole numbers; None or an empty list for none.
 VertexPairs read_seams(py::handle value);
 
-/// corner_uv (m, 3, 2), real numbers, one row per face.
-CornerUv read_corner_uv(py::handle value, Eigen::Index face_count);
+/// corner_uv (m, 3, 2), real numbers.
+CornerUv read_corner_uv(py::handle value);
 
 /// A wire's vertices: any sequence or one-dimensional array of whole numbers.
 std::vector<int> read_chain(py::handle value);

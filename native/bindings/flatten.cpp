@@ -67,7 +67,7 @@ FlattenResult run_flatten(const py::object& vertices, const py::object& faces, c
 FlattenResult run_measure(const py::object& vertices, const py::object& faces, const py::object& corner_uv,
                           const py::object& seams, const py::object& wires) {
   const FlattenInput input = read_input(vertices, faces, seams, wires);
-  const CornerUv corners = read_corner_uv(corner_uv, input.faces.rows());
+  const CornerUv corners = read_corner_uv(corner_uv);
   const py::gil_scoped_release no_gil;
   return measure(input, corners);
 }

@@ -2,8 +2,6 @@
 // wirewarp.Options: the enums as strings, every value checked when it is set.
 #include "wirewarp/options.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,7 +15,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& name, py::handle value, const std::string& allowed) {
   throw FlattenError(ErrorCode::invalid_option,
-                     "Option " + name + " is " + std::string(py::repr(value)) + "; it must be " + allowed + ".");
+                     "The option " + name + " is " + std::string(py::repr(value)) + ": it must be " + allowed + ".");
 }
 
 template <class Enum, std::size_t N>
@@ -30,39 +28,22 @@ Enum read_enum(py::handle value, const std::string& name, const Named<Enum> (&na
   refuse(name, value, allowed);
 }
 
-double read_gap(py::handle value) {
-  const double gap = read_number(value, "Option gap");
-  if (!(gap >= 0 && gap <= 1)) refuse("gap", value, "from 0 to 1");
-  return gap;
-}
-
-double read_fairness(py::handle value) {
-  const double fairness = read_number(value, "Option fairness");
-  if (!(fairness >= Options::least_fairness && fairness <= Options::most_fairness))
-    refuse("fairness", value, "from 0.001 to 10");
-  return fairness;
-}
-
-int read_whole_number(py::handle value, const std::string& name, int least, int most) {
+int read_whole_number(py::handle value, const std::string& name) {
   const double number = read_number(value, "Option " + name);
-  if (!(number >= least && number <= most && number == std::floor(number))) {
-    refuse(name, value, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  using Limits = std::numeric_limits<int>;
+  if (!(number >= Limits::min() && number <= Limits::max() && number == std::floor(number))) {
+    refuse(name, value, "a whole number of at most " + std::to_string(Limits::max()));
   }
   return static_cast<int>(number);
 }
 
-int read_max_factorizations(py::handle value) { return read_whole_number(value, "max_factorizations", 1, 1000000); }
-
-int read_grain(py::handle value) { return read_whole_number(value, "grain", -1, std::numeric_limits<int>::max()); }
-
-std::array<double, 3> read_up(py::handle value) {
-  const std::array<double, 3> up = read_triple(value, "Option up");
-  const auto is_finite = [](double x) { return std::isfinite(x); };
-  const auto is_zero = [](double x) { return x == 0; };
-  if (!std::all_of(up.begin(), up.end(), is_finite) || std::all_of(up.begin(), up.end(), is_zero)) {
-    refuse("up", value, "finite and not zero");
-  }
-  return up;
+/// Options are in their ranges or stay as they were.
+template <class Value>
+void set(Options& options, Value Options::*member, Value value) {
+  Options changed = options;
+  changed.*member = value;
+  check_options(changed);
+  options = changed;
 }
 
 py::tuple up_of(const Options& options) { return py::make_tuple(options.up[0], options.up[1], options.up[2]); }
@@ -100,14 +81,15 @@ void bind_options(py::module_& module) {
                options.method = read_enum(method, "method", kMethods);
                options.node_weight = read_enum(node_weight, "node_weight", kNodeWeights);
                options.inner = read_enum(inner, "inner", kInners);
-               options.fairness = read_fairness(fairness);
-               options.max_factorizations = read_max_factorizations(max_factorizations);
+               options.fairness = read_number(fairness, "Option fairness");
+               options.max_factorizations = read_whole_number(max_factorizations, "max_factorizations");
                options.layout = read_enum(layout, "layout", kPieceLayouts);
                options.orientation = read_enum(orientation, "orientation", kOrientations);
-               options.grain = read_grain(grain);
-               options.up = read_up(up);
-               options.gap = read_gap(gap);
+               options.grain = read_whole_number(grain, "grain");
+               options.up = read_triple(up, "Option up");
+               options.gap = read_number(gap, "Option gap");
                options.mirror = read_bool(mirror, "mirror");
+               check_options(options);
                return options;
              }),
              py::kw_only(), py::arg("method") = name_of(defaults.method, kMethods),
@@ -117,6 +99,8 @@ void bind_options(py::module_& module) {
              py::arg("layout") = name_of(defaults.layout, kPieceLayouts),
              py::arg("orientation") = name_of(defaults.orientation, kOrientations), py::arg("grain") = defaults.grain,
              py::arg("up") = up_of(defaults), py::arg("gap") = defaults.gap, py::arg("mirror") = defaults.mirror);
+  record.def(py::pickle(&record_to_dict,
+                        [](const py::dict& fields) { return py::type::of<Options>()(**fields).cast<Options>(); }));
 
   bind_enum(record, "method", &Options::method, kMethods, "How wire lengths and the shape are found.");
   bind_enum(record, "node_weight", &Options::node_weight, kNodeWeights,
@@ -125,13 +109,17 @@ void bind_options(py::module_& module) {
             "'minimum' of Eq. (1), or its first feasible point 'least-norm' for comparison.");
   record.def_property(
       "fairness", [](const Options& options) { return options.fairness; },
-      [](Options& options, const py::object& value) { options.fairness = read_fairness(value); },
+      [](Options& options, const py::object& value) {
+        set(options, &Options::fairness, read_number(value, "Option fairness"));
+      },
       "Refined method: the shortest wiggle of an outline or wire that is left alone, over the square root of the "
       "piece's area, 0.001 to 10. Larger: smoother lines, more distortion inside.");
   record.listed("fairness");
   record.def_property(
       "max_factorizations", [](const Options& options) { return options.max_factorizations; },
-      [](Options& options, const py::object& value) { options.max_factorizations = read_max_factorizations(value); },
+      [](Options& options, const py::object& value) {
+        set(options, &Options::max_factorizations, read_whole_number(value, "max_factorizations"));
+      },
       "Refined method: after so many factorizations a piece stops at the shape it has, at least 1. Not counted: up to "
       "30 on the coarser mesh of a large piece, and those that find out which wires contradict one another.");
   record.listed("max_factorizations");
@@ -143,17 +131,23 @@ void bind_options(py::module_& module) {
             "where the piece is level as by 'wire'.");
   record.def_property(
       "grain", [](const Options& options) { return options.grain; },
-      [](Options& options, const py::object& value) { options.grain = read_grain(value); },
+      [](Options& options, const py::object& value) {
+        set(options, &Options::grain, read_whole_number(value, "grain"));
+      },
       "Index of the wire that stands upright for orientation 'wire'. -1, and in pieces it does not run through: the "
       "piece's first wire.");
   record.listed("grain");
   record.def_property(
-      "up", &up_of, [](Options& options, const py::object& value) { options.up = read_up(value); },
+      "up", &up_of, [](Options& options, const py::object& value) {
+        set(options, &Options::up, read_triple(value, "Option up"));
+      },
       "(3,) the direction in space that points up in each piece for orientation 'up'; finite, not zero.");
   record.listed("up");
   record.def_property(
       "gap", [](const Options& options) { return options.gap; },
-      [](Options& options, const py::object& value) { options.gap = read_gap(value); },
+      [](Options& options, const py::object& value) {
+        set(options, &Options::gap, read_number(value, "Option gap"));
+      },
       "Space between pieces over the side of a square with the area of all pieces, 0 to 1.");
   record.listed("gap");
   record.def_property(

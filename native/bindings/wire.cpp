@@ -13,17 +13,7 @@ namespace {
 Wire make_wire(const py::object& vertices, const py::object& tolerance, const py::object& name) {
   Wire wire;
   wire.vertices = read_chain(vertices);
-  if (wire.vertices.size() < 2) {
-    throw FlattenError(ErrorCode::wire_too_short,
-                       "A wire needs at least two vertices, this one has " + std::to_string(wire.vertices.size()) + ".",
-                       {wire.vertices, {}, {}});
-  }
   wire.tolerance = read_number(tolerance, "Wire tolerance");
-  if (!(wire.tolerance >= 0)) {
-    throw FlattenError(ErrorCode::invalid_tolerance,
-                       "Wire tolerance is " + std::string(py::repr(tolerance)) +
-                           "; it must be 0 (rigid), a fraction such as 0.03 (elastic) or infinity (stretches freely).");
-  }
   if (!py::isinstance<py::str>(name)) {
     throw FlattenError(ErrorCode::invalid_type, "Wire name must be a string, not " + type_name(name) + ".");
   }
@@ -32,6 +22,7 @@ Wire make_wire(const py::object& vertices, const py::object& tolerance, const py
   } catch (const py::cast_error&) {
     throw FlattenError(ErrorCode::invalid_type, "Wire name has characters that are no text (lone surrogates).");
   }
+  check_wire(wire);
   return wire;
 }
 
@@ -42,6 +33,8 @@ void bind_wire(py::module_& module) {
   record.def(py::init(&make_wire), py::arg("vertices"), py::arg("tolerance") = 0.0, py::arg("name") = "",
              "vertices: any sequence or array of whole numbers, consecutive ones joined by an edge; a closed wire "
              "repeats its first. tolerance: 0 rigid, finite elastic, math.inf super-elastic.");
+  record.def(py::pickle([](const Wire& wire) { return py::make_tuple(wire.vertices, wire.tolerance, wire.name); },
+                        [](const py::tuple& fields) { return make_wire(fields[0], fields[1], fields[2]); }));
   record
       .field(
           "vertices",

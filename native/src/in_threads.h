@@ -10,15 +10,15 @@
 #include <future>
 #include <optional>
 #include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
 namespace wirewarp {
 
-inline std::size_t num_cores() { return std::max(1U, std::thread::hardware_concurrency()); }
+/// That this thread may run on, 1 at least.
+std::size_t num_cores();
 
-/// The processor has a second core for a second thread.
+/// There is a second core for a second thread.
 inline bool has_second_core() { return num_cores() > 1; }
 
 /// None where the system gives no more threads.

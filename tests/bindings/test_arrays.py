@@ -152,6 +152,12 @@ def test_a_face_that_names_no_vertex_is_named(index):
 def test_a_seam_that_names_no_vertex_is_refused(index):
     error = refused(wirewarp.ErrorCode.vertex_out_of_range, seams=np.array([[0, 1], [1, index]], dtype=np.int64))
     assert str(index) in str(error)
+    assert "use indices of this mesh" in str(error)
+
+
+def test_a_seam_beyond_any_mesh_names_its_edge():
+    error = refused(wirewarp.ErrorCode.vertex_out_of_range, seams=[[0, 1], [7, 2**35]])
+    assert "Seam edge 1 (7-34359738368)" in str(error)
 
 
 @pytest.mark.parametrize(

@@ -2,8 +2,10 @@
 """Wire and Options are right once they exist."""
 
 import array
+import copy
 import json
 import math
+import pickle
 from fractions import Fraction
 
 import numpy as np
@@ -149,29 +151,29 @@ def test_an_option_is_the_same_however_it_is_set(name, value):
         ("method", None, METHODS),
         ("node_weight", "Length", "'length' or 'uniform'"),
         ("inner", "least_norm", "'minimum' or 'least-norm'"),
-        ("fairness", 0.0009, "0.001 to 10"),
-        ("fairness", 10.1, "0.001 to 10"),
-        ("fairness", -0.1, "0.001 to 10"),
-        ("fairness", math.nan, "0.001 to 10"),
-        ("fairness", math.inf, "0.001 to 10"),
-        ("max_factorizations", 0, "a whole number from 1"),
-        ("max_factorizations", -3, "a whole number from 1"),
-        ("max_factorizations", 2.5, "a whole number from 1"),
-        ("max_factorizations", math.nan, "a whole number from 1"),
-        ("max_factorizations", math.inf, "a whole number from 1"),
-        ("max_factorizations", 2**40, "to 1000000"),
+        ("fairness", 0.0009, "between 0.001 and 10"),
+        ("fairness", 10.1, "between 0.001 and 10"),
+        ("fairness", -0.1, "between 0.001 and 10"),
+        ("fairness", math.nan, "between 0.001 and 10"),
+        ("fairness", math.inf, "between 0.001 and 10"),
+        ("max_factorizations", 0, "at least 1"),
+        ("max_factorizations", -3, "at least 1"),
+        ("max_factorizations", 2.5, "a whole number"),
+        ("max_factorizations", math.nan, "a whole number"),
+        ("max_factorizations", math.inf, "a whole number"),
+        ("max_factorizations", 2**40, "at most 2147483647"),
         ("layout", "column", "'packed' or 'row'"),
         ("orientation", "grain", "'wire' or 'boundary' or 'up'"),
-        ("grain", -2, "a whole number from -1"),
-        ("grain", 0.5, "a whole number from -1"),
-        ("grain", 2**40, "to 2147483647"),
+        ("grain", -2, "be -1 or the index"),
+        ("grain", 0.5, "a whole number"),
+        ("grain", 2**40, "at most 2147483647"),
         ("up", (0, 0, 0), "finite and not zero"),
         ("up", (0, math.nan, 1), "finite and not zero"),
         ("up", (0, math.inf, 1), "finite and not zero"),
-        ("gap", -0.1, "0 to 1"),
-        ("gap", 1.5, "0 to 1"),
-        ("gap", math.nan, "0 to 1"),
-        ("gap", math.inf, "0 to 1"),
+        ("gap", -0.1, "between 0 and 1"),
+        ("gap", 1.5, "between 0 and 1"),
+        ("gap", math.nan, "between 0 and 1"),
+        ("gap", math.inf, "between 0 and 1"),
         ("mirror", 1, "True or False"),
         ("mirror", "yes", "True or False"),
     ],
@@ -227,6 +229,24 @@ def test_the_limits_of_fairness_are_allowed(value):
 @pytest.mark.parametrize("value", [1, np.int64(12), 100.0])
 def test_any_whole_number_counts_factorizations(value):
     assert Options(max_factorizations=value).max_factorizations == int(value)
+
+
+@pytest.mark.parametrize("clone", [copy.copy, copy.deepcopy, lambda value: pickle.loads(pickle.dumps(value))])
+def test_options_and_wires_survive_copying_and_pickling(clone):
+    options = Options(**CHANGED)
+    twin = clone(options)
+    assert type(twin) is Options
+    assert twin.to_dict() == options.to_dict()
+    twin.gap = 0.25
+    assert options.gap == CHANGED["gap"]
+    wire = clone(Wire([3, 4, 3], math.inf, "bust"))
+    assert (wire.vertices.tolist(), wire.tolerance, wire.name) == ([3, 4, 3], math.inf, "bust")
+
+
+def test_a_wire_that_fits_no_mesh_names_no_vertex_of_one():
+    with pytest.raises(FlattenError, match="fewer than two vertices") as caught:
+        Wire([1_000_000_000])
+    assert caught.value.vertices == ()
 
 
 def test_an_option_that_does_not_exist_is_an_error():

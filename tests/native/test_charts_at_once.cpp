@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Charts are solved on all cores: each as it is alone, and what the caller hears comes in the caller's thread.
 #include <gtest/gtest.h>
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 #include <algorithm>
 #include <atomic>
@@ -25,6 +28,23 @@ FlattenInput only(const FlattenInput& input, const Piece& piece) {
   result.seams.resize(0, 2);  // its outline without them
   return result;
 }
+
+#ifdef __linux__
+TEST(ChartsAtOnce, CoresAreThoseThatTheThreadMayUse) {
+  cpu_set_t before;
+  ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
+  EXPECT_EQ(num_cores(), static_cast<std::size_t>(CPU_COUNT(&before)));
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  for (int cpu = 0; CPU_COUNT(&one) == 0; ++cpu) {
+    if (CPU_ISSET(cpu, &before)) CPU_SET(cpu, &one);
+  }
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+  EXPECT_EQ(num_cores(), 1U);
+  EXPECT_FALSE(has_second_core());
+  ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
+}
+#endif
 
 TEST(ChartsAtOnce, EachIsSolvedAsItIsAlone) {
   const FlattenInput input = many_gores();

@@ -162,6 +162,36 @@ TEST(ErrorCodes, InvalidOption) {
     options.up = bad;
     EXPECT_EQ(thrown_by(input, options).code, Code::invalid_option);
   }
+  for (const double bad : {0.0, 0.0009, 11.0, -0.1, std::nan("")}) {
+    Options options;
+    options.fairness = bad;
+    EXPECT_EQ(thrown_by(input, options).code, Code::invalid_option);
+    expect_names(thrown_by(input, options), "between 0.001 and 10");
+  }
+  for (const int bad : {0, -3}) {
+    Options options;
+    options.max_factorizations = bad;
+    EXPECT_EQ(thrown_by(input, options).code, Code::invalid_option);
+    expect_names(thrown_by(input, options), "max_factorizations is " + std::to_string(bad));
+  }
+}
+
+TEST(ErrorCodes, OptionsAndWiresAreCheckedWithoutAMeshToo) {
+  Options options;
+  options.grain = 5;  // there may be as many wires
+  EXPECT_NO_THROW(check_options(options));
+  options.grain = -2;
+  EXPECT_THROW(check_options(options), FlattenError);
+  EXPECT_NO_THROW(check_wire({{7, 9}, 0.1, "waist"}));
+  try {
+    check_wire({{7}, 0.1, "waist"});
+    FAIL();
+  } catch (const FlattenError& error) {
+    EXPECT_EQ(error.code, Code::wire_too_short);
+    EXPECT_TRUE(error.elements.vertices.empty()) << "of what mesh?";
+    expect_names(error, "wire (waist)");
+  }
+  EXPECT_THROW(check_wire({{7, 9}, -1, ""}), FlattenError);
 }
 
 TEST(ErrorCodes, CornersOfTheWrongNumberOfFaces) {
@@ -225,6 +255,9 @@ TEST(ErrorCodes, ClosedChart) {
       carried_by(triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}));
   EXPECT_EQ(error.code, Code::closed_chart);
   EXPECT_EQ(error.elements.faces.size(), 4u);
+  const VertexPair& seam = error.elements.proposed_seams.at(0);
+  expect_names(error, "is closed: mark a seam that opens it, such as along edge");
+  expect_names(error, std::to_string(seam[0]) + "-" + std::to_string(seam[1]));
 }
 
 TEST(ErrorCodes, Handles) {
@@ -244,7 +277,9 @@ TEST(ErrorCodes, Handles) {
       if (f < input.faces.rows()) input.faces.row(f++) << vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1);
     }
   }
-  EXPECT_EQ(carried_by(input).code, Code::handles);
+  const FlattenError error = carried_by(input);
+  EXPECT_EQ(error.code, Code::handles);
+  expect_names(error, "such as along edges");
 }
 
 TEST(ErrorCodes, InfeasibleLengths) {

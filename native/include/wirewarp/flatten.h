@@ -18,6 +18,9 @@ struct Wire {
   std::string name;
 };
 
+/// Throws FlattenError (wire_too_short, invalid_tolerance) where a wire fits no mesh.
+void check_wire(const Wire& wire);
+
 /// A triangle mesh, the seams that cut it and the wires on it.
 struct FlattenInput {
   Positions3 vertices;  // magnitudes below 1e60

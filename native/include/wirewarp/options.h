@@ -70,4 +70,7 @@ struct Options {
   bool mirror = false;
 };
 
+/// Throws FlattenError (invalid_option) unless every option is in its range, whatever the number of wires.
+void check_options(const Options& options);
+
 }  // namespace wirewarp

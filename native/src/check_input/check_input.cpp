@@ -36,21 +36,25 @@ void check_seams(const FlattenInput& input, const EdgeTable& edges) {
                      {{}, bad, {}});
 }
 
-void check_wire(const FlattenInput& input, const EdgeTable& edges, std::size_t w, std::vector<int>& wire_of_edge) {
-  const Wire& wire = input.wires[w];
-  const std::string label = name_wires(input.wires, {static_cast<int>(w)});
-  check_vertices_in_range(wire.vertices, input.vertices.rows(), "The " + label);
+/// vertices: of the mesh, to be named.
+void check_chain_and_tolerance(const Wire& wire, const std::string& label, const std::vector<int>& vertices) {
   if (wire.vertices.size() < 2) {
     throw FlattenError(ErrorCode::wire_too_short,
-                       "The " + label + " has fewer than two vertices: give it at least one edge.",
-                       {wire.vertices, {}, {}});
+                       "The " + label + " has fewer than two vertices: give it at least one edge.", {vertices, {}, {}});
   }
   if (!(wire.tolerance >= 0)) {
     throw FlattenError(ErrorCode::invalid_tolerance,
-                       "The " + label + " has a tolerance of " + std::to_string(wire.tolerance) +
+                       "The " + label + " has a tolerance of " + shortest(wire.tolerance) +
                            ": use 0 (rigid), a positive fraction such as 0.03 (3 %), or infinity (free).",
-                       {wire.vertices, {}, {}});
+                       {vertices, {}, {}});
   }
+}
+
+void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::size_t w, std::vector<int>& wire_of_edge) {
+  const Wire& wire = input.wires[w];
+  const std::string label = name_wires(input.wires, {static_cast<int>(w)});
+  check_vertices_in_range(wire.vertices, input.vertices.rows(), "The " + label);
+  check_chain_and_tolerance(wire, label, wire.vertices);
   std::vector<VertexPair> missing;
   for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
     const VertexPair pair{wire.vertices[i], wire.vertices[i + 1]};
@@ -81,26 +85,8 @@ void check_wire(const FlattenInput& input, const EdgeTable& edges, std::size_t w
 
 }  // namespace
 
-void check_options(const Options& options, std::size_t num_wires) {
-  const auto refuse = [](const std::string& name, const std::string& value, const std::string& allowed) {
-    throw FlattenError(ErrorCode::invalid_option, "The option " + name + " is " + value + ": it must " + allowed + ".");
-  };
-  if (!(options.gap >= 0 && options.gap <= 1)) refuse("gap", std::to_string(options.gap), "lie between 0 and 1");
-  if (!(options.fairness >= Options::least_fairness && options.fairness <= Options::most_fairness)) {
-    refuse("fairness", std::to_string(options.fairness), "lie between 0.001 and 10");
-  }
-  if (options.max_factorizations < 1) {
-    refuse("max_factorizations", std::to_string(options.max_factorizations), "be at least 1");
-  }
-  if (options.grain < -1 || options.grain >= static_cast<std::ptrdiff_t>(num_wires)) {
-    refuse("grain", std::to_string(options.grain),
-           "be -1 or the index of one of the " + std::to_string(num_wires) + " wires");
-  }
-  const Eigen::Vector3d up(options.up[0], options.up[1], options.up[2]);
-  if (!up.allFinite() || up.isZero(0)) {
-    refuse("up", std::to_string(up.x()) + ", " + std::to_string(up.y()) + ", " + std::to_string(up.z()),
-           "be finite and not zero");
-  }
+void check_wire(const Wire& wire) {
+  check_chain_and_tolerance(wire, wire.name.empty() ? "wire" : "wire (" + wire.name + ")", {});
 }
 
 void check_mesh(const FlattenInput& input) {
@@ -143,7 +129,7 @@ void check_mesh(const FlattenInput& input) {
 void check_seams_and_wires(const FlattenInput& input, const EdgeTable& edges) {
   check_seams(input, edges);
   std::vector<int> wire_of_edge(static_cast<std::size_t>(edges.num_edges()), -1);
-  for (std::size_t w = 0; w < input.wires.size(); ++w) check_wire(input, edges, w, wire_of_edge);
+  for (std::size_t w = 0; w < input.wires.size(); ++w) check_wire_on_mesh(input, edges, w, wire_of_edge);
 }
 
 }  // namespace wirewarp

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "index.h"
 
@@ -49,6 +50,16 @@ std::string name_wires(const std::vector<Wire>& wires, const std::vector<int>& i
 std::string capitalized(std::string sentence) {
   sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
   return sentence;
+}
+
+std::string shortest(double value) {
+  if (std::isnan(value)) return "nan";
+  char text[32];
+  for (int digits = 15; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value) break;
+  }
+  return text;
 }
 
 std::string percent(double fraction) {

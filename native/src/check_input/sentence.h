@@ -21,6 +21,9 @@ std::string name_wires(const std::vector<Wire>& wires, const std::vector<int>& i
 /// The sentence with a capital at its beginning.
 std::string capitalized(std::string sentence);
 
+/// The fewest digits that mean this number: "0.1", "1e-300", "nan".
+std::string shortest(double value);
+
 /// "3.25 %", without a sign.
 std::string percent(double fraction);
 

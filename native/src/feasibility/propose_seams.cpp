@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "feasibility/propose_seams.h"
 
+#include <utility>
+
 #include "charts/chart_faults.h"
+#include "check_input/sentence.h"
 #include "feasibility/cut_to_disk.h"
 #include "feasibility/open_further.h"
 
 namespace wirewarp {
-
 namespace {
 
 CutMask propose_cut(const Chart& chart) {
@@ -27,10 +29,12 @@ std::vector<VertexPair> propose_seams(const Chart& chart) {
 }
 
 FlattenError with_proposed_seams(FlattenError error, const Chart& chart) {
-  if (error.code == ErrorCode::closed_chart || error.code == ErrorCode::handles) {
-    error.elements.proposed_seams = propose_seams(chart);
-  }
-  return error;
+  if (error.code != ErrorCode::closed_chart && error.code != ErrorCode::handles) return error;
+  error.elements.proposed_seams = propose_seams(chart);
+  std::string sentence = error.what();
+  sentence.pop_back();
+  sentence += ", such as along " + name_elements("edge", error.elements.proposed_seams) + ".";
+  return FlattenError(error.code, sentence, std::move(error.elements));
 }
 
 }  // namespace wirewarp

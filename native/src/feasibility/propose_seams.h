@@ -11,7 +11,8 @@ namespace wirewarp {
 /// loops, so that it becomes a disk, or in from its only loop; in two halves where it stays too closed otherwise.
 std::vector<VertexPair> propose_seams(const Chart& chart);
 
-/// The error of a chart with the seams that mend it, if it is closed or has handles; any other error as it is.
+/// The error of a chart with the seams that mend it, in its sentence too, if it is closed or has handles; any other
+/// error as it is.
 FlattenError with_proposed_seams(FlattenError error, const Chart& chart);
 
 }  // namespace wirewarp

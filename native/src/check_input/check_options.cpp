@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
+
+#include "check_input/check_input.h"
+#include "check_input/sentence.h"
+
+namespace wirewarp {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, const std::string& value, const std::string& allowed) {
+  throw FlattenError(ErrorCode::invalid_option, "The option " + name + " is " + value + ": it must " + allowed + ".");
+}
+
+void check_range(const std::string& name, double value, double least, double most) {
+  if (value >= least && value <= most) return;
+  refuse(name, shortest(value), "lie between " + shortest(least) + " and " + shortest(most));
+}
+
+}  // namespace
+
+void check_options(const Options& options) {
+  check_range("gap", options.gap, 0, 1);
+  check_range("fairness", options.fairness, Options::least_fairness, Options::most_fairness);
+  if (options.max_factorizations < 1) {
+    refuse("max_factorizations", std::to_string(options.max_factorizations), "be at least 1");
+  }
+  if (options.grain < -1) refuse("grain", std::to_string(options.grain), "be -1 or the index of a wire");
+  const Eigen::Vector3d up(options.up[0], options.up[1], options.up[2]);
+  if (!up.allFinite() || up.isZero(0)) {
+    refuse("up", "(" + shortest(up.x()) + ", " + shortest(up.y()) + ", " + shortest(up.z()) + ")",
+           "be finite and not zero");
+  }
+}
+
+void check_options(const Options& options, std::size_t num_wires) {
+  check_options(options);
+  if (options.grain < static_cast<std::ptrdiff_t>(num_wires)) return;
+  refuse("grain", std::to_string(options.grain),
+         "be -1 or the index of one of the " + std::to_string(num_wires) + " wires");
+}
+
+}  // namespace wirewarp
