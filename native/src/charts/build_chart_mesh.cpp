@@ -2,7 +2,6 @@
 #include "charts/build_chart_mesh.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 #include "index.h"
@@ -92,11 +91,6 @@ double total_turning(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
   return turning;
 }
 
-double total_length(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
-  return std::accumulate(loop.begin(), loop.end(), 0.0,
-                         [&](double sum, HalfedgeHandle h) { return sum + edge_length(mesh, h); });
-}
-
 /// The outer loop is the one that turns most to the left: exact on anything developable. Loops that turn alike (the
 /// two ends of a tube) are told apart by length.
 std::size_t find_outer_loop(const HalfEdgeMesh& mesh, const std::vector<HalfEdgeChain>& loops) {
@@ -106,7 +100,7 @@ std::size_t find_outer_loop(const HalfEdgeMesh& mesh, const std::vector<HalfEdge
   double outer_length = 0;
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const double turning = total_turning(mesh, loops[i]);
-    const double length = total_length(mesh, loops[i]);
+    const double length = length_of(mesh, loops[i]);
     const bool turns_alike = std::abs(turning - outer_turning) < kSameTurning;
     if (turns_alike ? length > outer_length : turning > outer_turning) {
       outer = i;

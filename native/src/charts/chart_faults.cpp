@@ -6,6 +6,7 @@
 #include <map>
 
 #include "check_input/sentence.h"
+#include "index.h"
 
 namespace wirewarp {
 namespace {
@@ -41,7 +42,7 @@ int opposite_vertex(const Triangles& faces, int side) { return faces(side / 3, (
 
 void find_face_faults(const FlattenInput& input, const SurfaceCut& cut, std::vector<Faults>& faults) {
   for (int f = 0; f < input.faces.rows(); ++f) {
-    Faults& chart = faults[static_cast<std::size_t>(cut.chart_of_face[static_cast<std::size_t>(f)])];
+    Faults& chart = faults[at(cut.chart_of_face[at(f)])];
     if (repeats_vertex(input.faces, f)) {
       chart.repeated_vertex.push_back(f);
     } else if (has_no_area(input, f)) {
@@ -53,7 +54,7 @@ void find_face_faults(const FlattenInput& input, const SurfaceCut& cut, std::vec
 void find_edge_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                       std::vector<Faults>& faults) {
   const auto chart_of_side = [&](int side) -> Faults& {
-    return faults[static_cast<std::size_t>(cut.chart_of_face[static_cast<std::size_t>(side / 3)])];
+    return faults[at(cut.chart_of_face[at(side / 3)])];
   };
   for (int e = 0; e < edges.num_edges(); ++e) {
     const int num_sides = edges.num_sides(e);
@@ -68,7 +69,7 @@ void find_edge_faults(const FlattenInput& input, const EdgeTable& edges, const S
         break;
       }
     }
-    if (cut.is_seam[static_cast<std::size_t>(e)]) continue;
+    if (cut.is_seam[at(e)]) continue;
     if (num_sides > 2) {
       chart_of_side(edges.side(e, 0)).non_manifold.push_back(edges.vertices(e));
     } else if (edges.from(edges.side(e, 0)) == edges.from(edges.side(e, 1))) {
@@ -84,17 +85,17 @@ void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const
   std::vector<int> first_fan(static_cast<std::size_t>(input.vertices.rows()), -1);
   std::vector<char> has_several(static_cast<std::size_t>(input.vertices.rows()), 0);
   for (std::size_t corner = 0; corner < fan.size(); ++corner) {
-    const auto v = static_cast<std::size_t>(input.faces.data()[corner]);
+    const auto v = at(input.faces.data()[corner]);
     if (first_fan[v] < 0) first_fan[v] = fan[corner];
     if (fan[corner] != first_fan[v]) has_several[v] = 1;
   }
   std::map<VertexPair, int> fan_in_chart;  // by chart and vertex
   for (std::size_t corner = 0; corner < fan.size(); ++corner) {
     const int v = input.faces.data()[corner];
-    if (!has_several[static_cast<std::size_t>(v)]) continue;
+    if (!has_several[at(v)]) continue;
     const int chart = cut.chart_of_face[corner / 3];
     const int first = fan_in_chart.insert({{chart, v}, fan[corner]}).first->second;
-    if (fan[corner] != first) faults[static_cast<std::size_t>(chart)].pinched.push_back(v);
+    if (fan[corner] != first) faults[at(chart)].pinched.push_back(v);
   }
   for (Faults& of_chart : faults) {
     std::sort(of_chart.pinched.begin(), of_chart.pinched.end());
@@ -153,7 +154,7 @@ std::optional<FlattenError> first_fault(const Faults& faults) {
 
 std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
                                                            const SurfaceCut& cut) {
-  std::vector<Faults> faults(static_cast<std::size_t>(cut.num_charts));
+  std::vector<Faults> faults(at(cut.num_charts));
   find_face_faults(input, cut, faults);
   find_edge_faults(input, edges, cut, faults);
   find_vertex_faults(input, edges, cut, faults);

@@ -17,7 +17,7 @@ struct SurfaceCut {
 
   /// A seam, or the edge of the surface: part of the outline of a chart.
   bool is_outline(const EdgeTable& edges, int edge) const {
-    return is_seam[static_cast<std::size_t>(edge)] != 0 || edges.num_sides(edge) == 1;
+    return is_seam[at(edge)] != 0 || edges.num_sides(edge) == 1;
   }
 };
 

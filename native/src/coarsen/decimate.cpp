@@ -9,6 +9,7 @@
 #include "index.h"
 #include "mesh/geometry.h"
 #include "pi.h"
+#include "planar_cross.h"
 
 namespace wirewarp {
 namespace {
@@ -18,8 +19,6 @@ constexpr double kWorstQuality = 0.25;  // of a new face: 1 is equilateral, 0 ha
 constexpr double kClearly = 1 + 1e-9;   // better: the same however the mesh is turned and scaled
 constexpr double kSharpestTurn = kPi / 4;
 constexpr double kWorthwhile = 0.02;  // share of the vertices that a round must remove
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The faces on one side of a vertex, laid into the plane with the vertex at the origin: all around it, or from one
 /// wire edge to the next. Face i is between spokes i and i + 1.

@@ -17,9 +17,7 @@ constexpr std::size_t kMostNamed = 5;
 PieceOutline outline_of(const Chart& chart) {
   PieceOutline outline{surface_area(chart.mesh), {}};
   for (const HalfEdgeChain& chain : chart.boundary_loops) {
-    OutlineLoop loop{0, chain.front()};
-    for (const HalfedgeHandle h : chain) loop.length += edge_length(chart.mesh, h);
-    outline.loops.push_back(loop);
+    outline.loops.push_back({length_of(chart.mesh, chain), chain.front()});
   }
   std::stable_sort(outline.loops.begin(), outline.loops.end(),
                    [](const OutlineLoop& a, const OutlineLoop& b) { return a.length > b.length; });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "mesh/half_edge_mesh.h"
 #include "wirewarp/types.h"
@@ -11,6 +12,13 @@ namespace wirewarp {
 
 inline double edge_length(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return (mesh.point(mesh.to_vertex_handle(h)) - mesh.point(mesh.from_vertex_handle(h))).norm();
+}
+
+/// Of a chain or loop of edges, scene units.
+inline double length_of(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& chain) {
+  double length = 0;
+  for (const HalfedgeHandle h : chain) length += edge_length(mesh, h);
+  return length;
 }
 
 /// Angle of h's face at the vertex h leaves, radians in (0, pi).

@@ -7,15 +7,18 @@
 #include <limits>
 #include <utility>
 
+<<<<<<< HEAD:native/src/mesh/overlap.cpp
 #include "index.h"
 #include "mesh/box_tree.h"
+=======
+#include "metrics/box_tree.h"
+#include "planar_cross.h"
+>>>>>>> 93d0bd7 (Lengths of chains, areas, planar cross products and disjoint sets are written once):native/src/metrics/overlap.cpp
 
 namespace wirewarp {
 namespace {
 
 using Corners = std::array<Eigen::Vector2d, 3>;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 Corners corners_of(const Triangles& faces, const Positions2& uv, int face) {
   return {uv.row(faces(face, 0)), uv.row(faces(face, 1)), uv.row(faces(face, 2))};

@@ -9,6 +9,7 @@
 #include "mesh/overlap.h"
 #include "metrics/arap.h"
 #include "pi.h"
+#include "planar_cross.h"
 
 namespace wirewarp {
 namespace {
@@ -72,11 +73,11 @@ void measure_angles(const Chart& chart, const WireNetwork& network, const Positi
 double planar_angle(const Chart& chart, const WireNetwork& network, const WireNode& node, const Positions2& uv) {
   const HalfedgeHandle in = half_edge(chart, network, node.in);
   const HalfedgeHandle out = half_edge(chart, network, node.out);
-  const Eigen::RowVector2d vertex = uv.row(node.vertex.idx());
-  const Eigen::RowVector2d back = uv.row(chart.mesh.from_vertex_handle(in).idx()) - vertex;
-  const Eigen::RowVector2d ahead = uv.row(chart.mesh.to_vertex_handle(out).idx()) - vertex;
+  const Eigen::Vector2d vertex = uv.row(node.vertex.idx());
+  const Eigen::Vector2d back = uv.row(chart.mesh.from_vertex_handle(in).idx()).transpose() - vertex;
+  const Eigen::Vector2d ahead = uv.row(chart.mesh.to_vertex_handle(out).idx()).transpose() - vertex;
   // The sector lies to the left of both edges: counter-clockwise from the way ahead to the way back.
-  const double angle = std::atan2(ahead.x() * back.y() - ahead.y() * back.x(), ahead.dot(back));
+  const double angle = std::atan2(cross(ahead, back), ahead.dot(back));
   return angle + 2 * kPi * std::round((node.surface_angle - angle) / (2 * kPi));
 }
 

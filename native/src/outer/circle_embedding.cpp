@@ -16,12 +16,6 @@
 namespace wirewarp {
 namespace {
 
-double length_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
-  double length = 0;
-  for (const HalfedgeHandle h : loop) length += edge_length(mesh, h);
-  return length;
-}
-
 void put_on_circle(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop, double radius, Positions2& uv) {
   const double radians = 2 * kPi / length_of(mesh, loop);
   double along = 0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pi.h"
+#include "planar_cross.h"
 
 namespace wirewarp {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kStraight = 5 * kPi / 180;
 constexpr double kSameLength = 1e-6;
 
 double turning(const Eigen::Vector2d& before, const Eigen::Vector2d& after) {
-  return std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
+  return std::atan2(cross(before, after), before.dot(after));
 }
 
 /// The chord of the longest straight run of a closed polygon with these sides.

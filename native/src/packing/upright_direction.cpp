@@ -8,6 +8,7 @@
 #include "mesh/geometry.h"
 #include "packing/rising_direction.h"
 #include "packing/straightest_outline.h"
+#include "planar_cross.h"
 
 namespace wirewarp {
 namespace {
@@ -17,14 +18,6 @@ constexpr double kSameLength = 1e-6;
 
 // A chord below this fraction of its chain's length says nothing about where the chain leads.
 constexpr double kShortChord = 0.1;
-
-double length_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& chain) {
-  double length = 0;
-  for (const HalfedgeHandle h : chain) length += edge_length(mesh, h);
-  return length;
-}
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Corners of the convex hull, counter-clockwise (A. M. Andrew's monotone chain, 1979).
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
