@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "in_threads.h"
+#include "refuse_threads.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -58,11 +59,25 @@ TEST(ChartsAtOnce, EachIsSolvedAsItIsAlone) {
   }
 }
 
-TEST(ChartsAtOnce, ProgressIsToldInTheCallersThreadAndNeverFalls) {
+TEST(ChartsAtOnce, TheThreadsThereAreDoAll) {
+  for (const FlattenInput& input : {many_gores(), test::quarter_sphere(40)}) {
+    const FlattenResult expected = flatten(input);
+    const test::RefuseThreads refuse;
+    const FlattenResult result = flatten(input);
+    EXPECT_EQ(result.corner_uv, expected.corner_uv);  // bit for bit
+    for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
+    if (num_cores() > 1) EXPECT_GT(refuse.num_refused(), 0);
+  }
+}
+
+/// Told in the caller's thread alone, from 0 to 1, and never less than before.
+void expect_progress(const FlattenInput& input, Method method) {
+  Options options;
+  options.method = method;
   const std::thread::id caller = std::this_thread::get_id();
   std::vector<double> fractions;
   bool elsewhere = false;
-  flatten(many_gores(), {}, [&](const std::string&, double fraction) {
+  flatten(input, options, [&](const std::string&, double fraction) {
     elsewhere = elsewhere || std::this_thread::get_id() != caller;
     fractions.push_back(fraction);
     return true;
@@ -73,13 +88,24 @@ TEST(ChartsAtOnce, ProgressIsToldInTheCallersThreadAndNeverFalls) {
   EXPECT_EQ(fractions.back(), 1);
 }
 
+TEST(ChartsAtOnce, ProgressIsToldInTheCallersThreadAndNeverFalls) {
+  FlattenInput infeasible = test::quarter_sphere(8);  // a net of rigid wires
+  infeasible.wires.clear();
+  for (int i = 1; i < 8; ++i) test::add_wire(infeasible, test::grid_column(8, 16, i));
+  for (int j = 1; j < 16; ++j) test::add_wire(infeasible, test::grid_row(8, j));
+  for (const Method method : {Method::refined, Method::wirewarp_plus_plus}) {
+    expect_progress(many_gores(), method);
+    expect_progress(infeasible, method);
+  }
+}
+
 TEST(ChartsAtOnce, CancellingReachesAllThreads) {
   int calls = 0;
   const FlattenResult result = flatten(many_gores(), {}, [&](const std::string&, double) { return ++calls < 2; });
   EXPECT_EQ(calls, 2);
   const auto is_cancelled = [](const Piece& piece) { return piece.error && piece.error->code == ErrorCode::cancelled; };
   // one chart a thread may have been begun, and a chart that is flat by then stays
-  const auto begun = static_cast<std::ptrdiff_t>(std::max(1U, std::thread::hardware_concurrency()));
+  const auto begun = static_cast<std::ptrdiff_t>(num_cores());
   EXPECT_GE(std::count_if(result.pieces.begin(), result.pieces.end(), is_cancelled), 12 - begun);
   for (const Piece& piece : result.pieces) {
     EXPECT_TRUE(!piece.error || is_cancelled(piece)) << piece.error->what();
