@@ -138,16 +138,13 @@ void bind_options(py::module_& module) {
       "piece's first wire.");
   record.listed("grain");
   record.def_property(
-      "up", &up_of, [](Options& options, const py::object& value) {
-        set(options, &Options::up, read_triple(value, "Option up"));
-      },
+      "up", &up_of,
+      [](Options& options, const py::object& value) { set(options, &Options::up, read_triple(value, "Option up")); },
       "(3,) the direction in space that points up in each piece for orientation 'up'; finite, not zero.");
   record.listed("up");
   record.def_property(
       "gap", [](const Options& options) { return options.gap; },
-      [](Options& options, const py::object& value) {
-        set(options, &Options::gap, read_number(value, "Option gap"));
-      },
+      [](Options& options, const py::object& value) { set(options, &Options::gap, read_number(value, "Option gap")); },
       "Space between pieces over the side of a square with the area of all pieces, 0 to 1.");
   record.listed("gap");
   record.def_property(

@@ -76,7 +76,8 @@ constexpr Entry kEntries[] = {
      {"infeasible_lengths", "No flat shape has all the lengths that were asked for.",
       "Give the named wires a tolerance, or cut the piece with a seam."}},
     {ErrorCode::not_solvable,
-     {"not_solvable", "The equations of a piece cannot be solved in double precision: its faces differ in size by too many powers "
+     {"not_solvable",
+      "The equations of a piece cannot be solved in double precision: its faces differ in size by too many powers "
       "of ten, or WireWarping finds no way for its helper wires.",
       "Merge vertices of the named faces that lie very close together, remesh the piece more evenly, or take the "
       "refined method."}},

@@ -78,8 +78,8 @@ void flatten_by_warping(const Chart& chart, const Run& run, const GoOn& go_on, L
   report_solution(solution, layout.report);
   if (!solution.shape.inner.is_feasible) {
     const auto may_go_on = [&] { return go_on("lengths"); };
-    const ChartRefinement refined_shape =
-        refine_chart(chart, run.options, [&](const char*) { return may_go_on(); }, run.tuning);
+    const ChartRefinement refined_shape = refine_chart(
+        chart, run.options, [&](const char*) { return may_go_on(); }, run.tuning);
     if (refined_shape.shape.is_exact && !refined_shape.was_stopped) throw needs_refinement(chart);
     throw explain_infeasible(chart, run, refined_shape, may_go_on);
   }

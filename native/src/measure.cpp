@@ -101,8 +101,8 @@ Layout read_layout(const Chart& chart, const CornerUv& corner_uv) {
 
 void check_corners(const FlattenInput& input, const CornerUv& corner_uv) {
   if (corner_uv.rows() == input.faces.rows()) return;
-  throw FlattenError(ErrorCode::invalid_shape, "corner_uv has " + std::to_string(corner_uv.rows()) +
-                                                   " rows for " + std::to_string(input.faces.rows()) +
+  throw FlattenError(ErrorCode::invalid_shape, "corner_uv has " + std::to_string(corner_uv.rows()) + " rows for " +
+                                                   std::to_string(input.faces.rows()) +
                                                    " faces: give it one for each face.");
 }
 

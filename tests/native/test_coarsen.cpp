@@ -340,12 +340,13 @@ TEST(CoarseStart, StopsWhenAsked) {
   const Tuning all{1};
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
   int asked = 0;
-  refine_chart(charts.charts.at(0), Options{}, [&](const char*) { return ++asked > 0; }, all);
+  refine_chart(
+      charts.charts.at(0), Options{}, [&](const char*) { return ++asked > 0; }, all);
   bool was_exact = false;
   for (int last = 0; last < asked; ++last) {  // in the coarse chart, too
     int count = 0;
-    const ChartRefinement stopped =
-        refine_chart(charts.charts.at(0), Options{}, [&](const char*) { return ++count <= last; }, all);
+    const ChartRefinement stopped = refine_chart(
+        charts.charts.at(0), Options{}, [&](const char*) { return ++count <= last; }, all);
     EXPECT_TRUE(stopped.was_stopped);
     EXPECT_EQ(count, last + 1);
     EXPECT_TRUE(!stopped.shape.is_exact || stopped.shape.length_error < 1e-10);

@@ -346,7 +346,8 @@ TEST(ErrorCodes, WiresThatCannotBeJoinedNameThemselvesAndTheRefinedMethod) {
   const FlattenError error = not_joined(chart);
   EXPECT_EQ(error.code, Code::not_solvable);
   std::size_t num_edges = 0;
-  for (const WirePart& part : chart.wire_parts) num_edges += part.kind == WireKind::boundary ? 0 : part.half_edges.size();
+  for (const WirePart& part : chart.wire_parts)
+    num_edges += part.kind == WireKind::boundary ? 0 : part.half_edges.size();
   for (std::size_t i = 1; i < 3; ++i) num_edges += chart.boundary_loops.at(i).size();
   EXPECT_EQ(error.elements.edges.size(), num_edges);
   expect_names(error, "take the refined method");

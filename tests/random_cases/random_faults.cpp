@@ -122,7 +122,8 @@ ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& o
     }
     case 12:
       clear_marks(input);
-      append_ring_that_touches_itself(input, input.vertices.row(a), (input.vertices.row(b) - input.vertices.row(a)).norm());
+      append_ring_that_touches_itself(input, input.vertices.row(a),
+                                      (input.vertices.row(b) - input.vertices.row(a)).norm());
       return ErrorCode::non_manifold_vertex;
     case 13: {
       clear_marks(input);

@@ -88,17 +88,22 @@ struct PieceReport {
   int inner_solves = 0;  // factorizations of the inner problem (Eq. 1)
   int outer_iterations = 0;
   int gradient_evaluations = 0;
-  int factorizations = 0;        // of the interior placement and free flattening; refined: of Newton systems, counted
-                                 // as Options::max_factorizations does
-  double constraint_residual = std::numeric_limits<double>::quiet_NaN();  // largest gap of a wire loop / its length;
-                                                                          // refined: largest error of an edge's length
-                                                                          // / (its length + 1e-5 of the root of the
-                                                                          // piece's area); NaN: nothing was found
-  double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // of Eq. (1) at the end; the weight of a node
-                                                                         // of mean length is 1
-  double objective = std::numeric_limits<double>::quiet_NaN();  // refined: arap_energy + angle term, + a barrier where
-                                                                // triangles are about to turn over
-  std::map<std::string, double> seconds;                        // per stage
+
+  /// Of the interior placement and free flattening; refined: of Newton systems, counted as Options::max_factorizations
+  /// does.
+  int factorizations = 0;
+
+  /// Largest gap of a wire loop / its length; refined: largest error of an edge's length / (its length + 1e-5 of the
+  /// root of the piece's area). NaN: no shape was found, or nothing was solved.
+  double constraint_residual = std::numeric_limits<double>::quiet_NaN();
+
+  /// Of Eq. (1) at the end; the weight of a node of mean length is 1. NaN for the refined method.
+  double projected_gradient = std::numeric_limits<double>::quiet_NaN();
+
+  /// Refined: arap_energy + angle term, + a barrier where triangles are about to turn over. NaN for other methods.
+  double objective = std::numeric_limits<double>::quiet_NaN();
+
+  std::map<std::string, double> seconds;  // per stage
 };
 
 /// One flat piece: a chart's planar shape and everything measured on it.

@@ -53,9 +53,7 @@ void find_face_faults(const FlattenInput& input, const SurfaceCut& cut, std::vec
 
 void find_edge_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                       std::vector<Faults>& faults) {
-  const auto chart_of_side = [&](int side) -> Faults& {
-    return faults[at(cut.chart_of_face[at(side / 3)])];
-  };
+  const auto chart_of_side = [&](int side) -> Faults& { return faults[at(cut.chart_of_face[at(side / 3)])]; };
   for (int e = 0; e < edges.num_edges(); ++e) {
     const int num_sides = edges.num_sides(e);
     if (num_sides < 2) continue;
@@ -141,11 +139,10 @@ std::optional<FlattenError> first_fault(const Faults& faults) {
                         {{}, faults.turned, {}});
   }
   if (!faults.pinched.empty()) {
-    return FlattenError(
-        Code::non_manifold_vertex,
-        "The piece touches itself at " + name_elements("vertex", faults.pinched) +
-            " without sharing an edge there: split such vertices.",
-        {faults.pinched, {}, {}});
+    return FlattenError(Code::non_manifold_vertex,
+                        "The piece touches itself at " + name_elements("vertex", faults.pinched) +
+                            " without sharing an edge there: split such vertices.",
+                        {faults.pinched, {}, {}});
   }
   return std::nullopt;
 }

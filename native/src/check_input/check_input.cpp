@@ -51,7 +51,8 @@ void check_chain_and_tolerance(const Wire& wire, const std::string& label, const
   }
 }
 
-void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::size_t w, std::vector<int>& wire_of_edge) {
+void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::size_t w,
+                        std::vector<int>& wire_of_edge) {
   const Wire& wire = input.wires[w];
   const std::string label = name_wires(input.wires, {static_cast<int>(w)});
   check_vertices_in_range(wire.vertices, input.vertices.rows(), "The " + label);
