@@ -15,8 +15,9 @@ std::atomic<int> num_refused_threads{0};
 }  // namespace
 
 /// Stands before the system's for all that this program loads.
-extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*),
-                              void* argument) noexcept {
+extern "C" __attribute__((visibility("default"))) int pthread_create(pthread_t* thread,
+                                                                     const pthread_attr_t* attributes,
+                                                                     void* (*work)(void*), void* argument) noexcept {
   if (refuses) {
     ++num_refused_threads;
     return EAGAIN;

@@ -66,7 +66,7 @@ TEST(ChartsAtOnce, TheThreadsThereAreDoAll) {
     const FlattenResult result = flatten(input);
     EXPECT_EQ(result.corner_uv, expected.corner_uv);  // bit for bit
     for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
-    if (num_cores() > 1) EXPECT_GT(refuse.num_refused(), 0);
+    EXPECT_TRUE(num_cores() == 1 || refuse.num_refused() > 0);
   }
 }
 
