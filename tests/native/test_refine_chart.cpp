@@ -11,6 +11,7 @@
 #include "index.h"
 #include "mesh/edge_table.h"
 #include "outer/free_arap.h"
+#include "pi.h"
 #include "refine/refine_chart.h"
 #include "test_meshes.h"
 
@@ -191,6 +192,23 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   const Charts charts = test::charts_of(input);
   const RefinedShape shape = refine_chart(charts.charts.at(0), Options{}, [](const char*) { return true; }).shape;
   EXPECT_TRUE(shape.is_exact && shape.converged);
+}
+
+/// A larger chart takes another way, over a coarser one, to the same minimum.
+TEST(RefineChart, StartsCoarselyFromTheTunedSizeOn) {
+  const int n = 32;  // 2,048 faces
+  FlattenInput input = test::make_grid(
+      n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 0.3 * std::sin(kPi * s) * std::sin(kPi * t)); });
+  test::add_wire(input, test::grid_row(n, n / 2));
+  const Charts charts = test::charts_of(input);
+  Options options;
+  options.fairness = 0.3;
+  const auto refined = [&](std::size_t large_chart) {
+    return refine_chart(charts.charts.at(0), options, [](const char*) { return true; }, {large_chart}).shape;
+  };
+  const RefinedShape from_scratch = refined(2049), from_coarse = refined(2048);
+  EXPECT_FALSE(from_coarse.uv == from_scratch.uv);
+  EXPECT_NEAR(from_coarse.objective, from_scratch.objective, 1e-9 * from_scratch.objective);
 }
 
 }  // namespace
