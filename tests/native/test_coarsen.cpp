@@ -346,25 +346,6 @@ TEST(CoarseStart, StopsWhenAsked) {
   EXPECT_TRUE(was_exact);
 }
 
-/// The wires contradict one another, and one of them ends inside: the coarse chart goes through all its starts,
-/// topology processing included.
-TEST(CoarseStart, ContradictingWiresThatEndInsideAreLeftToTheFineChart) {
-  const int n = 104;
-  FlattenInput input = test::make_grid(
-      n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 0.8 * std::sin(kPi * s) * std::sin(kPi * t)); });
-  for (int i = 8; i < n; i += 8) {
-    test::add_wire(input, test::grid_row(n, i));
-    test::add_wire(input, test::grid_column(n, n, i));
-  }
-  const std::vector<int> row = test::grid_row(n, 4);
-  test::add_wire(input, {row.begin() + 20, row.begin() + 29});
-  Options options;
-  options.max_factorizations = 5;
-  const FlattenResult result = flatten(input, options);
-  ASSERT_TRUE(result.pieces[0].error);
-  EXPECT_EQ(result.pieces[0].error->code, ErrorCode::flipped_faces) << "exact lengths, and no more in five steps";
-}
-
 /// Every edge rigid on a curved surface: then the coarse chart is the fine one, and has no flat shape.
 TEST(CoarseStart, IsNoneWhereTheCoarseChartHasNoExactLengths) {
   FlattenInput input = test::quarter_sphere(5);
