@@ -7,13 +7,9 @@
 #include <limits>
 #include <utility>
 
-<<<<<<< HEAD:native/src/mesh/overlap.cpp
 #include "index.h"
 #include "mesh/box_tree.h"
-=======
-#include "metrics/box_tree.h"
 #include "planar_cross.h"
->>>>>>> 93d0bd7 (Lengths of chains, areas, planar cross products and disjoint sets are written once):native/src/metrics/overlap.cpp
 
 namespace wirewarp {
 namespace {
