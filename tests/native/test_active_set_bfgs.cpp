@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <random>
 
@@ -35,6 +36,14 @@ TEST(ActiveSetBfgs, ModelMinimumSatisfiesTheOptimalityConditions) {
   }
 }
 
+TEST(ActiveSetBfgs, TheModelGoesDownWhereItHasNoCholeskyFactor) {
+  const Eigen::Matrix2d flat = Eigen::Matrix2d::Ones();
+  ASSERT_NE(flat.llt().info(), Eigen::Success);
+  const Eigen::Vector2d g(-1, -1);
+  const Eigen::VectorXd d = minimize_model_in_box(g, flat, constant(2, -2), constant(2, 2));
+  EXPECT_NEAR(g.dot(d) + d.dot(flat * d) / 2, -0.5, 1e-6);
+}
+
 /// Rosenbrock's valley, minimum 0 at (1, 1).
 std::optional<ValueAndGradient> rosenbrock(const Eigen::VectorXd& x) {
   const double a = 1 - x[0];
@@ -48,6 +57,20 @@ TEST(ActiveSetBfgs, FindsAMinimumInside) {
   EXPECT_TRUE(minimum.converged);
   EXPECT_NEAR(minimum.x[0], 1, 1e-5);
   EXPECT_NEAR(minimum.x[1], 1, 1e-5);
+}
+
+TEST(ActiveSetBfgs, AGoodGuessOfTheHessianSavesEvaluations) {
+  const Eigen::Matrix2d hessian = (Eigen::Matrix2d() << 3, 1, 1, 200).finished();
+  const Eigen::Vector2d minimum(0.3, -0.2), start(1, 1);
+  const auto bowl = [&](const Eigen::VectorXd& x) {
+    const Eigen::Vector2d slope = hessian * (x - minimum);
+    return ValueAndGradient{1 + (x - minimum).dot(slope) / 2, slope};
+  };
+  const auto with = [&](const std::optional<Eigen::MatrixXd>& guess) {
+    return minimize_in_box(bowl, constant(2, -2), constant(2, 2), start, 1e-14, 100, guess).evaluations;
+  };
+  EXPECT_EQ(with(hessian), 2);
+  EXPECT_GT(with(std::nullopt), 2);
 }
 
 TEST(ActiveSetBfgs, FindsAMinimumAtABound) {

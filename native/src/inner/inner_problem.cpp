@@ -41,12 +41,22 @@ InnerSolution InnerProblem::solve_from(const Eigen::VectorXd& start, const Eigen
   return solution;
 }
 
-/// The minimum satisfies ∇F + Jᵀλ = 0 and c = 0. Differentiated by a length: K [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl, with
-/// K the matrix of the optimality system. Adjoint: K [p; q] = [∂E/∂φ; 0], and dE/dl = ∂E/∂l - pᵀ∂(Jᵀλ)/∂l - qᵀ∂c/∂l.
-Eigen::VectorXd InnerProblem::total_derivative(const InnerSolution& solution, const Eigen::VectorXd& lengths,
-                                               const Eigen::VectorXd& by_headings, const Eigen::VectorXd& by_lengths) {
+void InnerProblem::linearize(const InnerSolution& solution, const Eigen::VectorXd& lengths) {
   kkt_.factor(eq1_.laplacian(), eq1_.closure_hessian(solution.psi, lengths, solution.multipliers),
               eq1_.closure_jacobian(solution.psi, lengths));
+}
+
+/// The minimum satisfies ∇F + Jᵀλ = 0 and c = 0. Differentiated by a length: K [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl, with
+/// K the matrix of the optimality system. c is linear in the lengths.
+Eigen::VectorXd InnerProblem::change_of_headings(const InnerSolution& solution,
+                                                 const Eigen::VectorXd& change_of_lengths) const {
+  const Eigen::VectorXd by_lengths = eq1_.closure_by_headings_and_lengths(solution.psi, solution.multipliers);
+  return kkt_.solve(-by_lengths.cwiseProduct(change_of_lengths), -eq1_.closure(solution.psi, change_of_lengths)).step;
+}
+
+/// The adjoint: K [p; q] = [∂E/∂φ; 0], and dE/dl = ∂E/∂l - pᵀ∂(Jᵀλ)/∂l - qᵀ∂c/∂l.
+Eigen::VectorXd InnerProblem::total_derivative(const InnerSolution& solution, const Eigen::VectorXd& by_headings,
+                                               const Eigen::VectorXd& by_lengths) const {
   const KktSystem::Solution adjoint = kkt_.solve(by_headings, Eigen::VectorXd::Zero(eq1_.num_closures()));
   return by_lengths -
          adjoint.step.cwiseProduct(eq1_.closure_by_headings_and_lengths(solution.psi, solution.multipliers)) -

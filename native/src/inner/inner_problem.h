@@ -38,11 +38,17 @@ class InnerProblem {
   /// minima where there are several, and takes few factorizations.
   InnerSolution follow(const InnerSolution& from, const Eigen::VectorXd& lengths);
 
-  /// For a function E(φ, l) of the solved network: its derivative by the lengths alone, φ following them along the
-  /// minima of Eq. (1). One factorization and one solve, however many lengths there are.
-  /// by_headings, by_lengths: ∂E/∂φ, ∂E/∂l at the solution, a minimum. #wire edges each.
-  Eigen::VectorXd total_derivative(const InnerSolution& solution, const Eigen::VectorXd& lengths,
-                                   const Eigen::VectorXd& by_headings, const Eigen::VectorXd& by_lengths);
+  /// Factors the optimality system at a solution that is a minimum, for the derivatives there: φ follows the lengths
+  /// along the minima of Eq. (1). Each takes one solve.
+  void linearize(const InnerSolution& solution, const Eigen::VectorXd& lengths);
+
+  /// The change of φ with a change of lengths. #wire edges.
+  Eigen::VectorXd change_of_headings(const InnerSolution& solution, const Eigen::VectorXd& change_of_lengths) const;
+
+  /// For a function E(φ, l) of the solved network: its derivative by the lengths alone. by_headings, by_lengths: ∂E/∂φ,
+  /// ∂E/∂l at the solution. #wire edges each.
+  Eigen::VectorXd total_derivative(const InnerSolution& solution, const Eigen::VectorXd& by_headings,
+                                   const Eigen::VectorXd& by_lengths) const;
 
   void ask() const { kkt_.ask(); }
 

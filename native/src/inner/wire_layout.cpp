@@ -61,6 +61,18 @@ void WireLayout::place(const Eigen::VectorXd& headings, const Eigen::VectorXd& l
   }
 }
 
+void WireLayout::push_forward(const Eigen::VectorXd& headings, const Eigen::VectorXd& lengths,
+                              const Eigen::VectorXd& d_headings, const Eigen::VectorXd& d_lengths,
+                              Positions2& d_uv) const {
+  d_uv.row(root_).setZero();
+  for (const Step& step : steps_) {
+    const Eigen::RowVector2d direction(std::cos(headings[step.edge]), std::sin(headings[step.edge]));
+    const Eigen::RowVector2d normal(-direction[1], direction[0]);
+    d_uv.row(step.to) = d_uv.row(step.from) + step.sign * (d_lengths[step.edge] * direction +
+                                                           lengths[step.edge] * d_headings[step.edge] * normal);
+  }
+}
+
 void WireLayout::pull_back(const Eigen::VectorXd& headings, const Eigen::VectorXd& lengths, const Positions2& by_uv,
                            Eigen::VectorXd& by_headings, Eigen::VectorXd& by_lengths) const {
   by_headings.setZero(headings.size());

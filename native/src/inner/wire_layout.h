@@ -15,6 +15,10 @@ class WireLayout {
   /// headings: radians, lengths: scene units, #wire edges.
   void place(const Eigen::VectorXd& headings, const Eigen::VectorXd& lengths, Positions2& uv) const;
 
+  /// The derivative of place(): writes the rows of the network's vertices into d_uv.
+  void push_forward(const Eigen::VectorXd& headings, const Eigen::VectorXd& lengths, const Eigen::VectorXd& d_headings,
+                    const Eigen::VectorXd& d_lengths, Positions2& d_uv) const;
+
   /// The adjoint of place(): from ∂E/∂uv at the network's vertices (one row per chart vertex) to ∂E/∂φ and ∂E/∂l.
   void pull_back(const Eigen::VectorXd& headings, const Eigen::VectorXd& lengths, const Positions2& by_uv,
                  Eigen::VectorXd& by_headings, Eigen::VectorXd& by_lengths) const;

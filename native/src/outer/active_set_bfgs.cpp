@@ -28,9 +28,9 @@ double shorter_by(double slope, double rise) { return std::clamp(-slope / (2 * (
 Eigen::VectorXd minimize_model_in_box(const Eigen::VectorXd& g, const Eigen::MatrixXd& b, const Eigen::VectorXd& lower,
                                       const Eigen::VectorXd& upper) {
   const auto model = [&](const Eigen::VectorXd& d) { return g.dot(d) + d.dot(b * d) / 2; };
-  const int max_steps = 20 + static_cast<int>(g.size());
+  constexpr int kMaxFactorizations = 50;
   Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size());
-  for (int i = 0; i < max_steps; ++i) {
+  for (int i = 0; i < kMaxFactorizations; ++i) {
     const Eigen::VectorXd slope = g + b * d;
     std::vector<int> free;  // the others are at a bound that the model pushes against: the active set
     for (int k = 0; k < g.size(); ++k) {
@@ -38,7 +38,9 @@ Eigen::VectorXd minimize_model_in_box(const Eigen::VectorXd& g, const Eigen::Mat
       if (!is_active) free.push_back(k);
     }
     if (free.empty()) break;
-    const Eigen::VectorXd newton = b(free, free).llt().solve(-slope(free));
+    const Eigen::LLT<Eigen::MatrixXd> factor(b(free, free));
+    Eigen::VectorXd newton = -slope(free).cwiseQuotient(b.diagonal()(free));
+    if (factor.info() == Eigen::Success) newton = factor.solve(-slope(free));
     const double promised = -slope(free).dot(newton);
     if (!(promised > 1e-16 * std::abs(model(d)))) break;
     Eigen::VectorXd trial;
@@ -56,7 +58,8 @@ Eigen::VectorXd minimize_model_in_box(const Eigen::VectorXd& g, const Eigen::Mat
 }
 
 BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
-                           const Eigen::VectorXd& start, double tolerance, int max_evaluations) {
+                           const Eigen::VectorXd& start, double tolerance, int max_evaluations,
+                           const std::optional<Eigen::MatrixXd>& hessian) {
   constexpr double kDecrease = 1e-4;   // of the slope, in the line search
   constexpr double kFirstStep = 0.02;  // largest entry of the first steepest descent step
   constexpr double kSmallestStep = 1e-5;
@@ -65,16 +68,16 @@ BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& l
   ValueAndGradient here = function(start).value();
   best.value = here.value;
   best.evaluations = 1;
-  Eigen::MatrixXd hessian =
-      Eigen::MatrixXd::Identity(start.size(), start.size()) * (here.gradient.lpNorm<Eigen::Infinity>() / kFirstStep);
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(start.size(), start.size());
+  Eigen::MatrixXd b = hessian ? *hessian : identity * (here.gradient.lpNorm<Eigen::Infinity>() / kFirstStep);
   while (best.evaluations < max_evaluations) {
     if (here.gradient.isZero(0)) {
       best.converged = true;
       break;
     }
-    const Eigen::VectorXd direction = minimize_model_in_box(here.gradient, hessian, lower - best.x, upper - best.x);
+    const Eigen::VectorXd direction = minimize_model_in_box(here.gradient, b, lower - best.x, upper - best.x);
     const double slope = here.gradient.dot(direction);
-    const double promised = -slope - direction.dot(hessian * direction) / 2;
+    const double promised = -slope - direction.dot(b * direction) / 2;
     if (promised <= tolerance * best.value) {
       best.converged = true;
       break;
@@ -93,10 +96,10 @@ BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& l
     if (!there) break;
     const Eigen::VectorXd step = trial - best.x;
     const Eigen::VectorXd change = there->gradient - here.gradient;
-    if (best.iterations == 0 && step.dot(change) > 0) {
-      hessian = Eigen::MatrixXd::Identity(step.size(), step.size()) * (change.squaredNorm() / step.dot(change));
+    if (best.iterations == 0 && !hessian && step.dot(change) > 0) {
+      b = identity * (change.squaredNorm() / step.dot(change));
     }
-    update_hessian(step, change, hessian);
+    update_hessian(step, change, b);
     best.x = trial;
     best.value = there->value;
     here = std::move(*there);

@@ -29,11 +29,14 @@ struct BoxMinimum {
 
 /// Minimizes from a start in the box; throws std::bad_optional_access where the function is not defined there. Never
 /// returns more than the start's value.
-/// lower < upper, finite; tolerance: relative; function is called at most max_evaluations times.
+/// lower < upper, finite; tolerance: relative; function is called at most max_evaluations times. hessian: a guess at
+/// the start, positive definite; without it a multiple of the identity.
 BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
-                           const Eigen::VectorXd& start, double tolerance, int max_evaluations);
+                           const Eigen::VectorXd& start, double tolerance, int max_evaluations,
+                           const std::optional<Eigen::MatrixXd>& hessian = {});
 
-/// argmin gᵀd + ½ dᵀBd over lower <= d <= upper, B positive definite, 0 in the box.
+/// argmin gᵀd + ½ dᵀBd over lower <= d <= upper, B positive definite, 0 in the box; the best d so far after 50 Newton
+/// steps on what no bound holds. Where rounding leaves B without a Cholesky factor, these are steps down the slope.
 Eigen::VectorXd minimize_model_in_box(const Eigen::VectorXd& g, const Eigen::MatrixXd& b, const Eigen::VectorXd& lower,
                                       const Eigen::VectorXd& upper);
 

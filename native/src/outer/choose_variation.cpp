@@ -18,7 +18,8 @@ namespace {
 constexpr double kTolerance = 1e-6;  // relative decrease that is not worth another step
 constexpr double kIsometry = 1e-14;  // shape error: strains of 1e-7, the rounding of meshes in single precision
 constexpr int kMaxEvaluations = 100;
-constexpr double kShortest = -0.99;  // 1 + h > 0, with room for the line search
+constexpr std::size_t kManyParts = 50;  // from here on BFGS learns too slowly how they act on one another
+constexpr double kShortest = -0.99;     // 1 + h > 0, with room for the line search
 constexpr double kLongest = 100;
 
 OuterSolution measured(const Warp& warp, const Eigen::VectorXd& variation, WarpedShape shape) {
@@ -44,10 +45,12 @@ OuterSolution improve(Warp& warp, const VariationBounds& bounds, OuterSolution s
   const Eigen::VectorXd first = start.variation;
   const int evaluations_before = start.evaluations;
   const int free_factorizations = start.free_factorizations;
+  const std::optional<Eigen::MatrixXd> hessian =
+      parts.size() < kManyParts ? std::nullopt : std::optional(warp.gauss_newton_hessian(start.shape, parts));
   bool is_first = true;
   OuterSolution best;
   best.shape_error = std::numeric_limits<double>::infinity();
-  int inner_solves = 0;
+  int inner_solves = hessian ? 1 : 0;
   const BoxFunction error_of = [&](const Eigen::VectorXd& elastic) -> std::optional<ValueAndGradient> {
     before_evaluation();
     Eigen::VectorXd variation = first;
@@ -62,8 +65,8 @@ OuterSolution improve(Warp& warp, const VariationBounds& bounds, OuterSolution s
     if (trial.shape_error < best.shape_error) best = std::move(trial);
     return result;
   };
-  const BoxMinimum minimum =
-      minimize_in_box(error_of, bounds.lower(parts), bounds.upper(parts), first(parts), kTolerance, kMaxEvaluations);
+  const BoxMinimum minimum = minimize_in_box(error_of, bounds.lower(parts), bounds.upper(parts), first(parts),
+                                             kTolerance, kMaxEvaluations, hessian);
   best.iterations = minimum.iterations;
   best.evaluations = evaluations_before + minimum.evaluations;
   best.free_factorizations = free_factorizations;

@@ -5,6 +5,26 @@
 #include <cmath>
 
 namespace wirewarp {
+namespace {
+
+/// Adds what the derivatives r by z and s by w, both halved as those are doubled, are by the corners of a triangle.
+inline void add_to_corners(const ShapeError::Triangle& t, double r1, double r2, double s1, double s2,
+                           Positions2& gradient) {
+  const double p11 = r1 + s1, p21 = r2 + s2, p12 = s2 - r2, p22 = r1 - s1;  // by J
+  const double g1x = t.a * p11 + t.b * p12, g1y = t.a * p21 + t.b * p22;
+  const double g2x = t.c * p12, g2y = t.c * p22;
+  double* g0 = &gradient(t.vertices[0], 0);
+  double* g1 = &gradient(t.vertices[1], 0);
+  double* g2 = &gradient(t.vertices[2], 0);
+  g0[0] -= g1x + g2x;
+  g0[1] -= g1y + g2y;
+  g1[0] += g1x;
+  g1[1] += g1y;
+  g2[0] += g2x;
+  g2[1] += g2y;
+}
+
+}  // namespace
 
 ShapeError::ShapeError(const Chart& chart) : num_vertices_(static_cast<Eigen::Index>(chart.mesh.n_vertices())) {
   const HalfEdgeMesh& mesh = chart.mesh;
@@ -46,23 +66,21 @@ double ShapeError::energy_and_gradient(const Positions2& uv, Positions2& gradien
 
     // ∂E/∂J = 2A (J - L) = A (2z, 2w less 2ẑ), entry by entry.
     const double excess = map.norm_z > 0 ? 1 - 2 / map.norm_z : 1;
-    const double r1 = t.area * excess * map.z1, r2 = t.area * excess * map.z2;
-    const double s1 = t.area * map.w1, s2 = t.area * map.w2;
-    const double p11 = r1 + s1, p21 = r2 + s2, p12 = s2 - r2, p22 = r1 - s1;
-
-    const double g1x = t.a * p11 + t.b * p12, g1y = t.a * p21 + t.b * p22;
-    const double g2x = t.c * p12, g2y = t.c * p22;
-    double* g0 = &gradient(t.vertices[0], 0);
-    double* g1 = &gradient(t.vertices[1], 0);
-    double* g2 = &gradient(t.vertices[2], 0);
-    g0[0] -= g1x + g2x;
-    g0[1] -= g1y + g2y;
-    g1[0] += g1x;
-    g1[1] += g1y;
-    g2[0] += g2x;
-    g2[1] += g2y;
+    add_to_corners(t, t.area * excess * map.z1, t.area * excess * map.z2, t.area * map.w1, t.area * map.w2, gradient);
   }
   return sum;
+}
+
+/// E is A/2 [(|z| - 2)² + |w|²] with the doubled z and w.
+Positions2 ShapeError::times_gauss_newton(const Positions2& uv, const Positions2& d) const {
+  Positions2 product = Positions2::Zero(num_vertices_, 2);
+  for (const Triangle& t : triangles_) {
+    const LinearMap map = map_of(t, uv), change = map_of(t, d);
+    const double square = map.norm_z * map.norm_z;
+    const double stretch = square > 0 ? t.area * (map.z1 * change.z1 + map.z2 * change.z2) / square : 0;
+    add_to_corners(t, stretch * map.z1, stretch * map.z2, t.area * change.w1, t.area * change.w2, product);
+  }
+  return product;
 }
 
 Eigen::SparseMatrix<double> ShapeError::fixed_rotation_hessian() const {

@@ -26,6 +26,10 @@ class ShapeError {
   /// rotation fits equally well: there ẑ = 0 is taken, the middle of the possible gradients.
   double energy_and_gradient(const Positions2& uv, Positions2& gradient) const;
 
+  /// G d with the Gauss-Newton Hessian of E at uv, of |z| and w alone: K without what turning the triangles costs.
+  /// Positive semidefinite.
+  Positions2 times_gauss_newton(const Positions2& uv, const Positions2& d) const;
+
   /// The lower triangle of K = Σ_t 2A GᵀG, with G the gradients of the hat functions: twice the cotangent Laplacian,
   /// positive semidefinite on every mesh. For both coordinates it is the Hessian of E with all rotations held, and with
   /// g = ∂E/∂uv bounds E everywhere:

@@ -9,6 +9,8 @@
 namespace wirewarp {
 namespace {
 
+constexpr double kFloor = 1e-4;  // of curvatures, over their mean
+
 Eigen::VectorXd edge_lengths(const WireNetwork& network) {
   Eigen::VectorXd lengths(static_cast<Eigen::Index>(network.edges.size()));
   for (int e = 0; e < lengths.size(); ++e) lengths[e] = network.edges[at(e)].length;
@@ -63,21 +65,46 @@ WarpedShape Warp::lay_out(InnerSolution inner, Eigen::VectorXd lengths) const {
 
 double Warp::shape_error(const WarpedShape& shape) const { return shape_error_.energy(shape.uv) / area_; }
 
-Eigen::VectorXd Warp::gradient(const WarpedShape& shape) {
-  Positions2 by_uv;
-  shape_error_.energy_and_gradient(shape.uv, by_uv);
+/// From ∂E/∂uv to the derivative by h, over the area. Needs the linearized inner problem.
+Eigen::VectorXd Warp::by_variation(const WarpedShape& shape, Positions2 by_uv) const {
   placement_.pull_back(by_uv);
   Eigen::VectorXd by_headings;
   Eigen::VectorXd by_lengths;
   layout_.pull_back(shape.inner.headings, shape.lengths, by_uv, by_headings, by_lengths);
-  by_lengths = inner_problem_.total_derivative(shape.inner, shape.lengths, by_headings, by_lengths);
+  by_lengths = inner_problem_.total_derivative(shape.inner, by_headings, by_lengths);
 
-  Eigen::VectorXd by_variation = Eigen::VectorXd::Zero(num_parts_);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(num_parts_);
   for (int e = 0; e < by_lengths.size(); ++e) {
     const int part = network_.edges[at(e)].part;
-    if (part >= 0) by_variation[part] += rest_lengths_[e] * by_lengths[e];
+    if (part >= 0) result[part] += rest_lengths_[e] * by_lengths[e];
   }
-  return by_variation / area_;
+  return result / area_;
+}
+
+Eigen::VectorXd Warp::gradient(const WarpedShape& shape) {
+  inner_problem_.linearize(shape.inner, shape.lengths);
+  Positions2 by_uv;
+  shape_error_.energy_and_gradient(shape.uv, by_uv);
+  return by_variation(shape, std::move(by_uv));
+}
+
+Eigen::MatrixXd Warp::gauss_newton_hessian(const WarpedShape& shape, const std::vector<int>& parts) {
+  inner_problem_.linearize(shape.inner, shape.lengths);
+  const auto size = static_cast<Eigen::Index>(parts.size());
+  Eigen::MatrixXd hessian(size, size);
+  for (Eigen::Index column = 0; column < size; ++column) {
+    ask();
+    const Eigen::VectorXd d_lengths =
+        lengths_of(Eigen::VectorXd::Unit(num_parts_, parts[static_cast<std::size_t>(column)])) - rest_lengths_;
+    Positions2 d_uv = Positions2::Zero(num_vertices_, 2);
+    layout_.push_forward(shape.inner.headings, shape.lengths, inner_problem_.change_of_headings(shape.inner, d_lengths),
+                         d_lengths, d_uv);
+    placement_.place(d_uv);
+    hessian.col(column) = by_variation(shape, shape_error_.times_gauss_newton(shape.uv, d_uv))(parts);
+  }
+  hessian = (hessian + hessian.transpose()).eval() / 2;
+  hessian.diagonal().array() += kFloor * hessian.diagonal().mean();
+  return hessian;
 }
 
 }  // namespace wirewarp

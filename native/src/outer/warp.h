@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "inner/inner_problem.h"
 #include "inner/interior_placement.h"
@@ -40,6 +41,11 @@ class Warp {
   /// however many wires there are.
   Eigen::VectorXd gradient(const WarpedShape& shape);
 
+  /// The Gauss-Newton part of its Hessian by h there, for some wire parts: what they stretch and shear, without how
+  /// ψ curves. Positive definite: with 1e-4 of the mean curvature on the diagonal. One factorization of the inner
+  /// problem; for each part two solves of that and two of the placement.
+  Eigen::MatrixXd gauss_newton_hessian(const WarpedShape& shape, const std::vector<int>& parts);
+
   /// For those who work with the warp.
   void ask() const { inner_problem_.ask(); }
 
@@ -47,6 +53,7 @@ class Warp {
   int inner_factorizations() const { return inner_problem_.num_factorizations(); }  // of all calls so far
 
  private:
+  Eigen::VectorXd by_variation(const WarpedShape& shape, Positions2 by_uv) const;
   Eigen::VectorXd lengths_of(const Eigen::VectorXd& variation) const;
   WarpedShape lay_out(InnerSolution inner, Eigen::VectorXd lengths) const;
   const WireNetwork& network_;
