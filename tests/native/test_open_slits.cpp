@@ -85,5 +85,36 @@ TEST(OpenSlits, StopAtAnyBudgetWithExactLengths) {
   }
 }
 
+/// A wavy sheet with n quads along its sides.
+FlattenInput waves(int n, double bend_s, double bend_t, double wave) {
+  return test::make_grid(n, n, [&](double s, double t) {
+    const double bend = bend_s * s * (1 - s) + bend_t * t * (1 - t);
+    return Eigen::Vector3d(s, t, bend + wave * std::sin(5 * s) * std::cos(4 * t));
+  });
+}
+
+TEST(OpenSlits, TheSewnChartHasTheLaterStartsToo) {
+  FlattenInput input = waves(22, -0.242964, 0.410214, -0.297067);
+  test::add_seam(input, {146, 169, 192, 193, 194, 195});
+  test::add_wire(input, test::grid_row(22, 20));
+  Options options;
+  options.fairness = 0.03;
+  const Piece piece = flatten(input, options).pieces.at(0);
+  EXPECT_FALSE(piece.error) << piece.error->what();
+  EXPECT_EQ(piece.report.termination, Termination::converged);
+}
+
+TEST(OpenSlits, ATrialThatWouldGoThroughAShutSlitIsGivenUp) {
+  FlattenInput input = waves(12, 0.081492, 0.09485, -0.079414);
+  test::add_seam(input, {136, 135, 122, 109, 96, 83, 70, 69, 68, 81, 80});
+  test::add_seam(input, {82, 95, 108});
+  test::add_wire(input, test::grid_row(12, 8));
+  test::add_wire(input, test::grid_column(12, 12, 5));
+  const Piece piece = flatten(input).pieces.at(0);
+  EXPECT_FALSE(piece.error) << piece.error->what();
+  EXPECT_EQ(piece.report.termination, Termination::converged);
+  EXPECT_LE(piece.report.factorizations, 50);
+}
+
 }  // namespace
 }  // namespace wirewarp

@@ -13,6 +13,7 @@ namespace wirewarp {
 namespace {
 
 constexpr double kOpening = 0.1;         // slope of opened rims against the shut slit
+constexpr int kMaxFactorizations = 30;   // a trial that goes on for longer is about to go through a shut slit
 constexpr double kOverlapDepth = 1e-10;  // a tenth of what counts as overlap in the end, when pieces have been turned
 
 /// A chart with some slits sewn, and the way to and from it.
@@ -121,7 +122,8 @@ RefinedShape open_slits(const Chart& chart, const WireNetwork& network, const st
     if (!problem) return best;
     RefinementStart start{best.uv, best.multipliers};
     for (const Slit& slit : open) open_a_little(chart, slit, start.uv);
-    RefinedShape trial = attempts.refine(problem->chart(), problem->network(), problem->to_sewn(start));
+    RefinedShape trial =
+        attempts.refine(problem->chart(), problem->network(), problem->to_sewn(start), kMaxFactorizations);
     if (attempts.ran_out() && !trial.converged) best.converged = false;
     if (!trial.is_exact) return best;
     trial = as_open(*problem, trial);

@@ -113,8 +113,7 @@ RefinedShape refine_with_slits(const Chart& chart, const WireNetwork& held_netwo
   const auto refine_sewn = [&](const Chart& sewn, const WireNetwork& sewn_network) {
     RefinedShape shape = refine_from_coarse(sewn, sewn_network, options, tuning, attempts);
     if (shape.is_exact || attempts.was_stopped()) return shape;
-    const Positions2 free = flatten_freely(sewn, kFreeSteps, {}, attempts.asking("start")).uv;
-    return attempts.was_stopped() ? shape : attempts.refine(sewn, sewn_network, free);
+    return try_all_starts(sewn, sewn_network, options, Goal::least_distortion, attempts).shape;
   };
   return open_slits(chart, held_network, slits, refine_sewn, attempts);
 }
