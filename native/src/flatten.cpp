@@ -167,7 +167,7 @@ std::vector<Layout> flatten_charts(const std::vector<Chart>& charts, const Run& 
 void pack(const Charts& charts, const Options& options, std::vector<Layout>& layouts) {
   std::vector<Positions2> shapes;
   for (Layout& layout : layouts) shapes.push_back(std::move(layout.uv));
-  shapes = pack_pieces(charts.charts, shapes, options);
+  shapes = pack_pieces(charts.charts, std::move(shapes), options);
   for (std::size_t c = 0; c < layouts.size(); ++c) layouts[c].uv = std::move(shapes[c]);
 }
 

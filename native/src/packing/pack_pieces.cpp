@@ -10,21 +10,19 @@
 namespace wirewarp {
 namespace {
 
-/// The layout turned so that up becomes +y, with its lower-left corner at the origin.
-Positions2 stand_upright(const Positions2& uv, const Eigen::Vector2d& up) {
+/// Turns a layout so that up becomes +y, with its lower-left corner at the origin.
+void stand_upright(Positions2& uv, const Eigen::Vector2d& up) {
   Eigen::Matrix2d transposed_rotation = Eigen::Matrix2d::Identity();
   if (up.norm() > 0) {
     const Eigen::Vector2d y = up.normalized();
     transposed_rotation << y.y(), y.x(), -y.x(), y.y();
   }
   const Eigen::RowVector2d center = (uv.colwise().minCoeff() + uv.colwise().maxCoeff()) / 2;
-  Positions2 turned(uv.rows(), 2);  // and no other as large: on a large piece new memory is what takes time
   for (Eigen::Index v = 0; v < uv.rows(); ++v) {
-    turned.row(v) = (uv.row(v) - center) * transposed_rotation;  // small numbers round less
+    uv.row(v) = ((uv.row(v) - center) * transposed_rotation).eval();  // small numbers round less
   }
-  const Eigen::RowVector2d corner = turned.colwise().minCoeff();
-  turned.rowwise() -= corner;
-  return turned;
+  const Eigen::RowVector2d corner = uv.colwise().minCoeff();
+  uv.rowwise() -= corner;
 }
 
 }  // namespace
@@ -35,30 +33,33 @@ Positions2 mirror_image(const Positions2& uv) {
   return mirrored;
 }
 
-std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, const std::vector<Positions2>& layouts,
+// In place: on a large piece new memory is what takes time.
+std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, std::vector<Positions2> layouts,
                                     const Options& options) {
-  std::vector<Positions2> packed(layouts.size());
   std::vector<std::size_t> pieces;  // those with a layout
   double area = 0;
   for (std::size_t i = 0; i < layouts.size(); ++i) {
     if (layouts[i].rows() == 0) continue;
     pieces.push_back(i);
     area += std::abs(enclosed_area(charts[i], layouts[i]));
-    const Eigen::Vector2d up = upright_direction(charts[i], layouts[i], options);
-    packed[i] =
-        options.mirror ? stand_upright(mirror_image(layouts[i]), {-up.x(), up.y()}) : stand_upright(layouts[i], up);
+    Eigen::Vector2d up = upright_direction(charts[i], layouts[i], options);
+    if (options.mirror) {
+      layouts[i] = mirror_image(layouts[i]);
+      up.x() *= -1;
+    }
+    stand_upright(layouts[i], up);
   }
 
   Positions2 sizes(static_cast<Eigen::Index>(pieces.size()), 2);
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    sizes.row(static_cast<Eigen::Index>(k)) = packed[pieces[k]].colwise().maxCoeff();
+    sizes.row(static_cast<Eigen::Index>(k)) = layouts[pieces[k]].colwise().maxCoeff();
   }
   const double gap = options.gap * std::sqrt(area);
   const Positions2 corners = options.layout == PieceLayout::row ? place_in_row(sizes, gap) : pack_boxes(sizes, gap);
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    packed[pieces[k]].rowwise() += corners.row(static_cast<Eigen::Index>(k));
+    layouts[pieces[k]].rowwise() += corners.row(static_cast<Eigen::Index>(k));
   }
-  return packed;
+  return layouts;
 }
 
 }  // namespace wirewarp

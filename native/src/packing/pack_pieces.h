@@ -11,7 +11,7 @@ namespace wirewarp {
 ///
 /// layouts: one per chart, one row per chart vertex, scene units; no rows: no layout, skipped. options: layout,
 /// orientation, grain, up, gap and mirror. Rotation and translation move each coordinate by a few units of rounding.
-std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, const std::vector<Positions2>& layouts,
+std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, std::vector<Positions2> layouts,
                                     const Options& options);
 
 /// The same layout seen from the other side, exactly: x negated.
