@@ -73,7 +73,9 @@ Eigen::Vector2d direction_of(const Chart& chart, const HalfEdgeChain& chain, con
   for (const HalfedgeHandle h : chain) points.push_back(uv.row(chart.mesh.to_vertex_handle(h).idx()));
 
   const Eigen::Vector2d chord = points.back() - points.front();
-  if (chord.norm() >= kShortChord * length_of(chart.mesh, chain)) return chord;
+  double length = 0;  // in the plane: free wires have another one there
+  for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+  if (chord.norm() >= kShortChord * length) return chord;
   const Eigen::Vector2d side = long_side_of_smallest_box(points);
   Eigen::Vector2d mean(0, 0);
   for (const Eigen::Vector2d& p : points) mean += p / static_cast<double>(points.size());
