@@ -24,7 +24,7 @@ OF_ATTRIBUTES = {
 
 def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers: bool) -> list[dict]:
     notes = []
-    shown = [] if use_modifiers else _shown_only(source)
+    shown = [] if use_modifiers else shown_only(source)
     if shown:
         left = " and ".join(shown)
         text = f"Not the size you see: {left} were left out. Tick Modifiers in the settings and flatten again."
@@ -38,7 +38,7 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
     return notes
 
 
-def _shown_only(source: bpy.types.Object) -> list[str]:
+def shown_only(source: bpy.types.Object) -> list[str]:
     """What makes the object look different from its base mesh."""
     moving = [modifier for modifier in source.modifiers if modifier.type not in OF_ATTRIBUTES]
     shown = ["modifiers"] if any(modifier.show_viewport for modifier in moving) else []

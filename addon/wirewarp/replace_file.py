@@ -33,6 +33,12 @@ def check_file(path: Path) -> None:
         raise OSError("it is a Blender file by its name; choose another name")
 
 
+def check_ending(path: Path, ending: str) -> None:
+    """Raises OSError where a name promises another kind of file."""
+    if path.suffix.lower() != ending:
+        raise OSError(f"its name does not end in {ending}, and no other kind of file can be written")
+
+
 def check_room(path: Path) -> None:
     """As check_file; also raises OSError if the folder takes no new files."""
     path = path.resolve()

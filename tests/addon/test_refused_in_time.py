@@ -110,9 +110,17 @@ def test_no_file_of_ours_takes_the_place_of_a_blender_file(source, tmp_path):
     flatten_fails("it is a Blender file by its name", report_path=str(path))
     assert nothing_written(source)
     bpy.ops.object.wirewarp_flatten()
-    with pytest.raises(RuntimeError, match="it is a Blender file by its name"):
+    with pytest.raises(RuntimeError, match="its name does not end in .svg"):
         bpy.ops.object.wirewarp_export_svg(filepath=str(path))
     assert path.read_bytes() == before
+
+
+@pytest.mark.parametrize("name", ["pattern.pdf", "pattern.dxf", "pattern"])
+def test_a_pattern_goes_into_an_svg_file_only(source, tmp_path, name):
+    bpy.ops.object.wirewarp_flatten()
+    with pytest.raises(RuntimeError, match="its name does not end in .svg, and no other kind of file can be written"):
+        bpy.ops.object.wirewarp_export_svg(filepath=str(tmp_path / name))
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_folder_of_too_long_a_name_is_a_sentence(source, tmp_path):

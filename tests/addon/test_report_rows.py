@@ -129,6 +129,17 @@ def test_without_a_layout_the_table_has_no_flat_numbers(addon):
     ]  # fmt: skip
 
 
+def test_a_table_of_a_changed_model_is_told_from_a_true_one(capfd):
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    bpy.ops.object.wirewarp_copy_report()
+    assert "2 lines copied\n" in capfd.readouterr().out
+    source.data.vertices[40].co.z += 1
+    source.data.update()
+    bpy.ops.object.wirewarp_copy_report()
+    assert '2 lines copied, of "Bump" as it was: it has changed since' in capfd.readouterr().out
+
+
 def test_there_must_be_a_report_to_copy():
     grid("Bump", bump)
     with pytest.raises(RuntimeError, match='"Bump" has not been flattened yet'):

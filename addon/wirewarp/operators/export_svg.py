@@ -5,13 +5,15 @@ import bpy
 from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
+from ..changed_settings import settings_sentence
 from ..given_file import OPTIONS, given_file
 from ..issues import ObjectError, object_error
 from ..owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
-from ..pattern.pattern import IMPERIAL, INCH, Pattern
+from ..pattern.pattern import IMPERIAL, INCH, Pattern, pieces_over_others
 from ..pattern.svg import page_size, write_svg
 from ..read_pattern import read_pattern
-from ..replace_file import file_name, unwritten
+from ..replace_file import check_ending, file_name, unwritten
+from ..report_store import pieces_report
 from ..targets import in_object_mode
 from ..ui.text import draw_sentence
 from ..words import counted
@@ -73,6 +75,7 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
     def execute(self, context: bpy.types.Context) -> set[str]:
         try:
             path = given_file(self.filepath)
+            check_ending(path, self.filename_ext)
             pattern = self._pattern(context, self.failed_pieces)
             write_svg(path, pattern)
         except ObjectError as error:
@@ -82,8 +85,20 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
             self.report({"ERROR"}, unwritten(self.filepath, error))
             return {"CANCELLED"}
         only = f' Of the selected ones, "{pattern.title}" only.' if _has_others(context) else ""
-        self.report({"INFO"}, f'"{path.name}": {" ".join(_size_sentences(pattern))} Print at 100 %.{only}')
+        said = f'"{path.name}": {" ".join(_size_sentences(pattern))} Print at 100 %.{only}'
+        warnings = self._warnings(context, pattern)
+        self.report({"WARNING" if warnings else "INFO"}, "\n".join([*warnings, said]))
         return {"FINISHED"}
+
+    def _warnings(self, context: bpy.types.Context, pattern: Pattern) -> list[str]:
+        """What the user should know before cutting."""
+        source = _source(context)
+        settings = settings_sentence(source, pieces_report(source), context.scene.wirewarp)
+        over = pieces_over_others(pattern)
+        crossing = (
+            f"These pieces lie over one another: {', '.join(over)}. Move them apart before you cut." if over else ""
+        )
+        return [sentence for sentence in (settings, crossing) if sentence]
 
     def _pattern(self, context: bpy.types.Context, failed_too: bool) -> Pattern:
         active, source = context.active_object, _source(context)

@@ -18,6 +18,8 @@ MOST = 10_000  # along one seam
 TOO_CLOSE = "Notches so close cannot be cut: choose 1 mm or more, or 0 for none along seams."
 NOTCH = 5.0  # length of a notch, in millimeters
 SHARE = 0.3  # of the way across the piece, the most that a notch may take
+SMOOTH = 0.87  # cosine of the turn, 30 degrees: what turns less is no corner that can be found on cloth
+LEAST_SEAM = 15.0  # millimeters: a shorter one needs no notch in its middle
 CLEAR = 0.2  # of the spacing: so close to a wire's end, or to the end of the seam, there is no other notch
 
 
@@ -37,13 +39,16 @@ def place_notches(
         length = min(NOTCH, SHARE * across(piece, point, inward))
         notches.setdefault(piece, []).append(Notch(point, inward, length, kind))
 
+    rows_at = _rows_at(outline)
     for vertex in sorted(at_wires):
-        touching = np.flatnonzero((outline.edges == vertex).any(axis=1))
-        inward = _unit(outline.inward[touching].sum(axis=0))
-        add(int(outline.piece[touching[0]]), flat.vertices[vertex], inward, "wire")
+        touching = rows_at[vertex]
+        add(int(outline.piece[touching[0]]), flat.vertices[vertex], _unit(outline.inward[touching].sum(axis=0)), "wire")
+    ends = _SmoothEnds(flat, outline, at_wires)
     for number, sides in _runs(seams) if spacing > 0 else []:
         _check_count(flat, number, sides, spacing)
         lengths = _lengths(flat, sides, at_wires, spacing)
+        for side, vertex in ends.take(sides):
+            add(side.piece, flat.vertices[vertex], _unit(outline.inward[rows_at[vertex]].sum(axis=0)), "seam")
         for side in sides:
             for point, inward in _places(flat, outline, side, lengths):
                 add(side.piece, point, inward, "seam")
@@ -80,7 +85,42 @@ def _lengths(flat: FlatPieces, sides: list[SeamSide], at_wires: set[int], spacin
     taken = [along[-1], *(along[place] for place, vertex in enumerate(sides[0].vertices) if vertex in at_wires)]
     lengths = spacing * np.arange(1, int(along[-1] / spacing) + 1)
     near = np.abs(lengths[:, None] - np.unique(taken)).min(axis=1)
-    return lengths[near > CLEAR * spacing].tolist()
+    found = lengths[near > CLEAR * spacing].tolist()
+    needs_middle = not found and len(taken) == 1 and along[-1] >= LEAST_SEAM
+    return [along[-1] / 2] if needs_middle else found
+
+
+class _SmoothEnds:
+    """Where a seam ends and nothing shows it, for the outline of a piece runs on smoothly there."""
+
+    def __init__(self, flat: FlatPieces, outline: OutlineEdges, marked: set[int]) -> None:
+        """marked: vertices that have a notch already."""
+        self._flat, self._marked = flat, set(marked)
+        self._before = dict(zip(outline.edges[:, 1].tolist(), outline.edges[:, 0].tolist(), strict=True))
+        self._after = dict(outline.edges.tolist())
+
+    def take(self, sides: list[SeamSide]) -> list[tuple[SeamSide, int]]:
+        """Each end at most once: its vertex on all sides of the seam, so that they can be matched."""
+        found = []
+        for end in (0, -1):
+            at_end = [(side, side.vertices[end]) for side in sides]
+            if any(map(self._runs_on, (vertex for _, vertex in at_end))):
+                found += [(side, vertex) for side, vertex in at_end if vertex not in self._marked]
+                self._marked.update(vertex for _, vertex in at_end)
+        return list({vertex: (side, vertex) for side, vertex in found}.values())
+
+    def _runs_on(self, vertex: int) -> bool:
+        a, b, c = self._flat.vertices[[self._before[vertex], vertex, self._after[vertex]]]
+        return float(_unit(b - a) @ _unit(c - b)) > SMOOTH
+
+
+def _rows_at(outline: OutlineEdges) -> dict[int, list[int]]:
+    """The rows of the outline's edges at each vertex, ascending."""
+    rows: dict[int, list[int]] = {}
+    for row, ends in enumerate(outline.edges.tolist()):
+        for vertex in ends:
+            rows.setdefault(vertex, []).append(row)
+    return rows
 
 
 def _places(

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..polygons import Segments, overlap
+
 
 @dataclass(frozen=True)
 class PatternWire:
@@ -79,6 +81,19 @@ class Pattern:
     def largest(self) -> PatternPiece:
         """By the area of its box: what a sheet must have room for."""
         return max(self.pieces, key=lambda piece: float(np.prod(piece.size)))
+
+
+def pieces_over_others(pattern: Pattern) -> list[str]:
+    """The names of the pieces that lie over one another, as they were put by hand."""
+    lines = [_segments(piece.outlines) for piece in pattern.pieces]
+    low, high = np.array([line.box for line in lines]).transpose(1, 0, 2)
+    meet = np.triu(np.all((low[:, None] < high) & (low < high[:, None]), axis=2), 1)
+    pairs = [(first, second) for first, second in np.argwhere(meet).tolist() if overlap(lines[first], lines[second])]
+    return [pattern.pieces[index].name for index in sorted({index for pair in pairs for index in pair})]
+
+
+def _segments(outlines: list[np.ndarray]) -> Segments:
+    return Segments(np.concatenate(outlines), np.concatenate([np.roll(outline, -1, axis=0) for outline in outlines]))
 
 
 def bounds(outlines: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:

@@ -3,6 +3,7 @@
 
 import bpy
 
+from ..changed_settings import settings_sentence
 from ..flat_sources import no_pieces_sentence
 from ..mesh_cache import stamp
 from ..model_state import has_changed
@@ -53,6 +54,9 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
         else:
             for line in tables_of(report).verdict:
                 draw_sentence(context, layout, line.text, line.icon)
+            settings = settings_sentence(source, report, context.scene.wirewarp)
+            if settings:
+                draw_sentence(context, layout, settings, "ERROR")
         for note in report["notes"]:
             draw_sentence(context, layout, note["text"], "ERROR" if note["is_warning"] else "INFO")
         if "method_name" in report:

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which settings of the panel are others than those that the flat pieces were made with."""
+
+from dataclasses import asdict
+
+import bpy
+
+from .left_out import shown_only
+from .properties import WIREWARP_PG_settings, choices_of
+
+NAMES = {  # of the choices in a report, as the panel calls them
+    "method": "Method",
+    "fairness": "Smooth Outlines",
+    "node_weight": "Angles",
+    "layout": "Layout",
+    "orientation": "Upright",
+    "gap": "Gap",
+    "mirror": "Mirrored",
+}
+OF_REFINED, OF_OTHERS = {"fairness"}, {"node_weight"}
+
+
+def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> str:
+    """Empty where a run with the settings of the panel would make the same pieces."""
+    changed = _changed(source, report, settings)
+    return f"Made with other settings than the panel has now ({', '.join(changed)}): flatten again." if changed else ""
+
+
+def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> list[str]:
+    then, now = report.get("options"), asdict(choices_of(settings))
+    if then is None:
+        return []
+    unused = OF_OTHERS if now["method"] == "refined" else OF_REFINED
+    if (
+        now["orientation"] == "wire"
+        and then["orientation"] == "up"
+        and then["grain_wire"] == source.data.wirewarp_grain
+    ):
+        unused = unused | {"orientation"}  # while there is no grain wire, pieces stand as on the model
+    changed = [name for key, name in NAMES.items() if key not in unused and now[key] != then[key]]
+    if now["orientation"] == "wire" and then["grain_wire"] != source.data.wirewarp_grain:
+        changed.append("Grain Wire")
+    if report.get("with_modifiers", False) != settings.use_modifiers and shown_only(source):
+        changed.append("Modifiers")
+    return changed

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pieces that were made with other settings than the panel has: the report and the export say so."""
+
+import bpy
+import pytest
+from everything import draw_panels
+from surfaces import bump, flat_of, grid, mark, on_line
+
+SENTENCE = "Made with other settings than the panel has now ({}): flatten again."
+
+
+@pytest.fixture
+def source():
+    target = grid("Bump", bump, size=4)
+    mark(target, on_line(1, 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    return target
+
+
+def give(addon, source, **settings):
+    """Settings of the panel; returns what is said of the pieces."""
+    for name, value in settings.items():
+        setattr(bpy.context.scene.wirewarp, name, value)
+    report = addon.report_store.pieces_report(source)
+    return addon.changed_settings.settings_sentence(source, report, bpy.context.scene.wirewarp)
+
+
+@pytest.mark.parametrize(
+    ("settings", "names"),
+    [
+        ({"mirror": True}, "Mirrored"),
+        ({"method": "WIREWARPING"}, "Method"),
+        ({"fairness": 0.2, "gap": 5.0}, "Smooth Outlines, Gap"),
+        ({"layout_kind": "ROW", "orientation": "BOUNDARY"}, "Layout, Upright"),
+    ],
+)
+def test_what_would_make_other_pieces_is_named(addon, source, settings, names, tmp_path, capfd):
+    assert give(addon, source) == ""
+    assert give(addon, source, **settings) == SENTENCE.format(names)
+    assert SENTENCE.format(names) in draw_panels(addon)
+    bpy.ops.object.wirewarp_export_svg(filepath=str(tmp_path / "pattern.svg"))
+    assert f"Warning: {SENTENCE.format(names)}" in capfd.readouterr().out
+    bpy.ops.object.wirewarp_flatten(**settings)
+    assert give(addon, source) == ""
+
+
+def test_what_makes_no_difference_is_none(addon, source):
+    assert give(addon, source, node_weight="UNIFORM", use_modifiers=True, keep_places=False, orientation="UP") == ""
+    source.modifiers.new("Smooth", "SUBSURF")
+    assert give(addon, source) == SENTENCE.format("Modifiers")
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    assert give(addon, source) == ""
+    bpy.ops.object.wirewarp_flatten(method="WIREWARPING", use_modifiers=True, node_weight="UNIFORM")
+    assert give(addon, source, method="WIREWARPING", fairness=0.5) == ""
+
+
+def test_another_grain_wire(addon, source):
+    source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
+    assert give(addon, source) == SENTENCE.format("Upright, Grain Wire")
+    bpy.ops.object.wirewarp_flatten()
+    assert give(addon, source) == ""
+
+
+def test_pieces_that_lie_over_one_another_are_named_at_the_export(source, tmp_path, capfd):
+    source.data.edges.foreach_set("use_seam", [True] * len(source.data.edges))
+    bpy.ops.object.wirewarp_flatten()
+    path = str(tmp_path / "pattern.svg")
+    bpy.ops.object.wirewarp_export_svg(filepath=path)
+    assert "over one another" not in capfd.readouterr().out
+    flat = flat_of(source).data
+    first, second = (flat.polygons[index] for index in (0, 5))
+    by = first.center - second.center
+    for vertex in second.vertices:
+        flat.vertices[vertex].co += by
+    bpy.ops.object.wirewarp_export_svg(filepath=path)
+    names = [entry.name for entry in source.wirewarp_pieces]
+    pieces = [flat.attributes["piece"].data[face.index].value for face in (first, second)]
+    over = ", ".join(names[index] for index in sorted(pieces))
+    assert f"These pieces lie over one another: {over}. Move them apart before you cut." in capfd.readouterr().out
