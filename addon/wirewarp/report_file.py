@@ -30,9 +30,9 @@ def write_json(path: Path, report: dict) -> None:
 
 def run_message(reports: list[dict]) -> tuple[str, str]:
     """How loudly Blender shows what became of the run (INFO, WARNING or ERROR), and the text."""
-    if not all(report["ok"] for report in reports):
-        return "ERROR", failure_text(reports)
     notes = [note for report in reports for note in report["notes"]]
+    if not all(report["ok"] for report in reports):
+        return "ERROR", "\n".join([failure_text(reports), *(note["text"] for note in notes if note["is_warning"])])
     strained = strained_text(reports)
     level = "WARNING" if strained or any(note["is_warning"] for note in notes) else "INFO"
     return level, "\n".join([strained or success_text(reports), *(note["text"] for note in notes)])

@@ -56,3 +56,11 @@ def test_seams_and_panels_that_stand_apart_are_no_tears(addon):
     bpy.ops.object.mode_set(mode="OBJECT")
     flatten(source)
     assert notes_of(addon, source) == []
+
+
+def test_a_piece_that_fails_may_do_so_for_its_tears():
+    source = grid("Bump", bump)
+    split(source, on_line(0, 0.0))
+    source.data.polygons[0].flip()
+    with pytest.raises(RuntimeError, match="look to opposite sides(.|\\n)*16 edges of outlines lie on others without"):
+        flatten(source)
