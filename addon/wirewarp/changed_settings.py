@@ -27,9 +27,10 @@ def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP
 
 
 def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> list[str]:
-    then, now = report.get("options"), asdict(choices_of(settings))
-    if then is None:
+    choices = (settings.method, settings.node_weight, settings.layout_kind, settings.orientation)
+    if "options" not in report or "" in choices:  # which this version does not know: see take_settings
         return []
+    then, now = report["options"], asdict(choices_of(settings))
     unused = OF_OTHERS if now["method"] == "refined" else OF_REFINED
     if (
         now["orientation"] == "wire"

@@ -68,12 +68,11 @@ def test_pieces_that_lie_over_one_another_are_named_at_the_export(source, tmp_pa
     bpy.ops.object.wirewarp_export_svg(filepath=path)
     assert "over one another" not in capfd.readouterr().out
     flat = flat_of(source).data
-    first, second = (flat.polygons[index] for index in (0, 5))
-    by = first.center - second.center
-    for vertex in second.vertices:
+    pieces = [flat.attributes["piece"].data[face].value for face in (0, 5)]
+    by = flat.polygons[0].center - flat.polygons[5].center
+    for vertex in list(flat.polygons[5].vertices):
         flat.vertices[vertex].co += by
     bpy.ops.object.wirewarp_export_svg(filepath=path)
     names = [entry.name for entry in source.wirewarp_pieces]
-    pieces = [flat.attributes["piece"].data[face.index].value for face in (first, second)]
     over = ", ".join(names[index] for index in sorted(pieces))
     assert f"These pieces lie over one another: {over}. Move them apart before you cut." in capfd.readouterr().out
