@@ -33,6 +33,13 @@ double area_of(const Judged& judged, const Piece& piece) {
   return std::abs(area);
 }
 
+/// Of a square with the area of all boxes and the gaps beside them.
+double side_of_all(const std::vector<Box>& boxes, double gap) {
+  double area = 0;
+  for (const Box& box : boxes) area += ((box.high - box.low).array() + gap).prod();
+  return std::sqrt(area);
+}
+
 }  // namespace
 
 void check_room(Judged& judged) {
@@ -46,10 +53,12 @@ void check_room(Judged& judged) {
   }
   const double gap = judged.options.gap * std::sqrt(area);
   const double rounding = 1e-9 * size;
+  const double least_gap =
+      gap - (judged.options.layout == PieceLayout::packed ? 1e-6 * side_of_all(boxes, gap) : rounding);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const double apart = (boxes[i].low.cwiseMax(boxes[j].low) - boxes[i].high.cwiseMin(boxes[j].high)).maxCoeff();
-      if (apart < gap - rounding) judged.say("pieces lie closer together than the gap");
+      if (apart < least_gap) judged.say("pieces lie closer together than the gap");
     }
     if (judged.options.layout != PieceLayout::row) continue;
     const double left = i == 0 ? 0 : boxes[i - 1].high.x() + gap;
