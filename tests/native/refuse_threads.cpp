@@ -14,10 +14,14 @@ std::atomic<int> num_refused_threads{0};
 
 }  // namespace
 
-/// Stands before the system's for all that this program loads.
-extern "C" __attribute__((visibility("default"))) int pthread_create(pthread_t* thread,
-                                                                     const pthread_attr_t* attributes,
-                                                                     void* (*work)(void*), void* argument) noexcept {
+/// Stands before the system's pthread_create for all that this program loads.
+extern "C" __attribute__((visibility("default"))) int create_or_refuse(pthread_t* thread,
+                                                                       const pthread_attr_t* attributes,
+                                                                       void* (*work)(void*), void* argument) noexcept
+    __asm__("pthread_create");
+
+int create_or_refuse(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*),
+                     void* argument) noexcept {
   if (refuses) {
     ++num_refused_threads;
     return EAGAIN;

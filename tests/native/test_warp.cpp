@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <optional>
 
@@ -139,7 +140,7 @@ TEST(Warp, GradientCostsOneFactorizationHoweverManyWires) {
 }
 
 TEST(Warp, AsksBeforeEachFactorizationAndGoesNoFurther) {
-  struct Stop {};
+  class Stop : public std::exception {};
   const Charts charts = test::charts_of(test::quarter_sphere(12));
   const Chart& chart = charts.charts[0];
   const WireNetwork network = build_wire_network(chart);

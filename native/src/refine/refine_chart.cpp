@@ -2,6 +2,7 @@
 #include "refine/refine_chart.h"
 
 #include <algorithm>
+#include <exception>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -34,7 +35,7 @@ RefinedShape free_elastic_wires(Chart chart, const Positions2& start, Attempts& 
   return attempts.refine(chart, build_held_network(chart), start, kStartFactorizations);
 }
 
-struct Stopped {};
+class Stopped : public std::exception {};
 
 /// ψ(h⁰): the paper's flat shape, before any h is chosen. None where no topology serves the wires, Eq. (1) breaks down
 /// or go_on stops it.
