@@ -6,6 +6,7 @@ wirewarp-V-<platform>.zip                        extension for Blender 4.2 and l
 wirewarp-V-legacy-<platform>.zip                 add-on for Blender 3.4 to 4.1, the core package unpacked inside
 """
 
+import fcntl
 import shutil
 from pathlib import Path
 
@@ -109,6 +110,13 @@ def missing_python_notice() -> str | None:
 
 def build_wheel(version: str, python: Path) -> Path:
     """The repaired wheel for one Python; from the last build if nothing it is made of has changed."""
+    BUILD.mkdir(exist_ok=True)
+    with (BUILD / "wheels.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # steps that run side by side build into the same folders
+        return build_wheel_alone(version, python)
+
+
+def build_wheel_alone(version: str, python: Path) -> Path:
     tag = "cp" + version.replace(".", "")
     key = fingerprint([ROOT / source for source in CORE_SOURCES], str(python), *WHEEL_TOOLS)
     found = list(DIST.glob(f"wirewarp-{VERSION}-{tag}-*.whl"))

@@ -5,6 +5,7 @@ import multiprocessing
 import os
 import sys
 import time
+import traceback
 from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass
 from multiprocessing.connection import wait
@@ -13,7 +14,7 @@ from multiprocessing.context import ForkProcess
 from tools.environment import BUILD, NotTestedError, StepError, say
 
 PASSED, FAILED, NOT_TESTED = "passed", "FAILED", "NOT TESTED"
-EXIT_CODES = {0: PASSED, 1: FAILED, 2: NOT_TESTED}
+EXIT_CODES: dict[int | None, str] = {0: PASSED, 1: FAILED, 2: NOT_TESTED}
 LOGS = BUILD / "log"
 AT_ONCE = 2  # so that a step that uses one core leaves none idle
 PROCESSES = multiprocessing.get_context("fork")
@@ -60,7 +61,7 @@ def run_side_by_side(steps: Sequence[Step]) -> list[Outcome]:
         ended = wait([process.sentinel for _, process, _ in running])
         for step, process, begin in [entry for entry in running if entry[1].sentinel in ended]:
             process.join()
-            word = EXIT_CODES.get(process.exitcode or 0, FAILED)
+            word = EXIT_CODES.get(process.exitcode, FAILED)
             outcomes[step.name] = Outcome(step.name, word, time.monotonic() - begin)
             print(f"\n===== {step.name}\n{(LOGS / step.name).read_text(errors='replace')}", flush=True)
         running = [entry for entry in running if entry[1].sentinel not in ended]
@@ -98,5 +99,9 @@ def _run_apart(step: Step) -> None:
         os.dup2(log.fileno(), 1)  # for the programs it runs
         os.dup2(log.fileno(), 2)
         sys.stdout = sys.stderr = log
-        word = _word_of(step)
+        try:
+            word = _word_of(step)
+        except Exception:  # a fault of ours: the log, which ends here, is where it is looked for
+            traceback.print_exc()
+            word = FAILED
     sys.exit(next(code for code, name in EXIT_CODES.items() if name == word))

@@ -140,10 +140,23 @@ def test_side_by_side_the_output_of_a_step_stays_together(log, capfd):
 
 @pytest.mark.parametrize("end", [lambda: os.kill(os.getpid(), signal.SIGKILL), lambda: 1 / 0], ids=["killed", "raises"])
 def test_side_by_side_a_step_that_breaks_down_has_failed(log, end):
-    assert [outcome.word for outcome in run_side_by_side([Step("broken", end), Step("good", lambda: None)])] == [
-        "FAILED",
-        "passed",
-    ]
+    outcomes = run_side_by_side([Step("broken", end), Step("good", lambda: None)])
+    assert [outcome.word for outcome in outcomes] == ["FAILED", "passed"]
+
+
+def test_side_by_side_a_fault_of_ours_is_in_the_output(log, capfd):
+    run_side_by_side([Step("broken", lambda: 1 / 0)])
+    assert "ZeroDivisionError" in capfd.readouterr().out
+
+
+def test_a_run_that_is_interrupted_says_so(dev, monkeypatch, capfd):
+    def interrupt(_arguments: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setitem(dev.COMMANDS, "docs", interrupt)
+    monkeypatch.setattr(sys, "argv", ["dev", "docs"])
+    assert dev.main() == 130
+    assert "dev: stopped" in capfd.readouterr().out
 
 
 def test_only_expected_errors_are_outcomes():
