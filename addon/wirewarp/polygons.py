@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 AT_ONCE = 1_000_000  # pairs that are compared at a time, for memory's sake
+DEPTH = 1e-4  # of the diagonal of the smaller outline's box: what overlaps less touches, but for rounding
 
 
 class Segments(NamedTuple):
@@ -33,12 +34,23 @@ def are_inside(points: np.ndarray, outline: Segments) -> np.ndarray:
 
 def overlap(first: Segments, second: Segments) -> bool:
     """Whether two outlines cross, or one lies inside the other. Touching is no overlap."""
-    low, high = np.maximum(first.box[0], second.box[0]), np.minimum(first.box[1], second.box[1])
-    if np.any(low >= high):
+    (low, high), depth = _common(first, second), DEPTH * min(_diagonal(first), _diagonal(second))
+    if np.any(high - low <= depth):
         return False
-    if _cross(_near(first, low, high), _near(second, low, high)):
+    near = _near(first, low, high), _near(second, low, high)
+    if _cross(*near, depth):
         return True
-    return bool(are_inside(first.a[:1], second)[0] or are_inside(second.a[:1], first)[0])
+    return _runs_inside(near[0], first, second, depth) or _runs_inside(near[1], second, first, depth)
+
+
+def _common(first: Segments, second: Segments) -> tuple[np.ndarray, np.ndarray]:
+    """The box that is in the boxes of both."""
+    return np.maximum(first.box[0], second.box[0]), np.minimum(first.box[1], second.box[1])
+
+
+def _diagonal(outline: Segments) -> float:
+    low, high = outline.box
+    return float(np.linalg.norm(high - low))
 
 
 def _near(segments: Segments, low: np.ndarray, high: np.ndarray) -> Segments:
@@ -47,17 +59,32 @@ def _near(segments: Segments, low: np.ndarray, high: np.ndarray) -> Segments:
     return Segments(segments.a[near], segments.b[near])
 
 
-def _cross(first: Segments, second: Segments) -> bool:
+def _cross(first: Segments, second: Segments, depth: float) -> bool:
+    """Whether any two cross so that all ends lie farther than the depth from the line of the other."""
     step = max(1, AT_ONCE // max(len(second.a), 1))
     for start in range(0, len(first.a), step):
-        a, b = (ends[start : start + step, None] for ends in first)
-        ends_apart = _side(a, b, second.a) * _side(a, b, second.b) < 0
-        if np.any(ends_apart & (_side(second.a, second.b, a) * _side(second.a, second.b, b) < 0)):
+        part = Segments(*(ends[start : start + step, None] for ends in first))
+        if np.any(_ends_apart(part, second, depth) & _ends_apart(second, part, depth)):
             return True
     return False
 
 
-def _side(a: np.ndarray, b: np.ndarray, point: np.ndarray) -> np.ndarray:
-    """Positive left of the line from a to b."""
-    along, to = b - a, point - a
-    return along[..., 0] * to[..., 1] - along[..., 1] * to[..., 0]
+def _ends_apart(line: Segments, ends: Segments, depth: float) -> np.ndarray:
+    """Whether both ends lie farther than the depth from the line, on two sides of it."""
+    along = line.b - line.a
+    sides = [along[..., 0] * to[..., 1] - along[..., 1] * to[..., 0] for to in (ends.a - line.a, ends.b - line.a)]
+    least = depth * np.linalg.norm(along, axis=-1)
+    return (np.minimum(*sides) < -least) & (np.maximum(*sides) > least)
+
+
+def _runs_inside(part: Segments, own: Segments, other: Segments, depth: float) -> bool:
+    """Whether the inside of own along a part of its segments, by the depth beside their middles, is inside other.
+
+    This finds what does not cross, as sides in line with one another and outlines of one shape.
+    """
+    middles, along = (part.a + part.b) / 2, part.b - part.a
+    length = np.linalg.norm(along, axis=1, keepdims=True)
+    aside = depth * np.column_stack([-along[:, 1], along[:, 0]]) / np.where(length > 0, length, 1)
+    points = np.concatenate([middles + aside, middles - aside])
+    points = points[are_inside(points, other)]
+    return bool(are_inside(points, own).any())

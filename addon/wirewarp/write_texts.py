@@ -21,6 +21,7 @@ from .write_flat_object import our_collection
 PIECE_ID = "wirewarp_piece"  # custom property of a text, a child of the flat object
 FLAT_ID = "wirewarp_flat"  # custom property of a flat object and of its texts: a random number
 AREA = "wirewarp_area"  # custom property of a text: of its piece, in square Blender units
+AREA_LINE = "wirewarp_area_line"  # custom property of a text: the area as it was written last
 LARGEST = 0.04  # height of the letters, by the size of all pieces together
 THICKNESS = 0.0007  # by the same size: from the pieces up, so that both are seen
 MATERIAL = "WireWarp Text"
@@ -50,6 +51,7 @@ def write_texts(context: bpy.types.Context, flat: bpy.types.Object, arrays: Flat
         below = _face_below(arrays.vertices, corners[piece["index"]], place.center)
         target = _new_text(flat, piece["name"], place, arrays.vertices[below].mean(axis=0), THICKNESS * size)
         target[PIECE_ID], target[FLAT_ID], target[AREA] = piece["piece_id"], flat[FLAT_ID], piece["area_2d"]
+        target[AREA_LINE] = lines[piece["index"]][1]
         target.parent_vertices = below
         our_collection(context.scene).objects.link(target)
         targets.append(target)
@@ -96,12 +98,13 @@ def rename_text(flat: bpy.types.Object, piece_id: int, name: str) -> None:
 
 
 def write_areas(scene: bpy.types.Scene) -> None:
-    """The second line of each text in the scene says the area in the units that the scene has now."""
+    """The second line of each text in the scene says the area in the units that the scene has now, if it is ours."""
     units = length_text(scene)
     for target in filter(_is_text, scene.objects):
         area, (name, *rest) = target.get(AREA), target.data.body.split("\n")
-        if isinstance(area, float) and rest and rest[0] != units.area(area):
-            target.data.body = "\n".join([name, units.area(area), *rest[1:]])
+        if isinstance(area, float) and rest and rest[0] == target.get(AREA_LINE) != units.area(area):
+            target[AREA_LINE] = units.area(area)
+            target.data.body = "\n".join([name, target[AREA_LINE], *rest[1:]])
 
 
 def _one_line(name: str) -> str:

@@ -132,10 +132,19 @@ def test_areas_follow_the_units_of_the_scene_and_names_stay(source, addon):
     units.system, units.length_unit = "IMPERIAL", "INCHES"
     addon.text_units.write_all_areas()
     assert text.data.body == f"Sleeve\n{area / 0.0254**2:.2f} in²\ncut twice"
-    text.data.body = "Sleeve"
-    units.system = "METRIC"
+    units.system, units.length_unit = "METRIC", "MILLIMETERS"
     addon.text_units.write_all_areas()
-    assert text.data.body == "Sleeve"
+    assert text.data.body == f"Sleeve\n{1e4 * area:.1f} cm²\ncut twice"
+
+
+@pytest.mark.parametrize("own", ["Sleeve", "Front\nCut 2 on fold", "Front\n\ncut twice"])
+def test_a_line_of_the_user_is_no_area(source, addon, own):
+    text, units = texts()["Top Left"], bpy.context.scene.unit_settings
+    text.data.body = own
+    addon.text_units.write_all_areas()
+    units.system, units.length_unit = "IMPERIAL", "INCHES"
+    addon.text_units.write_all_areas()
+    assert text.data.body == own
 
 
 def test_texts_of_a_deleted_flat_object_go_with_the_next_run(source):

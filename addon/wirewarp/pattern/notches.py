@@ -39,16 +39,19 @@ def place_notches(
         length = min(NOTCH, SHARE * across(piece, point, inward))
         notches.setdefault(piece, []).append(Notch(point, inward, length, kind))
 
+    def add_at(vertex: int, kind: str) -> None:
+        rows = rows_at[vertex]
+        add(int(outline.piece[rows[0]]), flat.vertices[vertex], _unit(outline.inward[rows].sum(axis=0)), kind)
+
     rows_at = _rows_at(outline)
     for vertex in sorted(at_wires):
-        touching = rows_at[vertex]
-        add(int(outline.piece[touching[0]]), flat.vertices[vertex], _unit(outline.inward[touching].sum(axis=0)), "wire")
-    ends = _SmoothEnds(flat, outline, at_wires)
-    for number, sides in _runs(seams) if spacing > 0 else []:
+        add_at(vertex, "wire")
+    runs = _runs(seams) if spacing > 0 else []
+    for vertex in sorted(_smooth_ends(flat, outline, runs) - at_wires):
+        add_at(vertex, "seam")
+    for number, sides in runs:
         _check_count(flat, number, sides, spacing)
         lengths = _lengths(flat, sides, at_wires, spacing)
-        for side, vertex in ends.take(sides):
-            add(side.piece, flat.vertices[vertex], _unit(outline.inward[rows_at[vertex]].sum(axis=0)), "seam")
         for side in sides:
             for point, inward in _places(flat, outline, side, lengths):
                 add(side.piece, point, inward, "seam")
@@ -59,9 +62,13 @@ def vertices_at_wires(flat: FlatPieces, outline: OutlineEdges) -> set[int]:
     """On outlines: where a wire that runs through a piece ends, and the same places on the other sides of a seam."""
     count = len(flat.vertices)
     inside = (flat.wire_ids != 0) & ~np.isin(edge_keys(flat.edges, count), edge_keys(outline.edges, count))
+    return _with_copies(flat, outline, np.intersect1d(flat.edges[inside], outline.edges))
+
+
+def _with_copies(flat: FlatPieces, outline: OutlineEdges, vertices: np.ndarray) -> set[int]:
+    """The vertices on outlines that are copies of the same ones of the model, for these are sewn together."""
     on_outline = np.unique(outline.edges)
-    ends = np.intersect1d(flat.edges[inside], on_outline)
-    return set(on_outline[np.isin(flat.source_vertex[on_outline], flat.source_vertex[ends])].tolist())
+    return set(on_outline[np.isin(flat.source_vertex[on_outline], flat.source_vertex[vertices])].tolist())
 
 
 def _runs(seams: list[list[list[SeamSide]]]) -> list[tuple[int, list[SeamSide]]]:
@@ -90,28 +97,20 @@ def _lengths(flat: FlatPieces, sides: list[SeamSide], at_wires: set[int], spacin
     return [along[-1] / 2] if needs_middle else found
 
 
-class _SmoothEnds:
-    """Where a seam ends and nothing shows it, for the outline of a piece runs on smoothly there."""
+def _smooth_ends(flat: FlatPieces, outline: OutlineEdges, runs: list[tuple[int, list[SeamSide]]]) -> set[int]:
+    """Where a seam ends and on one of the pieces nothing shows it, for the outline runs on smoothly there.
 
-    def __init__(self, flat: FlatPieces, outline: OutlineEdges, marked: set[int]) -> None:
-        """marked: vertices that have a notch already."""
-        self._flat, self._marked = flat, set(marked)
-        self._before = dict(zip(outline.edges[:, 1].tolist(), outline.edges[:, 0].tolist(), strict=True))
-        self._after = dict(outline.edges.tolist())
+    On all pieces that meet there, so that they can be matched.
+    """
+    before = dict(zip(outline.edges[:, 1].tolist(), outline.edges[:, 0].tolist(), strict=True))
+    after = dict(outline.edges.tolist())
+    ends = {int(side.vertices[end]) for _, sides in runs for side in sides for end in (0, -1)}
 
-    def take(self, sides: list[SeamSide]) -> list[tuple[SeamSide, int]]:
-        """Each end at most once: its vertex on all sides of the seam, so that they can be matched."""
-        found = []
-        for end in (0, -1):
-            at_end = [(side, side.vertices[end]) for side in sides]
-            if any(map(self._runs_on, (vertex for _, vertex in at_end))):
-                found += [(side, vertex) for side, vertex in at_end if vertex not in self._marked]
-                self._marked.update(vertex for _, vertex in at_end)
-        return list({vertex: (side, vertex) for side, vertex in found}.values())
-
-    def _runs_on(self, vertex: int) -> bool:
-        a, b, c = self._flat.vertices[[self._before[vertex], vertex, self._after[vertex]]]
+    def runs_on(vertex: int) -> bool:
+        a, b, c = flat.vertices[[before[vertex], vertex, after[vertex]]]
         return float(_unit(b - a) @ _unit(c - b)) > SMOOTH
+
+    return _with_copies(flat, outline, np.array([vertex for vertex in sorted(ends) if runs_on(vertex)], dtype=np.int64))
 
 
 def _rows_at(outline: OutlineEdges) -> dict[int, list[int]]:
@@ -129,6 +128,7 @@ def _places(
     """The point of each notch, and the direction into the piece."""
     along = side.lengths(flat)
     points = flat.vertices[side.vertices]
+    lengths = [length for length in lengths if length < along[-1]]  # of a failed piece sides may differ
     for length, place in zip(lengths, np.searchsorted(along, lengths, side="right") - 1, strict=True):
         share = (length - along[place]) / (along[place + 1] - along[place])
         point = points[place] + share * (points[place + 1] - points[place])
