@@ -23,23 +23,24 @@ OF_REFINED, OF_OTHERS = {"fairness"}, {"node_weight"}
 def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> str:
     """Empty where a run with the settings of the panel would make the same pieces."""
     changed = _changed(source, report, settings)
-    return f"Made with other settings than the panel has now ({', '.join(changed)}): flatten again." if changed else ""
+    if not changed:
+        return ""
+    names = ", ".join(changed)
+    return f"Made with other settings than the panel has now ({names}): flatten again if those are wanted."
 
 
 def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> list[str]:
     choices = (settings.method, settings.node_weight, settings.layout_kind, settings.orientation)
     if "options" not in report or "" in choices:  # which this version does not know: see take_settings
         return []
-    then, now = report["options"], asdict(choices_of(settings))
+    now = asdict(choices_of(settings)) | {"grain_wire": source.data.wirewarp_grain}
+    then = now | report["options"]
     unused = OF_OTHERS if now["method"] == "refined" else OF_REFINED
-    if (
-        now["orientation"] == "wire"
-        and then["orientation"] == "up"
-        and then["grain_wire"] == source.data.wirewarp_grain
-    ):
+    had_grain = then["grain_wire"] in {wire["wire_id"] for wire in report["wires"]}
+    if (now["orientation"], then["orientation"]) == ("wire", "up") and not had_grain:
         unused = unused | {"orientation"}  # while there is no grain wire, pieces stand as on the model
     changed = [name for key, name in NAMES.items() if key not in unused and now[key] != then[key]]
-    if now["orientation"] == "wire" and then["grain_wire"] != source.data.wirewarp_grain:
+    if now["orientation"] == "wire" and then["grain_wire"] != now["grain_wire"]:
         changed.append("Grain Wire")
     if report.get("with_modifiers", False) != settings.use_modifiers and shown_only(source):
         changed.append("Modifiers")

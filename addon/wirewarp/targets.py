@@ -27,10 +27,17 @@ WORKING_MODES = {"OBJECT", "EDIT_MESH"}  # in which models are read and results 
 def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
     """Every selected mesh and every mesh in Edit Mode, flat pieces and helper wires of ours left out."""
     edited = list(context.objects_in_mode) if context.mode == "EDIT_MESH" else []
-    objects = dict.fromkeys([*edited, *context.selected_objects])
-    return [
-        target for target in objects if target.type == "MESH" and model_of(target) is None and not is_helper(target)
-    ]
+    return list(filter(_is_model, dict.fromkeys([*edited, *context.selected_objects])))
+
+
+def active_target(context: bpy.types.Context) -> list[bpy.types.Object]:
+    """The active object alone, if it is a mesh to flatten and can be seen."""
+    active = context.view_layer.objects.active
+    return [active] if active and active.visible_get() and _is_model(active) else []
+
+
+def _is_model(target: bpy.types.Object) -> bool:
+    return target.type == "MESH" and model_of(target) is None and not is_helper(target)
 
 
 def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Object]) -> str:

@@ -236,11 +236,27 @@ def test_the_button_that_lays_out_anew_is_there_where_places_are_kept(source, ad
     assert buttons() == 0  # these are not flattened
 
     flatten_button = addon.operators.OBJECT_OT_wirewarp_flatten
-    asked = {
-        given: SimpleNamespace(is_property_set=lambda _, given=given: given, keep_places=False) for given in (0, 1)
-    }
-    words = [flatten_button.description(bpy.context, asked[given]) for given in (0, 1)]
-    assert "keep the length" in words[0] and "lay all pieces out anew" in words[1]
+    words = [flatten_button.description(bpy.context, SimpleNamespace(only_active=only)) for only in (False, True)]
+    assert "keep the length" in words[0] and "lay all its pieces out anew" in words[1]
+
+
+@pytest.mark.parametrize("is_selected", [True, False])
+def test_only_the_active_model_is_laid_out_anew(source, is_selected):
+    other = grid("Other", bump)
+    mark_seam(other, SEAM)
+    flatten(other)
+    laid_out = places_of(source)
+    for each in (source, other):
+        move(each, "Top Left", by=(7, 8))
+    moved = places_of(other)
+    select_only(source, other)
+    source.select_set(is_selected)
+    bpy.ops.object.wirewarp_flatten(keep_places=False, only_active=True)
+    assert_same_places(places_of(source), laid_out)
+    assert_same_places(places_of(other), moved)
+    source.hide_set(True)
+    with pytest.raises(RuntimeError, match='"Bump" is hidden'):
+        bpy.ops.object.wirewarp_flatten(keep_places=False, only_active=True)
 
 
 def test_a_model_that_is_turned_leaves_its_pieces_as_they_stand_and_that_is_said(source, addon):

@@ -16,6 +16,7 @@ from ..replace_file import check_ending, file_name, unwritten
 from ..report_store import pieces_report
 from ..targets import in_object_mode
 from ..ui.text import draw_sentence
+from ..ui.verdict import SHOWN_NAMES
 from ..words import counted
 
 
@@ -58,13 +59,16 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
         if not self.filepath:
             self.filepath = str(Path(bpy.data.filepath).parent / file_name(source.name, " Pattern.svg"))
         try:
-            self._sizes = _size_sentences(self._pattern(context, failed_too=True))
+            pattern = self._pattern(context, failed_too=True)
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
+        self._sizes, self._crossing = _size_sentences(pattern), _crossing_sentence(pattern)
         return super().invoke(context, event)
 
     def draw(self, context: bpy.types.Context) -> None:
+        if self._crossing:
+            draw_sentence(context, self.layout, self._crossing, "ERROR")
         for sentence in self._sizes:
             draw_sentence(context, self.layout, sentence)
         self.layout.prop(self, "notch_spacing", text="Notches Every (mm)")
@@ -86,19 +90,10 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
             return {"CANCELLED"}
         only = f' Of the selected ones, "{pattern.title}" only.' if _has_others(context) else ""
         said = f'"{path.name}": {" ".join(_size_sentences(pattern))} Print at 100 %.{only}'
-        warnings = self._warnings(context, pattern)
-        self.report({"WARNING" if warnings else "INFO"}, "\n".join([*warnings, said]))
-        return {"FINISHED"}
-
-    def _warnings(self, context: bpy.types.Context, pattern: Pattern) -> list[str]:
-        """What the user should know before cutting."""
-        source = _source(context)
+        source, crossing = _source(context), _crossing_sentence(pattern)
         settings = settings_sentence(source, pieces_report(source), context.scene.wirewarp)
-        over = pieces_over_others(pattern)
-        crossing = (
-            f"These pieces lie over one another: {', '.join(over)}. Move them apart before you cut." if over else ""
-        )
-        return [sentence for sentence in (settings, crossing) if sentence]
+        self.report({"WARNING" if crossing else "INFO"}, "\n".join(filter(None, [crossing, said, settings])))
+        return {"FINISHED"}
 
     def _pattern(self, context: bpy.types.Context, failed_too: bool) -> Pattern:
         active, source = context.active_object, _source(context)
@@ -116,6 +111,16 @@ def _has_others(context: bpy.types.Context) -> bool:
     """Whether pieces of other models are selected, too: each has a file of its own."""
     sources = {model_or_self(each) for each in context.selected_objects} - {_source(context)}
     return any(map(has_flat_object, sources))
+
+
+def _crossing_sentence(pattern: Pattern) -> str:
+    """Empty where no pieces lie over one another."""
+    names = pieces_over_others(pattern)
+    if not names:
+        return ""
+    hidden = len(names) - SHOWN_NAMES
+    shown = ", ".join(names[:SHOWN_NAMES]) + (f" and {hidden} more" if hidden > 0 else "")
+    return f"These pieces lie over one another: {shown}. Move them apart before you cut."
 
 
 def _size_sentences(pattern: Pattern) -> list[str]:

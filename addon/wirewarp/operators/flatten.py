@@ -2,13 +2,13 @@
 from pathlib import Path
 
 import bpy
-from bpy.props import StringProperty
+from bpy.props import BoolProperty, StringProperty
 
 from .. import core, window_run
 from ..given_file import OPTIONS, given_file
 from ..properties import take_settings
 from ..replace_file import check_room, unwritten
-from ..targets import WORKING_MODES, mesh_targets, nothing_to_flatten
+from ..targets import WORKING_MODES, active_target, mesh_targets, nothing_to_flatten
 from ..ui.settings import draw_settings
 from .flatten_steps import FlattenSteps
 
@@ -26,11 +26,18 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
         subtype="FILE_PATH",
         options=OPTIONS,
     )
+    only_active: BoolProperty(
+        name="Only Active",
+        description="Flatten the active model alone, whatever else is selected",
+        default=False,
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
-        anew = properties.is_property_set("keep_places") and not properties.keep_places
-        return "Flatten again, and lay all pieces out anew, wherever they have been put" if anew else cls.__doc__
+        if properties.only_active:  # the button Lay Out Anew
+            return "Flatten this model again, and lay all its pieces out anew, wherever they have been put"
+        return cls.__doc__
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -43,13 +50,16 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
         take_settings(self, context.scene.wirewarp)
         if bpy.app.background:
             return self.execute(context)
-        sources = mesh_targets(context)
+        sources = self._sources(context)
         return {"CANCELLED"} if self._is_refused(context, sources) else self.begin_run(context, sources)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         """In a script and for Adjust Last Operation."""
-        sources = mesh_targets(context)
+        sources = self._sources(context)
         return {"CANCELLED"} if self._is_refused(context, sources) else self.flatten_now(context, sources)
+
+    def _sources(self, context: bpy.types.Context) -> list[bpy.types.Object]:
+        return active_target(context) if self.only_active else mesh_targets(context)
 
     @property
     def report_file(self) -> Path | None:

@@ -28,8 +28,8 @@ AWAY = "wirewarp_away"  # of the flat mesh: see LaidOut
 MOST = 2.0**53  # what a float holds as a whole number
 TURNED = 0.999  # cosine of the angle, 2.5 degrees, from which on another direction is up
 TURNED_TEXT = (
-    "The model was turned since its pieces were laid out, and Keep Places leaves them as they stand. Lay Out Anew, in "
-    "the panel Pieces, has them upright again."
+    "The model was turned since its pieces were laid out, and Keep Places leaves them as they stand. To have them "
+    "upright again, select the model and press Lay Out Anew in the panel Pieces."
 )
 
 

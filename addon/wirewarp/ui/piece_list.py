@@ -84,5 +84,6 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         if chosen:
             draw_figures(context, self.layout, chosen)
         if context.active_object == source and context.scene.wirewarp.keep_places:
-            self.layout.operator("object.wirewarp_flatten", text="Lay Out Anew", icon="MOD_ARRAY").keep_places = False
+            button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Anew", icon="MOD_ARRAY")
+            button.keep_places, button.only_active = False, True
         self.layout.operator("object.wirewarp_export_svg", icon="EXPORT")

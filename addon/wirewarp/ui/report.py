@@ -54,9 +54,10 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
         else:
             for line in tables_of(report).verdict:
                 draw_sentence(context, layout, line.text, line.icon)
-            settings = settings_sentence(source, report, context.scene.wirewarp)
+            made = pieces_report(source) if has_flat_object(source) else None
+            settings = settings_sentence(source, made, context.scene.wirewarp) if made else ""
             if settings:
-                draw_sentence(context, layout, settings, "ERROR")
+                draw_sentence(context, layout, settings, "INFO")
         for note in report["notes"]:
             draw_sentence(context, layout, note["text"], "ERROR" if note["is_warning"] else "INFO")
         if "method_name" in report:
