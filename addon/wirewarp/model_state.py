@@ -13,7 +13,7 @@ from .mesh_arrays import MeshArrays
 from .mesh_cache import Take, kept
 from .mesh_to_arrays import metric
 from .mesh_topology import corner_vertices, face_sizes, read_seams
-from .place_sums import are_same_places, place_sums
+from .place_sums import MOVED, UNMOVED, are_same_places, place_sums, rounding_of_sums
 from .wire_attributes import TOLERANCE, WIRE, read_marks
 
 MODIFIED = "modified"  # of reports with modifiers
@@ -75,21 +75,25 @@ def _modified_state(source: bpy.types.Object) -> dict:
     evaluated = source.evaluated_get(bpy.context.view_layer.depsgraph)
     try:
         (points, *faces), marks = _gather(evaluated.to_mesh())
-        sums, rounding = place_sums(points, source.matrix_world.translation.length)
-        matrix = [value for row in source.matrix_world for value in row]
-        own = {"faces": _digest(faces + marks), "points": _digest([points]), "matrix": matrix}
-        return own | {"sums": sums, "rounding": rounding}
+        return {
+            "faces": _digest(faces + marks),
+            "points": _digest([points]),
+            "matrix": [value for row in source.matrix_world for value in row],
+            "sums": place_sums(points),
+            "rounding": rounding_of_sums(points, MOVED, source.matrix_world.translation.length),
+            "last_digits": rounding_of_sums(points, UNMOVED),
+        }
     finally:
         evaluated.to_mesh_clear()
 
 
 def _is_same(then: dict, now: dict) -> bool:
-    """To the last digit, unless the object was moved: see place_sums."""
+    """But for rounding, which is more where the object was moved: see place_sums."""
     if then["faces"] != now["faces"]:
         return False
-    if then["points"] == now["points"] or then["matrix"] == now["matrix"]:
-        return then["points"] == now["points"]
-    return are_same_places((then["sums"], then["rounding"]), (now["sums"], now["rounding"]))
+    is_unmoved = then["matrix"] == now["matrix"]
+    rounding = 2 * now["last_digits"] if is_unmoved else then["rounding"] + now["rounding"]
+    return then["points"] == now["points"] or are_same_places(then["sums"], now["sums"], rounding)
 
 
 def has_moved(source: bpy.types.Object, report: dict) -> bool:
