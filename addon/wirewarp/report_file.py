@@ -7,6 +7,7 @@ from pathlib import Path
 from .cloth import aspect_ratio, ready_text, strain_text, strained_pieces
 from .replace_file import replaced_file
 from .report import SCHEMA
+from .torn_edges import TORN
 from .words import counted
 
 SHOWN_SENTENCES = 4
@@ -32,7 +33,9 @@ def run_message(reports: list[dict]) -> tuple[str, str]:
     """How loudly Blender shows what became of the run (INFO, WARNING or ERROR), and the text."""
     notes = [note for report in reports for note in report["notes"]]
     if not all(report["ok"] for report in reports):
-        return "ERROR", "\n".join([failure_text(reports), *(note["text"] for note in notes if note["is_warning"])])
+        warnings = [note["text"] for note in notes if note["is_warning"]]
+        torn = {hint["sentence"] for report in reports for hint in report["hints"] if hint["code"] == TORN}
+        return "ERROR", "\n".join([failure_text(reports), *warnings, *torn])
     strained = strained_text(reports)
     level = "WARNING" if strained or any(note["is_warning"] for note in notes) else "INFO"
     return level, "\n".join([strained or success_text(reports), *(note["text"] for note in notes)])

@@ -16,7 +16,7 @@ from .notes import warning
 from .pieces.identity import KnownPieces, PieceIdentity, identify_pieces
 from .plain_sentence import plain_sentence
 from .report import failure_report, object_report
-from .torn_edges import torn_text
+from .torn_edges import torn_hints
 
 
 class CancelledError(Exception):
@@ -85,9 +85,8 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
     outcome.report["notes"] += model.notes
     if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored, they are as seen from outside
         outcome.report["notes"].append(warning(INWARD))
-    torn = torn_text(model.arrays) if model.arrays else ""
-    if torn:
-        outcome.report["notes"].append(warning(torn))
+    torn = torn_hints(model.arrays) if model.arrays else []
+    outcome.report["hints"] += [dict(vars(hint)) for hint in torn]
     for issue in outcome.report["issues"]:
         issue["sentence"] = plain_sentence(issue["sentence"], model.units)
     return outcome

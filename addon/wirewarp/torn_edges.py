@@ -4,28 +4,28 @@
 import numpy as np
 
 from .edge_keys import edge_keys
+from .issues import Hint
 from .mesh_arrays import MeshArrays
-from .words import counted
+
+TORN = "torn"
+ADVICE = (
+    "Outlines lie on others without being joined to them. Where that is one surface, show them, use Mesh > Merge > By "
+    "Distance, or Merge of the modifier Mirror, and flatten again"
+)
 
 
-def torn_text(arrays: MeshArrays) -> str:
-    """The sentence; "" where there are none."""
-    count = count_torn(arrays)
-    if not count:
-        return ""
-    lie = counted(count, "edge of an outline lies", "edges of outlines lie")
-    return (
-        f"{lie} on others without being joined to them. Where that is one surface, select all in Edit Mode, use "
-        "Mesh > Merge > By Distance, and flatten again."
-    )
+def torn_hints(arrays: MeshArrays) -> list[Hint]:
+    """One, or none; cloth that is cut apart or doubled on purpose is like that, too."""
+    edges = torn_edges(arrays)
+    return [Hint(TORN, f"{ADVICE}.", short=f"{len(edges)} edges", edges=edges.tolist())] if len(edges) else []
 
 
-def count_torn(arrays: MeshArrays) -> int:
-    """How many edges of outlines have both ends in the very places of the ends of another one."""
+def torn_edges(arrays: MeshArrays) -> np.ndarray:
+    """(k,2) the edges of outlines that have both ends in the very places of the ends of another one."""
     places = _numbered(arrays.vertices[arrays.outline.ravel()])
     keys = edge_keys(places, len(places))
-    _, counts = np.unique(keys, return_counts=True)
-    return int(counts[counts > 1].sum())
+    _, inverse, counts = np.unique(keys, return_inverse=True, return_counts=True)
+    return arrays.outline[counts[inverse] > 1]
 
 
 def _numbered(points: np.ndarray) -> np.ndarray:

@@ -5,6 +5,8 @@ import bpy
 
 from ..report_names import with_piece
 from ..tolerance_text import tolerance_text
+from ..torn_edges import ADVICE as TORN_ADVICE
+from ..torn_edges import TORN
 from ..words import counted
 from .report_table import SHOWN_ROWS, draw_select
 from .text import draw_sentence
@@ -12,6 +14,7 @@ from .text import draw_sentence
 SHOWN_HINTS = 5
 WITH_MODIFIERS = "To be shown what to mark, flatten without Modifiers: these make other edges than the model has."
 ADVICE = {
+    TORN: f"{TORN_ADVICE}:",
     "wire_at_limit": "A wider tolerance on these wires would lower the distortion:",
     "strained": "The cloth must give here; a dart or a seam would relieve it:",
 }
@@ -37,6 +40,7 @@ def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: 
 
 def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: dict) -> None:
     """Under the advice, the places where it would help."""
+    is_shown = not report.get("with_modifiers") or "flat_object" in report
     for code, advice in ADVICE.items():
         hints = [(index, hint) for index, hint in enumerate(report["hints"]) if hint["code"] == code]
         if not hints:
@@ -44,7 +48,7 @@ def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: d
         column = layout.column(align=True)
         draw_sentence(context, column, advice, "INFO")
         for index, hint in hints[:SHOWN_HINTS]:
-            _draw_entry(context, column, with_piece(report, hint, "short"), "HINT", index, _has_place(hint))
+            _draw_entry(context, column, with_piece(report, hint, "short"), "HINT", index, is_shown and _has_place(hint))
         if len(hints) > SHOWN_HINTS:
             column.label(text=f"and {len(hints) - SHOWN_HINTS} more", icon="BLANK1")
 
