@@ -5,6 +5,7 @@ The legacy add-on carries it inside (_core/wirewarp); for the extension Blender 
 """
 
 import importlib
+import traceback
 from pathlib import Path
 from types import ModuleType
 
@@ -30,6 +31,7 @@ def load(addon_version: str) -> None:
         else:
             found = importlib.import_module("wirewarp")
     except Exception as error:  # what a damaged library or one for another numpy raises, is not ours to know
+        traceback.print_exc()
         _problem = loading_problem(error, inside / "wirewarp" if inside.is_dir() else folder_of("wirewarp"))
         return
     library_version = getattr(found, "__version__", "of an unknown version")

@@ -19,5 +19,5 @@ def follow_name(source: bpy.types.Object, earlier: str) -> None:
 def _rename(target: bpy.types.Object | None, before: str, now: str) -> None:
     """With its mesh."""
     for each in (target, target.data) if target and before != now else ():
-        if each.name == before:
+        if each.name == before and each.library is None:
             each.name = now

@@ -34,7 +34,7 @@ def loading_problem(error: Exception, folder: Path | None) -> str:
             f"The WireWarp library needs the C library glibc {newer[1]} or newer, and this system has "
             f"{platform.libc_ver()[1]}: use a newer Linux, or build WireWarp on this one (see its README)."
         )
-    return f"The WireWarp library does not load ({error}): it may be damaged. {_AGAIN}"
+    return f"The WireWarp library does not load ({type(error).__name__}: {error}): it may be damaged. {_AGAIN}"
 
 
 def version_problem(addon_version: str, library_version: str) -> str:

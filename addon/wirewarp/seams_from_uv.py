@@ -26,11 +26,16 @@ def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
 
 
 def _find_map(target: bpy.types.Object) -> bpy.types.MeshUVLoopLayer:
-    """The active map, which after Flatten is that of the flat pieces: then the user's own, if there is one."""
+    """The active map, which after Flatten is that of the flat pieces: then the user's own, if there is one.
+
+    Of several own ones, the one to render with.
+    """
     active, others = target.data.uv_layers.active, [each for each in target.data.uv_layers if each.name != UV_LAYER]
     if active is None:
         raise object_error("no_uv_map", f'"{target.name}" has no UV map: unwrap it first (UV > Unwrap).')
-    return others[0] if active.name == UV_LAYER and others else active
+    if active.name != UV_LAYER or not others:
+        return active
+    return next((each for each in others if each.active_render), others[0])
 
 
 def _mark_borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> int:

@@ -54,11 +54,11 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         outcome.identities = with_new_names(source, outcome.model.known, outcome.identities)
         write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
         with_names(source, outcome.report)
-        follow_name(source, outcome.model.known.model_name)
         earlier = _kept_object(source, outcome, settings.keep_places)
         pieces, motions, up = _place(source, outcome, earlier)
         away = places_of_absent(outcome.pieces, earlier, outcome.identities)
         flat, flat_arrays = write_flat_object(context.scene, source, pieces, arrays)
+        follow_name(source, outcome.model.known.model_name)
         remember_layout(flat, outcome.report["options"], up, away)
         uv_frame = None if settings.use_modifiers else _write_to_model(source, outcome, flat, settings.maps_on_model)
         if settings.helper_wires:

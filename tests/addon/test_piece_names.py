@@ -149,6 +149,21 @@ def test_results_follow_the_name_of_the_model_and_names_given_by_the_user_stay()
     assert "Band" in flatten(source)
 
 
+def test_a_linked_mesh_of_the_name_of_the_results_is_no_hindrance(tmp_path):
+    source, path = grid("Sleeve", bump), str(tmp_path / "other.blend")
+    flatten(source)
+    bpy.data.libraries.write(path, {flat_of(source).data})
+    flat_of(source).data.name = "Own"
+    with bpy.data.libraries.load(path, link=True) as (_, linked):
+        linked.meshes = ["Sleeve Flat"]
+    flat_of(source).data = linked.meshes[0]
+    source.name = "Cuff"
+    flatten(source)
+    flat = flat_of(source)
+    assert flat.data.name == "Cuff Flat" and flat.data.library is None
+    assert linked.meshes[0].name == "Sleeve Flat"
+
+
 def test_a_ring_around_the_middle_of_the_model_is_around(addon):
     normals, offsets = np.zeros((2, 3)), np.array([[0, 0, 0], [0, 0, 0.4]])
     assert addon.pieces.side_names.side_names(normals, offsets) == ["Around", "Top"]

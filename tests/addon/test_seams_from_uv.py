@@ -66,6 +66,18 @@ def test_after_a_run_the_users_own_map_is_read(capfd):
     assert seam_edges(target.data) == edges_on(target.data, CUT)
 
 
+def test_of_several_own_maps_the_one_to_render_with_is_read_after_a_run(capfd):
+    target = with_islands()
+    first = target.data.uv_layers.new(name="Plain", do_init=False)
+    target.data.uv_layers["Map"].name, first.name = "Lightmap", "Islands"
+    for name, active in (("Lightmap", False), ("Islands", True)):
+        target.data.uv_layers[name].active_render = active
+    flatten(target)
+    select_edges(target)
+    bpy.ops.mesh.wirewarp_seams_from_uv_islands()
+    assert 'the UV map "Islands"' in capfd.readouterr().out
+
+
 def test_the_active_one_of_several_maps_is_read_and_ours_if_there_is_no_other(capfd):
     target = with_islands()
     plain = target.data.uv_layers.new(name="Plain", do_init=False)  # all in one point

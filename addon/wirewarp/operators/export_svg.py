@@ -33,7 +33,8 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
     notch_spacing: FloatProperty(
         name="Notches Every",
         description="Distance in millimeters (25.4 to the inch) of notches along seams, from the same end on both "
-        "sides. Ends of wires always get one. At least 1 mm; 0: no others",
+        "sides; shorter seams get one in their middle, from 15 mm on. Ends of wires always get one. At least 1 mm; 0: "
+        "no others",
         min=0.0,
         soft_max=500.0,
         default=100.0,

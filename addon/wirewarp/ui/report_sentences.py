@@ -48,7 +48,8 @@ def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: d
         column = layout.column(align=True)
         draw_sentence(context, column, advice, "INFO")
         for index, hint in hints[:SHOWN_HINTS]:
-            _draw_entry(context, column, with_piece(report, hint, "short"), "HINT", index, is_shown and _has_place(hint))
+            placed = is_shown and _has_place(hint)
+            _draw_entry(context, column, with_piece(report, hint, "short"), "HINT", index, placed)
         if len(hints) > SHOWN_HINTS:
             column.label(text=f"and {len(hints) - SHOWN_HINTS} more", icon="BLANK1")
 
