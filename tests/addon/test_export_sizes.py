@@ -30,6 +30,20 @@ def test_sizes_told_before_saving(source, addon):
     assert 100 < min(wide, high) < 130
 
 
+def test_of_many_pieces_over_one_another_the_first_are_named(addon):
+    module, square = addon.pattern.pattern, np.array([(0, 0), (9, 0), (9, 9), (0, 9)], dtype=float)
+    told = addon.operators.export_svg._crossing_sentence
+
+    def pattern(count):
+        text = module.PieceText((), np.zeros(2), 1.0, 0.0)
+        pieces = [module.PatternPiece(f"P{k}", [square + k], [], [], text, []) for k in range(count)]
+        return module.Pattern("Pile", pieces, module.METRIC)
+
+    assert told(pattern(1)) == ""
+    assert "one another: P0, P1, P2, P3. Move" in told(pattern(4))
+    assert "one another: P0, P1, P2, P3 and 2 more. Move" in told(pattern(6))
+
+
 @pytest.mark.parametrize("scale", [(0.9, 0.9, 0.9), (-1, 1, 1)])
 @pytest.mark.parametrize("by_parent", [False, True])
 def test_pieces_that_are_scaled_as_a_whole_are_refused(source, tmp_path, scale, by_parent):
