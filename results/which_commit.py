@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Of what the figures are."""
+"""The commit that figures were made with."""
 
 import subprocess
 from pathlib import Path

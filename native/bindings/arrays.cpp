@@ -94,10 +94,9 @@ std::optional<TooLarge> narrow(const py::array& array, int* out) {
 }
 
 [[noreturn]] void throw_too_large(const std::string& element, const std::string& value, ErrorElements elements) {
-  throw FlattenError(
-      ErrorCode::vertex_out_of_range,
-      element + " names vertex " + value + ", but no mesh has vertices beyond 2147483647: use indices of this mesh.",
-      std::move(elements));
+  throw FlattenError(ErrorCode::vertex_out_of_range,
+                     element + " names vertex " + value + ", outside 0 to 2147483647: use indices of this mesh.",
+                     std::move(elements));
 }
 
 /// "3-7-9": what a row of an array holds.

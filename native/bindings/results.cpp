@@ -89,9 +89,7 @@ void bind_piece_parts(py::module_& module) {
       .field("area_3d", &Metrics::area_3d, "Square scene units.")
       .field("area_2d", &Metrics::area_2d, "Square scene units.");
 
-  Record<PieceReport>(
-      module, "PieceReport",
-      "What the solver did for one piece. Counts are of all that was tried, for a piece that failed too.")
+  Record<PieceReport>(module, "PieceReport", "What the solver did for one piece, for one that failed too.")
       .field(
           "termination", [](const PieceReport& report, py::handle) { return py::str(name_of(report.termination)); },
           "'converged', 'stalled' (short of the method's criterion: see warnings), 'failed', 'cancelled' or "

@@ -10,7 +10,7 @@ namespace wirewarp {
 /// The caller's progress function asked to stop.
 FlattenError cancelled();
 
-/// No shape with all lengths was found. tolerances: that settle it, proven with the refined method; empty where none
+/// No shape with all lengths was found. tolerances: with which the refined method found one; empty where none
 /// do, for which a seam is proposed. ran_out: options.max_factorizations ended the search before all was tried.
 FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, const Options& options,
                               std::vector<ProposedTolerance> tolerances, bool ran_out);

@@ -44,7 +44,7 @@ struct Run {
 FlattenError explain_infeasible(const Chart& chart, const Run& run, const ChartRefinement& refined,
                                 const std::function<bool()>& go_on) {
   if (refined.was_stopped) return cancelled();
-  std::vector<ProposedTolerance> tolerances = propose_tolerances(chart, run.options, refined, go_on);
+  std::vector<ProposedTolerance> tolerances = propose_tolerances(chart, run.options, refined, go_on, run.tuning);
   if (!go_on()) return cancelled();
   const bool ran_out = refined.shape.factorizations >= run.options.max_factorizations;
   return infeasible_wires(chart, run.input.wires, run.options, std::move(tolerances), ran_out);
@@ -63,21 +63,22 @@ void flatten_by_warping(const Chart& chart, const Run& run, const GoOn& go_on, L
     layout.network = refined ? build_wire_network(chart) : network;
   }
   const Chart& prepared = refined ? *refined : chart;
-  begin_stage(go_on, "interior");
+  const char* stage = "interior";
+  begin_stage(go_on, stage);
   std::optional<Warp> warp;  // ψ (II-A)
   {
     const StageTimer timer(seconds, "interior");
-    const auto ask = [&go_on] { begin_stage(go_on, "wires"); };
-    warp.emplace(prepared, network, run.options.node_weight, run.options.inner, ask);
+    warp.emplace(prepared, network, run.options.node_weight, run.options.inner, [&] { begin_stage(go_on, stage); });
     layout.report.factorizations = warp->interior_factorizations();
   }
-  const StageTimer timer(seconds, "lengths");
+  stage = "lengths";
+  const StageTimer timer(seconds, stage);
   const VariationBounds bounds = variation_bounds(prepared, run.options);
   OuterSolution solution =
-      choose_variation(prepared, *warp, bounds, [&] { begin_stage(go_on, "lengths"); });  // II-B, Algorithm 1
+      choose_variation(prepared, *warp, bounds, [&] { begin_stage(go_on, stage); });  // II-B, Algorithm 1
   report_solution(solution, layout.report);
   if (!solution.shape.inner.is_feasible) {
-    const auto may_go_on = [&] { return go_on("lengths"); };
+    const auto may_go_on = [&] { return go_on(stage); };
     const ChartRefinement refined_shape = refine_chart(
         chart, run.options, [&](const char*) { return may_go_on(); }, run.tuning);
     if (refined_shape.shape.is_exact && !refined_shape.was_stopped) throw needs_refinement(chart);

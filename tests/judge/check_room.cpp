@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <limits>
 
 #include "check_layout.h"
@@ -53,8 +54,8 @@ void check_room(Judged& judged) {
   }
   const double gap = judged.options.gap * std::sqrt(area);
   const double rounding = 1e-9 * size;
-  const double least_gap =
-      gap - (judged.options.layout == PieceLayout::packed ? 1e-6 * side_of_all(boxes, gap) : rounding);
+  const double slack = judged.options.layout == PieceLayout::packed ? 1e-6 * side_of_all(boxes, gap) : 0;
+  const double least_gap = std::max(gap - slack, 0.0) - rounding;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const double apart = (boxes[i].low.cwiseMax(boxes[j].low) - boxes[i].high.cwiseMin(boxes[j].high)).maxCoeff();

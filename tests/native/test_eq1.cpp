@@ -52,15 +52,18 @@ struct Problem {
     for (double& x : direction) x = normal(random);
     for (double& x : multipliers) x = normal(random);
   }
+  /// Of the wire-nodes: 1, or the mean length over theirs.
+  Eigen::VectorXd node_weights(NodeWeight weight) const {
+    Eigen::VectorXd lengths_of_nodes(static_cast<Eigen::Index>(network.nodes.size()));
+    for (Eigen::Index i = 0; i < lengths_of_nodes.size(); ++i) {
+      lengths_of_nodes[i] = weight == NodeWeight::length ? network.nodes[static_cast<std::size_t>(i)].length : 1;
+    }
+    return lengths_of_nodes.mean() * lengths_of_nodes.cwiseInverse();
+  }
   /// θ of the headings: those closest to the surface angles, and what the change of the headings turns.
   Eigen::VectorXd planar_angles(NodeWeight weight) const {
-    const auto num_nodes = static_cast<Eigen::Index>(network.nodes.size());
-    Eigen::VectorXd weights = Eigen::VectorXd::Ones(num_nodes);
-    for (Eigen::Index i = 0; i < num_nodes && weight == NodeWeight::length; ++i) {
-      weights[i] = 1 / network.nodes[static_cast<std::size_t>(i)].length;
-    }
-    Eigen::VectorXd angles = project_on_angle_sums(network, weights);
-    for (Eigen::Index i = 0; i < num_nodes; ++i) {
+    Eigen::VectorXd angles = project_on_angle_sums(network, node_weights(weight));
+    for (Eigen::Index i = 0; i < angles.size(); ++i) {
       const WireNode& node = network.nodes[static_cast<std::size_t>(i)];
       angles[i] -= psi[node.out.edge] - psi[node.in.edge];
     }
@@ -77,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Weights, Eq1Test, testing::Values(NodeWeight::length, N
 
 constexpr double kStep = 1e-5;
 
-TEST_P(Eq1Test, AnyHeadingsKeepEveryAngleSum) {
+TEST_P(Eq1Test, TheNearestAnglesKeepEverySumWhateverTheHeadings) {
   const Problem p(GetParam());
   const Eigen::VectorXd angles = p.planar_angles(GetParam());
   for (const WirePatch& patch : p.network.patches) {
@@ -91,6 +94,17 @@ TEST_P(Eq1Test, AnyHeadingsKeepEveryAngleSum) {
     for (int node : nodes) sum += angles[node];
     EXPECT_NEAR(sum, 2 * kPi, 1e-12);
   }
+}
+
+TEST_P(Eq1Test, VariesByTheAnglesOfItsHeadings) {
+  const Problem p(GetParam());
+  const Eigen::VectorXd angles = p.planar_angles(GetParam()), weights = p.node_weights(GetParam());
+  double expected = 0;
+  for (Eigen::Index i = 0; i < angles.size(); ++i) {
+    const double deviation = angles[i] - p.network.nodes[static_cast<std::size_t>(i)].surface_angle;
+    expected += weights[i] * deviation * deviation / 2;
+  }
+  EXPECT_NEAR(p.eq1.angle_variation(p.psi), expected, 1e-12 * expected);
 }
 
 TEST_P(Eq1Test, HeadingsTurnByThePlanarAngles) {

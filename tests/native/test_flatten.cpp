@@ -332,5 +332,18 @@ TEST(Measure, FindsLengthsThatAFlatteningDoesNotKeep) {
   EXPECT_NEAR(measured.wires[0].length_2d, 1.01 * measured.wires[0].length_3d, 1e-9);
 }
 
+TEST(Flatten, StagesAreToldInTheirOrder) {
+  FlattenInput input = test::saddle(8, 0.5);
+  test::add_wire(input, test::grid_row(8, 4), 0.05);
+  Options options;
+  options.method = Method::wirewarp_plus_plus;
+  std::vector<std::string> stages;
+  flatten(input, options, [&](const std::string& stage, double) {
+    if (stages.empty() || stages.back() != stage) stages.push_back(stage);
+    return true;
+  });
+  EXPECT_EQ(stages, (std::vector<std::string>{"charts", "wires", "interior", "lengths", "measure"}));
+}
+
 }  // namespace
 }  // namespace wirewarp

@@ -116,5 +116,52 @@ TEST(OpenSlits, ATrialThatWouldGoThroughAShutSlitIsGivenUp) {
   EXPECT_LE(piece.report.factorizations, 50);
 }
 
+/// As Blender stores it: without strain but for the rounding of single precision.
+FlattenInput rounded_cylinder() {
+  FlattenInput input = test::cylinder_patch(20, 8, 1, 2, 1);
+  input.vertices = input.vertices.cast<float>().cast<double>();
+  return input;
+}
+
+TEST(OpenSlits, RimsOfAPieceThatUnfoldsUpToRoundingStayApart) {
+  const std::vector<std::vector<int>> slits = {along_row(5, 4, 8),
+                                               {vertex(10, 2), vertex(10, 3), vertex(10, 4)},
+                                               {vertex(4, 2), vertex(5, 3), vertex(6, 4), vertex(7, 5), vertex(8, 6)},
+                                               {vertex(4, 2), vertex(4, 3), vertex(5, 3), vertex(6, 3), vertex(6, 4)},
+                                               along_row(9, 3, 1),
+                                               along_row(3, 1, 14)};
+  for (std::size_t s = 0; s < slits.size(); ++s) {
+    FlattenInput input = rounded_cylinder();
+    test::add_seam(input, slits[s]);
+    const Piece piece = flatten(input).pieces.at(0);
+    EXPECT_FALSE(piece.error) << s << ": " << piece.error->what();
+    EXPECT_EQ(piece.report.termination, Termination::converged) << s;
+    EXPECT_LE(piece.metrics.arap_energy, 1e-12) << s << ": strains of 1e-6";
+  }
+}
+
+TEST(OpenSlits, AsFarOnFineMeshesAsOnCoarseOnes) {
+  std::vector<double> gaps, objectives;
+  for (const int n : {12, 48, 192}) {  // a slit of 6, 24 and 96 edges
+    FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+      return Eigen::Vector3d(s, t, 0.25 * std::exp(-12 * ((s - 0.5) * (s - 0.5) + (t - 0.2) * (t - 0.2))));
+    });
+    std::vector<int> slit;
+    for (int j = n / 2 - n / 12; j <= n - n / 12; ++j) slit.push_back(n / 2 + (n + 1) * j);
+    test::add_seam(input, slit);
+    const Charts charts = test::charts_of(input);
+    const Chart& chart = charts.charts.at(0);
+    const RefinedShape shape = refine_chart(chart, Options{}, [](const char*) { return true; }).shape;
+    EXPECT_TRUE(shape.is_exact && shape.converged) << n;
+    EXPECT_LE(shape.factorizations, 8) << n << ": a face that turns over takes many";
+    gaps.push_back(gap(chart, find_slits(chart).at(0), shape.uv));
+    objectives.push_back(shape.objective);
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(gaps[i], gaps[2], 0.1 * gaps[2]) << i;
+    EXPECT_NEAR(objectives[i], objectives[2], 0.02 * objectives[2]) << i;
+  }
+}
+
 }  // namespace
 }  // namespace wirewarp

@@ -50,7 +50,8 @@ struct Options {
   static constexpr double most_fairness = 10;
 
   /// Of the refined method: after so many factorizations of its Newton system a piece stops at the shape it has. Not
-  /// counted: up to 30 on the coarser mesh of a large piece, and those that find out which wires contradict. >= 1.
+  /// counted: up to 30 on the coarser mesh of a large piece (60 with slits), and those that find out which wires
+  /// contradict. >= 1.
   int max_factorizations = 100;
 
   PieceLayout layout = PieceLayout::packed;

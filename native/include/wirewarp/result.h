@@ -80,17 +80,17 @@ enum class Termination {
   measured,  // by measure(): nothing was solved
 };
 
-/// What the solver did for one piece. Counts are of all that was tried, for a piece that failed too.
+/// What the solver did for one piece. For a piece that failed too.
 struct PieceReport {
   Termination termination = Termination::failed;
   std::string message;  // one sentence
   std::vector<std::string> warnings;
-  int inner_solves = 0;  // factorizations of the inner problem (Eq. 1)
-  int outer_iterations = 0;
+  int inner_solves = 0;      // factorizations of the inner problem (Eq. 1); refined: if its wires were flattened alone
+  int outer_iterations = 0;  // refined: of the start that led to the shape
   int gradient_evaluations = 0;
 
-  /// Of the interior placement and free flattening; refined: of Newton systems, counted as Options::max_factorizations
-  /// does.
+  /// Of the interior placement and free flattening; refined: of Newton systems for all starts, counted as
+  /// Options::max_factorizations does.
   int factorizations = 0;
 
   /// Largest gap of a wire loop / its length; refined: largest error of an edge's length / (its length + 1e-5 of the

@@ -13,7 +13,7 @@ namespace wirewarp {
 
 inline constexpr int kNoLimit = std::numeric_limits<int>::max();
 
-/// The starts of one chart: they share the limits, and are counted together.
+/// The starts of one chart, and of it with slits sewn up: they share the limits, and are counted together.
 class Attempts {
  public:
   /// go_on must outlive the attempts.

@@ -101,7 +101,8 @@ std::vector<ProposedTolerance> listed(const Tolerances& tolerances) {
 }  // namespace
 
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Options& options,
-                                                  const ChartRefinement& refined, const std::function<bool()>& go_on) {
+                                                  const ChartRefinement& refined, const std::function<bool()>& go_on,
+                                                  const Tuning& tuning) {
   const Tolerances all = free_wires(chart);
   if (all.empty()) return {};
   const GoOn may_go_on = [&](const char*) { return go_on(); };
@@ -115,7 +116,7 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Opti
   const ChartRefinement free = with(all, [&](const Chart& freed) {
     Options brief = options;
     brief.max_factorizations = kStartFactorizations;
-    return refine_chart(freed, brief, may_go_on);
+    return refine_chart(freed, brief, may_go_on, tuning);
   });
   if (free.was_stopped || !free.shape.is_exact) return {};
   const Tolerances plain = find_needs(chart, refined.loose, kKept);

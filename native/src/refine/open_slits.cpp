@@ -2,17 +2,22 @@
 #include "refine/open_slits.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "feasibility/check_outline.h"
 #include "mesh/geometry.h"
 #include "mesh/overlap.h"
+#include "planar_cross.h"
 
 namespace wirewarp {
 namespace {
 
 constexpr double kOpening = 0.1;         // slope of opened rims against the shut slit
+constexpr double kOfHeight = 1.0 / 3;    // the most that a rim moves into the faces beside it
 constexpr int kMaxFactorizations = 30;   // a trial that goes on for longer is about to go through a shut slit
 constexpr double kOverlapDepth = 1e-10;  // a tenth of what counts as overlap in the end, when pieces have been turned
 
@@ -73,7 +78,21 @@ std::vector<double> distances_from_tips(const Chart& chart, const Slit& slit) {
   return distance;
 }
 
-/// Moves the rims of a slit apart, each into the chart.
+/// The least height, in the plane, of the faces around the vertex where a half-edge begins.
+double height_beside(const Chart& chart, HalfedgeHandle rim, const Positions2& uv) {
+  const auto place = [&](VertexHandle v) -> Eigen::Vector2d { return uv.row(v.idx()); };
+  double least = std::numeric_limits<double>::infinity();
+  for (const FaceHandle face : chart.mesh.vf_range(chart.mesh.from_vertex_handle(rim))) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(face);
+    const Eigen::Vector2d a = place(chart.mesh.from_vertex_handle(h)), b = place(chart.mesh.to_vertex_handle(h)),
+                          c = place(chart.mesh.from_vertex_handle(chart.mesh.prev_halfedge_handle(h)));
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    least = std::min(least, std::abs(cross(b - a, c - a)) / longest);
+  }
+  return least;
+}
+
+/// Moves the rims of a slit apart, each into the chart and so little that no face turns over.
 void open_a_little(const Chart& chart, const Slit& slit, Positions2& uv) {
   const std::vector<double> distance = distances_from_tips(chart, slit);
   const std::size_t count = slit.rims.size();
@@ -81,10 +100,23 @@ void open_a_little(const Chart& chart, const Slit& slit, Positions2& uv) {
   Positions2 moved(count, 2);
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::RowVector2d along = (uv.row(vertex(i + 1)) - uv.row(vertex(i + count - 1))).normalized();
-    moved.row(static_cast<Eigen::Index>(i)) =
-        uv.row(vertex(i)) + kOpening * distance[i] * Eigen::RowVector2d(-along.y(), along.x());
+    const double by = std::min(kOpening * distance[i], kOfHeight * height_beside(chart, slit.rims[i], uv));
+    moved.row(static_cast<Eigen::Index>(i)) = uv.row(vertex(i)) + by * Eigen::RowVector2d(-along.y(), along.x());
   }
   for (std::size_t i = 0; i < count; ++i) uv.row(vertex(i)) = moved.row(static_cast<Eigen::Index>(i));
+}
+
+/// Faces that overlap in a layout of a chart, without those that did in another.
+std::vector<int> newly_overlapping(const Chart& chart, const Positions2& uv, const Positions2& before) {
+  const auto overlapping_in = [&](const Positions2& layout) {
+    return find_overlapping_faces(triangles_of(chart.mesh), faces_on_boundary(chart.mesh), layout, kOverlapDepth);
+  };
+  const std::vector<int> now = overlapping_in(uv);
+  if (now.empty()) return now;
+  const std::vector<int> then = overlapping_in(before);
+  std::vector<int> added;
+  std::set_difference(now.begin(), now.end(), then.begin(), then.end(), std::back_inserter(added));
+  return added;
 }
 
 bool touches(const Chart& chart, const Slit& slit, const std::vector<int>& faces) {
@@ -124,14 +156,19 @@ RefinedShape open_slits(const Chart& chart, const WireNetwork& network, const st
     for (const Slit& slit : open) open_a_little(chart, slit, start.uv);
     RefinedShape trial =
         attempts.refine(problem->chart(), problem->network(), problem->to_sewn(start), kMaxFactorizations);
+    const auto overlapping = [&] { return newly_overlapping(chart, problem->to_open(trial).uv, best.uv); };
+    if (trial.is_exact && !trial.converged && !attempts.ran_out() && overlapping().empty()) {
+      trial = attempts.refine(problem->chart(), problem->network(), {trial.uv, trial.multipliers});
+    }
     if (attempts.ran_out() && !trial.converged) best.converged = false;
     if (!trial.is_exact) return best;
-    trial = as_open(*problem, trial);
-    const std::vector<int> overlapping =
-        find_overlapping_faces(triangles_of(chart.mesh), faces_on_boundary(chart.mesh), trial.uv, kOverlapDepth);
-    if (overlapping.empty()) return trial.objective < best.objective ? trial : best;
-    const auto crossed = std::stable_partition(open.begin(), open.end(),
-                                               [&](const Slit& slit) { return !touches(chart, slit, overlapping); });
+    const std::vector<int> overlapping_faces = overlapping();
+    if (overlapping_faces.empty()) {
+      trial = as_open(*problem, trial);
+      return trial.is_exact && trial.objective < best.objective ? trial : best;
+    }
+    const auto crossed = std::stable_partition(
+        open.begin(), open.end(), [&](const Slit& slit) { return !touches(chart, slit, overlapping_faces); });
     if (crossed == open.end()) return best;
     shut.insert(shut.end(), crossed, open.end());
     open.erase(crossed, open.end());

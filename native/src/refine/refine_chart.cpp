@@ -109,12 +109,35 @@ RefinedShape refine_from_coarse(const Chart& chart, const WireNetwork& held_netw
   return start && !attempts.was_stopped() ? attempts.refine(chart, held_network, *start) : RefinedShape{};
 }
 
+/// As if the chart had no slits.
+ChartRefinement refine_whole(const Chart& chart, const WireNetwork& held_network, const Options& options,
+                             const Tuning& tuning, Attempts& attempts) {
+  ChartRefinement result;
+  if (const std::optional<Positions2> unfolded = unfold(chart)) {
+    result.shape = attempts.refine(chart, held_network, *unfolded);
+  }
+  if (!result.shape.is_exact && !attempts.was_stopped()) {
+    result.shape = refine_from_coarse(chart, held_network, options, tuning, attempts);
+  }
+  if (!result.shape.is_exact && !attempts.was_stopped()) {
+    result = try_all_starts(chart, held_network, options, Goal::least_distortion, attempts);
+  }
+  return result;
+}
+
+/// Where a chart without strain lies with its slits shut, else sewn up and opened. Not exact where neither serves.
 RefinedShape refine_with_slits(const Chart& chart, const WireNetwork& held_network, const std::vector<Slit>& slits,
                                const Options& options, const Tuning& tuning, Attempts& attempts) {
+  if (const std::optional<Positions2> unfolded = unfold(chart)) {
+    RefinedShape shape = attempts.refine(chart, held_network, *unfolded, 0);
+    if (shape.converged) return shape;
+  }
   const auto refine_sewn = [&](const Chart& sewn, const WireNetwork& sewn_network) {
-    RefinedShape shape = refine_from_coarse(sewn, sewn_network, options, tuning, attempts);
-    if (shape.is_exact || attempts.was_stopped()) return shape;
-    return try_all_starts(sewn, sewn_network, options, Goal::least_distortion, attempts).shape;
+    try {
+      return refine_whole(sewn, sewn_network, options, tuning, attempts).shape;
+    } catch (const std::domain_error&) {  // the open chart has starts of its own
+      return RefinedShape{};
+    }
   };
   return open_slits(chart, held_network, slits, refine_sewn, attempts);
 }
@@ -137,16 +160,11 @@ ChartRefinement refine_chart(const Chart& chart, const Options& options, const G
   const WireNetwork held_network = build_held_network(chart);
   Attempts attempts(options, go_on);
   ChartRefinement result;
-  if (const std::optional<Positions2> unfolded = unfold(chart)) {
-    result.shape = attempts.refine(chart, held_network, *unfolded);
-  } else if (const std::vector<Slit> slits = find_slits(chart); !slits.empty()) {
+  if (const std::vector<Slit> slits = find_slits(chart); !slits.empty()) {
     result.shape = refine_with_slits(chart, held_network, slits, options, tuning, attempts);
   }
   if (!result.shape.is_exact && !attempts.was_stopped()) {
-    result.shape = refine_from_coarse(chart, held_network, options, tuning, attempts);
-  }
-  if (!result.shape.is_exact && !attempts.was_stopped()) {
-    result = try_all_starts(chart, held_network, options, Goal::least_distortion, attempts);
+    result = refine_whole(chart, held_network, options, tuning, attempts);
   }
   return finish(std::move(result), attempts);
 }

@@ -41,8 +41,8 @@ ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_
 /// max_factorizations does not count.
 ChartRefinement reach_exact_lengths(const Chart& chart, Options options, const GoOn& go_on);
 
-/// Unfolds a chart that is folded from a plane (refine/unfold.h): mostly nothing is left to do. Sews up the slits of
-/// others first (refine/open_slits.h). Flattens a chart of tuning.large_chart faces or more coarsely first, and
+/// Unfolds a chart that is folded from a plane (refine/unfold.h): mostly nothing is left to do. Sews up slits first,
+/// but where that is so (refine/open_slits.h). Flattens a chart of tuning.large_chart faces or more coarsely first, and
 /// starts from that shape (refine/coarse_start.h): two or three factorizations from the end. Smaller charts, and those
 /// that these starts do not serve, from scratch. Throws as that does.
 ChartRefinement refine_chart(const Chart& chart, const Options& options, const GoOn& go_on, const Tuning& tuning = {});

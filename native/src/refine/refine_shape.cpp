@@ -293,7 +293,6 @@ Refinement::Outcome Refinement::search_ball(const TangentSpace& space,
 
 /// A Newton step where the exact Hessian is positive, a step in a ball where it is not or that fails.
 Refinement::Outcome Refinement::take_step() {
-  if (now_.value <= isometric()) return Outcome::converged;  // no step takes off more than all
   Outcome outcome = is_positive_ ? take_newton_step() : Outcome::not_positive;
   is_positive_ = outcome == Outcome::accepted;
   const bool failed = outcome == Outcome::not_positive || outcome == Outcome::rejected;
@@ -302,13 +301,14 @@ Refinement::Outcome Refinement::take_step() {
 }
 
 void Refinement::minimize() {
+  const auto is_isometric = [&] { return now_.value <= isometric(); };  // no step takes off more than all
   Outcome outcome = Outcome::accepted;
-  while (outcome == Outcome::accepted && may_go_on()) {
+  while (outcome == Outcome::accepted && !is_isometric() && may_go_on()) {
     now_.value = objective_.value_and_gradient(now_.uv, gradient_);
     ++iterations_;
     outcome = take_step();
   }
-  converged_ = outcome == Outcome::converged;
+  converged_ = outcome == Outcome::converged || is_isometric();
 }
 
 /// Minimizes, with a stronger barrier as long as triangles are turned over.
