@@ -3,9 +3,9 @@
 // and begun at the rigid shape, as WireWarping++ does for h0.
 #include <benchmark/benchmark.h>
 
+#include "arap/free_boundary_arap.h"
+#include "arap/tutte_embedding.h"
 #include "bench_sheet.h"
-#include "outer/circle_embedding.h"
-#include "outer/free_arap.h"
 #include "outer/warp.h"
 
 namespace wirewarp {
@@ -13,13 +13,13 @@ namespace {
 
 void circle_embedding(benchmark::State& state) {
   const BenchSheet sheet(state);
-  for (auto _ : state) benchmark::DoNotOptimize(embed_on_circle(sheet.chart()));
+  for (auto _ : state) benchmark::DoNotOptimize(tutte_embedding(sheet.chart()));
 }
 
 void free_start(benchmark::State& state) {
   const BenchSheet sheet(state);
   int iterations = 0;
-  for (auto _ : state) iterations = flatten_freely(sheet.chart(), 30).iterations;
+  for (auto _ : state) iterations = free_boundary_arap(sheet.chart(), 30).iterations;
   state.counters["iterations"] = iterations;
 }
 
@@ -29,7 +29,7 @@ void free_start_from_rigid(benchmark::State& state) {
   const auto num_parts = static_cast<Eigen::Index>(sheet.chart().wire_parts.size());
   const Positions2 rigid = warp(Eigen::VectorXd::Zero(num_parts)).uv;
   int iterations = 0;
-  for (auto _ : state) iterations = flatten_freely(sheet.chart(), 30, rigid).iterations;
+  for (auto _ : state) iterations = free_boundary_arap(sheet.chart(), 30, rigid).iterations;
   state.counters["iterations"] = iterations;
 }
 

@@ -5,7 +5,7 @@
 
 #include "bumpy_sheet.h"
 #include "charts/cut_into_charts.h"
-#include "topology/wire_network.h"
+#include "network/wire_network.h"
 
 namespace wirewarp {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "check_input/sentence.h"
+#include "errors/sentence.h"
 #include "feasibility/propose_seams.h"
 #include "mesh/geometry.h"
 
@@ -65,7 +65,7 @@ std::vector<int> small_faces(const Chart& chart) {
   for (const FaceHandle f : chart.mesh.faces()) {
     double longest = 0;
     for (const HalfedgeHandle h : chart.mesh.fh_range(f)) longest = std::max(longest, edge_length(chart.mesh, h));
-    by_height.emplace_back(2 * face_area(chart.mesh, f) / longest, chart.source_face[at(f.idx())]);
+    by_height.emplace_back(2 * face_area(chart.mesh, f) / longest, chart.source_face[f.idx()]);
   }
   std::sort(by_height.begin(), by_height.end());
   std::vector<int> small;

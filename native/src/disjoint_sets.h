@@ -5,8 +5,6 @@
 #include <numeric>
 #include <vector>
 
-#include "index.h"
-
 namespace wirewarp {
 
 /// Disjoint sets with path halving; the smaller index is the root.
@@ -31,13 +29,13 @@ class DisjointSets {
     count = 0;
     for (int i = 0; i < static_cast<int>(parent_.size()); ++i) {
       const int root = find(i);
-      label[at(i)] = root == i ? count++ : label[at(root)];
+      label[i] = root == i ? count++ : label[root];
     }
     return label;
   }
 
  private:
-  int& parent(int i) { return parent_[at(i)]; }
+  int& parent(int i) { return parent_[i]; }
   std::vector<int> parent_;
 };
 

@@ -41,7 +41,7 @@ struct Run {
 };
 
 /// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
-FlattenError explain_infeasible(const Chart& chart, const Run& run, const ChartRefinement& refined,
+FlattenError explain_infeasible(const Chart& chart, const Run& run, const RefineResult& refined,
                                 const std::function<bool()>& go_on) {
   if (refined.was_stopped) return cancelled();
   std::vector<ProposedTolerance> tolerances = propose_tolerances(chart, run.options, refined, go_on, run.tuning);
@@ -79,7 +79,7 @@ void flatten_by_warping(const Chart& chart, const Run& run, const GoOn& go_on, L
   report_solution(solution, layout.report);
   if (!solution.shape.inner.is_feasible) {
     const auto may_go_on = [&] { return go_on(stage); };
-    const ChartRefinement refined_shape = refine_chart(
+    const RefineResult refined_shape = refine_chart(
         chart, run.options, [&](const char*) { return may_go_on(); }, run.tuning);
     if (refined_shape.shape.is_exact && !refined_shape.was_stopped) throw needs_refinement(chart);
     throw explain_infeasible(chart, run, refined_shape, may_go_on);
@@ -96,7 +96,7 @@ void flatten_by_refining(const Chart& chart, const Run& run, const GoOn& go_on, 
   begin_stage(go_on, "start");
   const StageTimer timer(layout.report.seconds, "shape");
   layout.network = build_wire_network(chart);
-  ChartRefinement refined = refine_chart(chart, run.options, go_on, run.tuning);
+  RefineResult refined = refine_chart(chart, run.options, go_on, run.tuning);
   report_refinement(refined, layout.report);
   if (!refined.shape.is_exact) {
     throw explain_infeasible(chart, run, refined, [&] { return go_on("shape"); });
@@ -175,11 +175,11 @@ void pack(const Charts& charts, const Options& options, std::vector<Layout>& lay
 }  // namespace
 
 FlattenResult flatten(const FlattenInput& input, const Options& options, const Progress& progress, Cache* cache) {
-  return flatten_tuned(input, options, {}, progress, cache);
+  return flatten_with(input, options, {}, progress, cache);
 }
 
-FlattenResult flatten_tuned(const FlattenInput& input, const Options& options, const Tuning& tuning,
-                            const Progress& progress, Cache* cache) {
+FlattenResult flatten_with(const FlattenInput& input, const Options& options, const Tuning& tuning,
+                           const Progress& progress, Cache* cache) {
   std::map<std::string, double> seconds;
   FlattenResult result;
   {

@@ -5,8 +5,7 @@
 
 #include "charts/cut_into_charts.h"
 #include "check_input/check_input.h"
-#include "check_input/sentence.h"
-#include "index.h"
+#include "errors/sentence.h"
 #include "metrics/assemble_result.h"
 #include "metrics/lengths.h"
 #include "progress_report.h"
@@ -24,7 +23,7 @@ class FlatCorners {
   FlatCorners(const Chart& chart, const CornerUv& corner_uv) : mesh_(chart.mesh), uv_(mesh_.n_halfedges(), 2) {
     std::vector<int> bad;
     for (const FaceHandle f : mesh_.faces()) {
-      const int source = chart.source_face[at(f.idx())];
+      const int source = chart.source_face[f.idx()];
       if (!(corner_uv.row(source).array().abs() < kCoordinateLimit).all()) bad.push_back(source);
       HalfedgeHandle h = mesh_.halfedge_handle(f);
       for (int k = 0; k < 3; ++k, h = mesh_.next_halfedge_handle(h)) {
@@ -62,7 +61,7 @@ void check_not_torn(const Chart& chart, const FlatCorners& corners) {
   std::set<VertexPair> edges;
   for (const HalfedgeHandle h : chart.mesh.halfedges()) {
     if (!corners.is_torn(h)) continue;
-    vertices.insert(chart.source_vertex[at(chart.mesh.from_vertex_handle(h).idx())]);
+    vertices.insert(chart.source_vertex[chart.mesh.from_vertex_handle(h).idx()]);
     edges.insert(source_edge(chart, h));
   }
   if (edges.empty()) return;

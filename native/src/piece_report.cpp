@@ -17,7 +17,7 @@ void report_solution(const OuterSolution& solution, PieceReport& report) {
   report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
 }
 
-void report_refinement(const ChartRefinement& refined, PieceReport& report) {
+void report_refinement(const RefineResult& refined, PieceReport& report) {
   report.inner_solves = refined.inner.num_solves;
   report.outer_iterations = refined.shape.iterations;
   report.factorizations = refined.shape.factorizations;

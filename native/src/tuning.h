@@ -13,7 +13,7 @@ struct Tuning {
 };
 
 /// flatten() with other figures; the same ones in all runs with one cache.
-FlattenResult flatten_tuned(const FlattenInput& input, const Options& options, const Tuning& tuning,
-                            const Progress& progress = {}, Cache* cache = nullptr);
+FlattenResult flatten_with(const FlattenInput& input, const Options& options, const Tuning& tuning,
+                           const Progress& progress = {}, Cache* cache = nullptr);
 
 }  // namespace wirewarp

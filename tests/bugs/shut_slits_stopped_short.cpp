@@ -6,7 +6,6 @@
 #include <string>
 
 #include "charts/slits.h"
-#include "index.h"
 #include "mesh/geometry.h"
 #include "refine/fair_shape_error.h"
 #include "refine/refine_chart.h"

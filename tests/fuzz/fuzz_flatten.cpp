@@ -129,7 +129,7 @@ void flatten_and_judge(const Asked& asked) {
   int steps = 0;
   const Progress progress = [&](const std::string&, double) { return steps++ < asked.steps_until_cancelled; };
   try {
-    const FlattenResult result = flatten_tuned(asked.input, asked.options, asked.tuning, progress);
+    const FlattenResult result = flatten_with(asked.input, asked.options, asked.tuning, progress);
     demand_none(broken_promises(asked.input, asked.options, result));
     demand_none(doubts_of_measure(asked, result));
   } catch (const FlattenError& error) {

@@ -19,7 +19,7 @@ struct Topology {
 
 Topology topology_of(const Judged& judged, const Piece& piece) {
   Topology topology;
-  const auto position = [&](int v) { return judged.position(piece.source_vertex[at(v)]); };
+  const auto position = [&](int v) { return judged.position(piece.source_vertex[v]); };
   for (const auto& corners : piece.faces.rowwise()) {
     const Eigen::Vector3d a = position(corners[0]);
     topology.area += (position(corners[1]) - a).cross(position(corners[2]) - a).norm() / 2;
@@ -45,7 +45,7 @@ Topology topology_of(const Judged& judged, const Piece& piece) {
 }
 
 void check_named_elements(Judged& judged, int number) {
-  const Piece& piece = judged.result.pieces[at(number)];
+  const Piece& piece = judged.result.pieces[number];
   const ErrorElements& named = piece.error->elements;
   const std::set<int> vertices(piece.source_vertex.begin(), piece.source_vertex.end());
   bool all_here = std::all_of(named.vertices.begin(), named.vertices.end(), [&](int v) { return vertices.count(v); });
@@ -64,8 +64,8 @@ void check_named_elements(Judged& judged, int number) {
 
 /// Proposed tolerances: more than the wires have, on wires that the piece must hold.
 void check_tolerances(Judged& judged, int number) {
-  for (const ProposedTolerance& proposed : judged.result.pieces[at(number)].error->elements.proposed_tolerances) {
-    const Wire& wire = judged.input.wires[at(proposed.wire)];
+  for (const ProposedTolerance& proposed : judged.result.pieces[number].error->elements.proposed_tolerances) {
+    const Wire& wire = judged.input.wires[proposed.wire];
     bool is_inside = false;
     for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
       const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
@@ -102,7 +102,7 @@ bool is_of_mesh(ErrorCode code) {
 }
 
 void check_error(Judged& judged, int number) {
-  const Piece& piece = judged.result.pieces[at(number)];
+  const Piece& piece = judged.result.pieces[number];
   const FlattenError& error = *piece.error;
   for (std::string& fault : faults_of_error(error, judged.input)) judged.say(std::move(fault));
   if (error.has_layout != judged.has_layout(piece)) judged.say("has_layout does not say whether there is a layout");

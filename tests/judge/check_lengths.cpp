@@ -34,7 +34,7 @@ std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire&
     if (i > 0 && begins_part(i)) parts.emplace_back();
     const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
     const Side side = judged.sides().at(edge).front();
-    const Piece& piece = judged.result.pieces[at(piece_at(i))];
+    const Piece& piece = judged.result.pieces[piece_at(i)];
     if (judged.is_outline(edge) || piece.error) continue;  // outlines are checked; failed pieces promise nothing
     parts.back().push_back({judged.length_3d(edge), judged.length_2d(side), kRounding * judged.uv_size(piece)});
   }

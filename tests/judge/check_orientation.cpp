@@ -67,7 +67,7 @@ void check_upright(Judged& judged, const Line& line, const std::string& what) {
 /// One of the longest chains of the outline stands upright. Chains lie on the left of their piece.
 void check_longest_chain(Judged& judged, int number) {
   std::vector<std::pair<double, Line>> chains;  // by length in space
-  for (const BoundaryReport& boundary : judged.result.pieces[at(number)].boundaries) {
+  for (const BoundaryReport& boundary : judged.result.pieces[number].boundaries) {
     Line chain;
     double length = 0;
     for (std::size_t i = 0; i + 1 < boundary.vertices.size(); ++i) {
@@ -89,8 +89,8 @@ void check_longest_chain(Judged& judged, int number) {
 void check_wire_upright(Judged& judged, int piece) {
   const std::vector<Wire>& wires = judged.input.wires;
   const int grain = judged.options.grain;
-  if (grain >= 0 && runs_through(judged, wires[at(grain)], piece)) {
-    return check_upright(judged, uncut_wire(judged, wires[at(grain)], piece), "the grain");
+  if (grain >= 0 && runs_through(judged, wires[grain], piece)) {
+    return check_upright(judged, uncut_wire(judged, wires[grain], piece), "the grain");
   }
   for (const Wire& wire : wires) {
     if (!runs_through(judged, wire, piece)) continue;
@@ -101,7 +101,7 @@ void check_wire_upright(Judged& judged, int piece) {
 
 /// Edges of the outline that head up within 5 degrees, one after the other, are at least as long as any one edge.
 void check_straightest_stretch(Judged& judged, int number) {
-  const Piece& piece = judged.result.pieces[at(number)];
+  const Piece& piece = judged.result.pieces[number];
   double longest_edge = 0;
   std::map<int, Eigen::Vector2d> upright;  // by piece vertex: the edge of the outline that leaves it
   std::map<int, int> next;
@@ -148,7 +148,7 @@ std::optional<Eigen::Vector2d> mean_rise(const Judged& judged, const Piece& piec
 void check_orientation(Judged& judged, int number) {
   if (judged.options.orientation == Orientation::boundary) return check_straightest_stretch(judged, number);
   if (judged.options.orientation == Orientation::up) {
-    const std::optional<Eigen::Vector2d> rise = mean_rise(judged, judged.result.pieces[at(number)]);
+    const std::optional<Eigen::Vector2d> rise = mean_rise(judged, judged.result.pieces[number]);
     if (!rise) return;
     if (rise->norm() > 1.001 * kLevel) {
       const bool is_up = std::abs(rise->x()) <= kRounding * rise->norm() && rise->y() > 0;

@@ -41,9 +41,9 @@ std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const 
   double size = 0;
   const auto place = [&](const Side& side, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     PlanarTriangle& triangle = placed[side.face];
-    triangle[at(side.corner)] = a;
-    triangle[at((side.corner + 1) % 3)] = b;
-    triangle[at((side.corner + 2) % 3)] = place_third(judged, side, a, b);
+    triangle[side.corner] = a;
+    triangle[(side.corner + 1) % 3] = b;
+    triangle[(side.corner + 2) % 3] = place_third(judged, side, a, b);
     for (int k = 0; k < 3; ++k) {
       const Edge edge = edge_of(judged.vertex(side.face, k), judged.vertex(side.face, k + 1));
       size = std::max(size, judged.length_3d(edge));
@@ -56,7 +56,7 @@ std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const 
   while (!front.empty()) {
     const auto [face, corner] = front.top().second;
     front.pop();
-    const Eigen::Vector2d a = placed.at(face)[at(corner)], b = placed.at(face)[at((corner + 1) % 3)];
+    const Eigen::Vector2d a = placed.at(face)[corner], b = placed.at(face)[(corner + 1) % 3];
     for (const Side& other : judged.sides().at(edge_of(judged.vertex(face, corner), judged.vertex(face, corner + 1)))) {
       if (other.face == face) continue;
       const auto known = placed.find(other.face);
@@ -64,8 +64,8 @@ std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const 
         place(other, b, a);
         continue;
       }
-      const double off = std::max((known->second[at(other.corner)] - b).norm(),
-                                  (known->second[at((other.corner + 1) % 3)] - a).norm());
+      const double off =
+          std::max((known->second[other.corner] - b).norm(), (known->second[(other.corner + 1) % 3] - a).norm());
       if (!(off <= kCloses * size)) return std::nullopt;
     }
   }

@@ -24,7 +24,7 @@ void check_corners(Judged& judged, const Piece& piece) {
       const int corner = piece.faces(static_cast<Eigen::Index>(f), k);
       bool found = false;  // the piece may begin the face at another corner
       for (int c = 0; c < 3; ++c) {
-        found = found || (piece.source_vertex[at(corner)] == judged.vertex(face, c) &&
+        found = found || (piece.source_vertex[corner] == judged.vertex(face, c) &&
                           piece.vertices.row(corner) == judged.uv(face, c).transpose());
       }
       if (!found) judged.say("piece and corner_uv differ at face " + std::to_string(face));
@@ -42,12 +42,12 @@ void check_shape(Judged& judged, const Piece& piece) {
   }
   const auto [first, second] = find_overlap(triangles);
   if (first < 0) return;
-  judged.say("faces " + std::to_string(piece.source_face[at(first)]) + " and " +
-             std::to_string(piece.source_face[at(second)]) + " overlap");
+  judged.say("faces " + std::to_string(piece.source_face[first]) + " and " + std::to_string(piece.source_face[second]) +
+             " overlap");
 }
 
 void check_piece(Judged& judged, int number) {
-  const Piece& piece = judged.result.pieces[at(number)];
+  const Piece& piece = judged.result.pieces[number];
   if (judged.has_layout(piece)) check_orientation(judged, number);
   if (piece.error) return check_error(judged, number);
   if (!std::isfinite(judged.uv_size(piece))) {

@@ -4,10 +4,7 @@
 namespace wirewarp::test {
 
 Judged::Judged(const FlattenInput& the_input, const Options& the_options, const FlattenResult& the_result)
-    : input(the_input),
-      options(the_options),
-      result(the_result),
-      piece_of_(at(static_cast<int>(input.faces.rows())), -1) {
+    : input(the_input), options(the_options), result(the_result), piece_of_(input.faces.rows(), -1) {
   for (int f = 0; f < input.faces.rows(); ++f) {
     for (int k = 0; k < 3; ++k) sides_[edge_of(vertex(f, k), vertex(f, k + 1))].push_back({f, k});
   }
@@ -17,7 +14,7 @@ Judged::Judged(const FlattenInput& the_input, const Options& the_options, const 
   }
   for (std::size_t p = 0; p < result.pieces.size(); ++p) {
     for (const int face : result.pieces[p].source_face) {
-      int& owner = piece_of_[at(face)];
+      int& owner = piece_of_[face];
       if (owner >= 0) say("face " + std::to_string(face) + " is in two pieces");
       owner = static_cast<int>(p);
     }
@@ -52,7 +49,7 @@ std::vector<std::array<int, 2>> Judged::outline_of(const Piece& piece) const {
   for (const auto& corners : piece.faces.rowwise()) {
     for (int k = 0; k < 3; ++k) {
       const int a = corners[k], b = corners[(k + 1) % 3];
-      if (is_outline(edge_of(piece.source_vertex[at(a)], piece.source_vertex[at(b)]))) outline.push_back({a, b});
+      if (is_outline(edge_of(piece.source_vertex[a], piece.source_vertex[b]))) outline.push_back({a, b});
     }
   }
   return outline;

@@ -16,8 +16,6 @@ namespace wirewarp::test {
 using Edge = VertexPair;  // the smaller vertex first
 using Sentences = std::vector<std::string>;
 
-inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 inline Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 inline std::string name(const Edge& edge) { return std::to_string(edge[0]) + "-" + std::to_string(edge[1]); }
@@ -56,7 +54,7 @@ class Judged {
 
   /// The sides of an edge that belong to a piece.
   std::vector<Side> sides_in(const Edge& edge, int piece) const;
-  int piece_of(int face) const { return piece_of_[at(face)]; }
+  int piece_of(int face) const { return piece_of_[face]; }
 
   /// The edges of a piece's outline, from and to a piece vertex each, the piece on the left.
   std::vector<std::array<int, 2>> outline_of(const Piece& piece) const;

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "index.h"
 #include "judge.h"
 #include "test_meshes.h"
 
@@ -40,7 +39,7 @@ void write_corners(JudgeCase& spoiled, const Piece& piece) {
     for (int k = 0; k < 3; ++k) {
       const int corner = piece.faces(static_cast<Eigen::Index>(f), k);
       for (int c = 0; c < 3; ++c) {
-        if (spoiled.input.faces(piece.source_face[f], c) != piece.source_vertex[at(corner)]) continue;
+        if (spoiled.input.faces(piece.source_face[f], c) != piece.source_vertex[corner]) continue;
         spoiled.result.corner_uv.block<1, 2>(piece.source_face[f], 2 * c) = piece.vertices.row(corner);
       }
     }
@@ -75,7 +74,7 @@ void expect_demanded(JudgeCase good, const Spoil& spoil, const std::string& sent
 }
 
 void move_vertex(JudgeCase& spoiled, int number, int source_vertex, const Eigen::RowVector2d& by) {
-  Piece& piece = spoiled.result.pieces.at(at(number));
+  Piece& piece = spoiled.result.pieces.at(number);
   const auto found = std::find(piece.source_vertex.begin(), piece.source_vertex.end(), source_vertex);
   ASSERT_NE(found, piece.source_vertex.end());
   piece.vertices.row(found - piece.source_vertex.begin()) += by;
@@ -83,13 +82,13 @@ void move_vertex(JudgeCase& spoiled, int number, int source_vertex, const Eigen:
 }
 
 void move_piece(JudgeCase& spoiled, int number, const Eigen::RowVector2d& by) {
-  Piece& piece = spoiled.result.pieces.at(at(number));
+  Piece& piece = spoiled.result.pieces.at(number);
   piece.vertices.rowwise() += by;
   write_corners(spoiled, piece);
 }
 
 void turn_piece(JudgeCase& spoiled, int number, double angle) {
-  Piece& piece = spoiled.result.pieces.at(at(number));
+  Piece& piece = spoiled.result.pieces.at(number);
   piece.vertices = (piece.vertices * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose()).eval();
   write_corners(spoiled, piece);
 }

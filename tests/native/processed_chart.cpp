@@ -8,14 +8,13 @@
 #include <limits>
 #include <set>
 
-#include "index.h"
 #include "inner/inner_problem.h"
 #include "inner/interior_placement.h"
 #include "inner/wire_layout.h"
 #include "mesh/geometry.h"
+#include "network/wire_network.h"
 #include "test_meshes.h"
 #include "topology/process_topology.h"
-#include "topology/wire_network.h"
 
 namespace wirewarp::test {
 namespace {
@@ -33,17 +32,17 @@ Point area_vector(const std::array<Point, 3>& p) { return ((p[1] - p[0]) % (p[2]
 /// The refined triangles of an input face lie in it, face its way and cover it.
 void expect_same_surface(const Chart& chart, const Chart& refined) {
   ASSERT_EQ(refined.source_face.size(), refined.mesh.n_faces());
-  std::vector<int> chart_face(1 + at(*std::max_element(chart.source_face.begin(), chart.source_face.end())));
-  for (const FaceHandle f : chart.mesh.faces()) chart_face[at(chart.source_face[at(f.idx())])] = f.idx();
+  std::vector<int> chart_face(1 + *std::max_element(chart.source_face.begin(), chart.source_face.end()));
+  for (const FaceHandle f : chart.mesh.faces()) chart_face[chart.source_face[f.idx()]] = f.idx();
   std::vector<double> covered(chart.mesh.n_faces(), 0);
   for (const FaceHandle f : refined.mesh.faces()) {
-    const FaceHandle input(chart_face[at(refined.source_face[at(f.idx())])]);
+    const FaceHandle input(chart_face[refined.source_face[f.idx()]]);
     const auto outer = corners(chart.mesh, input);
     const Point normal = area_vector(outer).normalized();
     const double outer_area = area_vector(outer).norm();
     const auto inner = corners(refined.mesh, f);
     EXPECT_GT(area_vector(inner) | normal, 1e-9 * outer_area) << "a turned or flat triangle";
-    covered[at(input.idx())] += area_vector(inner) | normal;
+    covered[input.idx()] += area_vector(inner) | normal;
     for (const Point& p : inner) {
       EXPECT_LT(std::abs((p - outer[0]) | normal), 1e-12 * std::sqrt(outer_area)) << "off the surface";
       for (std::size_t k = 0; k < 3; ++k) {
@@ -52,7 +51,7 @@ void expect_same_surface(const Chart& chart, const Chart& refined) {
     }
   }
   for (const FaceHandle f : chart.mesh.faces()) {
-    EXPECT_NEAR(covered[at(f.idx())], area_vector(corners(chart.mesh, f)).norm(), 1e-12 * covered[at(f.idx())]);
+    EXPECT_NEAR(covered[f.idx()], area_vector(corners(chart.mesh, f)).norm(), 1e-12 * covered[f.idx()]);
   }
 }
 
@@ -66,8 +65,8 @@ void expect_same_chain(const HalfEdgeMesh& before, const HalfEdgeMesh& after, co
 void expect_own_parts_kept(const Chart& chart, const Chart& refined) {
   ASSERT_GE(refined.mesh.n_vertices(), chart.mesh.n_vertices());
   for (const VertexHandle v : refined.mesh.vertices()) {
-    const bool is_own = at(v.idx()) < chart.mesh.n_vertices();
-    EXPECT_EQ(refined.source_vertex[at(v.idx())], is_own ? chart.source_vertex[at(v.idx())] : -1);
+    const bool is_own = static_cast<std::size_t>(v.idx()) < chart.mesh.n_vertices();
+    EXPECT_EQ(refined.source_vertex[v.idx()], is_own ? chart.source_vertex[v.idx()] : -1);
     if (is_own) {
       EXPECT_EQ(refined.mesh.point(v), chart.mesh.point(v));
     }

@@ -8,7 +8,6 @@
 #include <sstream>
 #include <vector>
 
-#include "index.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test {
@@ -35,8 +34,8 @@ FlattenInput read_obj(std::istream& file) {
   FlattenInput input;
   input.vertices.resize(static_cast<Eigen::Index>(vertices.size()), 3);
   input.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
-  for (int v = 0; v < input.vertices.rows(); ++v) input.vertices.row(v) = vertices[at(v)];
-  for (int f = 0; f < input.faces.rows(); ++f) input.faces.row(f) << faces[at(f)][0], faces[at(f)][1], faces[at(f)][2];
+  for (int v = 0; v < input.vertices.rows(); ++v) input.vertices.row(v) = vertices[v];
+  for (int f = 0; f < input.faces.rows(); ++f) input.faces.row(f) << faces[f][0], faces[f][1], faces[f][2];
   return input;
 }
 

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "outer/active_set_bfgs.h"
+#include "optimize/active_set_bfgs.h"
+#include "optimize/box_quadratic.h"
 
 namespace wirewarp {
 namespace {
@@ -21,7 +22,7 @@ TEST(ActiveSetBfgs, ModelMinimumSatisfiesTheOptimalityConditions) {
     for (double& x : root.reshaped()) x = normal(random);
     for (double& x : g) x = normal(random);
     const Eigen::MatrixXd b = root * root.transpose() + 0.1 * Eigen::MatrixXd::Identity(n, n);
-    const Eigen::VectorXd d = minimize_model_in_box(g, b, constant(n, -0.1), constant(n, 0.2));
+    const Eigen::VectorXd d = minimize_quadratic_in_box(g, b, constant(n, -0.1), constant(n, 0.2));
     const Eigen::VectorXd slope = g + b * d;
     for (int i = 0; i < n; ++i) {
       ASSERT_GE(d[i], -0.1);
@@ -40,7 +41,7 @@ TEST(ActiveSetBfgs, TheModelGoesDownWhereItHasNoCholeskyFactor) {
   const Eigen::Matrix2d flat = Eigen::Matrix2d::Ones();
   ASSERT_NE(flat.llt().info(), Eigen::Success);
   const Eigen::Vector2d g(-1, -1);
-  const Eigen::VectorXd d = minimize_model_in_box(g, flat, constant(2, -2), constant(2, 2));
+  const Eigen::VectorXd d = minimize_quadratic_in_box(g, flat, constant(2, -2), constant(2, 2));
   EXPECT_NEAR(g.dot(d) + d.dot(flat * d) / 2, -0.5, 1e-6);
 }
 

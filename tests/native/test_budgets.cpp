@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "arap/free_boundary_arap.h"
 #include "count_allocations.h"
 #include "count_fronts.h"
-#include "outer/free_arap.h"
 #include "outer/warp.h"
 #include "refine/newton_system.h"
 #include "refine/refine_shape.h"
@@ -33,7 +33,7 @@ int allocations_of(const Work& work) {
 }
 
 struct SheetToFlatten {
-  explicit SheetToFlatten(int n) : charts(test::charts_of(sheet(n))), uv(flatten_freely(chart(), 30).uv) {}
+  explicit SheetToFlatten(int n) : charts(test::charts_of(sheet(n))), uv(free_boundary_arap(chart(), 30).uv) {}
   const Chart& chart() const { return charts.charts.at(0); }
 
   Charts charts;
@@ -96,7 +96,7 @@ RefinementCost cost_of_refinement(const FlattenInput& input) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
   const WireNetwork network = build_held_network(chart);
-  const Positions2 start = flatten_freely(chart, 30).uv;
+  const Positions2 start = free_boundary_arap(chart, 30).uv;
   const FrontCounts before = count_fronts();
   const RefinedShape shape = refine_shape(chart, network, 0.1, start, {100, [] { return true; }});
   const FrontCounts after = count_fronts();

@@ -208,9 +208,9 @@ TEST(MultifrontalCholesky, PartialSolvesEqualTheFullOne) {
   Eigen::MatrixXd expected = b;
   cholesky.solve_in_place(expected);
 
-  const auto to_line = cholesky.branches_to(line), to_block = cholesky.branches_to(block);
+  const auto to_line = cholesky.fronts_reaching(line), to_block = cholesky.fronts_reaching(block);
   const auto off_block = cholesky.others(to_block);
-  const auto num_visited = [](const MultifrontalCholesky::Branches& branches) {
+  const auto num_visited = [](const MultifrontalCholesky::FrontSet& branches) {
     return branches.shares[0].size() + branches.shares[1].size() + branches.last.size();
   };
   EXPECT_EQ(num_visited(to_block) + num_visited(off_block), num_visited(cholesky.all()));

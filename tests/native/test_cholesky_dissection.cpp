@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cholesky/cut_cover.h"
+#include "cholesky/vertex_separator.h"
 #include "cholesky_problems.h"
 
 namespace wirewarp {
@@ -114,7 +114,7 @@ TEST(NestedDissection, PiecesShareNoSeparator) {
   }
 }
 
-TEST(CutCover, IsTheSmallest) {
+TEST(VertexSeparator, IsTheSmallest) {
   constexpr int kHalf = 6;
   std::mt19937 random(3);
   for (int trial = 0; trial < 50; ++trial) {
@@ -142,7 +142,7 @@ TEST(CutCover, IsTheSmallest) {
       if (side[index_of(v)] != Side::outside) cut.push_back(v);
     }
     const Graph graph = graph_of(2 * kHalf, edges);
-    CutCover(graph).separate(cut, side);
+    VertexSeparator(graph).separate(cut, side);
     unsigned separator = 0;
     for (int v = 0; v < 2 * kHalf; ++v) separator |= (side[index_of(v)] == Side::separator ? 1u : 0u) << v;
     EXPECT_TRUE(covers_all(separator));

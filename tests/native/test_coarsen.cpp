@@ -13,7 +13,7 @@
 #include "coarsen/prolong.h"
 #include "mesh/edge_table.h"
 #include "mesh/geometry.h"
-#include "pi.h"
+#include "planar.h"
 #include "refine/coarse_start.h"
 #include "refine/refine_chart.h"
 #include "test_meshes.h"
@@ -62,7 +62,7 @@ struct Coarse {
     return {p[0], p[1], p[2]};
   }
   Eigen::Vector3d placed(int v) const {
-    const CoarsePlace& place = coarse.places[at(v)];
+    const CoarsePlace& place = coarse.places[v];
     Eigen::Vector3d sum(0, 0, 0);
     for (int k = 0; k < 3; ++k) sum += place.weights[k] * coarse_point(place.vertices[k]);
     return sum;
@@ -95,10 +95,11 @@ TEST(Coarsen, WireVerticesStayOnTheirWires) {
   const Coarse c(input);
   ASSERT_EQ(c.coarse.chart.wire_parts.size(), c.chart.wire_parts.size());
   for (std::size_t w = 0; w < input.wires.size(); ++w) {
-    std::vector<int> left{c.coarse.chart.source_vertex[at(
-        c.coarse.chart.mesh.from_vertex_handle(c.coarse.chart.wire_parts[w].half_edges.front()).idx())]};
+    std::vector<int> left{
+        c.coarse.chart.source_vertex
+            [c.coarse.chart.mesh.from_vertex_handle(c.coarse.chart.wire_parts[w].half_edges.front()).idx()]};
     for (const HalfedgeHandle h : c.coarse.chart.wire_parts[w].half_edges) {
-      left.push_back(c.coarse.chart.source_vertex[at(c.coarse.chart.mesh.to_vertex_handle(h).idx())]);
+      left.push_back(c.coarse.chart.source_vertex[c.coarse.chart.mesh.to_vertex_handle(h).idx()]);
     }
     const std::vector<int>& wire = input.wires[w].vertices;
     EXPECT_EQ(left.front(), wire.front());
@@ -129,7 +130,7 @@ TEST(Coarsen, RunsShareOutAllFineEdgesAndTheirLength) {
   double walked = 0, total = 0;
   for (const WireRun& run : c.coarse.runs) {
     walked += run.walked_length;
-    for (const WireHalfEdge h : run.half_edges) ++count[at(h.edge)];
+    for (const WireHalfEdge h : run.half_edges) ++count[h.edge];
   }
   for (const WireEdge& edge : c.network.edges) total += edge.length;
   EXPECT_EQ(std::count(count.begin(), count.end(), 1), static_cast<std::ptrdiff_t>(count.size()));
@@ -182,7 +183,7 @@ TEST(Coarsen, EveryVertexHasAPlaceInAFace) {
   const int n = 40;
   const Coarse c(with_cross(jittered_grid(n, 0.3, dome), n));
   for (int v = 0; v < static_cast<int>(c.chart.mesh.n_vertices()); ++v) {
-    const CoarsePlace& place = c.coarse.places[at(v)];
+    const CoarsePlace& place = c.coarse.places[v];
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
       ASSERT_GE(place.vertices[k], 0);
@@ -259,7 +260,7 @@ TEST(Prolong, FollowsQuadraticMaps) {
   const Positions2 uv = interpolate(c.chart, c.coarse, coarse_uv);
   double error = 0, linear = 0;
   for (const VertexHandle v : c.chart.mesh.vertices()) {
-    const CoarsePlace& place = c.coarse.places[at(v.idx())];
+    const CoarsePlace& place = c.coarse.places[v.idx()];
     if ((c.fine_point(v.idx()) - Eigen::Vector3d(1, 1, 0)).cwiseAbs().maxCoeff() > 0.8) continue;  // one-sided Jᵢ
     Eigen::RowVector2d flat_place(0, 0);
     for (int k = 0; k < 3; ++k) flat_place += place.weights[k] * coarse_uv.row(place.vertices[k]);
@@ -317,8 +318,7 @@ TEST(CoarseStart, LargeChartsTakeThreeFactorizationsAtMost) {
   const int n = 104;  // 21,632 faces
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
   int asked = 0;
-  const ChartRefinement refined =
-      refine_chart(charts.charts.at(0), Options{}, [&](const char*) { return ++asked > 0; });
+  const RefineResult refined = refine_chart(charts.charts.at(0), Options{}, [&](const char*) { return ++asked > 0; });
   EXPECT_TRUE(refined.shape.converged);
   EXPECT_LE(refined.shape.factorizations, 3);
   EXPECT_GE(asked, refined.shape.factorizations);
@@ -336,7 +336,7 @@ TEST(CoarseStart, StopsWhenAsked) {
   bool was_exact = false;
   for (int last = 0; last < asked; ++last) {  // in the coarse chart, too
     int count = 0;
-    const ChartRefinement stopped = refine_chart(
+    const RefineResult stopped = refine_chart(
         charts.charts.at(0), options, [&](const char*) { return ++count <= last; }, all);
     EXPECT_TRUE(stopped.was_stopped);
     EXPECT_EQ(count, last + 1);

@@ -36,7 +36,7 @@ struct OrderedNetwork {
 
 std::vector<int> places_of(const std::vector<int>& order) {
   std::vector<int> place(order.size(), -1);
-  for (std::size_t i = 0; i < order.size(); ++i) place.at(at(order[i])) = static_cast<int>(i);
+  for (std::size_t i = 0; i < order.size(); ++i) place.at(order[i]) = static_cast<int>(i);
   return place;
 }
 
@@ -45,8 +45,8 @@ long fill_of(const Eq1& eq1, const std::vector<int>& order) {
   const std::vector<int> place = places_of(order);
   std::vector<std::vector<int>> earlier(order.size());
   const auto couple = [&](int a, int b) {
-    const auto [first, last] = std::minmax({place[at(a)], place[at(b)]});
-    if (first < last) earlier[at(last)].push_back(first);
+    const auto [first, last] = std::minmax({place[a], place[b]});
+    if (first < last) earlier[last].push_back(first);
   };
   for (int e = 0; e < eq1.num_edges(); ++e) {
     for (Eigen::SparseMatrix<double>::InnerIterator it(eq1.laplacian(), e); it; ++it) {
@@ -59,12 +59,12 @@ long fill_of(const Eq1& eq1, const std::vector<int>& order) {
   std::vector<int> parent(order.size(), -1), seen(order.size(), -1);  // in the elimination tree
   long fill = 0;
   for (int k = 0; k < static_cast<int>(order.size()); ++k) {
-    seen[at(k)] = k;
-    for (int i : earlier[at(k)]) {
-      for (; seen[at(i)] != k; i = parent[at(i)]) {
-        seen[at(i)] = k;
+    seen[k] = k;
+    for (int i : earlier[k]) {
+      for (; seen[i] != k; i = parent[i]) {
+        seen[i] = k;
         ++fill;
-        if (parent[at(i)] == -1) parent[at(i)] = k;
+        if (parent[i] == -1) parent[i] = k;
       }
     }
   }
@@ -104,8 +104,8 @@ TEST(EliminationOrder, HasEachUnknownOnce) {
     const OrderedNetwork ordered(input);
     std::vector<int> sorted = ordered.order;
     std::sort(sorted.begin(), sorted.end());
-    ASSERT_EQ(sorted.size(), at(ordered.eq1.num_edges() + ordered.eq1.num_closures()));
-    for (int i = 0; i < static_cast<int>(sorted.size()); ++i) EXPECT_EQ(sorted[at(i)], i);
+    ASSERT_EQ(sorted.size(), static_cast<std::size_t>(ordered.eq1.num_edges() + ordered.eq1.num_closures()));
+    for (int i = 0; i < static_cast<int>(sorted.size()); ++i) EXPECT_EQ(sorted[i], i);
   }
 }
 
@@ -114,7 +114,7 @@ TEST(EliminationOrder, ClosuresComeAfterTheirEdges) {
     const OrderedNetwork ordered(input);
     const std::vector<int> place = places_of(ordered.order);
     for (int row = 0; row < ordered.eq1.num_closures(); ++row) {
-      for (int e : ordered.eq1.loop_edges(row / 2)) EXPECT_LT(place[at(e)], place[at(ordered.eq1.num_edges() + row)]);
+      for (int e : ordered.eq1.loop_edges(row / 2)) EXPECT_LT(place[e], place[ordered.eq1.num_edges() + row]);
     }
   }
 }

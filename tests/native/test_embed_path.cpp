@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/geometry.h"
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 #include "topology/embed_path.h"
 #include "topology/straightest_geodesic.h"
@@ -47,7 +47,7 @@ TEST(EmbedPath, EachCrossingAddsAVertexAndTwoTriangles) {
   for (const PathPoint& point : *path) num_crossings += point.is_vertex() ? 0 : 1;
   ASSERT_GT(num_crossings, 3u);
 
-  RefinedChart refined(plate.chart);
+  SplitChart refined(plate.chart);
   const HalfEdgeChain chain = embed_path(refined, *path);
   const HalfEdgeMesh& mesh = refined.chart.mesh;
   EXPECT_EQ(mesh.n_vertices(), plate.chart.mesh.n_vertices() + num_crossings);
@@ -74,7 +74,7 @@ TEST(EmbedPath, APathNearAVertexRunsThroughIt) {
   const auto path = snap_to_vertices(plate.chart.mesh, WireMask(plate.chart), plate.trace(1, 4, 0.005));
   ASSERT_TRUE(path);
   ASSERT_EQ(path->size(), 6u);
-  for (int i = 0; i < 6; ++i) EXPECT_EQ((*path)[at(i)].vertex, plate.vertex(1 + i, 4)) << "no crossing is left";
+  for (int i = 0; i < 6; ++i) EXPECT_EQ((*path)[i].vertex, plate.vertex(1 + i, 4)) << "no crossing is left";
 }
 
 TEST(EmbedPath, APathThatIsAWireAlreadyGoesNowhere) {
@@ -85,7 +85,7 @@ TEST(EmbedPath, APathThatIsAWireAlreadyGoesNowhere) {
 
 TEST(EmbedPath, LaterPathsSeeEarlierOnesAsWires) {
   const Plate plate;
-  RefinedChart refined(plate.chart);
+  SplitChart refined(plate.chart);
   const auto first = snap_to_vertices(plate.chart.mesh, refined.wires, plate.trace(2, 4, 0.4));
   add_helper_wire(refined, embed_path(refined, *first));
 
@@ -103,7 +103,7 @@ TEST(EmbedPath, LaterPathsSeeEarlierOnesAsWires) {
 
 TEST(EmbedPath, DelaunayFlipsStayInsideOneInputFace) {
   const Plate plate;
-  RefinedChart refined(plate.chart);
+  SplitChart refined(plate.chart);
   const auto path = snap_to_vertices(plate.chart.mesh, refined.wires, plate.trace(2, 4, 0.4));
   add_helper_wire(refined, embed_path(refined, *path));
   restore_delaunay(refined);
@@ -115,7 +115,7 @@ TEST(EmbedPath, DelaunayFlipsStayInsideOneInputFace) {
     const auto a = mesh.point(mesh.from_vertex_handle(h));
     const auto b = mesh.point(mesh.to_vertex_handle(h));
     const auto c = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)));
-    face_area[at(refined.chart.source_face[at(f.idx())])] += ((b - a) % (c - a))[2] / 2;
+    face_area[refined.chart.source_face[f.idx()]] += ((b - a) % (c - a))[2] / 2;
   }
   for (const double a : face_area) EXPECT_NEAR(a, 0.5, 1e-14);
 }
@@ -124,7 +124,7 @@ TEST(EmbedPath, InsideAnInputFaceTheTrianglesAreDelaunay) {
   const Plate plate;
   for (const double angle : {0.4, 1.2, 2.5, 4.0, 5.5}) {
     const auto path = snap_to_vertices(plate.chart.mesh, WireMask(plate.chart), plate.trace(3, 4, angle));
-    RefinedChart one(plate.chart);
+    SplitChart one(plate.chart);
     add_helper_wire(one, embed_path(one, *path));
     restore_delaunay(one);
     for (const EdgeHandle e : one.chart.mesh.edges()) {
@@ -133,7 +133,7 @@ TEST(EmbedPath, InsideAnInputFaceTheTrianglesAreDelaunay) {
       if (one.wires.has(e)) continue;
       const FaceHandle f = one.chart.mesh.face_handle(h);
       const FaceHandle g = one.chart.mesh.face_handle(o);
-      if (one.chart.source_face[at(f.idx())] != one.chart.source_face[at(g.idx())]) continue;
+      if (one.chart.source_face[f.idx()] != one.chart.source_face[g.idx()]) continue;
       const double opposite_angles = corner_angle(one.chart.mesh, one.chart.mesh.prev_halfedge_handle(h)) +
                                      corner_angle(one.chart.mesh, one.chart.mesh.prev_halfedge_handle(o));
       EXPECT_LT(opposite_angles, kPi + 1e-6);

@@ -8,7 +8,7 @@
 #include "inner/eq1.h"
 #include "inner/kkt_system.h"
 #include "inner/linear_angle_constraints.h"
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "chart_errors.h"
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "judge.h"
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp {

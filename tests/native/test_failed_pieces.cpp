@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "index.h"
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -33,9 +32,9 @@ void expect_no_figures(const FlattenInput& input, const Piece& piece) {
   for (int f = 0; f < num_faces; ++f) {
     std::array<Eigen::Vector3d, 3> corner;
     for (int k = 0; k < 3; ++k) {
-      const int v = input.faces(piece.source_face[at(f)], k);
-      EXPECT_EQ(piece.source_vertex[at(piece.faces(f, k))], v);
-      corner[at(k)] = input.vertices.row(v);
+      const int v = input.faces(piece.source_face[f], k);
+      EXPECT_EQ(piece.source_vertex[piece.faces(f, k)], v);
+      corner[k] = input.vertices.row(v);
     }
     area += (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm() / 2;
   }

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp {

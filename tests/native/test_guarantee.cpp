@@ -7,7 +7,7 @@
 
 #include "metrics/guarantee.h"
 #include "metrics/metrics.h"
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp {

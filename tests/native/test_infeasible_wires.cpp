@@ -7,13 +7,12 @@
 #include <cmath>
 #include <random>
 
-#include "index.h"
+#include "arap/free_boundary_arap.h"
 #include "mesh/edge_table.h"
-#include "outer/free_arap.h"
-#include "pi.h"
-#include "refine/loose_lengths.h"
+#include "planar.h"
+#include "refine/project_to_lengths.h"
 #include "refine/refine_chart.h"
-#include "refine/tighten_lengths.h"
+#include "refine/relax_lengths.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -61,8 +60,8 @@ void expect_mended(FlattenInput input) {
   ASSERT_FALSE(proposed.empty());
   EXPECT_FALSE(refused.error->elements.edges.empty());
   for (const ProposedTolerance& p : proposed) {
-    EXPECT_GT(p.tolerance, input.wires.at(at(p.wire)).tolerance);
-    input.wires.at(at(p.wire)).tolerance = p.tolerance;
+    EXPECT_GT(p.tolerance, input.wires.at(p.wire).tolerance);
+    input.wires.at(p.wire).tolerance = p.tolerance;
   }
   const Piece mended = flatten(input).pieces.at(0);
   EXPECT_TRUE(has_exact_lengths(mended)) << mended.error->what();
@@ -88,7 +87,7 @@ TEST(InfeasibleWires, ANetThatIsDenseAllOverGetsOneToleranceThatDoes) {
   ASSERT_FALSE(refused.error->elements.proposed_tolerances.empty());
   for (const ProposedTolerance& p : refused.error->elements.proposed_tolerances) {
     EXPECT_LT(p.tolerance, 0.1);  // sides and diagonals of squares inclined by up to 0.2 π
-    input.wires.at(at(p.wire)).tolerance = p.tolerance;
+    input.wires.at(p.wire).tolerance = p.tolerance;
   }
   Options brief;
   brief.max_factorizations = kExactLengthsFactorizations;
@@ -111,7 +110,7 @@ TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
   const Piece piece = flatten(input).pieces.at(0);
   for (const ProposedTolerance& p : piece.error->elements.proposed_tolerances) {
     EXPECT_LE(p.tolerance, 0.2);
-    for (const int v : input.wires[at(p.wire)].vertices) {
+    for (const int v : input.wires[p.wire].vertices) {
       EXPECT_LT((input.vertices.row(v) - Eigen::RowVector3d(0.5, 0.5, 0)).norm(), 0.2 + 2 * std::sqrt(2) / n);
     }
   }
@@ -161,14 +160,14 @@ TEST(LooseLengths, NobodyPaysWhereLengthsCanBeKept) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
   const WireNetwork network = build_held_network(chart);
-  LooseShape loose = loosen_lengths(chart, network, 0.1, flatten_freely(chart, 30).uv, [] { return true; });
-  EXPECT_LT(loose.excess.maxCoeff(), 1e-4);  // the last smoothing
-  EXPECT_LT(loose.unevenness.maxCoeff(), 1e-4);
+  RelaxedShape loose = relax_lengths(chart, network, 0.1, free_boundary_arap(chart, 30).uv, [] { return true; });
+  EXPECT_LT(loose.tolerance_violation.maxCoeff(), 1e-4);  // the last smoothing
+  EXPECT_LT(loose.strain_rms.maxCoeff(), 1e-4);
   EXPECT_LT(loose.boundary_strain, 1e-4);
   const Positions2 untouched = loose.uv;
-  EXPECT_FALSE(tighten_lengths(chart, network, 0.1, loose.uv, [] { return false; }));
+  EXPECT_FALSE(project_to_lengths(chart, network, 0.1, loose.uv, [] { return false; }));
   EXPECT_EQ((loose.uv - untouched).norm(), 0);
-  EXPECT_TRUE(tighten_lengths(chart, network, 0.1, loose.uv, [] { return true; }));
+  EXPECT_TRUE(project_to_lengths(chart, network, 0.1, loose.uv, [] { return true; }));
   for (const WireEdge& edge : network.edges) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
     const double length =
@@ -181,21 +180,21 @@ TEST(LooseLengths, NobodyPaysWhereLengthsCanBeKept) {
 TEST(LooseLengths, ToleranceOfSingleEdgesIsFreeOfCharge) {
   // Wires of one edge that may change by a half: nobody pays but the fair shape.
   FlattenInput input = test::saddle(6, 0.4);
-  const Positions2 free = flatten_freely(test::charts_of(input).charts.at(0), 30).uv;
+  const Positions2 free = free_boundary_arap(test::charts_of(input).charts.at(0), 30).uv;
   add_edges_as_wires(input, [](const Eigen::Vector3d&) { return true; });
   for (Wire& wire : input.wires) wire.tolerance = 0.5;
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const LooseShape loose = loosen_lengths(chart, build_held_network(chart), 0.1, free, [] { return true; });
-  EXPECT_EQ(loose.excess.maxCoeff(), 0);
+  const RelaxedShape loose = relax_lengths(chart, build_held_network(chart), 0.1, free, [] { return true; });
+  EXPECT_EQ(loose.tolerance_violation.maxCoeff(), 0);
   EXPECT_LT(loose.boundary_strain, 1e-4);  // the last smoothing
 }
 
 TEST(LooseLengths, StopsWhenAsked) {
   const Charts charts = test::charts_of(test::quarter_sphere(4));
   const Chart& chart = charts.charts.at(0);
-  const Positions2 start = flatten_freely(chart, 30).uv;
-  const LooseShape loose = loosen_lengths(chart, build_held_network(chart), 0.1, start, [] { return false; });
+  const Positions2 start = free_boundary_arap(chart, 30).uv;
+  const RelaxedShape loose = relax_lengths(chart, build_held_network(chart), 0.1, start, [] { return false; });
   EXPECT_EQ(loose.factorizations, 0);
   EXPECT_EQ((loose.uv - start).norm(), 0);
 }
@@ -212,7 +211,7 @@ TEST(InfeasibleWires, ThePapersMethodsProposeWhatTheRefinedOneKeeps) {
     ASSERT_FALSE(refused.error->elements.proposed_tolerances.empty());
     FlattenInput looser = input;
     for (const ProposedTolerance& p : refused.error->elements.proposed_tolerances) {
-      looser.wires.at(at(p.wire)).tolerance = p.tolerance;
+      looser.wires.at(p.wire).tolerance = p.tolerance;
     }
     const Piece mended = flatten(looser).pieces.at(0);
     EXPECT_TRUE(has_exact_lengths(mended)) << mended.error->what();

@@ -137,7 +137,7 @@ TEST(InnerProblem, TubesReachTheirMinimum) {
 }
 
 TEST(InnerProblem, LeavesASaddleThatIsSymmetricInManyWays) {
-  // A square tube: the turn that lowers Eq. (1) is hardly part of the network's handedness.
+  // A square tube: the turn that lowers Eq. (1) is hardly part of the network's symmetry_breaker.
   const FlattenInput tube = test::make_tube(20, 2, [](double s, double t) {
     const int side = static_cast<int>(std::floor(4 * s + 1e-9)) % 4;
     const double along = 4 * s - side;

@@ -9,7 +9,7 @@
 
 #include "inner/interior_placement.h"
 #include "inner/mean_value.h"
-#include "pi.h"
+#include "planar.h"
 
 namespace wirewarp {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "judge.h"
 #include "judge_case.h"
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "metrics/lengths.h"
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp {

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "charts/cut_into_charts.h"
-#include "index.h"
-#include "pi.h"
+#include "planar.h"
 
 namespace wirewarp::test {
 namespace {
@@ -102,13 +101,13 @@ void add_wire(FlattenInput& input, const std::vector<int>& chain, double toleran
 
 FlattenInput keep_faces(const FlattenInput& input, const std::function<bool(const Eigen::Vector3d&)>& keep) {
   std::vector<int> kept;
-  std::vector<int> new_index(at(static_cast<int>(input.vertices.rows())), -1);
+  std::vector<int> new_index(input.vertices.rows(), -1);
   for (int f = 0; f < input.faces.rows(); ++f) {
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
     for (int k = 0; k < 3; ++k) centroid += input.vertices.row(input.faces(f, k)) / 3;
     if (!keep(centroid)) continue;
     kept.push_back(f);
-    for (int k = 0; k < 3; ++k) new_index[at(input.faces(f, k))] = 0;
+    for (int k = 0; k < 3; ++k) new_index[input.faces(f, k)] = 0;
   }
   int count = 0;
   for (int& index : new_index) {
@@ -117,11 +116,11 @@ FlattenInput keep_faces(const FlattenInput& input, const std::function<bool(cons
   FlattenInput result;
   result.vertices.resize(count, 3);
   for (int v = 0; v < input.vertices.rows(); ++v) {
-    if (new_index[at(v)] >= 0) result.vertices.row(new_index[at(v)]) = input.vertices.row(v);
+    if (new_index[v] >= 0) result.vertices.row(new_index[v]) = input.vertices.row(v);
   }
   result.faces.resize(static_cast<Eigen::Index>(kept.size()), 3);
   for (int f = 0; f < result.faces.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) result.faces(f, k) = new_index[at(input.faces(kept[at(f)], k))];
+    for (int k = 0; k < 3; ++k) result.faces(f, k) = new_index[input.faces(kept[f], k)];
   }
   return result;
 }

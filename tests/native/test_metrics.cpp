@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "metrics/metrics.h"
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp {

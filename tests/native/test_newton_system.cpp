@@ -7,11 +7,11 @@
 #include <limits>
 #include <random>
 
+#include "arap/free_boundary_arap.h"
 #include "dense_algebra.h"
-#include "outer/free_arap.h"
 #include "refine/newton_system.h"
 #include "refine/refine_shape.h"
-#include "refine/restore_lengths.h"
+#include "refine/retract_to_lengths.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -73,7 +73,7 @@ class NewtonSystemOnASaddle : public testing::Test {
   const WireNetwork network = build_held_network(chart);
   const LengthConstraints constraints{chart, network};
   FairShapeError objective{chart, network, 0.1};
-  const Positions2 uv = flatten_freely(chart, 30).uv;
+  const Positions2 uv = free_boundary_arap(chart, 30).uv;
   NewtonSystem system{chart, objective, constraints, uv};
   const int num_unknowns = static_cast<int>(uv.size());
   const Convexity convex{Curvature::convex, false}, exact{Curvature::exact, true};
@@ -239,10 +239,10 @@ TEST_F(NewtonSystemOnASaddle, LengthsAreRestoredFromNearbyAndNotFromFarAway) {
   const Eigen::Vector2d h(0.01, -0.02);
   const Positions2 noise = as_positions(random_vector(num_unknowns, 3));
   Positions2 near = uv + 1e-3 * noise;
-  EXPECT_TRUE(restore_lengths(constraints, system, h, near));
+  EXPECT_TRUE(retract_to_lengths(constraints, system, h, near));
   EXPECT_LT(constraints.largest_error(constraints.residual(near, h)), 1e-12);
   Positions2 far = uv + 2 * noise;
-  EXPECT_FALSE(restore_lengths(constraints, system, h, far));
+  EXPECT_FALSE(retract_to_lengths(constraints, system, h, far));
 }
 
 }  // namespace

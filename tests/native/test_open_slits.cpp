@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "charts/slits.h"
-#include "index.h"
 #include "refine/refine_chart.h"
 #include "test_meshes.h"
 
@@ -44,7 +43,7 @@ double gap(const Chart& chart, const Slit& slit, const Positions2& uv) {
   double largest = 0;
   for (std::size_t i = 0; i < slit.rims.size(); ++i) {
     const int one = chart.mesh.from_vertex_handle(slit.rims[i]).idx();
-    const int other = chart.mesh.to_vertex_handle(slit.rims[at(slit.mate[i])]).idx();
+    const int other = chart.mesh.to_vertex_handle(slit.rims[slit.mate[i]]).idx();
     largest = std::max(largest, (uv.row(one) - uv.row(other)).norm());
   }
   return largest;

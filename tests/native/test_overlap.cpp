@@ -5,7 +5,7 @@
 #include <random>
 
 #include "mesh/overlap.h"
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "mesh/geometry.h"
-#include "pi.h"
+#include "planar.h"
 #include "processed_chart.h"
 #include "test_meshes.h"
 #include "topology/process_topology.h"

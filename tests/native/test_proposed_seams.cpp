@@ -13,8 +13,7 @@
 #include "charts/chart_faults.h"
 #include "feasibility/cut_to_disk.h"
 #include "feasibility/isoperimetric.h"
-#include "index.h"
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -280,7 +279,7 @@ TEST(Isoperimetric, SharesOfKnownShapes) {
   const auto share = [](const FlattenInput& input) {
     const Charts charts = test::charts_of(input);
     const HalfEdgeMesh& mesh = charts.charts[0].mesh;
-    return attainable_share(outlines_after(mesh, CutMask(mesh.n_edges(), 0)).at(0));
+    return isoperimetric_ratio(outlines_after(mesh, CutMask(mesh.n_edges(), 0)).at(0));
   };
   EXPECT_NEAR(share(test::flat_rectangle(3, 3, 1, 1)), 16 / (4 * kPi), 1e-12);
   EXPECT_NEAR(share(cap(200, 100, 1e-6, kPi / 2)), 0.5, 1e-3);                 // (2 pi)^2 / 4 pi over 2 pi

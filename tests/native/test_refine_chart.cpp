@@ -7,11 +7,10 @@
 #include <cmath>
 #include <string>
 
+#include "arap/free_boundary_arap.h"
 #include "count_fronts.h"
-#include "index.h"
 #include "mesh/edge_table.h"
-#include "outer/free_arap.h"
-#include "pi.h"
+#include "planar.h"
 #include "refine/refine_chart.h"
 #include "test_meshes.h"
 
@@ -34,7 +33,7 @@ int factorizations_of_first_starts(const Chart& chart) {
   const auto refine = [](const Chart& on, const Positions2& start, int most) {
     return refine_shape(on, build_held_network(on), Options{}.fairness, start, {most, [] { return true; }});
   };
-  const Positions2 free = flatten_freely(chart, kFreeSteps).uv;
+  const Positions2 free = free_boundary_arap(chart, kFreeSteps).uv;
   Chart loose = chart;
   for (WirePart& part : loose.wire_parts) {
     if (part.kind == WireKind::elastic) part.kind = WireKind::super_elastic;
@@ -48,7 +47,7 @@ TEST(RefineChart, CountsStartsThatFail) {
   const Charts charts = test::charts_of(saddle_of_wires(1e-4));
   const Chart& chart = charts.charts.at(0);
   Options options;
-  const ChartRefinement whole = refine_chart(chart, options, [](const char*) { return true; });
+  const RefineResult whole = refine_chart(chart, options, [](const char*) { return true; });
   ASSERT_FALSE(whole.shape.is_exact || whole.inner.is_feasible);
   EXPECT_EQ(whole.shape.factorizations, factorizations_of_first_starts(chart));
   EXPECT_LE(whole.shape.factorizations, kExactLengthsFactorizations);
@@ -62,7 +61,7 @@ TEST(RefineChart, CountsAStartThatFailsWithElasticWiresFree) {
   FlattenInput input = saddle_of_wires(0);
   input.wires.back().tolerance = 0.01;
   const Charts charts = test::charts_of(input);
-  const ChartRefinement refined = refine_chart(charts.charts.at(0), Options{}, [](const char*) { return true; });
+  const RefineResult refined = refine_chart(charts.charts.at(0), Options{}, [](const char*) { return true; });
   ASSERT_FALSE(refined.shape.is_exact || refined.inner.is_feasible);
   EXPECT_EQ(refined.shape.factorizations, 2);  // a step each, with that wire and without
 }
@@ -81,7 +80,7 @@ TEST(RefineChart, OptionsOfTheWiresAloneDoNotMatter) {
   }
   const Charts charts = test::charts_of(input);
   const auto objective_with = [&](const Options& options) {
-    const ChartRefinement refined = refine_chart(charts.charts.at(0), options, [](const char*) { return true; });
+    const RefineResult refined = refine_chart(charts.charts.at(0), options, [](const char*) { return true; });
     EXPECT_TRUE(refined.inner.is_feasible && refined.shape.is_exact);
     return refined.shape.objective;
   };
@@ -128,7 +127,7 @@ struct Silence {
 long fronts_of(const FlattenInput& input) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const Positions2 start = flatten_freely(chart, kFreeSteps).uv;
+  const Positions2 start = free_boundary_arap(chart, kFreeSteps).uv;
   const long before = count_fronts().factored;
   refine_shape(chart, build_held_network(chart), 0.1, start, {1, [] { return true; }});
   return count_fronts().factored - before;

@@ -9,12 +9,12 @@
 #include <optional>
 #include <random>
 
+#include "arap/free_boundary_arap.h"
+#include "arap/shape_error.h"
+#include "arap/tutte_embedding.h"
 #include "mesh/geometry.h"
 #include "outer/choose_variation.h"
-#include "outer/circle_embedding.h"
-#include "outer/free_arap.h"
-#include "outer/shape_error.h"
-#include "pi.h"
+#include "planar.h"
 #include "reference_cases.h"
 #include "refine/fair_shape_error.h"
 #include "refine/length_constraints.h"
@@ -37,7 +37,7 @@ struct Case {
   RefinedShape refine(const Positions2& start, const RefinementLimits& limits = kNoLimits) const {
     return refine_shape(chart, network, fairness, start, limits);
   }
-  RefinedShape refine() const { return refine(flatten_freely(chart, 30).uv); }
+  RefinedShape refine() const { return refine(free_boundary_arap(chart, 30).uv); }
 
   /// ψ of the 3D lengths.
   Positions2 warped() const {
@@ -133,7 +133,8 @@ TEST(RefineShape, EveryStartLeadsToTheSameMinimum) {
     for (const FlattenInput& input : ordinary_panels(tolerance)) {
       const Case panel(input);
       const double little = 0.002 * panel.shortest_edge();
-      const Positions2 free = flatten_freely(panel.chart, 30).uv, mirror = free * Eigen::Vector2d(-1, 1).asDiagonal();
+      const Positions2 free = free_boundary_arap(panel.chart, 30).uv,
+                       mirror = free * Eigen::Vector2d(-1, 1).asDiagonal();
       const RefinedShape first = panel.refine(free);
       ASSERT_TRUE(first.is_exact && first.converged);
       EXPECT_LE(first.factorizations, 8);
@@ -142,9 +143,9 @@ TEST(RefineShape, EveryStartLeadsToTheSameMinimum) {
       EXPECT_NEAR(first.objective, panel.value(first.uv), 1e-12 * first.objective);
       const std::pair<const char*, Positions2> starts[] = {
           {"the wires first", panel.warped()},
-          {"turned over", flatten_freely(panel.chart, 30, mirror).uv},
-          {"on a circle", flatten_freely(panel.chart, 30, embed_on_circle(panel.chart)).uv},
-          {"jittered, then free", flatten_freely(panel.chart, 30, jittered(free, 200 * little, 1)).uv},
+          {"turned over", free_boundary_arap(panel.chart, 30, mirror).uv},
+          {"on a circle", free_boundary_arap(panel.chart, 30, tutte_embedding(panel.chart)).uv},
+          {"jittered, then free", free_boundary_arap(panel.chart, 30, jittered(free, 200 * little, 1)).uv},
           {"near the minimum", jittered(first.uv, little, 2)}};
       for (const auto& [name, start] : starts) {
         const RefinedShape other = panel.refine(start);
@@ -208,11 +209,11 @@ FlattenInput ridge(int n, double height) {
 /// The flat shape of the surface turned over, by the symmetry of the ridge.
 Positions2 mirror_image(const Positions2& uv, const Chart& chart, int n) {
   std::vector<int> row_of(chart.source_vertex.size());
-  for (std::size_t v = 0; v < row_of.size(); ++v) row_of[at(chart.source_vertex[v])] = static_cast<int>(v);
+  for (std::size_t v = 0; v < row_of.size(); ++v) row_of[chart.source_vertex[v]] = static_cast<int>(v);
   Positions2 image(uv.rows(), 2);
   for (int v = 0; v < uv.rows(); ++v) {
-    const int source = chart.source_vertex[at(v)], i = source % (n + 1), j = source / (n + 1);
-    image.row(v) = uv.row(row_of[at(i + (n + 1) * (n - j))]) * Eigen::Vector2d(1, -1).asDiagonal();
+    const int source = chart.source_vertex[v], i = source % (n + 1), j = source / (n + 1);
+    image.row(v) = uv.row(row_of[i + (n + 1) * (n - j)]) * Eigen::Vector2d(1, -1).asDiagonal();
   }
   return image;
 }
@@ -243,12 +244,12 @@ TEST(RefineShape, LeavesASymmetricSaddle) {
 /// orders that its symmetries allow.
 Eigen::MatrixXd outline_distances(const Chart& chart, const Positions2& uv, int n, bool turn_s, bool turn_t) {
   std::vector<int> row_of(chart.source_vertex.size());
-  for (std::size_t v = 0; v < row_of.size(); ++v) row_of[at(chart.source_vertex[v])] = static_cast<int>(v);
+  for (std::size_t v = 0; v < row_of.size(); ++v) row_of[chart.source_vertex[v]] = static_cast<int>(v);
   std::vector<int> points;
   for (int k = 0; k <= 8; ++k) {
     for (const auto& [s, t] : {std::pair(0, k), std::pair(8, k), std::pair(k, 0), std::pair(k, 8)}) {
       const int i = (turn_s ? 8 - s : s) * n / 8, j = (turn_t ? 8 - t : t) * n / 4;
-      points.push_back(row_of[at(i + (n + 1) * j)]);
+      points.push_back(row_of[i + (n + 1) * j]);
     }
   }
   const auto count = static_cast<Eigen::Index>(points.size());
@@ -340,7 +341,7 @@ TEST(RefineShape, CancelledAtAnyMomentItIsExactOrSaysSo) {
     const RefinedShape whole = refine_chart(panel.chart, Options{}, [&](const char*) { return ++questions > 0; }).shape;
     for (int last = 1; last <= questions; ++last) {
       int asked = 0;
-      const ChartRefinement stopped = refine_chart(panel.chart, Options{}, [&](const char*) { return ++asked < last; });
+      const RefineResult stopped = refine_chart(panel.chart, Options{}, [&](const char*) { return ++asked < last; });
       EXPECT_TRUE(stopped.was_stopped);
       EXPECT_EQ(asked, last) << "not asked again after a no";
       if (!stopped.shape.is_exact) continue;

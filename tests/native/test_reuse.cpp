@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "pi.h"
+#include "planar.h"
 #include "reuse/chart_key.h"
 #include "test_meshes.h"
 #include "wirewarp/cache.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "arap/shape_error.h"
 #include "metrics/arap.h"
-#include "outer/shape_error.h"
 #include "test_meshes.h"
 
 namespace wirewarp {

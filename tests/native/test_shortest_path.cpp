@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 #include "topology/shortest_path.h"
 
@@ -15,7 +15,7 @@ namespace {
 double geodesic_length(const Chart& chart, int from, int to) {
   const WireMask wires(chart);
   std::vector<char> is_target(chart.mesh.n_vertices(), 0);
-  is_target[at(to)] = 1;
+  is_target[to] = 1;
   const auto edge_path = shortest_edge_path(chart.mesh, wires, {VertexHandle(from)}, is_target);
   EXPECT_FALSE(edge_path.empty());
   const SurfacePath path = straighten(chart.mesh, wires, edge_path);
@@ -104,8 +104,8 @@ TEST(ShortestPath, TakesTheNearestOfManySourcesAndTargets) {
   const Charts charts = test::charts_of(test::flat_rectangle(n, n, 1, 1));
   const auto vertex = [&](int i, int j) { return VertexHandle(i + (n + 1) * j); };
   std::vector<char> is_target(charts.charts[0].mesh.n_vertices(), 0);
-  is_target[at(vertex(2, 8).idx())] = 1;
-  is_target[at(vertex(8, 5).idx())] = 1;
+  is_target[vertex(2, 8).idx()] = 1;
+  is_target[vertex(8, 5).idx()] = 1;
   const auto path = shortest_edge_path(charts.charts[0].mesh, WireMask(charts.charts[0]),
                                        {vertex(1, 1), vertex(6, 5), vertex(3, 3)}, is_target);
   EXPECT_EQ(path, (std::vector<VertexHandle>{vertex(6, 5), vertex(7, 5), vertex(8, 5)}));
@@ -113,7 +113,7 @@ TEST(ShortestPath, TakesTheNearestOfManySourcesAndTargets) {
 
 TEST(ShortestPath, SaysWhereThereIsNone) {
   const Charts charts = test::charts_of(test::flat_rectangle(4, 4, 1, 1));
-  RefinedChart refined(charts.charts[0]);
+  SplitChart refined(charts.charts[0]);
   const std::vector<char> no_target(charts.charts[0].mesh.n_vertices(), 0);
   EXPECT_THROW(join_by_shortest_path(refined, {VertexHandle(12)}, no_target), std::domain_error);
 }

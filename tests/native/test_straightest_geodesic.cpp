@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 #include "topology/straightest_geodesic.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "arap/shape_error.h"
 #include "mesh/geometry.h"
-#include "outer/shape_error.h"
-#include "pi.h"
+#include "planar.h"
 #include "refine/refine_chart.h"
 #include "refine/unfold.h"
 #include "test_meshes.h"

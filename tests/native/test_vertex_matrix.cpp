@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <random>
 
-#include "index.h"
 #include "refine/vertex_matrix.h"
 
 namespace wirewarp {
@@ -71,10 +70,9 @@ TEST(VertexMatrix, TheGraphHasEachCoupledPairOnceFromEitherSide) {
   const int n = 9;
   const std::vector<VertexPair> pairs = random_pairs(n, random);
   const Graph graph = VertexMatrix(n, pairs).graph();
-  ASSERT_EQ(graph.start.size(), at(n + 1));
+  ASSERT_EQ(graph.start.size(), static_cast<std::size_t>(n + 1));
   for (int a = 0; a < n; ++a) {
-    std::vector<int> found(graph.neighbors.begin() + graph.start[at(a)],
-                           graph.neighbors.begin() + graph.start[at(a + 1)]);
+    std::vector<int> found(graph.neighbors.begin() + graph.start[a], graph.neighbors.begin() + graph.start[a + 1]);
     std::sort(found.begin(), found.end());
     std::vector<int> expected;
     for (int b = 0; b < n; ++b) {

@@ -7,11 +7,11 @@
 #include <limits>
 #include <optional>
 
+#include "arap/free_boundary_arap.h"
 #include "mesh/geometry.h"
-#include "outer/active_set_bfgs.h"
+#include "optimize/active_set_bfgs.h"
 #include "outer/choose_variation.h"
-#include "outer/free_arap.h"
-#include "pi.h"
+#include "planar.h"
 #include "test_meshes.h"
 #include "topology/process_topology.h"
 
@@ -208,7 +208,7 @@ TEST(ChooseVariation, EndsNoHigherThanItsStart) {
       const WarpedShape rigid = c.warp(c.no_variation());
       EXPECT_LE(end, c.warp.shape_error(rigid));
       // h0, by the test's own code: lengths in the free flattening, projected on the bounds.
-      const Positions2 free = flatten_freely(c.chart, 30, rigid.uv).uv;
+      const Positions2 free = free_boundary_arap(c.chart, 30, rigid.uv).uv;
       Eigen::VectorXd h = c.no_variation();
       for (const int i : c.bounds.elastic_parts()) {
         double on_surface = 0, flat = 0;

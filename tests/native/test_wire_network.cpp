@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "pi.h"
+#include "network/wire_lines.h"
+#include "network/wire_network.h"
+#include "planar.h"
 #include "test_meshes.h"
-#include "topology/wire_lines.h"
-#include "topology/wire_network.h"
 
 namespace wirewarp {
 namespace {

@@ -73,8 +73,8 @@ Outcome run(const RandomCase& random_case) {
     const FlattenInput& input = random_case.input;
     const Options& options = random_case.options;
     Cache cache;
-    const FlattenResult result = flatten_tuned(input, options, random_case.tuning, {}, &cache);
-    const FlattenResult again = flatten_tuned(input, with_plain_layout(options), random_case.tuning, {}, &cache);
+    const FlattenResult result = flatten_with(input, options, random_case.tuning, {}, &cache);
+    const FlattenResult again = flatten_with(input, with_plain_layout(options), random_case.tuning, {}, &cache);
     Outcome outcome = judge_errors(random_case, result);
     outcome.add(broken_promises(input, options, result));
     outcome.add(broken_demands(input, options, result, random_case.fault));

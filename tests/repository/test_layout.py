@@ -14,9 +14,13 @@ SOURCE_FOLDERS = ("addon", "bench", "blend_samples", "docs", "native", "python",
 # Each folder of native/src may include from itself and from those before it.
 LAYERS = [
     "cholesky",
+    "optimize",
     "mesh",
+    "errors",
     "check_input",
     "charts",
+    "network",
+    "arap",
     "topology",
     "feasibility",
     "inner",

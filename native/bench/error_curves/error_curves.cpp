@@ -35,11 +35,11 @@ FlattenInput read_surface(std::istream& in) {
   read_rows(in, vertices, input.vertices);
   read_rows(in, faces, input.faces);
   read_rows(in, seams, input.seams);
-  input.wires.resize(at(wires));
+  input.wires.resize(wires);
   for (Wire& wire : input.wires) {
     int length = 0;
     in >> length;
-    wire.vertices.resize(at(length));
+    wire.vertices.resize(length);
     for (int& vertex : wire.vertices) in >> vertex;
   }
   if (!in) throw std::runtime_error("the surface ends too early or holds something that is no number");
@@ -57,22 +57,22 @@ void print_curve(Warp& warp, const Chart& chart, int part, double limit, int ste
       error = warp.shape_error(shape);
       slope = warp.gradient(shape)[part];
     }
-    std::cout << chart.wire_parts[at(part)].wire_index << ' ' << chart.wire_parts[at(part)].part << ' '
-              << variation[part] << ' ' << error << ' ' << slope << '\n';
+    std::cout << chart.wire_parts[part].wire_index << ' ' << chart.wire_parts[part].part << ' ' << variation[part]
+              << ' ' << error << ' ' << slope << '\n';
   }
 }
 
 void print_curves(const FlattenInput& input, int piece, double limit, int steps) {
   const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
   const Charts charts = cut_into_charts(input, edges);
-  const Chart& chart = charts.charts.at(at(piece));
+  const Chart& chart = charts.charts.at(piece);
   if (chart.error) throw *chart.error;
   const std::optional<Chart> refined = process_topology(chart);
   const Chart& prepared = refined ? *refined : chart;
   const WireNetwork network = build_wire_network(prepared);
   Warp warp(prepared, network, NodeWeight::length, Inner::minimum);
   for (int part = 0; part < static_cast<int>(chart.wire_parts.size()); ++part) {
-    if (chart.wire_parts[at(part)].kind != WireKind::boundary) print_curve(warp, prepared, part, limit, steps);
+    if (chart.wire_parts[part].kind != WireKind::boundary) print_curve(warp, prepared, part, limit, steps);
   }
 }
 

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "index.h"
 #include "mesh/geometry.h"
-#include "pi.h"
+#include "planar.h"
 
 namespace wirewarp {
 namespace {
@@ -20,7 +19,7 @@ std::vector<VertexHandle> add_vertices(const FlattenInput& input, const SurfaceC
   corners.reserve(3 * chart.source_face.size());
   for (int f : chart.source_face) {
     for (int k = 0; k < 3; ++k) {
-      corners.push_back({input.faces(f, k), cut.fan_of_corner[at(3 * f + k)], static_cast<int>(corners.size())});
+      corners.push_back({input.faces(f, k), cut.fan_of_corner[3 * f + k], static_cast<int>(corners.size())});
     }
   }
   std::vector<VertexHandle> vertex_of_corner(corners.size());
@@ -33,7 +32,7 @@ std::vector<VertexHandle> add_vertices(const FlattenInput& input, const SurfaceC
       chart.mesh.add_vertex({p[0], p[1], p[2]});
       chart.source_vertex.push_back(corners[i].vertex);
     }
-    vertex_of_corner[at(corners[i].position)] = VertexHandle(static_cast<int>(chart.source_vertex.size()) - 1);
+    vertex_of_corner[corners[i].position] = VertexHandle(static_cast<int>(chart.source_vertex.size()) - 1);
   }
   return vertex_of_corner;
 }
@@ -47,20 +46,20 @@ void add_faces(const EdgeTable& edges, const SurfaceCut& cut, const std::vector<
     std::array<HalfedgeHandle, 3> loop;
     for (int k = 0; k < 3; ++k) {
       const int side = 3 * chart.source_face[i] + k;
-      HalfedgeHandle& h = half_edge_of_side[at(side)];
+      HalfedgeHandle& h = half_edge_of_side[side];
       if (!h.is_valid()) {
-        h = mesh.new_edge(vertex_of_corner[3 * i + at(k)], vertex_of_corner[3 * i + at((k + 1) % 3)]);
+        h = mesh.new_edge(vertex_of_corner[3 * i + k], vertex_of_corner[3 * i + ((k + 1) % 3)]);
         const int edge = edges.edge_of_side(side);
         if (!cut.is_outline(edges, edge)) {
           const int mate = edges.side(edge, edges.side(edge, 0) == side ? 1 : 0);
-          half_edge_of_side[at(mate)] = mesh.opposite_halfedge_handle(h);
+          half_edge_of_side[mate] = mesh.opposite_halfedge_handle(h);
         }
       }
-      loop[at(k)] = h;
+      loop[k] = h;
       mesh.set_face_handle(h, face);
       mesh.set_halfedge_handle(mesh.from_vertex_handle(h), h);
     }
-    for (int k = 0; k < 3; ++k) mesh.set_next_halfedge_handle(loop[at(k)], loop[at((k + 1) % 3)]);
+    for (int k = 0; k < 3; ++k) mesh.set_next_halfedge_handle(loop[k], loop[(k + 1) % 3]);
     mesh.set_halfedge_handle(face, loop[0]);
   }
 }
@@ -115,10 +114,10 @@ std::vector<HalfEdgeChain> find_boundary_loops(const HalfEdgeMesh& mesh, const s
   std::vector<HalfEdgeChain> loops;
   std::vector<char> is_seen(mesh.n_halfedges(), 0);
   for (const HalfedgeHandle start : boundary) {
-    if (is_seen[at(start.idx())]) continue;
+    if (is_seen[start.idx()]) continue;
     HalfEdgeChain loop;
-    for (HalfedgeHandle h = start; !is_seen[at(h.idx())]; h = mesh.next_halfedge_handle(h)) {
-      is_seen[at(h.idx())] = 1;
+    for (HalfedgeHandle h = start; !is_seen[h.idx()]; h = mesh.next_halfedge_handle(h)) {
+      is_seen[h.idx()] = 1;
       loop.push_back(mesh.opposite_halfedge_handle(h));
     }
     std::reverse(loop.begin(), loop.end());

@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "index.h"
 #include "mesh/half_edge_mesh.h"
 #include "wirewarp/flatten.h"
 
@@ -44,8 +43,8 @@ struct Chart {
 
 /// The ends of an edge in the input, the smaller index first.
 inline VertexPair source_edge(const Chart& chart, HalfedgeHandle h) {
-  const auto [first, last] = std::minmax({chart.source_vertex[at(chart.mesh.from_vertex_handle(h).idx())],
-                                          chart.source_vertex[at(chart.mesh.to_vertex_handle(h).idx())]});
+  const auto [first, last] = std::minmax({chart.source_vertex[chart.mesh.from_vertex_handle(h).idx()],
+                                          chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]});
   return {first, last};
 }
 

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "check_input/sentence.h"
-#include "index.h"
+#include "errors/sentence.h"
 
 namespace wirewarp {
 namespace {
@@ -42,7 +41,7 @@ int opposite_vertex(const Triangles& faces, int side) { return faces(side / 3, (
 
 void find_face_faults(const FlattenInput& input, const SurfaceCut& cut, std::vector<Faults>& faults) {
   for (int f = 0; f < input.faces.rows(); ++f) {
-    Faults& chart = faults[at(cut.chart_of_face[at(f)])];
+    Faults& chart = faults[cut.chart_of_face[f]];
     if (repeats_vertex(input.faces, f)) {
       chart.repeated_vertex.push_back(f);
     } else if (has_no_area(input, f)) {
@@ -53,7 +52,7 @@ void find_face_faults(const FlattenInput& input, const SurfaceCut& cut, std::vec
 
 void find_edge_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                       std::vector<Faults>& faults) {
-  const auto chart_of_side = [&](int side) -> Faults& { return faults[at(cut.chart_of_face[at(side / 3)])]; };
+  const auto chart_of_side = [&](int side) -> Faults& { return faults[cut.chart_of_face[side / 3]]; };
   for (int e = 0; e < edges.num_edges(); ++e) {
     const int num_sides = edges.num_sides(e);
     if (num_sides < 2) continue;
@@ -67,7 +66,7 @@ void find_edge_faults(const FlattenInput& input, const EdgeTable& edges, const S
         break;
       }
     }
-    if (cut.is_seam[at(e)]) continue;
+    if (cut.is_seam[e]) continue;
     if (num_sides > 2) {
       chart_of_side(edges.side(e, 0)).non_manifold.push_back(edges.vertices(e));
     } else if (edges.from(edges.side(e, 0)) == edges.from(edges.side(e, 1))) {
@@ -83,17 +82,17 @@ void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const
   std::vector<int> first_fan(static_cast<std::size_t>(input.vertices.rows()), -1);
   std::vector<char> has_several(static_cast<std::size_t>(input.vertices.rows()), 0);
   for (std::size_t corner = 0; corner < fan.size(); ++corner) {
-    const auto v = at(input.faces.data()[corner]);
+    const auto v = static_cast<std::size_t>(input.faces.data()[corner]);
     if (first_fan[v] < 0) first_fan[v] = fan[corner];
     if (fan[corner] != first_fan[v]) has_several[v] = 1;
   }
   std::map<VertexPair, int> fan_in_chart;  // by chart and vertex
   for (std::size_t corner = 0; corner < fan.size(); ++corner) {
     const int v = input.faces.data()[corner];
-    if (!has_several[at(v)]) continue;
+    if (!has_several[v]) continue;
     const int chart = cut.chart_of_face[corner / 3];
     const int first = fan_in_chart.insert({{chart, v}, fan[corner]}).first->second;
-    if (fan[corner] != first) faults[at(chart)].pinched.push_back(v);
+    if (fan[corner] != first) faults[chart].pinched.push_back(v);
   }
   for (Faults& of_chart : faults) {
     std::sort(of_chart.pinched.begin(), of_chart.pinched.end());
@@ -151,7 +150,7 @@ std::optional<FlattenError> first_fault(const Faults& faults) {
 
 std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
                                                            const SurfaceCut& cut) {
-  std::vector<Faults> faults(at(cut.num_charts));
+  std::vector<Faults> faults(cut.num_charts);
   find_face_faults(input, cut, faults);
   find_edge_faults(input, edges, cut, faults);
   find_vertex_faults(input, edges, cut, faults);

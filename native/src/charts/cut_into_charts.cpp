@@ -6,7 +6,6 @@
 #include "charts/outline.h"
 #include "charts/surface_cut.h"
 #include "charts/wire_parts.h"
-#include "index.h"
 
 namespace wirewarp {
 
@@ -15,9 +14,9 @@ Charts cut_into_charts(const FlattenInput& input, const EdgeTable& edges) {
   std::vector<std::optional<FlattenError>> faults = find_chart_faults(input, edges, cut);
 
   Charts result;
-  result.charts.resize(at(cut.num_charts));
+  result.charts.resize(cut.num_charts);
   for (int f = 0; f < input.faces.rows(); ++f) {
-    result.charts[at(cut.chart_of_face[at(f)])].source_face.push_back(f);
+    result.charts[cut.chart_of_face[f]].source_face.push_back(f);
   }
   std::vector<HalfedgeHandle> half_edge_of_side(3 * static_cast<std::size_t>(input.faces.rows()));
   for (std::size_t c = 0; c < result.charts.size(); ++c) {

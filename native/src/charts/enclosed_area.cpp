@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "charts/enclosed_area.h"
 
-#include "planar_cross.h"
+#include "planar.h"
 
 namespace wirewarp {
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "index.h"
-
 namespace wirewarp {
 namespace {
 
@@ -12,7 +10,7 @@ namespace {
 std::vector<int> fans_at(const EdgeTable& edges, const SurfaceCut& cut, int edge, int vertex) {
   std::vector<int> fans;
   for (int j = 0; j < edges.num_sides(edge); ++j) {
-    fans.push_back(cut.fan_of_corner[at(edges.corner_at(edges.side(edge, j), vertex))]);
+    fans.push_back(cut.fan_of_corner[edges.corner_at(edges.side(edge, j), vertex)]);
   }
   std::sort(fans.begin(), fans.end());
   return fans;
@@ -29,8 +27,8 @@ OutlineVertices find_outline_vertices(const EdgeTable& edges, const SurfaceCut& 
   for (int e = 0; e < edges.num_edges(); ++e) {
     if (!cut.is_outline(edges, e)) continue;
     for (int v : edges.vertices(e)) {
-      if (outline.degree[at(v)] < 2) outline.edges[at(v)][at(outline.degree[at(v)])] = e;
-      ++outline.degree[at(v)];
+      if (outline.degree[v] < 2) outline.edges[v][outline.degree[v]] = e;
+      ++outline.degree[v];
     }
   }
   return outline;
@@ -41,13 +39,13 @@ std::vector<VertexPair> trace_chain(const EdgeTable& edges, const OutlineVertice
                                     Outline& outline) {
   std::vector<VertexPair> chain;
   const int index = static_cast<int>(outline.chains.size());
-  while (outline.chain_of_edge[at(edge)] < 0) {
-    outline.chain_of_edge[at(edge)] = index;
+  while (outline.chain_of_edge[edge] < 0) {
+    outline.chain_of_edge[edge] = index;
     const VertexPair& ends = edges.vertices(edge);
     const int to = ends[0] == from ? ends[1] : ends[0];
     chain.push_back({from, to});
-    if (outline.is_junction[at(to)]) break;
-    const std::array<int, 2>& pair = vertices.edges[at(to)];
+    if (outline.is_junction[to]) break;
+    const std::array<int, 2>& pair = vertices.edges[to];
     edge = pair[0] == edge ? pair[1] : pair[0];
     from = to;
   }
@@ -57,35 +55,35 @@ std::vector<VertexPair> trace_chain(const EdgeTable& edges, const OutlineVertice
 }  // namespace
 
 Outline trace_outline(const Triangles& faces, const EdgeTable& edges, const SurfaceCut& cut) {
-  const std::size_t num_vertices = faces.size() == 0 ? 0 : at(faces.maxCoeff()) + 1;
+  const std::size_t num_vertices = faces.size() == 0 ? 0 : faces.maxCoeff() + 1;
   const OutlineVertices vertices = find_outline_vertices(edges, cut, num_vertices);
   Outline outline;
   outline.is_on_outline.resize(num_vertices);
   outline.is_junction.resize(num_vertices);
-  outline.chain_of_edge.assign(at(edges.num_edges()), -1);
+  outline.chain_of_edge.assign(edges.num_edges(), -1);
   for (int v = 0; v < static_cast<int>(num_vertices); ++v) {
-    const int degree = vertices.degree[at(v)];
-    outline.is_on_outline[at(v)] = degree > 0;
+    const int degree = vertices.degree[v];
+    outline.is_on_outline[v] = degree > 0;
     if (degree == 0) continue;
-    const std::array<int, 2>& pair = vertices.edges[at(v)];
-    outline.is_junction[at(v)] = degree != 2 || fans_at(edges, cut, pair[0], v) != fans_at(edges, cut, pair[1], v);
+    const std::array<int, 2>& pair = vertices.edges[v];
+    outline.is_junction[v] = degree != 2 || fans_at(edges, cut, pair[0], v) != fans_at(edges, cut, pair[1], v);
   }
 
   int num_seams = 0;
   const auto add_chain = [&](int edge, int from) {
     std::vector<VertexPair> chain = trace_chain(edges, vertices, edge, from, outline);
     outline.chains.push_back(std::move(chain));
-    outline.seam_of_chain.push_back(cut.is_seam[at(edge)] ? num_seams++ : -1);
+    outline.seam_of_chain.push_back(cut.is_seam[edge] ? num_seams++ : -1);
   };
   // First the chains that end at junctions, then the rings.
   for (int e = 0; e < edges.num_edges(); ++e) {
     if (!cut.is_outline(edges, e)) continue;
     for (int v : edges.vertices(e)) {
-      if (outline.is_junction[at(v)] && outline.chain_of_edge[at(e)] < 0) add_chain(e, v);
+      if (outline.is_junction[v] && outline.chain_of_edge[e] < 0) add_chain(e, v);
     }
   }
   for (int e = 0; e < edges.num_edges(); ++e) {
-    if (cut.is_outline(edges, e) && outline.chain_of_edge[at(e)] < 0) add_chain(e, edges.vertices(e)[0]);
+    if (cut.is_outline(edges, e) && outline.chain_of_edge[e] < 0) add_chain(e, edges.vertices(e)[0]);
   }
   return outline;
 }
@@ -99,29 +97,29 @@ std::vector<Seam> assign_boundary_chains(const EdgeTable& edges, const SurfaceCu
     const VertexPair& first = outline.chains[c][0];
     const int edge = edges.find(first[0], first[1]);
     for (int j = 0; j < edges.num_sides(edge); ++j) {
-      const int chart = cut.chart_of_face[at(edges.side(edge, j) / 3)];
-      if (charts[at(chart)].error) seams.back().sides.push_back({chart, -1});
+      const int chart = cut.chart_of_face[edges.side(edge, j) / 3];
+      if (charts[chart].error) seams.back().sides.push_back({chart, -1});
     }
   }
 
   for (int c = 0; c < static_cast<int>(charts.size()); ++c) {
-    Chart& chart = charts[at(c)];
+    Chart& chart = charts[c];
     if (chart.error) continue;
-    const auto source = [&](VertexHandle v) { return chart.source_vertex[at(v.idx())]; };
+    const auto source = [&](VertexHandle v) { return chart.source_vertex[v.idx()]; };
     const auto chain_of = [&](HalfedgeHandle h) {
-      return outline.chain_of_edge[at(
-          edges.find(source(chart.mesh.from_vertex_handle(h)), source(chart.mesh.to_vertex_handle(h))))];
+      return outline
+          .chain_of_edge[edges.find(source(chart.mesh.from_vertex_handle(h)), source(chart.mesh.to_vertex_handle(h)))];
     };
     for (HalfEdgeChain loop : chart.boundary_loops) {
       const auto starts_chain = [&](HalfedgeHandle h) {
-        return outline.is_junction[at(source(chart.mesh.from_vertex_handle(h)))] != 0;
+        return outline.is_junction[source(chart.mesh.from_vertex_handle(h))] != 0;
       };
       const auto first = std::find_if(loop.begin(), loop.end(), starts_chain);
       if (first != loop.end()) std::rotate(loop.begin(), first, loop.end());
       for (std::size_t i = 0; i < loop.size(); ++i) {
         if (i == 0 || starts_chain(loop[i])) {
-          const int seam = outline.seam_of_chain[at(chain_of(loop[i]))];
-          if (seam >= 0) seams[at(seam)].sides.push_back({c, static_cast<int>(chart.boundary_chains.size())});
+          const int seam = outline.seam_of_chain[chain_of(loop[i])];
+          if (seam >= 0) seams[seam].sides.push_back({c, static_cast<int>(chart.boundary_chains.size())});
           chart.boundary_chains.push_back({{}, seam});
         }
         chart.boundary_chains.back().half_edges.push_back(loop[i]);

@@ -17,11 +17,11 @@ std::optional<std::vector<int>> find_mates(const Chart& chart, const HalfEdgeCha
   std::map<VertexPair, int> first;
   std::vector<int> mate(loop.size(), -1);
   for (int i = 0; i < static_cast<int>(loop.size()); ++i) {
-    const auto [other, is_first] = first.try_emplace(source_edge(chart, loop[at(i)]), i);
+    const auto [other, is_first] = first.try_emplace(source_edge(chart, loop[i]), i);
     if (is_first) continue;
-    if (mate[at(other->second)] >= 0) return std::nullopt;
-    mate[at(other->second)] = i;
-    mate[at(i)] = other->second;
+    if (mate[other->second] >= 0) return std::nullopt;
+    mate[other->second] = i;
+    mate[i] = other->second;
   }
   const bool is_matched = std::find(mate.begin(), mate.end(), -1) == mate.end();
   return is_matched ? std::optional(mate) : std::nullopt;
@@ -31,14 +31,14 @@ std::optional<std::vector<int>> find_mates(const Chart& chart, const HalfEdgeCha
 std::optional<int> find_tip(const std::vector<int>& mate) {
   const int count = static_cast<int>(mate.size());
   for (int i = 0; i < count; ++i) {
-    if (mate[at(i)] == (i + count - 1) % count) return i;
+    if (mate[i] == (i + count - 1) % count) return i;
   }
   return std::nullopt;
 }
 
 std::vector<int> vertices_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& chain, const std::vector<int>& label) {
-  std::vector<int> vertices{label[at(mesh.from_vertex_handle(chain.front()).idx())]};
-  for (const HalfedgeHandle h : chain) vertices.push_back(label[at(mesh.to_vertex_handle(h).idx())]);
+  std::vector<int> vertices{label[mesh.from_vertex_handle(chain.front()).idx()]};
+  for (const HalfedgeHandle h : chain) vertices.push_back(label[mesh.to_vertex_handle(h).idx()]);
   return vertices;
 }
 
@@ -47,9 +47,9 @@ std::vector<HalfEdgeChain> chains_of(const Slit& slit) {
   std::vector<HalfEdgeChain> chains;
   bool goes_on = false;
   for (int i = 0; i < static_cast<int>(slit.rims.size()); ++i) {
-    const bool is_new = i < slit.mate[at(i)];
+    const bool is_new = i < slit.mate[i];
     if (is_new && !goes_on) chains.emplace_back();
-    if (is_new) chains.back().push_back(slit.rims[at(i)]);
+    if (is_new) chains.back().push_back(slit.rims[i]);
     goes_on = is_new;
   }
   return chains;
@@ -76,7 +76,7 @@ std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits)
   DisjointSets vertices(mesh.n_vertices());
   for (const Slit& slit : slits) {
     for (std::size_t i = 0; i < slit.rims.size(); ++i) {
-      const HalfedgeHandle one = slit.rims[i], other = slit.rims[at(slit.mate[i])];
+      const HalfedgeHandle one = slit.rims[i], other = slit.rims[slit.mate[i]];
       vertices.unite(mesh.from_vertex_handle(one).idx(), mesh.to_vertex_handle(other).idx());
     }
   }
@@ -87,8 +87,8 @@ std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits)
   FlattenInput surface;
   surface.vertices.resize(num_vertices, 3);
   const Positions3 points = points_of(mesh);
-  for (int v = 0; v < points.rows(); ++v) surface.vertices.row(sewn.vertex[at(v)]) = points.row(v);
-  surface.faces = triangles_of(mesh).unaryExpr([&](int v) { return sewn.vertex[at(v)]; });
+  for (int v = 0; v < points.rows(); ++v) surface.vertices.row(sewn.vertex[v]) = points.row(v);
+  surface.faces = triangles_of(mesh).unaryExpr([&](int v) { return sewn.vertex[v]; });
   for (const WirePart& part : chart.wire_parts) {
     if (part.kind == WireKind::boundary) continue;
     surface.wires.push_back({vertices_of(mesh, part.half_edges, sewn.vertex), part.tolerance, {}});

@@ -2,7 +2,6 @@
 #include "charts/surface_cut.h"
 
 #include "disjoint_sets.h"
-#include "index.h"
 
 namespace wirewarp {
 namespace {
@@ -20,16 +19,16 @@ void join_corners(const EdgeTable& edges, int edge, DisjointSets& corners) {
 
 SurfaceCut cut_along_seams(const Triangles& faces, const EdgeTable& edges, const VertexPairs& seams) {
   SurfaceCut cut;
-  cut.is_seam.assign(at(edges.num_edges()), 0);
+  cut.is_seam.assign(edges.num_edges(), 0);
   for (int i = 0; i < seams.rows(); ++i) {
     const int edge = edges.find(seams(i, 0), seams(i, 1));
-    if (edges.num_sides(edge) > 1) cut.is_seam[at(edge)] = 1;
+    if (edges.num_sides(edge) > 1) cut.is_seam[edge] = 1;
   }
   const auto num_faces = static_cast<std::size_t>(faces.rows());
   DisjointSets charts(num_faces);
   DisjointSets corners(3 * num_faces);
   for (int e = 0; e < edges.num_edges(); ++e) {
-    if (cut.is_seam[at(e)]) continue;
+    if (cut.is_seam[e]) continue;
     join_corners(edges, e, corners);
     for (int j = 1; j < edges.num_sides(e); ++j) charts.unite(edges.side(e, 0) / 3, edges.side(e, j) / 3);
   }

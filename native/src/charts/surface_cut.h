@@ -16,9 +16,7 @@ struct SurfaceCut {
   int num_fans = 0;
 
   /// A seam, or the edge of the surface: part of the outline of a chart.
-  bool is_outline(const EdgeTable& edges, int edge) const {
-    return is_seam[at(edge)] != 0 || edges.num_sides(edge) == 1;
-  }
+  bool is_outline(const EdgeTable& edges, int edge) const { return is_seam[edge] != 0 || edges.num_sides(edge) == 1; }
 };
 
 /// seams: vertex pairs, each an edge.

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "index.h"
-
 namespace wirewarp {
 namespace {
 
@@ -24,22 +22,22 @@ std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& ed
   const bool is_closed = vertices.front() == vertices.back();
   const int num_edges = static_cast<int>(vertices.size()) - 1;
   std::vector<int> wire_edges;
-  for (int i = 0; i < num_edges; ++i) wire_edges.push_back(edges.find(vertices[at(i)], vertices[at(i + 1)]));
-  const auto is_outline = [&](int i) { return cut.is_outline(edges, wire_edges[at(i)]); };
+  for (int i = 0; i < num_edges; ++i) wire_edges.push_back(edges.find(vertices[i], vertices[i + 1]));
+  const auto is_outline = [&](int i) { return cut.is_outline(edges, wire_edges[i]); };
   const auto fan_at = [&](int i, int vertex) {
-    return cut.fan_of_corner[at(edges.corner_at(edges.side(wire_edges[at(i)], 0), vertex))];
+    return cut.fan_of_corner[edges.corner_at(edges.side(wire_edges[i], 0), vertex)];
   };
   const auto begins_run = [&](int i) {
     const int before = i > 0 ? i - 1 : is_closed ? num_edges - 1 : i;
-    const int v = vertices[at(i)];
+    const int v = vertices[i];
     if (is_outline(before) != is_outline(i)) return true;
-    if (is_outline(i)) return outline.is_junction[at(v)] != 0;
-    return outline.is_on_outline[at(v)] != 0 || fan_at(before, v) != fan_at(i, v);
+    if (is_outline(i)) return outline.is_junction[v] != 0;
+    return outline.is_on_outline[v] != 0 || fan_at(before, v) != fan_at(i, v);
   };
   if (is_closed) {
     int first = -1;
     for (int i = 0; i < num_edges; ++i) {
-      if (begins_run(i) && (first < 0 || vertices[at(i)] < vertices[at(first)])) first = i;
+      if (begins_run(i) && (first < 0 || vertices[i] < vertices[first])) first = i;
     }
     if (first > 0) {
       vertices.pop_back();
@@ -60,19 +58,19 @@ std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& ed
 HalfEdgeChain follow_run(const std::vector<int>& vertices, const Run& run, int first_side, const EdgeTable& edges,
                          const SurfaceCut& cut, const std::vector<HalfedgeHandle>& half_edge_of_side,
                          const HalfEdgeMesh& mesh) {
-  const auto fan = [&](int side, int vertex) { return cut.fan_of_corner[at(edges.corner_at(side, vertex))]; };
+  const auto fan = [&](int side, int vertex) { return cut.fan_of_corner[edges.corner_at(side, vertex)]; };
   HalfEdgeChain chain;
   int side = first_side;
   for (int i = run.begin; i < run.end; ++i) {
-    const int v = vertices[at(i)];
+    const int v = vertices[i];
     if (i > run.begin) {
       const int reached = fan(side, v);
-      const int edge = edges.find(v, vertices[at(i + 1)]);
+      const int edge = edges.find(v, vertices[i + 1]);
       for (int j = 0; j < edges.num_sides(edge); ++j) {
         if (fan(edges.side(edge, j), v) == reached) side = edges.side(edge, j);
       }
     }
-    const HalfedgeHandle h = half_edge_of_side[at(side)];
+    const HalfedgeHandle h = half_edge_of_side[side];
     chain.push_back(edges.from(side) == v ? h : mesh.opposite_halfedge_handle(h));
   }
   return chain;
@@ -90,26 +88,26 @@ std::vector<char> assign_wire_parts(const FlattenInput& input, const EdgeTable& 
                                     std::vector<Chart>& charts) {
   std::vector<char> is_boundary_wire;
   for (int w = 0; w < static_cast<int>(input.wires.size()); ++w) {
-    const Wire& wire = input.wires[at(w)];
+    const Wire& wire = input.wires[w];
     std::vector<int> vertices = wire.vertices;
     const std::vector<Run> runs = split_into_runs(vertices, edges, cut, outline);
     is_boundary_wire.push_back(std::all_of(runs.begin(), runs.end(), [](const Run& run) { return run.is_outline; }));
     for (int part = 0; part < static_cast<int>(runs.size()); ++part) {
-      const Run& run = runs[at(part)];
-      const int edge = edges.find(vertices[at(run.begin)], vertices[at(run.begin + 1)]);
+      const Run& run = runs[part];
+      const int edge = edges.find(vertices[run.begin], vertices[run.begin + 1]);
       std::vector<int> seen_charts;
       for (int j = 0; j < edges.num_sides(edge); ++j) {
         const int side = edges.side(edge, j);
-        const int c = cut.chart_of_face[at(side / 3)];
-        if (charts[at(c)].error || std::find(seen_charts.begin(), seen_charts.end(), c) != seen_charts.end()) continue;
+        const int c = cut.chart_of_face[side / 3];
+        if (charts[c].error || std::find(seen_charts.begin(), seen_charts.end(), c) != seen_charts.end()) continue;
         seen_charts.push_back(c);
         WirePart wire_part;
         wire_part.wire_index = w;
         wire_part.part = part;
         wire_part.kind = run.is_outline ? WireKind::boundary : kind_of(wire.tolerance);
         wire_part.tolerance = run.is_outline ? 0 : wire.tolerance;
-        wire_part.half_edges = follow_run(vertices, run, side, edges, cut, half_edge_of_side, charts[at(c)].mesh);
-        charts[at(c)].wire_parts.push_back(std::move(wire_part));
+        wire_part.half_edges = follow_run(vertices, run, side, edges, cut, half_edge_of_side, charts[c].mesh);
+        charts[c].wire_parts.push_back(std::move(wire_part));
       }
     }
   }

@@ -3,8 +3,7 @@
 
 #include <set>
 
-#include "check_input/sentence.h"
-#include "index.h"
+#include "errors/sentence.h"
 
 namespace wirewarp {
 namespace {
@@ -65,7 +64,7 @@ void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::
       missing.push_back(pair);
       continue;
     }
-    int& owner = wire_of_edge[at(edge)];
+    int& owner = wire_of_edge[edge];
     if (owner >= 0) {
       throw FlattenError(ErrorCode::edge_in_two_wires,
                          "The " + name_elements("edge", std::vector<VertexPair>{pair}) + " is in " +
@@ -130,7 +129,7 @@ void check_mesh(const FlattenInput& input) {
 
 void check_seams_and_wires(const FlattenInput& input, const EdgeTable& edges) {
   check_seams(input, edges);
-  std::vector<int> wire_of_edge(at(edges.num_edges()), -1);
+  std::vector<int> wire_of_edge(edges.num_edges(), -1);
   for (std::size_t w = 0; w < input.wires.size(); ++w) check_wire_on_mesh(input, edges, w, wire_of_edge);
 }
 

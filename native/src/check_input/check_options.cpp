@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 
 #include "check_input/check_input.h"
-#include "check_input/sentence.h"
+#include "errors/sentence.h"
 
 namespace wirewarp {
 namespace {

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "index.h"
-
 namespace wirewarp {
 namespace {
 
@@ -35,8 +33,8 @@ void add_rows(int num_rows, const double* from, const int* target, int begin, in
 
 /// Extend-add: each entry of the child's Schur complement to its place in the parent's front.
 void add_child(const FrontLayout& layout, int child, int node, Tile* factor, Tile* schurs) {
-  const Front& from = layout.fronts[at(child)];
-  const Front& to = layout.fronts[at(node)];
+  const Front& from = layout.fronts[child];
+  const Front& to = layout.fronts[node];
   const int m = to.pivot_tiles;
   const int num_rows = layout.unknowns_per_vertex * from.num_rows;
   const int* const rows = layout.rows_in_parent.data() + from.first_row;
@@ -58,20 +56,20 @@ void add_child(const FrontLayout& layout, int child, int node, Tile* factor, Til
 }  // namespace
 
 void assemble_front(const FrontLayout& layout, int node, const double* values, Tile* factor, Tile* schurs) {
-  const Front* const front = &layout.fronts[at(node)];
+  const Front* const front = &layout.fronts[node];
   const int m = front->pivot_tiles, r = front->row_tiles;
   Tile* const panel = factor + front->panel;
   std::fill_n(panel, panel_row(m + r, m), Tile{});
   std::fill_n(schurs + front->schur, triangle_size(r), Tile{});
   for (int i = layout.unknowns_per_vertex * front->num_pivots; i < kTile * m; ++i) {
-    entry(panel[panel_row(m - 1, m) + at(m - 1)], i % kTile, i % kTile) = 1;
+    entry(panel[panel_row(m - 1, m) + (m - 1)], i % kTile, i % kTile) = 1;
   }
   for (int e = front[0].first_entry; e < front[1].first_entry; ++e) {
-    const MatrixEntry& from = layout.entries[at(e)];
+    const MatrixEntry& from = layout.entries[e];
     panel[from.place / 16].entries[from.place % 16] += values[from.source];
   }
   for (int c = front[0].first_child; c < front[1].first_child; ++c) {
-    add_child(layout, layout.children[at(c)], node, factor, schurs);
+    add_child(layout, layout.children[c], node, factor, schurs);
   }
 }
 

@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "cholesky/front_kernels.h"
-#include "cholesky/share_fronts.h"
-#include "index.h"
+#include "cholesky/partition_subtrees.h"
 
 namespace wirewarp {
 namespace {
@@ -42,38 +41,38 @@ class Builder {
   }
   int num_fronts() const { return static_cast<int>(tree_.nodes.size()); }
   int vertex_of(int unknown) const { return unknown / k_; }
-  bool is_earlier(int a, int b) const { return elimination_[at(a)] < elimination_[at(b)]; }
+  bool is_earlier(int a, int b) const { return elimination_[a] < elimination_[b]; }
 
   void number_vertices() {
-    const std::size_t num_vertices = at(static_cast<int>(lower_.rows() / k_));
+    const std::size_t num_vertices = (lower_.rows() / k_);
     layout_.front_of_vertex.assign(num_vertices, -1);
     elimination_.resize(num_vertices);
     int count = 0;
     for (int node = 0; node < num_fronts(); ++node) {
-      const int parent = tree_.nodes[at(node)].parent;
+      const int parent = tree_.nodes[node].parent;
       if (parent != -1 && (parent <= node || parent >= num_fronts())) refuse("a node comes after its parent");
-      for (int v : tree_.nodes[at(node)].vertices) {
-        if (v < 0 || at(v) >= num_vertices || layout_.front_of_vertex[at(v)] != -1)
+      for (int v : tree_.nodes[node].vertices) {
+        if (v < 0 || static_cast<std::size_t>(v) >= num_vertices || layout_.front_of_vertex[v] != -1)
           refuse("a vertex is not there once");
-        layout_.front_of_vertex[at(v)] = node;
-        elimination_[at(v)] = count++;
+        layout_.front_of_vertex[v] = node;
+        elimination_[v] = count++;
       }
     }
-    if (at(count) != num_vertices) refuse("a vertex is missing");
+    if (static_cast<std::size_t>(count) != num_vertices) refuse("a vertex is missing");
   }
 
   /// An entry belongs to the front of that of its vertices which is eliminated first.
   void sort_entries_by_front() {
-    entry_start_.assign(at(num_fronts()) + 1, 0);
+    entry_start_.assign(num_fronts() + 1, 0);
     const auto front_of = [this](int row, int column) {
-      return std::min(layout_.front_of_vertex[at(vertex_of(row))], layout_.front_of_vertex[at(vertex_of(column))]);
+      return std::min(layout_.front_of_vertex[vertex_of(row)], layout_.front_of_vertex[vertex_of(column)]);
     };
-    for_each_entry([&](int row, int column, int) { ++entry_start_[at(front_of(row, column)) + 1]; });
+    for_each_entry([&](int row, int column, int) { ++entry_start_[front_of(row, column) + 1]; });
     for (std::size_t node = 1; node < entry_start_.size(); ++node) entry_start_[node] += entry_start_[node - 1];
-    entries_.resize(at(entry_start_.back()));
+    entries_.resize(entry_start_.back());
     std::vector<int> next(entry_start_.begin(), entry_start_.end() - 1);
     for_each_entry([&](int row, int column, int source) {
-      entries_[at(next[at(front_of(row, column))]++)] = {row, column, source};
+      entries_[next[front_of(row, column)]++] = {row, column, source};
     });
     layout_.entries.reserve(entries_.size());
     seen_by_.assign(elimination_.size(), -1);
@@ -91,10 +90,10 @@ class Builder {
 
   void add_front(int node) {
     Front front{};
-    front.parent = tree_.nodes[at(node)].parent;
+    front.parent = tree_.nodes[node].parent;
     front.first_vertex = end_of(layout_.vertices);
     front.first_entry = end_of(layout_.entries);
-    front.num_pivots = end_of(tree_.nodes[at(node)].vertices);
+    front.num_pivots = end_of(tree_.nodes[node].vertices);
     add_vertices(node);
     front.num_rows = front.num_own_rows = end_of(layout_.vertices) - front.first_vertex - front.num_pivots;
     front.pivot_tiles = tiles_for(k_ * front.num_pivots);
@@ -104,33 +103,33 @@ class Builder {
     layout_.largest_front = std::max(layout_.largest_front, front.pivot_tiles + front.row_tiles);
     add_entries(front, node);
     layout_.fronts.push_back(front);
-    if (front.parent != -1) children_of_[at(front.parent)].push_back(node);
+    if (front.parent != -1) children_of_[front.parent].push_back(node);
   }
 
   /// Pivots, then in the order of elimination what they and the rows of children reach.
   void add_vertices(int node) {
     std::vector<int>& vertices = layout_.vertices;
-    for (int v : tree_.nodes[at(node)].vertices) {
+    for (int v : tree_.nodes[node].vertices) {
       vertices.push_back(v);
-      seen_by_[at(v)] = node;
+      seen_by_[v] = node;
     }
     const std::size_t first_row = vertices.size();
     const auto add = [&](int v) {
-      if (std::exchange(seen_by_[at(v)], node) != node) vertices.push_back(v);
+      if (std::exchange(seen_by_[v], node) != node) vertices.push_back(v);
     };
-    for (int e = entry_start_[at(node)]; e < entry_start_[at(node) + 1]; ++e) {
-      add(vertex_of(entries_[at(e)].row));
-      add(vertex_of(entries_[at(e)].column));
+    for (int e = entry_start_[node]; e < entry_start_[node + 1]; ++e) {
+      add(vertex_of(entries_[e].row));
+      add(vertex_of(entries_[e].column));
     }
-    for (int child : children_of_[at(node)]) {
-      const Front& front = layout_.fronts[at(child)];
-      for (int i = 0; i < front.num_rows; ++i) add(vertices[at(front.first_vertex + front.num_pivots + i)]);
+    for (int child : children_of_[node]) {
+      const Front& front = layout_.fronts[child];
+      for (int i = 0; i < front.num_rows; ++i) add(vertices[front.first_vertex + front.num_pivots + i]);
     }
     std::sort(vertices.begin() + static_cast<std::ptrdiff_t>(first_row), vertices.end(),
               [this](int a, int b) { return is_earlier(a, b); });
     if (first_row == vertices.size()) return;
-    const int parent = tree_.nodes[at(node)].parent;
-    if (parent == -1 || layout_.front_of_vertex[at(vertices[first_row])] < parent) {
+    const int parent = tree_.nodes[node].parent;
+    if (parent == -1 || layout_.front_of_vertex[vertices[first_row]] < parent) {
       refuse("the matrix joins vertices that the tree separates");
     }
   }
@@ -140,31 +139,29 @@ class Builder {
       throw std::length_error("multifrontal Cholesky: a front is too large");
     }
     for (int i = 0; i < front.num_pivots + front.num_rows; ++i) {
-      place_[at(layout_.vertices[at(front.first_vertex + i)])] = i;
+      place_[layout_.vertices[front.first_vertex + i]] = i;
     }
-    const auto row_of = [&](int unknown) {
-      return layout_.row_of(front, place_[at(vertex_of(unknown))]) + unknown % k_;
-    };
-    for (int e = entry_start_[at(node)]; e < entry_start_[at(node) + 1]; ++e) {
-      const auto [column, row] = std::minmax({row_of(entries_[at(e)].row), row_of(entries_[at(e)].column)});
-      const std::size_t tile = panel_row(row / kTile, front.pivot_tiles) + at(column / kTile);
+    const auto row_of = [&](int unknown) { return layout_.row_of(front, place_[vertex_of(unknown)]) + unknown % k_; };
+    for (int e = entry_start_[node]; e < entry_start_[node + 1]; ++e) {
+      const auto [column, row] = std::minmax({row_of(entries_[e].row), row_of(entries_[e].column)});
+      const std::size_t tile = panel_row(row / kTile, front.pivot_tiles) + (column / kTile);
       layout_.entries.push_back(
-          {entries_[at(e)].source, static_cast<std::uint32_t>(16 * tile + at(kTile * (column % kTile) + row % kTile))});
+          {entries_[e].source, static_cast<std::uint32_t>(16 * tile + (kTile * (column % kTile) + row % kTile))});
     }
   }
 
   /// Rows of a child are among its parent's vertices, and in the same order.
   void link_to_parents() {
     for (int node = 0; node < num_fronts(); ++node) {
-      Front& front = layout_.fronts[at(node)];
+      Front& front = layout_.fronts[node];
       front.first_child = end_of(layout_.children);
-      layout_.children.insert(layout_.children.end(), children_of_[at(node)].begin(), children_of_[at(node)].end());
+      layout_.children.insert(layout_.children.end(), children_of_[node].begin(), children_of_[node].end());
       front.first_row = end_of(layout_.rows_in_parent);
       if (front.num_rows == 0) continue;
-      const Front& parent = layout_.fronts[at(front.parent)];
+      const Front& parent = layout_.fronts[front.parent];
       int place = 0;
-      for (int i = front.first_vertex + front.num_pivots; i < layout_.fronts[at(node) + 1].first_vertex; ++i) {
-        while (layout_.vertices[at(parent.first_vertex + place)] != layout_.vertices[at(i)]) ++place;
+      for (int i = front.first_vertex + front.num_pivots; i < layout_.fronts[node + 1].first_vertex; ++i) {
+        while (layout_.vertices[parent.first_vertex + place] != layout_.vertices[i]) ++place;
         for (int unknown = 0; unknown < k_; ++unknown) {
           layout_.rows_in_parent.push_back(layout_.row_of(parent, place) + unknown);
         }
@@ -200,7 +197,7 @@ class Builder {
 FrontLayout lay_out_fronts(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
                            int unknowns_per_vertex) {
   FrontLayout layout = Builder(lower, tree, unknowns_per_vertex).build();
-  share_fronts(layout);
+  partition_subtrees(layout);
   place_schur_complements(layout);
   list_shared_vertices(layout);
   return layout;

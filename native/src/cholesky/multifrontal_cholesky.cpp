@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "cholesky/eliminate_fronts.h"
-#include "index.h"
 
 namespace wirewarp {
 
@@ -18,11 +17,11 @@ MultifrontalCholesky::MultifrontalCholesky(const Eigen::SparseMatrix<double>& lo
       schurs_(new Tile[layout_.schur_tiles]) {}
 
 bool MultifrontalCholesky::factorize(const Eigen::SparseMatrix<double>& lower) {
-  if (lower.rows() != layout_.num_unknowns || at(static_cast<int>(lower.nonZeros())) != layout_.entries.size()) {
+  if (lower.rows() != layout_.num_unknowns || static_cast<std::size_t>(lower.nonZeros()) != layout_.entries.size()) {
     throw std::invalid_argument("multifrontal Cholesky: the matrix has another pattern");
   }
   positive_definite_ = eliminate_fronts(layout_, in_threads_, [&](int f) {
-    const Front& front = layout_.fronts[at(f)];
+    const Front& front = layout_.fronts[f];
     assemble_front(layout_, f, lower.valuePtr(), factor_.get(), schurs_.get());
     return kernels_->factor(&factor_[front.panel], &schurs_[front.schur], front.pivot_tiles, front.row_tiles);
   });
@@ -34,12 +33,12 @@ void MultifrontalCholesky::solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const {
   substitute_back(b, all());
 }
 
-void MultifrontalCholesky::substitute_forward(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const {
+void MultifrontalCholesky::substitute_forward(Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& nonzero) const {
   if (!positive_definite_) throw std::logic_error("multifrontal Cholesky: there is no factor to solve with");
   substitution_.forward(factor_.get(), b, nonzero);
 }
 
-void MultifrontalCholesky::substitute_back(Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const {
+void MultifrontalCholesky::substitute_back(Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& wanted) const {
   if (!positive_definite_) throw std::logic_error("multifrontal Cholesky: there is no factor to solve with");
   substitution_.back(factor_.get(), b, wanted);
 }

@@ -39,15 +39,15 @@ class MultifrontalCholesky {
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const;
 
   /// Supernodes that substitution visits.
-  using Branches = Substitution::Branches;
-  Branches branches_to(const std::vector<int>& vertices) const { return substitution_.branches_to(vertices); }
-  Branches others(const Branches& branches) const { return substitution_.others(branches); }
-  const Branches& all() const { return substitution_.all(); }
+  using FrontSet = Substitution::FrontSet;
+  FrontSet fronts_reaching(const std::vector<int>& vertices) const { return substitution_.fronts_reaching(vertices); }
+  FrontSet others(const FrontSet& branches) const { return substitution_.others(branches); }
+  const FrontSet& all() const { return substitution_.all(); }
 
   /// The two halves of a solution, for parts of b and x. b := L⁻¹ b, where b is zero but at vertices in the branches.
-  void substitute_forward(Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const;
+  void substitute_forward(Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& nonzero) const;
   /// b := L⁻ᵀ b at vertices in the branches. Ancestors are among the branches or have been before.
-  void substitute_back(Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const;
+  void substitute_back(Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& wanted) const;
 
  private:
   FrontLayout layout_;

@@ -9,7 +9,6 @@
 #include "cholesky/eliminate_fronts.h"
 #include "cholesky/matrix_graph.h"
 #include "cholesky/nested_dissection.h"
-#include "index.h"
 
 namespace wirewarp {
 namespace {
@@ -32,14 +31,14 @@ struct MultifrontalLu::Triangles {
         upper(a.transpose().triangularView<Eigen::Lower>()),
         tree(nested_dissection(graph_of(lower, 1), positions)) {
     if (!have_same_pattern(lower, upper)) throw std::invalid_argument("multifrontal LU: the pattern is not symmetric");
-    std::vector<int> place(at(static_cast<int>(lower.rows())));
+    std::vector<int> place(lower.rows());
     int count = 0;
     for (const DissectionTree::Node& node : tree.nodes) {
-      for (int v : node.vertices) place[at(v)] = count++;
+      for (int v : node.vertices) place[v] = count++;
     }
     for (int column = 0; column < lower.outerSize(); ++column) {
       for (int i = lower.outerIndexPtr()[column]; i < lower.outerIndexPtr()[column + 1]; ++i) {
-        const bool is_lower = place[at(lower.innerIndexPtr()[i])] >= place[at(column)];
+        const bool is_lower = place[lower.innerIndexPtr()[i]] >= place[column];
         if (!is_lower) std::swap(lower.valuePtr()[i], upper.valuePtr()[i]);
       }
     }
@@ -61,7 +60,7 @@ MultifrontalLu::MultifrontalLu(const Triangles& a, bool in_threads, const FrontK
   const Tiles lower_schurs(new Tile[layout_.schur_tiles]);
   const Tiles upper_schurs(new Tile[layout_.schur_tiles]);
   const bool is_factored = eliminate_fronts(layout_, in_threads, [&](int f) {
-    const Front& front = layout_.fronts[at(f)];
+    const Front& front = layout_.fronts[f];
     assemble_front(layout_, f, a.lower.valuePtr(), lower_.get(), lower_schurs.get());
     assemble_front(layout_, f, a.upper.valuePtr(), upper_.get(), upper_schurs.get());
     return kernels.factor_lu(&lower_[front.panel], &lower_schurs[front.schur], &upper_[front.panel],

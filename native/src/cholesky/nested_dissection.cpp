@@ -6,8 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "cholesky/cut_cover.h"
-#include "index.h"
+#include "cholesky/vertex_separator.h"
 
 namespace wirewarp {
 namespace {
@@ -23,7 +22,7 @@ class Dissection {
       : graph_(graph),
         positions_(positions),
         cover_(graph),
-        side_(at(graph.num_vertices()), Side::outside),
+        side_(graph.num_vertices(), Side::outside),
         keys_(side_.size()) {}
 
   /// Parts of the graph that are not joined are dissected each by itself.
@@ -47,12 +46,12 @@ class Dissection {
   /// In ascending order.
   std::vector<int> all_joined_to(int vertex, std::vector<char>& is_met) const {
     std::vector<int> part{vertex};
-    is_met[at(vertex)] = 1;
+    is_met[vertex] = 1;
     for (std::size_t next = 0; next < part.size(); ++next) {
       const int v = part[next];
-      for (int i = graph_.start[at(v)]; i < graph_.start[at(v) + 1]; ++i) {
-        const int neighbor = graph_.neighbors[at(i)];
-        if (!std::exchange(is_met[at(neighbor)], 1)) part.push_back(neighbor);
+      for (int i = graph_.start[v]; i < graph_.start[v + 1]; ++i) {
+        const int neighbor = graph_.neighbors[i];
+        if (!std::exchange(is_met[neighbor], 1)) part.push_back(neighbor);
       }
     }
     std::sort(part.begin(), part.end());
@@ -64,10 +63,10 @@ class Dissection {
     if (begin == end) return {};
     if (end - begin <= kLeafSize) return {append(begin, end, {})};
     split(begin, end);
-    const auto is_on = [this](Side side) { return [this, side](int v) { return side_[at(v)] == side; }; };
+    const auto is_on = [this](Side side) { return [this, side](int v) { return side_[v] == side; }; };
     const auto lower_end = std::partition(begin, end, is_on(Side::lower));
     const auto upper_end = std::partition(lower_end, end, is_on(Side::upper));
-    for (auto v = begin; v != end; ++v) side_[at(*v)] = Side::outside;
+    for (auto v = begin; v != end; ++v) side_[*v] = Side::outside;
 
     std::vector<int> roots = dissect(begin, lower_end);
     for (int root : dissect(lower_end, upper_end)) roots.push_back(root);
@@ -79,7 +78,7 @@ class Dissection {
     const int node = static_cast<int>(tree_.nodes.size());
     std::sort(begin, end);
     tree_.nodes.push_back({{begin, end}, -1});
-    for (int child : children) tree_.nodes[at(child)].parent = node;
+    for (int child : children) tree_.nodes[child].parent = node;
     return node;
   }
 
@@ -96,7 +95,7 @@ class Dissection {
     if (best_direction + 1 != kDirections.size()) halve(begin, end, kDirections[best_direction]);
     std::vector<int> cut;
     std::copy_if(begin, end, std::back_inserter(cut),
-                 [this](int v) { return side_[at(v)] == Side::lower_cut || side_[at(v)] == Side::upper_cut; });
+                 [this](int v) { return side_[v] == Side::lower_cut || side_[v] == Side::upper_cut; });
     cover_.separate(cut, side_);
   }
 
@@ -107,28 +106,28 @@ class Dissection {
       return std::pair{direction[0] * positions_(v, 0) + direction[1] * positions_(v, 1), v};
     });
     std::nth_element(keys_.begin(), middle, last);
-    for (auto key = keys_.begin(); key != middle; ++key) side_[at(key->second)] = Side::lower;
-    for (auto key = middle; key != last; ++key) side_[at(key->second)] = Side::upper;
+    for (auto key = keys_.begin(); key != middle; ++key) side_[key->second] = Side::lower;
+    for (auto key = middle; key != last; ++key) side_[key->second] = Side::upper;
 
     Cut cut;
     for (auto key = keys_.begin(); key != middle; ++key) {
       const int v = key->second;
-      for (int i = graph_.start[at(v)]; i < graph_.start[at(v) + 1]; ++i) {
-        Side& neighbor = side_[at(graph_.neighbors[at(i)])];
+      for (int i = graph_.start[v]; i < graph_.start[v + 1]; ++i) {
+        Side& neighbor = side_[graph_.neighbors[i]];
         if (neighbor == Side::upper) {
           neighbor = Side::upper_cut;
           ++cut.upper;
         }
-        if (neighbor == Side::upper_cut) side_[at(v)] = Side::lower_cut;
+        if (neighbor == Side::upper_cut) side_[v] = Side::lower_cut;
       }
-      if (side_[at(v)] == Side::lower_cut) ++cut.lower;
+      if (side_[v] == Side::lower_cut) ++cut.lower;
     }
     return cut;
   }
 
   const Graph& graph_;
   const Positions2& positions_;
-  CutCover cover_;
+  VertexSeparator cover_;
   std::vector<Side> side_;  // of each vertex of the set that is being split
   std::vector<std::pair<double, int>> keys_;
   DissectionTree tree_;

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "in_threads.h"
-#include "index.h"
 
 namespace wirewarp {
 namespace {
@@ -20,7 +19,7 @@ template <int kColumns>
 class FrontRows {
  public:
   explicit FrontRows(const FrontLayout& layout)
-      : layout_(layout), x_(new Tile[at(layout.largest_front)]), sums_(new Tile[at(layout.largest_front)]) {}
+      : layout_(layout), x_(new Tile[layout.largest_front]), sums_(new Tile[layout.largest_front]) {}
 
   double* numbers() const { return x_[0].entries; }
   Tile* sums() const { return sums_.get(); }  // space that the kernels need
@@ -69,9 +68,9 @@ Substitution::Substitution(const FrontLayout& layout, bool in_threads, const Fro
     : layout_(layout),
       in_threads_(in_threads),
       kernels_(kernels),
-      all_(branches_where(std::vector<char>(layout.fronts.size(), 1))) {}
+      all_(fronts_where(std::vector<char>(layout.fronts.size(), 1))) {}
 
-void Substitution::forward(const Tile* factor, Columns b, const Branches& nonzero) const {
+void Substitution::forward(const Tile* factor, Columns b, const FrontSet& nonzero) const {
   if (b.rows() != layout_.num_unknowns) throw std::invalid_argument("substitution: b has another size");
   for (Eigen::Index first = 0; first < b.cols(); first += kTile) {
     const Eigen::Index columns = std::min<Eigen::Index>(kTile, b.cols() - first);
@@ -80,7 +79,7 @@ void Substitution::forward(const Tile* factor, Columns b, const Branches& nonzer
   }
 }
 
-void Substitution::back(const Tile* factor, Columns b, const Branches& wanted) const {
+void Substitution::back(const Tile* factor, Columns b, const FrontSet& wanted) const {
   for (Eigen::Index first = 0; first < b.cols(); first += kTile) {
     const Eigen::Index columns = std::min<Eigen::Index>(kTile, b.cols() - first);
     const auto substitute = columns == 1 ? &Substitution::back_4<1> : &Substitution::back_4<kTile>;
@@ -89,13 +88,13 @@ void Substitution::back(const Tile* factor, Columns b, const Branches& wanted) c
 }
 
 template <int kColumns>
-void Substitution::forward_4(const Tile* factor, Columns b, const Branches& nonzero) const {
+void Substitution::forward_4(const Tile* factor, Columns b, const FrontSet& nonzero) const {
   const auto solve = kColumns == 1 ? kernels_.solve_lower : kernels_.solve_lower_4;
   const auto visit = [&](const std::vector<int>& fronts, Columns shared) {
     const FrontRows<kColumns> rows(layout_);
     Columns own = b;
     for (int f : fronts) {
-      const Front& front = layout_.fronts[at(f)];
+      const Front& front = layout_.fronts[f];
       rows.gather(front, own, shared);
       solve(factor + front.panel, front.pivot_tiles, front.row_tiles, rows.numbers());
       rows.scatter(front, own, shared);
@@ -117,12 +116,12 @@ void Substitution::forward_4(const Tile* factor, Columns b, const Branches& nonz
 }
 
 template <int kColumns>
-void Substitution::back_4(const Tile* factor, Columns b, const Branches& wanted) const {
+void Substitution::back_4(const Tile* factor, Columns b, const FrontSet& wanted) const {
   const auto visit = [&](const std::vector<int>& fronts, const Columns& shared) {
     const FrontRows<kColumns> rows(layout_);
     Columns own = b;
     for (auto f = fronts.rbegin(); f != fronts.rend(); ++f) {
-      const Front& front = layout_.fronts[at(*f)];
+      const Front& front = layout_.fronts[*f];
       rows.gather(front, own, shared);
       const Tile* const panel = factor + front.panel;
       if constexpr (kColumns == 1) {
@@ -144,32 +143,32 @@ void Substitution::back_4(const Tile* factor, Columns b, const Branches& wanted)
                  [&](std::size_t share) { visit(wanted.shares[share], shared); });
 }
 
-Substitution::Branches Substitution::branches_to(const std::vector<int>& vertices) const {
+Substitution::FrontSet Substitution::fronts_reaching(const std::vector<int>& vertices) const {
   std::vector<char> is_visited(layout_.fronts.size(), 0);
   for (int v : vertices) {
-    for (int f = layout_.front_of_vertex.at(at(v)); f != -1 && !is_visited[at(f)]; f = layout_.fronts[at(f)].parent) {
-      is_visited[at(f)] = 1;
+    for (int f = layout_.front_of_vertex.at(v); f != -1 && !is_visited[f]; f = layout_.fronts[f].parent) {
+      is_visited[f] = 1;
     }
   }
-  return branches_where(is_visited);
+  return fronts_where(is_visited);
 }
 
-Substitution::Branches Substitution::others(const Branches& branches) const {
+Substitution::FrontSet Substitution::others(const FrontSet& branches) const {
   std::vector<char> is_other(layout_.fronts.size(), 1);
   for (const std::vector<int>& share : branches.shares) {
-    for (int f : share) is_other[at(f)] = 0;
+    for (int f : share) is_other[f] = 0;
   }
-  for (int f : branches.last) is_other[at(f)] = 0;
-  return branches_where(is_other);
+  for (int f : branches.last) is_other[f] = 0;
+  return fronts_where(is_other);
 }
 
-Substitution::Branches Substitution::branches_where(const std::vector<char>& is_visited) const {
-  Branches branches{};
+Substitution::FrontSet Substitution::fronts_where(const std::vector<char>& is_visited) const {
+  FrontSet branches{};
   std::size_t tiles = 0;
   const auto add = [&](const std::vector<int>& fronts, std::vector<int>& visited) {
     for (int f : fronts) {
-      if (!is_visited[at(f)]) continue;
-      const Front& front = layout_.fronts[at(f)];
+      if (!is_visited[f]) continue;
+      const Front& front = layout_.fronts[f];
       visited.push_back(f);
       tiles += panel_row(front.pivot_tiles + front.row_tiles, front.pivot_tiles);
     }

@@ -19,35 +19,35 @@ class Substitution {
   Substitution(const FrontLayout& layout, bool in_threads, const FrontKernels& kernels);
 
   /// Supernodes to visit.
-  struct Branches {
+  struct FrontSet {
     std::array<std::vector<int>, FrontLayout::num_shares> shares;
     std::vector<int> last;
     bool are_worth_threads;
   };
   /// Those that hold some vertices, and all their ancestors; and all that are not among them.
-  Branches branches_to(const std::vector<int>& vertices) const;
-  Branches others(const Branches& branches) const;
-  const Branches& all() const { return all_; }
+  FrontSet fronts_reaching(const std::vector<int>& vertices) const;
+  FrontSet others(const FrontSet& branches) const;
+  const FrontSet& all() const { return all_; }
 
   /// b := L⁻¹ b, where b is zero but at vertices in the branches. factor: the panels of all fronts.
-  void forward(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const;
+  void forward(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& nonzero) const;
   /// b := L⁻ᵀ b at vertices in the branches. Ancestors are among the branches or have been before.
-  void back(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const;
+  void back(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& wanted) const;
 
  private:
-  Branches branches_where(const std::vector<char>& is_visited) const;
-  std::size_t num_threads(const Branches& branches) const {
+  FrontSet fronts_where(const std::vector<char>& is_visited) const;
+  std::size_t num_threads(const FrontSet& branches) const {
     return in_threads_ && branches.are_worth_threads ? FrontLayout::num_shares : 1;
   }
   template <int kColumns>
-  void forward_4(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const Branches& nonzero) const;
+  void forward_4(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& nonzero) const;
   template <int kColumns>
-  void back_4(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const Branches& wanted) const;
+  void back_4(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& wanted) const;
 
   const FrontLayout& layout_;
   bool in_threads_;
   const FrontKernels& kernels_;
-  Branches all_;
+  FrontSet all_;
 };
 
 }  // namespace wirewarp

@@ -5,8 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "index.h"
-
 namespace wirewarp {
 namespace {
 
@@ -20,7 +18,7 @@ class Coarsening {
  private:
   HalfedgeHandle fine_half_edge(WireHalfEdge h) const { return half_edge(fine_, fine_network_, h); }
   VertexHandle fine_start(WireHalfEdge h) const { return fine_.mesh.from_vertex_handle(fine_half_edge(h)); }
-  VertexHandle coarse_vertex(VertexHandle v) const { return VertexHandle(decimated_.coarse_vertex[at(v.idx())]); }
+  VertexHandle coarse_vertex(VertexHandle v) const { return VertexHandle(decimated_.coarse_vertex[v.idx()]); }
   HalfEdgeChain coarse_chain(const HalfEdgeChain& chain, bool is_closed) const;
   void build_chart();
   void take_runs();
@@ -51,7 +49,7 @@ HalfEdgeChain Coarsening::coarse_chain(const HalfEdgeChain& chain, bool is_close
 
 void Coarsening::build_chart() {
   coarse_.chart.mesh = std::move(decimated_.mesh);
-  for (const int v : decimated_.fine_vertex) coarse_.chart.source_vertex.push_back(fine_.source_vertex[at(v)]);
+  for (const int v : decimated_.fine_vertex) coarse_.chart.source_vertex.push_back(fine_.source_vertex[v]);
   coarse_.chart.source_face.resize(coarse_.chart.mesh.n_faces());  // its own: the coarse chart is nobody's part
   std::iota(coarse_.chart.source_face.begin(), coarse_.chart.source_face.end(), 0);
   for (const WirePart& part : fine_.wire_parts) {
@@ -80,36 +78,36 @@ void Coarsening::take_runs() {
       for (WireHalfEdge& one : run.half_edges) one = opposite(one);
     }
     unroll(fine_network_, fine_nodes_, run);
-    const int edge = coarse_.network.wire_edge_of_edge[at(mesh.edge_handle(h).idx())];
-    coarse_.network.edges[at(edge)].length = run.chord_length;
+    const int edge = coarse_.network.wire_edge_of_edge[mesh.edge_handle(h).idx()];
+    coarse_.network.edges[edge].length = run.chord_length;
     place_wire_vertices(run, edge);
-    coarse_.runs[at(edge)] = std::move(run);
+    coarse_.runs[edge] = std::move(run);
   }
 }
 
 void Coarsening::place_wire_vertices(const WireRun& run, int edge) {
-  const HalfedgeHandle h = coarse_.chart.mesh.halfedge_handle(coarse_.network.edges[at(edge)].edge, 0);
+  const HalfedgeHandle h = coarse_.chart.mesh.halfedge_handle(coarse_.network.edges[edge].edge, 0);
   const int begin = coarse_.chart.mesh.from_vertex_handle(h).idx(), end = coarse_.chart.mesh.to_vertex_handle(h).idx();
   double walked = 0;
   for (const WireHalfEdge one : run.half_edges) {
     const double from = walked / run.walked_length;
-    if (walked > 0) decimated_.places[at(fine_start(one).idx())] = {{begin, end, end}, {1 - from, from, 0}};
-    walked += fine_network_.edges[at(one.edge)].length;
+    if (walked > 0) decimated_.places[fine_start(one).idx()] = {{begin, end, end}, {1 - from, from, 0}};
+    walked += fine_network_.edges[one.edge].length;
     const double to = walked / run.walked_length;
-    coarse_.wire_places[at(one.edge)] = {edge, one.reversed ? to : from, one.reversed ? from : to};
+    coarse_.wire_places[one.edge] = {edge, one.reversed ? to : from, one.reversed ? from : to};
   }
 }
 
 /// Surface angles between chords, from those between the end edges of the runs.
 void Coarsening::measure_nodes() {
   for (WireNode& node : coarse_.network.nodes) {
-    const WireRun& in = coarse_.runs[at(node.in.edge)];
-    const WireRun& out = coarse_.runs[at(node.out.edge)];
+    const WireRun& in = coarse_.runs[node.in.edge];
+    const WireRun& out = coarse_.runs[node.out.edge];
     const WireHalfEdge last = node.in.reversed ? opposite(in.half_edges.front()) : in.half_edges.back();
     const double turn_in = node.in.reversed ? in.headings.front() : in.headings.back();
     const double turn_out = node.out.reversed ? -out.headings.back() : -out.headings.front();
     const double one_sided = in.one_sided[node.in.reversed ? 0 : 1] + out.one_sided[node.out.reversed ? 1 : 0];
-    const WireNode& fine = fine_network_.nodes[at(fine_nodes_[place_of(last)])];
+    const WireNode& fine = fine_network_.nodes[fine_nodes_[place_of(last)]];
     node.surface_angle = fine.surface_angle - turn_in - turn_out - one_sided;
     node.length = (in.chord_length + out.chord_length) / 2;
   }

@@ -6,10 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "index.h"
 #include "mesh/geometry.h"
-#include "pi.h"
-#include "planar_cross.h"
+#include "planar.h"
 
 namespace wirewarp {
 namespace {
@@ -43,7 +41,7 @@ class Decimation {
     double weights[3] = {0, 0, 0};
   };
 
-  bool is_free(int v) const { return wire_neighbors_[at(v)][0] == -1; }
+  bool is_free(int v) const { return wire_neighbors_[v][0] == -1; }
   int remove_round();
   bool try_remove(VertexHandle v);
   void lay_out(HalfedgeHandle first, VertexHandle last, double turn, Fan& fan) const;
@@ -83,21 +81,21 @@ Decimation::Decimation(const Chart& chart, const WireNetwork& network, double ed
   mesh_.request_face_status();
   const Triangles triangles = triangles_of(mesh_);
   for (int f = 0; f < triangles.rows(); ++f) {
-    corners_[at(f)] = {triangles(f, 0), triangles(f, 1), triangles(f, 2)};
+    corners_[f] = {triangles(f, 0), triangles(f, 1), triangles(f, 2)};
   }
   std::vector<int> part(chart.mesh.n_vertices(), -1);
   for (const WireEdge& edge : network.edges) {
     const HalfedgeHandle h = mesh_.halfedge_handle(edge.edge, 0);
     const int ends[2] = {mesh_.from_vertex_handle(h).idx(), mesh_.to_vertex_handle(h).idx()};
     for (int k = 0; k < 2; ++k) {
-      WireNeighbors& neighbors = wire_neighbors_[at(ends[k])];
+      WireNeighbors& neighbors = wire_neighbors_[ends[k]];
       if (neighbors[0] == -1) {
         neighbors[0] = ends[1 - k];
-        part[at(ends[k])] = edge.part;
-      } else if (neighbors[1] == -1 && part[at(ends[k])] == edge.part) {
+        part[ends[k]] = edge.part;
+      } else if (neighbors[1] == -1 && part[ends[k]] == edge.part) {
         neighbors[1] = ends[1 - k];
       } else {
-        is_kept_[at(ends[k])] = 1;
+        is_kept_[ends[k]] = 1;
       }
     }
   }
@@ -106,8 +104,8 @@ Decimation::Decimation(const Chart& chart, const WireNetwork& network, double ed
   }
   for (const WirePart& wire : chart.wire_parts) {
     if (wire.kind == WireKind::super_elastic || wire.kind == WireKind::boundary) continue;
-    is_kept_[at(mesh_.from_vertex_handle(wire.half_edges.front()).idx())] = 1;
-    is_kept_[at(mesh_.to_vertex_handle(wire.half_edges.back()).idx())] = 1;
+    is_kept_[mesh_.from_vertex_handle(wire.half_edges.front()).idx()] = 1;
+    is_kept_[mesh_.to_vertex_handle(wire.half_edges.back()).idx()] = 1;
   }
 }
 
@@ -146,11 +144,11 @@ bool Decimation::lay_out_fans(VertexHandle v) {
     return true;
   }
   for (int k = 0; k < 2; ++k) {
-    const WireNeighbors& neighbors = wire_neighbors_[at(v.idx())];
-    const HalfedgeHandle first = mesh_.find_halfedge(v, VertexHandle(neighbors[at(k)]));
+    const WireNeighbors& neighbors = wire_neighbors_[v.idx()];
+    const HalfedgeHandle first = mesh_.find_halfedge(v, VertexHandle(neighbors[k]));
     if (mesh_.is_boundary(first)) continue;
     Fan& fan = fans_[num_fans_++];
-    lay_out(first, VertexHandle(neighbors[at(1 - k)]), kPi, fan);
+    lay_out(first, VertexHandle(neighbors[1 - k]), kPi, fan);
     if (std::abs(fan.angle - kPi) > kSharpestTurn) return false;
   }
   return true;
@@ -195,8 +193,7 @@ HalfedgeHandle Decimation::choose_collapse(VertexHandle v) {
   if (is_free(v.idx())) {
     for (std::size_t i = 0; i + 1 < fans_[0].rim.size(); ++i) consider(fans_[0].rim[i]);
   } else {
-    const VertexHandle ends[2] = {VertexHandle(wire_neighbors_[at(v.idx())][0]),
-                                  VertexHandle(wire_neighbors_[at(v.idx())][1])};
+    const VertexHandle ends[2] = {VertexHandle(wire_neighbors_[v.idx()][0]), VertexHandle(wire_neighbors_[v.idx()][1])};
     if (mesh_.find_halfedge(ends[0], ends[1]).is_valid()) return HalfedgeHandle();
     for (const VertexHandle w : ends) consider(w);
   }
@@ -216,13 +213,13 @@ void Decimation::move_points(const Fan& fan, VertexHandle v, VertexHandle w) {
   for (std::size_t i = 0; i < fan.faces.size(); ++i) {
     const int f = fan.faces[i].idx();
     Eigen::Vector2d corners[3];
-    for (int k = 0; k < 3; ++k) corners[k] = position_of(i, corners_[at(f)][at(k)]);
-    for (int point = first_point_[at(f)]; point != -1; point = places_[at(point)].next) {
-      const double* weights = places_[at(point)].weights;
+    for (int k = 0; k < 3; ++k) corners[k] = position_of(i, corners_[f][k]);
+    for (int point = first_point_[f]; point != -1; point = places_[point].next) {
+      const double* weights = places_[point].weights;
       moved_.push_back(point);
       moved_to_.push_back(weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2]);
     }
-    first_point_[at(f)] = -1;
+    first_point_[f] = -1;
   }
   if (is_free(v.idx())) {
     moved_.push_back(v.idx());
@@ -244,17 +241,17 @@ void Decimation::move_points(const Fan& fan, VertexHandle v, VertexHandle w) {
       most_inside = inside;
       best_face = fan.faces[i].idx();
       for (int k = 0; k < 3; ++k) {
-        const int corner = corners_[at(best_face)][at(k)];
+        const int corner = corners_[best_face][k];
         best.weights[k] = corner == v.idx() ? to_a : corner == fan.rim[i].idx() ? to_b : to_c;
       }
     }
-    best.next = first_point_[at(best_face)];
-    first_point_[at(best_face)] = moved_[m];
-    places_[at(moved_[m])] = best;
-    face_of_point_[at(moved_[m])] = best_face;
+    best.next = first_point_[best_face];
+    first_point_[best_face] = moved_[m];
+    places_[moved_[m]] = best;
+    face_of_point_[moved_[m]] = best_face;
   }
   for (const FaceHandle face : fan.faces)
-    std::replace(corners_[at(face.idx())].begin(), corners_[at(face.idx())].end(), v.idx(), w.idx());
+    std::replace(corners_[face.idx()].begin(), corners_[face.idx()].end(), v.idx(), w.idx());
 }
 
 bool Decimation::try_remove(VertexHandle v) {
@@ -264,12 +261,12 @@ bool Decimation::try_remove(VertexHandle v) {
   const VertexHandle w = mesh_.to_vertex_handle(h);
   for (std::size_t f = 0; f < num_fans_; ++f) {
     move_points(fans_[f], v, w);
-    for (const VertexHandle neighbor : fans_[f].rim) is_locked_[at(neighbor.idx())] = 1;
+    for (const VertexHandle neighbor : fans_[f].rim) is_locked_[neighbor.idx()] = 1;
   }
   if (!is_free(v.idx())) {
-    const WireNeighbors ends = wire_neighbors_[at(v.idx())];
-    std::replace(wire_neighbors_[at(ends[0])].begin(), wire_neighbors_[at(ends[0])].end(), v.idx(), ends[1]);
-    std::replace(wire_neighbors_[at(ends[1])].begin(), wire_neighbors_[at(ends[1])].end(), v.idx(), ends[0]);
+    const WireNeighbors ends = wire_neighbors_[v.idx()];
+    std::replace(wire_neighbors_[ends[0]].begin(), wire_neighbors_[ends[0]].end(), v.idx(), ends[1]);
+    std::replace(wire_neighbors_[ends[1]].begin(), wire_neighbors_[ends[1]].end(), v.idx(), ends[0]);
   }
   mesh_.collapse(h);
   return true;
@@ -279,7 +276,7 @@ int Decimation::remove_round() {
   std::fill(is_locked_.begin(), is_locked_.end(), 0);
   int removed = 0;
   for (const VertexHandle v : mesh_.vertices()) {
-    if (!is_kept_[at(v.idx())] && !is_locked_[at(v.idx())]) removed += try_remove(v) ? 1 : 0;
+    if (!is_kept_[v.idx()] && !is_locked_[v.idx()]) removed += try_remove(v) ? 1 : 0;
   }
   return removed;
 }
@@ -299,7 +296,7 @@ DecimatedMesh Decimation::result() {
   result.coarse_vertex.assign(num_vertices, -1);
   for (const VertexHandle v : mesh_.vertices()) {
     result.fine_vertex.push_back(mesh_.property(fine_vertex, v));
-    result.coarse_vertex[at(result.fine_vertex.back())] = v.idx();
+    result.coarse_vertex[result.fine_vertex.back()] = v.idx();
   }
   mesh_.remove_property(fine_vertex);
   result.places.resize(num_vertices);
@@ -309,7 +306,7 @@ DecimatedMesh Decimation::result() {
     place = {{coarse, coarse, coarse}, {1, 0, 0}};
     if (coarse != -1 || face_of_point_[v] == -1) continue;
     for (int k = 0; k < 3; ++k) {
-      place.vertices[k] = result.coarse_vertex[at(corners_[at(face_of_point_[v])][at(k)])];
+      place.vertices[k] = result.coarse_vertex[corners_[face_of_point_[v]][k]];
       place.weights[k] = places_[v].weights[k];
     }
   }

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "charts/chart.h"
-#include "topology/wire_network.h"
+#include "network/wire_network.h"
 
 namespace wirewarp {
 

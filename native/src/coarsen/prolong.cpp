@@ -3,10 +3,9 @@
 
 #include <Eigen/Geometry>
 
+#include "arap/shape_error.h"
 #include "coarsen/prolong_wires.h"
-#include "index.h"
 #include "mesh/geometry.h"
-#include "outer/shape_error.h"
 
 namespace wirewarp {
 namespace {
@@ -37,8 +36,8 @@ std::vector<Derivative> vertex_derivatives(const HalfEdgeMesh& mesh, const Posit
     const Derivative j = (uv.row(b) - uv.row(a)).transpose() * grad_b.transpose() +
                          (uv.row(c) - uv.row(a)).transpose() * grad_c.transpose();
     for (const int v : {a, b, c}) {
-      sum[at(v)] += twice_area * j;
-      area[at(v)] += twice_area;
+      sum[v] += twice_area * j;
+      area[v] += twice_area;
     }
   }
   for (std::size_t v = 0; v < sum.size(); ++v) sum[v] /= area[v];
@@ -71,7 +70,7 @@ Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Posi
   const std::vector<Derivative> derivatives = vertex_derivatives(coarse.chart.mesh, coarse_uv);
   Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
   for (int v = 0; v < uv.rows(); ++v) {
-    const CoarsePlace& place = coarse.places[at(v)];
+    const CoarsePlace& place = coarse.places[v];
     const Eigen::Vector3d p = point(chart.mesh, v);
     Eigen::Vector2d u(0, 0);
     Derivative mean = Derivative::Zero();
@@ -80,8 +79,8 @@ Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Posi
       const int i = place.vertices[k];
       const double b = place.weights[k];
       const Eigen::Vector3d corner = point(coarse.chart.mesh, i);
-      u += b * (coarse_uv.row(i).transpose() + 0.5 * derivatives[at(i)] * (p - corner));
-      mean += b * derivatives[at(i)];
+      u += b * (coarse_uv.row(i).transpose() + 0.5 * derivatives[i] * (p - corner));
+      mean += b * derivatives[i];
       foot += b * corner;
     }
     uv.row(v) = (u + 0.5 * mean * (p - foot)).transpose();
@@ -99,7 +98,7 @@ Positions2 prolong_positions(const Chart& chart, const WireNetwork& network, con
 
 Eigen::VectorXd prolong_multipliers(const CoarseChart& coarse, const Eigen::VectorXd& coarse_multipliers) {
   Eigen::VectorXd fine(static_cast<Eigen::Index>(coarse.wire_places.size()));
-  for (int e = 0; e < fine.size(); ++e) fine[e] = coarse_multipliers[coarse.wire_places[at(e)].edge];
+  for (int e = 0; e < fine.size(); ++e) fine[e] = coarse_multipliers[coarse.wire_places[e].edge];
   return fine;
 }
 

@@ -6,8 +6,7 @@
 #include <complex>
 #include <numeric>
 
-#include "index.h"
-#include "pi.h"
+#include "planar.h"
 
 namespace wirewarp {
 namespace {
@@ -18,10 +17,10 @@ class WireTurns {
   WireTurns(const CoarseChart& coarse, const Positions2& uv);
 
   /// What the first or last end of a run is to turn further than its chord, so that all runs turn alike there.
-  const std::array<double, 2>& at_ends(int run) const { return turns_[at(run)]; }
+  const std::array<double, 2>& at_ends(int run) const { return turns_[run]; }
 
  private:
-  double heading(WireHalfEdge h) const { return chords_[at(h.edge)] + (h.reversed ? kPi : 0); }
+  double heading(WireHalfEdge h) const { return chords_[h.edge] + (h.reversed ? kPi : 0); }
   void turn_around(WireHalfEdge first);
 
   const WireNetwork& network_;
@@ -64,7 +63,7 @@ void WireTurns::turn_around(WireHalfEdge first) {
     runs.push_back(h);
     const int n = nodes_[place_of(h)];
     if (n == -1) break;
-    const WireNode& node = network_.nodes[at(n)];
+    const WireNode& node = network_.nodes[n];
     const double turned = heading(node.out) - heading(node.in) - (kPi - node.surface_angle);
     rotations.push_back(rotations.back() + std::remainder(turned, 2 * kPi));
     h = opposite(node.out);
@@ -76,7 +75,7 @@ void WireTurns::turn_around(WireHalfEdge first) {
   for (std::size_t i = 0; i < runs.size(); ++i) rotations[i] -= static_cast<double>(i) * lack;
   const double mean = std::accumulate(rotations.begin(), rotations.end(), 0.0) / count;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    turns_[at(runs[i].edge)][runs[i].reversed ? 0 : 1] = mean - rotations[i];
+    turns_[runs[i].edge][runs[i].reversed ? 0 : 1] = mean - rotations[i];
   }
 }
 
@@ -86,8 +85,8 @@ void prolong_wires(const Chart& chart, const WireNetwork& network, const CoarseC
                    const Positions2& coarse_uv, Positions2& uv) {
   const WireTurns turns(coarse, coarse_uv);
   for (int e = 0; e < static_cast<int>(coarse.runs.size()); ++e) {
-    const WireRun& run = coarse.runs[at(e)];
-    const HalfedgeHandle h = coarse.chart.mesh.halfedge_handle(coarse.network.edges[at(e)].edge, 0);
+    const WireRun& run = coarse.runs[e];
+    const HalfedgeHandle h = coarse.chart.mesh.halfedge_handle(coarse.network.edges[e].edge, 0);
     using Complex = std::complex<double>;
     const auto position = [&](VertexHandle v) { return Complex(coarse_uv(v.idx(), 0), coarse_uv(v.idx(), 1)); };
     const Complex begin = position(coarse.chart.mesh.from_vertex_handle(h));
@@ -95,10 +94,10 @@ void prolong_wires(const Chart& chart, const WireNetwork& network, const CoarseC
     std::vector<Complex> laid{0};
     for (std::size_t i = 0; i < run.half_edges.size(); ++i) {
       const int fine = run.half_edges[i].edge;
-      const double s = (coarse.wire_places[at(fine)].from + coarse.wire_places[at(fine)].to) / 2;
+      const double s = (coarse.wire_places[fine].from + coarse.wire_places[fine].to) / 2;
       // The polynomial with these ends and mean 0.
       const double turn = (1 - s) * (1 - 3 * s) * turns.at_ends(e)[0] + s * (3 * s - 2) * turns.at_ends(e)[1];
-      laid.push_back(laid.back() + std::polar(network.edges[at(fine)].length, run.headings[i] + turn));
+      laid.push_back(laid.back() + std::polar(network.edges[fine].length, run.headings[i] + turn));
     }
     for (std::size_t i = 1; i < run.half_edges.size(); ++i) {
       const Complex p = begin + chord * laid[i] / laid.back();

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "topology/wire_network.h"
+#include "network/wire_network.h"
 
 namespace wirewarp {
 

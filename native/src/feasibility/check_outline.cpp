@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "check_input/sentence.h"
+#include "errors/sentence.h"
 #include "feasibility/isoperimetric.h"
 #include "feasibility/propose_seams.h"
 #include "mesh/geometry.h"
@@ -31,7 +31,7 @@ std::string number(double value) {
 }
 
 int source_of_loop(const Chart& chart, const OutlineLoop& loop) {
-  return chart.source_vertex[at(chart.mesh.from_vertex_handle(loop.start).idx())];
+  return chart.source_vertex[chart.mesh.from_vertex_handle(loop.start).idx()];
 }
 
 std::string name_loop(const Chart& chart, const OutlineLoop& loop) {
@@ -61,7 +61,7 @@ std::string what_to_do(std::size_t num_loops) {
 
 std::optional<FlattenError> find_short_outline(const Chart& chart) {
   const PieceOutline outline = outline_of(chart);
-  const double share = attainable_share(outline);
+  const double share = isoperimetric_ratio(outline);
   if (share >= required_share(outline.loops.size())) return std::nullopt;
 
   ErrorElements elements;

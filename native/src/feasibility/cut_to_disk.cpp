@@ -20,14 +20,14 @@ constexpr int kBasePoints = 8;
 std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const ShortestPaths& paths) {
   std::vector<char> is_in_tree(mesh.n_edges(), 0);
   for (const HalfedgeHandle h : paths.arrival) {
-    if (h.is_valid()) is_in_tree[at(mesh.edge_handle(h).idx())] = 1;
+    if (h.is_valid()) is_in_tree[mesh.edge_handle(h).idx()] = 1;
   }
   std::vector<std::pair<double, EdgeHandle>> by_detour;
   for (const EdgeHandle e : mesh.edges()) {
-    if (mesh.is_boundary(e) || is_in_tree[at(e.idx())]) continue;
+    if (mesh.is_boundary(e) || is_in_tree[e.idx()]) continue;
     const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
-    by_detour.emplace_back(paths.distance[at(mesh.from_vertex_handle(h).idx())] + edge_length(mesh, h) +
-                               paths.distance[at(mesh.to_vertex_handle(h).idx())],
+    by_detour.emplace_back(paths.distance[mesh.from_vertex_handle(h).idx()] + edge_length(mesh, h) +
+                               paths.distance[mesh.to_vertex_handle(h).idx()],
                            e);
   }
   std::stable_sort(by_detour.begin(), by_detour.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -49,10 +49,10 @@ void prune(const HalfEdgeMesh& mesh, CutMask& cut) {
     queue.pop_back();
     std::vector<HalfedgeHandle> cuts;
     for (const HalfedgeHandle h : mesh.voh_range(v)) {
-      if (cut[at(mesh.edge_handle(h).idx())]) cuts.push_back(h);
+      if (cut[mesh.edge_handle(h).idx()]) cuts.push_back(h);
     }
     if (cuts.size() != 1 || mesh.is_boundary(v)) continue;
-    cut[at(mesh.edge_handle(cuts[0]).idx())] = 0;
+    cut[mesh.edge_handle(cuts[0]).idx()] = 0;
     queue.push_back(mesh.to_vertex_handle(cuts[0]));
   }
 }
@@ -60,10 +60,10 @@ void prune(const HalfEdgeMesh& mesh, CutMask& cut) {
 CutMask cut_through(const HalfEdgeMesh& mesh, const ShortestPaths& paths) {
   CutMask cut(mesh.n_edges(), 0);
   for (const EdgeHandle e : edges_left_over(mesh, paths)) {
-    cut[at(e.idx())] = 1;
+    cut[e.idx()] = 1;
     for (const unsigned end : {0u, 1u}) {
       for (const HalfedgeHandle h : path_back(mesh, paths, mesh.to_vertex_handle(mesh.halfedge_handle(e, end)))) {
-        cut[at(mesh.edge_handle(h).idx())] = 1;
+        cut[mesh.edge_handle(h).idx()] = 1;
       }
     }
   }

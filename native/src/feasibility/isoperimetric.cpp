@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pi.h"
+#include "planar.h"
 
 namespace wirewarp {
 namespace {
@@ -20,7 +20,7 @@ constexpr double kRequiredOfTube = 0.45;
 
 }  // namespace
 
-double attainable_share(const PieceOutline& piece) {
+double isoperimetric_ratio(const PieceOutline& piece) {
   if (piece.loops.empty()) return 0;
   const double longest = piece.loops.front().length;
   return longest * longest / (4 * kPi * piece.area);
@@ -34,10 +34,10 @@ double least_shape_error(double share) {
 
 double required_share(std::size_t num_loops) { return num_loops > 1 ? kRequiredOfTube : kRequiredOfDisk; }
 
-double fitness(const std::vector<PieceOutline>& pieces) {
+double worst_margin(const std::vector<PieceOutline>& pieces) {
   double least = std::numeric_limits<double>::infinity();
   for (const PieceOutline& piece : pieces) {
-    least = std::min(least, attainable_share(piece) / required_share(piece.loops.size()));
+    least = std::min(least, isoperimetric_ratio(piece) / required_share(piece.loops.size()));
   }
   return least;
 }

@@ -8,7 +8,7 @@
 namespace wirewarp {
 
 /// p: the largest part of its area that a piece can have when flat, by its longest loop. Above 1: no bound. 0: closed.
-double attainable_share(const PieceOutline& piece);
+double isoperimetric_ratio(const PieceOutline& piece);
 
 /// The least E (Eq. 4) over the 3D area with this share of the area, the same map in all triangles: 1 - 2p for p <= 1/4
 /// (singular values that sum to 1), then 2 (1 - sqrt p)^2 (both sqrt p); 0 from p = 1.
@@ -18,6 +18,6 @@ double least_shape_error(double share);
 double required_share(std::size_t num_loops);
 
 /// Of the pieces between cut edges the smallest quotient of attainable and required share: 1 or more if all pass.
-double fitness(const std::vector<PieceOutline>& pieces);
+double worst_margin(const std::vector<PieceOutline>& pieces);
 
 }  // namespace wirewarp

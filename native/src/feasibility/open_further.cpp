@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "feasibility/isoperimetric.h"
-#include "index.h"
 #include "mesh/geometry.h"
 #include "mesh/shortest_paths.h"
 
@@ -30,7 +29,7 @@ std::vector<VertexHandle> starts(const HalfEdgeMesh& mesh) {
 
 bool is_border(const HalfEdgeMesh& mesh, const std::vector<char>& side, HalfedgeHandle h) {
   if (mesh.is_boundary(mesh.edge_handle(h))) return false;
-  return side[at(mesh.face_handle(h).idx())] != side[at(mesh.opposite_face_handle(h).idx())];
+  return side[mesh.face_handle(h).idx()] != side[mesh.opposite_face_handle(h).idx()];
 }
 
 /// By how much the border between two sides grows if all faces around a vertex go to one side.
@@ -38,7 +37,7 @@ double growth_of_border(const HalfEdgeMesh& mesh, const std::vector<char>& side,
   double growth = 0;
   for (const HalfedgeHandle spoke : mesh.voh_range(v)) {
     if (is_border(mesh, side, spoke)) growth -= edge_length(mesh, spoke);
-    if (mesh.is_boundary(spoke) || side[at(mesh.face_handle(spoke).idx())] == to) continue;
+    if (mesh.is_boundary(spoke) || side[mesh.face_handle(spoke).idx()] == to) continue;
     const HalfedgeHandle rim = mesh.next_halfedge_handle(spoke);
     if (mesh.is_boundary(mesh.edge_handle(rim))) continue;
     growth += is_border(mesh, side, rim) ? -edge_length(mesh, rim) : edge_length(mesh, rim);
@@ -57,7 +56,7 @@ void shorten_border(const HalfEdgeMesh& mesh, std::vector<char>& side) {
     for (const HalfedgeHandle spoke : mesh.voh_range(v)) longest = std::max(longest, edge_length(mesh, spoke));
     for (const char to : {char{0}, char{1}}) {
       if (growth_of_border(mesh, side, v, to) >= -kRounding * longest) continue;
-      for (const FaceHandle f : mesh.vf_range(v)) side[at(f.idx())] = to;
+      for (const FaceHandle f : mesh.vf_range(v)) side[f.idx()] = to;
       for (const VertexHandle near : mesh.vv_range(v)) queue.push_back(near);
     }
   }
@@ -70,22 +69,22 @@ std::vector<char> divide(const HalfEdgeMesh& mesh, VertexHandle first, VertexHan
   std::vector<char> side(mesh.n_faces(), 0);
   for (const FaceHandle f : mesh.faces()) {
     double lead = 0;
-    for (const VertexHandle v : mesh.fv_range(f)) lead += from_first[at(v.idx())] - from_second[at(v.idx())];
-    side[at(f.idx())] = lead > 0;
+    for (const VertexHandle v : mesh.fv_range(f)) lead += from_first[v.idx()] - from_second[v.idx()];
+    side[f.idx()] = lead > 0;
   }
   return side;
 }
 
 CutMask cut_along_border(const HalfEdgeMesh& mesh, const std::vector<char>& side) {
   CutMask cut(mesh.n_edges(), 0);
-  for (const EdgeHandle e : mesh.edges()) cut[at(e.idx())] = is_border(mesh, side, mesh.halfedge_handle(e, 0));
+  for (const EdgeHandle e : mesh.edges()) cut[e.idx()] = is_border(mesh, side, mesh.halfedge_handle(e, 0));
   return cut;
 }
 
 /// The smaller, the better: short cuts among those that leave outline enough, the rest by how much outline they leave.
 std::pair<double, double> rank(const HalfEdgeMesh& mesh, const CutMask& cut) {
   const double enough = kEnough / required_share(1);
-  return {-std::min(enough, fitness(outlines_after(mesh, cut))), length_of_cut(mesh, cut)};
+  return {-std::min(enough, worst_margin(outlines_after(mesh, cut))), length_of_cut(mesh, cut)};
 }
 
 }  // namespace
@@ -97,12 +96,12 @@ CutMask slit_to_far_end(const HalfEdgeMesh& mesh) {
   CutMask cut(mesh.n_edges(), 0);
   // Both sides of a single edge inside a closed surface would be one loop of two edges between the same vertices.
   if (path.size() == 1 && !mesh.is_boundary(sources.front())) return cut;
-  for (const HalfedgeHandle h : path) cut[at(mesh.edge_handle(h).idx())] = 1;
+  for (const HalfedgeHandle h : path) cut[mesh.edge_handle(h).idx()] = 1;
   return cut;
 }
 
 CutMask opened_or_halved(const HalfEdgeMesh& mesh, const CutMask& opening) {
-  if (attainable_share(outlines_after(mesh, opening).front()) >= kEnough) return opening;
+  if (isoperimetric_ratio(outlines_after(mesh, opening).front()) >= kEnough) return opening;
   // Two far ends of the surface, and two more that lie apart across it.
   const VertexHandle first = farthest_from(mesh, starts(mesh));
   const VertexHandle second = farthest_from(mesh, {first});

@@ -11,7 +11,7 @@ namespace {
 
 bool is_outline(const HalfEdgeMesh& mesh, const CutMask& cut, HalfedgeHandle h) {
   const EdgeHandle e = mesh.edge_handle(h);
-  return mesh.is_boundary(e) || cut[at(e.idx())] != 0;
+  return mesh.is_boundary(e) || cut[e.idx()] != 0;
 }
 
 /// The outline's next half-edge around the piece.
@@ -32,18 +32,18 @@ std::vector<PieceOutline> outlines_after(const HalfEdgeMesh& mesh, const CutMask
   }
   int count = 0;
   const std::vector<int> region = regions.number(count);
-  std::vector<PieceOutline> pieces(at(count));
-  for (const FaceHandle f : mesh.faces()) pieces[at(region[at(f.idx())])].area += face_area(mesh, f);
+  std::vector<PieceOutline> pieces(count);
+  for (const FaceHandle f : mesh.faces()) pieces[region[f.idx()]].area += face_area(mesh, f);
 
   std::vector<char> is_seen(mesh.n_halfedges(), 0);
   for (const HalfedgeHandle start : mesh.halfedges()) {
-    if (mesh.is_boundary(start) || is_seen[at(start.idx())] || !is_outline(mesh, cut, start)) continue;
+    if (mesh.is_boundary(start) || is_seen[start.idx()] || !is_outline(mesh, cut, start)) continue;
     OutlineLoop loop{0, start};
-    for (HalfedgeHandle h = start; !is_seen[at(h.idx())]; h = next_on_outline(mesh, cut, h)) {
-      is_seen[at(h.idx())] = 1;
+    for (HalfedgeHandle h = start; !is_seen[h.idx()]; h = next_on_outline(mesh, cut, h)) {
+      is_seen[h.idx()] = 1;
       loop.length += edge_length(mesh, h);
     }
-    pieces[at(region[at(mesh.face_handle(start).idx())])].loops.push_back(loop);
+    pieces[region[mesh.face_handle(start).idx()]].loops.push_back(loop);
   }
   for (PieceOutline& piece : pieces) {
     std::stable_sort(piece.loops.begin(), piece.loops.end(),
@@ -55,7 +55,7 @@ std::vector<PieceOutline> outlines_after(const HalfEdgeMesh& mesh, const CutMask
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut) {
   double length = 0;
   for (const EdgeHandle e : mesh.edges()) {
-    if (cut[at(e.idx())]) length += edge_length(mesh, mesh.halfedge_handle(e, 0));
+    if (cut[e.idx()]) length += edge_length(mesh, mesh.halfedge_handle(e, 0));
   }
   return length;
 }

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "charts/chart_faults.h"
-#include "check_input/sentence.h"
+#include "errors/sentence.h"
 #include "feasibility/cut_to_disk.h"
 #include "feasibility/open_further.h"
 
@@ -23,7 +23,7 @@ std::vector<VertexPair> propose_seams(const Chart& chart) {
   const CutMask cut = propose_cut(chart);
   std::vector<VertexPair> seams;
   for (const EdgeHandle e : chart.mesh.edges()) {
-    if (cut[at(e.idx())]) seams.push_back(source_edge(chart, chart.mesh.halfedge_handle(e, 0)));
+    if (cut[e.idx()]) seams.push_back(source_edge(chart, chart.mesh.halfedge_handle(e, 0)));
   }
   return seams;
 }

@@ -6,8 +6,7 @@
 
 #include "cholesky/matrix_graph.h"
 #include "cholesky/nested_dissection.h"
-#include "index.h"
-#include "mesh/seen_from_the_side.h"
+#include "mesh/project_to_principal_plane.h"
 
 namespace wirewarp {
 namespace {
@@ -19,9 +18,9 @@ int num_loops(const Eq1& eq1) { return eq1.num_closures() / 2; }
 
 /// The loops on both sides of each edge, -1 where there is none.
 std::vector<LoopPair> loops_of_edges(const Eq1& eq1) {
-  std::vector<LoopPair> loops(at(eq1.num_edges()), {-1, -1});
+  std::vector<LoopPair> loops(eq1.num_edges(), {-1, -1});
   for (int loop = 0; loop < num_loops(eq1); ++loop) {
-    for (int e : eq1.loop_edges(loop)) loops[at(e)][loops[at(e)][0] == -1 ? 0 : 1] = loop;
+    for (int e : eq1.loop_edges(loop)) loops[e][loops[e][0] == -1 ? 0 : 1] = loop;
   }
   return loops;
 }
@@ -42,26 +41,26 @@ Positions2 middles_of_loops(const Eq1& eq1, const WireNetwork& network) {
   Positions3 middles = Positions3::Zero(num_loops(eq1), 3);
   for (int loop = 0; loop < num_loops(eq1); ++loop) {
     const std::vector<int>& edges = eq1.loop_edges(loop);
-    for (int e : edges) middles.row(loop) += network.edges[at(e)].middle.transpose();
+    for (int e : edges) middles.row(loop) += network.edges[e].middle.transpose();
     middles.row(loop) /= static_cast<double>(edges.size());
   }
-  return seen_from_the_side(middles);
+  return project_to_principal_plane(middles);
 }
 
 }  // namespace
 
 std::vector<int> order_elimination(const Eq1& eq1, const WireNetwork& network) {
   std::vector<int> order;
-  std::vector<char> is_ordered(at(eq1.num_edges()), 0);
+  std::vector<char> is_ordered(eq1.num_edges(), 0);
   const auto append = [&](int e) {
-    if (!std::exchange(is_ordered[at(e)], 1)) order.push_back(e);
+    if (!std::exchange(is_ordered[e], 1)) order.push_back(e);
   };
   const std::vector<LoopPair> loops = loops_of_edges(eq1);
   for (int loop = 0; loop < num_loops(eq1); ++loop) {
     const std::vector<int>& edges = eq1.loop_edges(loop);
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-      const LoopPair& here = loops[at(edges[i])];
-      if (here[0] == loop && here == loops[at(edges[i + 1])]) append(edges[i]);
+      const LoopPair& here = loops[edges[i]];
+      if (here[0] == loop && here == loops[edges[i + 1]]) append(edges[i]);
     }
   }
   for (const DissectionTree::Node& node :

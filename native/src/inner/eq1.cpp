@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inner/eq1.h"
 
-#include "index.h"
 #include "inner/linear_angle_constraints.h"
-#include "pi.h"
+#include "planar.h"
 
 namespace wirewarp {
 namespace {
@@ -28,8 +27,8 @@ Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight)
 Eigen::VectorXd lay_out_headings(const WireNetwork& network, const Eigen::VectorXd& angles) {
   std::vector<std::vector<int>> nodes_of_edge(network.edges.size());
   for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) {
-    nodes_of_edge[at(network.nodes[at(i)].in.edge)].push_back(i);
-    nodes_of_edge[at(network.nodes[at(i)].out.edge)].push_back(i);
+    nodes_of_edge[network.nodes[i].in.edge].push_back(i);
+    nodes_of_edge[network.nodes[i].out.edge].push_back(i);
   }
   const auto flip = [](WireHalfEdge h) { return h.reversed ? kPi : 0.0; };
   Eigen::VectorXd headings(static_cast<Eigen::Index>(network.edges.size()));
@@ -39,13 +38,13 @@ Eigen::VectorXd lay_out_headings(const WireNetwork& network, const Eigen::Vector
   is_known[0] = 1;
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const int edge = queue[next];
-    for (int i : nodes_of_edge[at(edge)]) {
-      const WireNode& node = network.nodes[at(i)];
+    for (int i : nodes_of_edge[edge]) {
+      const WireNode& node = network.nodes[i];
       const double turn = kPi - angles[i] + flip(node.in) - flip(node.out);
       const int other = node.in.edge == edge ? node.out.edge : node.in.edge;
-      if (is_known[at(other)]) continue;
+      if (is_known[other]) continue;
       headings[other] = node.in.edge == edge ? headings[edge] + turn : headings[edge] - turn;
-      is_known[at(other)] = 1;
+      is_known[other] = 1;
       queue.push_back(other);
     }
   }
@@ -70,7 +69,7 @@ Eigen::VectorXd edges_by_angle(const WireNetwork& network) {
   }
   angle = angle.cwiseQuotient(count);
   Eigen::VectorXd length(num_edges);
-  for (int e = 0; e < num_edges; ++e) length[e] = network.edges[at(e)].length;
+  for (int e = 0; e < num_edges; ++e) length[e] = network.edges[e].length;
   const double mean = length.dot(angle) / length.sum();
   return length.cwiseProduct((angle.array() - mean).matrix()) / length.maxCoeff() + torque;
 }
@@ -81,9 +80,9 @@ Eq1::Eq1(const WireNetwork& network, NodeWeight node_weight) {
   const Eigen::VectorXd weights = node_weights(network, node_weight);
   const Eigen::VectorXd angles = project_on_angle_sums(network, weights);
   base_headings_ = lay_out_headings(network, angles);
-  handedness_ = edges_by_angle(network);
+  symmetry_breaker_ = edges_by_angle(network);
   for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) {
-    const WireNode& node = network.nodes[at(i)];
+    const WireNode& node = network.nodes[i];
     nodes_.push_back({node.in.edge, node.out.edge, angles[i], node.surface_angle, weights[i]});
   }
 
@@ -102,7 +101,7 @@ Eq1::Eq1(const WireNetwork& network, NodeWeight node_weight) {
   }
   for (Loop& loop : loops_) {
     double length = 0;
-    for (int e : loop.edges) length += network.edges[at(e)].length;
+    for (int e : loop.edges) length += network.edges[e].length;
     for (double& sign : loop.signs) sign /= length;
   }
 
@@ -142,7 +141,7 @@ Eigen::VectorXd Eq1::closure(const Eigen::VectorXd& psi, const Eigen::VectorXd& 
   const Eigen::ArrayXd y = lengths.array() * phi.array().sin();
   Eigen::VectorXd closure = Eigen::VectorXd::Zero(num_closures());
   for (int p = 0; p < static_cast<int>(loops_.size()); ++p) {
-    const Loop& loop = loops_[at(p)];
+    const Loop& loop = loops_[p];
     for (std::size_t b = 0; b < loop.edges.size(); ++b) {
       closure[2 * p] += loop.signs[b] * x[loop.edges[b]];
       closure[2 * p + 1] += loop.signs[b] * y[loop.edges[b]];
@@ -155,7 +154,7 @@ Eigen::SparseMatrix<double> Eq1::closure_jacobian(const Eigen::VectorXd& psi, co
   const Eigen::VectorXd phi = headings(psi);
   std::vector<Eigen::Triplet<double>> entries;
   for (int p = 0; p < static_cast<int>(loops_.size()); ++p) {
-    const Loop& loop = loops_[at(p)];
+    const Loop& loop = loops_[p];
     for (std::size_t b = 0; b < loop.edges.size(); ++b) {
       const int e = loop.edges[b];
       entries.emplace_back(2 * p, e, -loop.signs[b] * lengths[e] * std::sin(phi[e]));
@@ -170,7 +169,7 @@ Eigen::SparseMatrix<double> Eq1::closure_jacobian(const Eigen::VectorXd& psi, co
 Eigen::Matrix2Xd Eq1::gather(const Eigen::VectorXd& per_closure) const {
   Eigen::Matrix2Xd per_edge = Eigen::Matrix2Xd::Zero(2, num_edges());
   for (int p = 0; p < static_cast<int>(loops_.size()); ++p) {
-    const Loop& loop = loops_[at(p)];
+    const Loop& loop = loops_[p];
     for (std::size_t b = 0; b < loop.edges.size(); ++b) {
       per_edge.col(loop.edges[b]) += loop.signs[b] * per_closure.segment<2>(2 * p);
     }

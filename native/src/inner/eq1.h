@@ -21,7 +21,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "topology/wire_network.h"
+#include "network/wire_network.h"
 #include "wirewarp/options.h"
 
 namespace wirewarp {
@@ -38,7 +38,7 @@ class Eq1 {
 
   /// A change of headings that no symmetry of the network leaves as it is, whatever the numbering: it singles out one
   /// of two mirror images. Edges between wide and narrow surface angles turn against each other. #edges.
-  const Eigen::VectorXd& handedness() const { return handedness_; }
+  const Eigen::VectorXd& symmetry_breaker() const { return symmetry_breaker_; }
 
   /// φ: radians, one per wire edge, of its half-edge 0. #edges.
   Eigen::VectorXd headings(const Eigen::VectorXd& psi) const { return base_headings_ + psi; }
@@ -86,7 +86,7 @@ class Eq1 {
   std::vector<Node> nodes_;
   std::vector<Loop> loops_;
   Eigen::VectorXd base_headings_;
-  Eigen::VectorXd handedness_;
+  Eigen::VectorXd symmetry_breaker_;
   Eigen::SparseMatrix<double> laplacian_;
 };
 

@@ -12,10 +12,10 @@ constexpr double kRounding = 2e-15;     // no better can be had in double precis
 constexpr double kStationary = 1e-10;   // projected gradient
 constexpr int kMaxSteps = 100;
 constexpr double kSmallestStep = 1e-6;
-constexpr double kSufficient = 1e-4;  // share of the promised decrease
-constexpr double kBend = 0.3;         // radians at the edge that turns most
-constexpr double kLongestTurn = 2;    // radians of two edges against each other: beyond, no gap is linear in headings
-constexpr double kHeld = 0.4;         // share of the gap that a whole step leaves only where symmetry is in the way
+constexpr double kSufficient = 1e-4;   // share of the promised decrease
+constexpr double kBend = 0.3;          // radians at the edge that turns most
+constexpr double kLongestTurn = 2;     // radians of two edges against each other: beyond, no gap is linear in headings
+constexpr double kStalledRatio = 0.4;  // share of the gap that a whole step leaves only where symmetry is in the way
 
 double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
 
@@ -80,11 +80,11 @@ bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& 
     const double longest = std::min(1.0, kLongestTurn / (closing.step.maxCoeff() - closing.step.minCoeff()));
     double t = longest;
     while (!(share_left(t) < 1 - 1e-3 * t) && t > kSmallestStep) t /= 2;
-    const bool is_held = t < longest || (t == 1 && share_left(t) > kHeld);
+    const bool is_held = t < longest || (t == 1 && share_left(t) > kStalledRatio);
     if (is_held && !has_bent) {
       double share = 0.5;
       factor_downhill(eq1_.closure_hessian(psi, lengths, closing.multipliers), jacobian, share);
-      psi += kBend * softer_turn(eq1_.handedness());
+      psi += kBend * inverse_iteration(eq1_.symmetry_breaker());
       gap = eq1_.closure(psi, lengths);
       has_bent = true;
       continue;
@@ -133,9 +133,9 @@ bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const
 }
 
 /// A change of headings along the closed loops, largest entry 1, on its way to the one that the factored matrix resists
-/// least: a few steps of inverse iteration. Begun at the handedness of the network, of two mirror images the same one
-/// is found whatever the numbering.
-Eigen::VectorXd InnerProblem::softer_turn(Eigen::VectorXd turn) const {
+/// least: a few steps of inverse iteration. Begun at the symmetry_breaker of the network, of two mirror images the same
+/// one is found whatever the numbering.
+Eigen::VectorXd InnerProblem::inverse_iteration(Eigen::VectorXd turn) const {
   constexpr int kIterations = 4;
   const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
   for (int i = 0; i < kIterations; ++i) {
@@ -162,16 +162,16 @@ bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& d
 
 /// Leaves a saddle along a soft turn, to either side, as far as that promises more than at_least. The promise is by the
 /// curvature of the Lagrangian, whatever share of it is in the factor. Close to the saddle a turn is sought until one
-/// falls: where the network is symmetric, its handedness may hold little of it.
+/// falls: where the network is symmetric, its symmetry_breaker may hold little of it.
 bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
                                 Eigen::VectorXd& psi, double& value) const {
   constexpr int kMaxSearches = 10;
   constexpr double kClose = 0.01;  // what is left to gain without leaving, over the value
   const int searches = at_least < kClose * value ? kMaxSearches : 1;
-  Eigen::VectorXd turn = eq1_.handedness();
+  Eigen::VectorXd turn = eq1_.symmetry_breaker();
   double fall = 0;
   for (int i = 0; i < searches && !(fall > 0); ++i) {
-    turn = softer_turn(turn);
+    turn = inverse_iteration(turn);
     fall = -turn.dot(eq1_.laplacian() * turn + closure_hessian.cwiseProduct(turn));
   }
   for (double t = kBend; fall * t * t > at_least && t > kSmallestStep; t /= 2) {

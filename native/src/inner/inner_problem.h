@@ -61,7 +61,7 @@ class InnerProblem {
   bool minimize(const Eigen::VectorXd& lengths, InnerSolution& solution);
   bool factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
                        double& share);
-  Eigen::VectorXd softer_turn(Eigen::VectorXd turn) const;
+  Eigen::VectorXd inverse_iteration(Eigen::VectorXd turn) const;
   bool move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& direction, double t, double decrease,
             Eigen::VectorXd& psi, double& value) const;
   bool leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,

@@ -6,7 +6,7 @@
 #include "in_threads.h"
 #include "inner/mean_value.h"
 #include "mesh/geometry.h"
-#include "mesh/seen_from_the_side.h"
+#include "mesh/project_to_principal_plane.h"
 
 namespace wirewarp {
 namespace {
@@ -56,7 +56,7 @@ InteriorPlacement::InteriorPlacement(const Chart& chart, const WireNetwork& netw
   }
   matrix.finalize();
   to_network_.finalize();
-  const Positions2 positions = seen_from_the_side(points_of(mesh)(interior_, Eigen::all));
+  const Positions2 positions = project_to_principal_plane(points_of(mesh)(interior_, Eigen::all));
   lu_.emplace(matrix, positions, has_second_core());
 }
 

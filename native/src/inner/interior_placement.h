@@ -13,7 +13,7 @@
 
 #include "charts/chart.h"
 #include "cholesky/multifrontal_lu.h"
-#include "topology/wire_network.h"
+#include "network/wire_network.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {

@@ -4,8 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <map>
 
-#include "index.h"
-#include "pi.h"
+#include "planar.h"
 
 namespace wirewarp {
 
@@ -25,15 +24,15 @@ Eigen::VectorXd project_on_angle_sums(const WireNetwork& network, const Eigen::V
   }
   if (!network.holes.empty()) {
     std::map<int, std::vector<int>> nodes_of_vertex;
-    for (int i = 0; i < num_nodes; ++i) nodes_of_vertex[network.nodes[at(i)].vertex.idx()].push_back(i);
+    for (int i = 0; i < num_nodes; ++i) nodes_of_vertex[network.nodes[i].vertex.idx()].push_back(i);
     std::vector<std::array<int, 2>> ends(network.edges.size(), {-1, -1});
     for (const WireNode& node : network.nodes) {
-      ends[at(node.out.edge)][node.out.reversed ? 1 : 0] = node.vertex.idx();
-      ends[at(node.in.edge)][node.in.reversed ? 0 : 1] = node.vertex.idx();
+      ends[node.out.edge][node.out.reversed ? 1 : 0] = node.vertex.idx();
+      ends[node.in.edge][node.in.reversed ? 0 : 1] = node.vertex.idx();
     }
     for (const std::vector<WireHalfEdge>& hole : network.holes) {
       for (const WireHalfEdge& h : hole) {
-        for (int node : nodes_of_vertex[ends[at(h.edge)][h.reversed ? 1 : 0]]) add_to_row(node);
+        for (int node : nodes_of_vertex[ends[h.edge][h.reversed ? 1 : 0]]) add_to_row(node);
       }
       sums.push_back((static_cast<double>(hole.size()) + 2) * kPi);
     }
@@ -45,7 +44,7 @@ Eigen::VectorXd project_on_angle_sums(const WireNetwork& network, const Eigen::V
   const Eigen::Map<const Eigen::VectorXd> target(sums.data(), num_rows);
 
   Eigen::VectorXd angles(num_nodes);
-  for (int i = 0; i < num_nodes; ++i) angles[i] = network.nodes[at(i)].surface_angle;
+  for (int i = 0; i < num_nodes; ++i) angles[i] = network.nodes[i].surface_angle;
 
   // Each node is in one patch row and at most one vertex or hole row: a bipartite graph that the free nodes on the
   // outer boundary ground, so the rows are independent and A W⁻¹ Aᵀ is positive definite.

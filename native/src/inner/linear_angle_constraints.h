@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "topology/wire_network.h"
+#include "network/wire_network.h"
 
 namespace wirewarp {
 

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "disjoint_sets.h"
-#include "index.h"
 
 namespace wirewarp {
 namespace {
@@ -16,16 +15,16 @@ std::vector<std::vector<int>> shortest_spanning_tree(const Chart& chart, const W
   std::vector<int> by_length(network.edges.size());
   std::iota(by_length.begin(), by_length.end(), 0);
   std::stable_sort(by_length.begin(), by_length.end(),
-                   [&](int a, int b) { return network.edges[at(a)].length < network.edges[at(b)].length; });
+                   [&](int a, int b) { return network.edges[a].length < network.edges[b].length; });
   DisjointSets joined(chart.mesh.n_vertices());
   std::vector<std::vector<int>> tree(chart.mesh.n_vertices());
   for (const int e : by_length) {
-    const HalfedgeHandle h = chart.mesh.halfedge_handle(network.edges[at(e)].edge, 0);
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(network.edges[e].edge, 0);
     const int from = chart.mesh.from_vertex_handle(h).idx();
     const int to = chart.mesh.to_vertex_handle(h).idx();
     if (!joined.unite(from, to)) continue;
-    tree[at(from)].push_back(e);
-    tree[at(to)].push_back(e);
+    tree[from].push_back(e);
+    tree[to].push_back(e);
   }
   return tree;
 }
@@ -38,16 +37,16 @@ WireLayout::WireLayout(const Chart& chart, const WireNetwork& network) {
   root_ = chart.mesh.from_vertex_handle(first).idx();
   std::vector<char> is_placed(chart.mesh.n_vertices(), 0);
   std::vector<int> queue{root_};
-  is_placed[at(root_)] = 1;
+  is_placed[root_] = 1;
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const int v = queue[next];
-    for (const int e : tree[at(v)]) {
-      const HalfedgeHandle h = chart.mesh.halfedge_handle(network.edges[at(e)].edge, 0);
+    for (const int e : tree[v]) {
+      const HalfedgeHandle h = chart.mesh.halfedge_handle(network.edges[e].edge, 0);
       const int start = chart.mesh.from_vertex_handle(h).idx();
       const int other = start == v ? chart.mesh.to_vertex_handle(h).idx() : start;
-      if (is_placed[at(other)]) continue;
+      if (is_placed[other]) continue;
       steps_.push_back({e, v, other, start == v ? 1.0 : -1.0});
-      is_placed[at(other)] = 1;
+      is_placed[other] = 1;
       queue.push_back(other);
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "topology/wire_network.h"
+#include "network/wire_network.h"
 
 namespace wirewarp {
 

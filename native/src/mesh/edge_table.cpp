@@ -9,19 +9,19 @@ EdgeTable::EdgeTable(const Triangles& faces, int num_vertices) : faces_(faces) {
   const int num_sides = static_cast<int>(faces.rows()) * 3;
 
   // Sides in buckets by smaller end, each bucket sorted by larger end, then by side.
-  std::vector<int> bucket(at(num_vertices) + 1, 0);
-  for (int s = 0; s < num_sides; ++s) ++bucket[at(std::min(from(s), to(s)) + 1)];
-  for (int v = 0; v < num_vertices; ++v) bucket[at(v + 1)] += bucket[at(v)];
-  sides_.resize(at(num_sides));
+  std::vector<int> bucket(num_vertices + 1, 0);
+  for (int s = 0; s < num_sides; ++s) ++bucket[std::min(from(s), to(s)) + 1];
+  for (int v = 0; v < num_vertices; ++v) bucket[v + 1] += bucket[v];
+  sides_.resize(num_sides);
   std::vector<int> next = bucket;
-  for (int s = 0; s < num_sides; ++s) sides_[at(next[at(std::min(from(s), to(s)))]++)] = s;
+  for (int s = 0; s < num_sides; ++s) sides_[next[std::min(from(s), to(s))]++] = s;
 
-  edge_begin_.resize(at(num_vertices) + 1);
-  edge_of_side_.resize(at(num_sides));
+  edge_begin_.resize(num_vertices + 1);
+  edge_of_side_.resize(num_sides);
   for (int v = 0; v < num_vertices; ++v) {
-    edge_begin_[at(v)] = num_edges();
-    const auto begin = sides_.begin() + bucket[at(v)];
-    const auto end = sides_.begin() + bucket[at(v + 1)];
+    edge_begin_[v] = num_edges();
+    const auto begin = sides_.begin() + bucket[v];
+    const auto end = sides_.begin() + bucket[v + 1];
     const auto larger_end = [&](int s) { return std::max(from(s), to(s)); };
     std::sort(begin, end, [&](int s, int t) { return std::pair(larger_end(s), s) < std::pair(larger_end(t), t); });
     for (auto it = begin; it != end; ++it) {
@@ -29,18 +29,17 @@ EdgeTable::EdgeTable(const Triangles& faces, int num_vertices) : faces_(faces) {
         side_begin_.push_back(static_cast<int>(it - sides_.begin()));
         vertices_.push_back({v, larger_end(*it)});
       }
-      edge_of_side_[at(*it)] = num_edges() - 1;
+      edge_of_side_[*it] = num_edges() - 1;
     }
   }
-  edge_begin_[at(num_vertices)] = num_edges();
+  edge_begin_[num_vertices] = num_edges();
   side_begin_.push_back(num_sides);
 }
 
 int EdgeTable::find(int a, int b) const {
   const int smaller = std::min(a, b);
   const int larger = std::max(a, b);
-  const auto begin = vertices_.begin() + edge_begin_[at(smaller)],
-             end = vertices_.begin() + edge_begin_[at(smaller + 1)];
+  const auto begin = vertices_.begin() + edge_begin_[smaller], end = vertices_.begin() + edge_begin_[smaller + 1];
   const auto found =
       std::lower_bound(begin, end, larger, [](const VertexPair& edge, int vertex) { return edge[1] < vertex; });
   return found != end && (*found)[1] == larger ? static_cast<int>(found - vertices_.begin()) : -1;

@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "index.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
@@ -16,14 +15,14 @@ class EdgeTable {
   EdgeTable(const Triangles& faces, int num_vertices);
 
   int num_edges() const { return static_cast<int>(vertices_.size()); }
-  int num_sides(int edge) const { return side_begin_[at(edge + 1)] - side_begin_[at(edge)]; }
+  int num_sides(int edge) const { return side_begin_[edge + 1] - side_begin_[edge]; }
 
   /// The j-th side of an edge, by ascending face.
-  int side(int edge, int j) const { return sides_[at(side_begin_[at(edge)] + j)]; }
-  int edge_of_side(int side) const { return edge_of_side_[at(side)]; }
+  int side(int edge, int j) const { return sides_[side_begin_[edge] + j]; }
+  int edge_of_side(int side) const { return edge_of_side_[side]; }
 
   /// The two ends, the smaller index first.
-  const VertexPair& vertices(int edge) const { return vertices_[at(edge)]; }
+  const VertexPair& vertices(int edge) const { return vertices_[edge]; }
 
   /// The edge between two vertices, -1 if there is none.
   int find(int a, int b) const;

@@ -7,9 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include "index.h"
 #include "mesh/box_tree.h"
-#include "planar_cross.h"
+#include "planar.h"
 
 namespace wirewarp {
 namespace {
@@ -131,7 +130,7 @@ std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vecto
 std::vector<bool> faces_on_boundary(const HalfEdgeMesh& mesh) {
   std::vector<bool> flags(mesh.n_faces(), false);
   for (const HalfedgeHandle h : mesh.halfedges()) {
-    if (mesh.is_boundary(h)) flags[at(mesh.face_handle(mesh.opposite_halfedge_handle(h)).idx())] = true;
+    if (mesh.is_boundary(h)) flags[mesh.face_handle(mesh.opposite_halfedge_handle(h)).idx()] = true;
   }
   return flags;
 }

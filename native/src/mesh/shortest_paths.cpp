@@ -5,7 +5,6 @@
 #include <limits>
 #include <queue>
 
-#include "index.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
@@ -17,13 +16,13 @@ ShortestPaths shortest_paths(const HalfEdgeMesh& mesh, const std::vector<VertexH
   ShortestPaths paths{std::vector<double>(mesh.n_vertices(), std::numeric_limits<double>::infinity()),
                       std::vector<HalfedgeHandle>(mesh.n_vertices()), VertexHandle()};
   for (const VertexHandle v : sources) {
-    paths.distance[at(v.idx())] = 0;
+    paths.distance[v.idx()] = 0;
     queue.emplace(0.0, v.idx());
   }
   while (!queue.empty()) {
     const auto [reached, index] = queue.top();
     queue.pop();
-    if (reached > paths.distance[at(index)]) continue;
+    if (reached > paths.distance[index]) continue;
     if (rules.ends_at && rules.ends_at(VertexHandle(index))) {
       paths.end = VertexHandle(index);
       break;
@@ -31,9 +30,9 @@ ShortestPaths shortest_paths(const HalfEdgeMesh& mesh, const std::vector<VertexH
     for (const HalfedgeHandle h : mesh.voh_range(VertexHandle(index))) {
       const int next = mesh.to_vertex_handle(h).idx();
       const double length = reached + edge_length(mesh, h);
-      if (length >= paths.distance[at(next)] || (rules.may_follow && !rules.may_follow(h))) continue;
-      paths.distance[at(next)] = length;
-      paths.arrival[at(next)] = h;
+      if (length >= paths.distance[next] || (rules.may_follow && !rules.may_follow(h))) continue;
+      paths.distance[next] = length;
+      paths.arrival[next] = h;
       queue.emplace(length, next);
     }
   }
@@ -42,8 +41,7 @@ ShortestPaths shortest_paths(const HalfEdgeMesh& mesh, const std::vector<VertexH
 
 std::vector<HalfedgeHandle> path_back(const HalfEdgeMesh& mesh, const ShortestPaths& paths, VertexHandle v) {
   std::vector<HalfedgeHandle> path;
-  for (HalfedgeHandle h = paths.arrival[at(v.idx())]; h.is_valid();
-       h = paths.arrival[at(mesh.from_vertex_handle(h).idx())]) {
+  for (HalfedgeHandle h = paths.arrival[v.idx()]; h.is_valid(); h = paths.arrival[mesh.from_vertex_handle(h).idx()]) {
     path.push_back(h);
   }
   return path;

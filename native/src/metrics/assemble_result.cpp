@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 
-#include "index.h"
 #include "mesh/geometry.h"
 #include "metrics/guarantee.h"
 #include "metrics/lengths.h"
@@ -21,7 +20,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 void take_input_faces(const FlattenInput& input, const Chart& chart, Piece& piece) {
   std::map<int, int> piece_vertex;  // of each input vertex
   piece.faces.resize(static_cast<Eigen::Index>(chart.source_face.size()), 3);
-  for (int f = 0; f < piece.faces.rows(); ++f) piece.faces.row(f) = input.faces.row(chart.source_face[at(f)]);
+  for (int f = 0; f < piece.faces.rows(); ++f) piece.faces.row(f) = input.faces.row(chart.source_face[f]);
   for (const int v : piece.faces.reshaped()) piece_vertex[v];
   for (auto& [vertex, index] : piece_vertex) {
     index = static_cast<int>(piece.source_vertex.size());
@@ -80,7 +79,7 @@ void write_corners(const Piece& piece, CornerUv& corner_uv) {
   for (int f = 0; f < piece.faces.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {
       // The half-edge of a chart face begins at the input face's first corner.
-      corner_uv.block<1, 2>(piece.source_face[at(f)], 2 * k) = piece.vertices.row(piece.faces(f, k));
+      corner_uv.block<1, 2>(piece.source_face[f], 2 * k) = piece.vertices.row(piece.faces(f, k));
     }
   }
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "metrics/helper_wires.h"
-#include "topology/wire_network.h"
+#include "network/wire_network.h"
 
 namespace wirewarp {
 

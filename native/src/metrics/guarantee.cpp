@@ -5,9 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "check_input/sentence.h"
+#include "errors/sentence.h"
 #include "feasibility/propose_seams.h"
-#include "index.h"
 
 namespace wirewarp {
 namespace {
@@ -27,11 +26,11 @@ std::vector<WrongEdge> find_wrong_edges(const Chart& chart, const WireNetwork& n
   std::vector<WrongEdge> wrong;
   for (const WireEdge& edge : network.edges) {
     const int part = edge.is_boundary ? -1 : edge.part;
-    if (part >= 0 && chart.wire_parts[at(part)].kind == WireKind::super_elastic) continue;
+    if (part >= 0 && chart.wire_parts[part].kind == WireKind::super_elastic) continue;
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
     const int from = chart.mesh.from_vertex_handle(h).idx();
     const int to = chart.mesh.to_vertex_handle(h).idx();
-    const double promised = (1 + (part >= 0 ? variation[at(part)] : 0)) * edge.length;
+    const double promised = (1 + (part >= 0 ? variation[part] : 0)) * edge.length;
     const double difference = (uv.row(to) - uv.row(from)).norm() - promised;
     if (std::abs(difference) <= kRelativeLengthError * edge.length + rounding) continue;
     wrong.push_back({source_edge(chart, h), part, difference / edge.length});
@@ -55,7 +54,7 @@ std::vector<int> parts_beyond_tolerance(const Chart& chart, const std::vector<do
 }
 
 std::string name_part(const Chart& chart, const std::vector<Wire>& wires, int part) {
-  return part < 0 ? "the outline" : name_wires(wires, {chart.wire_parts[at(part)].wire_index});
+  return part < 0 ? "the outline" : name_wires(wires, {chart.wire_parts[part].wire_index});
 }
 
 std::string count(std::size_t number, const std::string& noun) {
@@ -75,7 +74,7 @@ FlattenError wrong_lengths(const Chart& chart, const std::vector<Wire>& wires, c
   ErrorElements elements;
   for (const WrongEdge& edge : wrong) elements.edges.push_back(edge.vertices);
   for (const int part : beyond) {
-    for (const HalfedgeHandle h : chart.wire_parts[at(part)].half_edges) {
+    for (const HalfedgeHandle h : chart.wire_parts[part].half_edges) {
       elements.edges.push_back(source_edge(chart, h));
     }
   }
@@ -88,7 +87,7 @@ FlattenError wrong_lengths(const Chart& chart, const std::vector<Wire>& wires, c
   } else {
     const int part = beyond.front();
     what = "The piece stretches " + name_part(chart, wires, part) + " beyond its tolerance of " +
-           percent(chart.wire_parts[at(part)].tolerance);
+           percent(chart.wire_parts[part].tolerance);
   }
   what += also(metrics.flipped_faces.size(), metrics.overlapping_faces.size());
   return FlattenError(ErrorCode::lengths_not_kept,

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "topology/wire_network.h"
+#include "network/wire_network.h"
 
 namespace wirewarp {
 

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "index.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
@@ -22,7 +21,7 @@ std::vector<PlacedHelperWire> list_helper_wires(const Chart& prepared, std::size
     }
     helper.wire.points_3d.resize(static_cast<Eigen::Index>(helper.vertices.size()), 3);
     for (int k = 0; k < helper.wire.points_3d.rows(); ++k) {
-      const auto point = mesh.point(VertexHandle(helper.vertices[at(k)]));
+      const auto point = mesh.point(VertexHandle(helper.vertices[k]));
       helper.wire.points_3d.row(k) << point[0], point[1], point[2];
     }
     helper.wire.variation = variation[static_cast<Eigen::Index>(part)];

@@ -7,7 +7,6 @@
 #include <map>
 
 #include "charts/wire_parts.h"
-#include "index.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
@@ -90,7 +89,7 @@ std::vector<WireReport> measure_wire_parts(const Chart& chart, const std::vector
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     const WirePart& part = chart.wire_parts[i];
     const ChainLength chain = measure_chain(chart, part.half_edges, uv, variation[i]);
-    reports.push_back({wires[at(part.wire_index)].name, part.wire_index, part.part, part.kind, part.tolerance,
+    reports.push_back({wires[part.wire_index].name, part.wire_index, part.part, part.kind, part.tolerance,
                        chain.length_3d, chain.length_2d, variation[i], chain.max_edge_error});
   }
   return reports;
@@ -101,10 +100,9 @@ std::vector<BoundaryReport> measure_boundaries(const Chart& chart, const Positio
   for (const BoundaryChain& boundary : chart.boundary_chains) {
     const ChainLength chain = measure_chain(chart, boundary.half_edges, uv, 0);
     BoundaryReport report;
-    report.vertices.push_back(
-        chart.source_vertex[at(chart.mesh.from_vertex_handle(boundary.half_edges.front()).idx())]);
+    report.vertices.push_back(chart.source_vertex[chart.mesh.from_vertex_handle(boundary.half_edges.front()).idx()]);
     for (const HalfedgeHandle h : boundary.half_edges) {
-      report.vertices.push_back(chart.source_vertex[at(chart.mesh.to_vertex_handle(h).idx())]);
+      report.vertices.push_back(chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]);
     }
     report.length_3d = chain.length_3d;
     report.length_2d = chain.length_2d;
@@ -124,9 +122,9 @@ std::vector<SeamReport> measure_seams(const Charts& charts, const std::vector<Pi
     for (const VertexPair& edge : seam.edges) report.length_3d += distance(vertices, edge[0], edge[1]);
     std::vector<double> known;
     for (const Seam::Side& side : seam.sides) {
-      const Piece& piece = pieces[at(side.chart)];
+      const Piece& piece = pieces[side.chart];
       report.pieces.push_back(side.chart);
-      report.length_2d.push_back(has_layout(piece) ? piece.boundaries[at(side.boundary_chain)].length_2d : kNaN);
+      report.length_2d.push_back(has_layout(piece) ? piece.boundaries[side.boundary_chain].length_2d : kNaN);
       if (has_layout(piece)) known.push_back(report.length_2d.back());
     }
     const auto [shortest, longest] = std::minmax_element(known.begin(), known.end());
@@ -144,7 +142,7 @@ std::vector<WireReport> measure_whole_wires(const FlattenInput& input, const Cha
     if (!has_layout(pieces[c])) continue;
     for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
       collect_part(chart, chart.wire_parts[i], pieces[c].wires[i], pieces[c].vertices,
-                   known[at(chart.wire_parts[i].wire_index)]);
+                   known[chart.wire_parts[i].wire_index]);
     }
   }
   std::vector<WireReport> reports;

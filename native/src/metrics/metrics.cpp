@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "index.h"
 #include "mesh/geometry.h"
 #include "mesh/overlap.h"
 #include "metrics/arap.h"
-#include "pi.h"
-#include "planar_cross.h"
+#include "planar.h"
 
 namespace wirewarp {
 namespace {
@@ -32,7 +30,7 @@ void measure_faces(const Chart& chart, const Triangles& faces, const Positions2&
     metrics.face_aspect_ratio[f] = t.aspect_ratio();
     metrics.area_3d += t.area_3d;
     metrics.area_2d += t.area_2d;
-    if (!(t.area_2d > 0)) metrics.flipped_faces.push_back(chart.source_face[at(f)]);
+    if (!(t.area_2d > 0)) metrics.flipped_faces.push_back(chart.source_face[f]);
   }
   metrics.arap_energy = metrics.face_arap.sum() / metrics.area_3d;
 }
@@ -88,7 +86,7 @@ Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Po
   measure_wire_edges(chart, network, uv, metrics);
   measure_angles(chart, network, uv, metrics);
   for (const int f : find_overlapping_faces(faces, faces_on_boundary(chart.mesh), uv)) {
-    metrics.overlapping_faces.push_back(chart.source_face[at(f)]);
+    metrics.overlapping_faces.push_back(chart.source_face[f]);
   }
   return metrics;
 }

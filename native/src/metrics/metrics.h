@@ -2,7 +2,7 @@
 // Distortion of one flat piece (paper IV-A).
 #pragma once
 
-#include "topology/wire_network.h"
+#include "network/wire_network.h"
 #include "wirewarp/result.h"
 
 namespace wirewarp {

@@ -7,10 +7,9 @@
 #include <tuple>
 #include <utility>
 
-#include "index.h"
-#include "outer/active_set_bfgs.h"
-#include "outer/free_arap.h"
-#include "outer/length_variation.h"
+#include "arap/free_boundary_arap.h"
+#include "network/length_variation.h"
+#include "optimize/active_set_bfgs.h"
 
 namespace wirewarp {
 namespace {
@@ -90,7 +89,7 @@ VariationBounds variation_bounds(const Chart& chart, const Options& options) {
   VariationBounds bounds{Eigen::VectorXd::Zero(num_parts), Eigen::VectorXd::Zero(num_parts)};
   if (options.inner == Inner::least_norm) return bounds;
   for (int i = 0; i < num_parts; ++i) {
-    const WirePart& part = chart.wire_parts[at(i)];
+    const WirePart& part = chart.wire_parts[i];
     const bool is_helper = part.wire_index < 0;
     if (options.method == Method::wirewarping && !is_helper) continue;
     bounds.lower[i] = std::max(-part.tolerance, kShortest);
@@ -106,7 +105,7 @@ OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBou
 
   warp.ask();
   const std::optional<Positions2> layout = has_rigid ? std::optional(rigid.shape.uv) : std::nullopt;
-  const FreeFlattening free = flatten_freely(chart, kFreeSteps, layout, [&] {
+  const FreeBoundaryArap free = free_boundary_arap(chart, kFreeSteps, layout, [&] {
     warp.ask();
     return true;
   });

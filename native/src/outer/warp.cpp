@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "index.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
@@ -13,7 +12,7 @@ constexpr double kFloor = 1e-4;  // of curvatures, over their mean
 
 Eigen::VectorXd edge_lengths(const WireNetwork& network) {
   Eigen::VectorXd lengths(static_cast<Eigen::Index>(network.edges.size()));
-  for (int e = 0; e < lengths.size(); ++e) lengths[e] = network.edges[at(e)].length;
+  for (int e = 0; e < lengths.size(); ++e) lengths[e] = network.edges[e].length;
   return lengths;
 }
 
@@ -46,7 +45,7 @@ WarpedShape Warp::follow(const WarpedShape& from, const Eigen::VectorXd& variati
 Eigen::VectorXd Warp::lengths_of(const Eigen::VectorXd& variation) const {
   Eigen::VectorXd lengths = rest_lengths_;
   for (int e = 0; e < lengths.size(); ++e) {
-    const int part = network_.edges[at(e)].part;
+    const int part = network_.edges[e].part;
     if (part >= 0) lengths[e] *= 1 + variation[part];
   }
   return lengths;
@@ -75,7 +74,7 @@ Eigen::VectorXd Warp::by_variation(const WarpedShape& shape, Positions2 by_uv) c
 
   Eigen::VectorXd result = Eigen::VectorXd::Zero(num_parts_);
   for (int e = 0; e < by_lengths.size(); ++e) {
-    const int part = network_.edges[at(e)].part;
+    const int part = network_.edges[e].part;
     if (part >= 0) result[part] += rest_lengths_[e] * by_lengths[e];
   }
   return result / area_;

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "arap/shape_error.h"
 #include "inner/inner_problem.h"
 #include "inner/interior_placement.h"
 #include "inner/wire_layout.h"
-#include "outer/shape_error.h"
 
 namespace wirewarp {
 

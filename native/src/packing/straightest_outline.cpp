@@ -5,8 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "pi.h"
-#include "planar_cross.h"
+#include "planar.h"
 
 namespace wirewarp {
 namespace {

@@ -8,7 +8,7 @@
 #include "mesh/geometry.h"
 #include "packing/rising_direction.h"
 #include "packing/straightest_outline.h"
-#include "planar_cross.h"
+#include "planar.h"
 
 namespace wirewarp {
 namespace {

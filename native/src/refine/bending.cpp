@@ -5,17 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "index.h"
-#include "pi.h"
-#include "topology/wire_lines.h"
+#include "network/wire_lines.h"
+#include "planar.h"
 
 namespace wirewarp {
 
 Bending::Bending(const Chart& chart, const WireNetwork& network, double fairness, double area) {
   const double shortest_wiggle = fairness * std::sqrt(area);
   const auto add = [&](const WireNode& turn, double weight) {
-    const double length_in = network.edges[at(turn.in.edge)].length;
-    const double length_out = network.edges[at(turn.out.edge)].length;
+    const double length_in = network.edges[turn.in.edge].length;
+    const double length_out = network.edges[turn.out.edge].length;
     Node node;
     node.a = chart.mesh.from_vertex_handle(half_edge(chart, network, turn.in)).idx();
     node.b = turn.vertex.idx();

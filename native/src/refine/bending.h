@@ -22,8 +22,8 @@
 
 #include <vector>
 
+#include "network/wire_network.h"
 #include "refine/vertex_matrix.h"
-#include "topology/wire_network.h"
 
 namespace wirewarp {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "index.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {

@@ -2,7 +2,7 @@
 // What the refined method minimizes: the shape error of Eq. (4) and the fairness of the wires, and a barrier against
 // flips that is silent on ordinary pieces.
 //
-//   f(u) = E(u) + F(u) + Σ_t ω A max(0, ⅒ − det J)²       E: outer/shape_error.h, F: refine/bending.h
+//   f(u) = E(u) + F(u) + Σ_t ω A max(0, ⅒ − det J)²       E: arap/shape_error.h, F: refine/bending.h
 //
 // Hessian of E, with the hat gradients g_i of a triangle as complex numbers and s_i = g_i · i ẑ:
 //
@@ -14,7 +14,7 @@
 // matrix of multiplication by a + ib.
 #pragma once
 
-#include "outer/shape_error.h"
+#include "arap/shape_error.h"
 #include "refine/bending.h"
 
 namespace wirewarp {

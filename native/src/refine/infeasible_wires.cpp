@@ -8,14 +8,12 @@
 #include <set>
 #include <stdexcept>
 
-#include "index.h"
-
 namespace wirewarp {
 namespace {
 
 // Strains that pass for the rounding of the smoothing, 1e-4: first those that are plainly none, then those that may be.
 constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
-constexpr double kUneven = 5e-3;                  // unevenness that a larger variation of other wires may take away
+constexpr double kUneven = 5e-3;                  // strain_rms that a larger variation of other wires may take away
 constexpr double kFineStep = 1e-3, kStep = 5e-3;  // of what is proposed: 0.1 %, from 0.5 % on 0.5 %
 constexpr double kLargest = 0.5;
 constexpr double kFree = std::numeric_limits<double>::infinity();
@@ -26,12 +24,12 @@ using Tolerances = std::map<int, double>;  // by wire
 bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
 
 /// Wires that give way in the loose shape, with what they need beyond their tolerance.
-Tolerances find_needs(const Chart& chart, const LooseShape& loose, double kept) {
+Tolerances find_needs(const Chart& chart, const RelaxedShape& loose, double kept) {
   Tolerances needs;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     const WirePart& part = chart.wire_parts[i];
     const auto p = static_cast<Eigen::Index>(i);
-    const double need = loose.unevenness[p] > kUneven ? kFree : loose.excess[p];
+    const double need = loose.strain_rms[p] > kUneven ? kFree : loose.tolerance_violation[p];
     if (is_held(part) && need > kept) needs[part.wire_index] = std::max(needs[part.wire_index], need);
   }
   return needs;
@@ -101,19 +99,19 @@ std::vector<ProposedTolerance> listed(const Tolerances& tolerances) {
 }  // namespace
 
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Options& options,
-                                                  const ChartRefinement& refined, const std::function<bool()>& go_on,
+                                                  const RefineResult& refined, const std::function<bool()>& go_on,
                                                   const Tuning& tuning) {
   const Tolerances all = free_wires(chart);
   if (all.empty()) return {};
   const GoOn may_go_on = [&](const char*) { return go_on(); };
-  const auto with = [&](const Tolerances& tolerances, const auto& refine) -> ChartRefinement {
+  const auto with = [&](const Tolerances& tolerances, const auto& refine) -> RefineResult {
     try {
       return refine(with_tolerances(chart, tolerances));
     } catch (const std::domain_error&) {  // these do not serve; others may
       return {};
     }
   };
-  const ChartRefinement free = with(all, [&](const Chart& freed) {
+  const RefineResult free = with(all, [&](const Chart& freed) {
     Options brief = options;
     brief.max_factorizations = kStartFactorizations;
     return refine_chart(freed, brief, may_go_on, tuning);
@@ -127,7 +125,7 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Opti
   std::set<Tolerances> tried{{}, all};
   for (const Tolerances& tolerances : candidates) {
     if (!tried.insert(tolerances).second) continue;
-    const ChartRefinement trial =
+    const RefineResult trial =
         with(tolerances, [&](const Chart& looser) { return reach_exact_lengths(looser, options, may_go_on); });
     if (trial.was_stopped) return {};
     if (trial.shape.is_exact) return listed(tolerances);

@@ -12,7 +12,7 @@ namespace wirewarp {
 /// found even with all wires free. options.max_factorizations does not count here. refined: of the chart, not exact.
 /// Stops early, with nothing, where go_on says so.
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Options& options,
-                                                  const ChartRefinement& refined, const std::function<bool()>& go_on,
+                                                  const RefineResult& refined, const std::function<bool()>& go_on,
                                                   const Tuning& tuning);
 
 }  // namespace wirewarp

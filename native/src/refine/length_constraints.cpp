@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "index.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
@@ -14,18 +13,18 @@ LengthConstraints::LengthConstraints(const Chart& chart, const WireNetwork& netw
     : rounding_length_(1e-5 * std::sqrt(surface_area(chart.mesh))) {
   std::vector<int> elastic_of_part(chart.wire_parts.size(), -1);
   for (int part = 0; part < static_cast<int>(chart.wire_parts.size()); ++part) {
-    if (chart.wire_parts[at(part)].kind != WireKind::elastic) continue;
-    elastic_of_part[at(part)] = num_elastic();
+    if (chart.wire_parts[part].kind != WireKind::elastic) continue;
+    elastic_of_part[part] = num_elastic();
     elastic_parts_.push_back(part);
   }
   for (const WireEdge& edge : network.edges) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
     edges_.push_back({chart.mesh.from_vertex_handle(h).idx(), chart.mesh.to_vertex_handle(h).idx(), edge.length,
-                      edge.part < 0 ? -1 : elastic_of_part[at(edge.part)]});
+                      edge.part < 0 ? -1 : elastic_of_part[edge.part]});
   }
   std::vector<Eigen::Triplet<double>> entries;
   for (int e = 0; e < size(); ++e) {
-    const Edge& edge = edges_[at(e)];
+    const Edge& edge = edges_[e];
     if (edge.elastic >= 0) entries.emplace_back(e, edge.elastic, edge.length);
   }
   elastic_lengths_.resize(size(), num_elastic());
@@ -35,7 +34,7 @@ LengthConstraints::LengthConstraints(const Chart& chart, const WireNetwork& netw
 Eigen::VectorXd LengthConstraints::residual(const Positions2& uv, const Eigen::VectorXd& variation) const {
   Eigen::VectorXd c(size());
   for (int e = 0; e < size(); ++e) {
-    const Edge& edge = edges_[at(e)];
+    const Edge& edge = edges_[e];
     const double h = edge.elastic < 0 ? 0 : variation[edge.elastic];
     const double x = uv(edge.b, 0) - uv(edge.a, 0), y = uv(edge.b, 1) - uv(edge.a, 1);
     c[e] = std::sqrt(x * x + y * y) - (1 + h) * edge.length;
@@ -47,7 +46,7 @@ double LengthConstraints::largest_error(const Eigen::VectorXd& residual) const {
   if (!residual.allFinite()) return std::numeric_limits<double>::infinity();
   double largest = 0;
   for (int e = 0; e < size(); ++e) {
-    largest = std::max(largest, std::abs(residual[e]) / (edges_[at(e)].length + rounding_length_));
+    largest = std::max(largest, std::abs(residual[e]) / (edges_[e].length + rounding_length_));
   }
   return largest;
 }
@@ -55,7 +54,7 @@ double LengthConstraints::largest_error(const Eigen::VectorXd& residual) const {
 Positions2 LengthConstraints::directions(const Positions2& uv) const {
   Positions2 directions(size(), 2);
   for (int e = 0; e < size(); ++e) {
-    directions.row(e) = uv.row(edges_[at(e)].b) - uv.row(edges_[at(e)].a);
+    directions.row(e) = uv.row(edges_[e].b) - uv.row(edges_[e].a);
     const double length = directions.row(e).norm();
     if (length > 0) directions.row(e) /= length;
   }
@@ -65,7 +64,7 @@ Positions2 LengthConstraints::directions(const Positions2& uv) const {
 Eigen::VectorXd LengthConstraints::apply(const Positions2& directions, const Eigen::Ref<const Positions2>& d) const {
   Eigen::VectorXd result(size());
   for (int e = 0; e < size(); ++e) {
-    result[e] = directions.row(e).dot(d.row(edges_[at(e)].b) - d.row(edges_[at(e)].a));
+    result[e] = directions.row(e).dot(d.row(edges_[e].b) - d.row(edges_[e].a));
   }
   return result;
 }
@@ -74,8 +73,8 @@ void LengthConstraints::add_transposed(const Positions2& directions, const Eigen
                                        Eigen::Ref<Positions2> result) const {
   for (int e = 0; e < size(); ++e) {
     const Eigen::RowVector2d force = multipliers[e] * directions.row(e);
-    result.row(edges_[at(e)].b) += force;
-    result.row(edges_[at(e)].a) -= force;
+    result.row(edges_[e].b) += force;
+    result.row(edges_[e].a) -= force;
   }
 }
 

@@ -10,8 +10,8 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "network/wire_network.h"
 #include "refine/vertex_matrix.h"
-#include "topology/wire_network.h"
 
 namespace wirewarp {
 

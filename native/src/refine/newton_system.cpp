@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "in_threads.h"
-#include "index.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
@@ -109,7 +108,7 @@ NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const 
   objective_.add_constant_hessian(matrix_);
   stiffness_.resize(constraints.size());
   for (int e = 0; e < constraints.size(); ++e) {
-    const LengthConstraints::Edge& edge = constraints.edges()[at(e)];
+    const LengthConstraints::Edge& edge = constraints.edges()[e];
     edge_blocks_.push_back(matrix_.block(std::max(edge.a, edge.b), std::min(edge.a, edge.b)));
     const double largest = std::max(matrix_.largest_diagonal(edge.a), matrix_.largest_diagonal(edge.b));
     stiffness_[e] = std::max(kSmallestStiffness, kStiffness * largest);
@@ -124,7 +123,7 @@ NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const 
     wire_vertices.push_back(edge.a);
     wire_vertices.push_back(edge.b);
   }
-  on_wires_ = cholesky_->branches_to(wire_vertices);
+  on_wires_ = cholesky_->fronts_reaching(wire_vertices);
   off_wires_ = cholesky_->others(on_wires_);
 }
 
@@ -134,15 +133,15 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
   objective_.add_curvature(uv, convexity.curvature, matrix_);
   directions_ = constraints_.directions(uv);
   for (int e = 0; e < constraints_.size(); ++e) {
-    const LengthConstraints::Edge& edge = constraints_.edges()[at(e)];
+    const LengthConstraints::Edge& edge = constraints_.edges()[e];
     const double length = (uv.row(edge.b) - uv.row(edge.a)).norm();
-    const bool counts = length > 0 && (convexity.keeps_pressure || multipliers[e] > 0);
+    const bool counts = length > 0 && (convexity.keep_compression || multipliers[e] > 0);
     const double across = counts ? multipliers[e] / length : 0;
     const Eigen::Vector2d d = directions_.row(e).transpose(), n(-d.y(), d.x());
     const Eigen::Matrix2d block = stiffness_share * stiffness_[e] * d * d.transpose() + across * n * n.transpose();
     matrix_.add_diagonal(edge.a, block);
     matrix_.add_diagonal(edge.b, block);
-    matrix_.add(edge_blocks_[at(e)], -block);
+    matrix_.add(edge_blocks_[e], -block);
   }
   if (convexity.curvature == Curvature::none) return;  // the Laplacian resists turns: a pin would press a dent
   const Eigen::Vector2d arm = (uv.row(pinned_[1]) - uv.row(pinned_[0])).transpose().normalized();

@@ -24,7 +24,7 @@ namespace wirewarp {
 /// What of the curvature of f + λᵀc goes into H.
 struct Convexity {
   Curvature curvature;
-  bool keeps_pressure;  // the negative curvature of edges with λ < 0, which may buckle
+  bool keep_compression;  // the negative curvature of edges with λ < 0, which may buckle
 };
 
 /// A symmetric matrix as it is where it is well positive; else with the magnitudes of its eigenvalues, none below 1e-6
@@ -103,7 +103,7 @@ class NewtonSystem {
   Eigen::VectorXd stiffness_;  // ρ
   Positions2 directions_;      // d̂
   std::optional<MultifrontalCholesky> cholesky_;  // of A
-  MultifrontalCholesky::Branches on_wires_, off_wires_;
+  MultifrontalCholesky::FrontSet on_wires_, off_wires_;
   int num_factorizations_ = 0;
 };
 

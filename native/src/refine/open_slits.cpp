@@ -11,7 +11,7 @@
 #include "feasibility/check_outline.h"
 #include "mesh/geometry.h"
 #include "mesh/overlap.h"
-#include "planar_cross.h"
+#include "planar.h"
 
 namespace wirewarp {
 namespace {
@@ -28,10 +28,10 @@ class SewnProblem {
       : sewn_(std::move(sewn)), network_(build_held_network(sewn_.chart)) {
     for (const WireEdge& edge : open_network.edges) {
       const HalfedgeHandle h = open.mesh.halfedge_handle(edge.edge, 0);
-      const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn_.vertex[at(v.idx())]); };
+      const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn_.vertex[v.idx()]); };
       const HalfedgeHandle there = sewn_.chart.mesh.find_halfedge(sewn_end(open.mesh.from_vertex_handle(h)),
                                                                   sewn_end(open.mesh.to_vertex_handle(h)));
-      edge_.push_back(network_.wire_edge_of_edge[at(sewn_.chart.mesh.edge_handle(there).idx())]);
+      edge_.push_back(network_.wire_edge_of_edge[sewn_.chart.mesh.edge_handle(there).idx()]);
     }
   }
 
@@ -42,17 +42,17 @@ class SewnProblem {
   RefinementStart to_sewn(const RefinementStart& open) const {
     RefinementStart start{Positions2(static_cast<Eigen::Index>(chart().mesh.n_vertices()), 2),
                           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(network_.edges.size()))};
-    for (int v = 0; v < open.uv.rows(); ++v) start.uv.row(sewn_.vertex[at(v)]) = open.uv.row(v);
-    for (int e = 0; e < open.multipliers.size(); ++e) start.multipliers[edge_[at(e)]] += open.multipliers[e];
+    for (int v = 0; v < open.uv.rows(); ++v) start.uv.row(sewn_.vertex[v]) = open.uv.row(v);
+    for (int e = 0; e < open.multipliers.size(); ++e) start.multipliers[edge_[e]] += open.multipliers[e];
     return start;
   }
 
   RefinementStart to_open(const RefinedShape& sewn) const {
     std::vector<int> num_open(network_.edges.size(), 0);
-    for (const int e : edge_) ++num_open[at(e)];
+    for (const int e : edge_) ++num_open[e];
     RefinementStart start{sewn.uv(sewn_.vertex, Eigen::all), Eigen::VectorXd(static_cast<Eigen::Index>(edge_.size()))};
     for (int e = 0; e < start.multipliers.size(); ++e) {
-      start.multipliers[e] = sewn.multipliers[edge_[at(e)]] / num_open[at(edge_[at(e)])];
+      start.multipliers[e] = sewn.multipliers[edge_[e]] / num_open[edge_[e]];
     }
     return start;
   }
@@ -129,7 +129,7 @@ bool touches(const Chart& chart, const Slit& slit, const std::vector<int>& faces
 
 RefinedShape open_slits(const Chart& chart, const WireNetwork& network, const std::vector<Slit>& slits,
                         const std::function<RefinedShape(const Chart& chart, const WireNetwork& network)>& refine_sewn,
-                        Attempts& attempts) {
+                        RefineBudget& attempts) {
   const auto sewn_problem = [&](const std::vector<Slit>& shut) -> std::optional<SewnProblem> {
     std::optional<SewnChart> sewn = sew(chart, shut);
     if (!sewn) return std::nullopt;

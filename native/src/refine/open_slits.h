@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "charts/slits.h"
-#include "refine/attempts.h"
+#include "refine/refine_budget.h"
 
 namespace wirewarp {
 
@@ -23,6 +23,6 @@ namespace wirewarp {
 /// shape of a chart from scratch.
 RefinedShape open_slits(const Chart& chart, const WireNetwork& network, const std::vector<Slit>& slits,
                         const std::function<RefinedShape(const Chart& chart, const WireNetwork& network)>& refine_sewn,
-                        Attempts& attempts);
+                        RefineBudget& attempts);
 
 }  // namespace wirewarp

@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "arap/free_boundary_arap.h"
 #include "outer/choose_variation.h"
-#include "outer/free_arap.h"
-#include "refine/attempts.h"
 #include "refine/coarse_start.h"
 #include "refine/open_slits.h"
-#include "refine/tighten_lengths.h"
+#include "refine/project_to_lengths.h"
+#include "refine/refine_budget.h"
 #include "refine/unfold.h"
 #include "topology/process_topology.h"
 
@@ -21,14 +21,14 @@ namespace {
 
 bool is_elastic(const WirePart& part) { return part.kind == WireKind::elastic; }
 
-ChartRefinement finish(ChartRefinement result, const Attempts& attempts) {
+RefineResult finish(RefineResult result, const RefineBudget& attempts) {
   result.shape.factorizations = attempts.factorizations();
   result.was_stopped = attempts.was_stopped();
   return result;
 }
 
 /// The least distorted shape with all elastic wires free, from a start.
-RefinedShape free_elastic_wires(Chart chart, const Positions2& start, Attempts& attempts) {
+RefinedShape free_elastic_wires(Chart chart, const Positions2& start, RefineBudget& attempts) {
   for (WirePart& part : chart.wire_parts) {
     if (is_elastic(part)) part.kind = WireKind::super_elastic;
   }
@@ -63,9 +63,9 @@ std::optional<WarpedShape> warp_wires(const Chart& chart, const std::function<bo
 
 enum class Goal { least_distortion, exact_lengths };
 
-ChartRefinement try_all_starts(const Chart& chart, const WireNetwork& held_network, const Options& options, Goal goal,
-                               Attempts& attempts) {
-  ChartRefinement result;
+RefineResult try_all_starts(const Chart& chart, const WireNetwork& held_network, const Options& options, Goal goal,
+                            RefineBudget& attempts) {
+  RefineResult result;
   const auto attempt = [&](const Positions2& start) {
     result.shape = attempts.refine(chart, held_network, start, goal == Goal::exact_lengths ? 0 : kNoLimit);
     if (goal == Goal::exact_lengths && !result.shape.is_exact) {
@@ -73,7 +73,7 @@ ChartRefinement try_all_starts(const Chart& chart, const WireNetwork& held_netwo
     }
     return result.shape.is_exact;
   };
-  const Positions2 free = flatten_freely(chart, kFreeSteps, {}, attempts.asking("start")).uv;
+  const Positions2 free = free_boundary_arap(chart, kFreeSteps, {}, attempts.asking("start")).uv;
   const auto from_free_shape = [&] { return !attempts.was_stopped() && attempt(free); };
   const auto from_free_elastic_wires = [&] {
     if (attempts.was_stopped() || std::none_of(chart.wire_parts.begin(), chart.wire_parts.end(), is_elastic)) {
@@ -93,26 +93,26 @@ ChartRefinement try_all_starts(const Chart& chart, const WireNetwork& held_netwo
   }
   if (attempts.was_stopped()) return result;
 
-  result.loose = loosen_lengths(chart, held_network, options.fairness, free, attempts.asking("shape"));
+  result.loose = relax_lengths(chart, held_network, options.fairness, free, attempts.asking("shape"));
   if (attempts.was_stopped()) return result;
   const bool is_tight =
-      tighten_lengths(chart, held_network, options.fairness, result.loose.uv, attempts.asking("shape"));
+      project_to_lengths(chart, held_network, options.fairness, result.loose.uv, attempts.asking("shape"));
   if (is_tight && !attempts.was_stopped()) attempt(result.loose.uv);
   return result;
 }
 
 /// From a start that is near the minimum, where the chart is large enough for one. Not exact where there is none.
 RefinedShape refine_from_coarse(const Chart& chart, const WireNetwork& held_network, const Options& options,
-                                const Tuning& tuning, Attempts& attempts) {
+                                const Tuning& tuning, RefineBudget& attempts) {
   if (chart.mesh.n_faces() < tuning.large_chart) return {};
   const auto start = start_from_coarse(chart, held_network, options, attempts.asking("start"));
   return start && !attempts.was_stopped() ? attempts.refine(chart, held_network, *start) : RefinedShape{};
 }
 
 /// As if the chart had no slits.
-ChartRefinement refine_whole(const Chart& chart, const WireNetwork& held_network, const Options& options,
-                             const Tuning& tuning, Attempts& attempts) {
-  ChartRefinement result;
+RefineResult refine_whole(const Chart& chart, const WireNetwork& held_network, const Options& options,
+                          const Tuning& tuning, RefineBudget& attempts) {
+  RefineResult result;
   if (const std::optional<Positions2> unfolded = unfold(chart)) {
     result.shape = attempts.refine(chart, held_network, *unfolded);
   }
@@ -127,7 +127,7 @@ ChartRefinement refine_whole(const Chart& chart, const WireNetwork& held_network
 
 /// Where a chart without strain lies with its slits shut, else sewn up and opened. Not exact where neither serves.
 RefinedShape refine_with_slits(const Chart& chart, const WireNetwork& held_network, const std::vector<Slit>& slits,
-                               const Options& options, const Tuning& tuning, Attempts& attempts) {
+                               const Options& options, const Tuning& tuning, RefineBudget& attempts) {
   if (const std::optional<Positions2> unfolded = unfold(chart)) {
     RefinedShape shape = attempts.refine(chart, held_network, *unfolded, 0);
     if (shape.converged) return shape;
@@ -144,22 +144,22 @@ RefinedShape refine_with_slits(const Chart& chart, const WireNetwork& held_netwo
 
 }  // namespace
 
-ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
-                                    const GoOn& go_on) {
-  Attempts attempts(options, go_on);
+RefineResult refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
+                                 const GoOn& go_on) {
+  RefineBudget attempts(options, go_on);
   return finish(try_all_starts(chart, held_network, options, Goal::least_distortion, attempts), attempts);
 }
 
-ChartRefinement reach_exact_lengths(const Chart& chart, Options options, const GoOn& go_on) {
+RefineResult reach_exact_lengths(const Chart& chart, Options options, const GoOn& go_on) {
   options.max_factorizations = kExactLengthsFactorizations;
-  Attempts attempts(options, go_on);
+  RefineBudget attempts(options, go_on);
   return finish(try_all_starts(chart, build_held_network(chart), options, Goal::exact_lengths, attempts), attempts);
 }
 
-ChartRefinement refine_chart(const Chart& chart, const Options& options, const GoOn& go_on, const Tuning& tuning) {
+RefineResult refine_chart(const Chart& chart, const Options& options, const GoOn& go_on, const Tuning& tuning) {
   const WireNetwork held_network = build_held_network(chart);
-  Attempts attempts(options, go_on);
-  ChartRefinement result;
+  RefineBudget attempts(options, go_on);
+  RefineResult result;
   if (const std::vector<Slit> slits = find_slits(chart); !slits.empty()) {
     result.shape = refine_with_slits(chart, held_network, slits, options, tuning, attempts);
   }

@@ -4,8 +4,8 @@
 
 #include "inner/inner_problem.h"
 #include "progress_report.h"
-#include "refine/loose_lengths.h"
 #include "refine/refine_shape.h"
+#include "refine/relax_lengths.h"
 #include "tuning.h"
 #include "wirewarp/options.h"
 
@@ -18,11 +18,11 @@ inline constexpr int kStartFactorizations = 10;
 /// free shape, the shape with elastic wires free, one step from there, one from the wires flattened alone.
 inline constexpr int kExactLengthsFactorizations = 1 + kStartFactorizations + 1 + 1;
 
-struct ChartRefinement {
+struct RefineResult {
   RefinedShape shape;   // factorizations: of all starts; not exact: no flat shape with these lengths was found, or the
                         // limits came first
   InnerSolution inner;  // of the wires alone, if that start was tried; not feasible where even they do not close
-  LooseShape loose;     // of the last start, if no other has exact lengths
+  RelaxedShape loose;   // of the last start, if no other has exact lengths
   bool was_stopped = false;
 };
 
@@ -34,17 +34,17 @@ struct ChartRefinement {
 /// All starts together keep to options.max_factorizations, the search for the least price not counted.
 /// held_network: of all wires but super-elastic ones. go_on: asked in the stages "start" and "shape". Throws
 /// std::domain_error where a factorization breaks down or no topology serves the wires.
-ChartRefinement refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
-                                    const GoOn& go_on);
+RefineResult refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
+                                 const GoOn& go_on);
 
 /// What refine_from_scratch tries until lengths are exact, and no more: one step from each start. options'
 /// max_factorizations does not count.
-ChartRefinement reach_exact_lengths(const Chart& chart, Options options, const GoOn& go_on);
+RefineResult reach_exact_lengths(const Chart& chart, Options options, const GoOn& go_on);
 
 /// Unfolds a chart that is folded from a plane (refine/unfold.h): mostly nothing is left to do. Sews up slits first,
 /// but where that is so (refine/open_slits.h). Flattens a chart of tuning.large_chart faces or more coarsely first, and
 /// starts from that shape (refine/coarse_start.h): two or three factorizations from the end. Smaller charts, and those
 /// that these starts do not serve, from scratch. Throws as that does.
-ChartRefinement refine_chart(const Chart& chart, const Options& options, const GoOn& go_on, const Tuning& tuning = {});
+RefineResult refine_chart(const Chart& chart, const Options& options, const GoOn& go_on, const Tuning& tuning = {});
 
 }  // namespace wirewarp

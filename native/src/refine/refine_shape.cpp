@@ -7,12 +7,11 @@
 #include <limits>
 #include <utility>
 
-#include "index.h"
 #include "mesh/geometry.h"
-#include "outer/active_set_bfgs.h"
-#include "outer/length_variation.h"
-#include "refine/restore_lengths.h"
-#include "refine/tangent_model.h"
+#include "network/length_variation.h"
+#include "optimize/box_quadratic.h"
+#include "refine/lanczos_trust_region.h"
+#include "refine/retract_to_lengths.h"
 #include "refine/tangent_space.h"
 
 namespace wirewarp {
@@ -21,8 +20,8 @@ namespace {
 constexpr double kWorthwhile = 1e-9;  // decrease that a step must promise, over f
 constexpr double kIsometric = 1e-22;  // the same over the area: strains of 1e-11
 constexpr double kSufficient = 1e-4;  // share of the promised decrease that a Newton step must bring
-constexpr double kTrustworthy = 0.1;  // the same for a step in a ball
-constexpr double kVeryGood = 0.5;     // from here on a larger ball is tried
+constexpr double kAcceptRatio = 0.1;  // the same for a step in a ball
+constexpr double kGrowRatio = 0.5;    // from here on a larger ball is tried
 constexpr double kShrink = 3;         // of the ball, after a bad step
 constexpr int kMaxRadii = 30;         // 3³⁰: no step, however short, goes down
 constexpr int kMaxKrylovSize = 15;
@@ -76,8 +75,8 @@ class Refinement {
   Outcome take_step();
   Outcome take_newton_step();
   Outcome take_steps_with_factor(double slope);
-  Outcome take_step_in_ball();
-  Outcome search_ball(const TangentSpace& space, const std::function<ModelStep(double radius)>& step_in);
+  Outcome trust_region_step();
+  Outcome search_trust_region(const TangentSpace& space, const std::function<ModelStep(double radius)>& step_in);
   std::vector<int> free_parts() const;
 
   LengthConstraints constraints_;
@@ -111,7 +110,7 @@ Refinement::Refinement(const Chart& chart, const WireNetwork& network, double fa
       starts_near_minimum_(start.multipliers.size() > 0) {
   tolerance_.resize(constraints_.num_elastic());
   for (int w = 0; w < constraints_.num_elastic(); ++w) {
-    tolerance_[w] = chart.wire_parts[at(constraints_.elastic_parts()[at(w)])].tolerance;
+    tolerance_[w] = chart.wire_parts[constraints_.elastic_parts()[w]].tolerance;
   }
   now_.uv = start.uv;
   now_.variation =
@@ -136,9 +135,9 @@ Refinement::Step Refinement::newton_step() const {
   const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
   Eigen::VectorXd variation = Eigen::VectorXd::Zero(constraints_.num_elastic());
   if (constraints_.num_elastic() > 0) {
-    variation = minimize_model_in_box(-(lengths.transpose() * (multipliers_ + solution.multipliers.col(0))),
-                                      make_positive(hessian_by_variation(lengths, by_variation_)),
-                                      -tolerance_ - now_.variation, tolerance_ - now_.variation);
+    variation = minimize_quadratic_in_box(-(lengths.transpose() * (multipliers_ + solution.multipliers.col(0))),
+                                          make_positive(hessian_by_variation(lengths, by_variation_)),
+                                          -tolerance_ - now_.variation, tolerance_ - now_.variation);
     solution.multipliers += by_variation_ * variation;
     system_.solve_on_wires(lengths * variation - residual, solution);
   }
@@ -150,7 +149,7 @@ Refinement::Step Refinement::newton_step() const {
 /// Takes the trial to exact lengths; false where that fails.
 bool Refinement::evaluate(Iterate& trial) const {
   trial.variation = trial.variation.cwiseMax(-tolerance_).cwiseMin(tolerance_);
-  if (!restore_lengths(constraints_, system_, trial.variation, trial.uv)) return false;
+  if (!retract_to_lengths(constraints_, system_, trial.variation, trial.uv)) return false;
   trial.value = objective_.value(trial.uv);
   return true;
 }
@@ -229,7 +228,7 @@ std::vector<int> Refinement::free_parts() const {
   return free;
 }
 
-Refinement::Outcome Refinement::take_step_in_ball() {
+Refinement::Outcome Refinement::trust_region_step() {
   if (!system_.factorize(now_.uv, multipliers_, kConvexHessian)) return Outcome::not_positive;
   multipliers_ = system_.solve_on_wires(-gradient_, Eigen::VectorXd::Zero(constraints_.size())).multipliers;
   const TangentSpace space(system_, constraints_, free_parts());
@@ -241,12 +240,12 @@ Refinement::Outcome Refinement::take_step_in_ball() {
   };
   const auto precondition = [&](Eigen::VectorXd& force) { return space.solve(force); };
   const auto model_for = [&](const Positions2& gradient) {
-    return TangentModel(times_hessian, precondition, space.force_on_vertices(gradient), kMaxKrylovSize);
+    return LanczosTrustRegion(times_hessian, precondition, space.force_on_vertices(gradient), kMaxKrylovSize);
   };
-  const TangentModel model = model_for(gradient_);
+  const LanczosTrustRegion model = model_for(gradient_);
   if (radius_ == 0) radius_ = model.convex_length();
   const bool is_stationary = model.convex_length() * model.convex_length() < worthwhile();
-  if (!is_stationary) return search_ball(space, [&](double radius) { return model.step(radius); });
+  if (!is_stationary) return search_trust_region(space, [&](double radius) { return model.step(radius); });
 
   // A saddle. Its way down may be against a symmetry that the gradient has: look for it where a mirror image would
   // push, a quarter turn from the forces in the wires.
@@ -255,14 +254,14 @@ Refinement::Outcome Refinement::take_step_in_ball() {
   Positions2 turned(tension.rows(), 2);
   turned.col(0) = -tension.col(1);
   turned.col(1) = tension.col(0);
-  const TangentModel off_saddle = model_for(turned);
+  const LanczosTrustRegion off_saddle = model_for(turned);
   if (off_saddle.lowest_curvature() > -kFlat) return Outcome::converged;
-  return search_ball(space, [&](double radius) { return off_saddle.step_along_lowest_curvature(radius); });
+  return search_trust_region(space, [&](double radius) { return off_saddle.step_along_lowest_curvature(radius); });
 }
 
 /// The largest ball whose step goes down as the model says.
-Refinement::Outcome Refinement::search_ball(const TangentSpace& space,
-                                            const std::function<ModelStep(double radius)>& step_in) {
+Refinement::Outcome Refinement::search_trust_region(const TangentSpace& space,
+                                                    const std::function<ModelStep(double radius)>& step_in) {
   bool found = false;
   Iterate best;
   double best_radius = 0;
@@ -272,12 +271,12 @@ Refinement::Outcome Refinement::search_ball(const TangentSpace& space,
     trial.uv += Eigen::Map<const Positions2>(step.d.data(), now_.uv.rows(), 2);
     trial.variation(space.free()) += step.d.tail(static_cast<Eigen::Index>(space.free().size()));
     const double share = evaluate(trial) ? (now_.value - trial.value) / step.decrease : -1;
-    if (share > kTrustworthy && (!found || trial.value < best.value)) {
+    if (share > kAcceptRatio && (!found || trial.value < best.value)) {
       found = true;
       best = std::move(trial);
       best_radius = radius_;
       is_positive_ = step.is_inside;
-      if (share < kVeryGood || step.is_inside) break;
+      if (share < kGrowRatio || step.is_inside) break;
       radius_ *= 2;
     } else if (found) {
       break;
@@ -296,7 +295,7 @@ Refinement::Outcome Refinement::take_step() {
   Outcome outcome = is_positive_ ? take_newton_step() : Outcome::not_positive;
   is_positive_ = outcome == Outcome::accepted;
   const bool failed = outcome == Outcome::not_positive || outcome == Outcome::rejected;
-  if (failed && may_go_on()) outcome = take_step_in_ball();
+  if (failed && may_go_on()) outcome = trust_region_step();
   return outcome;
 }
 
@@ -326,7 +325,7 @@ RefinedShape Refinement::shape(const Chart& chart) const {
   shape.uv = now_.uv;
   shape.variation = length_variation(chart, now_.uv);
   for (int i = 0; i < shape.variation.size(); ++i) {
-    if (chart.wire_parts[at(i)].kind != WireKind::super_elastic) shape.variation[i] = 0;
+    if (chart.wire_parts[i].kind != WireKind::super_elastic) shape.variation[i] = 0;
   }
   shape.variation(constraints_.elastic_parts()) = now_.variation;
   shape.multipliers = multipliers_;

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "charts/chart.h"
-#include "topology/wire_network.h"
+#include "network/wire_network.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {

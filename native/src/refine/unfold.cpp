@@ -6,9 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "index.h"
+#include "arap/shape_error.h"
 #include "mesh/geometry.h"
-#include "outer/shape_error.h"
 
 namespace wirewarp {
 namespace {
@@ -60,7 +59,7 @@ std::optional<Positions2> unfold(const Chart& chart) {
 
   const HalfedgeHandle first = longest_side(mesh, FaceHandle(0));
   uv(mesh.to_vertex_handle(first).idx(), 0) = edge_length(mesh, first);
-  has_place[at(mesh.from_vertex_handle(first).idx())] = has_place[at(mesh.to_vertex_handle(first).idx())] = 1;
+  has_place[mesh.from_vertex_handle(first).idx()] = has_place[mesh.to_vertex_handle(first).idx()] = 1;
   std::priority_queue<Side> sides;  // of faces to lay
   int num_sides = 0;
   const auto add_side = [&](HalfedgeHandle h) { sides.emplace(edge_length(mesh, h), num_sides++, h); };
@@ -69,16 +68,16 @@ std::optional<Positions2> unfold(const Chart& chart) {
     const HalfedgeHandle side = sides.top().half_edge;
     const FaceHandle face = mesh.face_handle(side);
     sides.pop();
-    if (is_laid[at(face.idx())]) continue;
-    is_laid[at(face.idx())] = 1;
+    if (is_laid[face.idx()]) continue;
+    is_laid[face.idx()] = 1;
     const int opposite = mesh.to_vertex_handle(mesh.next_halfedge_handle(side)).idx();
-    if (!has_place[at(opposite)]) uv.row(opposite) = opposite_place(mesh, side, uv);
-    has_place[at(opposite)] = 1;
-    const ShapeError::Triangle& triangle = shape_error.triangles()[at(face.idx())];
+    if (!has_place[opposite]) uv.row(opposite) = opposite_place(mesh, side, uv);
+    has_place[opposite] = 1;
+    const ShapeError::Triangle& triangle = shape_error.triangles()[face.idx()];
     energy += triangle.area * ShapeError::map_of(triangle, uv).squared_distance_from_rotation();
     for (const HalfedgeHandle h : mesh.fh_range(face)) {
       const HalfedgeHandle across = mesh.opposite_halfedge_handle(h);
-      if (!mesh.is_boundary(across) && !is_laid[at(mesh.face_handle(across).idx())]) add_side(across);
+      if (!mesh.is_boundary(across) && !is_laid[mesh.face_handle(across).idx()]) add_side(across);
     }
   }
   if (energy > most_energy) return std::nullopt;

@@ -5,8 +5,6 @@
 #include <iterator>
 #include <numeric>
 
-#include "index.h"
-
 namespace wirewarp {
 namespace {
 
@@ -17,16 +15,16 @@ struct Columns {
 
 /// The larger vertices of pairs by the smaller ones, each once. In buckets: to sort all pairs at once takes longer.
 Columns columns_of(int num_vertices, const std::vector<VertexPair>& pairs) {
-  std::vector<int> end(at(num_vertices) + 1, 0);
-  for (const VertexPair& pair : pairs) ++end[at(std::min(pair[0], pair[1])) + 1];
+  std::vector<int> end(num_vertices + 1, 0);
+  for (const VertexPair& pair : pairs) ++end[std::min(pair[0], pair[1]) + 1];
   std::partial_sum(end.begin(), end.end(), end.begin());
   std::vector<int> larger(pairs.size());
-  for (const VertexPair& pair : pairs) larger[at(end[at(std::min(pair[0], pair[1]))]++)] = std::max(pair[0], pair[1]);
+  for (const VertexPair& pair : pairs) larger[end[std::min(pair[0], pair[1])]++] = std::max(pair[0], pair[1]);
 
   Columns columns;
   auto first = larger.begin();
   for (int v = 0; v < num_vertices; ++v) {
-    const auto last = larger.begin() + end[at(v)];
+    const auto last = larger.begin() + end[v];
     std::sort(first, last);
     columns.begin.push_back(static_cast<int>(columns.row.size()));
     std::unique_copy(first, last, std::back_inserter(columns.row));
@@ -49,9 +47,9 @@ VertexMatrix::VertexMatrix(int num_vertices, const std::vector<VertexPair>& pair
     for (int k = 0; k < 2; ++k) {  // the columns of x and of y
       begin[2 * v + k] = next;
       for (int row = k; row < 2; ++row) rows[next++] = 2 * v + row;
-      for (int i = columns.begin[at(v)]; i < columns.begin[at(v + 1)]; ++i) {
-        rows[next++] = 2 * columns.row[at(i)];
-        rows[next++] = 2 * columns.row[at(i)] + 1;
+      for (int i = columns.begin[v]; i < columns.begin[v + 1]; ++i) {
+        rows[next++] = 2 * columns.row[i];
+        rows[next++] = 2 * columns.row[i] + 1;
       }
     }
     diagonal_.push_back({begin[2 * v], begin[2 * v + 1]});
@@ -70,7 +68,7 @@ VertexMatrix::Block VertexMatrix::block(int row, int column) const {
 
 double VertexMatrix::largest_diagonal(int vertex) const {
   const double* value = lower_.valuePtr();
-  return std::max(value[diagonal_[at(vertex)].left], value[diagonal_[at(vertex)].right]);
+  return std::max(value[diagonal_[vertex].left], value[diagonal_[vertex].right]);
 }
 
 }  // namespace wirewarp

@@ -78,7 +78,7 @@ std::string name_key(const Chart& chart, const std::vector<Wire>& wires) {
   key.write_list(chart.source_face);
   key.write_list(chart.wire_parts, [&](const WirePart& part) {
     key.write(part.wire_index);
-    key.write_list(wires[at(part.wire_index)].name, [&](char letter) { key.write(letter); });
+    key.write_list(wires[part.wire_index].name, [&](char letter) { key.write(letter); });
   });
   return key.take();
 }

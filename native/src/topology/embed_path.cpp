@@ -50,7 +50,7 @@ std::optional<SurfacePath> snap_to_vertices(const HalfEdgeMesh& mesh, const Wire
   return snapped;
 }
 
-HalfEdgeChain embed_path(RefinedChart& refined, const SurfacePath& path) {
+HalfEdgeChain embed_path(SplitChart& refined, const SurfacePath& path) {
   const HalfEdgeMesh& mesh = refined.chart.mesh;
   HalfEdgeChain chain;
   VertexHandle last = path.front().vertex;

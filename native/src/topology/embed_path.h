@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "topology/refined_chart.h"
+#include "topology/split_chart.h"
 #include "topology/surface_path.h"
 
 namespace wirewarp {
@@ -16,6 +16,6 @@ namespace wirewarp {
 std::optional<SurfacePath> snap_to_vertices(const HalfEdgeMesh& mesh, const WireMask& wires, const SurfacePath& path);
 
 /// Splits the edges a snapped path crosses, and returns the path as a chain of half-edges.
-HalfEdgeChain embed_path(RefinedChart& refined, const SurfacePath& path);
+HalfEdgeChain embed_path(SplitChart& refined, const SurfacePath& path);
 
 }  // namespace wirewarp

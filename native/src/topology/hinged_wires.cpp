@@ -9,7 +9,7 @@ namespace wirewarp {
 namespace {
 
 /// The wire edges that leave a vertex.
-std::vector<HalfedgeHandle> wires_at(const RefinedChart& refined, VertexHandle v) {
+std::vector<HalfedgeHandle> wires_at(const SplitChart& refined, VertexHandle v) {
   const HalfEdgeMesh& mesh = refined.chart.mesh;
   std::vector<HalfedgeHandle> wires;
   for (const HalfedgeHandle h : mesh.voh_range(v)) {
@@ -19,16 +19,16 @@ std::vector<HalfedgeHandle> wires_at(const RefinedChart& refined, VertexHandle v
 }
 
 /// All wire vertices but those of the tail's own wire, up to and with the one where another meets it.
-std::vector<char> other_wires(const RefinedChart& refined, VertexHandle tail) {
+std::vector<char> other_wires(const SplitChart& refined, VertexHandle tail) {
   const HalfEdgeMesh& mesh = refined.chart.mesh;
   std::vector<char> is_other(mesh.n_vertices(), 0);
-  for (const VertexHandle v : mesh.vertices()) is_other[at(v.idx())] = refined.wires.has(v) ? 1 : 0;
+  for (const VertexHandle v : mesh.vertices()) is_other[v.idx()] = refined.wires.has(v) ? 1 : 0;
   HalfedgeHandle h = wires_at(refined, tail).front();
-  is_other[at(tail.idx())] = 0;
+  is_other[tail.idx()] = 0;
   for (;;) {
     const VertexHandle v = mesh.to_vertex_handle(h);
     const std::vector<HalfedgeHandle> wires = wires_at(refined, v);
-    is_other[at(v.idx())] = 0;
+    is_other[v.idx()] = 0;
     if (wires.size() != 2) return is_other;
     h = wires[0] == mesh.opposite_halfedge_handle(h) ? wires[1] : wires[0];
   }
@@ -42,14 +42,14 @@ bool winds(const HalfEdgeMesh& mesh, const SurfacePath& path) {
   const VertexHandle end = path.back().vertex;
   if (length <= kTimesLonger * (mesh.point(end) - mesh.point(start)).norm()) return false;
   std::vector<char> is_target(mesh.n_vertices(), 0);
-  is_target[at(end.idx())] = 1;
+  is_target[end.idx()] = 1;
   double direct = 0;
   const std::vector<VertexHandle> way = shortest_edge_path(mesh, WireMask(), {start}, is_target);
   for (std::size_t i = 1; i < way.size(); ++i) direct += (mesh.point(way[i]) - mesh.point(way[i - 1])).norm();
   return length > kTimesLonger * direct;
 }
 
-void extend_tail(RefinedChart& refined, VertexHandle tail, HalfedgeHandle wire) {
+void extend_tail(SplitChart& refined, VertexHandle tail, HalfedgeHandle wire) {
   const HalfEdgeMesh& mesh = refined.chart.mesh;
   std::optional<SurfacePath> path = trace_straightest(mesh, refined.wires, wire, total_angle(mesh, tail) / 2);
   if (path) path = snap_to_vertices(mesh, refined.wires, *path);
@@ -62,7 +62,7 @@ void extend_tail(RefinedChart& refined, VertexHandle tail, HalfedgeHandle wire) 
 
 }  // namespace
 
-void extend_hinged_wires(RefinedChart& refined) {
+void extend_hinged_wires(SplitChart& refined) {
   const std::size_t num_vertices = refined.chart.mesh.n_vertices();  // no helper wire ends inside
   for (std::size_t i = 0; i < num_vertices; ++i) {
     const VertexHandle v(static_cast<int>(i));

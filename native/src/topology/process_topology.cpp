@@ -20,7 +20,7 @@ bool is_sound(const WireNetwork& network) {
 
 std::optional<Chart> process_topology(const Chart& chart) {
   if (is_sound(build_wire_network(chart))) return std::nullopt;
-  RefinedChart refined(chart);
+  SplitChart refined(chart);
   extend_hinged_wires(refined);  // III-A
   join_separate_loops(refined);  // III-B
   restore_delaunay(refined);

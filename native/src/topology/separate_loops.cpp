@@ -33,13 +33,13 @@ void add_loops(const WireNetwork& network, const std::set<int>& hinged, const st
   std::vector<std::size_t> nested{0};
   std::vector<int> open;  // hinged edges on the way from loop to loop
   for (std::size_t i = 0; i < walk.size(); ++i) {
-    const VertexHandle v = network.nodes[at(walk[i].node)].vertex;
+    const VertexHandle v = network.nodes[walk[i].node].vertex;
     const int edge = walk[i].half_edge.edge;
     WireLoop& loop = found[nested.back()];
     if (hinged.count(edge) == 0) {
       loop.vertices.push_back(v);
       loop.position.push_back(loop.length);
-      loop.length += network.edges[at(edge)].length;
+      loop.length += network.edges[edge].length;
     } else if (!open.empty() && open.back() == edge) {
       open.pop_back();
       nested.pop_back();
@@ -48,7 +48,7 @@ void add_loops(const WireNetwork& network, const std::set<int>& hinged, const st
       open.push_back(edge);
       nested.push_back(found.size());
       found.emplace_back();
-      found.back().joints.push_back(network.nodes[at(walk[(i + 1) % walk.size()].node)].vertex);
+      found.back().joints.push_back(network.nodes[walk[(i + 1) % walk.size()].node].vertex);
     }
   }
   for (WireLoop& loop : found) {
@@ -85,11 +85,11 @@ std::size_t vertex_at_distance(const WireLoop& loop, std::size_t from, double di
   return nearest;
 }
 
-void join_loop(RefinedChart& refined, const std::vector<WireLoop>& loops, const WireLoop& loop) {
+void join_loop(SplitChart& refined, const std::vector<WireLoop>& loops, const WireLoop& loop) {
   std::vector<char> is_target(refined.chart.mesh.n_vertices(), 0);
   for (const WireLoop& other : loops) {
     if (&other == &loop) continue;
-    for (const VertexHandle v : other.vertices) is_target[at(v.idx())] = 1;
+    for (const VertexHandle v : other.vertices) is_target[v.idx()] = 1;
   }
   VertexHandle first;
   if (loop.joints.empty()) {
@@ -121,7 +121,7 @@ std::vector<WireLoop> find_separate_loops(const WireNetwork& network) {
   return {};
 }
 
-void join_separate_loops(RefinedChart& refined) {
+void join_separate_loops(SplitChart& refined) {
   // Every round leaves fewer loops or fewer edges with one region on both sides.
   for (std::size_t rounds_left = refined.chart.mesh.n_edges(); rounds_left > 0; --rounds_left) {
     const std::vector<WireLoop> loops = find_separate_loops(build_wire_network(refined.chart));

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "mesh/shortest_paths.h"
-#include "pi.h"
+#include "planar.h"
 #include "topology/embed_path.h"
 #include "topology/straightest_geodesic.h"
 #include "topology/strip.h"
@@ -39,7 +39,7 @@ bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, Strip& strip, Stri
 std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const WireMask& wires,
                                              const std::vector<VertexHandle>& sources,
                                              const std::vector<char>& is_target) {
-  const auto ends_at = [&](VertexHandle v) { return is_target[at(v.idx())] != 0; };
+  const auto ends_at = [&](VertexHandle v) { return is_target[v.idx()] != 0; };
   const auto may_follow = [&](HalfedgeHandle h) {
     const VertexHandle next = mesh.to_vertex_handle(h);
     return !wires.has(mesh.edge_handle(h)) && (!wires.has(next) || ends_at(next));
@@ -60,7 +60,7 @@ SurfacePath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const st
   return best.path;
 }
 
-HalfEdgeChain join_by_shortest_path(RefinedChart& refined, const std::vector<VertexHandle>& sources,
+HalfEdgeChain join_by_shortest_path(SplitChart& refined, const std::vector<VertexHandle>& sources,
                                     std::vector<char> is_target) {
   make_room(refined, sources);
   const HalfEdgeMesh& mesh = refined.chart.mesh;

@@ -3,7 +3,7 @@
 // then straightened to a geodesic.
 #pragma once
 
-#include "topology/refined_chart.h"
+#include "topology/split_chart.h"
 #include "topology/surface_path.h"
 
 namespace wirewarp {
@@ -21,7 +21,7 @@ SurfacePath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const st
 /// Adds a helper wire along the straightened shortest path from any source to the nearest target, and returns it.
 /// Cuts edges for it where wires leave no room. Throws UnjoinedWires if no target lies in a region of a source, or
 /// the straightened path ends elsewhere.
-HalfEdgeChain join_by_shortest_path(RefinedChart& refined, const std::vector<VertexHandle>& sources,
+HalfEdgeChain join_by_shortest_path(SplitChart& refined, const std::vector<VertexHandle>& sources,
                                     std::vector<char> is_target);
 
 }  // namespace wirewarp

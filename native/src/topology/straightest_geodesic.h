@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "topology/refined_chart.h"
+#include "topology/split_chart.h"
 #include "topology/surface_path.h"
 
 namespace wirewarp {

@@ -2,7 +2,7 @@
 // A strip of triangles between two vertices and the shortest path inside it.
 #pragma once
 
-#include "topology/refined_chart.h"
+#include "topology/split_chart.h"
 #include "topology/surface_path.h"
 
 namespace wirewarp {

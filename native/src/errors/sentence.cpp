@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "errors/sentence.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace wirewarp {
+namespace {
+
+constexpr std::size_t kNamed = 5;
+
+std::string join(const std::string& noun, const std::vector<std::string>& names, std::size_t count) {
+  if (count == 1) return noun + " " + names[0];
+  std::string text = noun == "vertex" ? "vertices" : noun + "s";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool is_last = i + 1 == count;
+    text += (i == 0 ? " " : is_last ? " and " : ", ") + names[i];
+  }
+  if (count > names.size()) text += " and " + std::to_string(count - names.size()) + " more";
+  return text;
+}
+
+}  // namespace
+
+std::string name_elements(const std::string& noun, const std::vector<int>& indices) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min(kNamed, indices.size()); ++i) names.push_back(std::to_string(indices[i]));
+  return join(noun, names, indices.size());
+}
+
+std::string name_elements(const std::string& noun, const std::vector<VertexPair>& edges) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min(kNamed, edges.size()); ++i) {
+    names.push_back(std::to_string(edges[i][0]) + "-" + std::to_string(edges[i][1]));
+  }
+  return join(noun, names, edges.size());
+}
+
+std::string name_wires(const std::vector<Wire>& wires, const std::vector<int>& indices) {
+  const std::string text = name_elements("wire", indices);
+  if (indices.size() != 1 || wires[indices[0]].name.empty()) return text;
+  return text + " (" + wires[indices[0]].name + ")";
+}
+
+std::string capitalized(std::string sentence) {
+  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  return sentence;
+}
+
+std::string shortest(double value) {
+  if (std::isnan(value)) return "nan";
+  char text[32];
+  for (int digits = 15; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value) break;
+  }
+  return text;
+}
+
+std::string percent(double fraction) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%", 100 * std::abs(fraction));
+  return text;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/relax_lengths.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/geometry.h"
+#include "network/length_variation.h"
+#include "refine/newton_system.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kWeightOfExcess = 10;       // V over the square root of the area: far above the forces in wires
+constexpr double kWeightOfUnevenness = 100;  // W of wire parts, the same
+constexpr double kWeightOfBoundary = 1000;
+constexpr double kWithinTolerance = 0.99;            // of it, so that what smoothing leaves stays within
+constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};  // σ
+constexpr int kMaxSteps = 20;                        // for each σ
+constexpr double kWorthwhile = 1e-5;                 // promised decrease over Φ
+constexpr double kSufficient = 1e-4;                 // share of it that a step must bring
+constexpr double kShortestStep = 1e-3;
+
+/// The chart with those wire parts elastic whose edges share a variation, whatever their tolerance. A single edge needs
+/// none: r is the variation.
+Chart with_variations(Chart chart) {
+  for (WirePart& part : chart.wire_parts) {
+    if (part.kind != WireKind::elastic && part.kind != WireKind::rigid) continue;
+    part.kind = part.half_edges.size() > 1 ? WireKind::elastic : WireKind::rigid;
+  }
+  return chart;
+}
+
+class LooseLengths {
+ public:
+  LooseLengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start);
+
+  void minimize(double smoothing, const std::function<bool()>& go_on);
+  RelaxedShape shape() const;
+
+ private:
+  struct Group {
+    double weight;      // W
+    double length = 0;  // L
+    int part;           // -1: boundary
+  };
+  struct Iterate {
+    Positions2 uv;
+    Eigen::VectorXd variation;  // h
+  };
+  struct Step {
+    Positions2 d;
+    Eigen::VectorXd variation;  // Δh
+    double slope;
+  };
+
+  void make_groups(const WireNetwork& network);
+  Eigen::VectorXd residual(const Iterate& iterate) const;
+  Eigen::VectorXd mean_squares(const Eigen::VectorXd& residual) const;
+  Eigen::VectorXd tolerance_violation(const Eigen::VectorXd& variation) const;
+  double value(const Iterate& iterate, double smoothing) const;
+  Step step(double smoothing);
+
+  const Chart& chart_;  // with variations
+  double size_;         // square root of the area
+  LengthConstraints constraints_;
+  FairShapeError objective_;
+  NewtonSystem system_;
+  const Eigen::SparseMatrix<double>& lengths_;  // T
+  Eigen::VectorXd part_length_, tolerance_;     // L, ε of parts with a variation
+  Eigen::VectorXd slack_;                       // ε l of other edges
+  std::vector<Group> groups_;
+  std::vector<int> group_of_edge_;
+  Iterate now_;
+};
+
+LooseLengths::LooseLengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start)
+    : chart_(chart),
+      size_(std::sqrt(surface_area(chart.mesh))),
+      constraints_(chart, network),
+      objective_(chart, network, fairness),
+      system_(chart, objective_, constraints_, start),
+      lengths_(constraints_.elastic_lengths()),
+      part_length_(lengths_.transpose() * Eigen::VectorXd::Ones(constraints_.size())),
+      slack_(Eigen::VectorXd::Zero(constraints_.size())) {
+  tolerance_.resize(constraints_.num_elastic());
+  for (int w = 0; w < constraints_.num_elastic(); ++w) {
+    tolerance_[w] = kWithinTolerance * chart.wire_parts[constraints_.elastic_parts()[w]].tolerance;
+  }
+  make_groups(network);
+  now_ = {start, length_variation(chart, start)(constraints_.elastic_parts())};
+}
+
+void LooseLengths::make_groups(const WireNetwork& network) {
+  std::vector<int> group_of_part(chart_.wire_parts.size(), -1);
+  for (int e = 0; e < constraints_.size(); ++e) {
+    const WireEdge& edge = network.edges[e];
+    const bool is_shared = !edge.is_boundary && constraints_.edges()[e].elastic >= 0;
+    int group = is_shared ? group_of_part[edge.part] : -1;
+    if (group < 0) {
+      group = static_cast<int>(groups_.size());
+      const double weight = edge.is_boundary ? kWeightOfBoundary : is_shared ? kWeightOfUnevenness : kWeightOfExcess;
+      groups_.push_back({weight * size_, 0, edge.is_boundary ? -1 : edge.part});
+      if (is_shared) group_of_part[edge.part] = group;
+    }
+    if (!edge.is_boundary && !is_shared) {
+      slack_[e] = kWithinTolerance * chart_.wire_parts[edge.part].tolerance * edge.length;
+    }
+    groups_[group].length += edge.length;
+    group_of_edge_.push_back(group);
+  }
+}
+
+/// l r, of single edges what is beyond their tolerance. #edges.
+Eigen::VectorXd LooseLengths::residual(const Iterate& iterate) const {
+  const Eigen::VectorXd missing = constraints_.residual(iterate.uv, iterate.variation);
+  return missing - missing.cwiseMax(-slack_).cwiseMin(slack_);
+}
+
+/// m. #groups.
+Eigen::VectorXd LooseLengths::mean_squares(const Eigen::VectorXd& residual) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(groups_.size()));
+  for (int e = 0; e < constraints_.size(); ++e) {
+    const int group = group_of_edge_[e];
+    result[group] += residual[e] * residual[e] / constraints_.edges()[e].length / groups_[group].length;
+  }
+  return result;
+}
+
+/// x, with the sign of h.
+Eigen::VectorXd LooseLengths::tolerance_violation(const Eigen::VectorXd& variation) const {
+  return variation - variation.cwiseMax(-tolerance_).cwiseMin(tolerance_);
+}
+
+double LooseLengths::value(const Iterate& iterate, double smoothing) const {
+  double result = objective_.value(iterate.uv);
+  const auto magnitude = [&](double square) { return std::sqrt(square + smoothing * smoothing) - smoothing; };
+  const Eigen::VectorXd squares = mean_squares(residual(iterate));
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    result += groups_[g].weight * groups_[g].length * magnitude(squares[static_cast<Eigen::Index>(g)]);
+  }
+  const Eigen::VectorXd x = tolerance_violation(iterate.variation);
+  for (int w = 0; w < x.size(); ++w) {
+    result += kWeightOfExcess * size_ * part_length_[w] * magnitude(x[w] * x[w]);
+  }
+  return result;
+}
+
+/// The minimum of f and the springs of the weights at hand, linearized: ρ of the edges, κ of the variations. With d
+/// eliminated, a dense system in Δh is left.
+LooseLengths::Step LooseLengths::step(double smoothing) {
+  Positions2 gradient;
+  objective_.value_and_gradient(now_.uv, gradient);
+  const Eigen::VectorXd missing = residual(now_);
+  const Eigen::VectorXd squares = mean_squares(missing);
+  Eigen::VectorXd stiffness(constraints_.size());
+  for (int e = 0; e < constraints_.size(); ++e) {
+    const int group = group_of_edge_[e];
+    stiffness[e] =
+        groups_[group].weight / constraints_.edges()[e].length / std::sqrt(squares[group] + smoothing * smoothing);
+  }
+  const Eigen::VectorXd forces = stiffness.cwiseProduct(missing);
+  system_.set_stiffness(stiffness);
+  Step step{{}, Eigen::VectorXd::Zero(constraints_.num_elastic()), 0};
+  if (!system_.factorize(now_.uv, forces, {Curvature::convex, false})) return step;
+
+  const Positions2& directions = system_.directions();
+  Positions2 pull_on_vertices = -gradient;
+  constraints_.add_transposed(directions, -forces, pull_on_vertices);
+  step.d = system_.apply_inverse(pull_on_vertices);
+  const Eigen::VectorXd x = tolerance_violation(now_.variation);
+  const Eigen::VectorXd spring =
+      (kWeightOfExcess * size_ * part_length_.array() / (x.array().square() + smoothing * smoothing).sqrt()).matrix();
+  if (x.size() > 0) {
+    Eigen::MatrixXd by_variation = system_.stiffness_by_variation();
+    by_variation.diagonal() += spring;
+    const Eigen::VectorXd pull =
+        lengths_.transpose() * (forces + stiffness.cwiseProduct(constraints_.apply(directions, step.d))) -
+        spring.cwiseProduct(x);
+    step.variation = by_variation.selfadjointView<Eigen::Lower>().ldlt().solve(pull);
+    step.d += system_.finish(system_.least_change(lengths_ * step.variation));
+  }
+  step.slope = (gradient.array() * step.d.array()).sum() +
+               forces.dot(constraints_.apply(directions, step.d) - lengths_ * step.variation) +
+               spring.cwiseProduct(x).dot(step.variation);
+  return step;
+}
+
+void LooseLengths::minimize(double smoothing, const std::function<bool()>& go_on) {
+  double now = value(now_, smoothing);
+  for (int i = 0; i < kMaxSteps && go_on(); ++i) {
+    const Step full = step(smoothing);
+    if (-full.slope <= kWorthwhile * now) return;
+    double t = 1;
+    Iterate trial;
+    double reached = 0;
+    for (; t > kShortestStep; t /= 2) {
+      trial = {now_.uv + t * full.d, now_.variation + t * full.variation};
+      reached = value(trial, smoothing);
+      if (reached <= now + kSufficient * t * full.slope) break;
+    }
+    if (t <= kShortestStep) return;
+    now_ = std::move(trial);
+    now = reached;
+  }
+}
+
+RelaxedShape LooseLengths::shape() const {
+  RelaxedShape shape;
+  shape.uv = now_.uv;
+  const auto num_parts = static_cast<Eigen::Index>(chart_.wire_parts.size());
+  shape.tolerance_violation = shape.strain_rms = Eigen::VectorXd::Zero(num_parts);
+  shape.tolerance_violation(constraints_.elastic_parts()) = tolerance_violation(now_.variation).cwiseAbs();
+  const Eigen::VectorXd squares = mean_squares(residual(now_));
+  for (int e = 0; e < constraints_.size(); ++e) {
+    const Group& group = groups_[group_of_edge_[e]];
+    const double strain = std::sqrt(squares[group_of_edge_[e]]);
+    const bool is_shared = constraints_.edges()[e].elastic >= 0;
+    double& most = group.part < 0 ? shape.boundary_strain
+                   : is_shared    ? shape.strain_rms[group.part]
+                                  : shape.tolerance_violation[group.part];
+    most = std::max(most, strain);
+  }
+  shape.factorizations = system_.num_factorizations();
+  return shape;
+}
+
+}  // namespace
+
+RelaxedShape relax_lengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
+                           const std::function<bool()>& go_on) {
+  const Chart varied = with_variations(chart);
+  LooseLengths lengths(varied, network, fairness, start);
+  for (const double smoothing : kSmoothing) lengths.minimize(smoothing, go_on);
+  return lengths.shape();
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lengths that may be broken at a price, where they contradict one another: which of them have to give way?
+//
+//   Φ(u, h) = f(u) + Σ_g W_g L_g (√(m_g + σ²) − σ) + Σ_w V L_w (√(x_w² + σ²) − σ)
+//
+//   r_e = |d_e| / l_e − 1 − h_w   what the shared variation h of a wire part leaves of the strain of its edges;
+//                                 of a part of one edge, what is left beyond its tolerance
+//   m_g                           mean of r² over a group g of length L_g: a wire part, or an edge of the boundary
+//   x_w = |h_w| − ε_w or 0        how far a wire part goes beyond its tolerance
+//
+// For small σ these are sums of magnitudes, which leave most parts alone and load a few (the group lasso: M. Yuan,
+// Y. Lin, Journal of the Royal Statistical Society B 68 (2006), 49-67). A tolerance mends x, nothing but clearing the
+// wire mends m, and nothing at all the boundary: V << W of parts << W of the boundary. Solved by reweighted least
+// squares: for given weights every term is a spring, and the Newton system has springs already.
+#pragma once
+
+#include <functional>
+
+#include "charts/chart.h"
+#include "network/wire_network.h"
+#include "wirewarp/types.h"
+
+namespace wirewarp {
+
+struct RelaxedShape {
+  Positions2 uv;                        // one row per chart vertex, scene units
+  Eigen::VectorXd tolerance_violation;  // |x|, one per wire part of the chart
+  Eigen::VectorXd strain_rms;           // √m, the same; 0 for parts of one edge
+  double boundary_strain = 0;           // largest |r| of an edge of the boundary
+  int factorizations = 0;
+};
+
+/// The least Φ reached from a start, one row per chart vertex. network: of all wires but super-elastic ones. go_on is
+/// asked before each factorization; false: stop with what there is.
+RelaxedShape relax_lengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
+                           const std::function<bool()>& go_on);
+
+}  // namespace wirewarp

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps in a ball against what marks the global minimum of a quadratic there (Gay; Sorensen): with one σ >= 0
+//
+//   (H + σG) d = -g on the space,   σ = 0 or |d|_G = Δ,   H + σG positive semidefinite on the space
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <random>
+
+#include "dense_algebra.h"
+#include "refine/lanczos_trust_region.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr int kUnknowns = 14, kConstraints = 4;
+
+Eigen::MatrixXd random_matrix(int rows, int columns, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  Eigen::MatrixXd m(rows, columns);
+  for (double& x : m.reshaped()) x = normal(random);
+  return m;
+}
+
+/// q and its space {J d = 0}, in dense matrices.
+struct Problem {
+  Problem(unsigned seed, double shift) {
+    std::mt19937 random(seed);
+    const Eigen::MatrixXd a = random_matrix(kUnknowns, kUnknowns, random),
+                          b = random_matrix(kUnknowns, kUnknowns, random);
+    hessian = a + a.transpose() + shift * Eigen::MatrixXd::Identity(kUnknowns, kUnknowns);
+    metric = test::product(b, b.transpose()) + Eigen::MatrixXd::Identity(kUnknowns, kUnknowns);
+    constraints = random_matrix(kConstraints, kUnknowns, random);
+    gradient = random_matrix(kUnknowns, 1, random);
+    space = test::null_space(constraints);
+  }
+
+  LanczosTrustRegion model(int max_size) const {
+    return LanczosTrustRegion([this](const Eigen::VectorXd& d) -> Eigen::VectorXd { return hessian * d; },
+                              [this](Eigen::VectorXd& r) { return precondition(r); }, gradient, max_size);
+  }
+
+  Eigen::VectorXd precondition(Eigen::VectorXd& r) const {
+    Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(kUnknowns + kConstraints, kUnknowns + kConstraints);
+    kkt.topLeftCorner(kUnknowns, kUnknowns) = metric;
+    kkt.bottomLeftCorner(kConstraints, kUnknowns) = constraints;
+    kkt.topRightCorner(kUnknowns, kConstraints) = constraints.transpose();
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(kUnknowns + kConstraints);
+    rhs.head(kUnknowns) = r;
+    const Eigen::VectorXd solution = test::solve(kkt, rhs);
+    r -= constraints.transpose() * solution.tail(kConstraints);
+    return solution.head(kUnknowns);
+  }
+
+  double value(const Eigen::VectorXd& d) const { return gradient.dot(d) + 0.5 * d.dot(hessian * d); }
+
+  Eigen::VectorXd eigenvalues_in_space(const Eigen::MatrixXd& m) const {
+    return test::eigenvalues(test::reduced_to(space, m), test::reduced_to(space, metric));
+  }
+
+  Eigen::MatrixXd hessian, metric, constraints, space;
+  Eigen::VectorXd gradient;
+};
+
+TEST(LanczosTrustRegion, FindsTheLeastOfAnIndefiniteQuadraticInEveryBall) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const Problem problem(seed, 0);
+    ASSERT_LT(problem.eigenvalues_in_space(problem.hessian).minCoeff(), 0);
+    const LanczosTrustRegion model = problem.model(kUnknowns);
+    EXPECT_EQ(model.size(), kUnknowns - kConstraints);
+    EXPECT_NEAR(model.lowest_curvature(), problem.eigenvalues_in_space(problem.hessian).minCoeff(), 1e-8);
+    for (const double radius : {1e-4, 0.01, 0.3, 1.0, 10.0, 1e3}) {
+      const ModelStep step = model.step(radius);
+      EXPECT_FALSE(step.is_inside);
+      EXPECT_LT((problem.constraints * step.d).norm(), 1e-9 * step.d.norm());
+      EXPECT_NEAR(std::sqrt(step.d.dot(problem.metric * step.d)), radius, 1e-8 * radius);
+      EXPECT_NEAR(step.length, radius, 1e-9 * radius);
+      EXPECT_NEAR(step.decrease, -problem.value(step.d), 1e-8 * step.decrease);
+      // The least-squares σ, then its three conditions.
+      const Eigen::VectorXd pull = problem.space.transpose() * (problem.gradient + problem.hessian * step.d);
+      const Eigen::VectorXd weight = problem.space.transpose() * problem.metric * step.d;
+      const double shift = -pull.dot(weight) / weight.squaredNorm();
+      EXPECT_LT((pull + shift * weight).norm(), 1e-6 * problem.gradient.norm()) << seed << " " << radius;
+      EXPECT_GE(shift, 0);
+      EXPECT_GT(problem.eigenvalues_in_space(problem.hessian + shift * problem.metric).minCoeff(), -1e-8);
+    }
+  }
+}
+
+TEST(LanczosTrustRegion, TakesTheNewtonStepOfAConvexQuadraticWhereTheBallHoldsIt) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const Problem problem(seed, 30);
+    ASSERT_GT(problem.eigenvalues_in_space(problem.hessian).minCoeff(), 0);
+    const Eigen::MatrixXd reduced = test::reduced_to(problem.space, problem.hessian);
+    const Eigen::VectorXd newton =
+        -problem.space * test::solve(reduced, problem.space.transpose() * problem.gradient).col(0);
+    const ModelStep step = problem.model(kUnknowns).step(1e3);
+    EXPECT_TRUE(step.is_inside);
+    // It stops where a hundredth of the force is left, and q lacks the square of that.
+    EXPECT_NEAR(step.decrease, -problem.value(newton), 1e-2 * -problem.value(newton));
+    EXPECT_LE(step.decrease, -problem.value(newton) * (1 + 1e-12));
+  }
+}
+
+TEST(LanczosTrustRegion, FewVectorsGoDownAndStayInTheBall) {
+  const Problem problem(3, 0);
+  double before = 0;
+  for (int size = 1; size <= kUnknowns - kConstraints; ++size) {
+    const LanczosTrustRegion model = problem.model(size);
+    EXPECT_EQ(model.size(), size);
+    const ModelStep step = model.step(0.7);
+    EXPECT_LE(std::sqrt(step.d.dot(problem.metric * step.d)), 0.7 * (1 + 1e-9));
+    EXPECT_GE(-problem.value(step.d), before * (1 - 1e-9)) << "a larger span holds a better step";
+    before = -problem.value(step.d);
+  }
+}
+
+TEST(LanczosTrustRegion, FirstLengthIsThatOfTheStepForTheMetricItself) {
+  Problem problem(5, 0);
+  problem.hessian = problem.metric;
+  const LanczosTrustRegion model = problem.model(kUnknowns);
+  EXPECT_EQ(model.size(), 1);
+  const ModelStep step = model.step(1e3);
+  EXPECT_NEAR(step.length, model.convex_length(), 1e-9 * step.length);
+  EXPECT_NEAR(step.decrease, step.length * step.length / 2, 1e-9);
+}
+
+}  // namespace
+}  // namespace wirewarp
