@@ -14,11 +14,10 @@ FOLDER = BUILD / "coverage"
 COVERAGE_APT = ("python3-coverage",)
 KINDS = ("headless", "window")
 NEEDS_WINDOW = {  # what Blender runs in a window only; all others are tested without one, too
-    "addon/wirewarp/operators/frame.py": "moves a view",
-    "addon/wirewarp/overlay/blending.py": "state of the graphics card",
-    "addon/wirewarp/overlay/draw_space.py": "draws in a view",
-    "addon/wirewarp/overlay/draw_uv.py": "draws in a UV editor",
-    "addon/wirewarp/overlay/write_screen.py": "draws text",
+    "addon/wirewarp/operators/view.py": "moves a view",
+    "addon/wirewarp/overlay/view3d.py": "draws in a view",
+    "addon/wirewarp/overlay/uv_editor.py": "draws in a UV editor",
+    "addon/wirewarp/overlay/screen.py": "draws text",
 }
 REGISTERING = {"attach", "detach", "register", "unregister"}  # run of every module, whatever it does
 

@@ -49,3 +49,11 @@ def object_error(code: str, sentence: str) -> ObjectError:
 def changed_error(name: str) -> ObjectError:
     """name: of an object whose report is of another shape."""
     return object_error("changed", f'"{name}" has changed since it was flattened: flatten it again.')
+
+
+def note(text: str) -> dict:
+    return {"text": text, "is_warning": False}
+
+
+def warning(text: str) -> dict:
+    return {"text": text, "is_warning": True}

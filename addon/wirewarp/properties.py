@@ -12,11 +12,11 @@ from bpy.props import (
     StringProperty,
 )
 
-from .auto_update import note_change
-from .flatten_job import FlattenChoices
-from .owners import find_flat_object
-from .redraw import redraw_views
-from .write_texts import rename_text
+from .blender.views import redraw_views
+from .flat.texts import rename_text
+from .model.owners import find_flat_object
+from .run.auto_update import note_change
+from .solve.flatten import FlattenChoices
 
 METHODS = [
     (

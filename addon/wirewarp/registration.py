@@ -3,22 +3,26 @@
 
 import bpy
 
-from . import (
-    auto_update,
-    drop_helpers,
-    keep_names,
-    mesh_cache,
-    operators,
-    overlay,
-    properties,
-    report_store,
-    solved_pieces,
-    text_units,
-    ui,
-    window_run,
-)
+from . import operators, overlay, properties, ui
+from .blender import cache
+from .flat import helper_wires, reports, texts
+from .model import wire_names
+from .run import auto_update, read, window_run
 
 CLASSES = (*properties.CLASSES, *operators.CLASSES, *ui.CLASSES)
+ATTACHED = (
+    reports,
+    wire_names,
+    helper_wires,
+    cache,
+    overlay,
+    ui.layout,
+    ui.menus,
+    read,
+    texts,
+    window_run,
+    auto_update,
+)
 
 
 def register_classes() -> None:
@@ -32,28 +36,10 @@ def unregister_classes() -> None:
 
 
 def register_ui() -> None:
-    report_store.attach()
-    keep_names.attach()
-    drop_helpers.attach()
-    mesh_cache.attach()
-    overlay.attach()
-    ui.tick.attach()
-    ui.menus.attach()
-    solved_pieces.attach()
-    text_units.attach()
-    window_run.attach()
-    auto_update.attach()
+    for module in ATTACHED:
+        module.attach()
 
 
 def unregister_ui() -> None:
-    auto_update.detach()
-    window_run.detach()
-    text_units.detach()
-    solved_pieces.detach()
-    ui.menus.detach()
-    ui.tick.detach()
-    overlay.detach()
-    mesh_cache.detach()
-    drop_helpers.detach()
-    keep_names.detach()
-    report_store.detach()
+    for module in reversed(ATTACHED):
+        module.detach()

@@ -97,7 +97,7 @@ def select_edges(wanted: Callable[[Vector, Vector], bool]) -> None:
 def flatten() -> drive.Tour:
     with drive.in_view():
         bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
-    yield lambda: not wirewarp_addon.window_run.is_running()
+    yield lambda: not wirewarp_addon.run.window_run.is_running()
     yield from drive.ticks(10)
 
 

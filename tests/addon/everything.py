@@ -98,7 +98,7 @@ def draw_overlays(addon):
         shown = list(addon.overlay.shown.drawings(view_context()))
         addon.overlay.shown.missing_maps(shown)
         addon.overlay.shown.extremes(shown)
-    list(addon.overlay.uv_drawing.uv_drawings(sidebar()))
+    list(addon.overlay.shown.uv_drawings(sidebar()))
 
 
 def answer(command, **settings):

@@ -56,7 +56,7 @@ def test_wires_of_another_file_are_made_local_first(library, addon, kind, comman
         bpy.context.view_layer.update()
     other = grid("Other", bump)
     select_only(target, other)
-    before, edge = wire_marks(target.data), addon.wire_summary.wires_of(target)[0].edges[0]
+    before, edge = wire_marks(target.data), addon.model.wires.wires_of(target)[0].edges[0]
     assert f'"Bump" {kind}' in answer(f"mesh.wirewarp_{command}", edge=edge)
     assert (wire_marks(target.data), target.data.wirewarp_grain) == (before, 0)
     assert (bpy.context.active_object, set(bpy.context.selected_objects)) == (target, {target, other})
@@ -168,7 +168,7 @@ def test_modifiers_that_make_other_faces(addon, kind, settings, faces):
     source = modified(kind, **settings)
     assert answer(FLATTEN) == DONE
     assert len(flat_of(source).data.polygons) == 16
-    assert "Not the size you see: modifiers were left out" in addon.report_store.last_report(source)["notes"][0]["text"]
+    assert "Not the size you see: modifiers were left out" in addon.flat.reports.last_report(source)["notes"][0]["text"]
     assert answer(FLATTEN, use_modifiers=True) == DONE
     assert len(flat_of(source).data.polygons) == faces
 

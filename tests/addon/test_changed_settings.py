@@ -21,8 +21,8 @@ def give(addon, source, **settings):
     """Settings of the panel; returns what is said of the pieces."""
     for name, value in settings.items():
         setattr(bpy.context.scene.wirewarp, name, value)
-    report = addon.report_store.pieces_report(source)
-    return addon.changed_settings.settings_sentence(source, report, bpy.context.scene.wirewarp)
+    report = addon.flat.reports.pieces_report(source)
+    return addon.ui.settings.settings_sentence(source, report, bpy.context.scene.wirewarp)
 
 
 @pytest.mark.parametrize(

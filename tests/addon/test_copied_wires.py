@@ -19,9 +19,9 @@ def test_a_copy_of_a_wire_is_called_as_its_original_everywhere(addon, tmp_path, 
     bpy.ops.object.wirewarp_flatten(use_modifiers=use_modifiers)
     source.data.wirewarp_names[0].name = "Hip"
     both = ["Hip", "Hip (2)"]
-    assert [wire["name"] for wire in addon.report_store.last_report(source)["wires"]] == both
+    assert [wire["name"] for wire in addon.flat.reports.last_report(source)["wires"]] == both
     select_only(flat_of(source))
-    drawn = addon.overlay.object_drawing.marked_lines(flat_of(source), bpy.context.evaluated_depsgraph_get())
+    drawn = addon.overlay.objects.marked_lines(flat_of(source), bpy.context.evaluated_depsgraph_get())
     assert sorted(name.text for name in drawn.names) == both
     path = tmp_path / "pattern.svg"
     bpy.ops.object.wirewarp_export_svg(filepath=str(path))

@@ -30,7 +30,8 @@ TWO_TRIANGLES_A_FACE = np.arange(40) // 2
 )
 def test_names(addon, sentence, faces, expected):
     assert (
-        addon.element_names.name_elements(sentence, TWO_TRIANGLES_A_FACE, faces, ["Bust", "Hip", "Wire 1"]) == expected
+        addon.solve.sentences.name_elements(sentence, TWO_TRIANGLES_A_FACE, faces, ["Bust", "Hip", "Wire 1"])
+        == expected
     )
 
 
@@ -47,7 +48,7 @@ def test_names(addon, sentence, faces, expected):
     ],
 )
 def test_counts(addon, sentence, counts, expected):
-    assert addon.element_names.count_faces(sentence, counts) == expected
+    assert addon.solve.sentences.count_faces(sentence, counts) == expected
 
 
 @pytest.mark.parametrize(
@@ -71,9 +72,9 @@ def test_counts(addon, sentence, counts, expected):
     ],
 )
 def test_sentences_have_units(addon, sentence, expected):
-    units = addon.length_units.LengthText("mm", 1000.0)
+    units = addon.words.LengthText("mm", 1000.0)
     expected = expected or "Wire 4 of the piece is as long as its outline."
-    assert addon.plain_sentence.plain_sentence(sentence, units) == expected
+    assert addon.solve.sentences.plain_sentence(sentence, units) == expected
 
 
 @pytest.mark.parametrize(
@@ -89,5 +90,5 @@ def test_sentences_have_units(addon, sentence, expected):
     ],
 )
 def test_sentences_count_what_a_button_selects(addon, sentence, expected):
-    units = addon.length_units.LengthText("mm", 1000.0)
-    assert addon.plain_sentence.plain_sentence(sentence, units) == expected
+    units = addon.words.LengthText("mm", 1000.0)
+    assert addon.solve.sentences.plain_sentence(sentence, units) == expected

@@ -22,8 +22,8 @@ def source():
 
 
 def test_sizes_told_before_saving(source, addon):
-    pattern = addon.read_pattern.read_pattern(bpy.context.scene, source, 100.0, False)
-    total, largest = addon.operators.export_svg._size_sentences(pattern)
+    pattern = addon.flat.pattern.read_pattern(bpy.context.scene, source, 100.0, False)
+    total, largest = addon.operators.export._size_sentences(pattern)
     assert re.fullmatch(r"2 pieces on \d+ × \d+ mm\.", total)
     wide, high = map(int, re.fullmatch(r"The largest, Top (?:Left|Right): (\d+) × (\d+) mm\.", largest).groups())
     assert 200 < max(wide, high) < 260
@@ -32,7 +32,7 @@ def test_sizes_told_before_saving(source, addon):
 
 def test_of_many_pieces_over_one_another_the_first_are_named(addon):
     module, square = addon.pattern.pattern, np.array([(0, 0), (9, 0), (9, 9), (0, 9)], dtype=float)
-    told = addon.operators.export_svg._crossing_sentence
+    told = addon.operators.export._crossing_sentence
 
     def pattern(count):
         text = module.PieceText((), np.zeros(2), 1.0, 0.0)

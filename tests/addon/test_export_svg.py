@@ -149,7 +149,9 @@ def test_notches_lead_into_the_piece_and_stand_at_ends_of_wires(source, tmp_path
         for notch in notches:
             assert steps(notch) == pytest.approx([5], abs=ROUNDED)
             assert min(np.linalg.norm(end - notch[0]) for end in (wire[0], wire[-1])) < ROUNDED
-            assert addon.polygons.are_inside(notch[1:], addon.polygons.Segments(outline[:-1], outline[1:])).all()
+            assert addon.pattern.polygons.are_inside(
+                notch[1:], addon.pattern.polygons.Segments(outline[:-1], outline[1:])
+            ).all()
 
 
 def test_a_wire_that_ends_at_a_seam_has_a_notch_on_the_other_side_too(tmp_path):
@@ -225,7 +227,7 @@ def test_text_is_inside_its_piece_and_says_name_and_area(source, tmp_path):
 def test_room_for_text_is_found_in_a_ring_and_beside_its_wires(addon):
     turn = np.linspace(0, 2 * math.pi, 60, endpoint=False)
     circle = np.column_stack([np.cos(turn), np.sin(turn)])
-    innermost_point = addon.pattern.interior.innermost_point
+    innermost_point = addon.pattern.piece_texts.innermost_point
     center, depth = innermost_point([100 * circle, 60 * circle + (20, 0)], [])
     assert depth == pytest.approx(30, abs=2)  # left, where the ring is widest
     assert np.linalg.norm(center + (70, 0)) < 20

@@ -273,17 +273,17 @@ def test_blenders_own_command_is_named_where_there_is_one(addon):
     source.data.polygons[0].flip()
     flatten_fails("look to opposite sides.* In Edit Mode: Mesh > Normals > Recalculate Outside")
     codes = {str(code) for code in addon.core.library().ErrorCode}
-    assert set(addon.flatten_job.COMMANDS) <= codes
+    assert set(addon.solve.flatten.COMMANDS) <= codes
 
 
 def test_flipped_and_overlapping_faces_are_counted_and_selected_as_faces(addon):
     """Three triangles turned over and two that overlap, of a grid with two triangles in each face."""
     source = grid("Bump", bump)
-    arrays = addon.mesh_to_arrays.object_to_arrays(source, None)
+    arrays = addon.model.read.object_to_arrays(source, None)
     sentence = "The piece is turned over at faces 10, 11 and 12, and overlaps itself at 2 faces (of 128 faces)."
     error = addon.core.library().FlattenError("flipped_faces", sentence, [], [], [10, 11, 12], True)
     metrics = SimpleNamespace(flipped_faces=[10, 11, 12], overlapping_faces=[20, 21])
     piece = SimpleNamespace(error=error, source_face=np.arange(128), metrics=metrics)
-    issue = addon.flatten_job.issue_of_piece(piece, 0, arrays)
+    issue = addon.solve.flatten.issue_of_piece(piece, 0, arrays)
     assert issue.sentence == ("The piece is turned over at faces 5 and 6, and overlaps itself at 1 face (of 64 faces).")
     assert issue.faces == [5, 6, 10]

@@ -291,7 +291,7 @@ def test_modifiers_go_to_the_flat_object_only():
 
 def notes_after(addon, source, **settings):
     bpy.ops.object.wirewarp_flatten(**settings)
-    return [note["text"] for note in addon.report_store.last_report(source)["notes"]]
+    return [note["text"] for note in addon.flat.reports.last_report(source)["notes"]]
 
 
 def test_what_is_shown_but_not_flattened_is_said(addon):
@@ -348,7 +348,7 @@ def test_only_pieces_that_changed_are_solved_again(addon):
 
     def reused_pieces():
         bpy.ops.object.wirewarp_flatten()
-        return addon.report_store.last_report(source)["reused_pieces"]
+        return addon.flat.reports.last_report(source)["reused_pieces"]
 
     assert [reused_pieces(), reused_pieces()] == [0, 2]
     before = uv_of(source.data)
@@ -358,6 +358,6 @@ def test_only_pieces_that_changed_are_solved_again(addon):
     source.scale.x = 1.1
     assert reused_pieces() == 0
     assert not np.allclose(uv_of(source.data), before)
-    addon.solved_pieces.detach()  # as another file does
-    addon.solved_pieces.attach()
+    addon.run.read.detach()  # as another file does
+    addon.run.read.attach()
     assert reused_pieces() == 0

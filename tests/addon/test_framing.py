@@ -25,7 +25,7 @@ def on_screen(points, axes, middle, distance, across, upward, is_perspective):
 @pytest.mark.parametrize(("across", "upward"), [(1.4, 2.3), (3.0, 0.8)])
 def test_all_points_are_in_sight_and_near(addon, cloud, across, upward, is_perspective):
     points, axes = cloud
-    framing = addon.framing
+    framing = addon.blender.views
     middle, distance = framing.fit(points, framing.Projection(axes, across, upward, is_perspective))
     x, y = on_screen(points, axes, middle, distance, across, upward, is_perspective)
     farthest = max(np.abs(x).max(), np.abs(y).max())
@@ -36,7 +36,7 @@ def test_all_points_are_in_sight_and_near(addon, cloud, across, upward, is_persp
 @pytest.mark.parametrize("is_perspective", [True, False])
 def test_nothing_is_below_the_sidebar(addon, cloud, is_perspective):
     points, axes = cloud
-    framing = addon.framing
+    framing = addon.blender.views
     middle, distance = framing.fit(points, framing.Projection(axes, 1.4, 2.3, is_perspective, covered=0.25))
     x, _ = on_screen(points, axes, middle, distance, 1.4, 2.3, is_perspective)
     assert -1 < x.min() < x.max() < 1 - 2 * 0.25

@@ -28,7 +28,7 @@ def helpers_of(owner):
 
 
 def reported(addon, source):
-    return [wire for piece in addon.report_store.last_report(source)["pieces"] for wire in piece["helper_wires"]]
+    return [wire for piece in addon.flat.reports.last_report(source)["pieces"] for wire in piece["helper_wires"]]
 
 
 def lengths_by_helper(target):
@@ -102,7 +102,7 @@ def test_the_refined_method_adds_none(source, addon):
 
 
 def test_they_are_listed_through_all_pieces(source, addon):
-    rows = addon.ui.report_rows.helper_rows(addon.report_store.last_report(source))
+    rows = addon.report.rows.helper_rows(addon.flat.reports.last_report(source))
     assert {row.name for row in rows} == {f"Helper {k}: Bump" for k in range(1, len(rows) + 1)}
     assert len(rows) == len(reported(addon, source))
 

@@ -12,7 +12,7 @@ from surfaces import bump, flatten, grid, half_cylinder, join_cube, mark, mark_s
 
 def flattened(addon, target, **settings):
     flatten(target, **settings)
-    return addon.report_store.last_report(target)
+    return addon.flat.reports.last_report(target)
 
 
 def triangle_piece(flat):
@@ -39,7 +39,7 @@ def triangle_piece(flat):
     ],
 )
 def test_stretch_and_ease_are_the_principal_ones_of_flat_cloth(addon, flat, stretch, ease):
-    strain = addon.strain.piece_strain(*triangle_piece(flat))
+    strain = addon.report.cloth.piece_strain(*triangle_piece(flat))
     assert strain.stretch == pytest.approx([stretch], abs=1e-12)
     assert strain.ease == pytest.approx([ease], abs=1e-12)
 
@@ -54,10 +54,10 @@ def test_regions_hang_together_by_edges(addon):
     cells[0, :] = cells[:, 0] = True  # an L,
     cells[4, 4] = cells[5, 5] = True  # and two cells that touch at a corner only
     members = np.repeat(cells.ravel(), 2)
-    regions = addon.strain.connected_regions(piece, members)
+    regions = addon.report.cloth.connected_regions(piece, members)
     assert sorted(len(region) for region in regions) == [2, 2, 22]
     assert sorted(np.concatenate(regions)) == np.flatnonzero(members).tolist()
-    assert addon.strain.connected_regions(piece, np.zeros(len(faces), dtype=bool)) == []
+    assert addon.report.cloth.connected_regions(piece, np.zeros(len(faces), dtype=bool)) == []
 
 
 def test_a_winding_region_is_one(addon):
@@ -65,7 +65,7 @@ def test_a_winding_region_is_one(addon):
     order = np.random.default_rng(1).permutation(count)  # neighbors far apart in number
     strip = np.array([[k, k + 1, k + 2] for k in range(count)])
     piece = SimpleNamespace(faces=strip[order], vertices=np.zeros((count + 2, 2)))
-    (region,) = addon.strain.connected_regions(piece, np.ones(count, dtype=bool))
+    (region,) = addon.report.cloth.connected_regions(piece, np.ones(count, dtype=bool))
     assert len(region) == count
 
 
@@ -144,7 +144,7 @@ def test_what_failed_gets_no_advice(addon):
     join_cube(source)
     with pytest.raises(RuntimeError, match="is closed"):
         bpy.ops.object.wirewarp_flatten()
-    report = addon.report_store.last_report(source)
+    report = addon.flat.reports.last_report(source)
     failed = [piece["index"] for piece in report["pieces"] if not piece["ok"]]
     assert report["hints"]
     assert not {hint["piece"] for hint in report["hints"]} & set(failed)
@@ -161,5 +161,5 @@ def test_what_failed_gets_no_advice(addon):
     ],
 )
 def test_strain_in_words(addon, stretch, ease, words, figures):
-    assert addon.cloth.strain_words(stretch, ease) == words
-    assert addon.cloth.strain_figures(stretch, ease) == figures
+    assert addon.report.cloth.strain_words(stretch, ease) == words
+    assert addon.report.cloth.strain_figures(stretch, ease) == figures

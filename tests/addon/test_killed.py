@@ -23,13 +23,13 @@ def die(*_):
     os.kill(os.getpid(), signal.SIGKILL)
 
 
-flatten = addon.solve_models.flatten_arrays
+flatten = addon.run.models.flatten_arrays
 if where == "solve":  # at the first sign of progress
-    addon.solve_models.flatten_arrays = lambda library, arrays, choices, _, solved: flatten(
+    addon.run.models.flatten_arrays = lambda library, arrays, choices, _, solved: flatten(
         library, arrays, choices, die, solved
     )
 else:  # between the flat object and its texts
-    addon.write_results.write_texts = die
+    addon.run.write.write_texts = die
 bpy.ops.object.wirewarp_flatten(report_path=path + ".json")
 """
 

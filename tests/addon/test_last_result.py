@@ -42,8 +42,8 @@ def test_a_failed_run_leaves_the_report_of_the_pieces(source, addon, tmp_path, s
         bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "failed.blend"))
         source = bpy.data.objects["Bump"]
         select_only(source)
-    assert not addon.report_store.last_report(source)["ok"]
-    assert addon.report_store.pieces_report(source)["ok"]
+    assert not addon.flat.reports.last_report(source)["ok"]
+    assert addon.flat.reports.pieces_report(source)["ok"]
     words = draw_panels(addon)
     assert "Not flattened" in words or "The model has changed since" in words
     assert export(tmp_path) == "{'FINISHED'}"
@@ -51,7 +51,7 @@ def test_a_failed_run_leaves_the_report_of_the_pieces(source, addon, tmp_path, s
     assert answer("mesh.wirewarp_select_result", what="PIECE", index=0) == "{'FINISHED'}"
     bpy.ops.object.mode_set(mode="OBJECT")
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    assert addon.report_store.last_report(source)["ok"]
+    assert addon.flat.reports.last_report(source)["ok"]
     assert "wirewarp_failure" not in source
 
 
@@ -60,22 +60,22 @@ def test_a_failed_report_stays_with_its_object(addon, tmp_path):
     with pytest.raises(RuntimeError, match="closed"):
         bpy.ops.object.wirewarp_flatten()
     closed.name = "Renamed"
-    assert not addon.report_store.last_report(closed)["ok"]
+    assert not addon.flat.reports.last_report(closed)["ok"]
     bpy.data.objects.remove(closed)
     for name in ("Cube", "Renamed"):
         other = grid(name, bump, size=4)
-        assert addon.report_store.last_report(other) is None
+        assert addon.flat.reports.last_report(other) is None
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "other.blend"))
     assert not [each for each in bpy.data.objects if "wirewarp_failure" in each or "wirewarp_report" in each]
 
 
 def test_a_piece_renamed_during_a_run_keeps_its_new_name(source, addon):
-    models = addon.read_models.read_models(bpy.context, [source], bpy.context.scene.wirewarp)
+    models = addon.run.read.read_models(bpy.context, [source], bpy.context.scene.wirewarp)
     settings = bpy.context.scene.wirewarp
     choices, library = addon.properties.choices_of(settings), addon.core.library()
-    outcomes = addon.solve_models.solve_models(library, models, choices, 1.0, lambda *_: True)
+    outcomes = addon.run.models.solve_models(library, models, choices, 1.0, lambda *_: True)
     source.wirewarp_pieces[0].name = "Sleeve"
-    addon.write_results.write_results(bpy.context, outcomes, settings)
+    addon.run.write.write_results(bpy.context, outcomes, settings)
     names = {entry.name for entry in source.wirewarp_pieces}
     assert "Sleeve" in names
     assert {piece["name"] for piece in outcomes[0].report["pieces"]} == names
@@ -130,10 +130,10 @@ def test_a_copy_of_the_pieces_is_told_from_them(source, addon, tmp_path):
     select_only(source)
     assert export(tmp_path) == "{'FINISHED'}"
     bpy.ops.object.wirewarp_flatten()
-    assert any(sentence in note["text"] for note in addon.report_store.last_report(source)["notes"])
+    assert any(sentence in note["text"] for note in addon.flat.reports.last_report(source)["notes"])
     bpy.data.objects.remove(copy)
     bpy.ops.object.wirewarp_flatten()
-    assert not addon.report_store.last_report(source)["notes"]
+    assert not addon.flat.reports.last_report(source)["notes"]
 
 
 def test_the_longest_name_leaves_room_for_what_says_that_these_are_its_pieces():

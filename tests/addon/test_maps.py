@@ -108,4 +108,4 @@ def test_a_face_without_a_layout_has_no_color_of_the_scale(addon):
     assert (ratio[:64] >= 1).all()
     assert (ratio[64:] == 0).all()
     colors = read(source.data.color_attributes["wirewarp_aspect_ratio_color"].data, "color", np.float32, 4)
-    assert np.unique(colors[4 * 64 :], axis=0) == pytest.approx(addon.color_maps.NO_LAYOUT[None])
+    assert np.unique(colors[4 * 64 :], axis=0) == pytest.approx(addon.solve.maps.NO_LAYOUT[None])

@@ -38,11 +38,11 @@ def mesh(request):
 @pytest.mark.parametrize("name", READERS)
 def test_indices(addon, mesh, name):
     elements, field, columns = READERS[name]
-    found = getattr(addon.mesh_topology, name)(mesh)
+    found = getattr(addon.blender.mesh, name)(mesh)
     expected = read(getattr(mesh, elements), field, np.int32, columns)
     assert found.dtype == np.int32
     assert np.array_equal(found, expected)
 
 
 def test_seams(addon, mesh):
-    assert np.array_equal(addon.mesh_topology.read_seams(mesh), [edge.use_seam for edge in mesh.edges])
+    assert np.array_equal(addon.blender.mesh.read_seams(mesh), [edge.use_seam for edge in mesh.edges])

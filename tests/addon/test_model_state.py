@@ -22,7 +22,7 @@ def source():
 
 @pytest.fixture
 def has_changed(addon, source):
-    return lambda: addon.model_state.has_changed(source, addon.report_store.last_report(source))
+    return lambda: addon.model.state.has_changed(source, addon.flat.reports.last_report(source))
 
 
 def move_a_vertex(source):
@@ -149,7 +149,7 @@ CHANGES = [raise_levels, hide_modifier, add_modifier, move_mirror, add_shape_key
 def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp_path, change):
     def taken():
         bpy.context.view_layer.update()
-        return addon.auto_update.take_changed(bpy.context)
+        return addon.run.auto_update.take_changed(bpy.context)
 
     path = tmp_path / "pattern.svg"
     smooth.location.y = 1
@@ -158,7 +158,7 @@ def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp
     change(smooth)
     assert taken() == [smooth]
     assert taken() == []  # once for each state
-    assert addon.model_state.has_changed(smooth, addon.report_store.last_report(smooth))
+    assert addon.model.state.has_changed(smooth, addon.flat.reports.last_report(smooth))
     with pytest.raises(RuntimeError, match="has changed since it was flattened"):
         bpy.ops.object.wirewarp_export_svg(filepath=str(path))
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
@@ -167,16 +167,16 @@ def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp
 
 
 def test_a_model_and_what_its_modifiers_refer_to_may_move_together(addon, smooth):
-    report, mirror = addon.report_store.last_report(smooth), bpy.data.objects["Mirror"]
+    report, mirror = addon.flat.reports.last_report(smooth), bpy.data.objects["Mirror"]
     for step in range(1, 6):
         motion = Matrix.LocRotScale(Vector((0.37, -7.1, 12.3)) * step, Euler((0.3, 0.2 * step, 1.1)), None)
         for moved in (smooth, mirror):
             moved.matrix_world = motion @ moved.matrix_world
         bpy.context.view_layer.update()
-        assert not addon.model_state.has_changed(smooth, report)
+        assert not addon.model.state.has_changed(smooth, report)
     mirror.location.x += 0.001
     bpy.context.view_layer.update()
-    assert addon.model_state.has_changed(smooth, report)
+    assert addon.model.state.has_changed(smooth, report)
 
 
 def test_the_least_move_of_one_vertex_by_a_modifier_is_a_change(addon):
@@ -187,17 +187,17 @@ def test_the_least_move_of_one_vertex_by_a_modifier_is_a_change(addon):
     modifier.object = hook
     modifier.vertex_indices_set([1800])
     flatten(target, use_modifiers=True)
-    report = addon.report_store.last_report(target)
-    assert not addon.model_state.has_changed(target, report)
+    report = addon.flat.reports.last_report(target)
+    assert not addon.model.state.has_changed(target, report)
     hook.location.z = 1e-5
     bpy.context.view_layer.update()
-    assert addon.model_state.has_changed(target, report)
+    assert addon.model.state.has_changed(target, report)
 
 
 @pytest.mark.parametrize("count", [1, 100, 100_000])
 @pytest.mark.parametrize(("share", "noise", "move"), [("MOVED", 3e-7, 1e-3), ("UNMOVED", 1.2e-7, 1e-4)])
 def test_one_vertex_that_moves_is_seen_and_rounding_is_not(addon, count, share, noise, move):
-    random, module = np.random.default_rng(count), addon.place_sums
+    random, module = np.random.default_rng(count), addon.model.state
     points = random.uniform(-1, 1, (count, 3)).astype(np.float32)
     before, rounding = module.place_sums(points), 2 * module.rounding_of_sums(points, getattr(module, share))
     rounded = points + random.uniform(-noise, noise, points.shape).astype(np.float32)
@@ -212,14 +212,14 @@ def test_a_modifier_along_normals_makes_the_same_mesh_each_time(addon):
     target = grid("Bump", bump, size=72)
     modifier = target.modifiers.new("Thick", "DISPLACE")
     flatten(target, use_modifiers=True)
-    report = addon.report_store.last_report(target)
+    report = addon.flat.reports.last_report(target)
     for _ in range(10):
         target.data.update_tag()
         bpy.context.view_layer.update()
-        assert not addon.model_state.has_changed(target, report, addon.mesh_cache.read_anew)
+        assert not addon.model.state.has_changed(target, report, addon.blender.cache.read_anew)
     modifier.strength += 1e-4
     bpy.context.view_layer.update()
-    assert addon.model_state.has_changed(target, report, addon.mesh_cache.read_anew)
+    assert addon.model.state.has_changed(target, report, addon.blender.cache.read_anew)
 
 
 def test_another_frame_of_an_animated_modifier_is_a_change(addon, smooth):
@@ -229,10 +229,10 @@ def test_another_frame_of_an_animated_modifier_is_a_change(addon, smooth):
         modifier.keyframe_insert("levels", frame=frame)
     bpy.context.scene.frame_set(1)
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    report = addon.report_store.last_report(smooth)
-    assert not addon.model_state.has_changed(smooth, report)
+    report = addon.flat.reports.last_report(smooth)
+    assert not addon.model.state.has_changed(smooth, report)
     bpy.context.scene.frame_set(20)
-    assert addon.model_state.has_changed(smooth, report)
+    assert addon.model.state.has_changed(smooth, report)
 
 
 def test_a_hidden_model_with_modifiers_is_looked_at_and_stays_hidden(smooth, tmp_path):
@@ -260,8 +260,8 @@ def test_what_was_tried_in_edit_mode_is_tried_again_when_its_modifiers_change(ad
     bpy.ops.object.mode_set(mode="EDIT")
     move_a_vertex(smooth)
     bpy.context.view_layer.update()
-    assert addon.auto_update.take_changed(bpy.context) == [smooth]
+    assert addon.run.auto_update.take_changed(bpy.context) == [smooth]
     bpy.ops.object.mode_set(mode="OBJECT")
     raise_levels(smooth)
     bpy.context.view_layer.update()
-    assert addon.auto_update.take_changed(bpy.context) == [smooth]
+    assert addon.run.auto_update.take_changed(bpy.context) == [smooth]

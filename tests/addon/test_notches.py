@@ -59,8 +59,8 @@ def test_seams_that_meet_on_a_smooth_outline_end_at_notches(disc, tmp_path):
 
 def places_on_model(addon, source, spacing):
     """Of the notches along seams: (k,3) their places on the model, and the piece of each; a Blender unit is 100 mm."""
-    pattern = addon.read_pattern.read_pattern(bpy.context.scene, source, spacing, False)
-    flat = addon.read_flat_pieces.read_flat_pieces(flat_of(source).data, 100.0)
+    pattern = addon.flat.pattern.read_pattern(bpy.context.scene, source, spacing, False)
+    flat = addon.flat.read.read_flat_pieces(flat_of(source).data, 100.0)
     outline = addon.pattern.outlines.outline_of(flat)
     model, found, pieces = read(source.data.vertices, "co", np.float32, 3), [], []
     for index, piece in enumerate(pattern.pieces):

@@ -33,7 +33,7 @@ def depsgraph():
 
 
 def lines_of(addon, target):
-    return addon.overlay.object_drawing.marked_lines(target, depsgraph())
+    return addon.overlay.objects.marked_lines(target, depsgraph())
 
 
 def edges_of(lines):
@@ -96,10 +96,10 @@ def test_pieces_with_a_text_are_not_named_twice(addon, source):
     bpy.ops.object.wirewarp_flatten(piece_texts=True)
     names = {name.text for name in lines_of(addon, flat_of(source)).names}
     assert "Waist" in names
-    assert names.isdisjoint(piece["name"] for piece in addon.report_store.last_report(source)["pieces"])
+    assert names.isdisjoint(piece["name"] for piece in addon.flat.reports.last_report(source)["pieces"])
     bpy.ops.object.wirewarp_flatten(piece_texts=False)
     names = {name.text for name in lines_of(addon, flat_of(source)).names}
-    assert names.issuperset(piece["name"] for piece in addon.report_store.last_report(source)["pieces"])
+    assert names.issuperset(piece["name"] for piece in addon.flat.reports.last_report(source)["pieces"])
 
 
 def test_names_stand_on_what_they_name(addon, source):
@@ -116,8 +116,8 @@ def test_selected_edges_are_seen_on_their_lines(addon, source):
     select_edges(source, on_line(1, 0.0))
     lines = lines_of(addon, source)
     assert len(lines.places["selected"]) == len(lines.places["rigid"])
-    assert list(addon.overlay.line_styles.STYLES)[-1] == "selected"  # drawn last, and thinner than all others
-    width_of = {kind: style.width for kind, style in addon.overlay.line_styles.STYLES.items()}
+    assert list(addon.overlay.lines.STYLES)[-1] == "selected"  # drawn last, and thinner than all others
+    width_of = {kind: style.width for kind, style in addon.overlay.lines.STYLES.items()}
     assert all(width_of["selected"] < 0.6 * width_of[kind] for kind in ("outline", "seam", "free", "elastic", "rigid"))
     bpy.ops.mesh.select_all(action="DESELECT")
     assert "selected" not in lines_of(addon, source).places
@@ -136,7 +136,7 @@ def test_helper_wires_are_drawn_on_both(addon):
     mark(source, lambda a, b: RIGID(a, b) and max(abs(a[0]), abs(b[0])) < 0.6)
     bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
     for target in (source, flat_of(source)):
-        helpers = addon.owners.find_helper_wires(target)
+        helpers = addon.model.owners.find_helper_wires(target)
         assert helpers.hide_viewport
         assert edges_of(lines_of(addon, target))["helper"] == len(helpers.data.edges) > 0
     bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS", helper_wires=False)
@@ -150,7 +150,7 @@ def test_lines_follow_the_modifiers_that_are_shown(addon, source):
 
 
 def surface_of(addon, target, color_map):
-    return addon.overlay.object_drawing.colored_surface(target, depsgraph(), color_map)
+    return addon.overlay.objects.colored_surface(target, depsgraph(), color_map)
 
 
 def colors_by_face(mesh, surface):
@@ -161,7 +161,7 @@ def colors_by_face(mesh, surface):
 
 def test_a_face_has_the_color_of_its_flat_face(addon, source):
     flat = flat_of(source)
-    color_map = addon.color_maps.STRETCH
+    color_map = addon.solve.maps.STRETCH
     on_model = colors_by_face(source.data, surface_of(addon, source, color_map))
     on_pieces = colors_by_face(flat.data, surface_of(addon, flat, color_map))
     sources = read(flat.data.attributes["source_face"].data, "value", np.int32).tolist()
@@ -174,8 +174,8 @@ def test_a_face_has_the_color_of_its_flat_face(addon, source):
 def test_every_map_can_be_shown(addon, source):
     items = bpy.context.scene.wirewarp.bl_rna.properties["shown_map"].enum_items
     wanted = {item.identifier for item in items if item.identifier != "NONE"}
-    assert wanted == {each.attribute.upper() for each in addon.color_maps.COLOR_MAPS}
-    for color_map in addon.color_maps.COLOR_MAPS:
+    assert wanted == {each.attribute.upper() for each in addon.solve.maps.COLOR_MAPS}
+    for color_map in addon.solve.maps.COLOR_MAPS:
         assert surface_of(addon, source, color_map).colors.shape == (3 * 128, 4)
 
 
@@ -183,8 +183,8 @@ def test_no_map_on_a_model_that_has_changed(addon, source):
     source.data.vertices[40].co.z += 0.1
     source.data.update()
     bpy.context.view_layer.update()
-    assert surface_of(addon, source, addon.color_maps.STRETCH) is None
-    assert surface_of(addon, flat_of(source), addon.color_maps.STRETCH) is not None
+    assert surface_of(addon, source, addon.solve.maps.STRETCH) is None
+    assert surface_of(addon, flat_of(source), addon.solve.maps.STRETCH) is not None
 
 
 def test_a_missing_map_is_explained(addon, source):
@@ -206,9 +206,9 @@ def test_a_missing_map_is_explained(addon, source):
 def test_a_map_of_a_shape_with_modifiers_lies_on_that_shape(addon, source):
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
     bpy.context.view_layer.update()
-    assert surface_of(addon, source, addon.color_maps.STRETCH) is None  # the flat pieces are the base mesh's
+    assert surface_of(addon, source, addon.solve.maps.STRETCH) is None  # the flat pieces are the base mesh's
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    assert len(surface_of(addon, source, addon.color_maps.STRETCH).places) == 3 * 2 * 4 * 64
+    assert len(surface_of(addon, source, addon.solve.maps.STRETCH).places) == 3 * 2 * 4 * 64
 
 
 def test_what_failed_is_drawn_on_the_model_and_on_the_pieces(addon):
@@ -217,12 +217,12 @@ def test_what_failed_is_drawn_on_the_model_and_on_the_pieces(addon):
     mark(source, on_line(1, 0.0))
     with pytest.raises(RuntimeError, match="turned over"):
         bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
-    faces = {face for issue in addon.report_store.last_report(source)["issues"] for face in issue["faces"]}
+    faces = {face for issue in addon.flat.reports.last_report(source)["issues"] for face in issue["faces"]}
     for target in (source, flat_of(source)):
-        found = addon.overlay.failure_drawing.failures(target)
+        found = addon.overlay.failures.failures(target)
         assert len(found.triangles) == 3 * 2 * len(faces)  # of quads
         assert len(found.lines["failed"]) > 0
-    centers = addon.overlay.failure_drawing.failures(source).triangles.reshape(-1, 6, 3).mean(axis=1)
+    centers = addon.overlay.failures.failures(source).triangles.reshape(-1, 6, 3).mean(axis=1)
     expected = [source.data.polygons[face].center for face in sorted(faces)]
     assert np.linalg.norm(centers[:, :2] - np.array(expected)[:, :2], axis=1).max() < 0.1
 
@@ -232,8 +232,8 @@ def test_around_a_failed_piece_there_are_lines_and_none_within(addon):
     tube = bpy.context.active_object
     with pytest.raises(RuntimeError, match="tube"):
         bpy.ops.object.wirewarp_flatten()
-    (issue,) = addon.report_store.last_report(tube)["issues"]
-    found = addon.overlay.failure_drawing.failures(tube)
+    (issue,) = addon.flat.reports.last_report(tube)["issues"]
+    found = addon.overlay.failures.failures(tube)
     assert len(found.triangles) == 3 * 2 * 12
     drawn = found.lines["failed"].reshape(-1, 2, 3)
     around = np.abs(drawn[:, 0, 2] - drawn[:, 1, 2]) < 1e-6
@@ -245,7 +245,7 @@ def test_a_closed_piece_that_failed_has_no_outline_but_is_in_the_legend(addon):
     bpy.ops.mesh.primitive_uv_sphere_add(segments=8, ring_count=4)
     with pytest.raises(RuntimeError, match="closed"):
         bpy.ops.object.wirewarp_flatten()
-    found = addon.overlay.failure_drawing.failures(bpy.context.active_object)
+    found = addon.overlay.failures.failures(bpy.context.active_object)
     assert set(found.lines) == {"proposed"}
     assert found.kinds == {"proposed", "failed"}
 
@@ -253,13 +253,13 @@ def test_a_closed_piece_that_failed_has_no_outline_but_is_in_the_legend(addon):
 def test_the_edges_of_a_bad_input_are_drawn(addon):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
-    assert addon.overlay.failure_drawing.failures(source) is None
+    assert addon.overlay.failures.failures(source) is None
     source.data.vertices[0].co = source.data.vertices[1].co
     source.data.update()
     bpy.context.view_layer.update()
     with pytest.raises(RuntimeError, match="no area"):
         bpy.ops.object.wirewarp_flatten()
-    assert addon.overlay.failure_drawing.failures(source).lines.keys() == {"failed"}
+    assert addon.overlay.failures.failures(source).lines.keys() == {"failed"}
 
 
 def test_only_models_and_pieces_are_drawn_and_only_what_is_wanted(addon, source):
@@ -287,7 +287,7 @@ def test_a_model_without_marks_of_which_nothing_could_be_flattened_is_drawn(addo
     (drawing,) = addon.overlay.shown.drawings(view_context())
     assert drawing.target == source
     assert len(drawing.failures.triangles) == 3 * 4
-    proposed = addon.report_store.last_report(source)["issues"][0]["proposed_seams"]
+    proposed = addon.flat.reports.last_report(source)["issues"][0]["proposed_seams"]
     ends = [corners[vertex] for pair in proposed for vertex in sorted(pair)]
     assert sorted(map(tuple, drawing.failures.lines["proposed"].tolist())) == sorted(ends)
 

@@ -150,7 +150,7 @@ def test_a_build_is_not_repeated_at_once(addon, source, timers, monkeypatch):
     assert drawing(1) == 1
     clock.now += 0.4
     assert drawing(2) == 1
-    assert timers.running == {addon.redraw.redraw_views: pytest.approx(0.05)}
+    assert timers.running == {addon.blender.views.redraw_views: pytest.approx(0.05)}
     clock.now += 0.06
     assert drawing(2) == 2
 

@@ -29,7 +29,7 @@ def lab(srgb, vision):
 
 @pytest.mark.parametrize("vision", list(VISIONS))
 def test_everybody_tells_the_lines_apart(addon, vision):
-    styles = addon.overlay.line_styles.STYLES
+    styles = addon.overlay.lines.STYLES
     for (first, a), (second, b) in combinations(styles.items(), 2):
         if {first, second} == {"helper", "selected"}:
             continue  # one runs by itself, the other on a line of another color
@@ -38,7 +38,7 @@ def test_everybody_tells_the_lines_apart(addon, vision):
 
 
 def test_kinds_of_wires_are_told_apart_without_color(addon):
-    styles = addon.overlay.line_styles.STYLES
+    styles = addon.overlay.lines.STYLES
     rigid, elastic, free = (styles[kind] for kind in ("rigid", "elastic", "free"))
     assert rigid.dash is None
     assert elastic.dash[0] > 2 * free.dash[0]
@@ -49,7 +49,7 @@ def dash_lengths(addon, points, dash, gap):
     """Of the dashes on a line through these points, as a person sees them: what touches is one."""
     ends = np.array([points[:-1], points[1:]], dtype=np.float32).transpose(1, 0, 2)
     offsets = np.concatenate([[0], np.cumsum(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))[:-1]])
-    pieces = addon.overlay.wire_runs.cut_into_dashes(ends, offsets, dash, gap).reshape(-1, 2, 3)
+    pieces = addon.overlay.lines.cut_into_dashes(ends, offsets, dash, gap).reshape(-1, 2, 3)
     lengths = []
     for k, (a, b) in enumerate(pieces):
         if k and np.allclose(pieces[k - 1, 1], a, atol=1e-6):
@@ -67,16 +67,16 @@ def test_dashes_are_as_long_whatever_the_edges_are(addon, count):
 
 @pytest.mark.parametrize("vision", list(VISIONS))
 def test_lines_and_their_rims_differ(addon, vision):
-    for style in addon.overlay.line_styles.STYLES.values():
+    for style in addon.overlay.lines.STYLES.values():
         assert abs(lab(style.color, vision)[0] - lab(style.rim, vision)[0]) > 40
 
 
 @pytest.mark.parametrize("vision", list(VISIONS))
 def test_equal_steps_of_a_map_are_told_apart_and_in_order(addon, vision):
-    surface_arrays, maps = addon.overlay.surface_arrays, addon.color_maps
+    surfaces, maps = addon.overlay.surfaces, addon.solve.maps
     for color_map in maps.COLOR_MAPS:
         steps = color_map.colors(np.linspace(color_map.low, color_map.high, 9))
-        seen = np.array([lab(color[:3], vision) for color in surface_arrays.screen_colors(steps)])
+        seen = np.array([lab(color[:3], vision) for color in surfaces.screen_colors(steps)])
         assert np.linalg.norm(np.diff(seen, axis=0), axis=1).min() > 5
         lightness = seen[:, 0] if color_map.low >= 0 else seen[4:, 0]  # of two sides, the warm one
         assert np.all(np.diff(lightness) < 0)
@@ -87,8 +87,8 @@ def test_equal_steps_of_a_map_are_told_apart_and_in_order(addon, vision):
 
 
 def lay_out(addon, map_name="STRETCH", notes=(), unit=1.0, extremes=(-0.031, 0.234)):
-    styles = list(addon.overlay.line_styles.STYLES.values())
-    color_map = getattr(addon.color_maps, map_name) if map_name else None
+    styles = list(addon.overlay.lines.STYLES.values())
+    color_map = getattr(addon.solve.maps, map_name) if map_name else None
     width = lambda text: LETTER * unit * len(text)  # noqa: E731
     return addon.overlay.legend.lay_out(styles, notes, color_map, extremes, (900.0, 16.0), unit, width)
 
@@ -112,7 +112,7 @@ def test_the_legend_is_in_its_box_and_nothing_covers_a_text(addon, map_name, uni
 
 def test_the_legend_says_what_the_colors_mean(addon):
     texts = [text.text for text in lay_out(addon).texts]
-    assert {style.label for style in addon.overlay.line_styles.STYLES.values()} < set(texts)
+    assert {style.label for style in addon.overlay.lines.STYLES.values()} < set(texts)
     numbers = ["≤ -10 %", "-5 %", "0 %", "+5 %", "≥ +10 %"]
     assert [text for text in texts if "%" in text] == ["Stretch of the cloth: -3.1 % to +23.4 %", *numbers]
     texts = [text.text for text in lay_out(addon, "ASPECT_RATIO", extremes=(1.0, 1.837)).texts]
@@ -132,7 +132,7 @@ def test_names_stay_at_their_lines_and_do_not_cover_each_other(addon):
     rng = np.random.default_rng(1)
     points = [place + rng.uniform(-30, 30, (4, 2)) for place in rng.uniform(0, 300, (60, 2))]
     sizes = [(40.0 + 5 * (k % 5), 10.0) for k in range(60)]
-    corners = addon.overlay.spread_names.spread(points, sizes)
+    corners = addon.overlay.screen.spread(points, sizes)
     placed = [(*each, *corner) for *each, corner in zip(points, sizes, corners, strict=True) if corner]
     assert len(placed) > 40
     assert corners[0] == (points[0][0, 0] - 20, points[0][0, 1] + 5)  # the first stands where it should

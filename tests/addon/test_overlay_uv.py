@@ -33,7 +33,7 @@ def shown(addon, mode="UV", show_overlays=True):
         space_data=SimpleNamespace(mode=mode, overlay=SimpleNamespace(show_overlays=show_overlays)),
     )
     bpy.context.view_layer.update()
-    return list(addon.overlay.uv_drawing.uv_drawings(context))
+    return list(addon.overlay.shown.uv_drawings(context))
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
@@ -42,7 +42,7 @@ def test_lines_lie_where_the_pieces_have_them(addon, source, mode):
     bpy.ops.object.mode_set(mode=mode)
     (drawing,) = shown(addon)
     places = drawing.lines.places
-    scale, flat = source.data["wirewarp_uv_scale"], addon.overlay.object_drawing.marked_lines(flat_of(source), None)
+    scale, flat = source.data["wirewarp_uv_scale"], addon.overlay.objects.marked_lines(flat_of(source), None)
     for kind, sides in (("seam", 1), ("outline", 1), ("rigid", 2), ("elastic", 2)):  # a wire has a face on each side
         on_pieces = lengths(flat.places[kind])
         assert lengths(places[kind]).sum() * scale == pytest.approx(sides * on_pieces.sum(), rel=1e-5)
@@ -85,7 +85,7 @@ def test_what_failed_is_red_in_the_map_too(addon):
         bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
     select_only(source)
     (drawing,) = shown(addon)
-    faces = {face for issue in addon.report_store.last_report(source)["issues"] for face in issue["faces"]}
+    faces = {face for issue in addon.flat.reports.last_report(source)["issues"] for face in issue["faces"]}
     assert len(drawing.failures.triangles) == 3 * 2 * len(faces)  # of quads
     assert len(drawing.failures.lines["failed"]) > 0
 

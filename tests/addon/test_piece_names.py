@@ -166,7 +166,7 @@ def test_a_linked_mesh_of_the_name_of_the_results_is_no_hindrance(tmp_path):
 
 def test_a_ring_around_the_middle_of_the_model_is_around(addon):
     normals, offsets = np.zeros((2, 3)), np.array([[0, 0, 0], [0, 0, 0.4]])
-    assert addon.pieces.side_names.side_names(normals, offsets) == ["Around", "Top"]
+    assert addon.solve.piece_names.side_names(normals, offsets) == ["Around", "Top"]
 
 
 def test_more_than_two_of_one_side_are_numbered():
@@ -273,12 +273,12 @@ def test_names_in_the_report_and_the_overlay_follow_a_renaming_at_once(source, a
     assert [piece["name"] for piece in entry["pieces"]] == names
     assert [piece["piece_id"] for piece in entry["pieces"]] == [entry.piece_id for entry in source.wirewarp_pieces]
     rename(source, "Top Left", "Sleeve")
-    report = addon.report_store.last_report(source)
+    report = addon.flat.reports.last_report(source)
     assert sorted(piece["name"] for piece in report["pieces"]) == ["Sleeve", "Top Right"]
-    (row,) = addon.ui.report_rows.seam_rows(report)
+    (row,) = addon.report.rows.seam_rows(report)
     assert sorted(side.label for side in row.sides) == ["Sleeve", "Top Right"]
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    drawn = [name.text for name in addon.overlay.object_drawing.marked_lines(flat_of(source), depsgraph).names]
+    drawn = [name.text for name in addon.overlay.objects.marked_lines(flat_of(source), depsgraph).names]
     assert {"Sleeve", "Top Right"} <= set(drawn)
 
 

@@ -98,7 +98,7 @@ def are_apart(first, second):
 
 
 def notes_of(addon, source):
-    return [note["text"] for note in addon.report_store.last_report(source)["notes"]]
+    return [note["text"] for note in addon.flat.reports.last_report(source)["notes"]]
 
 
 def test_pieces_moved_and_turned_by_the_user_stay(source):

@@ -8,7 +8,7 @@ import pytest
 
 
 def test_outlines_that_cross_or_contain_each_other_overlap(addon):
-    polygons = addon.polygons
+    polygons = addon.pattern.polygons
 
     def square(x, y, side):
         corners = np.array([[x, y], [x + side, y], [x + side, y + side], [x, y + side]], dtype=float)
@@ -29,7 +29,7 @@ def test_outlines_that_cross_or_contain_each_other_overlap(addon):
 def polygon(addon, corners, scale=1.0, start=0):
     """Its segments, in single precision as of a mesh."""
     corners = np.roll(np.float32(scale * np.array(corners)).astype(float), -start, axis=0)
-    return addon.polygons.Segments(corners, np.roll(corners, -1, axis=0))
+    return addon.pattern.polygons.Segments(corners, np.roll(corners, -1, axis=0))
 
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
@@ -49,8 +49,8 @@ SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 def test_pieces_over_one_another_overlap_wherever_their_outlines_start(addon, other, scale):
     for first, second in np.ndindex(4, len(other)):
         pair = polygon(addon, SQUARE, scale, first), polygon(addon, other, scale, second)
-        assert addon.polygons.overlap(*pair), (first, second)
-        assert addon.polygons.overlap(*pair[::-1]), (first, second)
+        assert addon.pattern.polygons.overlap(*pair), (first, second)
+        assert addon.pattern.polygons.overlap(*pair[::-1]), (first, second)
 
 
 @pytest.mark.parametrize(
@@ -68,5 +68,5 @@ def test_pieces_that_touch_do_not_overlap_however_they_are_turned(addon, other):
         angle = math.radians(degrees)
         turn = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
         first, second = (polygon(addon, np.array(corners) @ turn + 7, 100.0) for corners in (SQUARE, other))
-        assert not addon.polygons.overlap(first, second), degrees
-        assert not addon.polygons.overlap(second, first), degrees
+        assert not addon.pattern.polygons.overlap(first, second), degrees
+        assert not addon.pattern.polygons.overlap(second, first), degrees

@@ -49,11 +49,11 @@ def test_a_tube_lies_flat_once_the_proposed_seam_is_marked(addon, mode):
     bpy.ops.object.mode_set(mode="OBJECT")
     ends = read(source.data.vertices, "co", np.float32, 3)[seams_of(source)]
     assert {0.0, 3.0} <= set(ends[..., 2].ravel().tolist())  # from one opening to the other
-    assert addon.model_state.has_changed(source, addon.report_store.last_report(source))
+    assert addon.model.state.has_changed(source, addon.flat.reports.last_report(source))
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     ratio = read(flat_of(source).data.attributes["aspect_ratio"].data, "value", np.float32)
     assert ratio == pytest.approx(1, abs=1e-4)  # a tube that is cut open is developable
-    assert addon.report_store.last_report(source)["issues"] == []
+    assert addon.flat.reports.last_report(source)["issues"] == []
 
 
 def test_what_is_done_already_is_said():
@@ -139,8 +139,8 @@ def neighbors(source, pairs):
 def test_a_proposed_diagonal_goes_round_its_face_the_shorter_way(addon):
     """The grid has nine vertices a row; pairs of its cells are one hexagon each."""
     source = grid("Bump", round_bump, faces="ngons")
-    arrays = addon.mesh_to_arrays.object_to_arrays(source, None)
-    around = addon.proposals.seams_on_edges
+    arrays = addon.model.read.object_to_arrays(source, None)
+    around = addon.solve.flatten.seams_on_edges
     assert around([(20, 21), (21, 20)], arrays) == [(20, 21)]
     diagonals = {
         tuple(sorted(map(int, pair)))
@@ -170,17 +170,17 @@ def loosen(addon):
     mark(source, on_line(1, 0.5), kind="ELASTIC", tolerance=0.2)
     source.data.wirewarp_names[0].name = "Bust"
     bpy.ops.object.wirewarp_flatten()
-    arrays = addon.mesh_to_arrays.object_to_arrays(source, None)
+    arrays = addon.model.read.object_to_arrays(source, None)
     number = {wire.name: index for index, wire in enumerate(arrays.wires)}
     proposed = [(number["Bust"], 0.012341), (number["Wire 2"], 0.05)]
     error = addon.core.library().FlattenError("infeasible_lengths", "Too short.", proposed_tolerances=proposed)
     piece = SimpleNamespace(
         error=error, source_face=[], metrics=SimpleNamespace(flipped_faces=[], overlapping_faces=[])
     )
-    issue = addon.flatten_job.issue_of_piece(piece, 0, arrays)
+    issue = addon.solve.flatten.issue_of_piece(piece, 0, arrays)
     assert [(wire.name, wire.tolerance) for wire in issue.proposed_tolerances] == [("Bust", 0.0124), ("Wire 2", 0.05)]
-    report = addon.report.failure_report(issue) | {"model_state": addon.model_state.model_state(source, None)}
-    addon.report_store.store(source, report)
+    report = addon.report.report.failure_report(issue) | {"model_state": addon.model.state.model_state(source, None)}
+    addon.flat.reports.store(source, report)
     return source
 
 
@@ -200,7 +200,7 @@ def test_the_proposed_tolerances_are_written_and_none_becomes_tighter(loosen, ad
     assert np.all(tolerances_on(loosen, 0.5) == np.float32(0.2))
     assert np.all(tolerances_on(loosen, -0.5) == 0)
     bpy.ops.object.wirewarp_flatten()
-    wires = addon.report_store.last_report(loosen)["wires"]
+    wires = addon.flat.reports.last_report(loosen)["wires"]
     assert {wire["name"]: wire["tolerance"] for wire in wires} == {"Bust": 0.0124, "Wire 2": 0.2}
 
 
@@ -216,7 +216,7 @@ def test_wires_that_contradict_one_another_lie_flat_once_they_are_loosened(addon
     flatten_fails("flat with")
     assert take("TOLERANCES") == {"FINISHED"}
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    report = addon.report_store.last_report(source)
+    report = addon.flat.reports.last_report(source)
     assert report["ok"]
     assert any(wire["tolerance"] > 0 for wire in report["wires"])
 
@@ -246,4 +246,4 @@ def test_what_is_no_wire_any_more_gets_no_tolerance(loosen):
     [(0.03, 0.03), (0.012341, 0.0124), (0.9991, 1.0), (1.0004e-5, 1.01e-5), (2.5, 2.5), (math.inf, math.inf)],
 )
 def test_tolerances_are_rounded_up(addon, needed, proposed):
-    assert addon.proposals.round_up(needed) == pytest.approx(proposed, rel=1e-12)
+    assert addon.solve.flatten.round_up(needed) == pytest.approx(proposed, rel=1e-12)

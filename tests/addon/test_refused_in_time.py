@@ -47,16 +47,16 @@ def test_an_owner_of_the_name_beside_our_own_map_is_no_matter(source):
 
 
 def test_what_was_free_when_read_is_asked_again_before_writing(source, addon):
-    models = addon.read_models.read_models(bpy.context, [source], bpy.context.scene.wirewarp)
+    models = addon.run.read.read_models(bpy.context, [source], bpy.context.scene.wirewarp)
     for number in range(8):
         source.data.uv_layers.new(name=f"Map {number}")
     with pytest.raises(addon.issues.ObjectError, match="already has 8 UV maps"):
-        addon.read_models.check_current(bpy.context, models, bpy.context.scene.wirewarp)
+        addon.run.read.check_current(bpy.context, models, bpy.context.scene.wirewarp)
     source.data.uv_layers.remove(source.data.uv_layers[0])
-    addon.read_models.check_current(bpy.context, models, bpy.context.scene.wirewarp)
+    addon.run.read.check_current(bpy.context, models, bpy.context.scene.wirewarp)
     source.data.vertices[0].co.z += 1
     with pytest.raises(addon.issues.ObjectError, match='"Bump" changed while it was flattened, nothing was written'):
-        addon.read_models.check_current(bpy.context, models, bpy.context.scene.wirewarp)
+        addon.run.read.check_current(bpy.context, models, bpy.context.scene.wirewarp)
 
 
 @pytest.mark.parametrize("map_name", ["wirewarp_stretch", "wirewarp_length_variation", "wirewarp_stretch_color"])
@@ -96,9 +96,9 @@ def test_flat_pieces_that_are_edited_in_another_scene(source, addon):
     select_only(flat_of(source))
     bpy.ops.object.mode_set(mode="EDIT")
     with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
-        addon.targets.check_target(source, writes_model=True, writes_maps=False)
+        addon.run.targets.check_target(source, writes_model=True, writes_maps=False)
     with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
-        addon.read_pattern.read_pattern(bpy.context.scene, source, 0.0, False)
+        addon.flat.pattern.read_pattern(bpy.context.scene, source, 0.0, False)
 
 
 def test_no_file_of_ours_takes_the_place_of_a_blender_file(source, tmp_path):
@@ -137,11 +137,11 @@ def test_a_model_too_large_for_true_areas(source):
 
 @pytest.mark.parametrize(("name", "file"), [("Front/Back", "Front_Back"), ("/etc", "_etc"), ('a:b\\"c', "a_b__c")])
 def test_the_name_proposed_for_a_pattern_is_one_of_a_file(addon, name, file):
-    assert addon.replace_file.file_name(name, " Pattern.svg") == f"{file} Pattern.svg"
+    assert addon.blender.files.file_name(name, " Pattern.svg") == f"{file} Pattern.svg"
 
 
 def test_a_long_name_leaves_room_for_what_makes_it_a_pattern(addon):
-    name = addon.replace_file.file_name("ä" * 300, " Pattern.svg")
+    name = addon.blender.files.file_name("ä" * 300, " Pattern.svg")
     assert name.startswith("ää")
     assert name.endswith("ä Pattern.svg")
     assert len(name.encode()) <= 255

@@ -76,7 +76,7 @@ def test_tolerances_that_the_method_does_not_use_are_said(source, addon, tmp_pat
     text = 'Kept rigid by this method, tolerance not used: "Wire 1".'
     assert entry["notes"] == [{"text": text, "is_warning": False}]
     assert entry["wires"][0]["length_2d"][0] == pytest.approx(entry["wires"][0]["length_3d"], rel=1e-9)
-    (row,) = addon.ui.report_rows.wire_rows(entry)
+    (row,) = addon.report.rows.wire_rows(entry)
     assert row.note.endswith("; free, kept rigid")
 
 
@@ -87,7 +87,7 @@ def test_an_elastic_wire_at_its_limit_is_marked(source, addon, tmp_path):
     assert [part["at_limit"] for part in (*parts, *entry["wires"])] == [True, True, True]
     assert [part["tolerance"] for part in parts] == [0.001, 0.001]
     assert [abs(part["percent"][0]) for part in parts] == pytest.approx([0.1, 0.1], abs=1e-4)
-    (row,) = addon.ui.report_rows.wire_rows(entry)
+    (row,) = addon.report.rows.wire_rows(entry)
     assert (row.ok, row.at_limit) == (True, True)
     assert row.note.endswith("; at its limit of ±0.1%")
 
@@ -101,19 +101,19 @@ def test_a_wire_short_of_its_limit_is_not_marked(source, addon, tmp_path, kind, 
     (entry,) = flatten_with_report(tmp_path)["objects"]
     assert entry["ok"]
     assert not [hint for hint in entry["hints"] if hint["code"] == "wire_at_limit"]
-    (row,) = addon.ui.report_rows.wire_rows(entry)
+    (row,) = addon.report.rows.wire_rows(entry)
     assert (row.ok, row.at_limit) == (True, False)
     assert row.note.split("; ")[1:] == ([text] if text else [])
 
 
 @pytest.mark.parametrize(("tolerance", "text"), [(0.0, "rigid"), (0.03, "±3%"), (0.0125, "±1.25%"), (math.inf, "free")])
 def test_tolerances_are_shown_in_percent(addon, tolerance, text):
-    assert addon.tolerance_text.tolerance_text(tolerance) == text
+    assert addon.words.tolerance_text(tolerance) == text
 
 
 def test_pieces_ready_to_cut_are_told_from_those_that_failed(addon):
     def verdict(*aspect_ratios):
-        lines = addon.ui.verdict.verdict(report_of_pieces(*aspect_ratios))
+        lines = addon.report.verdict.verdict(report_of_pieces(*aspect_ratios))
         return [(line.text, line.icon) for line in lines]
 
     assert verdict(1.0, 1.07) == [("Ready to cut: 2 pieces, every length kept", "TICK")]
@@ -147,7 +147,7 @@ def strain_sentence(pieces, percent):
 
 
 def test_pieces_that_cloth_cannot_follow_are_not_ready_to_cut(addon):
-    verdict = addon.ui.verdict.verdict
+    verdict = addon.report.verdict.verdict
     assert verdict(report_of_pieces(1.65)) == [(strain_sentence("Piece 1", 65), "ERROR")]
     assert verdict(report_of_pieces(1.65, None, 1.1, 14.0)) == [
         ("Do not cut: 1 of 4 pieces failed", "CANCEL"),
@@ -163,16 +163,16 @@ def test_pieces_that_cloth_cannot_follow_are_not_ready_to_cut(addon):
 
 
 def test_many_good_pieces_are_counted(addon):
-    *_, ready = addon.ui.verdict.verdict(report_of_pieces(None, *[1.0] * 20))
+    *_, ready = addon.report.verdict.verdict(report_of_pieces(None, *[1.0] * 20))
     assert ready.text == "Ready to cut: the other 20 pieces"
 
 
 def test_the_message_after_flattening_names_the_pieces_that_cloth_cannot_follow(addon):
-    strained_text = addon.report_file.strained_text
+    strained_text = addon.report.verdict.strained_text
     fine = report_of_pieces(1.0, 1.05)
     assert strained_text([fine]) == ""
-    assert addon.report_file.success_text([fine]) == "Ready to cut: 2 flat pieces, every length kept (Refined)"
-    message = addon.report_file.success_text([fine, report_of_pieces(1.2)])
+    assert addon.report.verdict.success_text([fine]) == "Ready to cut: 2 flat pieces, every length kept (Refined)"
+    message = addon.report.verdict.success_text([fine, report_of_pieces(1.2)])
     assert message == "Ready to cut from cloth that gives 20 %: 3 flat pieces, every length kept (Refined)"
     lines = strained_text([report_of_pieces(1.3, name="A"), report_of_pieces(1.0, 1.65, name="B")]).split("\n")
     assert [line.split(":")[0] for line in lines] == [
@@ -189,7 +189,7 @@ def test_a_sentence_is_broken_where_it_fills_the_sidebar(addon):
         counts = []
         for width in range(150, 800, 5):
             context = SimpleNamespace(region=SimpleNamespace(width=width * scale), preferences=preferences)
-            lines = addon.ui.text.broken(context, text)
+            lines = addon.ui.layout.broken(context, text)
             assert " ".join(lines) == text
             assert any("65 %" in line for line in lines)  # the number beside its unit
             counts.append(len(lines))
@@ -209,7 +209,7 @@ def test_a_half_sphere_keeps_its_lengths_but_is_not_ready_to_cut(addon, tmp_path
     assert report["ok"]
     # No rim of length 2 pi encloses more than pi, half the area: some face is squeezed by sqrt(2) one way at least.
     assert report["pieces"][0]["aspect_ratio_max"] > 1.4
-    (line,) = addon.ui.verdict.verdict(report)
+    (line,) = addon.report.verdict.verdict(report)
     assert line.icon == "ERROR"
     assert line.text.startswith("Half Sphere: lengths kept, but the cloth must stretch up to")
 
@@ -217,20 +217,20 @@ def test_a_half_sphere_keeps_its_lengths_but_is_not_ready_to_cut(addon, tmp_path
 def test_a_strip_of_a_cylinder_is_ready_to_cut(addon, tmp_path):
     grid("Half Cylinder", half_cylinder)
     (report,) = flatten_with_report(tmp_path)["objects"]
-    assert addon.ui.verdict.verdict(report) == [("Ready to cut: 1 piece, every length kept", "TICK")]
+    assert addon.report.verdict.verdict(report) == [("Ready to cut: 1 piece, every length kept", "TICK")]
 
 
 def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
-    arrays = addon.mesh_to_arrays.object_to_arrays(grid("Bump", bump), None)
-    identities = [addon.pieces.identity.PieceIdentity(1, "Top")]
-    choices = addon.flatten_job.FlattenChoices("refined", 0.1, "length", "packed", "wire", 0.03, False)
+    arrays = addon.model.read.object_to_arrays(grid("Bump", bump), None)
+    identities = [addon.solve.identity.PieceIdentity(1, "Top")]
+    choices = addon.solve.flatten.FlattenChoices("refined", 0.1, "length", "packed", "wire", 0.03, False)
 
     def report_of_run(steps):
         left = iter(range(steps, 0, -1))
-        result = addon.flatten_job.flatten_arrays(
+        result = addon.solve.flatten.flatten_arrays(
             addon.core.library(), arrays, choices, lambda stage, _: stage != "shape" or next(left, 0) > 0
         )
-        return addon.report.object_report(result, arrays, identities, 1.0)
+        return addon.report.report.object_report(result, arrays, identities, 1.0)
 
     first, *_, last = (report_of_run(steps) for steps in range(9))
     assert not first["ok"]
@@ -246,7 +246,7 @@ def test_success_says_whether_lengths_were_to_stay(addon):
     def report(method, tolerance):
         return {"method": method, "wires": [{"tolerance": tolerance}]}
 
-    kept = addon.report_file.kept_text
+    kept = addon.report.verdict.kept_text
     assert kept([report("wirewarp++", 0.0)]) == kept([report("wirewarping", 0.03)]) == "every length kept"
     either = "every length kept or within its tolerance"
     assert kept([report("wirewarp++", 0.0), report("wirewarp++", "inf")]) == either
@@ -256,13 +256,13 @@ def test_what_is_only_good_to_know_is_no_warning(addon, source):
     """In the message after a run; what may be wrong with the pieces is."""
     bpy.ops.object.wirewarp_flatten()
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    report = addon.report_store.last_report(source)
+    report = addon.flat.reports.last_report(source)
     (note,) = report["notes"]
     assert "of an earlier run without modifiers" in note["text"]
-    level, text = addon.report_file.run_message([report])
+    level, text = addon.report.verdict.run_message([report])
     assert level == "INFO" and text.endswith(note["text"])
     report["notes"] = [note | {"is_warning": True}]
-    assert addon.report_file.run_message([report]) == ("WARNING", text)
+    assert addon.report.verdict.run_message([report]) == ("WARNING", text)
 
 
 def test_the_method_and_the_settings_reach_the_core(source, tmp_path):
@@ -281,18 +281,18 @@ def test_the_method_and_the_settings_reach_the_core(source, tmp_path):
 
 def test_the_report_is_saved_with_the_object(source, addon, tmp_path):
     bpy.ops.object.wirewarp_flatten()
-    before = addon.report_store.last_report(source)
+    before = addon.flat.reports.last_report(source)
     assert before["ok"]
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "flat.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "flat.blend"))
-    assert addon.report_store.last_report(bpy.data.objects["Bump"]) == before
+    assert addon.flat.reports.last_report(bpy.data.objects["Bump"]) == before
     assert bpy.data.objects["Bump Flat"].wirewarp_source == bpy.data.objects["Bump"]
 
 
 @pytest.mark.parametrize("stored", ["{", "[]", '{"schema": "older"}', 7])
 def test_a_stored_report_that_cannot_be_read_is_a_sentence(source, addon, stored):
     source["wirewarp_report"] = stored
-    report = addon.report_store.last_report(source)
+    report = addon.flat.reports.last_report(source)
     assert not report["ok"]
     assert "flatten again" in report["issues"][0]["sentence"]
     assert bpy.ops.mesh.wirewarp_select_issues() == {"CANCELLED"}
@@ -313,7 +313,7 @@ def test_lengths_and_areas_are_shown_in_the_scenes_units(addon, system, unit, sc
     settings.system, settings.scale_length = system, scale
     if unit:
         settings.length_unit = unit
-    text = addon.unit_text.length_text(bpy.context.scene)
+    text = addon.blender.units.length_text(bpy.context.scene)
     assert (text(0.57123), text.area(0.57123)) == (length, area)
 
 
@@ -332,7 +332,7 @@ def test_joined_wires_have_the_names_they_had_in_the_report_and_in_the_list(sour
     select_only(source, other, third)
     bpy.ops.object.join()  # keeps the names of the first mesh only
     bpy.ops.object.wirewarp_flatten()
-    wires = [wire["name"] for wire in addon.report_store.last_report(source)["wires"]]
+    wires = [wire["name"] for wire in addon.flat.reports.last_report(source)["wires"]]
     assert wires == [entry.name for entry in source.data.wirewarp_names]
     assert sorted(wires) == ["Bust", "Bust (2)", "Hip"]
 
@@ -355,10 +355,10 @@ def test_the_report_follows_the_names_of_wires(addon):
     for line, tolerance in ((0.0, 0.001), (0.5, 0.002)):
         mark(source, on_line(1, line), kind="ELASTIC", tolerance=tolerance)
     bpy.ops.object.wirewarp_flatten()
-    before = json.loads(json.dumps(addon.report_store.last_report(source)))
+    before = json.loads(json.dumps(addon.flat.reports.last_report(source)))
     for entry in source.data.wirewarp_names:
         entry.name = {"Wire 1": "Wire 2", "Wire 2": "Hip \\1"}[entry.name]
-    report = addon.report_store.last_report(source)
+    report = addon.flat.reports.last_report(source)
 
     def swapped(text):
         return text.replace("Wire 2", "Hip \\1").replace("Wire 1", "Wire 2")
@@ -372,7 +372,7 @@ def test_the_report_follows_the_names_of_wires(addon):
     words = draw_panels(addon)
     assert "Hip \\1" in words and "Wire 1" not in words
     select_only(flat_of(source))
-    drawn = addon.overlay.object_drawing.marked_lines(flat_of(source), bpy.context.evaluated_depsgraph_get())
+    drawn = addon.overlay.objects.marked_lines(flat_of(source), bpy.context.evaluated_depsgraph_get())
     assert sorted(name.text for name in drawn.names) == ["Hip \\1 ±0.2%", "Wire 2 ±0.1%"]
 
 
@@ -381,5 +381,5 @@ def test_two_wires_renamed_alike_stay_apart(addon, source):
     bpy.ops.object.wirewarp_flatten()
     for entry in source.data.wirewarp_names:
         entry.name = "Waist"
-    names = [wire["name"] for wire in addon.report_store.last_report(source)["wires"]]
+    names = [wire["name"] for wire in addon.flat.reports.last_report(source)["wires"]]
     assert names == ["Waist", "Waist (2)"]

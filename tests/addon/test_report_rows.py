@@ -20,7 +20,7 @@ def report(addon):
     mark_seam(target, SEAM)
     mark(target, WIRE, kind="SUPER_ELASTIC")
     bpy.ops.object.wirewarp_flatten()
-    return addon.report_store.last_report(target)
+    return addon.flat.reports.last_report(target)
 
 
 def lengths(percent, length=1.0):
@@ -34,15 +34,15 @@ def test_rows_are_worst_first(addon):
         return {"index": index, "pieces": [0], "ok": ok, **lengths(percent)}
 
     seams = [seam(0, 0.1), seam(1, -0.5), seam(2, None, ok=False), seam(3, 1e-12), seam(4, 2e-12)]
-    rows = addon.ui.report_rows.seam_rows({"pieces": [{"name": "Front"}], "seams": seams})
+    rows = addon.report.rows.seam_rows({"pieces": [{"name": "Front"}], "seams": seams})
     assert [row.name for row in rows] == [f"Seam {k}: Front" for k in (3, 2, 1, 4, 5)]
     assert [row.index for row in rows] == [2, 1, 0, 3, 4]  # what its button selects
-    assert addon.ui.report_rows.largest_difference(rows) == pytest.approx(0.005)
-    assert addon.ui.report_rows.largest_difference(rows[:1]) is None  # no layout
+    assert addon.report.rows.largest_difference(rows) == pytest.approx(0.005)
+    assert addon.report.rows.largest_difference(rows[:1]) is None  # no layout
 
 
 def test_every_kind_of_element_has_its_rows(addon, report):
-    tables = addon.ui.report_tables.tables_of(report)
+    tables = addon.report.rows.tables_of(report)
     (seam,) = tables.seams
     assert seam.name == "Seam 1: Top Right, Top Left"
     assert [side.label for side in seam.sides] == ["Top Right", "Top Left"]
@@ -55,22 +55,22 @@ def test_every_kind_of_element_has_its_rows(addon, report):
 
 
 def test_rows_are_made_once_a_report(addon, report):
-    tables = addon.ui.report_tables.tables_of(report)
-    assert addon.ui.report_tables.tables_of(report) is tables
+    tables = addon.report.rows.tables_of(report)
+    assert addon.report.rows.tables_of(report) is tables
     report["pieces"][0]["name"] = "Front"  # as the user renames it
-    renamed = addon.ui.report_tables.tables_of(report)
+    renamed = addon.report.rows.tables_of(report)
     assert renamed.seams[0].name == "Seam 1: Front, Top Left"
-    assert addon.ui.report_tables.tables_of(dict(report)) is not renamed
+    assert addon.report.rows.tables_of(dict(report)) is not renamed
 
 
 def test_the_report_is_parsed_once(addon, report):
-    assert addon.report_store.last_report(bpy.data.objects["Bump"]) is report
+    assert addon.flat.reports.last_report(bpy.data.objects["Bump"]) is report
 
 
 def test_sides_that_read_the_same_are_put_together(addon):
     side = SimpleNamespace
     same, other = ("1.00", "0.00", "0.000"), ("1.01", "+0.01", "+1.000")
-    merged = addon.ui.report_rows.merged
+    merged = addon.report.rows.merged
     two = [side(label="Front"), side(label="Back")]
     assert merged(two, [same, same]) == [("Both sides", same)]
     assert merged(two, [same, other]) == [("Front", same), ("Back", other)]
@@ -79,7 +79,7 @@ def test_sides_that_read_the_same_are_put_together(addon):
 
 
 def table_of(addon, report):
-    text = addon.report_csv.report_csv(report, addon.unit_text.length_text(bpy.context.scene))
+    text = addon.report.csv_table.report_csv(report, addon.blender.units.length_text(bpy.context.scene))
     return list(csv.DictReader(io.StringIO(text)))
 
 
@@ -122,7 +122,7 @@ def test_without_a_layout_the_table_has_no_flat_numbers(addon):
     bpy.ops.mesh.primitive_cube_add()
     with pytest.raises(RuntimeError, match="is closed"):
         bpy.ops.object.wirewarp_flatten()
-    (piece,) = table_of(addon, addon.report_store.last_report(bpy.context.object))
+    (piece,) = table_of(addon, addon.flat.reports.last_report(bpy.context.object))
     assert float(piece["Area on model (m²)"]) == pytest.approx(24)
     assert [piece[title] for title in ("Flat area (m²)", "Area difference (%)", "Largest stretch (%)", "Kept")] == [
         "", "", "", "no",
@@ -153,7 +153,7 @@ def test_the_list_of_pieces_has_the_worst_first(addon):
     listed = bpy.types.WIREWARP_UL_pieces
     this = SimpleNamespace(filter_name="", bitflag_filter_item=1 << 30, use_filter_sort_alpha=False)
     shown, places = listed.filter_items(this, bpy.context, source, "wirewarp_pieces")
-    strains = [max(p["stretch_max"], p["ease_max"]) for p in addon.report_store.last_report(source)["pieces"]]
+    strains = [max(p["stretch_max"], p["ease_max"]) for p in addon.flat.reports.last_report(source)["pieces"]]
     assert shown == []
     assert sorted(places) == [0, 1]
     assert places.index(0) == np.argmax(strains)

@@ -11,12 +11,12 @@ from surfaces import bump, grid, half_cylinder, mark, mark_seam, on_line, select
 
 
 def read_models(addon, *sources):
-    return addon.read_models.read_models(bpy.context, list(sources), bpy.context.scene.wirewarp)
+    return addon.run.read.read_models(bpy.context, list(sources), bpy.context.scene.wirewarp)
 
 
 def solver(addon, models):
     choices = addon.properties.choices_of(bpy.context.scene.wirewarp)
-    return lambda progress: addon.solve_models.solve_models(addon.core.library(), models, choices, 1.0, progress)
+    return lambda progress: addon.run.models.solve_models(addon.core.library(), models, choices, 1.0, progress)
 
 
 def test_a_thread_gives_what_the_solver_gives_and_tells_how_far_it_is(addon):
@@ -30,7 +30,7 @@ def test_a_thread_gives_what_the_solver_gives_and_tells_how_far_it_is(addon):
 
         return solver(addon, models)(report)
 
-    thread = addon.solve_thread.SolveThread(solve)
+    thread = addon.run.models.SolveThread(solve)
     outcomes = thread.result()
     assert thread.is_done()
     assert [outcome.report["object"] for outcome in outcomes] == ["First", "Second"]
@@ -50,16 +50,16 @@ def test_a_cancelled_thread_has_no_result(addon):
         goes_on.wait()
         return solver(addon, models)(progress)
 
-    thread = addon.solve_thread.SolveThread(solve)
+    thread = addon.run.models.SolveThread(solve)
     begun.wait()
     thread.cancel()
     goes_on.set()
-    with pytest.raises(addon.solve_models.CancelledError):
+    with pytest.raises(addon.run.models.CancelledError):
         thread.result()
-    done = addon.solve_thread.SolveThread(lambda _progress: [])
+    done = addon.run.models.SolveThread(lambda _progress: [])
     done.join()
     done.cancel()
-    with pytest.raises(addon.solve_models.CancelledError):
+    with pytest.raises(addon.run.models.CancelledError):
         done.result()
 
 
@@ -67,7 +67,7 @@ def test_what_the_solver_raises_is_raised_where_the_result_is_asked_for(addon):
     def solve(_progress):
         raise MemoryError("no room")
 
-    thread = addon.solve_thread.SolveThread(solve)
+    thread = addon.run.models.SolveThread(solve)
     with pytest.raises(MemoryError, match="no room"):
         thread.result()
 
@@ -76,7 +76,7 @@ def test_a_cancelled_model_ends_the_whole_run(addon):
     """The core would hand back the best shape it has; the others would be solved."""
     models = read_models(addon, grid("First", bump), grid("Second", bump))
     seen = []
-    with pytest.raises(addon.solve_models.CancelledError):
+    with pytest.raises(addon.run.models.CancelledError):
         solver(addon, models)(lambda stage, fraction: bool(seen.append(fraction)) or stage != "shape")
     assert max(seen) < 0.5
 
@@ -92,7 +92,7 @@ def source():
 
 def taken(addon):
     bpy.context.view_layer.update()
-    return [target.name for target in addon.auto_update.take_changed(bpy.context)]
+    return [target.name for target in addon.run.auto_update.take_changed(bpy.context)]
 
 
 def move_a_vertex(source):
@@ -123,7 +123,7 @@ def test_changes_are_seen_in_edit_mode(addon, source):
 def test_nothing_is_made_again_after_undo_until_something_changes(addon, source):
     bpy.context.scene.wirewarp.auto_update = True
     move_a_vertex(source)
-    addon.auto_update._on_undo()
+    addon.run.auto_update._on_undo()
     assert taken(addon) == []
     assert taken(addon) == []
     move_a_vertex(source)
@@ -133,9 +133,9 @@ def test_nothing_is_made_again_after_undo_until_something_changes(addon, source)
 def test_switching_off_and_on_after_undo_does_not_hide_the_next_change(addon, source):
     scene = bpy.context.scene
     scene.wirewarp.auto_update = True
-    addon.auto_update._on_undo()
+    addon.run.auto_update._on_undo()
     scene.wirewarp.auto_update = False
-    addon.auto_update.forget_change(scene.name_full)  # as with the next movement of the mouse
+    addon.run.auto_update.forget_change(scene.name_full)  # as with the next movement of the mouse
     scene.wirewarp.auto_update = True
     move_a_vertex(source)
     assert taken(addon) == ["Bump"]
@@ -143,7 +143,7 @@ def test_switching_off_and_on_after_undo_does_not_hide_the_next_change(addon, so
 
 def test_there_is_no_second_run_beside_another(addon, source, monkeypatch):
     assert bpy.ops.object.wirewarp_update.poll()
-    monkeypatch.setattr(addon.window_run, "is_running", lambda: True)
+    monkeypatch.setattr(addon.run.window_run, "is_running", lambda: True)
     assert not bpy.ops.object.wirewarp_update.poll()
 
 

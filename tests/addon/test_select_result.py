@@ -65,7 +65,7 @@ def test_what_cannot_be_shown_leaves_the_user_where_he_was(source, addon):
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.data.objects.remove(flat)
     select_fails("no flat pieces to this report", what="PIECE", index=0)
-    select = partial(addon.selection.select_elements, bpy.context)
+    select = partial(addon.blender.selection.select_elements, bpy.context)
     with pytest.raises(addon.issues.ObjectError, match="has changed"):
         select(source, faces=[64])
     with pytest.raises(addon.issues.ObjectError, match="not in this view layer"):
@@ -132,8 +132,8 @@ def test_a_wire_on_the_model_and_on_the_flat_pieces(wired, what):
 
 
 def test_an_open_edge_is_one_stretch_of_one_piece(source, addon):
-    report = addon.report_store.last_report(source)
-    for index, (_, _, chain) in enumerate(addon.report_names.open_edges(report)):
+    report = addon.flat.reports.last_report(source)
+    for index, (_, _, chain) in enumerate(addon.report.names.open_edges(report)):
         select_only(source)
         bpy.ops.mesh.wirewarp_select_result(what="OUTLINE", index=index)
         edges = selected(source, "edges")
@@ -157,7 +157,7 @@ def test_a_piece_on_the_model(source):
 
 @pytest.mark.parametrize("what", ["STRETCH", "EASE"])
 def test_where_the_cloth_is_strained_most(source, addon, what):
-    piece = addon.report_store.last_report(source)["pieces"][1]
+    piece = addon.flat.reports.last_report(source)["pieces"][1]
     bpy.ops.mesh.wirewarp_select_result(what=what, index=1)
     faces = selected(source, "polygons")
     assert faces.tolist() == piece[f"{what.lower()}_faces"]

@@ -33,20 +33,20 @@ def corners(text):
 
 def outline_of(source, addon, name):
     index = [entry.name for entry in source.wirewarp_pieces].index(name)
-    flat = addon.read_flat_pieces.read_flat_pieces(flat_of(source).data, 1.0)
+    flat = addon.flat.read.read_flat_pieces(flat_of(source).data, 1.0)
     outline = addon.pattern.outlines.outline_of(flat)
     a, b = outline.edges[outline.piece == index].T
-    return addon.polygons.Segments(flat.vertices[a], flat.vertices[b])
+    return addon.pattern.polygons.Segments(flat.vertices[a], flat.vertices[b])
 
 
 def test_each_piece_has_a_text_with_its_name_and_area_inside_its_outline(source, addon):
-    report = addon.report_store.last_report(source)
+    report = addon.flat.reports.last_report(source)
     assert sorted(texts()) == ["Top Left", "Top Right"]
     for piece in report["pieces"]:
         text = texts()[piece["name"]]
         assert text.data.body.split("\n")[1] == f"{100 * piece['area_2d']:.1f} cm²"
         outline = outline_of(source, addon, piece["name"])
-        assert addon.polygons.are_inside(np.array(corners(text)), outline).all()
+        assert addon.pattern.polygons.are_inside(np.array(corners(text)), outline).all()
         assert text.parent == flat_of(source)
         assert [collection.name for collection in text.users_collection] == ["WireWarp"]
         height = np.ptp(np.array(corners(text)), axis=0).min()
@@ -76,7 +76,7 @@ def test_no_line_is_drawn_from_a_piece_to_its_text(source):
 @pytest.mark.parametrize("angle", [0, 90])
 def test_a_text_stands_in_its_place_wherever_its_origin_is(source, addon, angle):
     place = addon.pattern.pattern.PieceText(("Hx",), np.array([0.3, 0.4]), 0.1, angle)
-    text = addon.write_texts._new_text(flat_of(source), "Hx", place, np.array([0.2, 0.1]), 0.002)
+    text = addon.flat.texts._new_text(flat_of(source), "Hx", place, np.array([0.2, 0.1]), 0.002)
     bpy.context.scene.collection.objects.link(text)
     assert np.mean(corners(text), axis=0) == pytest.approx([0.3, 0.4], abs=0.03)
 
@@ -87,7 +87,7 @@ def test_texts_are_right_where_their_collection_was_hidden(source, addon):
     flatten(source)
     layer.exclude = False
     for name, text in texts().items():
-        assert addon.polygons.are_inside(np.array(corners(text)), outline_of(source, addon, name)).all()
+        assert addon.pattern.polygons.are_inside(np.array(corners(text)), outline_of(source, addon, name)).all()
 
 
 def test_a_text_keeps_off_the_wire(source):
@@ -107,7 +107,7 @@ def test_a_narrow_upright_piece_has_an_upright_text(addon):
     (text,) = texts().values()
     width, height = np.ptp(np.array(corners(text)), axis=0)
     assert height > 1.2 * width
-    assert addon.polygons.are_inside(np.array(corners(text)), outline_of(strip, addon, "Strip")).all()
+    assert addon.pattern.polygons.are_inside(np.array(corners(text)), outline_of(strip, addon, "Strip")).all()
 
 
 def test_texts_are_replaced_renamed_and_switched_off(source):
@@ -124,16 +124,16 @@ def test_texts_are_replaced_renamed_and_switched_off(source):
 
 
 def test_areas_follow_the_units_of_the_scene_and_names_stay(source, addon):
-    (piece,) = [each for each in addon.report_store.last_report(source)["pieces"] if each["name"] == "Top Left"]
+    (piece,) = [each for each in addon.flat.reports.last_report(source)["pieces"] if each["name"] == "Top Left"]
     text, units = texts()["Top Left"], bpy.context.scene.unit_settings
     area = 0.1**2 * piece["area_2d"]  # in square meters
     assert text.data.body == f"Top Left\n{1e4 * area:.1f} cm²"
     text.data.body = f"Sleeve\n{1e4 * area:.1f} cm²\ncut twice"
     units.system, units.length_unit = "IMPERIAL", "INCHES"
-    addon.text_units.write_all_areas()
+    addon.flat.texts.write_all_areas()
     assert text.data.body == f"Sleeve\n{area / 0.0254**2:.2f} in²\ncut twice"
     units.system, units.length_unit = "METRIC", "MILLIMETERS"
-    addon.text_units.write_all_areas()
+    addon.flat.texts.write_all_areas()
     assert text.data.body == f"Sleeve\n{1e4 * area:.1f} cm²\ncut twice"
 
 
@@ -141,9 +141,9 @@ def test_areas_follow_the_units_of_the_scene_and_names_stay(source, addon):
 def test_a_line_of_the_user_is_no_area(source, addon, own):
     text, units = texts()["Top Left"], bpy.context.scene.unit_settings
     text.data.body = own
-    addon.text_units.write_all_areas()
+    addon.flat.texts.write_all_areas()
     units.system, units.length_unit = "IMPERIAL", "INCHES"
-    addon.text_units.write_all_areas()
+    addon.flat.texts.write_all_areas()
     assert text.data.body == own
 
 
@@ -168,7 +168,7 @@ def test_a_text_that_the_user_has_taken_off_its_piece_stays(source):
 def test_the_overlay_writes_no_names_where_texts_stand(source, addon):
     def shown():
         depsgraph = bpy.context.evaluated_depsgraph_get()
-        return {name.text for name in addon.overlay.object_drawing.marked_lines(flat_of(source), depsgraph).names}
+        return {name.text for name in addon.overlay.objects.marked_lines(flat_of(source), depsgraph).names}
 
     assert not {"Top Left", "Top Right"} & shown()
     flatten(source, piece_texts=False)
@@ -189,5 +189,5 @@ def test_very_many_pieces_get_no_texts_and_that_is_said(addon):
     source.data.edges.foreach_set("use_seam", [True] * len(source.data.edges))
     bpy.ops.object.wirewarp_flatten()
     assert texts() == {}
-    (note,) = addon.report_store.last_report(source)["notes"]
+    (note,) = addon.flat.reports.last_report(source)["notes"]
     assert note["text"] == "Texts are written on up to 200 pieces, these are 225."

@@ -9,7 +9,7 @@ import pytest
 
 @pytest.fixture
 def chains(addon):
-    return addon.wire_chains
+    return addon.pattern.chains
 
 
 def vertices_of(chains, edges, positions):

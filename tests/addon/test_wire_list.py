@@ -25,11 +25,11 @@ def source():
 def listed(addon, target):
     """Name, tolerance and number of edges of each line."""
     bpy.context.view_layer.update()
-    return [(name, wire.tolerance, len(wire.edges)) for name, wire in addon.wire_summary.listed_wires(target)]
+    return [(name, wire.tolerance, len(wire.edges)) for name, wire in addon.model.wires.listed_wires(target)]
 
 
 def edge_of(addon, target, wanted):
-    return next(wire.edges[0] for name, wire in addon.wire_summary.listed_wires(target) if name == wanted)
+    return next(wire.edges[0] for name, wire in addon.model.wires.listed_wires(target) if name == wanted)
 
 
 def in_edit_mode(target, line, operator, **settings):
@@ -100,7 +100,7 @@ def test_joined_copies_are_wires_of_their_own(addon, source):
     names = ["Bust", "Bust (2)", "Middle", "Middle (2)"]
     assert sorted(name for name, _, _ in listed(addon, source)) == names
     bpy.ops.object.wirewarp_flatten()
-    report = addon.report_store.last_report(source)
+    report = addon.flat.reports.last_report(source)
     assert sorted(wire["name"] for wire in report["wires"]) == names
     flat = bpy.data.objects["Bump Flat"]
     assert sorted(entry.name for entry in flat.data.wirewarp_names) == names
@@ -167,6 +167,6 @@ def test_a_whole_wire_is_selected(addon, source, by):
 
 
 def test_wires_of_one_id_each_get_one_of_their_own(addon):
-    own_ids, last = addon.marking.own_ids, addon.marking.MAX_ID
+    own_ids, last = addon.model.marks.own_ids, addon.model.marks.MAX_ID
     assert own_ids([5, 9, 5, 5, 6]) == [5, 9, 7, 8, 6]
     assert own_ids([last, last]) == [last, 1]

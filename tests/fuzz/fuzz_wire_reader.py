@@ -12,9 +12,9 @@ from pathlib import Path
 import atheris
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "addon" / "wirewarp"))
+sys.path.insert(0, str(Path(__file__).parents[2] / "addon" / "wirewarp" / "pattern"))
 with atheris.instrument_imports():
-    import wire_chains  # knows no Blender
+    import chains  # knows no Blender
 
 
 def any_marks(raw: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -50,7 +50,7 @@ def check(raw: bytes) -> None:
         if wire_id
     }
     seen: collections.Counter[tuple[int, int]] = collections.Counter()
-    for chain in wire_chains.chains_of_marks(edges, ids, tolerances, positions):
+    for chain in chains.chains_of_marks(edges, ids, tolerances, positions):
         for edge in edges_of_chain(chain.vertices):
             wire_id, tolerance = marks[edge]
             assert chain.wire_id == wire_id

@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "addon"))
 import wirewarp_addon
 from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only, wire_marks
 
-STYLES = wirewarp_addon.overlay.line_styles.STYLES
+STYLES = wirewarp_addon.overlay.lines.STYLES
 COLORFUL = {"outline", "rigid", "elastic", "free"}  # white and black are in Blender's own letters and shadows too
 
 
@@ -94,7 +94,7 @@ def marks_are_undone() -> drive.Tour:
     source = marked()
     bpy.ops.object.wirewarp_flatten()
     source.data.edges.foreach_set("use_seam", [False] * len(source.data.edges))
-    edge = wirewarp_addon.wire_summary.find_wires(source.data)[0].edges[0]
+    edge = wirewarp_addon.model.wires.find_wires(source.data)[0].edges[0]
     select_edges(source, on_line(1, 0.25))
     with drive.in_view():
         bpy.ops.ed.undo_push(message="Selected")

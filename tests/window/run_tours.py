@@ -11,7 +11,7 @@ import wirewarp_addon
 from stage import contents, flatten, hold_runs, marked_bump, remember, window_run
 from surfaces import bump, flat_of, grid
 
-solve_models = wirewarp_addon.solve_models
+solve_models = wirewarp_addon.run.models
 
 
 def threads() -> list[str]:

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+"""The button Flatten."""
+
 from pathlib import Path
 
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from .. import core, window_run
-from ..given_file import OPTIONS, given_file
+from .. import core
+from ..blender.files import OPTIONS, check_room, given_file, unwritten
+from ..blender.modes import WORKING_MODES
 from ..properties import take_settings
-from ..replace_file import check_room, unwritten
-from ..targets import WORKING_MODES, active_target, mesh_targets, nothing_to_flatten
+from ..run import window_run
+from ..run.targets import active_target, mesh_targets, nothing_to_flatten
 from ..ui.settings import draw_settings
 from .flatten_steps import FlattenSteps
 

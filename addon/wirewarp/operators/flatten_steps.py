@@ -1,30 +1,37 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What Flatten and its automatic update have in common: read, solve, write; in a window with a thread, else at once."""
 
+import json
 import traceback
 from functools import partial
 from pathlib import Path
 
 import bpy
 
-from .. import core, window_run
+from .. import core
+from ..blender.files import replaced_file, unwritten
+from ..blender.modes import WORKING_MODES, hold_whole_file, in_object_mode
+from ..blender.units import meters_per_blender_unit
+from ..blender.views import redraw_views
 from ..issues import Issue, ObjectError
 from ..properties import FlattenSettings, choices_of
-from ..read_models import check_current, read_models
-from ..redraw import redraw_views
-from ..replace_file import unwritten
-from ..report_file import run_message, run_report, write_json
-from ..solve_models import CancelledError, Model, Outcome, Solver, failed_report, solve_models
-from ..targets import WORKING_MODES, in_object_mode
-from ..undo_step import hold_whole_file
-from ..unit_text import meters_per_blender_unit
-from ..write_results import write_results
+from ..report.verdict import run_message, run_report
+from ..run import window_run
+from ..run.models import CancelledError, Model, Outcome, Solver, failed_report, solve_models
+from ..run.read import check_current, read_models
+from ..run.write import write_results
 
 # What a user may do during a run: look around.
 HARMLESS = {"MIDDLEMOUSE", "MOUSEMOVE", "INBETWEEN_MOUSEMOVE", "HOME", "NUMPAD_PERIOD"} | {
     f"NUMPAD_{digit}" for digit in range(10)
 }
 HARMLESS_KINDS = ("TIMER", "WHEEL", "TRACKPAD", "NDOF", "WINDOW")
+
+
+def write_json(path: Path, report: dict) -> None:
+    """Raises OSError, and leaves the file as it was, if it cannot be written."""
+    with replaced_file(path) as unfinished:
+        unfinished.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
 class FlattenSteps(FlattenSettings):

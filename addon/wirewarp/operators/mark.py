@@ -1,10 +1,64 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-import bpy
+"""Marking and clearing seams and wires on the selected edges."""
 
-from ..edit_marks import OUTLINES_ARE_RIGID, mark_selected
+import math
+
+import bpy
+from bpy.props import EnumProperty, FloatProperty
+
+from ..blender.modes import in_object_mode
 from ..issues import ObjectError
-from ..words import counted
-from .wire_kind import DESCRIPTIONS, NEEDS_TOLERANCE, WireKind
+from ..model.mark import OUTLINES_ARE_RIGID, clear_selected, mark_selected
+from ..model.seams import seams_from_uv
+from ..words import counted, quoted
+
+KINDS = [
+    ("RIGID", "Rigid", "A rigid wire keeps exactly its length on the model"),
+    ("ELASTIC", "Elastic", "An elastic wire may become longer or shorter, up to the tolerance"),
+    ("SUPER_ELASTIC", "Free", "A free wire gets whatever length distorts the pieces least"),
+]
+DESCRIPTIONS = {identifier: description for identifier, _, description in KINDS}
+NEEDS_TOLERANCE = "An elastic wire needs a tolerance above 0: set one, or make the wire rigid."
+
+
+class WireKind:
+    """Mixed into operators."""
+
+    kind: EnumProperty(name="Kind", description="How strictly the wire keeps its length", items=KINDS, default="RIGID")
+    tolerance: FloatProperty(
+        name="Tolerance",
+        description="Elastic wires: how much the total length may change, as a fraction (0.03 is 3 %)",
+        min=0.0,
+        soft_max=0.2,
+        max=0.99,
+        default=0.03,
+        precision=4,
+        step=1,
+    )
+    tolerance_percent: FloatProperty(
+        name="Tolerance ±",
+        description="Elastic wires: how much the total length may become longer or shorter, in percent",
+        subtype="PERCENTAGE",
+        min=0.0,
+        soft_max=20.0,
+        max=99.0,
+        precision=2,
+        get=lambda operator: 100 * operator.tolerance,
+        set=lambda operator, percent: setattr(operator, "tolerance", percent / 100),
+        options={"SKIP_SAVE"},
+    )
+
+    def is_tolerance_missing(self) -> bool:
+        return self.kind == "ELASTIC" and not self.tolerance > 0  # nor is it a number in every script
+
+    def chosen_tolerance(self) -> float:
+        """As the edges carry it."""
+        return {"RIGID": 0.0, "ELASTIC": self.tolerance, "SUPER_ELASTIC": math.inf}[self.kind]
+
+    def draw_kind(self, layout: bpy.types.UILayout) -> None:
+        layout.prop(self, "kind")
+        if self.kind == "ELASTIC":
+            layout.prop(self, "tolerance_percent")
 
 
 class MESH_OT_wirewarp_mark(WireKind, bpy.types.Operator):
@@ -50,3 +104,53 @@ class MESH_OT_wirewarp_mark(WireKind, bpy.types.Operator):
     def draw(self, _context: bpy.types.Context) -> None:
         self.layout.use_property_split = True
         self.draw_kind(self.layout)
+
+
+class MESH_OT_wirewarp_clear(bpy.types.Operator):
+    """The selected edges are wires no longer"""
+
+    bl_idname = "mesh.wirewarp_clear"
+    bl_label = "Clear Wire"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return context.mode == "EDIT_MESH"
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        try:
+            count = clear_selected(context.objects_in_mode_unique_data)
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        if count == 0:
+            self.report({"WARNING"}, "No selected edge is a wire")
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class MESH_OT_wirewarp_seams_from_uv_islands(bpy.types.Operator):
+    """Mark seams where the islands of the active UV map end; of your own map where that of the flat pieces is active"""
+
+    bl_idname = "mesh.wirewarp_seams_from_uv_islands"
+    bl_label = "Seams from UV Islands"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return context.mode == "EDIT_MESH"
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        targets = list(context.objects_in_mode_unique_data)
+        try:
+            with in_object_mode(context):
+                count, maps = seams_from_uv(targets)
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        named = f"{'UV map' if len(maps) == 1 else 'UV maps'} {quoted(maps)}"
+        if count == 0:
+            self.report({"INFO"}, f"Every border of the islands of the {named} is a seam or an outline already")
+            return {"CANCELLED"}
+        self.report({"INFO"}, f"{counted(count, 'edge')} marked as seam by the {named}")
+        return {"FINISHED"}

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+"""Flattening again by itself what has changed."""
+
 import bpy
 
-from .. import auto_update, core, window_run
+from .. import core
+from ..blender.modes import WORKING_MODES
 from ..properties import take_settings
-from ..targets import WORKING_MODES
+from ..run import auto_update, window_run
 from .flatten_steps import FlattenSteps
 
 

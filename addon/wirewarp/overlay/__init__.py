@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The overlay: seams, wires and failures on models, on flat pieces and in the UV editor, with names and a legend; maps.
 
-3D view: shown (which objects) -> object_drawing, failure_drawing (arrays and names, kept in cache) -> draw_space,
-draw_screen (handlers). UV editor: uv_drawing -> draw_uv.
+shown (which objects) -> objects, failures (arrays and names, kept in cache) -> view3d, uv_editor (the handlers).
+May import: flat, model, blender, solve, pattern, names, issues, words.
 """
 
 import bpy
 
 from . import cache
-from .draw_screen import draw_screen
-from .draw_space import draw_space
-from .draw_uv import draw_map, draw_map_names
+from .uv_editor import draw_map, draw_map_names
+from .view3d import draw_screen, draw_space
 
 _HANDLERS = (
     (bpy.types.SpaceView3D, draw_space, "POST_VIEW"),

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Arrays to what the GPU draws, sent there only when they change. In the matrix that is set."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from enum import Enum, auto
 
 import bpy
@@ -9,10 +11,10 @@ import numpy as np
 from gpu_extras.batch import batch_for_shader
 
 from .cache import Same, kept_drawing
-from .failure_drawing import Failures
-from .line_styles import CORES, RIM, RIM_ALPHA, STYLES
-from .object_drawing import Lines
-from .surface_arrays import ColoredTriangles
+from .failures import Failures
+from .lines import CORES, RIM, RIM_ALPHA, STYLES
+from .objects import Lines
+from .surfaces import ColoredTriangles
 
 FAILED_ALPHA = 0.6
 LINES, TRIANGLES, COLORED = "POLYLINE_UNIFORM_COLOR", "UNIFORM_COLOR", "SMOOTH_COLOR"
@@ -68,3 +70,14 @@ def _batch(
         (Same(made_of),),
         lambda: batch_for_shader(gpu.shader.from_builtin(shader), primitive, content),
     )
+
+
+@contextmanager
+def blending() -> Iterator[None]:
+    """Draws see-through colors as such; leaves the state as it was."""
+    before = gpu.state.blend_get()
+    gpu.state.blend_set("ALPHA")
+    try:
+        yield
+    finally:
+        gpu.state.blend_set(before)

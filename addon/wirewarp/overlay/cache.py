@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from ..redraw import redraw_views
+from ..blender.views import redraw_views
 
 T = TypeVar("T")
 IDLE_SHARE = 9  # after a build there is none for so many times as long: building takes a tenth of the time, or

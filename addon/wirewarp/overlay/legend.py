@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the parts of the legend stand: all in pixels of the region, from its lower left corner. No Blender in here."""
+"""Where the parts of the legend stand: all in pixels of the region, from its lower left corner."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..color_maps import ColorMap
-from .line_styles import RIM, RIM_ALPHA, LineStyle
-from .surface_arrays import Extremes, screen_colors
+from ..solve.maps import ColorMap
+from .lines import RIM, RIM_ALPHA, LineStyle
+from .surfaces import Extremes, screen_colors
 
 SCALE_WIDTH, SCALE_HEIGHT, SAMPLE = 200, 12, 28  # pixels at interface scale 1
 ROW, PADDING = 18, 10

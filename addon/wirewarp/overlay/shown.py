@@ -1,21 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the overlay shows in a view: the objects and their drawings, built where they have changed."""
+"""Which objects are drawn, in 3D views and in UV editors."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import bpy
 
-from ..color_maps import COLOR_MAPS, ColorMap
+from ..blender.cache import stamp
+from ..flat.helper_wires import helper_ends_in_map
+from ..flat.reports import last_report
 from ..issues import ObjectError
-from ..mesh_cache import stamp
-from ..owners import find_flat_object, model_of, model_or_self
-from ..report_store import last_report
-from ..wire_attributes import WIRE
+from ..model.owners import find_flat_object, model_of, model_or_self
+from ..names import WIRE
+from ..solve.maps import COLOR_MAPS, ColorMap
 from .cache import Same, kept_drawing
-from .failure_drawing import Failures, failures
-from .object_drawing import Lines, colored_surface, marked_lines
-from .surface_arrays import ColoredTriangles, Extremes
+from .failures import Failures, failures, uv_failures
+from .gather import gather_uv_lines, shows_our_map
+from .objects import Lines, colored_surface, lines_of, marked_lines, with_helpers
+from .surfaces import ColoredTriangles, Extremes
 
 MODES = {"OBJECT", "EDIT"}
 
@@ -82,5 +85,42 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
 def _lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
     try:
         return marked_lines(target, depsgraph)
+    except ObjectError:
+        return Lines({}, {}, [])  # an attribute of our name is another's; the list of wires says so
+
+
+@dataclass(frozen=True)
+class UvDrawing:
+    target: bpy.types.Object
+    lines: Lines
+    failures: Failures | None
+
+
+def uv_drawings(context: bpy.types.Context) -> Iterator[UvDrawing]:
+    """Of the models in Edit Mode, in Object Mode of those that are selected or whose flat pieces are."""
+    space = context.space_data
+    if space.mode != "UV" or not space.overlay.show_overlays or not context.scene.wirewarp.show_lines:
+        return
+    for target in _targets(context):
+        if target.type == "MESH" and shows_our_map(target.data):
+            made_of = stamp(target), stamp(target.data), target.data.is_editmode, Same(last_report(target))
+            lines = kept_drawing(target, "uv lines", made_of, partial(_uv_lines, target))
+            failed = None
+            if not target.data.is_editmode:
+                failed = kept_drawing(target, "uv failures", made_of, partial(uv_failures, target))
+            yield UvDrawing(target, lines, failed)
+
+
+def _targets(context: bpy.types.Context) -> list[bpy.types.Object]:
+    if context.mode == "EDIT_MESH":
+        return list(context.objects_in_mode_unique_data)
+    if context.mode != "OBJECT":
+        return []
+    return list(dict.fromkeys(model_or_self(each) for each in context.selected_objects))
+
+
+def _uv_lines(target: bpy.types.Object) -> Lines:
+    try:
+        return with_helpers(lines_of(target, gather_uv_lines(target.data)), helper_ends_in_map(target))
     except ObjectError:
         return Lines({}, {}, [])  # an attribute of our name is another's; the list of wires says so

@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where notches are: at the ends of wires, and at equal lengths along both sides of each seam."""
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
 
-from ..edge_keys import edge_keys
 from ..issues import object_error
-from .across import Across
-from .flat_pieces import FlatPieces
-from .outlines import OutlineEdges
+from .chains import edge_keys
+from .outlines import FlatPieces, OutlineEdges
 from .pattern import Notch
 from .seam_sides import SeamSide
 
@@ -21,6 +20,7 @@ SHARE = 0.3  # of the way across the piece, the most that a notch may take
 SMOOTH = 0.87  # cosine of the turn, 30 degrees: what turns less is no corner that can be found on cloth
 LEAST_SEAM = 15.0  # millimeters: a shorter one needs no notch in its middle
 CLEAR = 0.2  # of the spacing: so close to a wire's end, or to the end of the seam, there is no other notch
+AT_ONCE = 1e-3  # millimeters: nearer than this is the outline that one looks from
 
 
 def place_notches(
@@ -139,3 +139,25 @@ def _unit(vector: np.ndarray) -> np.ndarray:
     """At the tip of a slit the two sides cancel out: any direction is as good."""
     length = np.linalg.norm(vector)
     return vector / length if length > 1e-9 else np.array([1.0, 0.0])
+
+
+class Across:
+    def __init__(self, flat: FlatPieces, outline: OutlineEdges) -> None:
+        self._flat, self._outline = flat, outline
+        self._sides: dict[int, np.ndarray] = {}
+
+    def __call__(self, piece: int, point: np.ndarray, inward: np.ndarray) -> float:
+        """From a point (2,) of the outline straight on along the unit vector `inward` to the outline again."""
+        if piece not in self._sides:
+            self._sides[piece] = self._flat.vertices[self._outline.edges[self._outline.piece == piece]]
+        a, b = self._sides[piece].transpose(1, 0, 2)
+        along, to = b - a, a - point
+        with np.errstate(divide="ignore", invalid="ignore"):  # of edges in this direction, which nothing meets
+            slope = _cross(inward, along)
+            distance, share = _cross(to, along) / slope, _cross(to, inward) / slope
+        met = (share >= 0) & (share <= 1) & (distance > AT_ONCE)
+        return float(distance[met].min(initial=math.inf))
+
+
+def _cross(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    return first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]

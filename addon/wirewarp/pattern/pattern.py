@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..polygons import Segments, overlap
+from .polygons import Segments, overlap
 
 
 @dataclass(frozen=True)

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..issues import object_error
-from ..wire_chains import split_into_chains
-from .flat_pieces import FlatPieces
-from .outlines import OutlineEdges
+from .chains import split_into_chains
+from .outlines import FlatPieces, OutlineEdges
 
 EDITED = "The flat pieces were changed by hand, and a seam of the model is not found on them: flatten the model again."
 

@@ -11,9 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..replace_file import replaced_file
-from .interior import LINE
 from .pattern import Pattern, PatternPiece, PieceText, Ruler
+from .piece_texts import LINE
 
 SVG, INKSCAPE = "http://www.w3.org/2000/svg", "http://www.inkscape.org/namespaces/inkscape"
 MARGIN = 10.0  # around everything
@@ -33,13 +32,12 @@ NO_CHARACTER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff
 
 
 def write_svg(path: Path, pattern: Pattern) -> None:
-    """Raises OSError, and leaves the file as it was, if it cannot be written."""
+    """Raises OSError if the file cannot be written."""
     ElementTree.register_namespace("", SVG)
     ElementTree.register_namespace("inkscape", INKSCAPE)
     tree = ElementTree.ElementTree(_document(pattern))
     ElementTree.indent(tree, " ")
-    with replaced_file(path) as unfinished:
-        tree.write(unfinished, encoding="utf-8", xml_declaration=True)
+    tree.write(path, encoding="utf-8", xml_declaration=True)
 
 
 def page_size(pattern: Pattern) -> np.ndarray:

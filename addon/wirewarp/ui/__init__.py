@@ -1,9 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sidebar tab and the menu entries."""
+"""The sidebar tab and the menu entries: they show, and call operators by name.
 
-from . import menus, tick
-from .overlay import IMAGE_PT_wirewarp_overlay, VIEW3D_PT_wirewarp_overlay
-from .panel import VIEW3D_PT_wirewarp_flatten, VIEW3D_PT_wirewarp_mark, VIEW3D_PT_wirewarp_settings
+May import: overlay, flat, model, blender, report, properties, core, issues, words.
+"""
+
+from . import layout, menus
+from .panel import (
+    IMAGE_PT_wirewarp_overlay,
+    VIEW3D_PT_wirewarp_flatten,
+    VIEW3D_PT_wirewarp_mark,
+    VIEW3D_PT_wirewarp_overlay,
+    VIEW3D_PT_wirewarp_settings,
+)
 from .piece_list import VIEW3D_PT_wirewarp_pieces, WIREWARP_UL_pieces
 from .report import (
     VIEW3D_PT_wirewarp_report,
@@ -30,5 +38,4 @@ CLASSES = (
     VIEW3D_PT_wirewarp_overlay,
     IMAGE_PT_wirewarp_overlay,
 )
-
-__all__ = ["CLASSES", "menus", "tick"]
+__all__ = ["CLASSES", "menus", "layout"]

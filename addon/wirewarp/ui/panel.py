@@ -4,12 +4,12 @@
 import bpy
 
 from .. import core
+from ..flat.reports import last_report
 from ..issues import ObjectError
-from ..owners import find_flat_object, is_deleted, model_of
-from ..targets import DELETED
-from ..wire_summary import wires_of
+from ..model.owners import DELETED, find_flat_object, is_deleted, model_of, model_or_self
+from ..model.wires import wires_of
+from .layout import draw_sentence
 from .settings import draw_settings
-from .text import draw_sentence
 
 
 class SidebarPanel:
@@ -102,3 +102,49 @@ def _has_loose_wires(context: bpy.types.Context) -> bool:
         return any(wire.tolerance > 0 for wire in wires_of(active))
     except ObjectError:
         return False  # the list of wires says what is wrong
+
+
+class VIEW3D_PT_wirewarp_overlay(SidebarPanel, bpy.types.Panel):
+    bl_label = "Overlay"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout, settings = self.layout, context.scene.wirewarp
+        layout.active = context.space_data.overlay.show_overlays
+        _draw_lines(layout, settings)
+        layout.label(text="Map")
+        layout.prop(settings, "shown_map", text="")
+        _draw_select_issues(layout, context)
+
+
+class IMAGE_PT_wirewarp_overlay(bpy.types.Panel):
+    bl_label = "Overlay"
+    bl_space_type = "IMAGE_EDITOR"
+    bl_region_type = "UI"
+    bl_category = "WireWarp"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return context.space_data.mode == "UV"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        self.layout.active = context.space_data.overlay.show_overlays
+        _draw_lines(self.layout, context.scene.wirewarp)
+        _draw_select_issues(self.layout, context)
+
+
+def _draw_lines(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
+    layout.prop(settings, "show_lines")
+    row = layout.row()
+    row.active = settings.show_lines
+    row.prop(settings, "show_names")
+
+
+def _draw_select_issues(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    active = context.active_object
+    if active and active.type == "MESH" and _names_elements(last_report(model_or_self(active))):
+        layout.operator("mesh.wirewarp_select_issues", icon="RESTRICT_SELECT_OFF")
+
+
+def _names_elements(report: dict | None) -> bool:
+    issues = report["issues"] if report else []
+    return any(issue["vertices"] or issue["edges"] or issue["faces"] for issue in issues)

@@ -3,21 +3,19 @@
 
 import bpy
 
-from ..changed_settings import settings_sentence
-from ..flat_sources import no_pieces_sentence
-from ..mesh_cache import stamp
-from ..model_state import has_changed
+from ..blender.cache import stamp
+from ..blender.units import length_text
+from ..flat.read import no_pieces_sentence
+from ..flat.reports import last_report, pieces_report
+from ..model.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
+from ..model.state import has_changed
 from ..overlay.cache import Same, kept_drawing
-from ..owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
-from ..report_store import last_report, pieces_report
-from ..unit_text import length_text
+from ..report.rows import largest_difference, tables_of
+from .layout import draw_sentence, is_wide, mark_of
 from .panel import SidebarPanel
-from .report_rows import largest_difference
 from .report_sentences import draw_hints, draw_issues
 from .report_table import draw_table
-from .report_tables import tables_of
-from .text import draw_sentence, is_wide
-from .tick import mark_of
+from .settings import settings_sentence
 
 CHANGED = "The model has changed since: flatten again."
 

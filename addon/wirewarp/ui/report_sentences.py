@@ -3,13 +3,12 @@
 
 import bpy
 
-from ..report_names import with_piece
-from ..tolerance_text import tolerance_text
-from ..torn_edges import ADVICE as TORN_ADVICE
-from ..torn_edges import TORN
-from ..words import counted
+from ..report.hints import ADVICE as TORN_ADVICE
+from ..report.hints import TORN
+from ..report.names import with_piece
+from ..words import counted, tolerance_text
+from .layout import draw_sentence
 from .report_table import SHOWN_ROWS, draw_select
-from .text import draw_sentence
 
 SHOWN_HINTS = 5
 WITH_MODIFIERS = "To be shown what to mark, flatten without Modifiers: these make other edges than the model has."

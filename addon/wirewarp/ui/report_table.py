@@ -3,11 +3,10 @@
 
 import bpy
 
-from ..length_units import LengthText
-from ..unit_text import length_text
-from .report_rows import ReportRow, Side, merged
-from .text import broken, draw_cells, is_wide
-from .tick import mark_of
+from ..blender.units import length_text
+from ..report.rows import ReportRow, Side, merged
+from ..words import LengthText
+from .layout import broken, draw_cells, is_wide, mark_of
 
 SHOWN_ROWS = 8
 MOST_ROWS = 100  # more make Blender slow to draw

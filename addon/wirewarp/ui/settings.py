@@ -1,13 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What Flatten asks for, in the sidebar and after a run alike."""
 
+from dataclasses import asdict
+
 import bpy
 
-from ..properties import FlattenSettings
+from ..model.modifiers import shown_only
+from ..properties import FlattenSettings, WIREWARP_PG_settings, choices_of
 
 LINES_FIRST = {"WIREWARP_PLUS_PLUS", "WIREWARPING"}
 WHOLE_WIDTH = {"fairness"}  # the method's too: their names do not fit half a narrow sidebar
 ONLY_FOR = {"fairness": {"REFINED"}, "node_weight": LINES_FIRST, "helper_wires": LINES_FIRST}
+NAMES = {  # of the choices in a report, as the panel calls them
+    "method": "Method",
+    "fairness": "Smooth Outlines",
+    "node_weight": "Angles",
+    "layout": "Layout",
+    "orientation": "Upright",
+    "gap": "Gap",
+    "mirror": "Mirrored",
+}
+OF_REFINED, OF_OTHERS = {"fairness"}, {"node_weight"}
 
 
 def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings) -> None:
@@ -20,3 +33,30 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings) -> None
             row.use_property_decorate = False
             row.enabled = settings.method in ONLY_FOR.get(name, {settings.method})
             row.prop(settings, name)
+
+
+def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> str:
+    """Empty where a run with the settings of the panel would make the same pieces."""
+    changed = _changed(source, report, settings)
+    if not changed:
+        return ""
+    names = ", ".join(changed)
+    return f"Made with other settings than the panel has now ({names}): flatten again if those are wanted."
+
+
+def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> list[str]:
+    choices = (settings.method, settings.node_weight, settings.layout_kind, settings.orientation)
+    if "options" not in report or "" in choices:  # which this version does not know: see take_settings
+        return []
+    now = asdict(choices_of(settings)) | {"grain_wire": source.data.wirewarp_grain}
+    then = now | report["options"]
+    unused = OF_OTHERS if now["method"] == "refined" else OF_REFINED
+    had_grain = then["grain_wire"] in {wire["wire_id"] for wire in report["wires"]}
+    if (now["orientation"], then["orientation"]) == ("wire", "up") and not had_grain:
+        unused = unused | {"orientation"}  # while there is no grain wire, pieces stand as on the model
+    changed = [name for key, name in NAMES.items() if key not in unused and now[key] != then[key]]
+    if now["orientation"] == "wire" and then["grain_wire"] != now["grain_wire"]:
+        changed.append("Grain Wire")
+    if report.get("with_modifiers", False) != settings.use_modifiers and shown_only(source):
+        changed.append("Modifiers")
+    return changed

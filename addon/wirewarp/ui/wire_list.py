@@ -4,14 +4,13 @@
 import bpy
 import numpy as np
 
+from ..blender.units import length_text
 from ..issues import ObjectError
-from ..owners import model_of
-from ..tolerance_text import tolerance_text
-from ..unit_text import length_text
-from ..wire_summary import WireSummary, editable_name, listed_wires
-from ..words import counted
+from ..model.owners import model_of
+from ..model.wires import WireSummary, editable_name, listed_wires
+from ..words import counted, tolerance_text
+from .layout import draw_sentence, is_wide
 from .panel import SidebarPanel
-from .text import draw_sentence, is_wide
 
 SHOWN_WIRES = 40  # more make Blender slow to draw
 

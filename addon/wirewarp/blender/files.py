@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files that users and scripts name, written whole or not at all."""
+
+import os
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import bpy
+
+# Options of a property that takes them; before 4.5 Blender asks for none.
+OPTIONS = {"SKIP_SAVE", "PATH_SUPPORTS_BLEND_RELATIVE"} if bpy.app.version >= (4, 5, 0) else {"SKIP_SAVE"}
+LONGEST_NAME = 200  # bytes; most systems allow 255
+NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # on one system or another
+
+
+def given_file(path: str) -> Path:
+    """With "//" for the folder of the Blender file. Raises OSError where there is none."""
+    if path.startswith("//") and not bpy.data.filepath:
+        raise OSError('"//" is the folder of the Blender file, which has not been saved yet')
+    return Path(bpy.path.abspath(path))
+
+
+def file_name(name: str, ending: str) -> str:
+    """For the file of an object of this name, in whatever folder."""
+    plain = NOT_IN_NAMES.sub("_", name).encode(errors="replace")
+    return plain[: LONGEST_NAME - len(ending)].decode(errors="ignore") + ending
+
+
+def unwritten(path: str | Path, error: OSError) -> str:
+    """The sentence for a file that cannot be written."""
+    return f'"{path}" cannot be written: {error.strerror or error}.'
+
+
+def check_file(path: Path) -> None:
+    """Raises OSError if no file of ours can be there. A model is never overwritten, whatever name was clicked on."""
+    path = path.resolve()
+    if not path.parent.is_dir():
+        raise OSError(f'there is no folder "{path.parent}"')
+    if path.exists() and not path.is_file():
+        raise OSError(f"it is no file but a {'directory' if path.is_dir() else 'device'}")
+    if re.fullmatch(r"\.blend\d*", path.suffix.lower()):
+        raise OSError("it is a Blender file by its name; choose another name")
+
+
+def check_ending(path: Path, ending: str) -> None:
+    """Raises OSError where a name promises another kind of file."""
+    if path.suffix.lower() != ending:
+        raise OSError(f"its name does not end in {ending}, and no other kind of file can be written")
+
+
+def check_room(path: Path) -> None:
+    """As check_file; also raises OSError if the folder takes no new files."""
+    path = path.resolve()
+    check_file(path)
+    with _unfinished(path).open("wb"):
+        pass
+    _unfinished(path).unlink()
+
+
+@contextmanager
+def replaced_file(path: Path) -> Iterator[Path]:
+    """For `with`: a path beside this one to write to, which takes its place if nothing was raised.
+
+    So a full disk leaves the file that was there. Raises OSError as check_file does.
+    """
+    path = path.resolve()  # what a link leads to is replaced, and the link stays
+    check_file(path)
+    unfinished = _unfinished(path)
+    try:
+        yield unfinished
+        unfinished.replace(path)
+    finally:
+        unfinished.unlink(missing_ok=True)
+
+
+def _unfinished(path: Path) -> Path:
+    """Beside it, for what is being written."""
+    return path.with_name(f".wirewarp-{os.getpid()}.part")

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender's meshes to numpy arrays."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import bpy
+import numpy as np
+
+HAS_ATTRIBUTES = bpy.app.version >= (4, 0, 0)
+SEAM = "uv_seam" if bpy.app.version >= (4, 5, 0) else ".uv_seam"  # absent where there is no seam
+
+
+def read(collection: bpy.types.bpy_prop_collection, name: str, dtype: type, columns: int = 1) -> np.ndarray:
+    """One property of all elements: (k,), or (k, columns). The dtype must be the property's own to be fast."""
+    values: np.ndarray = np.empty(len(collection) * columns, dtype=dtype)
+    collection.foreach_get(name, values)
+    return values.reshape(-1, columns) if columns > 1 else values
+
+
+_VALUES = {
+    "BOOLEAN": ("value", bool, 1),
+    "INT": ("value", np.int32, 1),
+    "FLOAT": ("value", np.float32, 1),
+    "FLOAT_VECTOR": ("vector", np.float32, 3),
+    "FLOAT_COLOR": ("color", np.float32, 4),
+}
+
+
+def read_attribute(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str) -> np.ndarray | None:
+    """(k,), (k,3) or (k,4), the values of an attribute; None if there is none of this type on this domain.
+
+    Of a mesh that is not in Edit Mode.
+    """
+    attribute = mesh.attributes.get(name)
+    if attribute is None or (attribute.data_type, attribute.domain) != (data_type, domain):
+        return None
+    return read(attribute.data, *_VALUES[data_type])
+
+
+def read_numbers(owner: bpy.types.ID, name: str) -> np.ndarray | None:
+    """(k,) the numbers of a property that is a list of them; None if there is none such."""
+    stored = owner.get(name)
+    is_list = hasattr(stored, "typecode")  # of an IDPropertyArray
+    return np.array(stored) if is_list else None
+
+
+def edge_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(e,2) int32"""
+    return _indices(mesh.edges, "vertices", 2)
+
+
+def corner_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(l,) int32"""
+    return _of_corners(mesh, ".corner_vert", "vertex_index")
+
+
+def corner_edges(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(l,) int32, the edge from each corner to the next of its face."""
+    return _of_corners(mesh, ".corner_edge", "edge_index")
+
+
+def face_starts(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(f,) int32, the first corner of each face."""
+    return _indices(mesh.polygons, "loop_start")
+
+
+def face_sizes(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(f,) int32"""
+    return _indices(mesh.polygons, "loop_total")
+
+
+def triangle_corners(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(m,3) int32; as the next two, of a mesh whose triangles were calculated."""
+    return _indices(mesh.loop_triangles, "loops", 3)
+
+
+def triangle_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(m,3) int32"""
+    return _indices(mesh.loop_triangles, "vertices", 3)
+
+
+def triangle_faces(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(m,) int32"""
+    return _indices(mesh.loop_triangles, "polygon_index")
+
+
+def read_seams(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(e,) bool"""
+    if mesh.is_editmode or not HAS_ATTRIBUTES:
+        return read(mesh.edges, "use_seam", bool)
+    seams = read_attribute(mesh, SEAM, "BOOLEAN", "EDGE")
+    return np.zeros(len(mesh.edges), dtype=bool) if seams is None else seams
+
+
+def write_corner_vertices(mesh: bpy.types.Mesh, vertices: np.ndarray) -> None:
+    """(l,) int32; as all that follow, of a mesh in Object Mode."""
+    if HAS_ATTRIBUTES:
+        mesh.attributes[".corner_vert"].data.foreach_set("value", vertices)
+    else:
+        mesh.loops.foreach_set("vertex_index", vertices.view(np.uint32))
+
+
+def write_faces(mesh: bpy.types.Mesh, starts: np.ndarray, sizes: np.ndarray) -> None:
+    """(f,) int32"""
+    mesh.polygons.foreach_set("loop_start", starts.view(np.uint32))
+    if not HAS_ATTRIBUTES:  # later versions know the sizes from the starts
+        mesh.polygons.foreach_set("loop_total", sizes.view(np.uint32))
+
+
+def write_sharp_edges(mesh: bpy.types.Mesh, sharp: np.ndarray) -> None:
+    """(e,) bool"""
+    if HAS_ATTRIBUTES:
+        found = mesh.attributes.get("sharp_edge") or mesh.attributes.new("sharp_edge", "BOOLEAN", "EDGE")
+        found.data.foreach_set("value", sharp)
+    else:
+        mesh.edges.foreach_set("use_edge_sharp", sharp)
+
+
+def _indices(collection: bpy.types.bpy_prop_collection, name: str, columns: int = 1) -> np.ndarray:
+    return read(collection, name, np.uint32, columns).view(np.int32)
+
+
+def _of_corners(mesh: bpy.types.Mesh, attribute: str, name: str) -> np.ndarray:
+    if mesh.is_editmode or not HAS_ATTRIBUTES or not len(mesh.loops):
+        return _indices(mesh.loops, name)
+    return read(mesh.attributes[attribute].data, "value", np.int32)
+
+
+def faces_at_edges(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(e,) how many faces each edge has."""
+    return np.bincount(corner_edges(mesh), minlength=len(mesh.edges))
+
+
+def next_loops(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(l,) int32, the next corner of its face for each corner."""
+    starts, sizes = face_starts(mesh), face_sizes(mesh)
+    following = np.arange(1, len(mesh.loops) + 1, dtype=np.int32)
+    following[starts + sizes - 1] = starts
+    return following
+
+
+def element_counts(mesh: bpy.types.Mesh) -> dict[str, int]:
+    """By which a report sees that its mesh has changed since."""
+    return {"vertices": len(mesh.vertices), "edges": len(mesh.edges), "faces": len(mesh.polygons)}
+
+
+@contextmanager
+def evaluated_mesh(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[bpy.types.Mesh]:
+    evaluated = source.evaluated_get(depsgraph)
+    try:
+        yield evaluated.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)
+    finally:
+        evaluated.to_mesh_clear()

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Selecting given elements of a mesh in Edit Mode."""
+
+from collections.abc import Sequence
+
+import bpy
+import numpy as np
+
+from ..issues import changed_error, object_error
+from ..pattern.chains import edge_keys
+from .mesh import corner_edges, edge_vertices, face_sizes, read
+from .modes import update_mesh
+from .objects import check_local
+
+Indices = Sequence[int] | np.ndarray  # (k,)
+Pairs = Sequence[tuple[int, int]] | np.ndarray  # (k,2) vertices
+
+
+def select_elements(
+    context: bpy.types.Context,
+    target: bpy.types.Object,
+    vertices: Indices = (),
+    edges: Pairs = (),
+    faces: Indices = (),
+) -> None:
+    """Makes `target` the active object and enters its Edit Mode with these elements selected, and no others.
+
+    edges are vertex pairs; a pair that is no edge of the mesh (the diagonal of a quad) selects its two vertices. The
+    selection mode is the coarsest that can show everything, and the view goes there. Raises ObjectError, with nothing
+    changed, if the object cannot be shown or edited, or has no such elements.
+    """
+    check_local(target, target.data)
+    update_mesh(target)
+    mesh = target.data
+    edge_mask, loose_vertices = _find_edges(mesh, edges)
+    face_mask = _mask(target, mesh.polygons, faces)
+    vertex_mask = _mask(target, mesh.vertices, [*vertices, *loose_vertices])
+    _show(context, target)
+    if context.mode == "EDIT_MESH":
+        bpy.ops.object.mode_set(mode="OBJECT")
+    deselect_all(mesh)
+    context.view_layer.objects.active = target
+    for other in context.selected_objects:
+        other.select_set(other == target)
+    target.select_set(True)
+
+    level = 0 if vertex_mask.any() else 1 if edge_mask.any() else 2
+    context.tool_settings.mesh_select_mode = tuple(level == each for each in range(3))
+
+    loops = _loop_faces(mesh)
+    loop_edges = corner_edges(mesh)
+    edge_mask[loop_edges[face_mask[loops]]] = True
+    vertex_mask[edge_vertices(mesh)[edge_mask].ravel()] = True
+    for elements, mask in ((mesh.vertices, vertex_mask), (mesh.edges, edge_mask), (mesh.polygons, face_mask)):
+        elements.foreach_set("select", mask)
+        hidden = read(elements, "hide", bool)
+        elements.foreach_set("hide", hidden & ~mask)
+    bpy.ops.object.mode_set(mode="EDIT")
+    _frame(context)
+
+
+def _frame(context: bpy.types.Context) -> None:
+    """Moves the 3D view that the button is in, or the largest there is; without a window there is none."""
+    if context.window is None:
+        return
+    areas = [area for area in context.window.screen.areas if area.type == "VIEW_3D"]
+    if not areas:
+        return
+    area = context.area if context.area in areas else max(areas, key=lambda each: each.width * each.height)
+    region = next(region for region in area.regions if region.type == "WINDOW")
+    with context.temp_override(area=area, region=region):
+        bpy.ops.view3d.view_selected()
+
+
+def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:
+    """Only what can be seen can be active and edited."""
+    if target not in context.view_layer.objects.values():
+        raise object_error(
+            "not_in_view_layer",
+            f'"{target.name}" is not in this view layer: it was deleted, or its collection is excluded. '
+            "Tick the collection in the Outliner.",
+        )
+    hidden = target.hide_get()
+    target.hide_set(False)
+    if not target.visible_get():
+        target.hide_set(hidden)
+        raise object_error(
+            "not_visible",
+            f'"{target.name}" is disabled in viewports, or its collection is hidden: show it in the Outliner.',
+        )
+
+
+def _find_edges(mesh: bpy.types.Mesh, pairs: Pairs) -> tuple[np.ndarray, list[int]]:
+    """A mask of the mesh's edges, and the vertices of the pairs that are none."""
+    mask = np.zeros(len(mesh.edges), dtype=bool)
+    if not len(pairs):
+        return mask, []
+    count = len(mesh.vertices)
+    keys, wanted = edge_keys(edge_vertices(mesh), count), edge_keys(pairs, count)
+    mask[np.isin(keys, wanted)] = True
+    missing = np.asarray(pairs)[~np.isin(wanted, keys)]
+    return mask, missing.ravel().tolist()
+
+
+def _loop_faces(mesh: bpy.types.Mesh) -> np.ndarray:
+    """The polygon of each loop."""
+    sizes = face_sizes(mesh)
+    return np.repeat(np.arange(len(sizes)), sizes)
+
+
+def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, indices: Indices) -> np.ndarray:
+    """Raises ObjectError if there are no such ones among the elements of the object's mesh."""
+    wanted, mask = np.asarray(indices, dtype=np.int64), np.zeros(len(elements), dtype=bool)
+    if np.any((wanted < 0) | (wanted >= len(elements))):
+        raise changed_error(target.name)
+    mask[wanted] = True
+    return mask
+
+
+def deselect_all(mesh: bpy.types.Mesh) -> None:
+    """Of a mesh in Object Mode. New elements are selected.
+
+    The attributes themselves go: Blender 5.0 gives that of the edges of new meshes a wrong type, and crashes as soon as
+    it is written or Edit Mode is entered.
+    """
+    for name in (".select_vert", ".select_edge", ".select_poly"):
+        if attribute := mesh.attributes.get(name):
+            mesh.attributes.remove(attribute)

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pieces as the object "<name> Flat" in the collection "WireWarp"."""
+
+import re
+
+import bpy
+import numpy as np
+
+from ..blender.mesh import corner_edges, edge_vertices, write_corner_vertices, write_faces, write_sharp_edges
+from ..blender.selection import deselect_all
+from ..issues import note, warning
+from ..model.marks import EdgeMarks, write_marks
+from ..model.owners import find_flat_object, find_helper_wires, flat_name, helper_name, model_of
+from ..model.wire_names import write_names
+from ..names import PIECE
+from ..pattern.outlines import FlatPieces
+from ..solve.arrays import MeshArrays
+from ..solve.flat_mesh import FlatMarks, FlatMesh, edge_length_variation, flat_marks
+from .maps import write_flat_maps
+from .pieces import FACE_COUNT
+from .places import free_place
+from .read import add_flat_attribute, remember_shape
+
+COLLECTION = "WireWarp"
+OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")  # in a second scene, or beside one of another file
+MATERIAL = "WireWarp Failed Piece"
+RED = (0.8, 0.02, 0.02, 1.0)
+
+
+def write_flat_object(
+    scene: bpy.types.Scene, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays
+) -> tuple[bpy.types.Object, FlatPieces]:
+    """Makes the flat object of `source`, or replaces the data of the one it has. True scale, in its own z = 0 plane.
+
+    Also returns its mesh as arrays: to read them from Blender again takes long.
+    """
+    target = find_flat_object(source)
+    if target is None:
+        name = flat_name(source.name)
+        target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
+        target.wirewarp_source = source
+        target.location = free_place(scene, source, flat.vertices.max(axis=0, initial=0.0))
+    elif _is_shared(target):
+        target.data = bpy.data.meshes.new(target.name)
+    if scene not in target.users_scene:
+        our_collection(scene).objects.link(target)
+    target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
+    target.shape_key_clear()  # of the former vertices, as are groups of them
+    target.vertex_groups.clear()
+    pieces = _write_mesh(target.data, flat, arrays)
+    write_names(target.data, {wire.chain.wire_id: wire.name for wire in arrays.wires})
+    show_failed(target.data, flat.failed)
+    return target, pieces
+
+
+def _is_shared(flat: bpy.types.Object) -> bool:
+    """Whether its mesh must stay as it is: it is another object's too, the model's for one."""
+    model, users = model_of(flat), (each for each in bpy.data.objects if each.data == flat.data)
+    return flat.data.library is not None or any(model_of(user) != model for user in users)
+
+
+def is_true_size(flat: bpy.types.Object) -> bool:
+    """Whether the object is shown as its mesh is, neither scaled nor mirrored."""
+    return np.allclose(flat.matrix_world.to_scale(), 1, rtol=0, atol=1e-5)
+
+
+def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[dict]:
+    """Unhides the object; returns, as notes, why it is still not to be seen in its true size."""
+    target.hide_viewport = False
+    notes = []
+    if target in view_layer.objects.values():
+        target.hide_set(False)
+    if not target.visible_get(view_layer=view_layer):
+        text = f'"{target.name}" is not to be seen: its collection is hidden or excluded. Show it in the Outliner.'
+        notes.append(note(text))
+    if not is_true_size(target):
+        text = f'"{target.name}" is not shown in true size: its parent or a constraint scales it. Its mesh is true.'
+        notes.append(warning(text))
+    return notes
+
+
+def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> FlatPieces:
+    _write_faces(mesh, flat)
+    deselect_all(mesh)  # in Edit Mode L is to take one piece, not one more
+    edges = edge_vertices(mesh)
+    marks = flat_marks(flat, edges, arrays)
+    pieces = FlatPieces(
+        vertices=flat.vertices,
+        source_vertex=flat.source_vertex,
+        loop_vertices=flat.loop_vertices,
+        loop_edges=corner_edges(mesh),
+        face_sizes=flat.polygon_sizes,
+        face_piece=flat.piece,
+        edges=edges,
+        wire_ids=marks.wire_ids,
+        tolerances=marks.tolerances,
+    )
+    _write_attributes(mesh, flat, arrays, edges)
+    _write_marks(mesh, marks)
+    remember_shape(mesh, pieces)
+    return pieces
+
+
+def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
+    """And nothing else: what there was goes."""
+    mesh.clear_geometry()
+    coordinates = np.zeros((len(flat.vertices), 3), dtype=np.float32)
+    coordinates[:, :2] = flat.vertices
+    mesh.vertices.add(len(flat.vertices))
+    mesh.vertices.foreach_set("co", coordinates.ravel())
+    mesh.loops.add(len(flat.loop_vertices))
+    write_corner_vertices(mesh, flat.loop_vertices)
+    mesh.polygons.add(len(flat.polygon_starts))
+    write_faces(mesh, flat.polygon_starts, flat.polygon_sizes)
+    mesh.update(calc_edges=True)
+
+
+def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays, edges: np.ndarray) -> None:
+    add_flat_attribute(mesh, "source_vertex", flat.source_vertex)
+    add_flat_attribute(mesh, "source_corner", flat.source_corner)
+    add_flat_attribute(mesh, "source_face", flat.source_face)
+    add_flat_attribute(mesh, "piece", flat.piece)
+    add_flat_attribute(mesh, PIECE, flat.piece_id)
+    mesh[FACE_COUNT] = len(arrays.polygon_starts)
+    write_flat_maps(mesh, flat, edges, edge_length_variation(flat, edges, arrays))
+
+
+def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
+    """Seams are red in Edit Mode as on the model, and wires, for which Blender has no color, blue as sharp edges."""
+    mesh.edges.foreach_set("use_seam", marks.seams)
+    write_sharp_edges(mesh, marks.wire_ids != 0)
+    write_marks(mesh, EdgeMarks(marks.wire_ids, marks.tolerances))
+
+
+def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
+    """The scene's collection for flat pieces."""
+    for collection in scene.collection.children_recursive:
+        if OUR_NAMES.fullmatch(collection.name) and not (collection.library or collection.override_library):
+            return collection
+    collection = bpy.data.collections.new(COLLECTION)
+    scene.collection.children.link(collection)
+    return collection
+
+
+def show_failed(mesh: bpy.types.Mesh, failed: np.ndarray) -> None:
+    """Gives the faces (f,) bool our material; it is taken off the mesh if there are none. Others' slots stay."""
+    slot = next((i for i, material in enumerate(mesh.materials) if material and material.name == MATERIAL), -1)
+    if not failed.any():
+        if slot >= 0:
+            mesh.materials.pop(index=slot)
+        return
+    if slot < 0:
+        if not mesh.materials:
+            mesh.materials.append(None)  # of the good pieces
+        slot = len(mesh.materials)
+        mesh.materials.append(bpy.data.materials.get(MATERIAL) or _new_material())
+    mesh.polygons.foreach_set("material_index", np.where(failed, slot, 0).astype(np.int32))
+
+
+def _new_material() -> bpy.types.Material:
+    material = bpy.data.materials.new(MATERIAL)
+    material.diffuse_color = RED
+    return material
+
+
+def follow_name(source: bpy.types.Object, earlier: str) -> None:
+    """earlier: what the model was called then. What the user has named otherwise stays."""
+    flat = find_flat_object(source)
+    _rename(find_helper_wires(source), helper_name(earlier), helper_name(source.name))
+    if flat:
+        before = flat.name
+        _rename(flat, flat_name(earlier), flat_name(source.name))
+        _rename(find_helper_wires(flat), helper_name(before), helper_name(flat.name))
+
+
+def _rename(target: bpy.types.Object | None, before: str, now: str) -> None:
+    """With its mesh."""
+    for each in (target, target.data) if target and before != now else ():
+        if each.name == before and each.library is None:
+            each.name = now

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pattern of a model's flat pieces, as they lie in their object; only of pieces that may be cut."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import bpy
+import numpy as np
+
+from ..blender.cache import read_anew
+from ..blender.units import length_text, meters_per_blender_unit
+from ..issues import changed_error, object_error
+from ..model.owners import check_not_edited, find_flat_object, has_flat_object
+from ..model.state import has_changed, shows_modified
+from ..model.wire_names import names_of
+from ..pattern.make import PieceLabel, make_pattern
+from ..pattern.pattern import IMPERIAL, METRIC, Pattern
+from .object import is_true_size
+from .read import has_flat_attributes, has_kept_shape, read_flat_attribute, read_flat_pieces
+from .reports import pieces_report
+
+
+def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: float, failed_too: bool) -> Pattern:
+    """Of a model, in Object Mode. spacing: of notches along seams, in millimeters; failed_too: pieces with errors too.
+
+    Raises ObjectError where there are no pieces, or none that are true.
+    """
+    report, flat = _current_pieces(source)
+    failed = [piece["name"] for piece in report["pieces"] if not piece["ok"]]
+    if failed and not failed_too:
+        raise object_error(
+            "failed_pieces",
+            f"Not to be cut: {', '.join(failed)}. See the report for what is wrong, or choose Failed Pieces to export "
+            "them all the same.",
+        )
+    text, millimeters = length_text(scene), 1000 * meters_per_blender_unit(scene)
+    labels = {
+        piece["index"]: PieceLabel(piece["name"], (piece["name"], text.area(piece["area_2d"])))
+        for piece in report["pieces"]
+        if piece["has_layout"]
+    }
+    seams = [seam["edges"] for seam in report["seams"]]
+    pieces = read_flat_pieces(flat.data, millimeters)
+    wire_ids = np.unique(pieces.wire_ids[pieces.wire_ids != 0]).tolist()
+    names = names_of(source.data, wire_ids) | {wire["wire_id"]: wire["name"] for wire in report["wires"]}
+    ruler = IMPERIAL if scene.unit_settings.system == "IMPERIAL" else METRIC
+    return make_pattern(source.name, pieces, labels, names, seams, spacing, ruler)
+
+
+def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
+    report, flat = pieces_report(source), find_flat_object(source)
+    if report is None or not has_flat_object(source) or "flat_object" not in report:
+        raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')
+    check_not_edited(source)
+    if _has_changed(source, report):
+        raise changed_error(source.name)
+    if _is_edited(flat.data, report):
+        raise object_error(
+            "edited_pieces",
+            f'The pieces in "{flat.name}" were changed by hand, and their lengths are not those of the model any more: '
+            f'flatten "{source.name}" again. Moving and turning whole pieces is fine.',
+        )
+    bpy.context.view_layer.update()
+    if not is_true_size(flat):
+        raise object_error(
+            "scaled_pieces",
+            f'"{flat.name}" or its parent is scaled or mirrored as a whole, and the pattern would not be. Clear the '
+            f'scale (Alt+S), or scale "{source.name}" and flatten again.',
+        )
+    return report, flat
+
+
+def _has_changed(source: bpy.types.Object, report: dict) -> bool:
+    """A model with modifiers may be hidden, and Blender makes nothing of hidden objects: it is shown for a moment."""
+    if not report.get("with_modifiers"):
+        return has_changed(source, report, read_anew)
+    with _shown(source):
+        if source.mode != "OBJECT":
+            raise object_error(
+                "not_visible",
+                f'"{source.name}" has modifiers and is not in Object Mode, so nobody can tell whether they still make '
+                "the mesh that was flattened: leave the mode first.",
+            )
+        if not shows_modified(source):
+            raise object_error(
+                "not_visible",
+                f'"{source.name}" is hidden, so nobody can tell whether its modifiers still make the mesh that was '
+                "flattened: show it in the Outliner.",
+            )
+        return has_changed(source, report, read_anew)
+
+
+@contextmanager
+def _shown(source: bpy.types.Object) -> Iterator[None]:
+    """The object without the hiding that the eye in the Outliner does."""
+    view_layer = bpy.context.view_layer
+    hidden = source in view_layer.objects.values() and source.hide_get()
+    if hidden:
+        source.hide_set(False)
+    view_layer.update()
+    try:
+        yield
+    finally:
+        if hidden:
+            source.hide_set(True)
+
+
+def _is_edited(mesh: bpy.types.Mesh, report: dict) -> bool:
+    """Whether anything but the place of whole pieces is other than it was laid out."""
+    if not has_flat_attributes(mesh, "piece", "source_vertex"):
+        return True
+    pieces = read_flat_attribute(mesh, "piece")
+    faces = [piece["faces"] if piece["has_layout"] else 0 for piece in report["pieces"]]
+    if np.any((pieces < 0) | (pieces >= len(faces))) or np.bincount(pieces, minlength=len(faces)).tolist() != faces:
+        return True
+    return not has_kept_shape(mesh)

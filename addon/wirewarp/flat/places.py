@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where flat pieces lie: at first beside their model, later where the user has put them."""
+
+import json
+from collections.abc import Sequence
+from dataclasses import replace
+
+import bpy
+import numpy as np
+from mathutils import Vector
+
+from ..blender.mesh import corner_vertices, face_sizes, read, read_numbers
+from ..blender.objects import linear_part
+from ..model.owners import is_helper, model_of
+from ..names import PIECE
+from ..pattern.outlines import piece_of_vertices
+from ..solve.flat_mesh import FlatMesh
+from ..solve.identity import PieceIdentity
+from ..solve.places import STAY, LaidOut, Motion, find_places, laid_out, points_of
+from .read import has_flat_attributes, read_flat_attribute
+
+GAP = 0.1  # of the model's largest dimension
+LARGE = 5.0  # times that: a room or a landscape, in which the pieces may lie
+SOLID = {"MESH", "CURVE", "SURFACE", "META"}
+Box = np.ndarray  # (2,3), the lowest and the highest corner
+# Of the report: with other ones the user wants another layout.
+LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "gap", "mirror")
+LAYOUT = "wirewarp_layout"  # of the flat mesh: with which ones it was laid out
+UP = "wirewarp_up"  # of the flat mesh: what was up then
+AWAY = "wirewarp_away"  # of the flat mesh: see LaidOut
+MOST = 2.0**53  # what a float holds as a whole number
+TURNED = 0.999  # cosine of the angle, 2.5 degrees, from which on another direction is up
+TURNED_TEXT = (
+    "The model was turned since its pieces were laid out, and Keep Places leaves them as they stand. To have them "
+    "upright again, select the model and press Lay Out Anew in the panel Pieces."
+)
+
+
+def free_place(scene: bpy.types.Scene, source: bpy.types.Object, size: np.ndarray) -> Vector:
+    """For the lower left corner of pieces of this size (2,) in Blender units.
+
+    Right of the source and of all flat pieces there are, on the level of the source's lowest point.
+    """
+    own, largest = _world_box(source), max(source.dimensions)
+    others = [each for each in scene.objects if each.type in SOLID and each.visible_get() and not is_helper(each)]
+    ours = [each for each in scene.objects if model_of(each)]
+    right = max(_world_box(each)[1, 0] for each in (source, *ours))
+    obstacles = [box for box in map(_world_box, others) if np.ptp(box, axis=0).max() <= LARGE * largest]
+    return Vector(_clear_of(obstacles, np.array([right + GAP * largest, own[0, 1], own[0, 2]]), size, GAP * largest))
+
+
+def _clear_of(obstacles: Sequence[Box], place: np.ndarray, size: np.ndarray, gap: float) -> np.ndarray:
+    """The place (3,), or the next to the right of it where no obstacle rises out of the floor or cuts through it."""
+    for low, high in sorted(obstacles, key=lambda box: box[0, 0]):
+        rises = low[2] <= place[2] + gap and high[2] > place[2]
+        if rises and np.all((low[:2] < place[:2] + size) & (high[:2] > place[:2])):
+            place = np.array([high[0] + gap, *place[1:]])
+    return place
+
+
+def _world_box(target: bpy.types.Object) -> Box:
+    corners = np.array([target.matrix_world @ Vector(corner) for corner in target.bound_box])
+    return np.array([corners.min(axis=0), corners.max(axis=0)])
+
+
+def pieces_in_place(
+    flat: FlatMesh, earlier: bpy.types.Object | None, gap: float
+) -> tuple[FlatMesh, dict[int, Motion], list[int]]:
+    """The pieces where they lie in the flat object `earlier`, if there is one.
+
+    Also how each was moved for it, by its id, and the ids of those that lie elsewhere now because they have grown into
+    others. gap: see find_places.
+    """
+    known = _read(earlier.data) if earlier else None
+    if known is None:
+        return flat, {}, []
+    places = find_places(laid_out(flat), known, gap)
+    vertices = flat.vertices.copy()
+    piece = piece_of_vertices(len(vertices), flat.loop_vertices, flat.polygon_sizes, flat.piece_id)
+    for piece_id, motion in places.motions.items():
+        own = piece == piece_id
+        vertices[own] = motion(vertices[own])
+    return replace(flat, vertices=vertices), places.motions, places.crowded
+
+
+def motions_in_order(motions: dict[int, Motion], identities: Sequence[PieceIdentity]) -> list[Motion]:
+    """One per piece of the result."""
+    return [motions.get(identity.piece_id, STAY) for identity in identities]
+
+
+def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
+    """Whether a run with these options lays out otherwise than the one that made the flat object `earlier`."""
+    return earlier.data.get(LAYOUT) != _layout_text(options)
+
+
+def places_of_absent(
+    flat: FlatMesh, earlier: bpy.types.Object | None, identities: Sequence[PieceIdentity]
+) -> np.ndarray:
+    """(k,4) LaidOut.away: where those of the pieces that have no flat shape now lay in the flat object `earlier`."""
+    present = set(np.unique(flat.piece_id).tolist())
+    absent = [identity.piece_id for identity in identities if identity.piece_id not in present]
+    known = _read(earlier.data) if earlier and absent else None
+    return points_of(known, absent) if known else np.empty((0, 4))
+
+
+def remember_layout(flat: bpy.types.Object, options: dict, up: np.ndarray, away: np.ndarray) -> None:
+    """up (3,): the direction in the model's own space that was up when the pieces were laid out; away: see LaidOut."""
+    flat.data[LAYOUT], flat.data[UP] = _layout_text(options), up.tolist()
+    if len(away):
+        flat.data[AWAY] = away.ravel().tolist()
+    elif AWAY in flat.data:
+        del flat.data[AWAY]
+
+
+def present_up(source: bpy.types.Object) -> np.ndarray:
+    """(3,) of length 1: the direction in the model's own space that is up in the world."""
+    up = linear_part(source)[2]
+    return up / np.linalg.norm(up)
+
+
+def up_when_laid_out(flat: bpy.types.Object, now: np.ndarray) -> np.ndarray:
+    """(3,) as remember_layout was told; what is up now, where there is no such note."""
+    up = read_numbers(flat.data, UP)
+    return up if up is not None and up.shape == (3,) else now
+
+
+def is_turned(up: np.ndarray, then: np.ndarray, options: dict) -> bool:
+    """Whether pieces that stand as the model stood then would stand otherwise if they were laid out anew."""
+    return options["orientation"] == "up" and not float(up @ then) > TURNED
+
+
+def _layout_text(options: dict) -> str:
+    return json.dumps({name: options[name] for name in LAYOUT_OPTIONS})
+
+
+def crowded_text(names: list[str]) -> str:
+    subject = f"{names[0]} has" if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]} have"
+    return f"{subject} grown into other pieces and now {'lies' if len(names) == 1 else 'lie'} beside them."
+
+
+def _read(mesh: bpy.types.Mesh) -> LaidOut | None:
+    """None where the user has left nothing to go by."""
+    places = read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64)
+    if not len(mesh.polygons) or not has_flat_attributes(mesh, "source_vertex", PIECE):
+        return None
+    if not np.isfinite(places).all():
+        return None
+    return LaidOut(
+        vertices=places,
+        source_vertex=read_flat_attribute(mesh, "source_vertex"),
+        loop_vertices=corner_vertices(mesh),
+        face_sizes=face_sizes(mesh),
+        piece_id=read_flat_attribute(mesh, PIECE),
+        away=_read_away(mesh),
+    )
+
+
+def _read_away(mesh: bpy.types.Mesh) -> np.ndarray:
+    numbers = read_numbers(mesh, AWAY)
+    if numbers is None or len(numbers) % 4 or not np.all(np.abs(numbers) < MOST):
+        return np.empty((0, 4))
+    return numbers.reshape(-1, 4).astype(np.float64)

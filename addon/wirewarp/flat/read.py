@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A flat mesh read back: of which elements of the model it is, as arrays, and whether its shape is kept."""
+
+import bpy
+import numpy as np
+
+from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, face_sizes, read, read_attribute, read_numbers
+from ..issues import object_error
+from ..model.marks import read_marks
+from ..model.owners import find_flat_object, has_flat_object
+from ..names import PIECE
+from ..pattern.outlines import FlatPieces, outline_of, signed_areas
+from ..report.elements import FlatSources
+from ..solve.flat_mesh import edge_lengths
+
+DOMAINS = {  # all INT
+    "source_vertex": "POINT",
+    "source_corner": "CORNER",
+    "source_face": "FACE",
+    "piece": "FACE",  # its index in the report
+    PIECE: "FACE",
+}
+FLAT_LENGTH = "flat_length"  # edge attribute
+COUNTS, AREAS = "wirewarp_flat_counts", "wirewarp_flat_areas"  # of the flat mesh
+# Of lengths in single precision, relative to the length and to the largest coordinate: pieces may have been moved.
+LENGTH_ERROR, PLACE_ERROR = 1e-5, 1e-6
+
+
+def add_flat_attribute(mesh: bpy.types.Mesh, name: str, values: np.ndarray) -> None:
+    """To a mesh that has none of this name; values (k,) int32."""
+    mesh.attributes.new(name, "INT", DOMAINS[name]).data.foreach_set("value", values)
+
+
+def read_flat_attribute(mesh: bpy.types.Mesh, name: str) -> np.ndarray | None:
+    """(k,) int32, any numbers; None if it is not there as it was written. Of a mesh that is not in Edit Mode."""
+    return read_attribute(mesh, name, "INT", DOMAINS[name])
+
+
+def has_flat_attributes(mesh: bpy.types.Mesh, *names: str) -> bool:
+    return all(read_flat_attribute(mesh, name) is not None for name in names)
+
+
+def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
+    """Whether it holds flat pieces and nothing else, whatever became of their model. Of one not in Edit Mode."""
+    is_level = not read(mesh.vertices, "co", np.float32, 3)[:, 2].any()
+    return len(mesh.polygons) > 0 and is_level and has_flat_attributes(mesh, *DOMAINS)
+
+
+def read_flat_pieces(mesh: bpy.types.Mesh, scale: float) -> FlatPieces:
+    """In Blender units times `scale`. Of a mesh in Object Mode that has our attributes."""
+    marks = read_marks(mesh)
+    return FlatPieces(
+        vertices=read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64) * scale,
+        source_vertex=read_flat_attribute(mesh, "source_vertex"),
+        loop_vertices=corner_vertices(mesh),
+        loop_edges=corner_edges(mesh),
+        face_sizes=face_sizes(mesh),
+        face_piece=read_flat_attribute(mesh, "piece"),
+        edges=edge_vertices(mesh),
+        wire_ids=marks.wire_ids,
+        tolerances=marks.tolerances,
+    )
+
+
+def no_pieces_sentence(source: bpy.types.Object) -> str:
+    return f'There are no flat pieces to this report: flatten "{source.name}" again.'
+
+
+def flat_sources(source: bpy.types.Object, report: dict) -> tuple[bpy.types.Object, FlatSources]:
+    """The flat object of the model, in Object Mode. Raises ObjectError if there is none to this report."""
+    flat = find_flat_object(source)
+    if (
+        not has_flat_object(source)
+        or "flat_object" not in report
+        or not has_flat_attributes(flat.data, "piece", "source_vertex", "source_face")
+    ):
+        raise object_error("no_flat_pieces", no_pieces_sentence(source))
+    mesh = flat.data
+    return flat, FlatSources(
+        vertices=read_flat_attribute(mesh, "source_vertex"),
+        edges=edge_vertices(mesh),
+        faces=read_flat_attribute(mesh, "source_face"),
+        piece=read_flat_attribute(mesh, "piece"),
+        loop_vertices=corner_vertices(mesh),
+        face_sizes=face_sizes(mesh),
+    )
+
+
+def remember_shape(mesh: bpy.types.Mesh, pieces: FlatPieces) -> None:
+    """Of a flat mesh as it was laid out; pieces: all of it."""
+    lengths = mesh.attributes.new(FLAT_LENGTH, "FLOAT", "EDGE")
+    lengths.data.foreach_set("value", edge_lengths(pieces.vertices, pieces.edges).astype(np.float32))
+    mesh[COUNTS] = _counts(mesh)
+    mesh[AREAS] = _areas(pieces).tolist()
+
+
+def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
+    """Whether no vertex, edge or face is gone or new, no edge longer or shorter, and no piece turned over.
+
+    Of a mesh with the attributes of flat pieces.
+    """
+    laid_out, then = read_attribute(mesh, FLAT_LENGTH, "FLOAT", "EDGE"), read_numbers(mesh, AREAS)
+    if laid_out is None or then is None or not np.array_equal(read_numbers(mesh, COUNTS), _counts(mesh)):
+        return False
+    pieces = read_flat_pieces(mesh, 1.0)
+    now = _areas(pieces)
+    size = float(np.abs(pieces.vertices).max(initial=0))
+    if len(now) != len(then) or np.any(np.abs(now - then) > np.abs(then) + PLACE_ERROR * size**2):
+        return False  # mirrored, the difference is twice the area
+    difference = np.abs(edge_lengths(pieces.vertices, pieces.edges) - laid_out)
+    return bool(np.all(difference <= LENGTH_ERROR * laid_out + PLACE_ERROR * size))
+
+
+def _counts(mesh: bpy.types.Mesh) -> list[int]:
+    return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons)]
+
+
+def _areas(pieces: FlatPieces) -> np.ndarray:
+    """By piece."""
+    return signed_areas(pieces.vertices, outline_of(pieces))

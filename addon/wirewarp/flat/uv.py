@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pieces as the UV layer "WireWarp" of the source mesh."""
+
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+from ..blender.attributes import check_free
+from ..issues import object_error
+from ..names import UV_LAYER, UV_SCALE
+from ..solve.arrays import MeshArrays
+from ..solve.flatten import has_layout
+
+MAX_UV_LAYERS = 8
+
+
+def check_uv_room(target: bpy.types.Object) -> None:
+    """Raises ObjectError where there is no room for our layer."""
+    mesh = target.data
+    if UV_LAYER in mesh.uv_layers:
+        return
+    check_free(target, UV_LAYER, "the map of the pieces")
+    if len(mesh.uv_layers) >= MAX_UV_LAYERS:
+        raise object_error(
+            "no_uv_room",
+            f'Mesh "{mesh.name}" already has {MAX_UV_LAYERS} UV maps, and Blender allows no more: '
+            "delete one under Object Data > UV Maps.",
+        )
+
+
+@dataclass(frozen=True)
+class UvFrame:
+    """The square that becomes the unit square of the map, the same for all pieces."""
+
+    low: np.ndarray  # (2,) its lower left corner
+    scale: float  # Blender units in one UV unit
+
+    def __call__(self, points: np.ndarray) -> np.ndarray:
+        """(...,2) to UV."""
+        uv = points - self.low
+        uv /= self.scale  # in its own place, for new memory is what takes the time
+        return np.clip(uv, 0, 1, out=uv)
+
+
+def write_uv(mesh: bpy.types.Mesh, corner_uv: np.ndarray, arrays: MeshArrays) -> UvFrame:
+    """Writes corner_uv (m,3,2) in Blender units into the unit square. Faces without a layout go to (0,0).
+
+    The scale is kept on the mesh as wirewarp_uv_scale.
+    """
+    loop_uv, frame = loop_coordinates(corner_uv, arrays)
+    layer = mesh.uv_layers.get(UV_LAYER) or mesh.uv_layers.new(name=UV_LAYER, do_init=False)
+    if hasattr(layer, "uv"):  # Blender 3.5 and later
+        layer.uv.foreach_set("vector", loop_uv.ravel())
+    else:
+        layer.data.foreach_set("uv", loop_uv.ravel())
+    mesh.uv_layers.active = layer
+    mesh[UV_SCALE] = frame.scale
+    return frame
+
+
+def loop_coordinates(corner_uv: np.ndarray, arrays: MeshArrays) -> tuple[np.ndarray, UvFrame]:
+    """UVs (l,2) float32 of all loops in the unit square, and what became that."""
+    placed = has_layout(corner_uv)
+    uv = corner_uv if placed.all() else corner_uv[placed]
+    low = np.array([uv[..., 0].min(), uv[..., 1].min()])
+    frame = UvFrame(low, float(max(uv[..., 0].max() - low[0], uv[..., 1].max() - low[1])))
+    loops = arrays.triangle_loops if placed.all() else arrays.triangle_loops[placed]
+    loop_uv = np.zeros((len(arrays.loop_vertices), 2), dtype=np.float32)
+    # The corners that triangles of one quad share lie in one piece, so they write the same numbers. A pair of float32
+    # has the size of one complex number: to put these is faster than to put rows.
+    pairs = frame(uv).reshape(-1, 2).astype(np.float32)
+    loop_uv.view(np.complex64)[loops.ravel(), 0] = pairs.view(np.complex64)[:, 0]
+    return loop_uv, frame

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The two edge attributes that say which edges are wires. They are the only truth about wires.
+
+wirewarp_wire INT: random 31-bit id of the wire, 0 on edges that are no wire.
+wirewarp_tolerance FLOAT: 0 rigid, finite elastic, inf super-elastic.
+"""
+
+import random
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import bmesh
+import bpy
+import numpy as np
+
+from ..blender.attributes import check_attribute
+from ..names import TOLERANCE, WIRE
+
+_EXPECTED = {WIRE: "INT", TOLERANCE: "FLOAT"}
+MAX_ID = 2**31 - 1
+
+
+@dataclass(frozen=True)
+class EdgeMarks:
+    """One entry per edge of the mesh."""
+
+    wire_ids: np.ndarray  # (e,) int32
+    tolerances: np.ndarray  # (e,) float32
+
+
+def new_wire_id() -> int:
+    """Random, so that joined and appended meshes keep their wires apart."""
+    return random.randint(1, MAX_ID)
+
+
+def check_attributes(mesh: bpy.types.Mesh) -> None:
+    """Raises ObjectError if an attribute of our name has another type or domain."""
+    for name, data_type in _EXPECTED.items():
+        check_attribute(mesh, name, data_type, "EDGE")
+
+
+def has_marks(mesh: bpy.types.Mesh) -> bool:
+    """Whether our attributes are there and are ours."""
+    kinds = {name: mesh.attributes[name] for name in _EXPECTED if name in mesh.attributes}
+    ours = all((kind.domain, kind.data_type) == ("EDGE", _EXPECTED[name]) for name, kind in kinds.items())
+    return WIRE in kinds and ours
+
+
+def read_marks(mesh: bpy.types.Mesh) -> EdgeMarks:
+    """The marks of a mesh that is not in Edit Mode."""
+    check_attributes(mesh)
+    marks = EdgeMarks(np.zeros(len(mesh.edges), np.int32), np.zeros(len(mesh.edges), np.float32))
+    if WIRE in mesh.attributes:
+        mesh.attributes[WIRE].data.foreach_get("value", marks.wire_ids)
+    if TOLERANCE in mesh.attributes:
+        mesh.attributes[TOLERANCE].data.foreach_get("value", marks.tolerances)
+    return marks
+
+
+def write_marks(mesh: bpy.types.Mesh, marks: EdgeMarks) -> None:
+    """To a mesh that is not in Edit Mode."""
+    for name, values in ((WIRE, marks.wire_ids), (TOLERANCE, marks.tolerances)):
+        attribute = mesh.attributes.get(name) or mesh.attributes.new(name, _EXPECTED[name], "EDGE")
+        attribute.data.foreach_set("value", values)
+    mesh.update()
+
+
+def wires_on(mesh: bpy.types.Mesh) -> list[int]:
+    """The ids of a mesh that is not in Edit Mode, in its order."""
+    wire_ids = read_marks(mesh).wire_ids
+    return list(dict.fromkeys(wire_ids[wire_ids != 0].tolist()))
+
+
+def edit_layers(mesh: bpy.types.Mesh) -> tuple:
+    """(bmesh, wire layer, tolerance layer) of a mesh in Edit Mode; missing layers are made.
+
+    Making a layer invalidates every edge reference taken before. Attributes of our names are ours: check_attributes.
+    """
+    edit = bmesh.from_edit_mesh(mesh)
+    layers = edit.edges.layers
+    if WIRE not in layers.int:
+        layers.int.new(WIRE)
+    if TOLERANCE not in layers.float:
+        layers.float.new(TOLERANCE)
+    return edit, layers.int[WIRE], layers.float[TOLERANCE]
+
+
+def own_ids(wire_ids: Sequence[int]) -> list[int]:
+    """An id for each wire, its own where it is the first with that: a wire that was copied or cut in two has several.
+
+    The others get the next number that is no wire's; the same ones each time.
+    """
+    taken, own = set(wire_ids), dict[int, None]()
+    for wire_id in wire_ids:
+        free = wire_id
+        while free in own or (free != wire_id and free in taken):
+            free = free % MAX_ID + 1
+        own[free] = None
+    return list(own)

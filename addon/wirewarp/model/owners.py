@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which object is whose: models, their flat pieces, and the helper wires of both.
+
+Scripts and users may have changed both pointers, and converted or exchanged the objects.
+"""
+
+import bpy
+
+from ..blender.objects import name_with
+from ..issues import object_error
+
+DELETED = (
+    'Their model "{}" was deleted: bring it back with Ctrl+Z, or select another one. It stays in the file until its '
+    "pieces are deleted too."
+)
+
+
+def model_of(target: bpy.types.Object) -> bpy.types.Object | None:
+    """The model that these flat pieces were made from; None of what is none."""
+    model = target.wirewarp_source
+    are_meshes = target.type == "MESH" and model is not None and model.type == "MESH"
+    return model if are_meshes and model != target else None
+
+
+def model_or_self(target: bpy.types.Object) -> bpy.types.Object:
+    """The model of flat pieces; any other object itself."""
+    return model_of(target) or target
+
+
+def is_deleted(model: bpy.types.Object) -> bool:
+    """Whether the user has deleted this model of flat pieces; it stays in the file as long as they point to it."""
+    return not model.users_scene
+
+
+def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
+    """The object that remembers `source`: the one with our name first, should the user have copied it."""
+    ours = [candidate for candidate in bpy.data.objects if model_of(candidate) == source]
+    named = [candidate for candidate in ours if candidate.name == flat_name(source.name)]
+    return next(iter(named + ours), None)
+
+
+def flat_name(model_name: str) -> str:
+    return name_with(model_name, " Flat")
+
+
+def helper_name(owner_name: str) -> str:
+    return name_with(owner_name, " Helper Wires")
+
+
+def has_flat_object(source: bpy.types.Object) -> bool:
+    """Whether there are flat pieces that the user has not deleted."""
+    flat = find_flat_object(source)
+    return flat is not None and bool(flat.users_scene)
+
+
+def is_earlier(target: bpy.types.Object) -> bool:
+    """Whether these are flat pieces that the next run leaves as they are: a copy, or parts separated from them."""
+    model = model_of(target)
+    return model is not None and target != find_flat_object(model) and bool(target.users_scene)
+
+
+def earlier_sentence(target: bpy.types.Object) -> str:
+    flat = find_flat_object(model_of(target))
+    return f'"{target.name}" is a copy or a part of earlier pieces: go by "{flat.name}", and delete the others.'
+
+
+def is_helper(target: bpy.types.Object) -> bool:
+    """Whether these are helper wires: edges alone. A surface is the user's."""
+    return target.type == "MESH" and target.wirewarp_helpers_of is not None and not target.data.polygons
+
+
+def find_helper_wires(owner: bpy.types.Object) -> bpy.types.Object | None:
+    """Those of a model or of flat pieces."""
+    candidates = (each for each in bpy.data.objects if each.wirewarp_helpers_of == owner and each != owner)
+    return next(filter(is_helper, candidates), None)
+
+
+def check_not_edited(target: bpy.types.Object) -> None:
+    """Raises ObjectError where the model's or the results' mesh is in Edit Mode: Blender hides its attributes then.
+
+    in_object_mode leaves the Edit Mode of one view layer; other scenes and windows have theirs.
+    """
+    flat = find_flat_object(target)
+    results = [flat, *(find_helper_wires(owner) for owner in (target, flat) if owner)]
+    for each in [target, *filter(None, results)]:
+        if each.data.is_editmode:
+            raise object_error(
+                "edited_elsewhere",
+                f'The mesh "{each.data.name}" is being edited in another scene or view layer: leave Edit Mode there '
+                "first.",
+            )

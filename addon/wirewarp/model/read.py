@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An object's mesh to plain arrays, with its seams, wires and the regions that pieces are named after."""
+
+from dataclasses import replace
+
+import bpy
+import numpy as np
+
+from ..blender.mesh import (
+    corner_vertices,
+    edge_vertices,
+    evaluated_mesh,
+    face_sizes,
+    face_starts,
+    faces_at_edges,
+    read,
+    read_attribute,
+    read_seams,
+    triangle_corners,
+)
+from ..blender.objects import linear_part
+from ..issues import object_error
+from ..pattern.chains import WireChain, chains_of_marks
+from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region
+from .marks import own_ids, read_marks
+from .piece_ids import read_piece_ids
+from .wire_names import chain_names
+
+LARGEST = 1e18  # Blender units
+SAMPLE = 5_000  # faces that are looked at: Blender tells groups vertex by vertex only, which is slow on large meshes
+CARRIED = 0.5  # weight from which on a vertex is in its group
+
+
+def object_to_arrays(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None) -> MeshArrays:
+    """The object's base mesh, or with a depsgraph the mesh that its modifiers make. Raises ObjectError."""
+    linear = linear_part(source)
+    if depsgraph is None:
+        return _mesh_to_arrays(source.data, source, linear)
+    with evaluated_mesh(source, depsgraph) as mesh:
+        return _mesh_to_arrays(mesh, source, linear)
+
+
+def _check_size(source: bpy.types.Object, vertices: np.ndarray) -> None:
+    """Areas must be numbers in single precision. What is no number at all the core names by its vertex."""
+    if LARGEST < np.abs(vertices).max(initial=0) < np.inf:
+        raise object_error(
+            "too_large",
+            f'"{source.name}" is more than {LARGEST:.0e} Blender units wide, too large for true areas: scale it down.',
+        )
+
+
+def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.ndarray) -> MeshArrays:
+    mirrored = bool(np.linalg.det(linear) < 0)
+    mesh.calc_loop_triangles()
+    # A mirrored object's faces still look outward in Blender, but their corners run the other way round.
+    loops = triangle_corners(mesh)
+    if mirrored:
+        loops = np.ascontiguousarray(loops[:, ::-1])
+    loop_vertices = corner_vertices(mesh)
+    vertices = read(mesh.vertices, "co", np.float32, 3).astype(np.float64) @ linear.T
+    _check_size(source, vertices)
+    edges = edge_vertices(mesh)
+    sizes = face_sizes(mesh)
+    face_count = faces_at_edges(mesh)
+    in_face = face_count > 0
+    marks = read_marks(mesh)
+    return MeshArrays(
+        vertices=vertices,
+        triangles=loop_vertices[loops],
+        triangle_loops=loops,
+        # Blender keeps the triangles in the order of their polygons: n - 2 of each.
+        triangle_polygons=np.repeat(np.arange(len(sizes), dtype=np.int32), sizes - 2),
+        loop_vertices=loop_vertices,
+        polygon_starts=face_starts(mesh),
+        polygon_sizes=sizes,
+        edges=edges,
+        seams=edges[read_seams(mesh) & in_face],  # a loose edge cuts nothing
+        outline=edges[face_count == 1],
+        wires=_name_wires(
+            source.data, chains_of_marks(edges, np.where(in_face, marks.wire_ids, 0), marks.tolerances, vertices)
+        ),
+        grain_wire=source.data.wirewarp_grain,
+        piece_ids=read_piece_ids(mesh),
+        regions=face_regions(source, mesh),
+        loose_marks=int(np.count_nonzero(marks.wire_ids[~in_face])),
+        mirrored=mirrored,
+    )
+
+
+def _name_wires(named: bpy.types.Mesh, chains: list[WireChain]) -> list[NamedWire]:
+    """Each with a name and an id of its own."""
+    ids = [chain.wire_id for chain in chains]
+    return [
+        NamedWire(name, replace(chain, wire_id=own), chain.wire_id)
+        for name, own, chain in zip(chain_names(named, ids), own_ids(ids), chains, strict=True)
+    ]
+
+
+def face_regions(source: bpy.types.Object, mesh: bpy.types.Mesh) -> FaceRegions:
+    """Of the mesh, which is the object's own or what its modifiers make of it."""
+    count = len(mesh.polygons)
+    sample = np.arange(0, count, max(1, -(-count // SAMPLE)))
+    return FaceRegions(sample, _groups(source, mesh, sample), _materials(source, mesh, sample))
+
+
+def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
+    """A face is in the groups that all its vertices are in."""
+    if not source.vertex_groups:
+        return []
+    groups_of: dict[int, set[int]] = {}
+    members: list[list[int]] = [[] for _ in source.vertex_groups]
+    for face in sample.tolist():
+        corners = mesh.polygons[face].vertices
+        for vertex in corners:
+            if vertex not in groups_of:
+                elements = mesh.vertices[vertex].groups
+                groups_of[vertex] = {element.group for element in elements if element.weight >= CARRIED}
+        for group in set.intersection(*(groups_of[vertex] for vertex in corners)):
+            if group < len(members):  # a group that was removed may have left weights
+                members[group].append(face)
+    named = zip(source.vertex_groups, members, strict=True)
+    return [Region(group.name, np.array(faces, dtype=np.int64)) for group, faces in named if faces]
+
+
+def _materials(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
+    slots = read_attribute(mesh, "material_index", "INT", "FACE")
+    of_sample = np.zeros(len(sample), dtype=np.int32) if slots is None else slots[sample]
+    materials = [slot.material for slot in source.material_slots]
+    present = [(material, sample[of_sample == index]) for index, material in enumerate(materials) if material]
+    return [Region(material.name, faces) for material, faces in present if len(faces)]

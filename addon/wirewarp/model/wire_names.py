@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Names of wires, kept in a list on the mesh by their ids.
+
+A wire without an entry gets one when the list is next written: a joined mesh's wire the name it had there, others the
+next free number.
+"""
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+
+import bpy
+from bpy.app.handlers import persistent
+
+from .marks import has_marks, wires_on
+
+
+def find_name(mesh: bpy.types.Mesh, wire_id: int) -> bpy.types.PropertyGroup | None:
+    return next((entry for entry in mesh.wirewarp_names if entry.wire_id == wire_id), None)
+
+
+def list_places(mesh: bpy.types.Mesh) -> dict[int, int]:
+    """The place of each id in the list, for sorting."""
+    return {entry.wire_id: place for place, entry in enumerate(mesh.wirewarp_names)}
+
+
+def names_of(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> dict[int, str]:
+    """The name of each id."""
+    present = dict.fromkeys(wire_ids)
+    names = {entry.wire_id: entry.name for entry in mesh.wirewarp_names if entry.wire_id in present}
+    taken = set(names.values())
+    unnamed = [wire_id for wire_id in present if wire_id not in names]
+    brought = _names_elsewhere(mesh, unnamed) if unnamed else {}
+    for wire_id in unnamed:
+        names[wire_id] = _numbered(brought[wire_id], taken) if wire_id in brought else _free_name(taken)
+        taken.add(names[wire_id])
+    return names
+
+
+def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
+    """The name of each wire; where several have one id or one name: Bust, Bust (2) and so on."""
+    names, taken = names_of(mesh, wire_ids), dict[str, None]()
+    for wire_id in wire_ids:
+        taken[_numbered(names[wire_id], taken)] = None
+    return list(taken)
+
+
+def present_names(mesh: bpy.types.Mesh, wires: Iterable[dict]) -> dict[int, str]:
+    """What the wires of a report are called now, by their own ids; none as another, copies as what they are copied of.
+
+    mesh: of the model.
+    """
+    listed = {entry.wire_id: entry.name for entry in mesh.wirewarp_names}
+    names: dict[int, str] = {}
+    taken: set[str] = set()
+    for wire in wires:
+        name = listed.get(wire["wire_id"]) or listed.get(wire["marked_id"]) or wire["name"]
+        names[wire["wire_id"]] = _numbered(name, taken)
+        taken.add(names[wire["wire_id"]])
+    return names
+
+
+def update_names(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> None:
+    """One entry for each of the ids that are on the mesh; entries of vanished wires go."""
+    write_names(mesh, names_of(mesh, wire_ids))
+
+
+def write_names(mesh: bpy.types.Mesh, names: Mapping[int, str]) -> None:
+    """Makes the list say these names of these ids and nothing else; entries keep their places."""
+    for index in reversed(range(len(mesh.wirewarp_names))):
+        if mesh.wirewarp_names[index].wire_id not in names:
+            mesh.wirewarp_names.remove(index)
+    places = list_places(mesh)
+    for wire_id, name in names.items():
+        entry = mesh.wirewarp_names[places[wire_id]] if wire_id in places else mesh.wirewarp_names.add()
+        entry.wire_id, entry.name = wire_id, name
+
+
+def _names_elsewhere(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> dict[int, str]:
+    """Joining keeps one mesh's list of names; the others' meshes are there until the file is saved."""
+    return {
+        entry.wire_id: entry.name
+        for other in bpy.data.meshes
+        if other != mesh
+        for entry in other.wirewarp_names
+        if entry.wire_id in wire_ids
+    }
+
+
+def _numbered(name: str, taken: Collection[str]) -> str:
+    number = 2
+    numbered = name
+    while numbered in taken:
+        numbered = f"{name} ({number})"
+        number += 1
+    return numbered
+
+
+def _free_name(taken: Collection[str]) -> str:
+    number = len(taken) + 1
+    while f"Wire {number}" in taken:
+        number += 1
+    return f"Wire {number}"
+
+
+@persistent
+def _write_names(*_: object) -> None:
+    for mesh in bpy.data.meshes:
+        if mesh.library is None and not mesh.is_editmode and has_marks(mesh):
+            update_names(mesh, wires_on(mesh))
+
+
+def attach() -> None:
+    bpy.app.handlers.save_pre.append(_write_names)
+
+
+def detach() -> None:
+    bpy.app.handlers.save_pre.remove(_write_names)

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The buttons of the report."""
+
+import bpy
+from bpy.props import EnumProperty, IntProperty
+
+from ..blender.mesh import element_counts
+from ..blender.modes import in_object_mode, update_mesh
+from ..blender.objects import check_local
+from ..blender.selection import select_elements
+from ..blender.units import length_text
+from ..blender.views import redraw_views
+from ..flat.read import flat_sources
+from ..flat.reports import last_report, pieces_report
+from ..issues import ObjectError, changed_error, object_error
+from ..model.change import loosen_wires, mark_seams
+from ..model.owners import check_not_edited, model_or_self
+from ..model.state import has_changed, has_moved
+from ..report.csv_table import report_csv
+from ..report.elements import Elements, elements_of, faces_of_piece, on_flat
+from ..words import counted
+
+
+def check_indices(target: bpy.types.Object, report: dict) -> None:
+    """Raises ObjectError if the report's elements are not, or no longer, those of the object's own mesh."""
+    check_local(target, target.data)
+    if report.get("with_modifiers"):
+        raise object_error(
+            "with_modifiers",
+            "The report is of the mesh that modifiers make, not of the one that is marked: flatten without Modifiers.",
+        )
+    update_mesh(target)
+    if "counts" in report and report["counts"] != element_counts(target.data):
+        raise changed_error(target.name)
+
+
+class ReportOperator:
+    """Acts on a report of the active model, or of the model of active flat pieces. Subclasses say how."""
+
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        """Of the chosen item; "" where there is no choice, for Blender to show the class's own sentence."""
+        what = properties.rna_type.properties.get("what")
+        return what.enum_items[properties.what].description if what else ""
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        return active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}
+
+    def report_of(self, source: bpy.types.Object) -> dict | None:
+        """The one that is shown."""
+        return last_report(source)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        source = model_or_self(context.active_object)
+        report = self.report_of(source)
+        try:
+            if report is None:
+                raise object_error("not_flattened", f'"{source.name}" has not been flattened yet: press Flatten first.')
+            return self.act(context, source, report)
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+
+
+class OBJECT_OT_wirewarp_copy_report(ReportOperator, bpy.types.Operator):
+    """Copy all lengths and areas of the report to the clipboard, as a table in the scene's units for spreadsheets"""
+
+    bl_idname = "object.wirewarp_copy_report"
+    bl_label = "Copy as CSV"
+    bl_options = {"REGISTER"}
+
+    def report_of(self, source: bpy.types.Object) -> dict | None:
+        """Of the flat pieces, if there are any."""
+        return pieces_report(source) or last_report(source)
+
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
+        table = report_csv(report, length_text(context.scene))
+        context.window_manager.clipboard = table
+        lines = table.count("\n") - 1
+        if has_changed(source, report):
+            self.report({"WARNING"}, f'{lines} lines copied, of "{source.name}" as it was: it has changed since')
+        else:
+            self.report({"INFO"}, f"{lines} lines copied")
+        return {"FINISHED"}
+
+
+class MESH_OT_wirewarp_select_issues(ReportOperator, bpy.types.Operator):
+    """Select, in Edit Mode, the vertices, edges and faces that the last flattening complained about"""
+
+    bl_idname = "mesh.wirewarp_select_issues"
+    bl_label = "Select Problems"
+
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
+        check_indices(source, report)
+        names = ("vertices", "edges", "faces")
+        elements = {name: [item for issue in report["issues"] for item in issue[name]] for name in names}
+        if not any(elements.values()):
+            self.report({"INFO"}, "The last flattening found nothing wrong with single elements")
+            return {"CANCELLED"}
+        select_elements(context, source, **elements)
+        return {"FINISHED"}
+
+
+class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
+    """Select this part of the report in Edit Mode and show it"""
+
+    bl_idname = "mesh.wirewarp_select_result"
+    bl_label = "Select in Report"
+
+    what: EnumProperty(
+        name="What",
+        description="What to select",
+        items=[
+            ("SEAM", "Seam", "Select and show the seam: on the model, or all its sides if flat pieces are active"),
+            ("WIRE", "Wire", "Select and show the wire: on the model, or on the flat pieces if these are active"),
+            ("OUTLINE", "Open Edge", "Select and show this stretch of outline: on the model, or on active flat pieces"),
+            ("PIECE", "Piece", "Select and show the piece: on the model, or on the flat pieces if these are active"),
+            ("STRETCH", "Largest Stretch", "Select and show where the cloth of this piece must stretch most"),
+            ("EASE", "Largest Ease", "Select and show where the cloth of this piece must be eased in most"),
+            ("ISSUE", "Issue", "Select and show what the sentence is about"),
+            ("HINT", "Hint", "Select and show the place: on the model, or on the flat pieces if these are active"),
+        ],
+        options={"HIDDEN"},
+    )
+    index: IntProperty(name="Index", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
+
+    def report_of(self, source: bpy.types.Object) -> dict | None:
+        """Of the list of pieces, or of all else in the panel."""
+        return (pieces_report if self.what in {"PIECE", "STRETCH", "EASE"} else last_report)(source)
+
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
+        elements = elements_of(report, self.what, self.index)
+        if elements is None:
+            sentence = f'The report of "{source.name}" has no line {self.index + 1} of this kind: choose another.'
+            raise object_error("not_in_report", sentence)
+        # The elements of a mesh with modifiers are to be had on the flat pieces only.
+        wants_flat = context.active_object != source or report.get("with_modifiers")
+        if wants_flat and self._lies_flat(report, elements):
+            with in_object_mode(context):
+                flat, sources = flat_sources(source, report)
+            _select(context, flat, on_flat(elements, sources))
+            return {"FINISHED"}
+        check_indices(source, report)
+        if elements.whole_piece:
+            with in_object_mode(context):
+                _, sources = flat_sources(source, report)
+            elements = Elements(faces=faces_of_piece(elements.piece, sources))
+        _select(context, source, elements)
+        return {"FINISHED"}
+
+    def _lies_flat(self, report: dict, elements: Elements) -> bool:
+        """What failed may be about a piece, or a whole model, that has no flat shape."""
+        if self.what != "ISSUE":
+            return True
+        return elements.piece is not None and report["pieces"][elements.piece]["has_layout"]
+
+
+def _select(context: bpy.types.Context, target: bpy.types.Object, elements: Elements) -> None:
+    select_elements(context, target, elements.vertices, elements.edges, elements.faces)
+
+
+class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
+    """Mend the model as the report proposes"""
+
+    bl_idname = "mesh.wirewarp_take_proposal"
+    bl_label = "Take Proposal"
+
+    what: EnumProperty(
+        name="What",
+        description="What to take from the report",
+        items=[
+            ("SEAMS", "Mark as Seam", "Mark the proposed edges as seams on the model. Then flatten again"),
+            ("TOLERANCES", "Loosen Wires", "Give the named wires the proposed tolerances. Then flatten again"),
+        ],
+        options={"HIDDEN"},
+    )
+    issue: IntProperty(name="Issue", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
+
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
+        edits_others = context.mode == "EDIT_MESH" and source.mode != "EDIT"
+        with in_object_mode(context):
+            count = self._take(source, report)
+        if count == 0:
+            self.report({"INFO"}, "Done already: flatten again")
+            return {"CANCELLED"}
+        if edits_others:
+            bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
+        redraw_views()
+        done = "marked as seam" if self.what == "SEAMS" else "made more elastic"
+        self.report({"INFO"}, f"{counted(count, 'edge')} {done}: flatten again")
+        return {"FINISHED"}
+
+    def _take(self, source: bpy.types.Object, report: dict) -> int:
+        """Returns the number of edges that were changed. Raises ObjectError."""
+        key = "proposed_seams" if self.what == "SEAMS" else "proposed_tolerances"
+        issues = report["issues"]
+        proposed = issues[self.issue][key] if self.issue < len(issues) else None
+        if not proposed:
+            proposal = "seam" if self.what == "SEAMS" else "tolerance"
+            sentence = f'The report of "{source.name}" proposes no {proposal} here: flatten again to see what helps.'
+            raise object_error("not_in_report", sentence)
+        check_not_edited(source)
+        check_indices(source, report)
+        if has_moved(source, report):
+            raise changed_error(source.name)
+        return (mark_seams if self.what == "SEAMS" else loosen_wires)(source.data, proposed)

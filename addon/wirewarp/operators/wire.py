@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The buttons beside one wire."""
+
+import math
+
+import bpy
+from bpy.props import IntProperty, StringProperty
+
+from ..blender.mesh import edge_vertices, read
+from ..blender.modes import hold_whole_file, in_object_mode, update_mesh
+from ..blender.objects import check_local
+from ..blender.selection import select_elements
+from ..issues import ObjectError, object_error
+from ..model.change import change_grain, change_wire, wire_at
+from ..model.mark import OUTLINES_ARE_RIGID
+from ..model.owners import model_of
+from ..model.wires import find_wires, listed_wires
+from ..words import counted
+from .mark import NEEDS_TOLERANCE, WireKind
+
+
+class WireOperator:
+    """Acts on one wire of the active model, in Object Mode. Subclasses say how, and what is to be done on the model."""
+
+    bl_options = {"REGISTER", "UNDO"}
+    on_model = ""
+
+    edge: IntProperty(name="Edge", description="Any edge of the wire, by its index", min=0, options={"HIDDEN"})
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if active is None or active.type != "MESH" or context.mode not in {"OBJECT", "EDIT_MESH"}:
+            return False
+        if model_of(active):
+            cls.poll_message_set(f"These are flat pieces: {cls.on_model} on the model")
+            return False
+        return True
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        target = context.active_object
+        try:
+            check_local(target, target.data)
+            with in_object_mode(context):
+                self.act(target)
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
+    """Change the name, the kind or the tolerance of this wire"""
+
+    bl_idname = "mesh.wirewarp_change_wire"
+    bl_label = "Change Wire"
+    on_model = "change the wire"
+
+    name: StringProperty(name="Name", description="What the wire is called; left empty, it keeps its name")
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        try:
+            self._start_from(context)
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return context.window_manager.invoke_props_dialog(self)
+
+    def _start_from(self, context: bpy.types.Context) -> None:
+        """The settings are those of the wire as it is."""
+        wire = wire_at(context.active_object, self.edge)
+        self.name = next(name for name, each in listed_wires(context.active_object) if self.edge in each.edges)
+        if wire.tolerance == 0:
+            self.kind = "RIGID"
+        else:
+            self.kind = "SUPER_ELASTIC" if math.isinf(wire.tolerance) else "ELASTIC"
+        elastic = self.kind == "ELASTIC"
+        self.tolerance = wire.tolerance if elastic else context.scene.wirewarp.tolerance_percent / 100
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        if self.is_tolerance_missing():
+            self.report({"ERROR"}, NEEDS_TOLERANCE)
+            return {"CANCELLED"}
+        return super().execute(context)
+
+    def act(self, target: bpy.types.Object) -> None:
+        left_out = change_wire(target, self.edge, self.name, self.chosen_tolerance())
+        if left_out:
+            lie = counted(left_out, "edge that lies", "edges that lie")
+            self.report({"WARNING"}, f"Changed, but not {lie} on a seam or outline. {OUTLINES_ARE_RIGID}.")
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        self.layout.use_property_split = True
+        self.layout.prop(self, "name")
+        self.draw_kind(self.layout)
+
+
+class MESH_OT_wirewarp_grain_wire(WireOperator, bpy.types.Operator):
+    """Make this wire the grain wire, which stands upright in the pieces it runs through; again: no longer"""
+
+    bl_idname = "mesh.wirewarp_grain_wire"
+    bl_label = "Grain Wire"
+    on_model = "choose the grain wire"
+
+    def act(self, target: bpy.types.Object) -> None:
+        change_grain(target, self.edge)
+        hold_whole_file()
+
+
+class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
+    """Select this wire's edges in Edit Mode"""
+
+    bl_idname = "mesh.wirewarp_select_wire"
+    bl_label = "Select Whole Wires"
+    bl_options = {"REGISTER", "UNDO"}
+
+    edge: IntProperty(
+        name="Edge",
+        description="Any edge of the wire, by its index; -1: the wires of all selected edges",
+        min=-1,
+        default=-1,
+        options={"HIDDEN"},
+    )
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        return cls.__doc__ if properties.edge >= 0 else "Select all edges of the wires of which an edge is selected"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        return active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        target = context.active_object
+        update_mesh(target)
+        try:
+            rows = wire_at(target, self.edge).edges if self.edge >= 0 else self._rows_of_selected(target)
+            select_elements(context, target, edges=edge_vertices(target.data)[rows])
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+    def _rows_of_selected(self, target: bpy.types.Object) -> list[int]:
+        selected = read(target.data.edges, "select", bool)
+        found = [wire.edges for wire in find_wires(target.data) if selected[wire.edges].any()]
+        if not found:
+            raise object_error("no_wire", "No selected edge is a wire: select an edge of the wire first.")
+        return [row for rows in found for row in rows]

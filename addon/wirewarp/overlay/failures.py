@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the last report complains about, and what would mend it, of one object: arrays, no GPU."""
+
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+from ..blender.mesh import corner_edges, edge_vertices, face_sizes, next_loops, read
+from ..flat.read import has_flat_attributes, read_flat_attribute
+from ..model.owners import model_of
+from ..pattern.chains import edge_keys
+from .gather import gather_triangles, uv_places
+from .objects import current_report
+
+
+@dataclass(frozen=True)
+class Failures:
+    lines: dict[str, np.ndarray]  # (2k,3) float32 for each kind of line: what failed, and what would mend it
+    triangles: np.ndarray  # (3m,3) float32
+
+    @property
+    def kinds(self) -> set[str]:
+        """For the legend. A piece that is closed has no line around it, but its faces are tinted."""
+        return {*self.lines, "failed"} if len(self.triangles) else set(self.lines)
+
+
+@dataclass(frozen=True)
+class _Elements:
+    """Of the object's own mesh."""
+
+    edges: dict[str, np.ndarray]  # (e,) bool for each kind of line that there is
+    faces: np.ndarray  # (f,) polygons
+
+
+def failures(target: bpy.types.Object) -> Failures | None:
+    """On the model, or on its flat pieces. Of an object in Object Mode."""
+    found = _elements(target)
+    if found is None:
+        return None
+    mesh = target.data
+    places, edges = read(mesh.vertices, "co", np.float32, 3), edge_vertices(mesh)
+    triangles = gather_triangles(mesh)
+    failed = triangles.vertices[np.isin(triangles.polygons, found.faces)]
+    lines = {kind: places[edges[mask].ravel()] for kind, mask in found.edges.items()}
+    return Failures(lines, places[failed.ravel()])
+
+
+def uv_failures(model: bpy.types.Object) -> Failures | None:
+    """In the map of the pieces. Of an object in Object Mode."""
+    found = _elements(model)
+    if found is None:
+        return None
+    mesh = model.data
+    places, edge_of_loop, following = uv_places(mesh), corner_edges(mesh), next_loops(mesh)
+    triangles = gather_triangles(mesh)
+    failed = triangles.corners[np.isin(triangles.polygons, found.faces)]
+    lines = {}
+    for kind, mask in found.edges.items():
+        loops = np.flatnonzero(mask[edge_of_loop])
+        lines[kind] = places[np.column_stack([loops, following[loops]]).ravel()]
+    return Failures(lines, places[failed.ravel()])
+
+
+def _elements(target: bpy.types.Object) -> _Elements | None:
+    """None if there are none, or if the report's are not those of this mesh."""
+    report = current_report(target)
+    if report is None or report.get("with_modifiers") or not report["issues"]:
+        return None
+    mesh, source = target.data, np.arange(len(target.data.vertices))
+    if model_of(target):
+        if not has_flat_attributes(mesh, "source_vertex", "source_face"):
+            return None
+        source = read_flat_attribute(mesh, "source_vertex")
+    faces = _failed_faces(mesh, report["issues"])
+    pairs = np.sort(source[edge_vertices(mesh)], axis=1)
+    masks = {
+        "failed": _failed_edges(mesh, pairs, report["issues"], faces),
+        "proposed": _named(pairs, [edge for issue in report["issues"] for edge in issue.get("proposed_seams", [])]),
+    }
+    return _Elements({kind: mask for kind, mask in masks.items() if mask.any()}, faces)
+
+
+def _failed_faces(mesh: bpy.types.Mesh, issues: list[dict]) -> np.ndarray:
+    faces = np.array([face for issue in issues for face in issue["faces"]], dtype=np.int32)
+    source_faces = read_flat_attribute(mesh, "source_face")
+    return faces if source_faces is None else np.flatnonzero(np.isin(source_faces, faces))
+
+
+def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[dict], faces: np.ndarray) -> np.ndarray:
+    """A mask of the edges that are named, of those at vertices that are, and of those around the faces.
+
+    Not of those within: the faces have a color of their own, below which wires and proposed seams are to be seen.
+    """
+    failed = _named(pairs, [edge for issue in issues for edge in issue["edges"]])
+    failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue["vertices"]]).any(axis=1)
+    face_of_corner = np.repeat(np.arange(len(mesh.polygons)), face_sizes(mesh))
+    of_faces = corner_edges(mesh)[np.isin(face_of_corner, faces)]
+    return failed | (np.bincount(of_faces, minlength=len(pairs)) == 1)
+
+
+def _named(pairs: np.ndarray, edges: list) -> np.ndarray:
+    """A mask of those pairs of the model's vertices (e,2) that are among the edges."""
+    wanted = np.array(edges, dtype=np.int64).reshape(-1, 2)
+    count = max(int(pairs.max(initial=0)), int(wanted.max(initial=0))) + 1
+    return np.isin(edge_keys(pairs, count), edge_keys(wanted, count))

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws in a 3D view: surfaces and lines among the objects, names and legend over them."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import bpy
+import gpu
+import numpy as np
+from mathutils import Matrix
+
+from .batches import Layer, blending, draw_colored, draw_failed, draw_lines
+from .screen import MAX_NAMES, PlacedName, write_over
+from .shown import Drawing, drawings, extremes, missing_maps, shown_map
+
+# How much nearer to the eye, of its distance, what lies on a surface is drawn, so that it is not half hidden in it.
+SURFACE_NEARER = 0.0005
+NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
+
+
+def draw_space() -> None:
+    """The handler for POST_VIEW."""
+    context = bpy.context
+    shown = list(drawings(context))
+    if not shown:
+        return
+    with _hidden_by_what_is_in_front(), blending():
+        for drawing in shown:
+            with _placed(context, drawing, SURFACE_NEARER):
+                _draw_surfaces(drawing)
+        unit = context.preferences.system.ui_scale
+        for layer, nearer in NEARER.items():
+            for drawing in shown:
+                with _placed(context, drawing, nearer):
+                    draw_lines(drawing.target, "", drawing.lines, drawing.failures, unit, layer)
+
+
+@contextmanager
+def _hidden_by_what_is_in_front() -> Iterator[None]:
+    """Leaves the state as it was."""
+    before = gpu.state.depth_test_get()
+    gpu.state.depth_test_set("LESS_EQUAL")
+    try:
+        yield
+    finally:
+        gpu.state.depth_test_set(before)
+
+
+@contextmanager
+def _placed(context: bpy.types.Context, drawing: Drawing, nearer: float) -> Iterator[None]:
+    view = context.region_data
+    if view.is_perspective:
+        toward_eye = Matrix.Scale(1 - nearer, 4)
+    else:
+        toward_eye = Matrix.Translation((0, 0, nearer * view.view_distance))
+    with gpu.matrix.push_pop():
+        gpu.matrix.load_matrix(toward_eye @ view.view_matrix @ drawing.target.matrix_world)
+        yield
+
+
+def _draw_surfaces(drawing: Drawing) -> None:
+    if drawing.surface is not None:
+        draw_colored(drawing.target, "surface", drawing.surface)
+    elif drawing.failures is not None and len(drawing.failures.triangles):
+        draw_failed(drawing.target, "failed faces", drawing.failures.triangles)
+
+
+def draw_screen() -> None:
+    """The handler for POST_PIXEL."""
+    context = bpy.context
+    shown = list(drawings(context))
+    if shown:
+        names = (name for drawing in shown for name in _names_in_view(context, drawing))
+        color_map = shown_map(context)
+        write_over(context, shown, names, missing_maps(shown) if color_map else [], color_map, extremes(shown))
+
+
+def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[PlacedName]:
+    """Texts with those of their places that are in the region, on the side of the surface that is seen."""
+    names = drawing.lines.names[:MAX_NAMES] if drawing.lines else []
+    if not names:
+        return
+    matrix, view = drawing.target.matrix_world, context.region_data
+    linear = matrix.to_3x3()
+    places = np.concatenate([name.places for name in names]) @ np.array(linear).T + np.array(matrix.translation)
+    normals = np.concatenate([name.normals for name in names]) @ np.array(linear.inverted_safe())
+    eye = np.array(view.view_matrix.inverted_safe())
+    toward_eye = eye[:3, 3] - places if view.is_perspective else eye[:3, 2]
+    points, seen = _in_region(context, places)
+    seen &= (normals * toward_eye).sum(axis=1) >= 0
+    counts = [len(name.places) for name in names]
+    reach = np.repeat([name.reach for name in names], counts)[:, None] * matrix.median_scale
+    reaches = np.linalg.norm(_in_region(context, places + eye[:3, 0] * reach)[0] - points, axis=1)
+    parts = (np.split(each, np.cumsum(counts)[:-1]) for each in (points, seen, reaches))
+    for name, own, own_seen, own_reaches in zip(names, *parts, strict=True):
+        if own_seen.any():
+            yield PlacedName(name.text, own[own_seen], own_reaches[own_seen][0])
+
+
+def _in_region(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The pixels (n,2) of places (n,3) in the world, and a mask of those that are inside the region."""
+    size = np.array([context.region.width, context.region.height])
+    projected = np.column_stack([places, np.ones(len(places))]) @ np.array(context.region_data.perspective_matrix).T
+    in_front = projected[:, 3] > 0
+    depth = np.where(in_front, projected[:, 3], 1.0)
+    points = (1 + projected[:, :2] / depth[:, None]) / 2 * size
+    return points, in_front & np.all((points >= 0) & (points <= size), axis=1)

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Edges of a mesh: as numbers that can be searched, and put in order as chains."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+# Where an odd number of edges meets, only lines that turn less than this go on.
+STRAIGHT_COSINE = np.cos(np.radians(45.0))
+
+
+def edge_keys(pairs: ArrayLike, count: int) -> np.ndarray:
+    """One number for each pair of vertices, whichever comes first; count: of all vertices."""
+    return np.sort(np.asarray(pairs, dtype=np.int64).reshape(-1, 2), axis=1) @ np.array([count, 1])
+
+
+@dataclass(frozen=True)
+class Chain:
+    """One connected run of edges; a closed run repeats its first vertex."""
+
+    edges: list[int]  # rows of the edge array, in order along the run
+    vertices: list[int]  # one more than edges
+
+
+@dataclass(frozen=True)
+class WireChain:
+    """One run of the edges that carry one id and one tolerance."""
+
+    wire_id: int
+    tolerance: float
+    edges: list[int]  # rows of the edge array, in order along the run
+    vertices: list[int]  # one more than edges
+
+
+def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
+    """Edges (k,2) of vertices positions (n,3) to chains.
+
+    At a vertex of two edges a chain goes on. Where four or more meet, chains go straight on, so that crossing lines
+    stay whole. Where an odd number meets, one edge ends there, and so do lines that are not straight.
+    """
+    following, vertex_of_side = _pair_sides(edges, positions).tolist(), edges.ravel().tolist()
+    used = [False] * len(edges)
+    open_ends = [side for side, next_side in enumerate(following) if next_side < 0]
+    first_sides = range(0, 2 * len(edges), 2)  # what no open end leads to is closed: start anywhere
+    return [
+        _walk(start, vertex_of_side, following, used) for start in [*open_ends, *first_sides] if not used[start // 2]
+    ]
+
+
+def chains_of_marks(
+    edges: np.ndarray, wire_ids: np.ndarray, tolerances: np.ndarray, positions: np.ndarray
+) -> list[WireChain]:
+    """All marked edges (id not 0) as wires: one id and one tolerance a wire, one wire for each run of its edges."""
+    marked = np.flatnonzero(wire_ids)
+    kinds, kind_of_edge = np.unique(tolerances[marked], return_inverse=True)
+    doubles = [shortest_double(tolerance) for tolerance in kinds]
+    groups: dict[tuple[int, float], list[int]] = {}
+    for edge, wire_id, kind in zip(marked.tolist(), wire_ids[marked].tolist(), kind_of_edge.tolist(), strict=True):
+        groups.setdefault((wire_id, doubles[kind]), []).append(edge)
+    return [
+        WireChain(wire_id, tolerance, [members[edge] for edge in chain.edges], chain.vertices)
+        for (wire_id, tolerance), members in groups.items()
+        for chain in split_into_chains(edges[members], positions)
+    ]
+
+
+def shortest_double(value: np.float32) -> float:
+    """The float32 0.03 as the double 0.03, not 0.029999999329: what the user wrote."""
+    number = float(str(np.float32(value)))
+    return math.nan if math.isnan(number) else number  # one and the same object, or no two edges are of one wire
+
+
+def _pair_sides(edges: np.ndarray, positions: np.ndarray) -> np.ndarray:
+    """For each side 2e+s (edge e at its vertex edges[e,s]) the side its chain goes on with, -1 where it ends."""
+    vertex_of_side = edges.ravel()
+    following = np.full(len(vertex_of_side), -1, dtype=np.int64)
+    order = np.argsort(vertex_of_side, kind="stable")
+    starts = np.flatnonzero(np.diff(vertex_of_side[order], prepend=-1))
+    counts = np.diff(starts, append=len(order))
+    twos = starts[counts == 2]
+    following[order[twos]] = order[twos + 1]
+    following[order[twos + 1]] = order[twos]
+    for start, count in zip(starts[counts > 2].tolist(), counts[counts > 2].tolist(), strict=True):
+        for side, other in _straightest_pairs(order[start : start + count], edges, positions):
+            following[side], following[other] = other, side
+    return following
+
+
+def _straightest_pairs(sides: np.ndarray, edges: np.ndarray, positions: np.ndarray) -> list[tuple[int, int]]:
+    """Pairs of edge sides at one vertex, the straightest first; an odd one is left over."""
+    here, there = edges.ravel()[sides], edges.ravel()[sides ^ 1]
+    directions = positions[there] - positions[here]
+    directions = directions / np.maximum(np.linalg.norm(directions, axis=1), np.finfo(float).tiny)[:, None]
+    straightness = -directions @ directions.T  # cosine of the turning angle
+    limit = STRAIGHT_COSINE if len(sides) % 2 else -np.inf
+    rows, columns = np.triu_indices(len(sides), 1)
+    free = np.ones(len(sides), dtype=bool)
+    pairs = []
+    for k in np.argsort(-straightness[rows, columns], kind="stable"):
+        i, j = rows[k], columns[k]
+        if free[i] and free[j] and straightness[i, j] > limit:
+            free[[i, j]] = False
+            pairs.append((int(sides[i]), int(sides[j])))
+    return pairs
+
+
+def _walk(start: int, vertex_of_side: list[int], following: list[int], used: list[bool]) -> Chain:
+    """From the side `start` until the chain ends or closes."""
+    chain = Chain([], [vertex_of_side[start]])
+    side = start
+    while side >= 0 and not used[side // 2]:
+        used[side // 2] = True
+        chain.edges.append(side // 2)
+        chain.vertices.append(vertex_of_side[side ^ 1])
+        side = following[side ^ 1]
+    return chain

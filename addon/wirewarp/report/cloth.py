@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How far cloth must stretch or be eased in, and whether any cloth can.
+
+All shares are of the flat length: a stretch of 0.1 is cloth drawn out by a tenth in the direction where that is most,
+an ease of 0.1 is cloth taken in by a tenth.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..pattern.chains import edge_keys
+from ..solve.arrays import MeshArrays
+
+# Of the aspect ratio. A plain limit, not one of a certain cloth: by more than a quarter hardly any stretches or eases.
+CLOTH_LIMIT = 1.25
+# From which share on a dart is worth a thought: pieces are cut beyond it too, but no longer lie on the model without
+# being pulled. A plain limit for cloth of which nothing is known; what gives more, like neoprene, needs no dart there.
+STRAIN_LIMIT = 0.08
+LESSER = 0.5  # of stretch and ease, the lesser is worth words from this share of the greater
+
+
+def aspect_ratio(piece: dict) -> float:
+    """Of the worst face of a piece with a layout: max(σ1, 1/σ2), inf for a face without area."""
+    ratio = piece["aspect_ratio_max"]
+    return math.inf if ratio is None else ratio
+
+
+def is_strained(piece: dict) -> bool:
+    """A good piece beyond what cloth can follow."""
+    return piece["ok"] and aspect_ratio(piece) > CLOTH_LIMIT
+
+
+def strained_pieces(report: dict) -> list[dict]:
+    """Worst first."""
+    beyond = [piece for piece in report["pieces"] if is_strained(piece)]
+    return sorted(beyond, key=aspect_ratio, reverse=True)
+
+
+def strain_text(name: str, piece: dict) -> str:
+    """The sentence of one such piece, called by this name."""
+    words = strain_words(largest(piece["stretch_max"]), largest(piece["ease_max"]))
+    return f"Lengths kept, but {name} must {words}: a seam or a dart there would relieve it"
+
+
+def ready_text(pieces: list[dict]) -> str:
+    """The verdict on good pieces that are not beyond cloth: from which cloth they may be cut."""
+    strain = max(largest(piece[name]) for piece in pieces for name in ("stretch_max", "ease_max"))
+    return f"Ready to cut from cloth that gives {percent_text(strain)}" if strain > STRAIN_LIMIT else "Ready to cut"
+
+
+def strain_words(stretch: float, ease: float) -> str:
+    """What cloth must do, of shares of its flat length: "stretch up to 12 % and ease in up to 9 %"."""
+    if math.isinf(stretch):
+        return "stretch more than any cloth can"
+    worth = _worth_words([("stretch", stretch), ("ease in", ease)])
+    return " and ".join(f"{verb} up to {percent_text(share)}" for verb, share in worth)
+
+
+def strain_figures(stretch: float, ease: float) -> str:
+    """The same in short: "stretch 12 %, ease 9 %"."""
+    worth = _worth_words([("stretch", stretch), ("ease", ease)])
+    return ", ".join(f"{noun} {percent_text(share)}" for noun, share in worth)
+
+
+def _worth_words(strains: list[tuple[str, float]]) -> list[tuple[str, float]]:
+    """The greater, and the lesser where it is not much less."""
+    greatest = max(share for _, share in strains)
+    return [(word, share) for word, share in strains if share >= LESSER * greatest]
+
+
+def percent_text(share: float) -> str:
+    if math.isinf(share):
+        return "beyond measure"
+    return f"{100 * share:.0f} %" if share >= 0.0995 else f"{100 * share:.1f} %"
+
+
+def largest(share: float | None) -> float:
+    """A stretch or ease of the report, where JSON has no infinity."""
+    return math.inf if share is None else share
+
+
+@dataclass(frozen=True)
+class PieceStrain:
+    """Per triangle of a piece with a layout."""
+
+    stretch: np.ndarray  # (q,) at least 0; inf where the flat triangle has no area
+    ease: np.ndarray  # (q,) from 0 to 1
+
+
+def piece_strain(piece: Any, arrays: MeshArrays) -> PieceStrain:  # noqa: ANN401
+    """From the principal stretches of the map from flat to model, the singular values of its gradient."""
+    flat = np.asarray(piece.vertices)[piece.faces]
+    model = arrays.vertices[arrays.triangles[piece.source_face]]
+    a, b = (flat[:, k] - flat[:, 0] for k in (1, 2))
+    p, q = (model[:, k] - model[:, 0] for k in (1, 2))
+    determinant = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        x = (p * b[:, 1:] - q * a[:, 1:]) / determinant[:, None]  # where the model goes as the flat goes along x
+        y = (q * a[:, :1] - p * b[:, :1]) / determinant[:, None]
+        xx, xy, yy = ((u * v).sum(axis=1) for u, v in ((x, x), (x, y), (y, y)))
+        middle, spread = (xx + yy) / 2, np.hypot((xx - yy) / 2, xy)
+        longest, shortest = np.sqrt(middle + spread), np.sqrt(np.maximum(middle - spread, 0))
+    squeezed = determinant == 0
+    return PieceStrain(
+        stretch=np.where(squeezed, np.inf, np.maximum(longest - 1, 0)),
+        ease=np.where(squeezed, 0, np.maximum(1 - shortest, 0)),
+    )
+
+
+def triangles_around(piece: Any, triangle: int) -> np.ndarray:  # noqa: ANN401
+    """The triangles (k,) of a piece that share a vertex with one of them, itself included."""
+    return np.flatnonzero(np.isin(piece.faces, piece.faces[triangle]).any(axis=1))
+
+
+def connected_regions(piece: Any, members: np.ndarray) -> list[np.ndarray]:  # noqa: ANN401
+    """The triangles of the mask members (q,) in groups that hang together by edges of the piece."""
+    triangles = np.flatnonzero(members)
+    neighbors = _neighbors(np.asarray(piece.faces)[triangles], len(piece.vertices))
+    labels = np.arange(len(triangles))
+    while True:  # each takes the lowest label around; following labels to theirs takes long ways in few rounds
+        lowest = np.minimum(labels, labels[neighbors].min(axis=1))
+        lowest = lowest[lowest]
+        if np.array_equal(lowest, labels):
+            break
+        labels = lowest
+    order = np.argsort(labels, kind="stable")
+    starts = np.flatnonzero(np.diff(labels[order], prepend=-1))
+    return [triangles[group] for group in np.split(order, starts[1:])] if len(triangles) else []
+
+
+def _neighbors(faces: np.ndarray, vertex_count: int) -> np.ndarray:
+    """(t,3) the triangle across each side, itself where there is none; faces (t,3)."""
+    keys = edge_keys(faces[:, [0, 1, 1, 2, 2, 0]], vertex_count)
+    sides = np.argsort(keys, kind="stable")
+    pairs = np.flatnonzero(keys[sides][1:] == keys[sides][:-1])
+    owner = np.arange(len(keys)) // 3
+    across = owner.copy()
+    first, second = sides[pairs], sides[pairs + 1]
+    across[first], across[second] = owner[second], owner[first]
+    return across.reshape(-1, 3)

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From models as read to results as they will be written. No Blender in here, so that it may run in a thread."""
+
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from types import ModuleType
+from typing import Any
+
+from ..issues import Issue, ObjectError, warning
+from ..report.hints import torn_hints
+from ..report.report import failure_report, object_report
+from ..solve.arrays import INWARD, MeshArrays, faces_inward
+from ..solve.flat_mesh import FlatMesh, flat_mesh
+from ..solve.flatten import FlattenChoices, Progress, flatten_arrays, has_layout, used_choices
+from ..solve.identity import KnownPieces, PieceIdentity, identify_pieces
+from ..solve.sentences import plain_sentence
+from ..words import LengthText
+
+
+class CancelledError(Exception):
+    """The user wants no result."""
+
+
+@dataclass(frozen=True)
+class Model:
+    """One object as read, by its name: the object itself may be gone before the results are there."""
+
+    name: str  # with the library's, Object.name_full
+    facts: dict  # what its report begins with: names and numbers of elements
+    state: dict | None  # see model_state; None if it could not be read
+    notes: list[dict]
+    units: LengthText  # for sentences
+    arrays: MeshArrays | None = None
+    known: KnownPieces | None = None
+    solved: Any = None  # wirewarp.Cache, the pieces of the last run
+    issue: Issue | None = None  # why it cannot be flattened
+
+
+@dataclass
+class Outcome:
+    """What became of one model; without a result it could not be flattened at all."""
+
+    model: Model
+    report: dict
+    result: Any = None
+    identities: Sequence[PieceIdentity] = ()
+    pieces: FlatMesh | None = None  # None: there is no layout to write
+
+
+Solver = Callable[[Progress], list[Outcome]]
+
+
+def solve_models(
+    library: ModuleType, models: list[Model], choices: FlattenChoices, meters: float, progress: Progress
+) -> list[Outcome]:
+    """Flattens every model; meters: in a Blender unit. Raises CancelledError if progress returned False."""
+    outcomes = []
+    for index, model in enumerate(models):
+        share = _Share(progress, index, len(models))
+        outcome = _solve(library, model, choices, meters, share)
+        if share.cancelled:
+            raise CancelledError
+        outcomes.append(outcome)
+    return outcomes
+
+
+def failed_report(model: Model, issue: Issue) -> dict:
+    """The report of a model that was not flattened."""
+    return model.facts | failure_report(issue) | {"model_state": model.state}
+
+
+def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: float, progress: Progress) -> Outcome:
+    try:
+        if model.issue:
+            raise ObjectError(model.issue)
+        result = flatten_arrays(library, model.arrays, choices, progress, model.solved)
+    except ObjectError as error:
+        outcome = Outcome(model, failed_report(model, error.issue))
+    else:
+        outcome = _outcome(model, result, meters)
+    used = used_choices(choices, model.arrays) if model.arrays else choices
+    outcome.report["options"] = asdict(used) | {"grain_wire": model.arrays.grain_wire if model.arrays else 0}
+    outcome.report["notes"] += model.notes
+    if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored, they are as seen from outside
+        outcome.report["notes"].append(warning(INWARD))
+    torn = torn_hints(model.arrays) if model.arrays else []
+    outcome.report["hints"] += [dict(vars(hint)) for hint in torn]
+    for issue in outcome.report["issues"]:
+        issue["sentence"] = plain_sentence(issue["sentence"], model.units)
+    return outcome
+
+
+def _outcome(model: Model, result: Any, meters: float) -> Outcome:  # noqa: ANN401
+    identities = identify_pieces(result, model.arrays, model.known, model.facts["object"])
+    report = object_report(result, model.arrays, identities, meters)
+    any_layout = bool(has_layout(result.corner_uv).any())
+    pieces = flat_mesh(result, model.arrays, identities) if any_layout else None
+    return Outcome(model, model.facts | report | {"model_state": model.state}, result, identities, pieces)
+
+
+class _Share:
+    """The library's progress of one model as a part of the whole."""
+
+    def __init__(self, progress: Progress, index: int, count: int) -> None:
+        self._progress, self._index, self._count = progress, index, count
+        self.cancelled = False
+
+    def __call__(self, stage: str, fraction: float) -> bool:
+        if not self._progress(stage, (self._index + fraction) / self._count):
+            self.cancelled = True
+        return not self.cancelled
+
+
+class SolveThread:
+    """Begins at once. Whoever makes one must wait for its end, by join() or result()."""
+
+    def __init__(self, solve: Solver) -> None:
+        self.fraction = 0.0  # of the whole, from 0 to 1
+        self._solve = solve
+        self._cancelled = threading.Event()
+        self._outcomes: list[Outcome] = []
+        self._error: BaseException | None = None
+        self._thread = threading.Thread(target=self._work, name="WireWarp")
+        self._thread.start()
+
+    @property
+    def cancelled(self) -> bool:
+        return self._cancelled.is_set()
+
+    def cancel(self) -> None:
+        """Takes effect the next time the core tells of its progress."""
+        self._cancelled.set()
+
+    def is_done(self) -> bool:
+        return not self._thread.is_alive()
+
+    def join(self) -> None:
+        self._thread.join()
+
+    def result(self) -> list[Outcome]:
+        """Raises CancelledError after cancel(), even if all was done by then, and what the solver raised."""
+        self.join()
+        if self.cancelled:
+            raise CancelledError
+        if self._error is not None:
+            raise self._error
+        return self._outcomes
+
+    def _work(self) -> None:
+        try:
+            self._outcomes = self._solve(self._progress)
+        except BaseException as error:  # noqa: BLE001  result() raises it where somebody hears it
+            self._error = error
+
+    def _progress(self, _stage: str, fraction: float) -> bool:
+        self.fraction = fraction
+        return not self.cancelled

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Objects in Object Mode to models that can be solved without Blender; and whether they are still the same."""
+
+from typing import Any, Protocol
+
+import bpy
+import numpy as np
+from bpy.app.handlers import persistent
+
+from .. import core
+from ..blender.cache import read_anew
+from ..blender.mesh import element_counts
+from ..blender.units import length_text
+from ..flat.pieces import known_pieces
+from ..flat.reports import flattened_name
+from ..issues import ObjectError, object_error
+from ..model.modifiers import left_out
+from ..model.owners import find_flat_object
+from ..model.read import object_to_arrays
+from ..model.state import has_changed, model_state
+from ..words import LengthText, quoted
+from .models import Model
+from .targets import check_target
+
+_caches: dict[str, Any] = {}  # wirewarp.Cache by the object's full name
+
+
+class RunSettings(Protocol):
+    """What of the panel's or the operator's settings reading and writing ask for."""
+
+    use_modifiers: bool
+    maps_on_model: bool
+    keep_places: bool
+    helper_wires: bool
+    piece_texts: bool
+
+
+def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], settings: RunSettings) -> list[Model]:
+    """What cannot be flattened becomes a model with an issue."""
+    depsgraph = _updated_depsgraph(context, settings)
+    units = length_text(context.scene)
+    return [_read(source, depsgraph, units, settings) for source in sources]
+
+
+def find_source(model: Model) -> bpy.types.Object | None:
+    """The object that the model was read from; None if it is gone or has another name."""
+    return next((candidate for candidate in bpy.data.objects if candidate.name_full == model.name), None)
+
+
+def check_current(context: bpy.types.Context, models: list[Model], settings: RunSettings) -> None:
+    """Raises ObjectError if an object is no longer as it was read, or may not be written any more, in Object Mode."""
+    depsgraph = _updated_depsgraph(context, settings)
+    changed = [model.facts["object"] for model in models if not _is_current(model, depsgraph)]
+    if changed:
+        sentence = f"{quoted(changed)} changed while it was flattened, nothing was written: flatten again."
+        raise object_error("changed", sentence)
+    for model in models:
+        if model.issue is None:
+            _check(find_source(model), settings)
+
+
+def _check(source: bpy.types.Object, settings: RunSettings) -> None:
+    check_target(source, writes_model=not settings.use_modifiers, writes_maps=settings.maps_on_model)
+
+
+def _is_current(model: Model, depsgraph: bpy.types.Depsgraph | None) -> bool:
+    source = find_source(model)
+    if source is None or source.type != "MESH" or has_changed(source, {"model_state": model.state}, read_anew):
+        return False
+    if depsgraph is None or model.arrays is None:
+        return True
+    arrays = object_to_arrays(source, depsgraph)
+    return np.array_equal(arrays.vertices, model.arrays.vertices) and np.array_equal(arrays.edges, model.arrays.edges)
+
+
+def _updated_depsgraph(context: bpy.types.Context, settings: RunSettings) -> bpy.types.Depsgraph | None:
+    """None where modifiers do not matter."""
+    context.view_layer.update()
+    return context.evaluated_depsgraph_get() if settings.use_modifiers else None
+
+
+def _read(
+    source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None, units: LengthText, settings: RunSettings
+) -> Model:
+    use_modifiers = settings.use_modifiers
+    names = {"object": source.name, "mesh": source.data.name, "with_modifiers": use_modifiers}
+    facts = names | {"counts": element_counts(source.data)}
+    arrays = known = state = solved = issue = None
+    try:
+        _check(source, settings)
+        arrays = object_to_arrays(source, depsgraph)
+        # Results with modifiers are not written to the model, and of objects that share a mesh the last one's are on
+        # it: only the flat pieces know this object's last ids.
+        asks_flat_pieces = use_modifiers or source.data.users > 1
+        flat = find_flat_object(source) if asks_flat_pieces else None
+        known = known_pieces(source, arrays, flat, flattened_name(source))
+        state = model_state(source, None if use_modifiers else arrays)
+        solved = solved_pieces(source)
+    except ObjectError as error:
+        issue = error.issue
+    notes = left_out(source, arrays, use_modifiers)
+    return Model(source.name_full, facts, state, notes, units, arrays, known, solved, issue)
+
+
+def solved_pieces(source: bpy.types.Object) -> Any:  # noqa: ANN401
+    """The object's wirewarp.Cache. It may be used in a thread; what does not fit is not taken from it."""
+    gone = _caches.keys() - {each.name_full for each in bpy.data.objects}
+    for name in gone:
+        del _caches[name]
+    return _caches.setdefault(source.name_full, core.library().Cache())
+
+
+@persistent
+def _forget(*_: object) -> None:
+    _caches.clear()
+
+
+def attach() -> None:
+    bpy.app.handlers.load_post.append(_forget)
+
+
+def detach() -> None:
+    bpy.app.handlers.load_post.remove(_forget)
+    _forget()

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which objects a command works on, and whether their data may be written."""
+
+import bpy
+import numpy as np
+
+from ..blender.objects import check_local, linear_part, metric
+from ..flat.maps import check_map_room
+from ..flat.read import is_flat_mesh
+from ..flat.uv import check_uv_room
+from ..issues import Issue, ObjectError, object_error
+from ..model.marks import check_attributes
+from ..model.owners import DELETED, check_not_edited, is_deleted, is_helper, model_of
+from ..model.piece_ids import check_piece_room
+
+CONVERTIBLE = {"CURVE", "SURFACE", "META", "FONT"}
+
+
+def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
+    """Every selected mesh and every mesh in Edit Mode, flat pieces and helper wires of ours left out."""
+    edited = list(context.objects_in_mode) if context.mode == "EDIT_MESH" else []
+    return list(filter(_is_model, dict.fromkeys([*edited, *context.selected_objects])))
+
+
+def active_target(context: bpy.types.Context) -> list[bpy.types.Object]:
+    """The active object alone, if it is a mesh to flatten and can be seen."""
+    active = context.view_layer.objects.active
+    return [active] if active and active.visible_get() and _is_model(active) else []
+
+
+def _is_model(target: bpy.types.Object) -> bool:
+    return target.type == "MESH" and model_of(target) is None and not is_helper(target)
+
+
+def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Object]) -> str:
+    """Why nothing can be flattened, as a sentence; empty if it can."""
+    if context.scene.library:
+        return (
+            f'Nothing to flatten: the scene "{context.scene.name}" is linked from another file, and no flat pieces can '
+            "be put into it. Link the model into a scene of this file."
+        )
+    if sources:
+        return ""
+    active = context.view_layer.objects.active
+    if active and active.type == "MESH" and not active.visible_get():
+        return f'Nothing to flatten: "{active.name}" is hidden. Show it in the Outliner and select it.'
+    models = [model for model in map(model_of, context.selected_objects) if model]
+    if models and all(map(is_deleted, models)):
+        return f"Nothing to flatten: these are flat pieces. {DELETED.format(models[0].name)}"
+    if active and active.select_get() and active.type in CONVERTIBLE:
+        return f'Nothing to flatten: "{active.name}" is no mesh. Object > Convert > Mesh makes it one.'
+    if models:
+        return "Nothing to flatten: flat pieces are not flattened again. Select the model."
+    return "Nothing to flatten: select a mesh object."
+
+
+def check_target(target: bpy.types.Object, writes_model: bool, writes_maps: bool) -> None:
+    """Raises ObjectError if the results cannot be written. writes_model: to the base mesh too; writes_maps: and these.
+
+    All that can refuse is asked here, before the first of them is written. Of an object in Object Mode.
+    """
+    linear_part(target)
+    check_not_edited(target)
+    if is_flat_mesh(target.data):
+        raise object_error(
+            "flat_pieces",
+            f'"{target.name}" holds flat pieces, and their model was deleted: bring it back, or select another one. To '
+            'flatten them as they are, delete the attribute "source_vertex" under Object Data > Attributes.',
+        )
+    check_local(target, target)
+    if writes_model:
+        check_local(target, target.data)
+    check_attributes(target.data)
+    if writes_model:
+        check_piece_room(target)
+        check_uv_room(target)
+        _check_users(target)
+    if writes_model and writes_maps:
+        check_map_room(target)
+
+
+def _check_users(target: bpy.types.Object) -> None:
+    """One UV layer cannot be true for objects of different scale."""
+    own = metric(target)
+    for other in bpy.data.objects:
+        shares = other.data == target.data and other.users_scene  # what is in no scene has no true scale
+        if shares and not np.allclose(metric(other), own, rtol=1e-5, atol=1e-5 * np.abs(own).max()):
+            sentence = (
+                f'"{target.name}" and "{other.name}" share the mesh "{target.data.name}" but differ in scale, or one '
+                "is mirrored, and one UV map cannot be true for both: use Object > Relations > Make Single User > "
+                "Object & Data."
+            )
+            raise ObjectError(Issue("multi_user_scale", sentence))

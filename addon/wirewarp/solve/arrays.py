@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A mesh as arrays, with its seams, wires and regions."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..pattern.chains import WireChain
+
+ALL_ROUND = 0.3  # of the area: by so much at most may one side outweigh the others, or in and out are not told apart
+INWARD = (
+    "The faces point inward, so that the pieces are drawn as seen from inside. "
+    "In Edit Mode: Mesh > Normals > Recalculate Outside. Then flatten again."
+)
+
+
+@dataclass(frozen=True)
+class Region:
+    name: str
+    faces: np.ndarray  # (k,) int64, faces of the sample
+
+
+@dataclass(frozen=True)
+class FaceRegions:
+    sample: np.ndarray  # (s,) int64: faces of which the regions are known
+    groups: list[Region]
+    materials: list[Region]
+
+
+@dataclass(frozen=True)
+class NamedWire:
+    name: str
+    chain: WireChain  # with an id that no other wire has
+    marked_id: int  # the id that its edges carry: a wire that was copied shares it with its copies
+
+
+@dataclass(frozen=True)
+class MeshArrays:
+    """Indices are Blender's. Triangles are wound so that the surface is seen from outside, mirrored objects' too."""
+
+    vertices: np.ndarray  # (n,3) float64, Blender units, the object's rotation, scale and shear applied
+    triangles: np.ndarray  # (m,3) int32, as Blender shows the faces
+    triangle_loops: np.ndarray  # (m,3) int32, the loop at each corner
+    triangle_polygons: np.ndarray  # (m,) int32, ascending
+    loop_vertices: np.ndarray  # (l,) int32
+    polygon_starts: np.ndarray  # (f,) int32, first loop of each polygon
+    polygon_sizes: np.ndarray  # (f,) int32
+    edges: np.ndarray  # (e,2) int32
+    seams: np.ndarray  # (k,2) int32
+    outline: np.ndarray  # (k,2) int32, edges of one face
+    wires: list[NamedWire]
+    grain_wire: int  # id of the wire that stands upright in its pieces; 0: none was chosen
+    piece_ids: np.ndarray  # (f,) int32, of the pieces that the polygons were in when last flattened; 0 none
+    regions: FaceRegions
+    loose_marks: int  # edges without a face that are marked as wires: they are left out
+    mirrored: bool
+
+
+def area_vectors(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """(3,m): along each triangle's normal and as long as its area. vertices (n,3), triangles (m,3)."""
+    x, y, z = (np.ascontiguousarray(column)[triangles] for column in vertices.T)  # (m,3), one per corner
+    ux, uy, uz = (each[:, 1] - each[:, 0] for each in (x, y, z))
+    vx, vy, vz = (each[:, 2] - each[:, 0] for each in (x, y, z))
+    return np.array([uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx]) / 2
+
+
+def triangle_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """(m,)"""
+    x, y, z = area_vectors(vertices, triangles)
+    return np.sqrt(x * x + y * y + z * z)
+
+
+def faces_inward(arrays: MeshArrays) -> bool:
+    """Of a model that has faces all around, like a bodice, a sleeve or a ball: whether they point to its middle."""
+    vectors = area_vectors(arrays.vertices, arrays.triangles)
+    areas = np.linalg.norm(vectors, axis=0)
+    if len(areas) == 0 or np.linalg.norm(vectors.sum(axis=1)) > ALL_ROUND * areas.sum():
+        return False
+    centers = arrays.vertices[arrays.triangles].mean(axis=1)
+    middle = (centers.min(axis=0) + centers.max(axis=0)) / 2
+    return bool(np.sum((centers - middle).T * vectors) < 0)

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Arrays of one object to the core library's result."""
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import asdict, dataclass, replace
+from itertools import pairwise
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from ..issues import Issue, LooserWire, ObjectError
+from ..pattern.chains import edge_keys
+from .arrays import MeshArrays, NamedWire
+from .sentences import count_faces, name_elements
+
+# What the library advises, by Blender's own names.
+COMMANDS = {
+    "empty_mesh": " In Edit Mode: fill its outlines with faces (F, or Face > Grid Fill).",
+    "zero_area_face": " In Edit Mode: Mesh > Clean Up > Degenerate Dissolve.",
+    "repeated_face": " In Edit Mode: Mesh > Delete > Only Faces.",
+    "repeated_vertex_in_face": " In Edit Mode: Mesh > Delete > Only Faces.",
+    "inconsistent_orientation": " In Edit Mode: Mesh > Normals > Recalculate Outside.",
+    "non_manifold_vertex": " In Edit Mode: Mesh > Split > Selection, with the faces on one side selected.",
+}
+Progress = Callable[[str, float], bool]
+
+
+@dataclass(frozen=True)
+class FlattenChoices:
+    """The operator's settings by the core library's names."""
+
+    method: str
+    fairness: float
+    node_weight: str
+    layout: str
+    orientation: str
+    gap: float
+    mirror: bool
+
+
+def flatten_arrays(
+    library: ModuleType,
+    arrays: MeshArrays,
+    choices: FlattenChoices,
+    progress: Progress,
+    solved: Any = None,  # noqa: ANN401
+) -> Any:  # noqa: ANN401
+    """The library's FlattenResult; solved: a Cache with pieces that need not be solved again.
+
+    Raises ObjectError if the mesh as a whole is refused.
+    """
+    try:
+        return library.flatten(
+            arrays.vertices,
+            arrays.triangles,
+            seams=arrays.seams,
+            wires=[_library_wire(library, wire) for wire in arrays.wires],
+            options=library.Options(**asdict(used_choices(choices, arrays)), grain=_grain_index(arrays)),
+            progress=progress,
+            cache=solved,
+        )
+    except library.FlattenError as error:
+        raise ObjectError(issue_of_error(error, arrays)) from error
+
+
+def used_choices(choices: FlattenChoices, arrays: MeshArrays) -> FlattenChoices:
+    """While no wire is the grain wire, pieces stand as on the model: the first wires are often waist and hip."""
+    if choices.orientation == "wire" and _grain_index(arrays) == -1:
+        return replace(choices, orientation="up")
+    return choices
+
+
+def _grain_index(arrays: MeshArrays) -> int:
+    """Of the grain wire among the wires; -1: there is none, or none any more."""
+    ids = [wire.chain.wire_id for wire in arrays.wires]
+    return ids.index(arrays.grain_wire) if arrays.grain_wire in ids else -1
+
+
+def _library_wire(library: ModuleType, wire: NamedWire) -> Any:  # noqa: ANN401
+    try:
+        return library.Wire(wire.chain.vertices, tolerance=wire.chain.tolerance, name=wire.name)
+    except library.FlattenError as error:  # knows neither the wire's name nor where it is
+        edges = list(pairwise(wire.chain.vertices))
+        sentence = (
+            f'The tolerance of the wire "{wire.name}" is none that a wire can have: click on it in the list of wires, '
+            "and choose Rigid, Elastic or Free."
+        )
+        raise ObjectError(Issue(str(error.code), sentence, edges=edges)) from error
+
+
+def issue_of_piece(piece: Any, index: int, arrays: MeshArrays) -> Issue:  # noqa: ANN401
+    """The error of a piece that has one, and every face of it that breaks a promise."""
+    counted = [piece.source_face, piece.metrics.flipped_faces, piece.metrics.overlapping_faces]
+    issue = issue_of_error(piece.error, arrays, [np.asarray(triangles) for triangles in counted])
+    bad = {*issue.faces, *(face for triangles in counted[1:] for face in polygons_of(arrays, triangles))}
+    return replace(issue, piece=index, faces=sorted(bad))
+
+
+def issue_of_error(error: Any, arrays: MeshArrays, counted: Sequence[np.ndarray] = ()) -> Issue:  # noqa: ANN401
+    """The library's error, its triangles named as the polygons they are part of.
+
+    counted: the sets of triangles that the sentence may give the numbers of.
+    """
+    faces = polygons_of(arrays, error.faces)
+    counts = [(len(triangles), len(polygons_of(arrays, triangles))) for triangles in counted]
+    sentence = count_faces(str(error) + COMMANDS.get(str(error.code), ""), counts)
+    return Issue(
+        code=str(error.code),
+        sentence=name_elements(sentence, arrays.triangle_polygons, faces, [wire.name for wire in arrays.wires]),
+        vertices=[int(vertex) for vertex in error.vertices],
+        edges=[(int(a), int(b)) for a, b in error.edges],
+        faces=faces,
+        proposed_seams=seams_on_edges(error.proposed_seams, arrays),
+        proposed_tolerances=looser_wires(error.proposed_tolerances, arrays),
+    )
+
+
+def polygons_of(arrays: MeshArrays, triangles: Sequence[int] | np.ndarray) -> list[int]:
+    return np.unique(arrays.triangle_polygons[np.asarray(triangles, dtype=np.int64)]).tolist()
+
+
+def has_layout(corner_uv: np.ndarray) -> np.ndarray:
+    """(m,) bool: triangles with coordinates."""
+    return np.isfinite(corner_uv.reshape(-1, 6) @ np.ones(6))  # a sum is finite where its terms are
+
+
+def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> list[tuple[int, int]]:
+    """The proposed vertex pairs as edges of the mesh, each once.
+
+    The library sees triangles: a pair that is the diagonal of a face goes round the face instead, the shorter way.
+    """
+    pairs = np.asarray(list(proposed), dtype=np.int64).reshape(-1, 2)
+    count = len(arrays.vertices)
+    is_edge = np.isin(edge_keys(pairs, count), edge_keys(arrays.edges, count))
+    edges = pairs[is_edge].tolist()
+    for diagonal, polygon in zip(pairs[~is_edge], _polygons_of(pairs[~is_edge], arrays), strict=True):
+        edges += pairwise(_way_round(diagonal, polygon, arrays))
+    return list(dict.fromkeys((min(pair), max(pair)) for pair in edges))
+
+
+def _polygons_of(diagonals: np.ndarray, arrays: MeshArrays) -> np.ndarray:
+    """The polygon that each pair of vertices (k,2) is a diagonal of."""
+    count = len(arrays.vertices)
+    sides = edge_keys(arrays.triangles[:, [0, 1, 1, 2, 2, 0]], count)
+    order = np.argsort(sides)
+    found = order[np.searchsorted(sides[order], edge_keys(diagonals, count))]
+    return arrays.triangle_polygons[found // 3]
+
+
+def _way_round(diagonal: np.ndarray, polygon: int, arrays: MeshArrays) -> list[int]:
+    """The vertices of a polygon from one end of its diagonal to the other."""
+    start = arrays.polygon_starts[polygon]
+    corners = arrays.loop_vertices[start : start + arrays.polygon_sizes[polygon]].tolist()
+    first, last = sorted(corners.index(vertex) for vertex in diagonal)
+    ways = corners[first : last + 1], corners[last:] + corners[: first + 1]
+    return min(ways, key=lambda way: np.linalg.norm(np.diff(arrays.vertices[way], axis=0), axis=1).sum())
+
+
+def looser_wires(proposed: Iterable[tuple[int, float]], arrays: MeshArrays) -> list[LooserWire]:
+    """The proposed pairs of a wire's index and its tolerance."""
+    return [
+        LooserWire(wire.name, round_up(tolerance), list(pairwise(wire.chain.vertices)))
+        for wire, tolerance in ((arrays.wires[index], tolerance) for index, tolerance in proposed)
+    ]
+
+
+def round_up(tolerance: float) -> float:
+    """To three digits, as the panel shows tolerances: never less than what is needed. inf (free) stays."""
+    if math.isinf(tolerance):
+        return tolerance
+    step = 10.0 ** (math.floor(math.log10(tolerance)) - 2)
+    return float(f"{math.ceil(tolerance / step - 1e-9) * step:.3g}")

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which piece is which: the ids and names of the pieces of a result.
+
+A piece is known again by the ids on the faces of the model, whatever its number in the result has become.
+"""
+
+import random
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .arrays import MeshArrays, area_vectors, faces_inward
+from .piece_names import numbered, region_names, side_names
+
+
+@dataclass(frozen=True)
+class KnownPieces:
+    """What is known before a run."""
+
+    ids: np.ndarray  # (f,) int32, one per face of the model; 0 on faces that were in no piece yet
+    names: Mapping[int, str]  # of the pieces of the last run, by id
+    model_name: str  # what the model was called then
+
+
+@dataclass(frozen=True)
+class PieceIdentity:
+    piece_id: int  # random, 31 bits
+    name: str  # no other piece of the object has it
+
+
+@dataclass(frozen=True)
+class _Shape:
+    """Of the pieces, one row each, and of their triangles."""
+
+    triangle_areas: np.ndarray  # (m,)
+    areas: np.ndarray  # (p,)
+    normals: np.ndarray  # (p,3), the mean over the area
+    offsets: np.ndarray  # (p,3), from the middle of the model, as a share of its size
+
+
+def identify_pieces(
+    result: Any,  # noqa: ANN401
+    arrays: MeshArrays,
+    known: KnownPieces,
+    model_name: str,
+) -> list[PieceIdentity]:
+    """Of each piece of a FlattenResult, in their order. A piece that is the whole model is called as that is now."""
+    count = len(result.pieces)
+    piece_of_triangle = np.zeros(len(arrays.triangles), dtype=np.int64)
+    for index, piece in enumerate(result.pieces):
+        piece_of_triangle[piece.source_face] = index
+    shape = _measure(piece_of_triangle, count, arrays)
+    ids = _assign_ids(piece_of_triangle, known.ids.astype(np.int64)[arrays.triangle_polygons], shape)
+    old = [known.names.get(piece_id, "") for piece_id in ids]
+    if list(known.names.values()) == [known.model_name]:
+        old = [""] * count  # what was the whole model may be a part now, and the model may have another name
+    names = _first_of_each(old)
+    new = [index for index in range(count) if not names[index]]
+    regions = region_names(_by_face(piece_of_triangle, arrays), count, arrays.regions)
+    outward = -shape.normals if faces_inward(arrays) else shape.normals
+    sides = side_names(outward, shape.offsets) if count > 1 else [model_name]
+    wanted = [old[index] or regions[index] or sides[index] for index in new]
+    for index, name in zip(new, numbered(wanted, [name for name in names if name]), strict=True):
+        names[index] = name
+    return [PieceIdentity(piece_id, name) for piece_id, name in zip(ids, names, strict=True)]
+
+
+def ids_by_face(result: Any, arrays: MeshArrays, identities: Sequence[PieceIdentity]) -> np.ndarray:  # noqa: ANN401
+    """(f,) int32, for the model."""
+    ids = np.zeros(len(arrays.polygon_starts), dtype=np.int32)
+    for piece, identity in zip(result.pieces, identities, strict=True):
+        ids[arrays.triangle_polygons[piece.source_face]] = identity.piece_id
+    return ids
+
+
+def _assign_ids(piece_of_triangle: np.ndarray, triangle_ids: np.ndarray, shape: _Shape) -> list[int]:
+    """The id that most of a piece's area carries; of two pieces with one id the larger keeps it."""
+    carried = _carried_ids(piece_of_triangle, triangle_ids, shape)
+    taken, given = set(np.unique(triangle_ids).tolist()), set()
+    ids = [0] * len(carried)
+    for piece in np.argsort(-shape.areas, kind="stable").tolist():
+        piece_id = int(carried[piece])
+        if piece_id == 0 or piece_id in given:
+            piece_id = _new_id(taken)
+            taken.add(piece_id)
+        given.add(piece_id)
+        ids[piece] = piece_id
+    return ids
+
+
+def _carried_ids(piece_of_triangle: np.ndarray, triangle_ids: np.ndarray, shape: _Shape) -> np.ndarray:
+    """(p,) the id on most of each piece's area, 0 where there is none."""
+    marked = triangle_ids > 0  # others are not ours
+    pairs = piece_of_triangle[marked] << 32 | triangle_ids[marked]
+    present, place = np.unique(pairs, return_inverse=True)
+    order = np.argsort(np.bincount(place, shape.triangle_areas[marked]), kind="stable")
+    carried = np.zeros(len(shape.areas), dtype=np.int64)
+    carried[present[order] >> 32] = present[order] & 0xFFFFFFFF  # the last one written is the largest
+    return carried
+
+
+def _new_id(taken: set[int]) -> int:
+    """Random, so that joined and appended meshes keep their pieces apart."""
+    while True:
+        piece_id = random.randint(1, 2**31 - 1)
+        if piece_id not in taken:
+            return piece_id
+
+
+def _measure(piece_of_triangle: np.ndarray, count: int, arrays: MeshArrays) -> _Shape:
+    vectors = area_vectors(arrays.vertices, arrays.triangles)
+    triangle_areas = np.linalg.norm(vectors, axis=0)
+    areas = np.bincount(piece_of_triangle, triangle_areas, minlength=count)
+    centers = arrays.vertices[arrays.triangles].mean(axis=1)
+    low, high = centers.min(axis=0), centers.max(axis=0)
+    size = max(float(np.linalg.norm(high - low)), np.finfo(float).tiny)
+    divided = np.maximum(areas, np.finfo(float).tiny)  # a piece without area is refused, but has a name
+
+    def mean(rows: np.ndarray) -> np.ndarray:
+        return np.array([np.bincount(piece_of_triangle, row, minlength=count) / divided for row in rows]).T
+
+    return _Shape(triangle_areas, areas, mean(vectors), mean((centers - (low + high) / 2).T * triangle_areas / size))
+
+
+def _by_face(piece_of_triangle: np.ndarray, arrays: MeshArrays) -> np.ndarray:
+    piece_of_face = np.zeros(len(arrays.polygon_starts), dtype=np.int64)
+    piece_of_face[arrays.triangle_polygons] = piece_of_triangle
+    return piece_of_face
+
+
+def _first_of_each(names: list[str]) -> list[str]:
+    """The names with those emptied that stand before already: the user may have given one to two pieces."""
+    first = {name: index for index, name in reversed(list(enumerate(names)))}
+    return [name if first[name] == index else "" for index, name in enumerate(names)]

@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pieces stay where the user has put them when they are flattened again."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..pattern.outlines import OutlineEdges, number_edges, outline_edges, piece_of_vertices
+from ..pattern.polygons import Segments, overlap
+from .flat_mesh import FlatMesh
+
+SAMPLE = 100  # points by which the place of a piece is remembered
+LIKE = 0.7  # correlation of a piece with the earlier one; below it their vertices are not the same ones any more
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A turn about the origin and then a shift; points of the plane as complex numbers."""
+
+    turn: complex = 1.0  # of length 1
+    shift: complex = 0.0
+
+    def __call__(self, points: np.ndarray) -> np.ndarray:
+        """(n,2) to (n,2)"""
+        moved = (points[:, 0] + 1j * points[:, 1]) * self.turn + self.shift
+        return np.column_stack([moved.real, moved.imag])
+
+    def shifted(self, by: np.ndarray) -> "Motion":
+        """This motion and then a shift (2,)."""
+        return Motion(self.turn, self.shift + complex(*by))
+
+
+STAY = Motion()
+
+
+def fit_motion(points: np.ndarray, places: np.ndarray) -> Motion:
+    """The motion that brings points (k,2) nearest to their places (k,2) in the sum of squares."""
+    start, goal = (each[:, 0] + 1j * each[:, 1] for each in (points, places))
+    spin = np.vdot(start - start.mean(), goal - goal.mean())  # the sum of conj(start) goal
+    turn = complex(spin / abs(spin)) if abs(spin) > 0 else 1.0
+    return Motion(turn, complex(goal.mean() - turn * start.mean()))
+
+
+@dataclass(frozen=True)
+class LaidOut:
+    """Pieces as they lie."""
+
+    vertices: np.ndarray  # (n,2) float64
+    source_vertex: np.ndarray  # (n,) int32
+    loop_vertices: np.ndarray  # (l,) int32
+    face_sizes: np.ndarray  # (f,) int32
+    piece_id: np.ndarray  # (f,) int32
+    away: np.ndarray  # (k,4) float64: piece id, source vertex and place of points of pieces that are not there just now
+
+
+@dataclass(frozen=True)
+class Places:
+    motions: dict[int, Motion]  # by piece id, from where the piece was laid out to where it goes
+    crowded: list[int]  # ids of pieces that could not stay, for they would lie over another
+
+
+class _Pieces:
+    """Pieces one by one. Outlines are found only where they are asked for: that takes the longest."""
+
+    def __init__(self, pieces: LaidOut) -> None:
+        self._pieces = pieces
+        ids = piece_of_vertices(len(pieces.vertices), pieces.loop_vertices, pieces.face_sizes, pieces.piece_id)
+        order = np.argsort(ids, kind="stable")
+        present, first = np.unique(ids[order], return_index=True)
+        self._vertices = dict(zip(present.tolist(), np.split(order, first[1:]), strict=True))
+        self._vertices.pop(0, None)  # of no piece
+        away_ids = pieces.away[:, 0].astype(np.int64)
+        self._away = {piece_id: pieces.away[away_ids == piece_id] for piece_id in np.unique(away_ids).tolist()}
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self._vertices)
+
+    def __contains__(self, piece_id: int) -> bool:
+        return piece_id in self._vertices or piece_id in self._away
+
+    def is_away(self, piece_id: int) -> bool:
+        """Whether it has a place but no shape."""
+        return piece_id not in self._vertices
+
+    def points(self, piece_id: int) -> np.ndarray:
+        """(k,2)"""
+        if self.is_away(piece_id):
+            return self._away[piece_id][:, 2:]
+        return self._pieces.vertices[self._vertices[piece_id]]
+
+    def sources(self, piece_id: int) -> np.ndarray:
+        """(k,) the vertex of the model of each point."""
+        if self.is_away(piece_id):
+            return self._away[piece_id][:, 1].astype(np.int64)
+        return self._pieces.source_vertex[self._vertices[piece_id]]
+
+    def box(self, piece_id: int, motion: Motion = STAY) -> np.ndarray:
+        """(2,2) the lowest and the highest corner."""
+        points = motion(self.points(piece_id))
+        return np.array([points.min(axis=0), points.max(axis=0)])
+
+    def outline(self, piece_id: int, motion: Motion = STAY) -> Segments:
+        edges = self._outlines.edges[self._outlines.piece == piece_id]
+        return Segments(*(motion(self._pieces.vertices[ends]) for ends in edges.T))
+
+    def area(self, piece_id: int) -> float:
+        (ax, ay), (bx, by) = (ends.T for ends in self.outline(piece_id))
+        return abs(float((ax * by - ay * bx).sum())) / 2
+
+    @cached_property
+    def _outlines(self) -> OutlineEdges:
+        pieces = self._pieces
+        loops, sizes = pieces.loop_vertices, pieces.face_sizes
+        return outline_edges(pieces.vertices, loops, number_edges(loops, sizes), sizes, pieces.piece_id)
+
+
+def laid_out(flat: FlatMesh) -> LaidOut:
+    return LaidOut(
+        flat.vertices, flat.source_vertex, flat.loop_vertices, flat.polygon_sizes, flat.piece_id, np.empty((0, 4))
+    )
+
+
+def points_of(earlier: LaidOut, piece_ids: Sequence[int]) -> np.ndarray:
+    """(k,4) as LaidOut.away: some points of each of these pieces that is there, or away already."""
+    pieces = _Pieces(earlier)
+    rows = [np.empty((0, 4))]
+    for piece_id in piece_ids:
+        if piece_id in pieces:
+            sources, points = pieces.sources(piece_id), pieces.points(piece_id)
+            some = slice(None, None, -(-len(sources) // SAMPLE))
+            ids = np.full(len(sources[some]), piece_id)
+            rows.append(np.column_stack([ids, sources[some], points[some]]))
+    return np.concatenate(rows)
+
+
+def find_places(pieces: LaidOut, earlier: LaidOut, gap: float) -> Places:
+    """Of the pieces, where those that were there earlier lie; others go to the free room right of them.
+
+    gap: between pieces in the free room, as a fraction of the side of a square with the area of all.
+    """
+    now, then = _Pieces(pieces), _Pieces(earlier)
+    fits = {piece_id: _fit(now, then, piece_id) for piece_id in now if piece_id in then}
+    kept = {piece_id: motion for piece_id, motion in fits.items() if motion}
+    if not kept:
+        return Places(dict.fromkeys(now, STAY), [])
+    crowded = _crowded(kept, now, then)
+    for piece_id in crowded:
+        del kept[piece_id]
+    homeless = [piece_id for piece_id in now if piece_id not in kept]
+    if homeless:
+        room = gap * np.sqrt(sum(now.area(piece_id) for piece_id in now))
+        kept |= _beside(kept, homeless, now, room)
+    return Places(kept, crowded)
+
+
+def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
+    """By the vertices that are in both pieces, once in each; None where these do not tell."""
+    rows = [_only_once(pieces.sources(piece_id)) for pieces in (now, then)]
+    here, there = (pieces.sources(piece_id)[own] for pieces, own in zip((now, then), rows, strict=True))
+    _, first, second = np.intersect1d(here, there, assume_unique=True, return_indices=True)
+    if len(first) < 2:
+        return None
+    points, places = now.points(piece_id)[rows[0][first]], then.points(piece_id)[rows[1][second]]
+    motion = fit_motion(points, places)
+    moved, goal = (each - each.mean(axis=0) for each in (motion(points), places))
+    return motion if (moved * goal).sum() > LIKE * np.linalg.norm(moved) * np.linalg.norm(goal) else None
+
+
+def _only_once(sources: np.ndarray) -> np.ndarray:
+    """Rows of vertices that no cut has doubled within the piece."""
+    _, first, count = np.unique(sources, return_index=True, return_counts=True)
+    return first[count == 1]
+
+
+def _crowded(kept: dict[int, Motion], now: _Pieces, then: _Pieces) -> list[int]:
+    """Pieces that lie over another and did not before; of two, the one that has grown more."""
+    close = _close(kept, now)
+    growth = {piece_id: now.area(piece_id) / max(then.area(piece_id), 1e-300) for piece_id in close}
+    staying: list[int] = []
+    crowded: list[int] = []
+    for piece_id in sorted(close, key=growth.__getitem__):
+        hit = any(
+            overlap(now.outline(piece_id, kept[piece_id]), now.outline(other, kept[other]))
+            and (
+                then.is_away(piece_id)
+                or then.is_away(other)
+                or not overlap(then.outline(piece_id), then.outline(other))
+            )
+            for other in staying
+            if other in close[piece_id]
+        )
+        (crowded if hit else staying).append(piece_id)
+    return crowded
+
+
+def _close(kept: dict[int, Motion], now: _Pieces) -> dict[int, set[int]]:
+    """The pieces whose boxes overlap those of others, and these."""
+    ids = list(kept)
+    low, high = np.array([now.box(piece_id, motion) for piece_id, motion in kept.items()]).transpose(1, 0, 2)
+    meet = np.all((low[:, None] < high) & (low < high[:, None]), axis=2) & ~np.eye(len(ids), dtype=bool)
+    return {ids[row]: {ids[other] for other in np.flatnonzero(meet[row])} for row in np.flatnonzero(meet.any(axis=1))}
+
+
+def _beside(kept: dict[int, Motion], homeless: list[int], now: _Pieces, room: float) -> dict[int, Motion]:
+    """Right of the kept pieces, in columns as high as these, the highest pieces first."""
+    boxes = np.array([now.box(piece_id, motion) for piece_id, motion in kept.items()])
+    corner, top = np.array([boxes[:, 1, 0].max() + room, boxes[:, 0, 1].min()]), boxes[:, 1, 1].max()
+    motions = {}
+    place, width = corner.copy(), 0.0
+    for piece_id in sorted(homeless, key=lambda each: -np.ptp(now.box(each)[:, 1])):
+        low, high = now.box(piece_id)
+        size = high - low
+        if place[1] > corner[1] and place[1] + size[1] > top:
+            place, width = np.array([place[0] + width + room, corner[1]]), 0.0
+        motions[piece_id] = STAY.shifted(place - low)
+        place = place + (0, size[1] + room)
+        width = max(width, float(size[0]))
+    return motions

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sentences, tables and marks in a narrow sidebar."""
+
+from functools import lru_cache
+
+import blf
+import bpy
+import bpy.utils.previews
+import numpy as np
+
+WIDE = 330  # in Blender's own pixels; the sidebar starts at half of it
+BESIDE_TEXT = 90  # of the region's width: icon, margins and the tabs
+FONT = 0  # of the user interface
+SIZE, THICKNESS = 64, 0.11  # pixels; half the width of the stroke as a share of them
+STROKE = np.array([[0.16, 0.50], [0.40, 0.25], [0.86, 0.76]])  # from the left; y up
+GREEN = (0.30, 0.78, 0.33)
+_previews: bpy.utils.previews.ImagePreviewCollection | None = None
+
+
+def is_wide(context: bpy.types.Context) -> bool:
+    """Whether a table of four columns fits the region."""
+    return context.region.width / context.preferences.system.ui_scale >= WIDE
+
+
+def draw_cells(layout: bpy.types.UILayout, label: str, cells: list[str], label_share: float) -> None:
+    """A line of a table: a label, and numbers in columns of equal width."""
+    row = layout.row()
+    row.scale_y = 0.8
+    split = row.split(factor=label_share)
+    split.label(text=label)
+    columns = split.grid_flow(columns=len(cells), even_columns=True, row_major=True)
+    for cell in cells:
+        part = columns.row()
+        part.alignment = "RIGHT"
+        part.label(text=cell)
+
+
+def broken(context: bpy.types.Context, text: str, spare: int = 0) -> list[str]:
+    """The text in lines that fit the region beside an icon, no number apart from its %.
+
+    spare: more of Blender's own pixels to leave free.
+    """
+    unit = context.preferences.system.ui_scale
+    points = context.preferences.ui_styles[0].widget.points
+    return _lines(text, context.region.width - (BESIDE_TEXT + spare) * unit, points * unit)
+
+
+@lru_cache(maxsize=1000)
+def _lines(text: str, width: float, size: float) -> list[str]:
+    """Broken at spaces only; width and font size in pixels of the screen."""
+    blf.size(FONT, size)
+    first, *words = text.split(" ")
+    lines = [first]
+    for word in words:
+        longer = f"{lines[-1]} {word}"
+        if word == "%" or blf.dimensions(FONT, longer)[0] <= width:
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    return lines
+
+
+def draw_sentence(
+    context: bpy.types.Context, layout: bpy.types.UILayout, text: str, icon: str = "NONE", spare: int = 0
+) -> None:
+    """Blender cuts long labels off, so the sentence is broken into lines that fit the region less spare pixels.
+
+    icon is a name of Blender's, or "TICK", which is green.
+    """
+    column = layout.column(align=True)
+    column.scale_y = 0.8
+    for number, line in enumerate(broken(context, text, spare)):
+        if number == 0 and icon == "TICK":
+            column.label(text=line, icon_value=green_tick())
+        else:
+            column.label(text=line, icon=icon if number == 0 or icon == "NONE" else "BLANK1")
+
+
+def green_tick() -> int:
+    """Its icon_value; 0, no icon, while the add-on is not registered and where Blender has no window."""
+    return _previews["tick"].icon_id if _previews else 0
+
+
+def mark_of(ok: bool, is_strained: bool = False) -> dict:
+    """The arguments of a label: a cross for what failed, a warning for cloth that can hardly follow, or the tick."""
+    if not ok:
+        return {"icon": "CANCEL"}
+    return {"icon": "ERROR"} if is_strained else {"icon_value": green_tick()}
+
+
+def attach() -> None:
+    global _previews
+    _previews = bpy.utils.previews.new()
+    tick = _previews.new("tick")
+    tick.icon_size = (SIZE, SIZE)
+    tick.icon_pixels_float = _pixels().ravel().tolist()
+
+
+def detach() -> None:
+    global _previews
+    bpy.utils.previews.remove(_previews)
+    _previews = None
+
+
+def _pixels() -> np.ndarray:
+    """(SIZE, SIZE, 4) RGBA with the colors times alpha, as Blender draws icons; the lowest row first."""
+    x, y = np.meshgrid(*2 * [(np.arange(SIZE) + 0.5) / SIZE])
+    points = np.stack([x, y], axis=-1)
+    distance = np.min([_distance(points, a, b) for a, b in zip(STROKE[:-1], STROKE[1:], strict=True)], axis=0)
+    alpha = np.clip((THICKNESS - distance) * SIZE + 0.5, 0, 1)
+    return alpha[..., None] * np.array([*GREEN, 1.0])
+
+
+def _distance(points: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Of points (..., 2) from the line between a and b."""
+    share = np.clip((points - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
+    return np.linalg.norm(points - a - share[..., None] * (b - a), axis=-1)

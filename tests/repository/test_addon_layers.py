@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The add-on is a house of few rooms: each package says which others it may import, and all arrows point one way."""
+
+import ast
+import re
+from graphlib import TopologicalSorter
+
+import pytest
+from addon_imports import ADDON, own_imports, room_of
+
+MOST_PACKAGES = 10
+GROUND = {"core", "issues", "names", "words"}  # modules of the root that packages may import and that import none
+ROOF = {"__init__", "properties", "registration"}  # modules of the root that put the packages together
+
+
+def packages() -> list[str]:
+    return sorted(folder.parent.name for folder in ADDON.glob("*/__init__.py"))
+
+
+def promised(package: str) -> set[str]:
+    """What the sentence of a package says it may import: "May import: model, blender, issues."."""
+    sentence = ast.get_docstring(ast.parse((ADDON / package / "__init__.py").read_text())) or ""
+    match = re.search(r"May import: ([\w,\s]+)\.", sentence)
+    assert match, f"{package}/__init__.py does not say what the package may import"
+    return set(re.split(r",\s*", match[1]))
+
+
+def imports_of(package: str) -> set[str]:
+    files = (ADDON / package).glob("*.py")
+    return {room_of(each) for file in files for each in own_imports(file)} - {package}
+
+
+def test_there_are_few_packages_and_none_within_another() -> None:
+    assert 0 < len(packages()) <= MOST_PACKAGES
+    assert [str(file.relative_to(ADDON)) for file in ADDON.glob("*/*/**/*.py")] == []
+
+
+def test_the_root_holds_only_what_blender_and_a_newcomer_meet_first() -> None:
+    assert {file.stem for file in ADDON.glob("*.py")} == GROUND | ROOF
+
+
+@pytest.mark.parametrize("package", packages())
+def test_a_package_imports_what_it_says_and_nothing_else(package: str) -> None:
+    assert imports_of(package) == promised(package)
+
+
+@pytest.mark.parametrize("module", sorted(GROUND))
+def test_the_ground_knows_no_package(module: str) -> None:
+    assert {room_of(each) for each in own_imports(ADDON / f"{module}.py")} <= GROUND
+
+
+def test_all_arrows_point_one_way() -> None:
+    """Between files, those of one package too. TopologicalSorter raises CycleError, which names the circle."""
+    TopologicalSorter({file: own_imports(file) for file in ADDON.rglob("*.py")}).prepare()
+
+
+def test_packages_are_not_tied_to_one_another() -> None:
+    TopologicalSorter({package: imports_of(package) for package in packages()}).prepare()
