@@ -13,8 +13,6 @@ from bpy.props import (
 )
 
 from .blender.views import redraw_views
-from .flat.texts import rename_text
-from .model.owners import find_flat_object
 from .run.auto_update import note_change
 from .solve.flatten import FlattenChoices
 
@@ -132,24 +130,6 @@ class FlattenSettings:
         "on the model. That the modifiers have changed since is seen in Object Mode only",
         default=False,
     )
-    helper_wires: BoolProperty(
-        name="Helper Wires",
-        description="For the methods that lay the lines first: keep the lines that they add where a wire ends "
-        "inside a piece or meets no other line, and draw them on the model and on the pieces. They may take any length",
-        default=True,
-    )
-    piece_texts: BoolProperty(
-        name="Texts",
-        description="Write name and area on each flat piece, as text objects that move with them. Each run writes them "
-        "anew",
-        default=True,
-    )
-    maps_on_model: BoolProperty(
-        name="Model Maps",
-        description="Write stretch and change of length to the faces and edges of the model too, as attributes and "
-        'as colors named "wirewarp_...". The flat pieces always have them. Not with Modifiers',
-        default=False,
-    )
 
 
 def choices_of(settings: FlattenSettings) -> FlattenChoices:
@@ -208,7 +188,7 @@ class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
     )
     show_lines: BoolProperty(
         name="Lines",
-        description="Draw outlines, seams, wires, helper wires and what failed over models and flat pieces, and over "
+        description="Draw outlines, seams, wires and what failed over models and flat pieces, and over "
         "the map in the UV editor",
         default=True,
         update=_redraw,
@@ -254,16 +234,10 @@ class WIREWARP_PG_wire_name(bpy.types.PropertyGroup):
     wire_id: IntProperty(name="Wire Id", options={"HIDDEN"})
 
 
-def _rename_text(entry: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
-    flat = find_flat_object(entry.id_data)
-    if flat:
-        rename_text(flat, entry.piece_id, entry.name)
-
-
 class WIREWARP_PG_piece(bpy.types.PropertyGroup):
     """The name of the piece with this id."""
 
-    name: StringProperty(name="Name", description="What the piece is called", update=_rename_text)
+    name: StringProperty(name="Name", description="What the piece is called", update=_redraw)
     piece_id: IntProperty(name="Piece Id", options={"HIDDEN"})
 
 
@@ -283,15 +257,9 @@ def attach() -> None:
         description="The object these flat pieces were made from",
         type=bpy.types.Object,
     )
-    bpy.types.Object.wirewarp_helpers_of = PointerProperty(
-        name="Helper Wires Of",
-        description="The model or the flat pieces that these helper wires lie on",
-        type=bpy.types.Object,
-    )
 
 
 def detach() -> None:
-    del bpy.types.Object.wirewarp_helpers_of
     del bpy.types.Object.wirewarp_source
     del bpy.types.Object.wirewarp_active_piece
     del bpy.types.Object.wirewarp_pieces

@@ -5,7 +5,7 @@ import bpy
 
 from . import operators, overlay, properties, ui
 from .blender import cache
-from .flat import helper_wires, reports, texts
+from .flat import reports
 from .model import wire_names
 from .run import auto_update, read, window_run
 
@@ -13,13 +13,11 @@ CLASSES = (*properties.CLASSES, *operators.CLASSES, *ui.CLASSES)
 ATTACHED = (
     reports,
     wire_names,
-    helper_wires,
     cache,
     overlay,
     ui.layout,
     ui.menus,
     read,
-    texts,
     window_run,
     auto_update,
 )

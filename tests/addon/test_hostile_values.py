@@ -97,9 +97,6 @@ def test_stored_properties_of_another_type(model, everything_answers, value):
         flat = flat_of(model)
         for name in ON_FLAT_MESH:
             flat.data[f"wirewarp_{name}"] = value
-        for target in [flat, *(each for each in bpy.data.objects if each.type == "FONT")]:
-            target["wirewarp_flat"] = value
-            target["wirewarp_piece"] = value
         model.data["wirewarp_uv_scale"] = value
 
     everything_answers(spoil)
@@ -147,17 +144,3 @@ def test_a_pattern_of_names_that_are_no_text(model, tmp_path):
     titles = [element.text for element in ElementTree.parse(path).iter() if element.tag.endswith("title")]
     assert "\ufffd Front" in titles
     assert "\ufffd" in titles
-
-
-def test_a_copy_of_a_text_stays_when_the_texts_are_written_anew(model):
-    text = next(each for each in bpy.data.objects if each.type == "FONT")
-    select_only(text)
-    bpy.ops.object.duplicate(linked=True)
-    copy = bpy.context.active_object
-    bpy.ops.object.parent_clear(type="CLEAR_KEEP_TRANSFORM")
-    for name in ("wirewarp_piece", "wirewarp_flat"):
-        del copy[name]
-    copy.name = "Label"
-    select_only(model)
-    answer("object.wirewarp_flatten")
-    assert bpy.data.objects["Label"].data.body

@@ -28,8 +28,8 @@ if where == "solve":  # at the first sign of progress
     addon.run.models.flatten_arrays = lambda library, arrays, choices, _, solved: flatten(
         library, arrays, choices, die, solved
     )
-else:  # between the flat object and its texts
-    addon.run.write.write_texts = die
+else:  # between the flat object and its report
+    addon.run.write.remove_leftovers = die
 bpy.ops.object.wirewarp_flatten(report_path=path + ".json")
 """
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the overlay draws: which lines, names and surfaces, on models and on flat pieces. Nothing is drawn here."""
 
-import sys
 from types import SimpleNamespace
 
 import bpy
@@ -24,7 +23,7 @@ def source():
     mark(target, ELASTIC, kind="ELASTIC", tolerance=0.05)
     mark(target, FREE, kind="SUPER_ELASTIC")
     target.data.wirewarp_names[0].name = "Waist"
-    bpy.ops.object.wirewarp_flatten(piece_texts=False)
+    bpy.ops.object.wirewarp_flatten()
     return target
 
 
@@ -91,17 +90,6 @@ def test_names_are_those_of_the_report(addon, source):
     assert sorted(on_pieces) == sorted(2 * on_model + ["Top Left", "Top Right"])
 
 
-def test_pieces_with_a_text_are_not_named_twice(addon, source):
-    select_only(source)
-    bpy.ops.object.wirewarp_flatten(piece_texts=True)
-    names = {name.text for name in lines_of(addon, flat_of(source)).names}
-    assert "Waist" in names
-    assert names.isdisjoint(piece["name"] for piece in addon.flat.reports.last_report(source)["pieces"])
-    bpy.ops.object.wirewarp_flatten(piece_texts=False)
-    names = {name.text for name in lines_of(addon, flat_of(source)).names}
-    assert names.issuperset(piece["name"] for piece in addon.flat.reports.last_report(source)["pieces"])
-
-
 def test_names_stand_on_what_they_name(addon, source):
     lines = lines_of(addon, source)
     name = next(name for name in lines.names if name.text == "Waist")
@@ -129,18 +117,6 @@ def test_seams_of_a_model_that_has_changed_are_not_numbered(addon, source):
     bpy.context.view_layer.update()
     assert "Seam 1" not in [name.text for name in lines_of(addon, source).names]
     assert "Seam 1" in [name.text for name in lines_of(addon, flat_of(source)).names]
-
-
-def test_helper_wires_are_drawn_on_both(addon):
-    source = grid("Bump", bump)
-    mark(source, lambda a, b: RIGID(a, b) and max(abs(a[0]), abs(b[0])) < 0.6)
-    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
-    for target in (source, flat_of(source)):
-        helpers = addon.model.owners.find_helper_wires(target)
-        assert helpers.hide_viewport
-        assert edges_of(lines_of(addon, target))["helper"] == len(helpers.data.edges) > 0
-    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS", helper_wires=False)
-    assert "helper" not in lines_of(addon, source).places
 
 
 def test_lines_follow_the_modifiers_that_are_shown(addon, source):
@@ -303,8 +279,7 @@ def look(addon, source, eye, target, perspective=True):
     data = SimpleNamespace(view_matrix=view, perspective_matrix=window @ view, is_perspective=perspective)
     context = SimpleNamespace(region=SimpleNamespace(width=800, height=600), region_data=data)
     drawing = addon.overlay.shown.Drawing(source, lines_of(addon, source), None, None)
-    module = sys.modules[f"{addon.__name__}.overlay.draw_screen"]  # the package has a function of this name
-    return {name.text: name for name in module._names_in_view(context, drawing)}
+    return {name.text: name for name in addon.overlay.view3d._names_in_view(context, drawing)}
 
 
 @pytest.mark.parametrize("perspective", [True, False])

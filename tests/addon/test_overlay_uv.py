@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, flatten, grid, mark, mark_seam, on_line, select_only
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_only
 
 SEAM, RIGID, ELASTIC = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5)
 
@@ -88,27 +88,3 @@ def test_what_failed_is_red_in_the_map_too(addon):
     faces = {face for issue in addon.flat.reports.last_report(source)["issues"] for face in issue["faces"]}
     assert len(drawing.failures.triangles) == 3 * 2 * len(faces)  # of quads
     assert len(drawing.failures.lines["failed"]) > 0
-
-
-@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
-def test_helper_wires_lie_in_the_map_where_their_wires_end(addon, mode, monkeypatch):
-    """Also where the pieces have been moved since, and none where the map is of another run."""
-    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
-    source = grid("Bump", bump)
-    mark(source, lambda a, b: abs(a[1]) < 1e-6 and abs(b[1]) < 1e-6 and max(abs(a[0]), abs(b[0])) < 0.3)
-    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
-    flat = flat_of(source).data
-    for vertex in flat.vertices:  # a quarter turn
-        vertex.co = (-vertex.co.y, vertex.co.x, 0)
-    flatten(source, method="WIREWARP_PLUS_PLUS")
-    select_only(source)
-    bpy.ops.object.mode_set(mode=mode)
-    places = shown(addon)[0].lines.places
-    ends, marked = places["helper"], places["rigid"].round(5)
-    wire_ends = [point for point in np.unique(marked, axis=0) if np.all(marked == point, axis=1).sum() == 2]
-    assert len(wire_ends) == 2
-    for point in wire_ends:
-        assert np.linalg.norm(ends - point, axis=1).min() < 1e-4
-    bpy.ops.object.mode_set(mode="OBJECT")
-    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS", use_modifiers=True)
-    assert "helper" not in shown(addon)[0].lines.places

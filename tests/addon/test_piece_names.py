@@ -129,18 +129,18 @@ def test_a_name_given_to_the_only_piece_stays_when_it_is_cut(addon):
 
 def test_results_follow_the_name_of_the_model_and_names_given_by_the_user_stay():
     source = grid("Sleeve", bump)
-    mark(source, lambda a, b: on_line(1, 0.0)(a, b) and max(a[0], b[0]) < 0.6)  # which gets a helper wire
+    mark(source, lambda a, b: on_line(1, 0.0)(a, b) and max(a[0], b[0]) < 0.6)
     bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
     source.name = "Cuff"
     bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
     assert names_of(source) == ["Cuff"]
     names = {each.name for each in bpy.data.objects}
-    assert names == {"Cuff", "Cuff Flat", "Cuff Flat Cuff", "Cuff Helper Wires", "Cuff Flat Helper Wires"}
+    assert names == {"Cuff", "Cuff Flat"}
     bpy.data.objects["Cuff Flat"].name = "Paper"
     source.wirewarp_pieces[0].name = "Arm"
     source.name = "Band"
     assert flatten(source) == ["Arm"]
-    assert {each.name for each in bpy.data.objects} == {"Band", "Paper", "Paper Arm"}
+    assert {each.name for each in bpy.data.objects} == {"Band", "Paper"}
     mark_seam(source, on_line(0, 0.0))
     flatten(source)
     source.wirewarp_pieces[0].name = "Band"
@@ -268,7 +268,7 @@ def test_one_name_given_to_two_pieces_is_numbered_in_the_next_run(source):
 
 def test_names_in_the_report_and_the_overlay_follow_a_renaming_at_once(source, addon, tmp_path):
     path = tmp_path / "report.json"
-    names = flatten(source, report_path=str(path), piece_texts=False)
+    names = flatten(source, report_path=str(path))
     (entry,) = json.loads(path.read_text())["objects"]
     assert [piece["name"] for piece in entry["pieces"]] == names
     assert [piece["piece_id"] for piece in entry["pieces"]] == [entry.piece_id for entry in source.wirewarp_pieces]

@@ -16,7 +16,6 @@ from surfaces import (
     flat_of,
     flatten,
     grid,
-    mark,
     mark_seam,
     on_line,
     read,
@@ -315,18 +314,6 @@ def test_a_dart_does_not_confuse_the_fit():
     before = read(flat.vertices, "co", np.float32, 3)
     flatten(source)
     assert read(flat.vertices, "co", np.float32, 3) == pytest.approx(before, abs=NEAR)
-
-
-def test_helper_wires_lie_on_the_moved_pieces():
-    source = grid("Bump", bump)
-    mark(source, lambda a, b: on_line(1, 0.0)(a, b) and abs(a[0] + b[0]) < 1)
-    bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
-    move(source, "Bump", angle=1.0, by=(6, 2))
-    flatten(source, method="WIREWARP_PLUS_PLUS")
-    flat = read(flat_of(source).data.vertices, "co", np.float32, 3)
-    helpers = bpy.data.objects["Bump Flat Helper Wires"].data
-    ends = [helpers.vertices[index].co for index in (0, len(helpers.vertices) - 1)]
-    assert all(np.linalg.norm(flat - np.array(end), axis=1).min() < NEAR for end in ends)
 
 
 def delete_faces(edit):

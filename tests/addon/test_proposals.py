@@ -86,15 +86,6 @@ def test_the_flat_pieces_of_the_others_take_it_to_the_model():
     assert bpy.context.mode == "OBJECT"  # where undo brings back the model too
 
 
-def test_proposals_are_saved_with_the_file(tmp_path):
-    tube()
-    flatten_fails()
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "tube.blend"))
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "tube.blend"))
-    assert take() == {"FINISHED"}
-    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-
-
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
 def test_a_model_that_has_changed_is_left_alone(mode):
     source = tube()

@@ -59,19 +59,6 @@ def test_what_was_free_when_read_is_asked_again_before_writing(source, addon):
         addon.run.read.check_current(bpy.context, models, bpy.context.scene.wirewarp)
 
 
-@pytest.mark.parametrize("map_name", ["wirewarp_stretch", "wirewarp_length_variation", "wirewarp_stretch_color"])
-def test_another_owner_of_a_maps_name_is_left_alone_and_in_the_way_of_that_map_only(source, map_name):
-    source.vertex_groups.new(name=map_name)
-    flatten_fails(f'called "{map_name}" under Object Data > Vertex Groups, and a map of', maps_on_model=True)
-    assert nothing_written(source)
-    source.vertex_groups.clear()
-    source.data.attributes.new(map_name, "INT", "POINT")
-    flatten_fails(f'The attribute "{map_name}" of mesh "Bump" is not of type FLOAT', maps_on_model=True)
-    assert nothing_written(source)
-    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    assert source.data.attributes[map_name].data_type == "INT"
-
-
 def in_another_scene(data):
     """Makes a scene with one object of this mesh the one that is worked in."""
     scene, other = bpy.data.scenes.new("Other"), bpy.data.objects.new("Other", data)
@@ -96,7 +83,7 @@ def test_flat_pieces_that_are_edited_in_another_scene(source, addon):
     select_only(flat_of(source))
     bpy.ops.object.mode_set(mode="EDIT")
     with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
-        addon.run.targets.check_target(source, writes_model=True, writes_maps=False)
+        addon.run.targets.check_target(source, writes_model=True)
     with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
         addon.flat.pattern.read_pattern(bpy.context.scene, source, 0.0, False)
 

@@ -52,7 +52,6 @@ TOURS = {
     "view_tours": [
         "pieces_are_seen_in_local_view",
         "search_finds_commands_by_the_add_on_s_name",
-        "areas_follow_the_units",
     ],
 }
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Objects and their names: may they be changed, and how they are removed and shown."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import bpy
 import numpy as np
@@ -25,16 +25,14 @@ def name_with(name: str, ending: str) -> str:
     return name.encode()[:room].decode(errors="ignore") + ending
 
 
-def show_where_shown(source: bpy.types.Object, targets: Sequence[bpy.types.Object]) -> None:
-    """Adds the targets to every local view that shows the source; new objects are in all of them anyway."""
+def show_where_shown(source: bpy.types.Object, target: bpy.types.Object) -> None:
+    """Adds the target to every local view that shows the source; new objects are in all of them anyway."""
     for window in bpy.context.window_manager.windows:
         present = window.view_layer.objects.values()
-        for view in _local_views(window) if source in present else ():
+        for view in _local_views(window) if source in present and target in present else ():
             # Not local_view_get, which is always False in Blender 3.4.
             if source.visible_get(view_layer=window.view_layer, viewport=view):
-                for target in targets:
-                    if target in present:
-                        target.local_view_set(view, True)
+                target.local_view_set(view, True)
 
 
 def _local_views(window: bpy.types.Window) -> Iterator[bpy.types.SpaceView3D]:

@@ -10,30 +10,33 @@ from ..blender.mesh import corner_edges, edge_vertices, write_corner_vertices, w
 from ..blender.selection import deselect_all
 from ..issues import note, warning
 from ..model.marks import EdgeMarks, write_marks
-from ..model.owners import find_flat_object, find_helper_wires, flat_name, helper_name, model_of
+from ..model.owners import find_flat_object, flat_name, model_of
 from ..model.wire_names import write_names
-from ..names import PIECE
+from ..names import (
+    COLLECTION,
+    FACE_COUNT,
+    FAILED_MATERIAL,
+    PIECE,
+    PIECE_INDEX,
+    SOURCE_CORNER,
+    SOURCE_FACE,
+    SOURCE_VERTEX,
+)
 from ..pattern.outlines import FlatPieces
 from ..solve.arrays import MeshArrays
 from ..solve.flat_mesh import FlatMarks, FlatMesh, edge_length_variation, flat_marks
-from .maps import write_flat_maps
-from .pieces import FACE_COUNT
+from .maps import write_maps
 from .places import free_place
 from .read import add_flat_attribute, remember_shape
 
-COLLECTION = "WireWarp"
 OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")  # in a second scene, or beside one of another file
-MATERIAL = "WireWarp Failed Piece"
 RED = (0.8, 0.02, 0.02, 1.0)
 
 
 def write_flat_object(
     scene: bpy.types.Scene, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays
-) -> tuple[bpy.types.Object, FlatPieces]:
-    """Makes the flat object of `source`, or replaces the data of the one it has. True scale, in its own z = 0 plane.
-
-    Also returns its mesh as arrays: to read them from Blender again takes long.
-    """
+) -> bpy.types.Object:
+    """Makes the flat object of `source`, or replaces the data of the one it has. True scale, in its own z = 0 plane."""
     target = find_flat_object(source)
     if target is None:
         name = flat_name(source.name)
@@ -47,10 +50,10 @@ def write_flat_object(
     target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
     target.shape_key_clear()  # of the former vertices, as are groups of them
     target.vertex_groups.clear()
-    pieces = _write_mesh(target.data, flat, arrays)
+    _write_mesh(target.data, flat, arrays)
     write_names(target.data, {wire.chain.wire_id: wire.name for wire in arrays.wires})
     show_failed(target.data, flat.failed)
-    return target, pieces
+    return target
 
 
 def _is_shared(flat: bpy.types.Object) -> bool:
@@ -79,7 +82,7 @@ def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) 
     return notes
 
 
-def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> FlatPieces:
+def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
     _write_faces(mesh, flat)
     deselect_all(mesh)  # in Edit Mode L is to take one piece, not one more
     edges = edge_vertices(mesh)
@@ -98,7 +101,6 @@ def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> Fla
     _write_attributes(mesh, flat, arrays, edges)
     _write_marks(mesh, marks)
     remember_shape(mesh, pieces)
-    return pieces
 
 
 def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
@@ -116,13 +118,13 @@ def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
 
 
 def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays, edges: np.ndarray) -> None:
-    add_flat_attribute(mesh, "source_vertex", flat.source_vertex)
-    add_flat_attribute(mesh, "source_corner", flat.source_corner)
-    add_flat_attribute(mesh, "source_face", flat.source_face)
-    add_flat_attribute(mesh, "piece", flat.piece)
+    add_flat_attribute(mesh, SOURCE_VERTEX, flat.source_vertex)
+    add_flat_attribute(mesh, SOURCE_CORNER, flat.source_corner)
+    add_flat_attribute(mesh, SOURCE_FACE, flat.source_face)
+    add_flat_attribute(mesh, PIECE_INDEX, flat.piece)
     add_flat_attribute(mesh, PIECE, flat.piece_id)
     mesh[FACE_COUNT] = len(arrays.polygon_starts)
-    write_flat_maps(mesh, flat, edges, edge_length_variation(flat, edges, arrays))
+    write_maps(mesh, flat, edges, edge_length_variation(flat, edges, arrays))
 
 
 def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
@@ -144,7 +146,7 @@ def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
 
 def show_failed(mesh: bpy.types.Mesh, failed: np.ndarray) -> None:
     """Gives the faces (f,) bool our material; it is taken off the mesh if there are none. Others' slots stay."""
-    slot = next((i for i, material in enumerate(mesh.materials) if material and material.name == MATERIAL), -1)
+    slot = next((i for i, material in enumerate(mesh.materials) if material and material.name == FAILED_MATERIAL), -1)
     if not failed.any():
         if slot >= 0:
             mesh.materials.pop(index=slot)
@@ -153,12 +155,12 @@ def show_failed(mesh: bpy.types.Mesh, failed: np.ndarray) -> None:
         if not mesh.materials:
             mesh.materials.append(None)  # of the good pieces
         slot = len(mesh.materials)
-        mesh.materials.append(bpy.data.materials.get(MATERIAL) or _new_material())
+        mesh.materials.append(bpy.data.materials.get(FAILED_MATERIAL) or _new_material())
     mesh.polygons.foreach_set("material_index", np.where(failed, slot, 0).astype(np.int32))
 
 
 def _new_material() -> bpy.types.Material:
-    material = bpy.data.materials.new(MATERIAL)
+    material = bpy.data.materials.new(FAILED_MATERIAL)
     material.diffuse_color = RED
     return material
 
@@ -166,15 +168,6 @@ def _new_material() -> bpy.types.Material:
 def follow_name(source: bpy.types.Object, earlier: str) -> None:
     """earlier: what the model was called then. What the user has named otherwise stays."""
     flat = find_flat_object(source)
-    _rename(find_helper_wires(source), helper_name(earlier), helper_name(source.name))
-    if flat:
-        before = flat.name
-        _rename(flat, flat_name(earlier), flat_name(source.name))
-        _rename(find_helper_wires(flat), helper_name(before), helper_name(flat.name))
-
-
-def _rename(target: bpy.types.Object | None, before: str, now: str) -> None:
-    """With its mesh."""
-    for each in (target, target.data) if target and before != now else ():
-        if each.name == before and each.library is None:
-            each.name = now
+    for each in (flat, flat.data) if flat and earlier != source.name else ():  # the mesh has the object's name
+        if each.name == flat_name(earlier) and each.library is None:
+            each.name = flat_name(source.name)

@@ -13,6 +13,7 @@ from ..issues import changed_error, object_error
 from ..model.owners import check_not_edited, find_flat_object, has_flat_object
 from ..model.state import has_changed, shows_modified
 from ..model.wire_names import names_of
+from ..names import PIECE_INDEX, SOURCE_VERTEX
 from ..pattern.make import PieceLabel, make_pattern
 from ..pattern.pattern import IMPERIAL, METRIC, Pattern
 from .object import is_true_size
@@ -107,9 +108,9 @@ def _shown(source: bpy.types.Object) -> Iterator[None]:
 
 def _is_edited(mesh: bpy.types.Mesh, report: dict) -> bool:
     """Whether anything but the place of whole pieces is other than it was laid out."""
-    if not has_flat_attributes(mesh, "piece", "source_vertex"):
+    if not has_flat_attributes(mesh, PIECE_INDEX, SOURCE_VERTEX):
         return True
-    pieces = read_flat_attribute(mesh, "piece")
+    pieces = read_flat_attribute(mesh, PIECE_INDEX)
     faces = [piece["faces"] if piece["has_layout"] else 0 for piece in report["pieces"]]
     if np.any((pieces < 0) | (pieces >= len(faces))) or np.bincount(pieces, minlength=len(faces)).tolist() != faces:
         return True

@@ -9,12 +9,10 @@ import bpy
 import numpy as np
 
 from ..model.piece_ids import write_piece_ids
-from ..names import PIECE
+from ..names import FACE_COUNT, PIECE, SOURCE_FACE
 from ..solve.arrays import MeshArrays
 from ..solve.identity import KnownPieces, PieceIdentity, ids_by_face
 from .read import has_flat_attributes, read_flat_attribute
-
-FACE_COUNT = "wirewarp_source_faces"  # of the mesh that was flattened, on the flat mesh
 
 
 def piece_names(source: bpy.types.Object) -> dict[int, str]:
@@ -36,8 +34,8 @@ def known_pieces(
 def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
     """(face_count,) int32 for the model; zeros if it is not, face by face, the one that was flattened."""
     ids = np.zeros(face_count, dtype=np.int32)
-    if mesh.get(FACE_COUNT) == face_count and has_flat_attributes(mesh, "source_face", PIECE):
-        faces = read_flat_attribute(mesh, "source_face")
+    if mesh.get(FACE_COUNT) == face_count and has_flat_attributes(mesh, SOURCE_FACE, PIECE):
+        faces = read_flat_attribute(mesh, SOURCE_FACE)
         inside = (faces >= 0) & (faces < face_count)  # new faces, made by hand, carry none or any
         ids[faces[inside]] = read_flat_attribute(mesh, PIECE)[inside]
     return ids

@@ -11,12 +11,12 @@ from mathutils import Vector
 
 from ..blender.mesh import corner_vertices, face_sizes, read, read_numbers
 from ..blender.objects import linear_part
-from ..model.owners import is_helper, model_of
-from ..names import PIECE
+from ..model.owners import model_of
+from ..names import AWAY, LAYOUT, PIECE, SOURCE_VERTEX, UP
 from ..pattern.outlines import piece_of_vertices
 from ..solve.flat_mesh import FlatMesh
 from ..solve.identity import PieceIdentity
-from ..solve.places import STAY, LaidOut, Motion, find_places, laid_out, points_of
+from ..solve.places import LaidOut, find_places, laid_out, points_of
 from .read import has_flat_attributes, read_flat_attribute
 
 GAP = 0.1  # of the model's largest dimension
@@ -25,9 +25,6 @@ SOLID = {"MESH", "CURVE", "SURFACE", "META"}
 Box = np.ndarray  # (2,3), the lowest and the highest corner
 # Of the report: with other ones the user wants another layout.
 LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "gap", "mirror")
-LAYOUT = "wirewarp_layout"  # of the flat mesh: with which ones it was laid out
-UP = "wirewarp_up"  # of the flat mesh: what was up then
-AWAY = "wirewarp_away"  # of the flat mesh: see LaidOut
 MOST = 2.0**53  # what a float holds as a whole number
 TURNED = 0.999  # cosine of the angle, 2.5 degrees, from which on another direction is up
 TURNED_TEXT = (
@@ -42,7 +39,7 @@ def free_place(scene: bpy.types.Scene, source: bpy.types.Object, size: np.ndarra
     Right of the source and of all flat pieces there are, on the level of the source's lowest point.
     """
     own, largest = _world_box(source), max(source.dimensions)
-    others = [each for each in scene.objects if each.type in SOLID and each.visible_get() and not is_helper(each)]
+    others = [each for each in scene.objects if each.type in SOLID and each.visible_get()]
     ours = [each for each in scene.objects if model_of(each)]
     right = max(_world_box(each)[1, 0] for each in (source, *ours))
     obstacles = [box for box in map(_world_box, others) if np.ptp(box, axis=0).max() <= LARGE * largest]
@@ -63,29 +60,21 @@ def _world_box(target: bpy.types.Object) -> Box:
     return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
-def pieces_in_place(
-    flat: FlatMesh, earlier: bpy.types.Object | None, gap: float
-) -> tuple[FlatMesh, dict[int, Motion], list[int]]:
+def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, gap: float) -> tuple[FlatMesh, list[int]]:
     """The pieces where they lie in the flat object `earlier`, if there is one.
 
-    Also how each was moved for it, by its id, and the ids of those that lie elsewhere now because they have grown into
-    others. gap: see find_places.
+    Also the ids of those that lie elsewhere now because they have grown into others. gap: see find_places.
     """
     known = _read(earlier.data) if earlier else None
     if known is None:
-        return flat, {}, []
+        return flat, []
     places = find_places(laid_out(flat), known, gap)
     vertices = flat.vertices.copy()
     piece = piece_of_vertices(len(vertices), flat.loop_vertices, flat.polygon_sizes, flat.piece_id)
     for piece_id, motion in places.motions.items():
         own = piece == piece_id
         vertices[own] = motion(vertices[own])
-    return replace(flat, vertices=vertices), places.motions, places.crowded
-
-
-def motions_in_order(motions: dict[int, Motion], identities: Sequence[PieceIdentity]) -> list[Motion]:
-    """One per piece of the result."""
-    return [motions.get(identity.piece_id, STAY) for identity in identities]
+    return replace(flat, vertices=vertices), places.crowded
 
 
 def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
@@ -141,13 +130,13 @@ def crowded_text(names: list[str]) -> str:
 def _read(mesh: bpy.types.Mesh) -> LaidOut | None:
     """None where the user has left nothing to go by."""
     places = read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64)
-    if not len(mesh.polygons) or not has_flat_attributes(mesh, "source_vertex", PIECE):
+    if not len(mesh.polygons) or not has_flat_attributes(mesh, SOURCE_VERTEX, PIECE):
         return None
     if not np.isfinite(places).all():
         return None
     return LaidOut(
         vertices=places,
-        source_vertex=read_flat_attribute(mesh, "source_vertex"),
+        source_vertex=read_flat_attribute(mesh, SOURCE_VERTEX),
         loop_vertices=corner_vertices(mesh),
         face_sizes=face_sizes(mesh),
         piece_id=read_flat_attribute(mesh, PIECE),

@@ -8,20 +8,12 @@ from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, face_si
 from ..issues import object_error
 from ..model.marks import read_marks
 from ..model.owners import find_flat_object, has_flat_object
-from ..names import PIECE
+from ..names import FLAT_AREAS, FLAT_COUNTS, FLAT_LENGTH, PIECE, PIECE_INDEX, SOURCE_CORNER, SOURCE_FACE, SOURCE_VERTEX
 from ..pattern.outlines import FlatPieces, outline_of, signed_areas
 from ..report.elements import FlatSources
 from ..solve.flat_mesh import edge_lengths
 
-DOMAINS = {  # all INT
-    "source_vertex": "POINT",
-    "source_corner": "CORNER",
-    "source_face": "FACE",
-    "piece": "FACE",  # its index in the report
-    PIECE: "FACE",
-}
-FLAT_LENGTH = "flat_length"  # edge attribute
-COUNTS, AREAS = "wirewarp_flat_counts", "wirewarp_flat_areas"  # of the flat mesh
+DOMAINS = {SOURCE_VERTEX: "POINT", SOURCE_CORNER: "CORNER", SOURCE_FACE: "FACE", PIECE_INDEX: "FACE", PIECE: "FACE"}
 # Of lengths in single precision, relative to the length and to the largest coordinate: pieces may have been moved.
 LENGTH_ERROR, PLACE_ERROR = 1e-5, 1e-6
 
@@ -51,11 +43,11 @@ def read_flat_pieces(mesh: bpy.types.Mesh, scale: float) -> FlatPieces:
     marks = read_marks(mesh)
     return FlatPieces(
         vertices=read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64) * scale,
-        source_vertex=read_flat_attribute(mesh, "source_vertex"),
+        source_vertex=read_flat_attribute(mesh, SOURCE_VERTEX),
         loop_vertices=corner_vertices(mesh),
         loop_edges=corner_edges(mesh),
         face_sizes=face_sizes(mesh),
-        face_piece=read_flat_attribute(mesh, "piece"),
+        face_piece=read_flat_attribute(mesh, PIECE_INDEX),
         edges=edge_vertices(mesh),
         wire_ids=marks.wire_ids,
         tolerances=marks.tolerances,
@@ -72,15 +64,15 @@ def flat_sources(source: bpy.types.Object, report: dict) -> tuple[bpy.types.Obje
     if (
         not has_flat_object(source)
         or "flat_object" not in report
-        or not has_flat_attributes(flat.data, "piece", "source_vertex", "source_face")
+        or not has_flat_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX, SOURCE_FACE)
     ):
         raise object_error("no_flat_pieces", no_pieces_sentence(source))
     mesh = flat.data
     return flat, FlatSources(
-        vertices=read_flat_attribute(mesh, "source_vertex"),
+        vertices=read_flat_attribute(mesh, SOURCE_VERTEX),
         edges=edge_vertices(mesh),
-        faces=read_flat_attribute(mesh, "source_face"),
-        piece=read_flat_attribute(mesh, "piece"),
+        faces=read_flat_attribute(mesh, SOURCE_FACE),
+        piece=read_flat_attribute(mesh, PIECE_INDEX),
         loop_vertices=corner_vertices(mesh),
         face_sizes=face_sizes(mesh),
     )
@@ -90,8 +82,8 @@ def remember_shape(mesh: bpy.types.Mesh, pieces: FlatPieces) -> None:
     """Of a flat mesh as it was laid out; pieces: all of it."""
     lengths = mesh.attributes.new(FLAT_LENGTH, "FLOAT", "EDGE")
     lengths.data.foreach_set("value", edge_lengths(pieces.vertices, pieces.edges).astype(np.float32))
-    mesh[COUNTS] = _counts(mesh)
-    mesh[AREAS] = _areas(pieces).tolist()
+    mesh[FLAT_COUNTS] = _counts(mesh)
+    mesh[FLAT_AREAS] = _areas(pieces).tolist()
 
 
 def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
@@ -99,8 +91,8 @@ def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
 
     Of a mesh with the attributes of flat pieces.
     """
-    laid_out, then = read_attribute(mesh, FLAT_LENGTH, "FLOAT", "EDGE"), read_numbers(mesh, AREAS)
-    if laid_out is None or then is None or not np.array_equal(read_numbers(mesh, COUNTS), _counts(mesh)):
+    laid_out, then = read_attribute(mesh, FLAT_LENGTH, "FLOAT", "EDGE"), read_numbers(mesh, FLAT_AREAS)
+    if laid_out is None or then is None or not np.array_equal(read_numbers(mesh, FLAT_COUNTS), _counts(mesh)):
         return False
     pieces = read_flat_pieces(mesh, 1.0)
     now = _areas(pieces)

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The pieces as the UV layer "WireWarp" of the source mesh."""
 
-from dataclasses import dataclass
-
 import bpy
 import numpy as np
 
@@ -29,46 +27,35 @@ def check_uv_room(target: bpy.types.Object) -> None:
         )
 
 
-@dataclass(frozen=True)
-class UvFrame:
-    """The square that becomes the unit square of the map, the same for all pieces."""
-
-    low: np.ndarray  # (2,) its lower left corner
-    scale: float  # Blender units in one UV unit
-
-    def __call__(self, points: np.ndarray) -> np.ndarray:
-        """(...,2) to UV."""
-        uv = points - self.low
-        uv /= self.scale  # in its own place, for new memory is what takes the time
-        return np.clip(uv, 0, 1, out=uv)
-
-
-def write_uv(mesh: bpy.types.Mesh, corner_uv: np.ndarray, arrays: MeshArrays) -> UvFrame:
+def write_uv(mesh: bpy.types.Mesh, corner_uv: np.ndarray, arrays: MeshArrays) -> float:
     """Writes corner_uv (m,3,2) in Blender units into the unit square. Faces without a layout go to (0,0).
 
-    The scale is kept on the mesh as wirewarp_uv_scale.
+    Returns the scale, Blender units in one UV unit; it is kept on the mesh, too.
     """
-    loop_uv, frame = loop_coordinates(corner_uv, arrays)
+    loop_uv, scale = _loop_coordinates(corner_uv, arrays)
     layer = mesh.uv_layers.get(UV_LAYER) or mesh.uv_layers.new(name=UV_LAYER, do_init=False)
     if hasattr(layer, "uv"):  # Blender 3.5 and later
         layer.uv.foreach_set("vector", loop_uv.ravel())
     else:
         layer.data.foreach_set("uv", loop_uv.ravel())
     mesh.uv_layers.active = layer
-    mesh[UV_SCALE] = frame.scale
-    return frame
+    mesh[UV_SCALE] = scale
+    return scale
 
 
-def loop_coordinates(corner_uv: np.ndarray, arrays: MeshArrays) -> tuple[np.ndarray, UvFrame]:
-    """UVs (l,2) float32 of all loops in the unit square, and what became that."""
+def _loop_coordinates(corner_uv: np.ndarray, arrays: MeshArrays) -> tuple[np.ndarray, float]:
+    """UVs (l,2) float32 of all loops in the unit square, and the side of the square that became that."""
     placed = has_layout(corner_uv)
     uv = corner_uv if placed.all() else corner_uv[placed]
     low = np.array([uv[..., 0].min(), uv[..., 1].min()])
-    frame = UvFrame(low, float(max(uv[..., 0].max() - low[0], uv[..., 1].max() - low[1])))
+    scale = float(max(uv[..., 0].max() - low[0], uv[..., 1].max() - low[1]))
+    uv = uv - low
+    uv /= scale  # in its own place, for new memory is what takes the time
+    np.clip(uv, 0, 1, out=uv)
     loops = arrays.triangle_loops if placed.all() else arrays.triangle_loops[placed]
     loop_uv = np.zeros((len(arrays.loop_vertices), 2), dtype=np.float32)
     # The corners that triangles of one quad share lie in one piece, so they write the same numbers. A pair of float32
     # has the size of one complex number: to put these is faster than to put rows.
-    pairs = frame(uv).reshape(-1, 2).astype(np.float32)
+    pairs = uv.reshape(-1, 2).astype(np.float32)
     loop_uv.view(np.complex64)[loops.ravel(), 0] = pairs.view(np.complex64)[:, 0]
-    return loop_uv, frame
+    return loop_uv, scale

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which object is whose: models, their flat pieces, and the helper wires of both.
+"""Which object is whose: models and their flat pieces.
 
-Scripts and users may have changed both pointers, and converted or exchanged the objects.
+Scripts and users may have changed the pointer, and converted or exchanged the objects.
 """
 
 import bpy
@@ -43,10 +43,6 @@ def flat_name(model_name: str) -> str:
     return name_with(model_name, " Flat")
 
 
-def helper_name(owner_name: str) -> str:
-    return name_with(owner_name, " Helper Wires")
-
-
 def has_flat_object(source: bpy.types.Object) -> bool:
     """Whether there are flat pieces that the user has not deleted."""
     flat = find_flat_object(source)
@@ -64,25 +60,12 @@ def earlier_sentence(target: bpy.types.Object) -> str:
     return f'"{target.name}" is a copy or a part of earlier pieces: go by "{flat.name}", and delete the others.'
 
 
-def is_helper(target: bpy.types.Object) -> bool:
-    """Whether these are helper wires: edges alone. A surface is the user's."""
-    return target.type == "MESH" and target.wirewarp_helpers_of is not None and not target.data.polygons
-
-
-def find_helper_wires(owner: bpy.types.Object) -> bpy.types.Object | None:
-    """Those of a model or of flat pieces."""
-    candidates = (each for each in bpy.data.objects if each.wirewarp_helpers_of == owner and each != owner)
-    return next(filter(is_helper, candidates), None)
-
-
 def check_not_edited(target: bpy.types.Object) -> None:
     """Raises ObjectError where the model's or the results' mesh is in Edit Mode: Blender hides its attributes then.
 
     in_object_mode leaves the Edit Mode of one view layer; other scenes and windows have theirs.
     """
-    flat = find_flat_object(target)
-    results = [flat, *(find_helper_wires(owner) for owner in (target, flat) if owner)]
-    for each in [target, *filter(None, results)]:
+    for each in filter(None, [target, find_flat_object(target)]):
         if each.data.is_editmode:
             raise object_error(
                 "edited_elsewhere",

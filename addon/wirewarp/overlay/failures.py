@@ -9,6 +9,7 @@ import numpy as np
 from ..blender.mesh import corner_edges, edge_vertices, face_sizes, next_loops, read
 from ..flat.read import has_flat_attributes, read_flat_attribute
 from ..model.owners import model_of
+from ..names import SOURCE_FACE, SOURCE_VERTEX
 from ..pattern.chains import edge_keys
 from .gather import gather_triangles, uv_places
 from .objects import current_report
@@ -69,9 +70,9 @@ def _elements(target: bpy.types.Object) -> _Elements | None:
         return None
     mesh, source = target.data, np.arange(len(target.data.vertices))
     if model_of(target):
-        if not has_flat_attributes(mesh, "source_vertex", "source_face"):
+        if not has_flat_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
             return None
-        source = read_flat_attribute(mesh, "source_vertex")
+        source = read_flat_attribute(mesh, SOURCE_VERTEX)
     faces = _failed_faces(mesh, report["issues"])
     pairs = np.sort(source[edge_vertices(mesh)], axis=1)
     masks = {
@@ -83,7 +84,7 @@ def _elements(target: bpy.types.Object) -> _Elements | None:
 
 def _failed_faces(mesh: bpy.types.Mesh, issues: list[dict]) -> np.ndarray:
     faces = np.array([face for issue in issues for face in issue["faces"]], dtype=np.int32)
-    source_faces = read_flat_attribute(mesh, "source_face")
+    source_faces = read_flat_attribute(mesh, SOURCE_FACE)
     return faces if source_faces is None else np.flatnonzero(np.isin(source_faces, faces))
 
 

@@ -25,7 +25,7 @@ from ..blender.mesh import (
 from ..flat.read import has_flat_attributes, read_flat_attribute
 from ..model.marks import read_marks
 from ..model.piece_ids import read_piece_ids
-from ..names import PIECE, TOLERANCE, UV_LAYER, WIRE
+from ..names import PIECE, PIECE_INDEX, SOURCE_VERTEX, TOLERANCE, UV_LAYER, WIRE
 from .lines import LineMarks
 from .surfaces import Triangles
 
@@ -54,8 +54,8 @@ def _lines(mesh: bpy.types.Mesh) -> LineMarks:
     rows = np.flatnonzero(seams | outlines | (marks.wire_ids != 0))
     vertices = edge_vertices(mesh)[rows]
     source, pieces = vertices, np.zeros(len(rows), dtype=np.int32)
-    if has_flat_attributes(mesh, "source_vertex", "piece"):
-        source = read_flat_attribute(mesh, "source_vertex")[vertices]
+    if has_flat_attributes(mesh, SOURCE_VERTEX, PIECE_INDEX):
+        source = read_flat_attribute(mesh, SOURCE_VERTEX)[vertices]
         pieces = _piece_of_edge(mesh)[rows]
     return LineMarks(
         ends=read(mesh.vertices, "co", np.float32, 3)[vertices],
@@ -76,7 +76,7 @@ def _lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineMarks:
     edit.verts.index_update()
     layers = edit.edges.layers
     wire, tolerance = layers.int.get(WIRE), layers.float.get(TOLERANCE)
-    source, piece = edit.verts.layers.int.get("source_vertex"), edit.faces.layers.int.get("piece")
+    source, piece = edit.verts.layers.int.get(SOURCE_VERTEX), edit.faces.layers.int.get(PIECE_INDEX)
     marked = [edge for edge in edit.edges if not edge.hide and (edge.seam or edge.is_boundary or (wire and edge[wire]))]
     vertices = [[vertex[source] if source else vertex.index for vertex in edge.verts] for edge in marked]
     return LineMarks(
@@ -99,7 +99,7 @@ def _piece_in_edit_mode(edge: bmesh.types.BMEdge, layer: bmesh.types.BMLayerItem
 def _piece_of_edge(mesh: bpy.types.Mesh) -> np.ndarray:
     sizes = face_sizes(mesh)
     piece_of_edge = np.zeros(len(mesh.edges), dtype=np.int32)
-    piece_of_edge[corner_edges(mesh)] = np.repeat(read_flat_attribute(mesh, "piece"), sizes)
+    piece_of_edge[corner_edges(mesh)] = np.repeat(read_flat_attribute(mesh, PIECE_INDEX), sizes)
     return piece_of_edge
 
 

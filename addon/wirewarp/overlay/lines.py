@@ -42,7 +42,6 @@ RIM, RIM_ALPHA = 1.5, 0.6  # of the rim: pixels wider than the line
 # In the order in which they are drawn: a wire on a seam or in what failed is seen on top of it.
 STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
-    "helper": LineStyle("Helper wire, added", _hex("#ffffff"), 1.5),
     "proposed": LineStyle("Proposed seam", _hex("#890089"), 6.0),
     "outline": LineStyle("Outline", _hex("#786068"), 2.5),
     "seam": LineStyle("Seam", _hex("#101018"), 4.5),

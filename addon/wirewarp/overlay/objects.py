@@ -2,22 +2,19 @@
 """What is drawn of one object: arrays, no GPU."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import bpy
 import numpy as np
 
 from ..blender.mesh import read, read_attribute, read_numbers
-from ..flat.helper_wires import helper_ends
-from ..flat.maps import RANGE
 from ..flat.pieces import piece_names
 from ..flat.read import has_flat_attributes, read_flat_attribute
 from ..flat.reports import last_report, pieces_report
-from ..flat.texts import find_texts
 from ..model.owners import find_flat_object, model_of, model_or_self
 from ..model.state import has_changed
 from ..model.wire_names import chain_names
-from ..names import PIECE
+from ..names import PIECE, RANGE, SOURCE_CORNER
 from ..solve.maps import ColorMap
 from .gather import gather_lines, gather_triangles, shown_mesh
 from .lines import LineMarks, Name, dashes_by_kind, lines_by_kind, seam_line_names, wire_line_names, wire_runs
@@ -32,17 +29,11 @@ class Lines:
 
 
 def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
-    """Seams, wires and helper wires of a model or of flat pieces. Raises ObjectError as gather_lines does."""
+    """Seams and wires of a model or of flat pieces. Raises ObjectError as gather_lines does."""
     lines = lines_of(target, gather_lines(target, depsgraph))
-    has_pieces = model_of(target) and not target.data.is_editmode and has_flat_attributes(target.data, PIECE)
-    if has_pieces and not find_texts(target):
+    if model_of(target) and not target.data.is_editmode and has_flat_attributes(target.data, PIECE):
         lines.names[:0] = _piece_names(target)
-    return with_helpers(lines, helper_ends(target))
-
-
-def with_helpers(lines: Lines, ends: np.ndarray | None) -> Lines:
-    """ends (2k,3) of helper wires, if there are any."""
-    return lines if ends is None else replace(lines, places=lines.places | {"helper": ends})
+    return lines
 
 
 def lines_of(target: bpy.types.Object, marks: LineMarks) -> Lines:
@@ -109,7 +100,7 @@ def colored_surface(
     extremes = map_extremes(flat.data, color_map)
     if flat == target:
         return colored(gather_triangles(flat.data), colors, extremes)
-    corners = read_flat_attribute(flat.data, "source_corner")
+    corners = read_flat_attribute(flat.data, SOURCE_CORNER)
     if corners is None or current_report(target) is None:
         return None
     with shown_mesh(target, depsgraph) as mesh:

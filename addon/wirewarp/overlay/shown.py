@@ -8,7 +8,7 @@ from functools import partial
 import bpy
 
 from ..blender.cache import stamp
-from ..flat.helper_wires import helper_ends_in_map
+from ..flat.pieces import piece_names
 from ..flat.reports import last_report
 from ..issues import ObjectError
 from ..model.owners import find_flat_object, model_of, model_or_self
@@ -17,7 +17,7 @@ from ..solve.maps import COLOR_MAPS, ColorMap
 from .cache import Same, kept_drawing
 from .failures import Failures, failures, uv_failures
 from .gather import gather_uv_lines, shows_our_map
-from .objects import Lines, colored_surface, lines_of, marked_lines, with_helpers
+from .objects import Lines, colored_surface, lines_of, marked_lines
 from .surfaces import ColoredTriangles, Extremes
 
 MODES = {"OBJECT", "EDIT"}
@@ -67,7 +67,7 @@ def _concerns_us(target: bpy.types.Object) -> bool:
 def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: ColorMap | None) -> Drawing:
     lines = failed = surface = None
     source = model_or_self(target)
-    names = [(entry.wire_id, entry.name) for entry in source.data.wirewarp_names]
+    names = [(entry.wire_id, entry.name) for entry in source.data.wirewarp_names], piece_names(source)
     report = Same(last_report(source))
     made_of = stamp(target), stamp(target.data), target.data.is_editmode, report, source.name_full, names
     depsgraph = context.view_layer.depsgraph
@@ -121,6 +121,6 @@ def _targets(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 def _uv_lines(target: bpy.types.Object) -> Lines:
     try:
-        return with_helpers(lines_of(target, gather_uv_lines(target.data)), helper_ends_in_map(target))
+        return lines_of(target, gather_uv_lines(target.data))
     except ObjectError:
         return Lines({}, {}, [])  # an attribute of our name is another's; the list of wires says so

@@ -106,15 +106,6 @@ def outline_rows(report: dict) -> list[ReportRow]:
     ])  # fmt: skip
 
 
-def helper_rows(report: dict) -> list[ReportRow]:
-    """The wires that were added, numbered through all pieces; they may take any length."""
-    helpers = [(piece["index"], wire) for piece in report["pieces"] for wire in piece["helper_wires"]]
-    return [
-        ReportRow(f"Helper {number}: {piece_name(report, index)}", True, _sides(wire, ["Flat"]))
-        for number, (index, wire) in enumerate(helpers, start=1)
-    ]
-
-
 def piece_rows(report: dict) -> list[PieceRow]:
     """Failed ones first, then by how much their cloth is strained."""
     return [
@@ -161,7 +152,6 @@ class ReportTables:
     seams: list[ReportRow]
     wires: list[ReportRow]
     outlines: list[ReportRow]
-    helpers: list[ReportRow]
     pieces: list[PieceRow]
 
 
@@ -179,7 +169,6 @@ def tables_of(report: dict) -> ReportTables:
         seams=seam_rows(report),
         wires=wire_rows(report),
         outlines=outline_rows(report),
-        helpers=helper_rows(report),
         pieces=piece_rows(report),
     )
     _kept[:] = [(report, names, tables), *_kept[:1]]

@@ -29,10 +29,7 @@ class RunSettings(Protocol):
     """What of the panel's or the operator's settings reading and writing ask for."""
 
     use_modifiers: bool
-    maps_on_model: bool
     keep_places: bool
-    helper_wires: bool
-    piece_texts: bool
 
 
 def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], settings: RunSettings) -> list[Model]:
@@ -60,7 +57,7 @@ def check_current(context: bpy.types.Context, models: list[Model], settings: Run
 
 
 def _check(source: bpy.types.Object, settings: RunSettings) -> None:
-    check_target(source, writes_model=not settings.use_modifiers, writes_maps=settings.maps_on_model)
+    check_target(source, writes_model=not settings.use_modifiers)
 
 
 def _is_current(model: Model, depsgraph: bpy.types.Depsgraph | None) -> bool:

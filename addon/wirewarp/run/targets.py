@@ -5,19 +5,18 @@ import bpy
 import numpy as np
 
 from ..blender.objects import check_local, linear_part, metric
-from ..flat.maps import check_map_room
 from ..flat.read import is_flat_mesh
 from ..flat.uv import check_uv_room
 from ..issues import Issue, ObjectError, object_error
 from ..model.marks import check_attributes
-from ..model.owners import DELETED, check_not_edited, is_deleted, is_helper, model_of
+from ..model.owners import DELETED, check_not_edited, is_deleted, model_of
 from ..model.piece_ids import check_piece_room
 
 CONVERTIBLE = {"CURVE", "SURFACE", "META", "FONT"}
 
 
 def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Every selected mesh and every mesh in Edit Mode, flat pieces and helper wires of ours left out."""
+    """Every selected mesh and every mesh in Edit Mode, flat pieces left out."""
     edited = list(context.objects_in_mode) if context.mode == "EDIT_MESH" else []
     return list(filter(_is_model, dict.fromkeys([*edited, *context.selected_objects])))
 
@@ -29,7 +28,7 @@ def active_target(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 
 def _is_model(target: bpy.types.Object) -> bool:
-    return target.type == "MESH" and model_of(target) is None and not is_helper(target)
+    return target.type == "MESH" and model_of(target) is None
 
 
 def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Object]) -> str:
@@ -54,8 +53,8 @@ def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Objec
     return "Nothing to flatten: select a mesh object."
 
 
-def check_target(target: bpy.types.Object, writes_model: bool, writes_maps: bool) -> None:
-    """Raises ObjectError if the results cannot be written. writes_model: to the base mesh too; writes_maps: and these.
+def check_target(target: bpy.types.Object, writes_model: bool) -> None:
+    """Raises ObjectError if the results cannot be written. writes_model: to the base mesh too.
 
     All that can refuse is asked here, before the first of them is written. Of an object in Object Mode.
     """
@@ -75,8 +74,6 @@ def check_target(target: bpy.types.Object, writes_model: bool, writes_maps: bool
         check_piece_room(target)
         check_uv_room(target)
         _check_users(target)
-    if writes_model and writes_maps:
-        check_map_room(target)
 
 
 def _check_users(target: bpy.types.Object) -> None:

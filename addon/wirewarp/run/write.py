@@ -4,17 +4,14 @@
 import bpy
 import numpy as np
 
-from ..blender.mesh import edge_vertices
 from ..blender.objects import show_where_shown
-from ..flat.helper_wires import helper_lines, remove_helper_wires, write_helper_wires
-from ..flat.maps import remove_model_maps, write_model_maps
-from ..flat.object import follow_name, our_collection, show_flat_object, write_flat_object
+from ..flat.leftovers import remove_leftovers, remove_model_maps
+from ..flat.object import follow_name, show_flat_object, write_flat_object
 from ..flat.pieces import with_new_names, write_pieces
 from ..flat.places import (
     TURNED_TEXT,
     crowded_text,
     is_turned,
-    motions_in_order,
     pieces_in_place,
     places_of_absent,
     present_up,
@@ -23,22 +20,19 @@ from ..flat.places import (
     wants_new_layout,
 )
 from ..flat.reports import remember, store, with_names
-from ..flat.texts import find_texts, remove_texts, write_texts
-from ..flat.uv import UvFrame, write_uv
+from ..flat.uv import write_uv
 from ..issues import note, warning
 from ..model.marks import wires_on
-from ..model.owners import earlier_sentence, find_flat_object, find_helper_wires, is_earlier, model_of
+from ..model.owners import earlier_sentence, find_flat_object, is_earlier, model_of
 from ..model.wire_names import update_names
 from ..names import UV_LAYER
 from ..solve.flat_mesh import FlatMesh
-from ..solve.maps import model_maps
-from ..solve.places import Motion
 from .models import Outcome
 from .read import RunSettings, find_source
 
 
 def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings: RunSettings) -> None:
-    """Writes UV layer, flat object, maps, helper wires and report of every object that has a layout."""
+    """Writes UV layer, flat object, maps and report of every object that has a layout."""
     for outcome in outcomes:
         source, arrays = find_source(outcome.model), outcome.model.arrays
         if outcome.pieces is None:
@@ -53,44 +47,26 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
         write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
         with_names(source, outcome.report)
         earlier = _kept_object(source, outcome, settings.keep_places)
-        pieces, motions, up = _place(source, outcome, earlier)
+        pieces, up = _place(source, outcome, earlier)
         away = places_of_absent(outcome.pieces, earlier, outcome.identities)
-        flat, flat_arrays = write_flat_object(context.scene, source, pieces, arrays)
+        flat = write_flat_object(context.scene, source, pieces, arrays)
         follow_name(source, outcome.model.known.model_name)
         remember_layout(flat, outcome.report["options"], up, away)
-        uv_frame = None if settings.use_modifiers else _write_to_model(source, outcome, flat, settings.maps_on_model)
-        if settings.helper_wires:
-            lines = helper_lines(outcome.result, motions)
-            write_helper_wires(our_collection(context.scene), source, flat, lines, uv_frame)
-        else:
-            remove_helper_wires(source, flat)
-        if settings.piece_texts:
-            write_texts(context, flat, flat_arrays, outcome.report)
-        else:
-            remove_texts(flat)
+        if not settings.use_modifiers:
+            remove_model_maps(source.data)
+            uv_scale = write_uv(source.data, outcome.result.corner_uv, arrays)
+            outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": uv_scale}
+        remove_leftovers(source, flat)
         context.view_layer.update()
         outcome.report["flat_object"] = flat.name
         outcome.report["notes"] += show_flat_object(context.view_layer, flat) + _notes_on_others(source)
-        helpers = [find_helper_wires(owner) for owner in (source, flat)]
-        show_where_shown(source, [flat, *find_texts(flat), *filter(None, helpers)])
+        show_where_shown(source, flat)
         store(source, outcome.report)
 
 
 def _notes_on_others(source: bpy.types.Object) -> list[dict]:
     others = [each for each in bpy.data.objects if model_of(each) == source and is_earlier(each)]
     return [warning(earlier_sentence(each)) for each in others]
-
-
-def _write_to_model(source: bpy.types.Object, outcome: Outcome, flat: bpy.types.Object, maps: bool) -> UvFrame:
-    mesh, arrays = source.data, outcome.model.arrays
-    uv_frame = write_uv(mesh, outcome.result.corner_uv, arrays)
-    outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": uv_frame.scale}
-    if maps:
-        flat_edges = edge_vertices(flat.data)
-        write_model_maps(mesh, model_maps(outcome.pieces, flat_edges, arrays), arrays)
-    else:
-        remove_model_maps(mesh)
-    return uv_frame
 
 
 def _kept_object(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> bpy.types.Object | None:
@@ -100,12 +76,10 @@ def _kept_object(source: bpy.types.Object, outcome: Outcome, keep_places: bool) 
     return earlier if is_kept else None
 
 
-def _place(
-    source: bpy.types.Object, outcome: Outcome, earlier: bpy.types.Object | None
-) -> tuple[FlatMesh, list[Motion], np.ndarray]:
-    """The pieces where they lay in the flat object `earlier`; how each was moved for it; and what was up then (3,)."""
+def _place(source: bpy.types.Object, outcome: Outcome, earlier: bpy.types.Object | None) -> tuple[FlatMesh, np.ndarray]:
+    """The pieces where they lay in the flat object `earlier`, and what was up then (3,)."""
     options = outcome.report["options"]
-    pieces, motions, crowded = pieces_in_place(outcome.pieces, earlier, options["gap"])
+    pieces, crowded = pieces_in_place(outcome.pieces, earlier, options["gap"])
     if crowded:
         name_of = {identity.piece_id: identity.name for identity in outcome.identities}
         outcome.report["notes"].append(note(crowded_text([name_of[piece_id] for piece_id in crowded])))
@@ -113,4 +87,4 @@ def _place(
     then = up_when_laid_out(earlier, up) if earlier else up
     if is_turned(up, then, options):
         outcome.report["notes"].append(note(TURNED_TEXT))
-    return pieces, motions_in_order(motions, outcome.identities), then
+    return pieces, then

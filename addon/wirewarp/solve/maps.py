@@ -1,13 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures as colors, and from the flat mesh to the model."""
+"""Measures to colors that are told apart without hue: by lightness, or by warm and cold."""
 
 from dataclasses import dataclass
 
 import numpy as np
-
-from ..pattern.chains import edge_keys
-from .arrays import MeshArrays
-from .flat_mesh import FlatMesh, edge_length_variation
 
 # Linear RGB at equal steps. From no distortion to the upper end: near white, yellow, orange, red, dark.
 _RISING = ((0.93, 0.93, 0.90), (0.98, 0.80, 0.35), (0.93, 0.42, 0.10), (0.65, 0.07, 0.08), (0.18, 0.01, 0.09))
@@ -47,42 +43,3 @@ LENGTH_VARIATION = ColorMap("length_variation_color", "Change of length", 0.0, 0
 ARAP_ENERGY = ColorMap("arap_energy_color", "Distortion", 0.0, 0.1)
 COLOR_MAPS = (ASPECT_RATIO, STRETCH, LENGTH_VARIATION, ARAP_ENERGY)
 NO_LAYOUT = np.array([0.16, 0.18, 0.22, 1.0], dtype=np.float32)  # on none of the scales
-
-
-@dataclass(frozen=True)
-class ModelMaps:
-    """Zero where there is no layout."""
-
-    placed: np.ndarray  # (f,) bool, faces with a layout
-    arap_energy: np.ndarray  # (f,) float32
-    energy_density: np.ndarray  # (f,) float32
-    aspect_ratio: np.ndarray  # (f,) float32
-    stretch: np.ndarray  # (f,) float32
-    length_variation: np.ndarray  # (e,) float32, on a seam the larger of its sides
-
-
-def model_maps(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> ModelMaps:
-    """flat_edges (k,2): all edges of the flat mesh."""
-    return ModelMaps(
-        placed=_on_faces(flat, np.ones(len(flat.source_face), dtype=bool), arrays),
-        arap_energy=_on_faces(flat, flat.arap_energy, arrays),
-        energy_density=_on_faces(flat, flat.energy_density, arrays),
-        aspect_ratio=_on_faces(flat, flat.aspect_ratio, arrays),
-        stretch=_on_faces(flat, flat.stretch, arrays),
-        length_variation=_on_edges(flat, flat_edges, edge_length_variation(flat, flat_edges, arrays), arrays),
-    )
-
-
-def _on_faces(flat: FlatMesh, values: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    on_model = np.zeros(len(arrays.polygon_starts), dtype=values.dtype)
-    on_model[flat.source_face] = values
-    return on_model
-
-
-def _on_edges(flat: FlatMesh, flat_edges: np.ndarray, values: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    keys = edge_keys(arrays.edges, len(arrays.vertices))
-    order = np.argsort(keys)
-    flat_keys = edge_keys(flat.source_vertex[flat_edges], len(arrays.vertices))
-    on_model = np.zeros(len(keys), dtype=values.dtype)
-    np.maximum.at(on_model, order[np.searchsorted(keys[order], flat_keys)], values)
-    return on_model

@@ -15,7 +15,6 @@ from .panel import (
 from .piece_list import VIEW3D_PT_wirewarp_pieces, WIREWARP_UL_pieces
 from .report import (
     VIEW3D_PT_wirewarp_report,
-    VIEW3D_PT_wirewarp_report_helpers,
     VIEW3D_PT_wirewarp_report_outlines,
     VIEW3D_PT_wirewarp_report_seams,
     VIEW3D_PT_wirewarp_report_wires,
@@ -34,7 +33,6 @@ CLASSES = (
     VIEW3D_PT_wirewarp_report_seams,
     VIEW3D_PT_wirewarp_report_wires,
     VIEW3D_PT_wirewarp_report_outlines,
-    VIEW3D_PT_wirewarp_report_helpers,
     VIEW3D_PT_wirewarp_overlay,
     IMAGE_PT_wirewarp_overlay,
 )

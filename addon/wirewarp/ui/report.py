@@ -132,11 +132,3 @@ class VIEW3D_PT_wirewarp_report_wires(ReportSection, bpy.types.Panel):
 class VIEW3D_PT_wirewarp_report_outlines(ReportSection, bpy.types.Panel):
     bl_label = "Outlines"
     table = "outlines"
-
-
-class VIEW3D_PT_wirewarp_report_helpers(ReportSection, bpy.types.Panel):
-    bl_label = "Helper Wires"
-    table = "helpers"
-
-    def summary(self, _context: bpy.types.Context, rows: list) -> str:
-        return f"{len(rows)}"

@@ -10,7 +10,7 @@ from ..properties import FlattenSettings, WIREWARP_PG_settings, choices_of
 
 LINES_FIRST = {"WIREWARP_PLUS_PLUS", "WIREWARPING"}
 WHOLE_WIDTH = {"fairness"}  # the method's too: their names do not fit half a narrow sidebar
-ONLY_FOR = {"fairness": {"REFINED"}, "node_weight": LINES_FIRST, "helper_wires": LINES_FIRST}
+ONLY_FOR = {"fairness": {"REFINED"}, "node_weight": LINES_FIRST}
 NAMES = {  # of the choices in a report, as the panel calls them
     "method": "Method",
     "fairness": "Smooth Outlines",
