@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """WireWarp: flat pieces with exact seam and wire lengths. addon/README.md is the map of the packages in here."""
 
-from . import core, properties, registration
+from collections.abc import Callable
+
+import bpy
+
+from . import core, without_library
 
 bl_info = {
     "name": "WireWarp",
@@ -16,14 +20,26 @@ bl_info = {
 VERSION = ".".join(map(str, bl_info["version"]))
 
 
+_unregister: Callable[[], None] | None = None
+
+
 def register() -> None:
-    core.load(VERSION)
-    registration.register_classes()
-    properties.attach()
-    registration.register_ui()
+    """The library first: without it, only a sentence and a Flatten that says it are there."""
+    global _unregister
+    if hasattr(bpy.types, "OBJECT_OT_wirewarp_flatten"):
+        raise RuntimeError("WireWarp is enabled already, as an extension or as an add-on: remove one of the two.")
+    try:
+        core.load(VERSION)
+    except core.LibraryError as error:
+        _unregister = without_library.register(str(error))
+        return
+    from . import registration  # not before: it needs numpy, as the library does
+
+    _unregister = registration.register()
 
 
 def unregister() -> None:
-    registration.unregister_ui()
-    properties.detach()
-    registration.unregister_classes()
+    global _unregister
+    take_back, _unregister = _unregister, None
+    if take_back:
+        take_back()

@@ -15,7 +15,6 @@ from types import ModuleType
 
 _INSIDE = "_core"
 _library: ModuleType | None = None
-_problem = "The WireWarp library was not loaded: disable and enable the add-on."
 _BINARIES = (".so", ".pyd")
 _MADE_FOR = re.compile(r"_wirewarp\.(?:cpython-|cp)(\d)(\d+)-(.+)\.(?:so|pyd)")
 _SYSTEMS = {"x86_64-linux-gnu": "Linux on x86-64", "win_amd64": "Windows on x86-64", "darwin": "macOS"}
@@ -28,9 +27,9 @@ class LibraryError(Exception):
 
 
 def load(addon_version: str) -> None:
-    """Looks for the library once, when the add-on registers. What is wrong is kept for problem()."""
-    global _library, _problem
-    _library, _problem = None, ""
+    """Looks for the library, when the add-on registers. Raises LibraryError if it is none that can be used."""
+    global _library
+    _library = None
     inside = Path(__file__).parent / _INSIDE
     try:
         if inside.is_dir():
@@ -39,24 +38,17 @@ def load(addon_version: str) -> None:
             found = importlib.import_module("wirewarp")
     except Exception as error:  # what a damaged library or one for another numpy raises, is not ours to know
         traceback.print_exc()
-        _problem = loading_problem(error, inside / "wirewarp" if inside.is_dir() else folder_of("wirewarp"))
-        return
+        problem = loading_problem(error, inside / "wirewarp" if inside.is_dir() else folder_of("wirewarp"))
+        raise LibraryError(problem) from error
     library_version = getattr(found, "__version__", "of an unknown version")
     if library_version != addon_version:
-        _problem = version_problem(addon_version, library_version)
-        return
+        raise LibraryError(version_problem(addon_version, library_version))
     _library = found
 
 
-def problem() -> str:
-    """Why there is no library, as a sentence; empty if all is well."""
-    return _problem
-
-
 def library() -> ModuleType:
-    """The package wirewarp. Raises LibraryError."""
-    if _library is None:
-        raise LibraryError(_problem)
+    """The package wirewarp. Without it nothing that asks for it is registered."""
+    assert _library
     return _library
 
 
@@ -68,6 +60,11 @@ def folder_of(package: str) -> Path | None:
 
 def loading_problem(error: Exception, folder: Path | None) -> str:
     """error: what importing the library raised; folder: where its files are, None if there are none."""
+    if isinstance(error, ModuleNotFoundError) and error.name == "numpy":
+        return (
+            "Blender's Python has no numpy, which WireWarp needs: install it (on Debian and Ubuntu the package "
+            "python3-numpy), restart Blender, and enable WireWarp again."
+        )
     modules = [file for file in sorted(folder.glob("_wirewarp.*")) if file.suffix in _BINARIES] if folder else []
     if not modules:
         return f"The WireWarp library is not installed beside the add-on. {_AGAIN}"

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every class by name, registered in order and unregistered in reverse."""
+"""All that the add-on hooks into Blender, in one place: classes, properties, menus, drawing, handlers."""
+
+from collections.abc import Callable
+from contextlib import ExitStack
 
 import bpy
 
@@ -7,37 +10,42 @@ from . import operators, overlay, properties, ui
 from .blender import cache
 from .flat import reports
 from .model import wire_names
+from .overlay import cache as drawings
 from .run import auto_update, read, window_run
 
 CLASSES = (*properties.CLASSES, *operators.CLASSES, *ui.CLASSES)
-ATTACHED = (
-    reports,
-    wire_names,
-    cache,
-    overlay,
-    ui.layout,
-    ui.menus,
-    read,
-    window_run,
-    auto_update,
-)
+PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)  # each with attach() and detach()
+HANDLERS: dict[str, tuple[Callable, ...]] = {  # by Blender's list of them
+    "depsgraph_update_post": (cache.drop_changed, auto_update.note_update),
+    "frame_change_post": (cache.drop_changed,),
+    "undo_post": (cache.drop_all, reports.forget_incomparable, auto_update.note_undo),
+    "redo_post": (cache.drop_all, reports.forget_incomparable, auto_update.note_undo),
+    "save_pre": (wire_names.write_brought_names,),
+    "load_pre": (window_run.stop, auto_update.forget),
+    "load_post": (cache.drop_all, drawings.forget, reports.forget, read.forget_solved),
+}
+FORGET = (*HANDLERS["load_pre"], *HANDLERS["load_post"])  # what is in memory goes with the add-on as with the file
 
 
-def register_classes() -> None:
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
+def register() -> Callable[[], None]:
+    """Returns what takes everything back, each thing even if another fails; as is done when registering fails."""
+    with ExitStack() as undo:
+        for cls in CLASSES:
+            bpy.utils.register_class(cls)
+            undo.callback(bpy.utils.unregister_class, cls)
+        for part in PARTS:
+            part.attach()
+            undo.callback(part.detach)
+        for name, functions in HANDLERS.items():
+            for function in functions:
+                getattr(bpy.app.handlers, name).append(bpy.app.handlers.persistent(function))
+                undo.callback(_remove_handler, name, function)
+        for forget in FORGET:
+            undo.callback(forget)
+        return undo.pop_all().close
 
 
-def unregister_classes() -> None:
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
-
-
-def register_ui() -> None:
-    for module in ATTACHED:
-        module.attach()
-
-
-def unregister_ui() -> None:
-    for module in reversed(ATTACHED):
-        module.detach()
+def _remove_handler(name: str, function: Callable) -> None:
+    """Another add-on may have cleared the list."""
+    if function in getattr(bpy.app.handlers, name):
+        getattr(bpy.app.handlers, name).remove(function)

@@ -358,6 +358,5 @@ def test_only_pieces_that_changed_are_solved_again(addon):
     source.scale.x = 1.1
     assert reused_pieces() == 0
     assert not np.allclose(uv_of(source.data), before)
-    addon.run.read.detach()  # as another file does
-    addon.run.read.attach()
+    addon.run.read.forget_solved()  # as another file does
     assert reused_pieces() == 0

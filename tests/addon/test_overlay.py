@@ -173,7 +173,7 @@ def test_a_missing_map_is_explained(addon, source):
     source.data.vertices[40].co.z += 0.1
     source.data.update()
     bpy.context.view_layer.update()
-    addon.overlay.cache._forget()
+    addon.overlay.cache.forget()
     assert notes() == ["Changed since: flatten again"]
     mark(grid("New", bump), RIGID)
     assert notes() == ["Not flattened yet: no map", "Changed since: flatten again"]

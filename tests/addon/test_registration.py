@@ -33,6 +33,36 @@ def test_register_and_unregister_twice(addon):
     assert handlers_of(addon) == handlers
 
 
+def test_a_list_of_handlers_that_another_add_on_has_cleared(addon):
+    bpy.app.handlers.load_pre.clear()
+    addon.unregister()
+    assert handlers_of(addon) == []
+    addon.register()
+
+
+def test_a_registration_that_fails_leaves_nothing(addon, monkeypatch):
+    addon.unregister()
+    before = set(dir(bpy.types))
+
+    def fail():
+        raise RuntimeError("no keymap")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(addon.run.auto_update, "attach", fail)
+        with pytest.raises(RuntimeError, match="no keymap"):
+            addon.register()
+    assert set(dir(bpy.types)) <= before
+    assert not hasattr(bpy.types.Scene, "wirewarp")
+    assert handlers_of(addon) == []
+    addon.register()
+
+
+def test_a_second_copy_of_the_add_on_is_refused(addon):
+    with pytest.raises(RuntimeError, match="enabled already"):
+        addon.register()
+    assert hasattr(bpy.types.Scene, "wirewarp")
+
+
 def test_menu_entries_come_and_go(addon):
     def ours():
         menus = addon.ui.menus.ADDED
@@ -52,7 +82,7 @@ def test_every_class_of_the_add_on_is_registered(addon):
         cls
         for module in modules
         for _, cls in inspect.getmembers(module, inspect.isclass)
-        if issubclass(cls, bases) and cls.__module__ == module.__name__
+        if issubclass(cls, bases) and cls.__module__ == module.__name__ and module != addon.without_library
     }
     assert found == set(addon.registration.CLASSES)
 

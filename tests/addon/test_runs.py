@@ -123,7 +123,7 @@ def test_changes_are_seen_in_edit_mode(addon, source):
 def test_nothing_is_made_again_after_undo_until_something_changes(addon, source):
     bpy.context.scene.wirewarp.auto_update = True
     move_a_vertex(source)
-    addon.run.auto_update._on_undo()
+    addon.run.auto_update.note_undo()
     assert taken(addon) == []
     assert taken(addon) == []
     move_a_vertex(source)
@@ -133,7 +133,7 @@ def test_nothing_is_made_again_after_undo_until_something_changes(addon, source)
 def test_switching_off_and_on_after_undo_does_not_hide_the_next_change(addon, source):
     scene = bpy.context.scene
     scene.wirewarp.auto_update = True
-    addon.run.auto_update._on_undo()
+    addon.run.auto_update.note_undo()
     scene.wirewarp.auto_update = False
     addon.run.auto_update.forget_change(scene.name_full)  # as with the next movement of the mouse
     scene.wirewarp.auto_update = True

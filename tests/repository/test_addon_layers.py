@@ -10,7 +10,7 @@ from addon_imports import ADDON, own_imports, room_of
 
 MOST_PACKAGES = 10
 GROUND = {"core", "issues", "names", "words"}  # modules of the root that packages may import and that import none
-ROOF = {"__init__", "properties", "registration"}  # modules of the root that put the packages together
+ROOF = {"__init__", "properties", "registration", "without_library"}  # those that put the packages together
 
 
 def packages() -> list[str]:

@@ -5,7 +5,6 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 import bpy
-from bpy.app.handlers import persistent
 
 T = TypeVar("T")
 Owner = TypeVar("Owner", bpy.types.Mesh, bpy.types.Object)
@@ -35,8 +34,8 @@ def _key(owner: bpy.types.ID) -> tuple[str, str]:
     return "Mesh" if isinstance(owner, bpy.types.Mesh) else "Object", owner.name_full
 
 
-@persistent
-def _drop_changed(_scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
+def drop_changed(_scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
+    """After an update of the depsgraph, of another frame too: in playback only what is animated is read again."""
     for update in depsgraph.updates:
         changed = update.id
         if isinstance(changed, bpy.types.Mesh):
@@ -46,25 +45,5 @@ def _drop_changed(_scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> No
             _kept.pop(_key(changed.data), None)
 
 
-@persistent
-def _drop_all(*_: object) -> None:
+def drop_all(*_: object) -> None:
     _kept.clear()
-
-
-def _dropping_all() -> tuple[list, ...]:
-    """Of other frames as well: an animated model changes without an update of its own."""
-    handlers = bpy.app.handlers
-    return handlers.undo_post, handlers.redo_post, handlers.load_post, handlers.frame_change_post
-
-
-def attach() -> None:
-    bpy.app.handlers.depsgraph_update_post.append(_drop_changed)
-    for handlers in _dropping_all():
-        handlers.append(_drop_all)
-
-
-def detach() -> None:
-    bpy.app.handlers.depsgraph_update_post.remove(_drop_changed)
-    for handlers in _dropping_all():
-        handlers.remove(_drop_all)
-    _drop_all()

@@ -10,7 +10,6 @@ import hashlib
 import json
 
 import bpy
-from bpy.app.handlers import persistent
 
 from ..blender.mesh import element_counts
 from ..issues import Issue
@@ -102,27 +101,12 @@ def _parse(text: str, seal: str) -> dict:
     )
 
 
-@persistent
-def _forget_incomparable(*_: object) -> None:
+def forget_incomparable(*_: object) -> None:
     """After undo: a report stays if it can tell whether the model is still, or again, the one it is of."""
     for key in [key for key, report in _failures.items() if report.get("model_state") is None]:
         del _failures[key]
 
 
-@persistent
-def _forget(*_: object) -> None:
+def forget(*_: object) -> None:
     _failures.clear()
     _parsed.clear()
-
-
-def attach() -> None:
-    bpy.app.handlers.undo_post.append(_forget_incomparable)
-    bpy.app.handlers.redo_post.append(_forget_incomparable)
-    bpy.app.handlers.load_post.append(_forget)
-
-
-def detach() -> None:
-    bpy.app.handlers.undo_post.remove(_forget_incomparable)
-    bpy.app.handlers.redo_post.remove(_forget_incomparable)
-    bpy.app.handlers.load_post.remove(_forget)
-    _forget()

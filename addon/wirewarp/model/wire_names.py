@@ -8,7 +8,6 @@ next free number.
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import bpy
-from bpy.app.handlers import persistent
 
 from .marks import has_marks, wires_on
 
@@ -101,16 +100,8 @@ def _free_name(taken: Collection[str]) -> str:
     return f"Wire {number}"
 
 
-@persistent
-def _write_names(*_: object) -> None:
+def write_brought_names(*_: object) -> None:
+    """Before the file is saved: names that joined wires brought along, for the meshes that have them are not saved."""
     for mesh in bpy.data.meshes:
         if mesh.library is None and not mesh.is_editmode and has_marks(mesh):
             update_names(mesh, wires_on(mesh))
-
-
-def attach() -> None:
-    bpy.app.handlers.save_pre.append(_write_names)
-
-
-def detach() -> None:
-    bpy.app.handlers.save_pre.remove(_write_names)

@@ -6,7 +6,6 @@ from pathlib import Path
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from .. import core
 from ..blender.files import OPTIONS, check_room, given_file, unwritten
 from ..blender.modes import WORKING_MODES
 from ..properties import take_settings
@@ -70,7 +69,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     def _is_refused(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> bool:
         """Whether nothing can be done at all; says why."""
-        refusal = core.problem() or nothing_to_flatten(context, sources)
+        refusal = nothing_to_flatten(context, sources)
         if window_run.is_running():
             refusal = "Flatten is at work: wait for its end, or press Esc."
         elif not refusal and self.report_path:

@@ -3,7 +3,6 @@
 
 import bpy
 
-from .. import core
 from ..blender.modes import WORKING_MODES
 from ..properties import take_settings
 from ..run import auto_update, window_run
@@ -60,7 +59,7 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
         return auto_update.is_due(context.scene.name_full) and OBJECT_OT_wirewarp_update.poll(context)
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
-        if context.scene.wirewarp.auto_update and not core.problem():
+        if context.scene.wirewarp.auto_update:
             join_undo_step(context.window_manager)
             bpy.ops.object.wirewarp_update("INVOKE_DEFAULT", True)
         else:

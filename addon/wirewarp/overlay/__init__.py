@@ -7,7 +7,6 @@ May import: flat, model, blender, solve, pattern, names, issues, words.
 
 import bpy
 
-from . import cache
 from .uv_editor import draw_map, draw_map_names
 from .view3d import draw_screen, draw_space
 
@@ -21,7 +20,6 @@ _added: list[tuple[type[bpy.types.Space], object]] = []
 
 
 def attach() -> None:
-    cache.attach()
     for space, draw, stage in _HANDLERS:
         _added.append((space, space.draw_handler_add(draw, (), "WINDOW", stage)))
 
@@ -30,4 +28,3 @@ def detach() -> None:
     while _added:
         space, handler = _added.pop()
         space.draw_handler_remove(handler, "WINDOW")
-    cache.detach()

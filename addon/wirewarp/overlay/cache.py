@@ -8,7 +8,6 @@ from typing import Any, TypeVar
 
 import bpy
 import numpy as np
-from bpy.app.handlers import persistent
 
 from ..blender.views import redraw_views
 
@@ -88,17 +87,7 @@ def _redraw_in(seconds: float) -> None:
         bpy.app.timers.register(redraw_views, first_interval=seconds)
 
 
-@persistent
-def _forget(*_: object) -> None:
-    _entries.clear()
-
-
-def attach() -> None:
-    bpy.app.handlers.load_post.append(_forget)
-
-
-def detach() -> None:
-    bpy.app.handlers.load_post.remove(_forget)
+def forget(*_: object) -> None:
     if bpy.app.timers.is_registered(redraw_views):
         bpy.app.timers.unregister(redraw_views)
-    _forget()
+    _entries.clear()

@@ -8,7 +8,6 @@ runs the update, with an undo step like any other operator, and the update ends 
 """
 
 import bpy
-from bpy.app.handlers import persistent
 
 from ..flat.reports import last_report
 from ..model.owners import model_of
@@ -71,16 +70,14 @@ def _has_changed(source: bpy.types.Object) -> bool:
     return report is not None and has_changed(source, report)
 
 
-@persistent
-def _on_update(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
+def note_update(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
     if depsgraph.mode != "VIEWPORT" or not scene.wirewarp.auto_update:
         return
     if any(isinstance(update.id, (bpy.types.Mesh, bpy.types.Object)) for update in depsgraph.updates):
         note_change(scene.name_full)
 
 
-@persistent
-def _on_undo(*_: object) -> None:
+def note_undo(*_: object) -> None:
     global _undone
     scene = bpy.context.scene
     if scene.wirewarp.auto_update:
@@ -88,8 +85,7 @@ def _on_undo(*_: object) -> None:
         note_change(scene.name_full)
 
 
-@persistent
-def _on_load(*_: object) -> None:
+def forget(*_: object) -> None:
     global _undone
     _undone = False
     _tried.clear()
@@ -97,10 +93,6 @@ def _on_load(*_: object) -> None:
 
 
 def attach() -> None:
-    bpy.app.handlers.depsgraph_update_post.append(_on_update)
-    bpy.app.handlers.undo_post.append(_on_undo)
-    bpy.app.handlers.redo_post.append(_on_undo)
-    bpy.app.handlers.load_pre.append(_on_load)
     keyconfig = bpy.context.window_manager.keyconfigs.addon
     if keyconfig:  # none in background
         keymap = keyconfig.keymaps.new(name="Window")
@@ -111,8 +103,3 @@ def detach() -> None:
     for keymap, item in _keymap_items:
         keymap.keymap_items.remove(item)
     _keymap_items.clear()
-    bpy.app.handlers.load_pre.remove(_on_load)
-    bpy.app.handlers.redo_post.remove(_on_undo)
-    bpy.app.handlers.undo_post.remove(_on_undo)
-    bpy.app.handlers.depsgraph_update_post.remove(_on_update)
-    _on_load()

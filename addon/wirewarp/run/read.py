@@ -5,7 +5,6 @@ from typing import Any, Protocol
 
 import bpy
 import numpy as np
-from bpy.app.handlers import persistent
 
 from .. import core
 from ..blender.cache import read_anew
@@ -107,15 +106,5 @@ def solved_pieces(source: bpy.types.Object) -> Any:  # noqa: ANN401
     return _caches.setdefault(source.name_full, core.library().Cache())
 
 
-@persistent
-def _forget(*_: object) -> None:
+def forget_solved(*_: object) -> None:
     _caches.clear()
-
-
-def attach() -> None:
-    bpy.app.handlers.load_post.append(_forget)
-
-
-def detach() -> None:
-    bpy.app.handlers.load_post.remove(_forget)
-    _forget()

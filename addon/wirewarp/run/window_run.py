@@ -7,7 +7,6 @@ However a run ends, be it done, cancelled, by another file or because the add-on
 import time
 
 import bpy
-from bpy.app.handlers import persistent
 
 from .models import Outcome, Solver, SolveThread
 
@@ -27,7 +26,7 @@ def begin(context: bpy.types.Context, what: str, solve: Solver) -> "WindowRun":
     return _current
 
 
-def stop() -> None:
+def stop(*_: object) -> None:
     """Gives up the current run, if there is one, and waits for its thread."""
     if _current:
         _current.cancel()
@@ -68,17 +67,3 @@ class WindowRun:
         self._thread.join()
         self._manager.event_timer_remove(self._timer)
         self._workspace.status_text_set(None)
-
-
-@persistent
-def _stop(*_: object) -> None:
-    stop()
-
-
-def attach() -> None:
-    bpy.app.handlers.load_pre.append(_stop)
-
-
-def detach() -> None:
-    bpy.app.handlers.load_pre.remove(_stop)
-    stop()

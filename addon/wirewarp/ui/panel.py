@@ -3,7 +3,6 @@
 
 import bpy
 
-from .. import core
 from ..flat.reports import last_report
 from ..issues import ObjectError
 from ..model.owners import DELETED, find_flat_object, is_deleted, model_of, model_or_self
@@ -23,9 +22,6 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
-        if core.problem():
-            draw_sentence(context, layout, core.problem(), "ERROR")
-            return
         active = context.active_object
         if active is None or active.type != "MESH":
             draw_sentence(context, layout, "Select a mesh to mark seams and wires on it.", "INFO")
@@ -66,7 +62,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         active = context.active_object
-        return not core.problem() and not (active and model_of(active))
+        return not (active and model_of(active))
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is registered where the core library does not load: a sentence in the sidebar, and a Flatten that says it."""
+
+import textwrap
+from collections.abc import Callable
+
+import bpy
+
+LETTER = 7  # pixels at interface scale 1, about; the sentence is broken into lines by it
+_problem = ""
+
+
+class OBJECT_OT_wirewarp_flatten(bpy.types.Operator):
+    """Say why WireWarp cannot flatten"""
+
+    bl_idname = "object.wirewarp_flatten"
+    bl_label = "Flatten"
+
+    def execute(self, _context: bpy.types.Context) -> set[str]:
+        self.report({"ERROR"}, _problem)
+        return {"CANCELLED"}
+
+
+class VIEW3D_PT_wirewarp_problem(bpy.types.Panel):
+    bl_label = "WireWarp"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "WireWarp"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        column = self.layout.column(align=True)
+        letters = int(context.region.width / context.preferences.system.ui_scale / LETTER)
+        for number, line in enumerate(textwrap.wrap(_problem, max(letters, 20))):
+            column.label(text=line, icon="BLANK1" if number else "ERROR")
+
+
+CLASSES = (OBJECT_OT_wirewarp_flatten, VIEW3D_PT_wirewarp_problem)
+
+
+def register(problem: str) -> Callable[[], None]:
+    """problem: why there is no library, as a sentence. Returns what takes all back."""
+    global _problem
+    _problem = problem
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    return _unregister
+
+
+def _unregister() -> None:
+    for cls in CLASSES:
+        bpy.utils.unregister_class(cls)
