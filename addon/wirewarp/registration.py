@@ -7,7 +7,7 @@ from contextlib import ExitStack
 import bpy
 
 from . import operators, overlay, properties, ui
-from .blender import cache
+from .blender import cache, index
 from .flat import reports
 from .model import wire_names
 from .overlay import cache as drawings
@@ -16,13 +16,13 @@ from .run import auto_update, read, window_run
 CLASSES = (*properties.CLASSES, *operators.CLASSES, *ui.CLASSES)
 PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)  # each with attach() and detach()
 HANDLERS: dict[str, tuple[Callable, ...]] = {  # by Blender's list of them
-    "depsgraph_update_post": (cache.drop_changed, auto_update.note_update),
+    "depsgraph_update_post": (cache.drop_changed, index.note_updates, auto_update.note_update),
     "frame_change_post": (cache.drop_changed,),
-    "undo_post": (cache.drop_all, reports.forget_incomparable, auto_update.note_undo),
-    "redo_post": (cache.drop_all, reports.forget_incomparable, auto_update.note_undo),
+    "undo_post": (cache.drop_all, index.forget, reports.forget_incomparable, auto_update.note_undo),
+    "redo_post": (cache.drop_all, index.forget, reports.forget_incomparable, auto_update.note_undo),
     "save_pre": (wire_names.write_brought_names,),
     "load_pre": (window_run.stop, auto_update.forget),
-    "load_post": (cache.drop_all, drawings.forget, reports.forget, read.forget_solved),
+    "load_post": (cache.drop_all, index.forget, drawings.forget, reports.forget, read.forget_solved),
 }
 FORGET = (*HANDLERS["load_pre"], *HANDLERS["load_post"])  # what is in memory goes with the add-on as with the file
 

@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the overlay sees of a 3D view, which there is none of without a window."""
+"""What the overlay sees of a 3D view: one of the file's own, for without a window none is drawn."""
 
 from types import SimpleNamespace
 
 import bpy
 
 
-def view_context(**space):
-    overlay = SimpleNamespace(**({"show_overlays": True} | space))
-    return SimpleNamespace(
-        scene=bpy.context.scene,
-        view_layer=bpy.context.view_layer,
-        visible_objects=list(bpy.context.view_layer.objects),
-        space_data=SimpleNamespace(overlay=overlay),
-    )
+def view_context(show_overlays=True):
+    areas = (area for screen in bpy.data.screens for area in screen.areas)
+    space = next(area.spaces.active for area in areas if area.type == "VIEW_3D")
+    space.overlay.show_overlays = show_overlays
+    return SimpleNamespace(scene=bpy.context.scene, view_layer=bpy.context.view_layer, space_data=space)

@@ -11,6 +11,7 @@ import json
 
 import bpy
 
+from ..blender.index import note
 from ..blender.mesh import element_counts
 from ..issues import Issue
 from ..model.wire_names import present_names
@@ -26,6 +27,7 @@ _parsed: dict[str, tuple[tuple[str, str], dict]] = {}
 
 def store(source: bpy.types.Object, report: dict) -> None:
     """Keeps the report of a run that wrote results."""
+    note(source)
     _failures.pop(_key(source), None)
     text = json.dumps(report)
     source[REPORT], source[REPORT_SEAL] = text, _digest(text)
@@ -33,6 +35,7 @@ def store(source: bpy.types.Object, report: dict) -> None:
 
 def remember(source: bpy.types.Object, report: dict) -> None:
     """Keeps the report of a run that wrote nothing for this object."""
+    note(source)
     _failures[_key(source)] = report
 
 

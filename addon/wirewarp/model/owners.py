@@ -34,9 +34,10 @@ def is_deleted(model: bpy.types.Object) -> bool:
 
 def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
     """The object that remembers `source`: the one with our name first, should the user have copied it."""
-    ours = [candidate for candidate in bpy.data.objects if model_of(candidate) == source]
-    named = [candidate for candidate in ours if candidate.name == flat_name(source.name)]
-    return next(iter(named + ours), None)
+    named = bpy.data.objects.get(flat_name(source.name))
+    if named and model_of(named) == source:  # found without asking all others, of which there may be thousands
+        return named
+    return next((candidate for candidate in bpy.data.objects if model_of(candidate) == source), None)
 
 
 def flat_name(model_name: str) -> str:

@@ -8,6 +8,7 @@ from functools import partial
 import bpy
 
 from ..blender.cache import stamp
+from ..blender.index import find_objects
 from ..flat.pieces import piece_names
 from ..flat.reports import last_report
 from ..issues import ObjectError
@@ -55,13 +56,16 @@ def drawings(context: bpy.types.Context) -> Iterator[Drawing]:
     settings, color_map = context.scene.wirewarp, shown_map(context)
     if not context.space_data.overlay.show_overlays or not (settings.show_lines or color_map):
         return
-    for target in context.visible_objects:
-        if target.type == "MESH" and target.mode in MODES and _concerns_us(target):
+    view_layer, space = context.view_layer, context.space_data
+    for target in find_objects(_concerns_us):
+        if target.mode in MODES and target.visible_get(view_layer=view_layer, viewport=space):
             yield _drawing(context, target, color_map)
 
 
 def _concerns_us(target: bpy.types.Object) -> bool:
-    return bool(model_of(target) or last_report(target) or WIRE in target.data.attributes)
+    if target.type != "MESH":
+        return False
+    return bool(WIRE in target.data.attributes or model_of(target) or last_report(target))
 
 
 def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: ColorMap | None) -> Drawing:
