@@ -10,6 +10,7 @@ from . import operators, overlay, properties, ui
 from .blender import cache, index
 from .flat import reports
 from .model import wire_names
+from .operators import update
 from .overlay import cache as drawings
 from .run import auto_update, read, window_run
 
@@ -40,6 +41,7 @@ def register() -> Callable[[], None]:
             for function in functions:
                 getattr(bpy.app.handlers, name).append(bpy.app.handlers.persistent(function))
                 undo.callback(_remove_handler, name, function)
+        undo.callback(update.forget_joining)
         for forget in FORGET:
             undo.callback(forget)
         return undo.pop_all().close

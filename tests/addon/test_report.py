@@ -167,18 +167,18 @@ def test_many_good_pieces_are_counted(addon):
     assert ready.text == "Ready to cut: the other 20 pieces"
 
 
-def test_the_message_after_flattening_names_the_pieces_that_cloth_cannot_follow(addon):
-    strained_text = addon.report.verdict.strained_text
+def test_the_message_of_a_run_is_the_verdict_on_all_its_models(addon):
+    def message(*reports):
+        return addon.report.verdict.run_message([report | {"notes": [], "hints": []} for report in reports])
+
     fine = report_of_pieces(1.0, 1.05)
-    assert strained_text([fine]) == ""
-    assert addon.report.verdict.success_text([fine]) == "Ready to cut: 2 flat pieces, every length kept (Refined)"
-    message = addon.report.verdict.success_text([fine, report_of_pieces(1.2)])
-    assert message == "Ready to cut from cloth that gives 20 %: 3 flat pieces, every length kept (Refined)"
-    lines = strained_text([report_of_pieces(1.3, name="A"), report_of_pieces(1.0, 1.65, name="B")]).split("\n")
-    assert [line.split(":")[0] for line in lines] == [
-        "Lengths kept, but B, Piece 2, must stretch up to 65 %",
-        "Lengths kept, but A, Piece 1, must stretch up to 30 %",
-    ]
+    assert message(fine) == ("INFO", "Ready to cut: 2 pieces, every length kept")
+    giving = "Ready to cut from cloth that gives 20 %: 3 pieces, every length kept"
+    assert message(fine, report_of_pieces(1.2)) == ("INFO", giving)
+    assert message(report_of_pieces(1.3, name="A"), report_of_pieces(1.0, 1.65, name="B")) == (
+        "WARNING",
+        f"{strain_sentence('B, Piece 2; A, Piece 1', 65)}\nReady to cut: B, Piece 1",
+    )
 
 
 def test_a_sentence_is_broken_where_it_fills_the_sidebar(addon):

@@ -2,12 +2,12 @@
 """Runs in a thread, and what is made again by itself. The window's part of both: tests/window."""
 
 import threading
-from types import SimpleNamespace
 
 import bmesh
 import bpy
+import numpy as np
 import pytest
-from surfaces import bump, grid, half_cylinder, mark, mark_seam, on_line, select_only
+from surfaces import bump, flat_of, flatten, grid, half_cylinder, mark, mark_seam, on_line, read, select_only
 
 
 def read_models(addon, *sources):
@@ -148,9 +148,30 @@ def test_there_is_no_second_run_beside_another(addon, source, monkeypatch):
 
 
 def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
-    update = addon.operators.OBJECT_OT_wirewarp_update
-    for names, group in ((["Mark Seam", "Move"], "Move"), ([], "Update Flat Pieces")):
-        operators = [SimpleNamespace(name=name) for name in names]
-        addon.operators.update.join_undo_step(SimpleNamespace(operators=operators))
-        assert update.bl_undo_group == group
-        assert update.is_registered
+    """No operator is unregistered for it, which would take Adjust Last Operation away; in the end all go."""
+    updating = addon.operators.update.updating_in
+    idnames = [updating(group).idname_py() for group in ("Move", "Mark Seam", "Move", "Update Flat Pieces")]
+    assert len(set(idnames)) == 3 and idnames[0] == idnames[2] and idnames[3] == "object.wirewarp_update"
+    joining = addon.operators.update._joining
+    assert {group: cls.bl_undo_group for group, cls in joining.items()} == {group: group for group in joining}
+    assert all(cls.is_registered and cls.bl_options == {"INTERNAL", "UNDO_GROUPED"} for cls in joining.values())
+    addon.unregister()
+    assert not any(hasattr(bpy.types, f"OBJECT_OT_wirewarp_update_{number}") for number in (1, 2))
+    addon.register()
+
+
+def test_what_goes_wrong_while_the_pieces_are_made_leaves_the_file_as_it_was(addon, source, monkeypatch):
+    flatten(source)
+    flat, meshes = flat_of(source), {mesh.name for mesh in bpy.data.meshes}
+    before = read(flat.data.vertices, "co", np.float32, 3), source["wirewarp_report"], flat.data.name
+
+    def fail(*_):
+        raise MemoryError("no room")
+
+    monkeypatch.setattr(addon.flat.object, "write_maps", fail)
+    source.data.vertices[0].co.z += 1
+    with pytest.raises(RuntimeError, match="no room"):
+        bpy.ops.object.wirewarp_flatten()
+    assert {mesh.name for mesh in bpy.data.meshes} == meshes
+    assert np.array_equal(read(flat.data.vertices, "co", np.float32, 3), before[0])
+    assert (source["wirewarp_report"], flat.data.name) == before[1:]

@@ -132,18 +132,25 @@ def test_a_parent_that_scales_the_pieces_is_said(addon):
     assert '"Bump Flat" is not shown in true size' in note
 
 
-@pytest.mark.parametrize("how", ["hide_set", "hide_viewport"])
-def test_hidden_pieces_come_back(addon, how):
+def test_pieces_hidden_by_the_eye_come_back(addon):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     flat = flat_of(source)
-    if how == "hide_set":
-        flat.hide_set(True)
-    else:
-        flat.hide_viewport = True
+    flat.hide_set(True)
     flatten(source)
     assert flat.visible_get()
     assert notes(addon, source) == []
+
+
+def test_pieces_disabled_in_viewports_stay_so_and_that_is_said(addon):
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    flat = flat_of(source)
+    flat.hide_viewport = True
+    flatten(source)
+    assert flat.hide_viewport
+    (note,) = notes(addon, source)
+    assert '"Bump Flat" is hidden: it is disabled in viewports' in note
 
 
 @pytest.mark.parametrize("how", ["exclude", "hide_viewport"])
@@ -153,4 +160,4 @@ def test_pieces_in_a_collection_out_of_sight_are_said(addon, how):
     setattr(layer_collection("WireWarp"), how, True)
     flatten(source)
     (note,) = notes(addon, source)
-    assert '"Bump Flat" is not to be seen: its collection is hidden or excluded' in note
+    assert '"Bump Flat" is hidden: it is disabled in viewports, or its collection is hidden' in note

@@ -2,14 +2,17 @@
 """The pieces as the object "<name> Flat" in the collection "WireWarp"."""
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 import bpy
 import numpy as np
 
 from ..blender.mesh import corner_edges, edge_vertices, write_corner_vertices, write_faces, write_sharp_edges
+from ..blender.objects import remove_object
 from ..blender.selection import deselect_all
 from ..issues import note, warning
-from ..model.marks import EdgeMarks, write_marks
+from ..model.marks import write_marks
 from ..model.owners import find_flat_object, flat_name, model_of
 from ..model.wire_names import write_names
 from ..names import (
@@ -22,9 +25,10 @@ from ..names import (
     SOURCE_FACE,
     SOURCE_VERTEX,
 )
+from ..pattern.chains import EdgeMarks
 from ..pattern.outlines import FlatPieces
 from ..solve.arrays import MeshArrays
-from ..solve.flat_mesh import FlatMarks, FlatMesh, edge_length_variation, flat_marks
+from ..solve.flat_mesh import FlatMesh, edge_length_variation, flat_marks
 from .maps import write_maps
 from .places import free_place
 from .read import add_flat_attribute, remember_shape
@@ -36,24 +40,52 @@ RED = (0.8, 0.02, 0.02, 1.0)
 def write_flat_object(
     scene: bpy.types.Scene, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays
 ) -> bpy.types.Object:
-    """Makes the flat object of `source`, or replaces the data of the one it has. True scale, in its own z = 0 plane."""
+    """Makes the flat object of `source`, or replaces the data of the one it has. True scale, in its own z = 0 plane.
+
+    If it raises, the pieces there were are there again.
+    """
     target = find_flat_object(source)
     if target is None:
-        name = flat_name(source.name)
-        target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
-        target.wirewarp_source = source
-        target.location = free_place(scene, source, flat.vertices.max(axis=0, initial=0.0))
-    elif _is_shared(target):
+        return _new_object(scene, source, flat, arrays)
+    if _is_shared(target):
         target.data = bpy.data.meshes.new(target.name)
+    with _restored_on_failure(target):
+        _write_mesh(target, flat, arrays)
     if scene not in target.users_scene:
         our_collection(scene).objects.link(target)
     target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
-    target.shape_key_clear()  # of the former vertices, as are groups of them
-    target.vertex_groups.clear()
-    _write_mesh(target.data, flat, arrays)
-    write_names(target.data, {wire.chain.wire_id: wire.name for wire in arrays.wires})
-    show_failed(target.data, flat.failed)
     return target
+
+
+def _new_object(
+    scene: bpy.types.Scene, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays
+) -> bpy.types.Object:
+    name = flat_name(source.name)
+    target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
+    try:
+        _write_mesh(target, flat, arrays)
+        target.location = free_place(scene, source, flat.vertices.max(axis=0, initial=0.0))
+    except BaseException:
+        remove_object(target)
+        raise
+    target.wirewarp_source = source
+    our_collection(scene).objects.link(target)
+    return target
+
+
+@contextmanager
+def _restored_on_failure(target: bpy.types.Object) -> Iterator[None]:
+    """The mesh of the object, whatever was raised while it was written."""
+    earlier = target.data.copy()
+    try:
+        yield
+    except BaseException:
+        written, name = target.data, target.data.name
+        written.user_remap(earlier)
+        bpy.data.meshes.remove(written)
+        earlier.name = name
+        raise
+    bpy.data.meshes.remove(earlier)
 
 
 def _is_shared(flat: bpy.types.Object) -> bool:
@@ -68,25 +100,28 @@ def is_true_size(flat: bpy.types.Object) -> bool:
 
 
 def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[dict]:
-    """Unhides the object; returns, as notes, why it is still not to be seen in its true size."""
-    target.hide_viewport = False
+    """Takes back the eye in the Outliner; returns, as notes, why it is still not to be seen in its true size."""
     notes = []
     if target in view_layer.objects.values():
         target.hide_set(False)
     if not target.visible_get(view_layer=view_layer):
-        text = f'"{target.name}" is not to be seen: its collection is hidden or excluded. Show it in the Outliner.'
-        notes.append(note(text))
+        why = "it is disabled in viewports, or its collection is hidden"
+        notes.append(note(f'"{target.name}" is hidden: {why}. Show it in the Outliner.'))
     if not is_true_size(target):
         text = f'"{target.name}" is not shown in true size: its parent or a constraint scales it. Its mesh is true.'
         notes.append(warning(text))
     return notes
 
 
-def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
+def _write_mesh(target: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) -> None:
+    """And nothing else: shape keys and groups of the former vertices go."""
+    mesh = target.data
+    target.shape_key_clear()
+    target.vertex_groups.clear()
     _write_faces(mesh, flat)
     deselect_all(mesh)  # in Edit Mode L is to take one piece, not one more
     edges = edge_vertices(mesh)
-    marks = flat_marks(flat, edges, arrays)
+    seams, marks = flat_marks(flat, edges, arrays)
     pieces = FlatPieces(
         vertices=flat.vertices,
         source_vertex=flat.source_vertex,
@@ -95,12 +130,13 @@ def _write_mesh(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> Non
         face_sizes=flat.polygon_sizes,
         face_piece=flat.piece,
         edges=edges,
-        wire_ids=marks.wire_ids,
-        tolerances=marks.tolerances,
+        marks=marks,
     )
     _write_attributes(mesh, flat, arrays, edges)
-    _write_marks(mesh, marks)
+    _write_marks(mesh, seams, marks)
     remember_shape(mesh, pieces)
+    write_names(mesh, {wire.chain.wire_id: wire.name for wire in arrays.wires})
+    _show_failed(mesh, flat.failed)
 
 
 def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
@@ -127,11 +163,11 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays, 
     write_maps(mesh, flat, edges, edge_length_variation(flat, edges, arrays))
 
 
-def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
+def _write_marks(mesh: bpy.types.Mesh, seams: np.ndarray, marks: EdgeMarks) -> None:
     """Seams are red in Edit Mode as on the model, and wires, for which Blender has no color, blue as sharp edges."""
-    mesh.edges.foreach_set("use_seam", marks.seams)
-    write_sharp_edges(mesh, marks.wire_ids != 0)
-    write_marks(mesh, EdgeMarks(marks.wire_ids, marks.tolerances))
+    mesh.edges.foreach_set("use_seam", seams)
+    write_sharp_edges(mesh, marks.are_wires)
+    write_marks(mesh, marks)
 
 
 def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
@@ -144,7 +180,7 @@ def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
     return collection
 
 
-def show_failed(mesh: bpy.types.Mesh, failed: np.ndarray) -> None:
+def _show_failed(mesh: bpy.types.Mesh, failed: np.ndarray) -> None:
     """Gives the faces (f,) bool our material; it is taken off the mesh if there are none. Others' slots stay."""
     slot = next((i for i, material in enumerate(mesh.materials) if material and material.name == FAILED_MATERIAL), -1)
     if not failed.any():

@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The pattern of a model's flat pieces, as they lie in their object; only of pieces that may be cut."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
-
 import bpy
 import numpy as np
 
@@ -42,7 +39,7 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: floa
     }
     seams = [seam["edges"] for seam in report["seams"]]
     pieces = read_flat_pieces(flat.data, millimeters)
-    wire_ids = np.unique(pieces.wire_ids[pieces.wire_ids != 0]).tolist()
+    wire_ids = np.unique(pieces.marks.wire_ids[pieces.marks.rows]).tolist()
     names = names_of(source.data, wire_ids) | {wire["wire_id"]: wire["name"] for wire in report["wires"]}
     ruler = IMPERIAL if scene.unit_settings.system == "IMPERIAL" else METRIC
     return make_pattern(source.name, pieces, labels, names, seams, spacing, ruler)
@@ -53,6 +50,7 @@ def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
     if report is None or not has_flat_object(source) or "flat_object" not in report:
         raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')
     check_not_edited(source)
+    bpy.context.view_layer.update()
     if _has_changed(source, report):
         raise changed_error(source.name)
     if _is_edited(flat.data, report):
@@ -61,7 +59,6 @@ def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
             f'The pieces in "{flat.name}" were changed by hand, and their lengths are not those of the model any more: '
             f'flatten "{source.name}" again. Moving and turning whole pieces is fine.',
         )
-    bpy.context.view_layer.update()
     if not is_true_size(flat):
         raise object_error(
             "scaled_pieces",
@@ -72,38 +69,14 @@ def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
 
 
 def _has_changed(source: bpy.types.Object, report: dict) -> bool:
-    """A model with modifiers may be hidden, and Blender makes nothing of hidden objects: it is shown for a moment."""
-    if not report.get("with_modifiers"):
-        return has_changed(source, report, read_anew)
-    with _shown(source):
-        if source.mode != "OBJECT":
-            raise object_error(
-                "not_visible",
-                f'"{source.name}" has modifiers and is not in Object Mode, so nobody can tell whether they still make '
-                "the mesh that was flattened: leave the mode first.",
-            )
-        if not shows_modified(source):
-            raise object_error(
-                "not_visible",
-                f'"{source.name}" is hidden, so nobody can tell whether its modifiers still make the mesh that was '
-                "flattened: show it in the Outliner.",
-            )
-        return has_changed(source, report, read_anew)
-
-
-@contextmanager
-def _shown(source: bpy.types.Object) -> Iterator[None]:
-    """The object without the hiding that the eye in the Outliner does."""
-    view_layer = bpy.context.view_layer
-    hidden = source in view_layer.objects.values() and source.hide_get()
-    if hidden:
-        source.hide_set(False)
-    view_layer.update()
-    try:
-        yield
-    finally:
-        if hidden:
-            source.hide_set(True)
+    """Blender makes nothing of the modifiers of hidden objects, and less in Edit Mode."""
+    if report.get("with_modifiers") and not shows_modified(source):
+        raise object_error(
+            "not_visible",
+            f'Show "{source.name}" in Object Mode first, so that its modifiers can be checked: it is hidden or in '
+            "another mode.",
+        )
+    return has_changed(source, report, read_anew)
 
 
 def _is_edited(mesh: bpy.types.Mesh, report: dict) -> bool:

@@ -92,13 +92,15 @@ def places_of_absent(
     return points_of(known, absent) if known else np.empty((0, 4))
 
 
-def remember_layout(flat: bpy.types.Object, options: dict, up: np.ndarray, away: np.ndarray) -> None:
-    """up (3,): the direction in the model's own space that was up when the pieces were laid out; away: see LaidOut."""
-    flat.data[LAYOUT], flat.data[UP] = _layout_text(options), up.tolist()
+def remember_layout(mesh: bpy.types.Mesh, options: dict, up: np.ndarray, away: np.ndarray) -> None:
+    """On the flat mesh. up (3,): the direction in the model's own space that was up when the pieces were laid out;
+    away: see LaidOut.
+    """
+    mesh[LAYOUT], mesh[UP] = _layout_text(options), up.tolist()
     if len(away):
-        flat.data[AWAY] = away.ravel().tolist()
-    elif AWAY in flat.data:
-        del flat.data[AWAY]
+        mesh[AWAY] = away.ravel().tolist()
+    elif AWAY in mesh:
+        del mesh[AWAY]
 
 
 def present_up(source: bpy.types.Object) -> np.ndarray:

@@ -40,7 +40,6 @@ def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
 
 def read_flat_pieces(mesh: bpy.types.Mesh, scale: float) -> FlatPieces:
     """In Blender units times `scale`. Of a mesh in Object Mode that has our attributes."""
-    marks = read_marks(mesh)
     return FlatPieces(
         vertices=read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64) * scale,
         source_vertex=read_flat_attribute(mesh, SOURCE_VERTEX),
@@ -49,8 +48,7 @@ def read_flat_pieces(mesh: bpy.types.Mesh, scale: float) -> FlatPieces:
         face_sizes=face_sizes(mesh),
         face_piece=read_flat_attribute(mesh, PIECE_INDEX),
         edges=edge_vertices(mesh),
-        wire_ids=marks.wire_ids,
-        tolerances=marks.tolerances,
+        marks=read_marks(mesh),
     )
 
 

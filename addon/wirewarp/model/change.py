@@ -6,9 +6,9 @@ import numpy as np
 
 from ..blender.mesh import edge_vertices, faces_at_edges, read_seams
 from ..issues import object_error
-from ..pattern.chains import edge_keys
+from ..pattern.chains import EdgeMarks, edge_keys
 from .mark import OUTLINES_ARE_RIGID
-from .marks import EdgeMarks, read_marks, write_marks
+from .marks import read_marks, write_marks
 from .wire_names import find_name
 from .wires import WireSummary, find_wires, repair_names
 
@@ -80,7 +80,7 @@ def loosen_wires(mesh: bpy.types.Mesh, wires: list[dict]) -> int:
     marks = read_marks(mesh)
     before, tolerances = marks.tolerances.copy(), marks.tolerances
     for wire in wires:
-        rows = _mask(mesh, wire["edges"]) & (marks.wire_ids != 0)  # what is no wire any more stays so
+        rows = _mask(mesh, wire["edges"]) & marks.are_wires  # what is no wire any more stays so
         tolerances[rows] = np.maximum(tolerances[rows], np.float32(wire["tolerance"]))
     write_marks(mesh, marks)
     return int(np.count_nonzero(tolerances != before))

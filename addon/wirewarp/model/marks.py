@@ -7,7 +7,6 @@ wirewarp_tolerance FLOAT: 0 rigid, finite elastic, inf super-elastic.
 
 import random
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import bmesh
 import bpy
@@ -15,17 +14,10 @@ import numpy as np
 
 from ..blender.attributes import check_attribute
 from ..names import TOLERANCE, WIRE
+from ..pattern.chains import EdgeMarks
 
 _EXPECTED = {WIRE: "INT", TOLERANCE: "FLOAT"}
 MAX_ID = 2**31 - 1
-
-
-@dataclass(frozen=True)
-class EdgeMarks:
-    """One entry per edge of the mesh."""
-
-    wire_ids: np.ndarray  # (e,) int32
-    tolerances: np.ndarray  # (e,) float32
 
 
 def new_wire_id() -> int:
@@ -49,7 +41,7 @@ def has_marks(mesh: bpy.types.Mesh) -> bool:
 def read_marks(mesh: bpy.types.Mesh) -> EdgeMarks:
     """The marks of a mesh that is not in Edit Mode."""
     check_attributes(mesh)
-    marks = EdgeMarks(np.zeros(len(mesh.edges), np.int32), np.zeros(len(mesh.edges), np.float32))
+    marks = EdgeMarks.none(len(mesh.edges))
     if WIRE in mesh.attributes:
         mesh.attributes[WIRE].data.foreach_get("value", marks.wire_ids)
     if TOLERANCE in mesh.attributes:
@@ -67,8 +59,18 @@ def write_marks(mesh: bpy.types.Mesh, marks: EdgeMarks) -> None:
 
 def wires_on(mesh: bpy.types.Mesh) -> list[int]:
     """The ids of a mesh that is not in Edit Mode, in its order."""
-    wire_ids = read_marks(mesh).wire_ids
-    return list(dict.fromkeys(wire_ids[wire_ids != 0].tolist()))
+    marks = read_marks(mesh)
+    return list(dict.fromkeys(marks.wire_ids[marks.rows].tolist()))
+
+
+def read_edit_marks(edit: bmesh.types.BMesh, edges: Sequence[bmesh.types.BMEdge] | None = None) -> EdgeMarks:
+    """Of these edges of a mesh in Edit Mode, or of all; where attributes can be read edge by edge only."""
+    wire, tolerance = edit.edges.layers.int.get(WIRE), edit.edges.layers.float.get(TOLERANCE)
+    chosen = edit.edges if edges is None else edges
+    if wire is None:
+        return EdgeMarks.none(len(chosen))
+    tolerances = [edge[tolerance] for edge in chosen] if tolerance else [0.0] * len(chosen)
+    return EdgeMarks(np.array([edge[wire] for edge in chosen], np.int32), np.array(tolerances, np.float32))
 
 
 def edit_layers(mesh: bpy.types.Mesh) -> tuple:

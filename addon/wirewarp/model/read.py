@@ -76,13 +76,11 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
         edges=edges,
         seams=edges[read_seams(mesh) & in_face],  # a loose edge cuts nothing
         outline=edges[face_count == 1],
-        wires=_name_wires(
-            source.data, chains_of_marks(edges, np.where(in_face, marks.wire_ids, 0), marks.tolerances, vertices)
-        ),
+        wires=_name_wires(source.data, chains_of_marks(edges, marks.without(~in_face), vertices)),
         grain_wire=source.data.wirewarp_grain,
         piece_ids=read_piece_ids(mesh),
         regions=face_regions(source, mesh),
-        loose_marks=int(np.count_nonzero(marks.wire_ids[~in_face])),
+        loose_marks=len(marks.take(~in_face).rows),
         mirrored=mirrored,
     )
 

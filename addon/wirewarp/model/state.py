@@ -11,9 +11,9 @@ from ..blender.cache import Take, kept
 from ..blender.mesh import corner_vertices, face_sizes, read, read_seams
 from ..blender.objects import metric
 from ..issues import ObjectError
-from ..names import TOLERANCE, WIRE
+from ..pattern.chains import EdgeMarks
 from ..solve.arrays import MeshArrays
-from .marks import read_marks
+from .marks import read_edit_marks, read_marks
 
 MODIFIED = "modified"  # of reports with modifiers
 UNKNOWN = {"faces": "?"}  # unlike any mesh
@@ -131,35 +131,29 @@ def _digest(arrays: list[np.ndarray]) -> str:
 
 def _gather(mesh: bpy.types.Mesh, base: MeshArrays | None = None) -> tuple[list[np.ndarray], list[np.ndarray]]:
     """Coordinates and corners; seams and wires; the same as _gather_edit finds."""
-    marks = read_marks(mesh)
-    marked = np.flatnonzero(marks.wire_ids).astype(np.int32)
     return [
         read(mesh.vertices, "co", np.float32, 3),
         base.loop_vertices if base else corner_vertices(mesh),
         base.polygon_sizes if base else face_sizes(mesh),
-    ], [
-        np.flatnonzero(read_seams(mesh)).astype(np.int32),
-        marked,
-        marks.wire_ids[marked],
-        marks.tolerances[marked],
-    ]
+    ], [np.flatnonzero(read_seams(mesh)).astype(np.int32), *_wires(read_marks(mesh))]
 
 
 def _gather_edit(mesh: bpy.types.Mesh) -> tuple[list[np.ndarray], list[np.ndarray]]:
     edit = bmesh.from_edit_mesh(mesh)
     edit.verts.index_update()
-    wire, tolerance = edit.edges.layers.int.get(WIRE), edit.edges.layers.float.get(TOLERANCE)
-    marked = [(number, edge) for number, edge in enumerate(edit.edges) if wire and edge[wire]]
     return [
         np.array([vertex.co[:] for vertex in edit.verts], dtype=np.float32),
         np.array([vertex.index for face in edit.faces for vertex in face.verts], dtype=np.int32),
         np.array([len(face.verts) for face in edit.faces], dtype=np.int32),
     ], [
         np.array([number for number, edge in enumerate(edit.edges) if edge.seam], dtype=np.int32),
-        np.array([number for number, _ in marked], dtype=np.int32),
-        np.array([edge[wire] for _, edge in marked], dtype=np.int32),
-        np.array([edge[tolerance] if tolerance else 0 for _, edge in marked], dtype=np.float32),
+        *_wires(read_edit_marks(edit)),
     ]
+
+
+def _wires(marks: EdgeMarks) -> tuple[np.ndarray, ...]:
+    wires = marks.take(marks.rows)
+    return marks.rows.astype(np.int32), wires.wire_ids, wires.tolerances
 
 
 def place_sums(points: np.ndarray) -> list[float]:

@@ -9,9 +9,9 @@ import numpy as np
 
 from ..blender.cache import kept
 from ..blender.mesh import edge_vertices, read
-from ..names import TOLERANCE, WIRE
-from ..pattern.chains import chains_of_marks
-from .marks import own_ids, read_marks
+from ..names import WIRE
+from ..pattern.chains import EdgeMarks, chains_of_marks
+from .marks import own_ids, read_edit_marks, read_marks
 from .wire_names import chain_names, find_name, list_places, write_names
 
 
@@ -55,8 +55,7 @@ class _Marked:
     rows: np.ndarray  # (k,) of the mesh's edges
     vertices: np.ndarray  # (k,2) of the mesh
     ends: np.ndarray  # (k,2,3)
-    wire_ids: np.ndarray  # (k,)
-    tolerances: np.ndarray  # (k,)
+    marks: EdgeMarks  # (k,)
 
 
 def find_wires(mesh: bpy.types.Mesh) -> list[WireSummary]:
@@ -66,7 +65,7 @@ def find_wires(mesh: bpy.types.Mesh) -> list[WireSummary]:
     edges, positions = edges.reshape(-1, 2), np.empty((len(numbers), 3))
     positions[edges] = marked.ends
     vectors, seen, wires = marked.ends[:, 1] - marked.ends[:, 0], set(), []
-    for chain in chains_of_marks(edges, marked.wire_ids, marked.tolerances, positions):
+    for chain in chains_of_marks(edges, marked.marks, positions):
         rows, shares_id = marked.rows[chain.edges].tolist(), chain.wire_id in seen
         wires.append(WireSummary(chain.wire_id, chain.tolerance, rows, vectors[chain.edges], shares_id))
         seen.add(chain.wire_id)
@@ -75,23 +74,22 @@ def find_wires(mesh: bpy.types.Mesh) -> list[WireSummary]:
 
 def _gather(mesh: bpy.types.Mesh) -> _Marked:
     marks = read_marks(mesh)
-    rows = np.flatnonzero(marks.wire_ids)
+    rows = marks.rows
     vertices = edge_vertices(mesh)[rows]
     ends = read(mesh.vertices, "co", np.float32, 3).astype(np.float64)[vertices]
-    return _Marked(rows, vertices, ends, marks.wire_ids[rows], marks.tolerances[rows])
+    return _Marked(rows, vertices, ends, marks.take(rows))
 
 
 def _gather_edit(mesh: bpy.types.Mesh) -> _Marked:
     edit = bmesh.from_edit_mesh(mesh)
-    wire, tolerance = edit.edges.layers.int.get(WIRE), edit.edges.layers.float.get(TOLERANCE)
+    wire = edit.edges.layers.int.get(WIRE)
     marked = [(row, edge) for row, edge in enumerate(edit.edges) if edge[wire]] if wire else []
     edit.verts.index_update()
     return _Marked(
         rows=np.array([row for row, _ in marked], dtype=np.int32),
         vertices=np.array([[v.index for v in edge.verts] for _, edge in marked], np.int32).reshape(-1, 2),
         ends=np.array([[v.co[:] for v in edge.verts] for _, edge in marked], np.float64).reshape(-1, 2, 3),
-        wire_ids=np.array([edge[wire] for _, edge in marked], dtype=np.int32),
-        tolerances=np.array([edge[tolerance] if tolerance else 0 for _, edge in marked], dtype=np.float32),
+        marks=read_edit_marks(edit, [edge for _, edge in marked]),
     )
 
 

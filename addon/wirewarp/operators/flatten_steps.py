@@ -104,10 +104,7 @@ class FlattenSteps(FlattenSettings):
         except CancelledError:
             return self.give_up(context, "cancelled", "Flattening was cancelled: nothing was written.", "WARNING")
         except Exception as error:
-            traceback.print_exc()
-            sentence = f"Flattening failed, nothing was written: {str(error) or type(error).__name__}. "
-            sentence += "This is a fault of WireWarp: please report it with what Blender's console says."
-            return self.give_up(context, "internal_error", sentence, "ERROR")
+            return self.give_up(context, "internal_error", _fault(error, "nothing was written"), "ERROR")
         if context.mode not in WORKING_MODES or _place(context) != (self._scene, self._view_layer):
             sentence = "The mode or the scene was changed during the run, nothing was written: flatten again."
             return self.give_up(context, "elsewhere", sentence, "ERROR")
@@ -117,6 +114,10 @@ class FlattenSteps(FlattenSettings):
                 self._write(context, outcomes)
         except ObjectError as error:
             return self.give_up(context, error.issue.code, str(error), "ERROR")
+        except Exception as error:  # as on a full memory; with an undo step, so that the user can take it back
+            self.give_up(context, "internal_error", _fault(error, "undo (Ctrl+Z) takes back what was written"), "ERROR")
+            hold_whole_file()
+            return {"FINISHED"}
         return self._tell(context, outcomes)
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
@@ -148,6 +149,15 @@ class FlattenSteps(FlattenSettings):
             write_json(self.report_file, run_report(core.library().__version__, units, reports))
         except OSError as error:
             self.report({"ERROR"}, unwritten(self.report_file, error))
+
+
+def _fault(error: Exception, state: str) -> str:
+    """The sentence for what should not happen; state: of the file."""
+    traceback.print_exc()
+    return (
+        f"Flattening failed, {state}: {str(error) or type(error).__name__}. This is a fault of WireWarp: please report "
+        "it with what Blender's console says."
+    )
 
 
 def _place(context: bpy.types.Context) -> tuple[str, str]:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flattening again by itself what has changed."""
 
+from collections.abc import Callable
+
 import bpy
 
 from ..blender.modes import WORKING_MODES
@@ -8,15 +10,15 @@ from ..properties import take_settings
 from ..run import auto_update, window_run
 from .flatten_steps import FlattenSteps
 
+LABEL = "Update Flat Pieces"
+_joining: dict[str, type[bpy.types.Operator]] = {}  # by undo group
 
-class OBJECT_OT_wirewarp_update(FlattenSteps, bpy.types.Operator):
-    """Flatten again what has changed"""
 
-    # In the undo step of the operator that changed it, if that was the last: see join_undo_step.
-    bl_idname = "object.wirewarp_update"
-    bl_label = "Update Flat Pieces"
+class UpdateSteps(FlattenSteps):
+    """Mixed into the operators that update: one for each undo step that an update has joined, see updating_in."""
+
+    bl_label = LABEL
     bl_options = {"INTERNAL", "UNDO_GROUPED"}
-    bl_undo_group = "Update Flat Pieces"
 
     # As it was begun, it ends with a movement of the mouse that no tool has taken: see auto_update.
     ends_on = "MOUSEMOVE"
@@ -46,6 +48,13 @@ class OBJECT_OT_wirewarp_update(FlattenSteps, bpy.types.Operator):
         self.report({"WARNING" if level == "ERROR" else level}, text)
 
 
+class OBJECT_OT_wirewarp_update(UpdateSteps, bpy.types.Operator):
+    """Flatten again what has changed"""
+
+    bl_idname = "object.wirewarp_update"
+    bl_undo_group = LABEL
+
+
 class WM_OT_wirewarp_watch(bpy.types.Operator):
     """Look whether flat pieces are to be made again"""
 
@@ -60,21 +69,36 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         if context.scene.wirewarp.auto_update:
-            join_undo_step(context.window_manager)
-            bpy.ops.object.wirewarp_update("INVOKE_DEFAULT", True)
+            last = context.window_manager.operators[-1].name if context.window_manager.operators else LABEL
+            updating_in(last)("INVOKE_DEFAULT", True)
         else:
             auto_update.forget_change(context.scene.name_full)
         return {"PASS_THROUGH"}
 
 
-def join_undo_step(manager: bpy.types.WindowManager) -> None:
-    """Lets the update go into the undo step of the last operator.
+def updating_in(group: str) -> Callable:
+    """The operator that updates within the last undo step, if that is of this name.
 
     With a step of its own, undo would first take back the pieces alone, and leave them at odds with the marks. Blender
-    joins steps of one undo group, and takes an operator's group when it is registered.
+    joins steps of one undo group, and takes an operator's group when it is registered. To register one anew would take
+    Adjust Last Operation from the user, for Blender forgets all operations when an operator goes; so there is one more.
     """
-    group = manager.operators[-1].name if manager.operators else OBJECT_OT_wirewarp_update.bl_label
-    if OBJECT_OT_wirewarp_update.bl_undo_group != group:
-        bpy.utils.unregister_class(OBJECT_OT_wirewarp_update)
-        OBJECT_OT_wirewarp_update.bl_undo_group = group
-        bpy.utils.register_class(OBJECT_OT_wirewarp_update)
+    if group == LABEL:
+        return bpy.ops.object.wirewarp_update
+    if group not in _joining:
+        number = len(_joining) + 1
+        content = {
+            "__doc__": OBJECT_OT_wirewarp_update.__doc__,
+            "bl_idname": f"object.wirewarp_update_{number}",
+            "bl_undo_group": group,
+        }
+        cls = type(f"OBJECT_OT_wirewarp_update_{number}", (UpdateSteps, bpy.types.Operator), content)
+        bpy.utils.register_class(cls)
+        _joining[group] = cls
+    return getattr(bpy.ops.object, _joining[group].bl_idname.split(".")[1])
+
+
+def forget_joining() -> None:
+    for cls in _joining.values():
+        bpy.utils.unregister_class(cls)
+    _joining.clear()

@@ -23,14 +23,14 @@ from ..blender.mesh import (
     triangle_vertices,
 )
 from ..flat.read import has_flat_attributes, read_flat_attribute
-from ..model.marks import read_marks
+from ..model.marks import read_edit_marks, read_marks
 from ..model.piece_ids import read_piece_ids
-from ..names import PIECE, PIECE_INDEX, SOURCE_VERTEX, TOLERANCE, UV_LAYER, WIRE
-from .lines import LineMarks
+from ..names import PIECE, PIECE_INDEX, SOURCE_VERTEX, UV_LAYER, WIRE
+from .lines import LineEdges
 from .surfaces import Triangles
 
 
-def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> LineMarks:
+def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> LineEdges:
     """Raises ObjectError if an attribute of our name is not ours."""
     if target.data.is_editmode:  # by another object of the same mesh, too
         return _lines_in_edit_mode(target.data)
@@ -48,46 +48,43 @@ def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iter
         yield target.data
 
 
-def _lines(mesh: bpy.types.Mesh) -> LineMarks:
+def _lines(mesh: bpy.types.Mesh) -> LineEdges:
     marks, seams = read_marks(mesh), read_seams(mesh)
     outlines = faces_at_edges(mesh) == 1
-    rows = np.flatnonzero(seams | outlines | (marks.wire_ids != 0))
+    rows = np.flatnonzero(seams | outlines | marks.are_wires)
     vertices = edge_vertices(mesh)[rows]
     source, pieces = vertices, np.zeros(len(rows), dtype=np.int32)
     if has_flat_attributes(mesh, SOURCE_VERTEX, PIECE_INDEX):
         source = read_flat_attribute(mesh, SOURCE_VERTEX)[vertices]
         pieces = _piece_of_edge(mesh)[rows]
-    return LineMarks(
+    return LineEdges(
         ends=read(mesh.vertices, "co", np.float32, 3)[vertices],
         normals=read(mesh.vertices, "normal", np.float32, 3)[vertices[:, 0]],
         vertices=source,
         pieces=pieces,
         seams=seams[rows],
         outlines=outlines[rows],
-        wire_ids=marks.wire_ids[rows],
-        tolerances=marks.tolerances[rows],
+        marks=marks.take(rows),
         selected=np.zeros(len(rows), dtype=bool),
     )
 
 
-def _lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineMarks:
+def _lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineEdges:
     """In Edit Mode attributes can be read edge by edge only."""
     edit = bmesh.from_edit_mesh(mesh)
     edit.verts.index_update()
-    layers = edit.edges.layers
-    wire, tolerance = layers.int.get(WIRE), layers.float.get(TOLERANCE)
+    wire = edit.edges.layers.int.get(WIRE)
     source, piece = edit.verts.layers.int.get(SOURCE_VERTEX), edit.faces.layers.int.get(PIECE_INDEX)
     marked = [edge for edge in edit.edges if not edge.hide and (edge.seam or edge.is_boundary or (wire and edge[wire]))]
     vertices = [[vertex[source] if source else vertex.index for vertex in edge.verts] for edge in marked]
-    return LineMarks(
+    return LineEdges(
         ends=np.array([[vertex.co[:] for vertex in edge.verts] for edge in marked], np.float32).reshape(-1, 2, 3),
         normals=np.array([edge.verts[0].normal[:] for edge in marked], np.float32).reshape(-1, 3),
         vertices=np.array(vertices, dtype=np.int32).reshape(-1, 2),
         pieces=np.array([_piece_in_edit_mode(edge, piece) for edge in marked], dtype=np.int32),
         seams=np.array([edge.seam for edge in marked], dtype=bool),
         outlines=np.array([edge.is_boundary for edge in marked], dtype=bool),
-        wire_ids=np.array([edge[wire] if wire else 0 for edge in marked], dtype=np.int32),
-        tolerances=np.array([edge[tolerance] if tolerance else 0 for edge in marked], dtype=np.float32),
+        marks=read_edit_marks(edit, marked),
         selected=np.array([edge.select for edge in marked], dtype=bool),
     )
 
@@ -119,7 +116,7 @@ def shows_our_map(mesh: bpy.types.Mesh) -> bool:
     return mesh.uv_layers.active is not None and mesh.uv_layers.active.name == UV_LAYER
 
 
-def gather_uv_lines(mesh: bpy.types.Mesh) -> LineMarks:
+def gather_uv_lines(mesh: bpy.types.Mesh) -> LineEdges:
     """Marked edges as each of their faces has them in the map. Raises ObjectError if an attribute is not ours."""
     return _uv_lines_in_edit_mode(mesh) if mesh.is_editmode else _uv_lines(mesh)
 
@@ -131,30 +128,29 @@ def uv_places(mesh: bpy.types.Mesh) -> np.ndarray:
     return places
 
 
-def _uv_lines(mesh: bpy.types.Mesh) -> LineMarks:
+def _uv_lines(mesh: bpy.types.Mesh) -> LineEdges:
     marks, seams, outlines = read_marks(mesh), read_seams(mesh), faces_at_edges(mesh) == 1
     edge_of_loop, following, places = corner_edges(mesh), next_loops(mesh), uv_places(mesh)
     sizes = face_sizes(mesh)
-    loops = np.flatnonzero((seams | outlines | (marks.wire_ids != 0))[edge_of_loop])
+    loops = np.flatnonzero((seams | outlines | marks.are_wires)[edge_of_loop])
     rows = edge_of_loop[loops]
     corners = np.column_stack([loops, following[loops]])
-    return LineMarks(
+    return LineEdges(
         ends=places[corners],
         normals=np.tile(np.array([0, 0, 1], dtype=np.float32), (len(loops), 1)),
         vertices=corner_vertices(mesh)[corners],
         pieces=np.repeat(read_piece_ids(mesh), sizes)[loops],
         seams=seams[rows],
         outlines=outlines[rows],
-        wire_ids=marks.wire_ids[rows],
-        tolerances=marks.tolerances[rows],
+        marks=marks.take(rows),
         selected=np.zeros(len(rows), dtype=bool),
     )
 
 
-def _uv_lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineMarks:
+def _uv_lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineEdges:
     edit = bmesh.from_edit_mesh(mesh)
     edit.verts.index_update()
-    wire, tolerance = edit.edges.layers.int.get(WIRE), edit.edges.layers.float.get(TOLERANCE)
+    wire = edit.edges.layers.int.get(WIRE)
     piece, uv = edit.faces.layers.int.get(PIECE), edit.loops.layers.uv[UV_LAYER]
     marked = [
         (edge, loop)
@@ -164,14 +160,13 @@ def _uv_lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineMarks:
         if not loop.face.hide
     ]
     sides = [(loop, loop.link_loop_next) for _, loop in marked]
-    return LineMarks(
+    return LineEdges(
         ends=np.array([[(*loop[uv].uv, 0.0) for loop in side] for side in sides], np.float32).reshape(-1, 2, 3),
         normals=np.tile(np.array([0, 0, 1], dtype=np.float32), (len(marked), 1)),
         vertices=np.array([[loop.vert.index for loop in side] for side in sides], np.int32).reshape(-1, 2),
         pieces=np.array([loop.face[piece] if piece else 0 for _, loop in marked], dtype=np.int32),
         seams=np.array([edge.seam for edge, _ in marked], dtype=bool),
         outlines=np.array([edge.is_boundary for edge, _ in marked], dtype=bool),
-        wire_ids=np.array([edge[wire] if wire else 0 for edge, _ in marked], dtype=np.int32),
-        tolerances=np.array([edge[tolerance] if tolerance else 0 for edge, _ in marked], dtype=np.float32),
+        marks=read_edit_marks(edit, [edge for edge, _ in marked]),
         selected=np.zeros(len(marked), dtype=bool),  # the map has a selection of its own
     )

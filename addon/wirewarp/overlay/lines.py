@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..pattern.chains import chains_of_marks
+from ..pattern.chains import EdgeMarks, chains_of_marks
 from ..words import tolerance_text
 
 ALONG = (0.25, 0.5, 0.75)  # of the edges of a line, nearest to its middle first: where else its name may stand
@@ -64,9 +64,9 @@ class WireRun:
     offsets: np.ndarray  # (k,) length of wire before each row
 
 
-def wire_runs(vertices: np.ndarray, ends: np.ndarray, wire_ids: np.ndarray, tolerances: np.ndarray) -> list[WireRun]:
-    """vertices (k,2) and ends (k,2,3) of marked edges, those with id 0 left out."""
-    marked = np.flatnonzero(wire_ids)
+def wire_runs(vertices: np.ndarray, ends: np.ndarray, marks: EdgeMarks) -> list[WireRun]:
+    """vertices (k,2) and ends (k,2,3) of marked edges, those what is no wire left out."""
+    marked = marks.rows
     if not len(marked):
         return []
     pairs = np.sort(vertices[marked], axis=1)
@@ -81,7 +81,7 @@ def wire_runs(vertices: np.ndarray, ends: np.ndarray, wire_ids: np.ndarray, tole
     starts = np.searchsorted(edge_of_row[order], np.arange(len(edges) + 1))
     lengths = np.linalg.norm(turned[:, 1] - turned[:, 0], axis=1)
     runs = []
-    for chain in chains_of_marks(edges, wire_ids[first], tolerances[first], positions):
+    for chain in chains_of_marks(edges, marks.take(first), positions):
         along = np.cumsum(lengths[first[chain.edges]])
         sizes = [starts[edge + 1] - starts[edge] for edge in chain.edges]
         rows = np.concatenate([marked[order[starts[edge] : starts[edge + 1]]] for edge in chain.edges])
@@ -109,7 +109,7 @@ def cut_into_dashes(ends: np.ndarray, offsets: np.ndarray, dash: float, gap: flo
 
 
 @dataclass(frozen=True)
-class LineMarks:
+class LineEdges:
     """Every edge that is a seam, part of an outline or part of a wire."""
 
     ends: np.ndarray  # (k,2,3) float32, in the object's own space
@@ -118,8 +118,7 @@ class LineMarks:
     pieces: np.ndarray  # (k,) int32, on the flat pieces; 0 on the model
     seams: np.ndarray  # (k,) bool
     outlines: np.ndarray  # (k,) bool, has one face only
-    wire_ids: np.ndarray  # (k,) int32, 0 none
-    tolerances: np.ndarray  # (k,) float32
+    marks: EdgeMarks  # (k,)
     selected: np.ndarray  # (k,) bool, in Edit Mode
 
 
@@ -133,20 +132,20 @@ class Name:
     reach: float  # distance from the best place to the farthest end of what it names
 
 
-def lines_by_kind(marks: LineMarks) -> dict[str, np.ndarray]:
+def lines_by_kind(lines: LineEdges) -> dict[str, np.ndarray]:
     """The ends (2k,3) of the edges of each kind that there is, two rows an edge."""
-    return {kind: marks.ends[mask].reshape(-1, 3) for kind, mask in _members(marks).items() if mask.any()}
+    return {kind: lines.ends[mask].reshape(-1, 3) for kind, mask in _members(lines).items() if mask.any()}
 
 
-def dashes_by_kind(marks: LineMarks, runs: Sequence[WireRun]) -> dict[str, np.ndarray]:
+def dashes_by_kind(lines: LineEdges, runs: Sequence[WireRun]) -> dict[str, np.ndarray]:
     """The ends (2m,3) of the dashes of each kind that is drawn with dashes."""
-    if not len(marks.ends):
+    if not len(lines.ends):
         return {}
-    pixel = np.ptp(marks.ends.reshape(-1, 3), axis=0).max() / VIEW_SIZE
+    pixel = np.ptp(lines.ends.reshape(-1, 3), axis=0).max() / VIEW_SIZE
     if not 0 < pixel < np.inf:  # in one place, or nowhere
         return {}
     dashes = {}
-    for kind, mask in _members(marks).items():
+    for kind, mask in _members(lines).items():
         style = STYLES[kind]
         own = [run for run in runs if mask[run.rows[0]]]
         if style.dash and own:
@@ -156,45 +155,45 @@ def dashes_by_kind(marks: LineMarks, runs: Sequence[WireRun]) -> dict[str, np.nd
     return dashes
 
 
-def _members(marks: LineMarks) -> dict[str, np.ndarray]:
+def _members(lines: LineEdges) -> dict[str, np.ndarray]:
     """A mask of each kind's edges."""
-    wires = marks.wire_ids != 0
+    wires, tolerances = lines.marks.are_wires, lines.marks.tolerances
     return {
-        "outline": marks.outlines & ~marks.seams,
-        "seam": marks.seams,
-        "rigid": wires & (marks.tolerances == 0),
-        "elastic": wires & (marks.tolerances > 0) & np.isfinite(marks.tolerances),
-        "free": wires & np.isinf(marks.tolerances),
-        "selected": marks.selected,
+        "outline": lines.outlines & ~lines.seams,
+        "seam": lines.seams,
+        "rigid": wires & (tolerances == 0),
+        "elastic": wires & (tolerances > 0) & np.isfinite(tolerances),
+        "free": wires & np.isinf(tolerances),
+        "selected": lines.selected,
     }
 
 
-def wire_line_names(marks: LineMarks, runs: Sequence[WireRun], names: Sequence[str]) -> list[Name]:
+def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[str]) -> list[Name]:
     """Of each wire in each piece, in the middle of it; elastic ones with their tolerance. names: one for each run."""
     named = []
     for run, name in zip(runs, names, strict=True):
         text = f"{name} {tolerance_text(run.tolerance)}" if 0 < run.tolerance < np.inf else name
-        for piece in np.unique(marks.pieces[run.rows]).tolist():
-            named.append(_name_on_line(text, marks, run.rows[marks.pieces[run.rows] == piece]))
+        for piece in np.unique(lines.pieces[run.rows]).tolist():
+            named.append(_name_on_line(text, lines, run.rows[lines.pieces[run.rows] == piece]))
     return named
 
 
-def seam_line_names(marks: LineMarks, seam_of_edge: Mapping[tuple[int, int], int]) -> list[Name]:
+def seam_line_names(lines: LineEdges, seam_of_edge: Mapping[tuple[int, int], int]) -> list[Name]:
     """The number of each seam, in all its pieces. seam_of_edge: index of the seam by an edge's vertices, ascending."""
-    pairs = np.sort(marks.vertices, axis=1).tolist()
+    pairs = np.sort(lines.vertices, axis=1).tolist()
     numbers = np.array([1 + seam_of_edge.get((a, b), -1) for a, b in pairs], dtype=np.int32)
     rows: dict[tuple[int, int], list[int]] = {}
     for row in np.flatnonzero(numbers).tolist():
-        rows.setdefault((int(numbers[row]), int(marks.pieces[row])), []).append(row)
-    return [_name_on_line(f"Seam {number}", marks, np.array(own)) for (number, _), own in rows.items()]
+        rows.setdefault((int(numbers[row]), int(lines.pieces[row])), []).append(row)
+    return [_name_on_line(f"Seam {number}", lines, np.array(own)) for (number, _), own in rows.items()]
 
 
-def _name_on_line(text: str, marks: LineMarks, rows: np.ndarray) -> Name:
+def _name_on_line(text: str, lines: LineEdges, rows: np.ndarray) -> Name:
     """At the edge nearest to the mean of all, so that it is on the line, however that bends; or farther along it."""
-    middles = marks.ends[rows].mean(axis=1)
+    middles = lines.ends[rows].mean(axis=1)
     place = middles[np.argmin(np.linalg.norm(middles - middles.mean(axis=0), axis=1))]
     by_distance = np.argsort(np.linalg.norm(middles - place, axis=1), kind="stable")
     first = (np.array([0, *ALONG]) * len(rows)).astype(int)
     best = by_distance[np.unique(np.concatenate([first, first[1:] + 1]).clip(max=len(rows) - 1))]  # one to either side
-    reach = float(np.linalg.norm(marks.ends[rows] - place, axis=2).max())
-    return Name(text, middles[best], marks.normals[rows[best]], reach)
+    reach = float(np.linalg.norm(lines.ends[rows] - place, axis=2).max())
+    return Name(text, middles[best], lines.normals[rows[best]], reach)

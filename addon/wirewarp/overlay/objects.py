@@ -17,7 +17,7 @@ from ..model.wire_names import chain_names
 from ..names import PIECE, RANGE, SOURCE_CORNER
 from ..solve.maps import ColorMap
 from .gather import gather_lines, gather_triangles, shown_mesh
-from .lines import LineMarks, Name, dashes_by_kind, lines_by_kind, seam_line_names, wire_line_names, wire_runs
+from .lines import LineEdges, Name, dashes_by_kind, lines_by_kind, seam_line_names, wire_line_names, wire_runs
 from .surfaces import ColoredTriangles, Extremes, colored, on_model
 
 
@@ -36,13 +36,13 @@ def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
     return lines
 
 
-def lines_of(target: bpy.types.Object, marks: LineMarks) -> Lines:
+def lines_of(target: bpy.types.Object, edges: LineEdges) -> Lines:
     """The marked edges of this object, wherever they are drawn."""
-    runs, report = wire_runs(marks.vertices, marks.ends, marks.wire_ids, marks.tolerances), current_report(target)
-    names = wire_line_names(marks, runs, _wire_names(target, [run.wire_id for run in runs], report))
+    runs, report = wire_runs(edges.vertices, edges.ends, edges.marks), current_report(target)
+    names = wire_line_names(edges, runs, _wire_names(target, [run.wire_id for run in runs], report))
     if report:
-        names += seam_line_names(marks, _seam_of_edge(report))
-    return Lines(lines_by_kind(marks), dashes_by_kind(marks, runs), names)
+        names += seam_line_names(edges, _seam_of_edge(report))
+    return Lines(lines_by_kind(edges), dashes_by_kind(edges, runs), names)
 
 
 def _wire_names(target: bpy.types.Object, wire_ids: list[int], report: dict | None) -> list[str]:

@@ -25,6 +25,36 @@ class Chain:
 
 
 @dataclass(frozen=True)
+class EdgeMarks:
+    """Which edges are wires: one entry an edge, of a whole mesh or of some of its edges."""
+
+    wire_ids: np.ndarray  # (e,) int32, 0 none
+    tolerances: np.ndarray  # (e,) float32: 0 rigid, finite elastic, inf super-elastic
+
+    @classmethod
+    def none(cls, count: int) -> "EdgeMarks":
+        return cls(np.zeros(count, dtype=np.int32), np.zeros(count, dtype=np.float32))
+
+    @property
+    def are_wires(self) -> np.ndarray:
+        """(e,) bool"""
+        return self.wire_ids != 0
+
+    @property
+    def rows(self) -> np.ndarray:
+        """(k,) the edges that are wires."""
+        return np.flatnonzero(self.wire_ids)
+
+    def take(self, rows: np.ndarray) -> "EdgeMarks":
+        """Of these edges, by their numbers or by a mask."""
+        return EdgeMarks(self.wire_ids[rows], self.tolerances[rows])
+
+    def without(self, mask: np.ndarray) -> "EdgeMarks":
+        """As many edges, those of the mask being no wires."""
+        return EdgeMarks(np.where(mask, 0, self.wire_ids), self.tolerances)
+
+
+@dataclass(frozen=True)
 class WireChain:
     """One run of the edges that carry one id and one tolerance."""
 
@@ -49,15 +79,15 @@ def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
     ]
 
 
-def chains_of_marks(
-    edges: np.ndarray, wire_ids: np.ndarray, tolerances: np.ndarray, positions: np.ndarray
-) -> list[WireChain]:
-    """All marked edges (id not 0) as wires: one id and one tolerance a wire, one wire for each run of its edges."""
-    marked = np.flatnonzero(wire_ids)
-    kinds, kind_of_edge = np.unique(tolerances[marked], return_inverse=True)
+def chains_of_marks(edges: np.ndarray, marks: EdgeMarks, positions: np.ndarray) -> list[WireChain]:
+    """All marked edges as wires: one id and one tolerance a wire, one wire for each run of its edges."""
+    marked = marks.rows
+    kinds, kind_of_edge = np.unique(marks.tolerances[marked], return_inverse=True)
     doubles = [shortest_double(tolerance) for tolerance in kinds]
     groups: dict[tuple[int, float], list[int]] = {}
-    for edge, wire_id, kind in zip(marked.tolist(), wire_ids[marked].tolist(), kind_of_edge.tolist(), strict=True):
+    for edge, wire_id, kind in zip(
+        marked.tolist(), marks.wire_ids[marked].tolist(), kind_of_edge.tolist(), strict=True
+    ):
         groups.setdefault((wire_id, doubles[kind]), []).append(edge)
     return [
         WireChain(wire_id, tolerance, [members[edge] for edge in chain.edges], chain.vertices)

@@ -61,7 +61,7 @@ def place_notches(
 def vertices_at_wires(flat: FlatPieces, outline: OutlineEdges) -> set[int]:
     """On outlines: where a wire that runs through a piece ends, and the same places on the other sides of a seam."""
     count = len(flat.vertices)
-    inside = (flat.wire_ids != 0) & ~np.isin(edge_keys(flat.edges, count), edge_keys(outline.edges, count))
+    inside = flat.marks.are_wires & ~np.isin(edge_keys(flat.edges, count), edge_keys(outline.edges, count))
     return _with_copies(flat, outline, np.intersect1d(flat.edges[inside], outline.edges))
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .chains import edge_keys
+from .chains import EdgeMarks, edge_keys
 
 
 @dataclass(frozen=True)
@@ -17,8 +17,7 @@ class FlatPieces:
     face_sizes: np.ndarray  # (f,) int32
     face_piece: np.ndarray  # (f,) int32, index of the piece in the report
     edges: np.ndarray  # (e,2) int32
-    wire_ids: np.ndarray  # (e,) int32, 0 none
-    tolerances: np.ndarray  # (e,) float32
+    marks: EdgeMarks  # (e,)
 
 
 def piece_of_vertices(

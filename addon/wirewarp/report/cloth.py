@@ -33,18 +33,6 @@ def is_strained(piece: dict) -> bool:
     return piece["ok"] and aspect_ratio(piece) > CLOTH_LIMIT
 
 
-def strained_pieces(report: dict) -> list[dict]:
-    """Worst first."""
-    beyond = [piece for piece in report["pieces"] if is_strained(piece)]
-    return sorted(beyond, key=aspect_ratio, reverse=True)
-
-
-def strain_text(name: str, piece: dict) -> str:
-    """The sentence of one such piece, called by this name."""
-    words = strain_words(largest(piece["stretch_max"]), largest(piece["ease_max"]))
-    return f"Lengths kept, but {name} must {words}: a seam or a dart there would relieve it"
-
-
 def ready_text(pieces: list[dict]) -> str:
     """The verdict on good pieces that are not beyond cloth: from which cloth they may be cut."""
     strain = max(largest(piece[name]) for piece in pieces for name in ("stretch_max", "ease_max"))

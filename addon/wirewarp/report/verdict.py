@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which pieces may be cut: the lines in the sidebar, the message of a run, and its reports as one."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from ..words import counted
-from .cloth import aspect_ratio, largest, ready_text, strain_text, strain_words, strained_pieces
+from .cloth import aspect_ratio, is_strained, largest, ready_text, strain_words
 from .hints import TORN
-from .names import piece_names
 from .report import SCHEMA
 
 SHOWN_NAMES = 4
 SHOWN_SENTENCES = 4
+Entry = tuple[dict, dict]  # a report and one of its pieces
 
 
 class VerdictLine(NamedTuple):
@@ -18,40 +19,45 @@ class VerdictLine(NamedTuple):
     icon: str
 
 
-def verdict(report: dict) -> list[VerdictLine]:
-    """Of a report of the model as it is, the worst first."""
-    pieces = report["pieces"]
-    if not pieces:
+def verdict(*reports: dict) -> list[VerdictLine]:
+    """Of reports of models as they are, the worst first: in the sidebar of one, after a run of all."""
+    entries = [(report, piece) for report in reports for piece in report["pieces"]]
+    if not entries:
         return [VerdictLine("Not flattened", "CANCEL")]
-    strained = strained_pieces(report)
-    good = [piece for piece in pieces if piece["ok"] and piece not in strained]
-    count = counted(len(pieces), "piece")
+    strained = [entry for entry in entries if is_strained(entry[1])]
+    good = [entry for entry in entries if entry[1]["ok"] and not is_strained(entry[1])]
+    failed = [entry for entry in entries if not entry[1]["ok"]]
+    count = counted(len(entries), "piece")
     lines = []
-    if not report["ok"]:
-        failed = f"{sum(not piece['ok'] for piece in pieces)} of {count}" if len(pieces) > 1 else "the piece"
-        lines.append(VerdictLine(f"Do not cut: {failed} failed", "CANCEL"))
+    if failed:
+        which = f"{len(failed)} of {count}" if len(entries) > 1 else "the piece"
+        lines.append(VerdictLine(f"Do not cut: {which} failed", "CANCEL"))
     if strained:
-        lines.append(_strained_line(report, strained))
-    if len(good) == len(pieces):
-        lines.append(VerdictLine(f"{ready_text(good)}: {count}, {kept_text([report])}", "TICK"))
-    elif good:
-        lines.append(VerdictLine(f"{ready_text(good)}: {_others(report, good)}", "TICK"))
-    return lines
+        lines.append(_strained_line(sorted(strained, key=lambda entry: -aspect_ratio(entry[1])), len(reports) > 1))
+    if not good:
+        return lines
+    which = f"{count}, {kept_text(reports)}" if len(good) == len(entries) else _others(good, len(reports) > 1)
+    return [*lines, VerdictLine(f"{ready_text([piece for _, piece in good])}: {which}", "TICK")]
 
 
-def _strained_line(report: dict, strained: list[dict]) -> VerdictLine:
-    names = piece_names(report, [piece["index"] for piece in strained[:SHOWN_NAMES]])
+def _strained_line(strained: list[Entry], with_objects: bool) -> VerdictLine:
     hidden = len(strained) - SHOWN_NAMES
     more = f" and {hidden} more" if hidden > 0 else ""
-    words = strain_words(*(max(largest(piece[name]) for piece in strained) for name in ("stretch_max", "ease_max")))
-    return VerdictLine(f"{names}{more}: lengths kept, but the cloth must {words}", "ERROR")
+    pieces = [piece for _, piece in strained]
+    words = strain_words(*(max(largest(piece[name]) for piece in pieces) for name in ("stretch_max", "ease_max")))
+    named = _names(strained[:SHOWN_NAMES], with_objects)
+    return VerdictLine(f"{named}{more}: lengths kept, but the cloth must {words}", "ERROR")
 
 
-def _others(report: dict, good: list[dict]) -> str:
+def _others(good: list[Entry], with_objects: bool) -> str:
     """The good pieces among others."""
-    if len(good) > SHOWN_NAMES:
-        return f"the other {len(good)} pieces"
-    return piece_names(report, [piece["index"] for piece in good])
+    return f"the other {len(good)} pieces" if len(good) > SHOWN_NAMES else _names(good, with_objects)
+
+
+def _names(entries: list[Entry], with_objects: bool) -> str:
+    """Each once."""
+    names = [_place(report, piece["index"]) if with_objects else piece["name"] for report, piece in entries]
+    return "; ".join(dict.fromkeys(names)) if with_objects else ", ".join(dict.fromkeys(names))
 
 
 def run_report(version: str, units: dict, reports: list[dict]) -> dict:
@@ -71,9 +77,9 @@ def run_message(reports: list[dict]) -> tuple[str, str]:
         warnings = [note["text"] for note in notes if note["is_warning"]]
         torn = {hint["sentence"] for report in reports for hint in report["hints"] if hint["code"] == TORN}
         return "ERROR", "\n".join([failure_text(reports), *warnings, *torn])
-    strained = strained_text(reports)
-    level = "WARNING" if strained or any(note["is_warning"] for note in notes) else "INFO"
-    return level, "\n".join([strained or success_text(reports), *(note["text"] for note in notes)])
+    lines = verdict(*reports)
+    is_fine = all(line.icon == "TICK" for line in lines) and not any(note["is_warning"] for note in notes)
+    return "INFO" if is_fine else "WARNING", "\n".join([line.text for line in lines] + [note["text"] for note in notes])
 
 
 def failure_text(reports: list[dict]) -> str:
@@ -84,21 +90,7 @@ def failure_text(reports: list[dict]) -> str:
     return _capped(lines)
 
 
-def strained_text(reports: list[dict]) -> str:
-    """Which of the pieces that keep their lengths no cloth can follow, one line each; "" if none."""
-    strained = [(report, piece) for report in reports for piece in strained_pieces(report)]
-    strained.sort(key=lambda entry: aspect_ratio(entry[1]), reverse=True)
-    return _capped([strain_text(_subject(report, piece), piece) for report, piece in strained])
-
-
-def success_text(reports: list[dict]) -> str:
-    """Of reports without an issue and without a strained piece."""
-    pieces = [piece for report in reports for piece in report["pieces"]]
-    count = counted(len(pieces), "flat piece")
-    return f"{ready_text(pieces)}: {count}, {kept_text(reports)} ({reports[0]['method_name']})"
-
-
-def kept_text(reports: list[dict]) -> str:
+def kept_text(reports: Sequence[dict]) -> str:
     """What is true of the lengths in reports without an issue."""
     loose = any(
         wire["tolerance"] != 0 for report in reports if report["method"] != "wirewarping" for wire in report["wires"]
@@ -110,12 +102,6 @@ def _capped(lines: list[str]) -> str:
     hidden = len(lines) - SHOWN_SENTENCES
     more = [f"And {hidden} more: see the report in the sidebar."] if hidden > 0 else []
     return "\n".join(lines[:SHOWN_SENTENCES] + more)
-
-
-def _subject(report: dict, piece: dict) -> str:
-    """As _place, in the middle of a sentence."""
-    place = _place(report, piece["index"])
-    return place if place == report["object"] else f"{place},"
 
 
 def _place(report: dict, piece: int | None) -> str:

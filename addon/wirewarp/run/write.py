@@ -34,34 +34,42 @@ from .read import RunSettings, find_source
 def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings: RunSettings) -> None:
     """Writes UV layer, flat object, maps and report of every object that has a layout."""
     for outcome in outcomes:
-        source, arrays = find_source(outcome.model), outcome.model.arrays
-        if outcome.pieces is None:
-            if find_flat_object(source):
-                text = "Nothing was written: the flat pieces are those of an earlier run."
-                outcome.report["notes"].append(warning(text))
-            remember(source, outcome.report)
+        source = find_source(outcome.model)
+        if outcome.pieces is not None:
+            _write_pieces(context, source, outcome, settings)
             continue
-        if source.data.library is None:
-            update_names(source.data, wires_on(source.data))
-        outcome.identities = with_new_names(source, outcome.model.known, outcome.identities)
-        write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
-        with_names(source, outcome.report)
-        earlier = _kept_object(source, outcome, settings.keep_places)
-        pieces, up = _place(source, outcome, earlier)
-        away = places_of_absent(outcome.pieces, earlier, outcome.identities)
-        flat = write_flat_object(context.scene, source, pieces, arrays)
-        follow_name(source, outcome.model.known.model_name)
-        remember_layout(flat, outcome.report["options"], up, away)
-        if not settings.use_modifiers:
-            remove_model_maps(source.data)
-            uv_scale = write_uv(source.data, outcome.result.corner_uv, arrays)
-            outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": uv_scale}
-        remove_leftovers(source, flat)
-        context.view_layer.update()
-        outcome.report["flat_object"] = flat.name
-        outcome.report["notes"] += show_flat_object(context.view_layer, flat) + _notes_on_others(source)
-        show_where_shown(source, flat)
-        store(source, outcome.report)
+        if find_flat_object(source):
+            text = "Nothing was written: the flat pieces are those of an earlier run."
+            outcome.report["notes"].append(warning(text))
+        remember(source, outcome.report)
+
+
+def _write_pieces(
+    context: bpy.types.Context, source: bpy.types.Object, outcome: Outcome, settings: RunSettings
+) -> None:
+    """The flat object comes first, for it takes the most: should that fail, all is still as it was."""
+    arrays = outcome.model.arrays
+    earlier = _kept_object(source, outcome, settings.keep_places)
+    pieces, up = _place(source, outcome, earlier)
+    away = places_of_absent(outcome.pieces, earlier, outcome.identities)
+    flat = write_flat_object(context.scene, source, pieces, arrays)
+    remember_layout(flat.data, outcome.report["options"], up, away)
+    follow_name(source, outcome.model.known.model_name)
+    if source.data.library is None:
+        update_names(source.data, wires_on(source.data))
+    outcome.identities = with_new_names(source, outcome.model.known, outcome.identities)
+    write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
+    with_names(source, outcome.report)
+    if not settings.use_modifiers:
+        remove_model_maps(source.data)
+        uv_scale = write_uv(source.data, outcome.result.corner_uv, arrays)
+        outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": uv_scale}
+    remove_leftovers(source, flat)
+    context.view_layer.update()
+    outcome.report["flat_object"] = flat.name
+    outcome.report["notes"] += show_flat_object(context.view_layer, flat) + _notes_on_others(source)
+    show_where_shown(source, flat)
+    store(source, outcome.report)
 
 
 def _notes_on_others(source: bpy.types.Object) -> list[dict]:

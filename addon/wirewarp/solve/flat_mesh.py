@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..pattern.chains import edge_keys
+from ..pattern.chains import EdgeMarks, edge_keys
 from .arrays import MeshArrays, triangle_areas
 from .flatten import has_layout
 from .identity import PieceIdentity
@@ -127,23 +127,13 @@ def _in_space(points: np.ndarray) -> np.ndarray:
     return np.column_stack([points, np.zeros(len(points))])
 
 
-@dataclass(frozen=True)
-class FlatMarks:
-    """One entry per edge of the flat mesh."""
-
-    seams: np.ndarray  # (e,) bool
-    wire_ids: np.ndarray  # (e,) int32, 0 none
-    tolerances: np.ndarray  # (e,) float32
-
-
-def flat_marks(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> FlatMarks:
-    """Of the flat edges (e,2), by the edges of the model they come from."""
+def flat_marks(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> tuple[np.ndarray, EdgeMarks]:
+    """Which flat edges (e,2) are seams, a mask, and which are wires, by the edges of the model they come from."""
     count = len(arrays.vertices)
     keys = edge_keys(flat.source_vertex[flat_edges], count)
-    is_seam = np.isin(keys, edge_keys(arrays.seams, count))
-    wire_ids, tolerances = np.zeros(len(keys), dtype=np.int32), np.zeros(len(keys), dtype=np.float32)
+    is_seam, marks = np.isin(keys, edge_keys(arrays.seams, count)), EdgeMarks.none(len(keys))
     if not arrays.wires:
-        return FlatMarks(is_seam, wire_ids, tolerances)
+        return is_seam, marks
 
     chains = [wire.chain for wire in arrays.wires]
     wire_keys = np.concatenate([edge_keys(np.column_stack([c.vertices[:-1], c.vertices[1:]]), count) for c in chains])
@@ -152,6 +142,6 @@ def flat_marks(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> Fl
     place = np.searchsorted(wire_keys[order], keys).clip(max=len(order) - 1)
     on_wire = wire_keys[order[place]] == keys
     wire = wire_of_key[order[place[on_wire]]]
-    wire_ids[on_wire] = np.array([chain.wire_id for chain in chains], dtype=np.int32)[wire]
-    tolerances[on_wire] = np.array([chain.tolerance for chain in chains], dtype=np.float32)[wire]
-    return FlatMarks(is_seam, wire_ids, tolerances)
+    marks.wire_ids[on_wire] = np.array([chain.wire_id for chain in chains], dtype=np.int32)[wire]
+    marks.tolerances[on_wire] = np.array([chain.tolerance for chain in chains], dtype=np.float32)[wire]
+    return is_seam, marks

@@ -17,6 +17,12 @@ GREEN = (0.30, 0.78, 0.33)
 _previews: bpy.utils.previews.ImagePreviewCollection | None = None
 
 
+class SidebarPanel:
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "WireWarp"
+
+
 def is_wide(context: bpy.types.Context) -> bool:
     """Whether a table of four columns fits the region."""
     return context.region.width / context.preferences.system.ui_scale >= WIDE

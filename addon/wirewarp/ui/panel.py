@@ -6,15 +6,9 @@ import bpy
 from ..flat.reports import last_report
 from ..issues import ObjectError
 from ..model.owners import DELETED, find_flat_object, is_deleted, model_of, model_or_self
-from ..model.wires import wires_of
-from .layout import draw_sentence
+from .layout import SidebarPanel, draw_sentence
 from .settings import draw_settings
-
-
-class SidebarPanel:
-    bl_space_type = "VIEW_3D"
-    bl_region_type = "UI"
-    bl_category = "WireWarp"
+from .wire_list import shown_wires
 
 
 class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
@@ -72,7 +66,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         row.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
         row.prop(settings, "auto_update", text="", icon="FILE_REFRESH")
         active = context.active_object
-        if active and find_flat_object(active):
+        if active and active.type == "MESH" and last_report(active) and find_flat_object(active):
             layout.operator("view3d.wirewarp_frame", icon="VIEWZOOM")
 
         if settings.method == "WIREWARPING" and _has_loose_wires(context):
@@ -95,7 +89,7 @@ def _has_loose_wires(context: bpy.types.Context) -> bool:
     if active is None or active.type != "MESH":
         return False
     try:
-        return any(wire.tolerance > 0 for wire in wires_of(active))
+        return any(wire.tolerance > 0 for _, wire in shown_wires(active))
     except ObjectError:
         return False  # the list of wires says what is wrong
 

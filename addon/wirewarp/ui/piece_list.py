@@ -7,8 +7,7 @@ from ..blender.units import length_text
 from ..flat.reports import pieces_report
 from ..report.cloth import percent_text
 from ..report.rows import PieceRow, tables_of
-from .layout import draw_cells, draw_sentence, mark_of
-from .panel import SidebarPanel
+from .layout import SidebarPanel, draw_cells, draw_sentence, mark_of
 from .report import shown_source
 from .report_table import draw_select
 

@@ -11,8 +11,7 @@ from ..model.owners import earlier_sentence, has_flat_object, is_earlier, model_
 from ..model.state import has_changed
 from ..overlay.cache import Same, kept_drawing
 from ..report.rows import largest_difference, tables_of
-from .layout import draw_sentence, is_wide, mark_of
-from .panel import SidebarPanel
+from .layout import SidebarPanel, draw_sentence, is_wide, mark_of
 from .report_sentences import draw_hints, draw_issues
 from .report_table import draw_table
 from .settings import settings_sentence

@@ -4,15 +4,23 @@
 import bpy
 import numpy as np
 
+from ..blender.cache import stamp
 from ..blender.units import length_text
 from ..issues import ObjectError
 from ..model.owners import model_of
 from ..model.wires import WireSummary, editable_name, listed_wires
+from ..overlay.cache import kept_drawing
 from ..words import counted, tolerance_text
-from .layout import draw_sentence, is_wide
-from .panel import SidebarPanel
+from .layout import SidebarPanel, draw_sentence, is_wide
 
 SHOWN_WIRES = 40  # more make Blender slow to draw
+
+
+def shown_wires(target: bpy.types.Object) -> list[tuple[str, WireSummary]]:
+    """As listed_wires; of a large mesh that is being edited not anew at every redraw, for that would be felt."""
+    names = [(entry.wire_id, entry.name) for entry in target.data.wirewarp_names]
+    made_of = stamp(target.data), target.data.is_editmode, names
+    return kept_drawing(target, "wires", made_of, lambda: listed_wires(target))
 
 
 class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
@@ -26,7 +34,7 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         target = context.active_object
         try:
-            wires = listed_wires(target)
+            wires = shown_wires(target)
         except ObjectError as error:
             draw_sentence(context, self.layout, str(error), "ERROR")
             return
