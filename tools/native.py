@@ -7,7 +7,7 @@ from tools.old_glibc import openmesh_source
 from tools.package import BUILD_APT
 
 CORE_APT = (*BUILD_APT, "libopenmesh-dev")
-NATIVE_APT = (*CORE_APT, "libgtest-dev", "libnlopt-dev", "nlohmann-json3-dev")
+NATIVE_APT = (*CORE_APT, "libgtest-dev", "libnlopt-dev")
 FUZZ_APT = (*CORE_APT, "clang", "libclang-rt-14-dev")
 ATHERIS = ("atheris==3.0.0", "numpy==1.26.4")  # libFuzzer for Python
 FEW_CASES, MANY_CASES = 1_000, 10_000

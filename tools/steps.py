@@ -3,6 +3,7 @@
 
 import multiprocessing
 import os
+import signal
 import sys
 import time
 import traceback
@@ -25,6 +26,7 @@ class Step:
     name: str
     work: Callable[[], None]  # raises StepError or NotTestedError
     after: str = ""  # the step whose builds this one takes over
+    is_extra: bool = False  # of ./dev test --all and by name alone
 
 
 @dataclass(frozen=True)
@@ -95,6 +97,7 @@ def _word_of(step: Step) -> str:
 
 def _run_apart(step: Step) -> None:
     """In a process of its own, which ends with the step."""
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     with (LOGS / step.name).open("w", buffering=1) as log:
         os.dup2(log.fileno(), 1)  # for the programs it runs
         os.dup2(log.fileno(), 2)

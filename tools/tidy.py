@@ -31,21 +31,51 @@ TOOLS = ("clang-tidy==23.1.4", PYBIND11)
 COMMANDS = BUILD / "tidy" / "compile_commands.json"
 
 
+CLEAN = ROOT / ".clang-tidy-clean"  # committed, so that a clone need not check again what was clean elsewhere
+SHORT = 16  # hexadecimal digits, of the 64 of a fingerprint
+
+
 def tidy() -> None:
-    """Checks the sources that have changed, or include what has changed, since they were last found clean."""
+    """Checks the sources that have changed, or include what has changed, since they were last found clean: here, or
+    where .clang-tidy-clean was written."""
+    clean = dict(reversed(line.split()) for line in CLEAN.read_text().splitlines())
+    keys = source_keys()
+    check(keys, [source for source, key in keys.items() if clean.get(name_of(source)) != key[:SHORT]])
+
+
+def tidy_everything() -> None:
+    """Checks every source that was not found clean here, as it is, and writes .clang-tidy-clean."""
+    keys = source_keys()
+    check(keys, list(keys))
+    CLEAN.write_text("".join(f"{key[:SHORT]} {name_of(source)}\n" for source, key in sorted(keys.items())))
+
+
+def source_keys() -> dict[Path, str]:
+    """Of each source a fingerprint of all that decides what clang-tidy says of it; the same in every clone."""
     require_apt(*TIDY_APT)
-    python = venv("tidy", DEBIAN_PYTHON, *TOOLS)
-    (packages,) = python.parent.parent.glob("lib/python*/site-packages")
+    (packages,) = clang_tidy().parent.parent.glob("lib/python*/site-packages")
     run_quietly("configuring build/tidy", ["cmake", "--preset", "tidy"], pybind11_ROOT=str(packages / "pybind11"))
     commands = {Path(entry["file"]): entry["command"] for entry in json.loads(COMMANDS.read_text())}
     headers = headers_by_name()
-    keys = {source: fingerprint(what_decides(source, headers), *TOOLS, commands[source]) for source in commands}
-    changed = [source for source in commands if not is_current(stamp(source), keys[source])]
-    say(f"clang-tidy on {len(changed)} of {len(commands)} sources")
+    return {
+        source: fingerprint(what_decides(source, headers), *TOOLS, command.replace(str(ROOT), ""))
+        for source, command in commands.items()
+    }
+
+
+def check(keys: dict[Path, str], sources: list[Path]) -> None:
+    """Runs clang-tidy on those of the sources that were not found clean here."""
+    unknown = [source for source in sources if not is_current(stamp(source), keys[source])]
+    say(f"clang-tidy on {len(unknown)} of {len(keys)} sources")
+    program = clang_tidy()
     with ThreadPoolExecutor(CORES) as pool:
-        clean = list(pool.map(lambda source: is_clean(python.parent / "clang-tidy", source, keys[source]), changed))
+        clean = list(pool.map(lambda source: is_clean(program, source, keys[source]), unknown))
     if not all(clean):
         raise StepError(f"clang-tidy has findings in {clean.count(False)} sources")
+
+
+def clang_tidy() -> Path:
+    return venv("tidy", DEBIAN_PYTHON, *TOOLS).parent / "clang-tidy"
 
 
 def is_clean(program: Path, source: Path, key: str) -> bool:
@@ -59,8 +89,12 @@ def is_clean(program: Path, source: Path, key: str) -> bool:
     return True
 
 
+def name_of(source: Path) -> str:
+    return str(source.relative_to(ROOT))
+
+
 def stamp(source: Path) -> str:
-    return "tidy-" + "-".join(source.relative_to(ROOT).parts)
+    return "tidy-" + name_of(source).replace("/", "-")
 
 
 def headers_by_name() -> dict[str, list[Path]]:

@@ -5,7 +5,7 @@ and never a change of the caller's arrays."""
 import numpy as np
 import pytest
 import wirewarp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from surfaces import half_cylinder
@@ -34,7 +34,6 @@ def rearranged(draw, array):
     return view
 
 
-@settings(deadline=None, max_examples=100)
 @given(st.data())
 def test_any_arrangement_of_the_same_numbers_gives_the_same_bits(data):
     vertices = np.round(VERTICES * 8)  # numbers that small dtypes hold
@@ -60,25 +59,21 @@ def flattens_or_refuses(**arguments):
         assert result.corner_uv.shape == (len(arguments.get("faces", FACES)), 3, 2)
 
 
-@settings(deadline=None, max_examples=150)
 @given(st.sampled_from(["vertices", "faces", "seams"]), hnp.arrays(ANY_DTYPE, ANY_SHAPE))
 def test_any_array_is_flattened_or_refused(argument, array):
     flattens_or_refuses(**{argument: array})
 
 
-@settings(deadline=None, max_examples=150)
 @given(st.lists(st.lists(HUGE, min_size=3, max_size=3), max_size=6))
 def test_any_faces_are_flattened_or_refused(faces):
     flattens_or_refuses(faces=faces)
 
 
-@settings(deadline=None, max_examples=100)
 @given(st.lists(st.lists(HUGE, min_size=2, max_size=2), max_size=6))
 def test_any_seams_are_flattened_or_refused(seams):
     flattens_or_refuses(seams=seams)
 
 
-@settings(deadline=None, max_examples=150)
 @given(st.lists(HUGE, max_size=6), st.one_of(st.floats(), st.integers(), st.none(), st.text(max_size=3)), st.text())
 def test_any_wire_is_flattened_or_refused(vertices, tolerance, name):
     try:
@@ -89,7 +84,6 @@ def test_any_wire_is_flattened_or_refused(vertices, tolerance, name):
         flattens_or_refuses(wires=[wire])
 
 
-@settings(deadline=None, max_examples=100)
 @given(hnp.arrays(NUMBERS, st.one_of(ANY_SHAPE, st.just((len(FACES), 3, 2)))))
 def test_any_corner_coordinates_are_measured_or_refused(corner_uv):
     try:

@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
 
@@ -39,6 +38,18 @@ FlattenInput read_obj(std::istream& file) {
   return input;
 }
 
+/// The chains of a JSON file: the lists of numbers after its keys "vertices".
+std::vector<std::vector<int>> read_wires(std::istream& file) {
+  std::vector<std::vector<int>> wires;
+  for (std::string word; file >> word;) {
+    if (word != "\"vertices\":") continue;
+    std::vector<int>& wire = wires.emplace_back();
+    char mark = 0;  // [ or , before a vertex, ] after the last
+    for (int vertex = 0; file >> mark && mark != ']' && file >> vertex;) wire.push_back(vertex);
+  }
+  return wires;
+}
+
 }  // namespace
 
 std::optional<FlattenInput> reference_panel(const std::string& name, double tolerance) {
@@ -46,10 +57,7 @@ std::optional<FlattenInput> reference_panel(const std::string& name, double tole
   if (!std::filesystem::exists(panels)) return std::nullopt;
   std::ifstream mesh(panels / (name + ".obj")), wires(panels / (name + ".wires.json"));
   FlattenInput input = read_obj(mesh);
-  const nlohmann::json description = nlohmann::json::parse(wires);
-  for (const auto& wire : description.at("wires")) {
-    add_wire(input, wire.at("vertices").get<std::vector<int>>(), tolerance);
-  }
+  for (const std::vector<int>& wire : read_wires(wires)) add_wire(input, wire, tolerance);
   return input;
 }
 

@@ -7,6 +7,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -33,7 +34,8 @@ def main(dev, monkeypatch):
     monkeypatch.setattr(dev, "require_apt", lambda *names: None)
 
     def run(names: list[str], *words: str) -> int:
-        monkeypatch.setattr(dev, "test_steps", lambda: [Step(name, work_named(name)) for name in names])
+        every = [Step(name, work_named(name), is_extra=name.startswith("extra")) for name in names]
+        monkeypatch.setattr(dev, "test_steps", lambda: every)
         monkeypatch.setattr(sys, "argv", ["dev", "test", *words])
         return dev.main()
 
@@ -84,6 +86,20 @@ def test_all_steps_run_side_by_side_and_end_the_same(main, capfd, tmp_path, monk
     monkeypatch.setattr(steps, "LOGS", tmp_path)
     assert main(["good", "bad", "lacking"]) == 1
     assert table(capfd.readouterr().out) == [("good", "passed"), ("bad", "FAILED"), ("lacking", "NOT TESTED")]
+
+
+def test_without_all_or_a_name_extra_steps_are_left_out(main, capfd, tmp_path, monkeypatch):
+    monkeypatch.setattr(steps, "LOGS", tmp_path)
+    chosen = {}
+    for words in ((), ("--all",), ("extra",)):
+        assert main(["extra", "good"], *words) == 0
+        chosen[words] = [name for name, _ in table(capfd.readouterr().out)]
+    assert chosen == {(): ["good"], ("--all",): ["extra", "good"], ("extra",): ["extra"]}
+
+
+def test_no_step_of_every_run_waits_for_an_extra_one(dev):
+    is_extra = {step.name: step.is_extra for step in dev.test_steps()}
+    assert [step.name for step in dev.test_steps() if step.after and is_extra[step.after] > step.is_extra] == []
 
 
 def test_no_name_of_a_step_begins_as_another(dev):
@@ -157,6 +173,39 @@ def test_a_run_that_is_interrupted_says_so(dev, monkeypatch, capfd):
     monkeypatch.setattr(sys, "argv", ["dev", "docs"])
     assert dev.main() == 130
     assert "dev: stopped" in capfd.readouterr().out
+
+
+HANGING = """
+import sys
+from pathlib import Path
+from tools import children, steps
+from tools.environment import run
+
+folder, way, *names = sys.argv[1:]
+steps.LOGS = Path(folder)
+children.PATIENCE = 0.1
+
+def hang(name):
+    # In a session of its own, as Blender on its virtual screen is, and deaf to the first signal.
+    run(["sh", "-c", f"setsid sh -c 'trap : TERM; echo $$ > {folder}/{name}.pid; while true; do sleep 1; done'; true"])
+
+with children.no_child_left():
+    getattr(steps, way)([steps.Step(name, lambda name=name: hang(name)) for name in names])
+"""
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT], ids=["terminated", "interrupted"])
+@pytest.mark.parametrize(("way", "names"), [("run_in_order", ["one"]), ("run_side_by_side", ["one", "two"])])
+def test_what_is_told_to_end_takes_its_steps_along(tmp_path, way, names, number):
+    script = [sys.executable, "-c", HANGING, tmp_path, way, *names]
+    started = subprocess.Popen(script, env=os.environ | {"PYTHONPATH": str(ROOT)}, cwd=ROOT)
+    files = [tmp_path / f"{name}.pid" for name in names]
+    while not all(file.exists() and file.read_text().endswith("\n") for file in files):
+        assert started.poll() is None
+        time.sleep(0.05)
+    started.send_signal(number)
+    assert started.wait() != 0
+    assert [file for file in files if Path("/proc", file.read_text().strip()).exists()] == []
 
 
 def test_only_expected_errors_are_outcomes():

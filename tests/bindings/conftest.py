@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Random arguments are the same in every run, so that a failure is a change of ours; `./dev fuzz` searches for others.
+
+What a search finds is told with a decorator, @reproduce_failure, that repeats it.
+"""
+
+from hypothesis import settings
+
+settings.register_profile("repeatable", max_examples=150, derandomize=True, deadline=None)
+settings.register_profile("search", max_examples=3_000, deadline=None, database=None, print_blob=True)
+settings.load_profile("repeatable")  # the option --hypothesis-profile takes another

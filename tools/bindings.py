@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tests of the Python package, on the installed wheel."""
+
+from tools.blender import NUMPY, PYTEST
+from tools.environment import run
+from tools.package import venv_with_core
+
+HYPOTHESIS = "hypothesis==6.170.15"
+
+
+def bindings_tests(version: str, *options: str) -> None:
+    """options: of pytest."""
+    python = venv_with_core(f"bindings-{version}", version, PYTEST, HYPOTHESIS, NUMPY[version])
+    run([python, "-m", "pytest", "-q", *options, "tests/bindings"])
+
+
+def search_arguments() -> None:
+    """Its tests of random arguments with examples that are new in each run, and with more of them."""
+    bindings_tests("3.11", "-m", "hypothesis", "--hypothesis-profile=search")
