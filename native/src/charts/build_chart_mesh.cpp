@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "charts/slits.h"
 #include "mesh/geometry.h"
 #include "planar.h"
 
@@ -91,18 +92,23 @@ double total_turning(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
 }
 
 /// The outer loop is the one that turns most to the left: exact on anything developable. Loops that turn alike (the
-/// two ends of a tube) are told apart by length.
-std::size_t find_outer_loop(const HalfEdgeMesh& mesh, const std::vector<HalfEdgeChain>& loops) {
-  constexpr double kSameTurning = 1e-6;
+/// two ends of a tube) are told apart by length. A slit, which may turn more on a rough surface, is the outer loop only
+/// where all loops are slits: in a surface that is closed without them.
+std::size_t find_outer_loop(const Chart& chart, const std::vector<HalfEdgeChain>& loops) {
+  constexpr double kSameTurning = 1e-6;  // radians: far above rounding, far below what a mesh means
   std::size_t outer = 0;
+  bool outer_is_slit = true;
   double outer_turning = -1e300;
   double outer_length = 0;
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    const double turning = total_turning(mesh, loops[i]);
-    const double length = length_of(mesh, loops[i]);
+    const bool is_slit = as_slit(chart, loops[i]).has_value();
+    const double turning = total_turning(chart.mesh, loops[i]);
+    const double length = length_of(chart.mesh, loops[i]);
     const bool turns_alike = std::abs(turning - outer_turning) < kSameTurning;
-    if (turns_alike ? length > outer_length : turning > outer_turning) {
+    const bool turns_more = turns_alike ? length > outer_length : turning > outer_turning;
+    if (is_slit == outer_is_slit ? turns_more : outer_is_slit) {
       outer = i;
+      outer_is_slit = is_slit;
       outer_turning = turning;
       outer_length = length;
     }
@@ -110,7 +116,8 @@ std::size_t find_outer_loop(const HalfEdgeMesh& mesh, const std::vector<HalfEdge
   return outer;
 }
 
-std::vector<HalfEdgeChain> find_boundary_loops(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& boundary) {
+std::vector<HalfEdgeChain> find_boundary_loops(const Chart& chart, const std::vector<HalfedgeHandle>& boundary) {
+  const HalfEdgeMesh& mesh = chart.mesh;
   std::vector<HalfEdgeChain> loops;
   std::vector<char> is_seen(mesh.n_halfedges(), 0);
   for (const HalfedgeHandle start : boundary) {
@@ -123,7 +130,7 @@ std::vector<HalfEdgeChain> find_boundary_loops(const HalfEdgeMesh& mesh, const s
     std::reverse(loop.begin(), loop.end());
     loops.push_back(std::move(loop));
   }
-  if (loops.size() > 1) std::swap(loops[0], loops[find_outer_loop(mesh, loops)]);
+  if (loops.size() > 1) std::swap(loops[0], loops[find_outer_loop(chart, loops)]);
   return loops;
 }
 
@@ -135,7 +142,7 @@ void build_chart_mesh(const FlattenInput& input, const EdgeTable& edges, const S
   chart.mesh.reserve(num_faces / 2 + 2, 3 * num_faces / 2 + 3, num_faces);
   const std::vector<VertexHandle> vertex_of_corner = add_vertices(input, cut, chart);
   add_faces(edges, cut, vertex_of_corner, chart, half_edge_of_side);
-  chart.boundary_loops = find_boundary_loops(chart.mesh, link_boundary(chart.mesh));
+  chart.boundary_loops = find_boundary_loops(chart, link_boundary(chart.mesh));
 }
 
 }  // namespace wirewarp

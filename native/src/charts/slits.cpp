@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 #include "charts/cut_into_charts.h"
@@ -55,18 +56,36 @@ std::vector<HalfEdgeChain> chains_of(const Slit& slit) {
   return chains;
 }
 
+/// Sewing merges vertices and could make another loop turn more than the outer one.
+void keep_outer_loop(const Chart& chart, SewnChart& sewn) {
+  const HalfedgeHandle h = chart.boundary_loops.front().front();
+  const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn.vertex[v.idx()]); };
+  const HalfedgeHandle there = sewn.chart.mesh.find_halfedge(sewn_end(chart.mesh.from_vertex_handle(h)),
+                                                             sewn_end(chart.mesh.to_vertex_handle(h)));
+  std::vector<HalfEdgeChain>& loops = sewn.chart.boundary_loops;
+  const auto outer = std::find_if(loops.begin(), loops.end(), [&](const HalfEdgeChain& loop) {
+    return std::find(loop.begin(), loop.end(), there) != loop.end();
+  });
+  if (outer == loops.end()) throw std::logic_error("sewing slits closed the outer loop");
+  std::iter_swap(loops.begin(), outer);
+}
+
 }  // namespace
+
+std::optional<Slit> as_slit(const Chart& chart, const HalfEdgeChain& loop) {
+  Slit slit{loop, {}};
+  const std::optional<std::vector<int>> mate = find_mates(chart, slit.rims);
+  const std::optional<int> tip = mate ? find_tip(*mate) : std::nullopt;
+  if (!tip) return std::nullopt;
+  std::rotate(slit.rims.begin(), slit.rims.begin() + *tip, slit.rims.end());
+  slit.mate = *find_mates(chart, slit.rims);
+  return slit;
+}
 
 std::vector<Slit> find_slits(const Chart& chart) {
   std::vector<Slit> slits;
   for (std::size_t l = 1; l < chart.boundary_loops.size(); ++l) {
-    Slit slit{chart.boundary_loops[l], {}};
-    std::optional<std::vector<int>> mate = find_mates(chart, slit.rims);
-    const std::optional<int> tip = mate ? find_tip(*mate) : std::nullopt;
-    if (!tip) continue;
-    std::rotate(slit.rims.begin(), slit.rims.begin() + *tip, slit.rims.end());
-    slit.mate = *find_mates(chart, slit.rims);
-    slits.push_back(std::move(slit));
+    if (std::optional<Slit> slit = as_slit(chart, chart.boundary_loops[l])) slits.push_back(std::move(*slit));
   }
   return slits;
 }
@@ -103,6 +122,9 @@ std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits)
   const bool is_whole = charts.charts.size() == 1 && !charts.charts[0].error;
   if (!is_whole || static_cast<int>(charts.charts[0].mesh.n_vertices()) != num_vertices) return std::nullopt;
   sewn.chart = std::move(charts.charts[0]);
+  // Two rims of one edge that were left open are one edge now: the outer loop may be such a slit in a closed surface.
+  if (sewn.chart.boundary_loops.size() + slits.size() != chart.boundary_loops.size()) return std::nullopt;
+  keep_outer_loop(chart, sewn);
   return sewn;
 }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "feasibility/check_outline.h"
@@ -31,7 +32,10 @@ class SewnProblem {
       const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn_.vertex[v.idx()]); };
       const HalfedgeHandle there = sewn_.chart.mesh.find_halfedge(sewn_end(open.mesh.from_vertex_handle(h)),
                                                                   sewn_end(open.mesh.to_vertex_handle(h)));
-      edge_.push_back(network_.wire_edge_of_edge[sewn_.chart.mesh.edge_handle(there).idx()]);
+      const int sewn_edge =
+          there.is_valid() ? network_.wire_edge_of_edge[sewn_.chart.mesh.edge_handle(there).idx()] : -1;
+      if (sewn_edge < 0) throw std::logic_error("an edge of a wire is none any more once slits are sewn");
+      edge_.push_back(sewn_edge);
     }
   }
 
