@@ -3,6 +3,8 @@
 
 #include <type_traits>
 
+#include "charts/slits.h"
+
 namespace wirewarp {
 namespace {
 
@@ -68,6 +70,10 @@ std::string solution_key(const Chart& chart, const Options& options) {
   });
   key.write_list(chart.boundary_loops, [&](const HalfEdgeChain& loop) { key.write_chain(loop); });
   key.write_list(chart.boundary_chains, [&](const BoundaryChain& chain) { key.write_chain(chain.half_edges); });
+  key.write_list(find_slits(chart), [&](const Slit& slit) {  // told by the input's vertices, which are not in the key
+    key.write_chain(slit.rims);
+    key.write_list(slit.mate);
+  });
   write_mesh(chart.mesh, key);
   return key.take();
 }

@@ -10,7 +10,7 @@
 namespace wirewarp {
 
 /// All that the solution of a sound chart depends on, in the chart's own numbering, so that a change elsewhere in the
-/// input does not alter it: mesh, outline, wire parts and the options of the solver, bit for bit. Only the words of an
+/// input does not alter it: mesh, outline, slits, wire parts and the options of the solver, bit for bit. Only the words of an
 /// error may differ, see name_key().
 std::string solution_key(const Chart& chart, const Options& options);
 
