@@ -4,6 +4,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include "initialized.h"
+
 namespace wirewarp::bindings {
 
 namespace py = pybind11;

@@ -17,6 +17,9 @@ void bind_cache(py::module_& module) {
   cache.def(py::init<>());
   cache.def_property_readonly("size", &Cache::size, "Number of pieces held.");
   cache.def("clear", &Cache::clear, "Forgets them.");
+  cache.def("__reduce_ex__", [](const Cache&, int) -> py::object {
+    throw py::type_error("a Cache cannot be copied or pickled: each process keeps one of its own");
+  });
   cache.def("__repr__", [](const Cache& self) { return "Cache(size=" + std::to_string(self.size()) + ")"; });
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <stdexcept>
+#include <string>
 
 #include "wirewarp/options.h"
 #include "wirewarp/result.h"
@@ -28,6 +29,17 @@ inline constexpr Named<PieceLayout> kPieceLayouts[] = {{PieceLayout::packed, "pa
 inline constexpr Named<Orientation> kOrientations[] = {
     {Orientation::wire, "wire"}, {Orientation::boundary, "boundary"}, {Orientation::up, "up"}};
 
+inline constexpr Named<WireKind> kWireKinds[] = {{WireKind::boundary, "boundary"},
+                                                 {WireKind::rigid, "rigid"},
+                                                 {WireKind::elastic, "elastic"},
+                                                 {WireKind::super_elastic, "super_elastic"}};
+
+inline constexpr Named<Termination> kTerminations[] = {{Termination::converged, "converged"},
+                                                       {Termination::stalled, "stalled"},
+                                                       {Termination::failed, "failed"},
+                                                       {Termination::cancelled, "cancelled"},
+                                                       {Termination::measured, "measured"}};
+
 /// The string of a value that its table holds.
 template <class Enum, std::size_t N>
 const char* name_of(Enum value, const Named<Enum> (&names)[N]) {
@@ -37,34 +49,13 @@ const char* name_of(Enum value, const Named<Enum> (&names)[N]) {
   throw std::logic_error("an option has no name");
 }
 
-constexpr const char* name_of(WireKind kind) {
-  switch (kind) {
-    case WireKind::boundary:
-      return "boundary";
-    case WireKind::rigid:
-      return "rigid";
-    case WireKind::elastic:
-      return "elastic";
-    case WireKind::super_elastic:
-      return "super_elastic";
+/// The value that a string of the table stands for.
+template <class Enum, std::size_t N>
+Enum value_of(const std::string& name, const Named<Enum> (&names)[N]) {
+  for (const Named<Enum>& entry : names) {
+    if (entry.name == name) return entry.value;
   }
-  throw std::logic_error("not a WireKind");
-}
-
-constexpr const char* name_of(Termination termination) {
-  switch (termination) {
-    case Termination::converged:
-      return "converged";
-    case Termination::stalled:
-      return "stalled";
-    case Termination::failed:
-      return "failed";
-    case Termination::cancelled:
-      return "cancelled";
-    case Termination::measured:
-      return "measured";
-  }
-  throw std::logic_error("not a Termination");
+  throw std::invalid_argument("'" + name + "' is no known value");
 }
 
 }  // namespace wirewarp::bindings

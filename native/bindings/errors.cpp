@@ -3,7 +3,9 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <exception>
+#include <utility>
 
 #include "wirewarp/options.h"
 
@@ -42,6 +44,25 @@ py::object to_python_error(const FlattenError& error) {
   return type(describe(error.code).name, error.what(), error.elements.vertices, pairs(error.elements.edges),
               error.elements.faces, error.has_layout, pairs(error.elements.proposed_seams),
               pairs(error.elements.proposed_tolerances));
+}
+
+FlattenError from_python_error(py::handle error) {
+  const std::string name = py::str(error.attr("code").attr("value"));
+  const std::vector<ErrorCode>& codes = all_error_codes();
+  const auto code =
+      std::find_if(codes.begin(), codes.end(), [&](ErrorCode known) { return describe(known).name == name; });
+  if (code == codes.end()) throw py::value_error("'" + name + "' is no error code of this version of wirewarp");
+  ErrorElements elements{error.attr("vertices").cast<std::vector<int>>(),
+                         error.attr("edges").cast<std::vector<VertexPair>>(),
+                         error.attr("faces").cast<std::vector<int>>(),
+                         error.attr("proposed_seams").cast<std::vector<VertexPair>>(),
+                         {}};
+  for (const py::handle proposed : error.attr("proposed_tolerances")) {
+    const auto [wire, tolerance] = proposed.cast<std::pair<int, double>>();
+    elements.proposed_tolerances.push_back({wire, tolerance});
+  }
+  return FlattenError(*code, error.attr("message").cast<std::string>(), std::move(elements),
+                      error.attr("has_layout").cast<bool>());
 }
 
 void bind_errors(py::module_& module) {

@@ -4,6 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include "initialized.h"
 #include "wirewarp/error.h"
 
 namespace wirewarp::bindings {
@@ -15,6 +16,9 @@ std::string package_name();
 
 /// The Python FlattenError that says the same.
 py::object to_python_error(const FlattenError& error);
+
+/// The FlattenError that a Python one says.
+FlattenError from_python_error(py::handle error);
 
 /// The table the package makes its ErrorCode from, and the translator that raises FlattenError.
 void bind_errors(py::module_& module);

@@ -6,6 +6,7 @@
 #include "bind.h"
 #include "errors.h"
 #include "progress.h"
+#include "running_call.h"
 #include "wirewarp/cache.h"
 
 namespace wirewarp::bindings {
@@ -49,6 +50,7 @@ FlattenResult run_flatten(const py::object& vertices, const py::object& faces, c
   const Options checked_options = read_options(options);
   Cache* const solved_before = read_cache(cache);
   PythonProgress python_progress(progress);
+  const RunningCall running;
   FlattenResult result;
   try {
     const py::gil_scoped_release no_gil;
@@ -68,6 +70,7 @@ FlattenResult run_measure(const py::object& vertices, const py::object& faces, c
                           const py::object& seams, const py::object& wires) {
   const FlattenInput input = read_input(vertices, faces, seams, wires);
   const CornerUv corners = read_corner_uv(corner_uv);
+  const RunningCall running;
   const py::gil_scoped_release no_gil;
   return measure(input, corners);
 }

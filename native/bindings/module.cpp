@@ -2,8 +2,9 @@
 // The Python module wirewarp._wirewarp: one layer over the public headers.
 #include "bind.h"
 #include "errors.h"
+#include "running_call.h"
 
-PYBIND11_MODULE(_wirewarp, module) {
+PYBIND11_MODULE(in_main_interpreter, module) {
   using namespace wirewarp::bindings;
   module.doc() = "The compiled part of wirewarp; use the package.";
   module.attr("__version__") = WIREWARP_VERSION;
@@ -13,4 +14,14 @@ PYBIND11_MODULE(_wirewarp, module) {
   bind_results(module);
   bind_cache(module);
   bind_flatten(module);
+  bind_running_calls();
+}
+
+/// pybind11 would wait for ever for the GIL of the main interpreter, which the caller of a subinterpreter holds.
+PYBIND11_PLUGIN_IMPL(_wirewarp) {
+  if (PyInterpreterState_Get() != PyInterpreterState_Main()) {
+    PyErr_SetString(PyExc_ImportError, "wirewarp works in the main interpreter alone, not in a subinterpreter");
+    return nullptr;
+  }
+  return PyInit_in_main_interpreter();
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "arrays.h"
+#include "running_call.h"
 #include "wirewarp/error.h"
 
 namespace wirewarp::bindings {
@@ -16,6 +17,7 @@ PythonProgress::PythonProgress(py::object callback) : callback_(std::move(callba
 }
 
 bool PythonProgress::report(const std::string& stage, double fraction) {
+  if (python_is_ending()) return false;
   const py::gil_scoped_acquire gil;
   if (raised_) return false;
   try {

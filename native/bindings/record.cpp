@@ -42,6 +42,17 @@ std::string short_text(py::handle value) {
 
 }  // namespace
 
+py::tuple record_reduce(const py::object& record, int) {
+  const py::object make = py::module_::import("copyreg").attr("__newobj__");
+  return py::make_tuple(make, py::make_tuple(py::type::of(record)), record.attr("__getstate__")());
+}
+
+py::tuple record_state(const py::object& record) {
+  py::list state;
+  for (const py::handle name : record.attr("_fields")) state.append(record.attr(py::str(name)));
+  return py::tuple(state);
+}
+
 py::dict record_to_dict(py::handle record) {
   py::dict result;
   for (const py::handle name : record.attr("_fields")) result[name] = plain(record.attr(py::str(name)));

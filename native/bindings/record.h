@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Binds a struct of the public API as a Python class of named fields: each field is registered once and appears as an
-// attribute, in to_dict() and in repr(). Arrays are views that keep the object that holds their memory alive.
+// attribute, in to_dict(), in repr() and in pickles. Arrays are views that keep the object that holds their memory
+// alive.
 #pragma once
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "initialized.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp::bindings {
@@ -48,6 +51,38 @@ py::object to_python(const Value& value, py::handle owner) {
   return py::cast(value, py::return_value_policy::reference_internal, owner);
 }
 
+/// A field's value as to_python() gave it.
+template <class Value>
+void from_python(py::handle from, Value& value) {
+  value = from.cast<Value>();
+}
+
+inline void from_python(py::handle from, std::vector<int>& values) {
+  const py::array_t<int, py::array::c_style> array = py::reinterpret_borrow<py::object>(from);
+  values.assign(array.data(), array.data() + array.size());
+}
+
+template <class Scalar, int Rows, int Columns, int Options>
+void from_python(py::handle from, Eigen::Matrix<Scalar, Rows, Columns, Options>& matrix) {
+  static_assert(Columns > 0, "the number of columns is known");
+  const py::array_t<Scalar, py::array::c_style> array = py::reinterpret_borrow<py::object>(from);
+  using Matrix = Eigen::Matrix<Scalar, Rows, Columns, Options>;
+  matrix = Eigen::Map<const Matrix>(array.data(), array.size() / Columns, Columns);
+}
+
+inline void from_python(py::handle from, std::vector<VertexPair>& pairs) {
+  VertexPairs matrix;
+  from_python(from, matrix);
+  pairs.clear();
+  for (const auto& row : matrix.rowwise()) pairs.push_back({row[0], row[1]});
+}
+
+/// What pickle makes a record of again, for any protocol: copyreg.__newobj__, the class, the state.
+py::tuple record_reduce(const py::object& record, int protocol);
+
+/// All fields in their order.
+py::tuple record_state(const py::object& record);
+
 /// A record's fields as plain values that json can write: arrays and tuples become lists; what JSON cannot say, NaN
 /// and infinity, becomes None.
 py::dict record_to_dict(py::handle record);
@@ -67,21 +102,36 @@ class Record : public py::class_<T> {
     this->attr("_fields") = py::list();
     this->def("to_dict", &record_to_dict, "All fields as plain, JSON-able values; NaN and infinity become None.");
     this->def("__repr__", &record_repr);
+    this->def("__reduce_ex__", &record_reduce);
   }
 
   /// A member of the struct.
   template <class Member>
   Record& field(const char* name, Member T::*member, const char* doc) {
     return field(
-        name, [member](const T& record, py::handle owner) { return to_python(record.*member, owner); }, doc);
+        name, [member](const T& record, py::handle owner) { return to_python(record.*member, owner); },
+        [member](T& record, py::handle value) { from_python(value, record.*member); }, doc);
   }
 
-  /// A value made by get(record, owner), where owner is the Python object of the record.
-  template <class Get>
-  Record& field(const char* name, Get get, const char* doc) {
+  /// A value made by get(record, owner), where owner is the Python object of the record; set(record, value) takes it
+  /// back.
+  template <class Get, class Set>
+  Record& field(const char* name, Get get, Set set, const char* doc) {
     this->def_property_readonly(
         name, [get](py::object self) -> py::object { return get(self.cast<const T&>(), self); }, doc);
+    setters_.push_back(set);
     return listed(name);
+  }
+
+  /// After the last field: the struct is made again from the values of all fields.
+  Record& picklable() {
+    this->def(py::pickle(&record_state, [setters = setters_](const py::tuple& state) {
+      if (state.size() != setters.size()) throw py::value_error("the pickle is of another version of wirewarp");
+      T record;
+      for (std::size_t i = 0; i < setters.size(); ++i) setters[i](record, state[i]);
+      return record;
+    }));
+    return *this;
   }
 
   /// A property that is bound elsewhere.
@@ -89,6 +139,9 @@ class Record : public py::class_<T> {
     this->attr("_fields").attr("append")(name);
     return *this;
   }
+
+ private:
+  std::vector<std::function<void(T&, py::handle)>> setters_;  // one per field
 };
 
 }  // namespace wirewarp::bindings

@@ -31,45 +31,59 @@ py::dict run_report(const FlattenResult& result) {
   return report;
 }
 
+/// What run_report() says that the other fields do not.
+void read_run_report(FlattenResult& result, py::handle report) {
+  result.method = report["method"].cast<std::string>();
+  result.reused_pieces = report["reused_pieces"].cast<int>();
+  result.seconds = report["seconds"].cast<std::map<std::string, double>>();
+}
+
 void bind_lengths(py::module_& module) {
   Record<WireReport>(module, "WireReport", "Length of one part of a wire in one piece, or of a whole wire.")
       .field("name", &WireReport::name, "The wire's name.")
       .field("wire_index", &WireReport::wire_index, "Index into the wires that were passed.")
       .field("part", &WireReport::part, "Counted along the wire; -1: the whole wire.")
       .field(
-          "kind", [](const WireReport& wire, py::handle) { return py::str(name_of(wire.kind)); },
+          "kind", [](const WireReport& wire, py::handle) { return py::str(name_of(wire.kind, kWireKinds)); },
+          [](WireReport& wire, py::handle kind) { wire.kind = value_of(py::str(kind), kWireKinds); },
           "'boundary', 'rigid', 'elastic' or 'super_elastic'.")
       .field("tolerance", &WireReport::tolerance, "Dimensionless; 0 on the boundary.")
       .field("length_3d", &WireReport::length_3d, "Scene units.")
       .field("length_2d", &WireReport::length_2d, "Scene units; NaN without a layout.")
       .field("variation", &WireReport::variation, "h: the lengths aimed at are (1 + h) times the 3D ones.")
-      .field("max_edge_error", &WireReport::max_edge_error, "Largest |l2 - (1 + h) l| / l of its edges.");
+      .field("max_edge_error", &WireReport::max_edge_error, "Largest |l2 - (1 + h) l| / l of its edges.")
+      .picklable();
 
   Record<HelperWire>(module, "HelperWire", "A free wire that the method added; it runs across faces.")
       .field("length_3d", &HelperWire::length_3d, "Scene units.")
       .field("length_2d", &HelperWire::length_2d, "Scene units.")
       .field("variation", &HelperWire::variation, "h: the flat length is (1 + h) times the 3D one.")
       .field("points_3d", &HelperWire::points_3d, "(n, 3) on the surface, in order along the wire.")
-      .field("points_2d", &HelperWire::points_2d, "(n, 2) in the piece.");
+      .field("points_2d", &HelperWire::points_2d, "(n, 2) in the piece.")
+      .picklable();
 
   Record<BoundaryReport>(module, "BoundaryReport", "One chain of a piece's outline between junctions.")
       .field("vertices", &BoundaryReport::vertices, "(n,) input vertices in order, the piece on the left.")
       .field("length_3d", &BoundaryReport::length_3d, "Scene units.")
       .field("length_2d", &BoundaryReport::length_2d, "Scene units; NaN without a layout.")
       .field("max_edge_error", &BoundaryReport::max_edge_error, "Largest |l2 - l| / l of its edges.")
-      .field("seam", &BoundaryReport::seam, "Index into FlattenResult.seams, None where it is no seam.");
+      .field("seam", &BoundaryReport::seam, "Index into FlattenResult.seams, None where it is no seam.")
+      .picklable();
 
   Record<SeamReport>(module, "SeamReport", "One chain of seam edges between junctions, all its sides.")
       .field(
           "pieces", [](const SeamReport& seam, py::handle) { return tuple_of(seam.pieces); },
+          [](SeamReport& seam, py::handle pieces) { seam.pieces = pieces.cast<std::vector<int>>(); },
           "The piece of each side; the same piece twice along a dart.")
       .field("edges", &SeamReport::edges, "(k, 2) input vertices, in order along the chain.")
       .field("length_3d", &SeamReport::length_3d, "Scene units.")
       .field(
           "length_2d", [](const SeamReport& seam, py::handle) { return tuple_of(seam.length_2d); },
+          [](SeamReport& seam, py::handle lengths) { seam.length_2d = lengths.cast<std::vector<double>>(); },
           "Scene units, one per side; NaN where the piece has no layout.")
       .field("mismatch", &SeamReport::mismatch,
-             "Largest difference between two sides that have a layout; NaN if fewer than two have one.");
+             "Largest difference between two sides that have a layout; NaN if fewer than two have one.")
+      .picklable();
 }
 
 void bind_piece_parts(py::module_& module) {
@@ -87,11 +101,14 @@ void bind_piece_parts(py::module_& module) {
       .field("angle_deviation_rms", &Metrics::angle_deviation_rms, "Of planar minus surface angles, radians.")
       .field("angle_deviation_max", &Metrics::angle_deviation_max, "Radians.")
       .field("area_3d", &Metrics::area_3d, "Square scene units.")
-      .field("area_2d", &Metrics::area_2d, "Square scene units.");
+      .field("area_2d", &Metrics::area_2d, "Square scene units.")
+      .picklable();
 
   Record<PieceReport>(module, "PieceReport", "What the solver did for one piece, for one that failed too.")
       .field(
-          "termination", [](const PieceReport& report, py::handle) { return py::str(name_of(report.termination)); },
+          "termination",
+          [](const PieceReport& report, py::handle) { return py::str(name_of(report.termination, kTerminations)); },
+          [](PieceReport& report, py::handle name) { report.termination = value_of(py::str(name), kTerminations); },
           "'converged', 'stalled' (short of the method's criterion: see warnings), 'failed', 'cancelled' or "
           "'measured'.")
       .field("message", &PieceReport::message, "One sentence.")
@@ -111,7 +128,8 @@ void bind_piece_parts(py::module_& module) {
       .field("objective", &PieceReport::objective,
              "What the refined method minimizes: arap_energy plus the angle term, plus a barrier where triangles are "
              "about to turn over; NaN for other methods.")
-      .field("seconds", &PieceReport::seconds, "Per stage.");
+      .field("seconds", &PieceReport::seconds, "Per stage.")
+      .picklable();
 }
 
 }  // namespace
@@ -132,7 +150,11 @@ void bind_results(py::module_& module) {
       .field("report", &Piece::report, "What the solver did.")
       .field(
           "error", [](const Piece& piece, py::handle) { return error_or_none(piece); },
-          "None: every promise is kept. Otherwise the FlattenError that says which is not.");
+          [](Piece& piece, py::handle error) {
+            if (!error.is_none()) piece.error = from_python_error(error);
+          },
+          "None: every promise is kept. Otherwise the FlattenError that says which is not.")
+      .picklable();
 
   Record<FlattenResult>(module, "FlattenResult", "All pieces of a flattening and how they fit together.")
       .field("pieces", &FlattenResult::pieces, "One Piece per region between seams.")
@@ -141,9 +163,10 @@ void bind_results(py::module_& module) {
       .field("seams", &FlattenResult::seams, "One SeamReport per chain of seam edges.")
       .field("wires", &FlattenResult::wires, "One WireReport per whole wire.")
       .field(
-          "report", [](const FlattenResult& result, py::handle) { return run_report(result); },
+          "report", [](const FlattenResult& result, py::handle) { return run_report(result); }, &read_run_report,
           "method, numbers of pieces, failed_pieces, reused_pieces (taken from the cache) and faces, and seconds per "
-          "stage, summed over pieces that are solved side by side.");
+          "stage, summed over pieces that are solved side by side.")
+      .picklable();
 }
 
 }  // namespace wirewarp::bindings

@@ -15,10 +15,11 @@ namespace wirewarp {
 struct Wire {
   std::vector<int> vertices;  // consecutive ones joined by an edge; a closed wire repeats its first vertex
   double tolerance = 0;       // 0 rigid; finite: |h| <= tolerance; infinity: super-elastic
-  std::string name;
+  std::string name;           // UTF-8, for reports
 };
 
-/// Throws FlattenError (wire_too_short, invalid_tolerance) where a wire fits no mesh.
+/// Throws FlattenError (wire_too_short, invalid_tolerance) where a wire fits no mesh; invalid_type if its name has a NUL
+/// character.
 void check_wire(const Wire& wire);
 
 /// A triangle mesh, the seams that cut it and the wires on it.

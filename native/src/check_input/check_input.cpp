@@ -36,6 +36,12 @@ void check_seams(const FlattenInput& input, const EdgeTable& edges) {
                      {{}, bad, {}});
 }
 
+/// A sentence with the name would break off there.
+void check_name(const Wire& wire) {
+  if (wire.name.find('\0') == std::string::npos) return;
+  throw FlattenError(ErrorCode::invalid_type, "The name of a wire has a NUL character: leave it out.");
+}
+
 /// vertices: of the mesh, to be named.
 void check_chain_and_tolerance(const Wire& wire, const std::string& label, const std::vector<int>& vertices) {
   if (wire.vertices.size() < 2) {
@@ -53,6 +59,7 @@ void check_chain_and_tolerance(const Wire& wire, const std::string& label, const
 void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::size_t w,
                         std::vector<int>& wire_of_edge) {
   const Wire& wire = input.wires[w];
+  check_name(wire);
   const std::string label = name_wires(input.wires, {static_cast<int>(w)});
   check_vertices_in_range(wire.vertices, input.vertices.rows(), "The " + label);
   check_chain_and_tolerance(wire, label, wire.vertices);
@@ -87,6 +94,7 @@ void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::
 }  // namespace
 
 void check_wire(const Wire& wire) {
+  check_name(wire);
   check_chain_and_tolerance(wire, wire.name.empty() ? "wire" : "wire (" + wire.name + ")", {});
 }
 

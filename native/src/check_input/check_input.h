@@ -16,7 +16,8 @@ void check_options(const Options& options, std::size_t num_wires);
 /// Throws empty_mesh, vertex_out_of_range or non_finite_coordinates (or too large ones).
 void check_mesh(const FlattenInput& input);
 
-/// Throws seam_not_an_edge, wire_too_short, wire_not_an_edge, edge_in_two_wires or invalid_tolerance.
+/// Throws seam_not_an_edge, wire_too_short, wire_not_an_edge, edge_in_two_wires, invalid_tolerance or, of a wire's
+/// name, invalid_type.
 void check_seams_and_wires(const FlattenInput& input, const EdgeTable& edges);
 
 }  // namespace wirewarp

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Python may end while another thread is in the core, which has let go of the GIL: such a thread would be unwound when
+// it asks for the GIL again, which C++ does not survive. So the end of Python cancels these calls and waits for them.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace wirewarp::bindings {
+
+namespace py = pybind11;
+
+/// A call that lets go of the GIL, from before until it holds it again. Made and ended with the GIL.
+class RunningCall {
+ public:
+  /// Throws RuntimeError where Python is about to end.
+  RunningCall();
+  ~RunningCall();
+  RunningCall(const RunningCall&) = delete;
+  RunningCall& operator=(const RunningCall&) = delete;
+};
+
+/// Python waits for the running calls: they are to end, without the GIL where they can. In any thread.
+bool python_is_ending();
+
+/// Lets the end of Python wait for the running calls.
+void bind_running_calls();
+
+}  // namespace wirewarp::bindings

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Objects leave the process, are made in odd ways, and Python ends: always an exception, never the end of the process."""
+
+import copy
+import math
+import pickle
+import subprocess
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+
+import numpy as np
+import pytest
+import wirewarp
+from surfaces import chain_edges, column_chain, half_cylinder, spherical_patch
+from wirewarp import Cache, FlattenError, Options, Wire
+
+PROTOCOLS = range(pickle.HIGHEST_PROTOCOL + 1)
+CLASSES = [value for value in vars(wirewarp).values() if isinstance(value, type) and hasattr(value, "__new__")]
+COMPILED = [cls for cls in CLASSES if not issubclass(cls, str | Exception)]
+
+
+def rich_result() -> wirewarp.FlattenResult:
+    """Two pieces, one of them with an error that proposes seams, wires of two kinds and a seam."""
+    vertices, faces = half_cylinder()
+    ball = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]]) + 5
+    ball_faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]) + len(vertices)
+    return wirewarp.flatten(
+        np.vstack([vertices, ball]),
+        np.vstack([faces, ball_faces]),
+        seams=chain_edges(column_chain(8, 4, 4)),
+        wires=[Wire(column_chain(8, 4, 2), 0.05, "bust"), Wire(column_chain(8, 4, 6), math.inf)],
+        options=Options(method="wirewarp++"),
+    )
+
+
+def same(one: object, other: object) -> bool:
+    """Field by field and bit for bit, NaN included."""
+    if hasattr(one, "_fields"):
+        return type(one) is type(other) and all(
+            same(getattr(one, name), getattr(other, name)) for name in type(one)._fields
+        )
+    if isinstance(one, np.ndarray):
+        return one.dtype == other.dtype and one.shape == other.shape and one.tobytes() == other.tobytes()
+    if isinstance(one, list | tuple):
+        return type(one) is type(other) and len(one) == len(other) and all(map(same, one, other))
+    if isinstance(one, FlattenError):
+        return one.to_dict() == other.to_dict()
+    return one == other or (one != one and other != other)
+
+
+@pytest.mark.parametrize("protocol", PROTOCOLS)
+def test_a_result_survives_pickling(protocol):
+    result = rich_result()
+    assert {piece.error is None for piece in result.pieces} == {True, False}
+    assert same(pickle.loads(pickle.dumps(result, protocol)), result)
+
+
+@pytest.mark.parametrize("clone", [copy.copy, copy.deepcopy])
+def test_a_copy_outlives_its_result(clone):
+    twin = clone(rich_result())
+    pieces = [clone(piece) for piece in twin.pieces]
+    del twin
+    assert same(pieces, rich_result().pieces) or all(
+        same(one.metrics, other.metrics) for one, other in zip(pieces, rich_result().pieces, strict=True)
+    )
+
+
+@pytest.mark.parametrize("protocol", PROTOCOLS)
+@pytest.mark.parametrize("value", [Wire([0, 1], 0.05, "bust"), Options(gap=0.5)], ids=["Wire", "Options"])
+def test_arguments_survive_pickling_by_any_protocol(value, protocol):
+    assert pickle.loads(pickle.dumps(value, protocol)).to_dict() == value.to_dict()
+
+
+@pytest.mark.parametrize("clone", [copy.copy, copy.deepcopy, *(lambda c, p=p: pickle.dumps(c, p) for p in PROTOCOLS)])
+def test_a_cache_stays_where_it_is(clone):
+    with pytest.raises(TypeError, match="Cache"):
+        clone(Cache())
+
+
+def test_a_pickle_of_other_fields_is_refused():
+    make, arguments, state = rich_result().seams[0].__reduce_ex__(2)
+    with pytest.raises(ValueError, match="version"):
+        make(*arguments).__setstate__(state[:-1])
+
+
+def flatten_patch(bend: float) -> wirewarp.FlattenResult:
+    vertices, faces = spherical_patch(6, 6)
+    return wirewarp.flatten(vertices * [1, 1, bend], faces)
+
+
+def test_a_process_pool_returns_results():
+    bends = [0.5, 1.0]
+    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
+        results = list(pool.map(flatten_patch, bends))
+    for bend, result in zip(bends, results, strict=True):
+        assert np.array_equal(result.corner_uv, flatten_patch(bend).corner_uv)
+
+
+def test_a_process_pool_returns_errors():
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool, pytest.raises(FlattenError) as caught:
+        pool.submit(wirewarp.flatten, [[0, 0, 0]], [[0, 1, 2]]).result()
+    assert caught.value.code == "vertex_out_of_range"
+
+
+@pytest.mark.parametrize("cls", COMPILED)
+def test_an_object_without_a_value_is_no_object(cls):
+    hollow = cls.__new__(cls)
+    uses = [repr, copy.copy, pickle.dumps, lambda one: one.to_dict(), lambda one: one.size, lambda one: one.vertices]
+    for use in uses:
+        with pytest.raises((TypeError, AttributeError)):
+            use(hollow)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [{"wires": [Wire.__new__(Wire)]}, {"options": Options.__new__(Options)}, {"cache": Cache.__new__(Cache)}],
+    ids=["Wire", "Options", "Cache"],
+)
+def test_an_argument_without_a_value_is_refused(arguments):
+    with pytest.raises(TypeError, match="__init__"):
+        wirewarp.flatten(*half_cylinder(), **arguments)
+
+
+@pytest.mark.parametrize("vertices", [[], [0, 1]])
+def test_a_name_with_nul_is_refused_in_a_whole_sentence(vertices):
+    with pytest.raises(FlattenError, match=r"NUL.*\.$") as caught:
+        Wire(vertices, name="a\0b")
+    assert caught.value.code == "invalid_type"
+
+
+def run(*program: str) -> subprocess.CompletedProcess:
+    command = [sys.executable, "-c", "\n".join([f"import sys; sys.path[:0] = {sys.path!r}", *program])]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120)
+
+
+SHEET = [
+    "import threading, time, numpy as np, wirewarp",
+    "n = 200",
+    "x, y = np.meshgrid(np.linspace(-1, 1, n + 1), np.linspace(-1, 1, n + 1))",
+    "vertices = np.c_[x.ravel(), y.ravel(), (0.3 * np.sin(3 * x) * np.cos(2 * y)).ravel()]",
+    "i, j = np.meshgrid(np.arange(n), np.arange(n))",
+    "a = (j * (n + 1) + i).ravel()",
+    "faces = np.concatenate([np.c_[a, a + 1, a + n + 2], np.c_[a, a + n + 2, a + n + 1]])",
+    "begun = threading.Event()",
+]
+
+
+@pytest.mark.parametrize("stage", ["charts", "start", "shape"])
+@pytest.mark.parametrize("calls_on", [False, True])
+def test_python_ends_while_a_thread_flattens(stage, calls_on):
+    ended = run(
+        *SHEET,
+        "def progress(stage, fraction):",
+        f"    if stage == {stage!r}: begun.set()",
+        "def work():",
+        "    wirewarp.flatten(vertices, faces, progress=progress)",
+        *(["    while True: wirewarp.flatten(vertices, faces)"] if calls_on else []),
+        "threading.Thread(target=work, daemon=True).start()",
+        "begun.wait()",
+    )
+    assert ended.returncode == 0, ended.stderr
+
+
+def test_a_child_process_ends_although_its_parent_flattens():
+    ended = run(
+        *SHEET,
+        "import os",
+        "def progress(stage, fraction): begun.set(); time.sleep(0.01)",
+        "threading.Thread(target=wirewarp.flatten, args=(vertices, faces), kwargs={'progress': progress}).start()",
+        "begun.wait()",
+        "child = os.fork()",
+        "if child == 0: sys.exit(7)",
+        "sys.exit(0 if os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7 else 1)",
+    )
+    assert ended.returncode == 0, ended.stderr
+
+
+@pytest.mark.skipif(sys.version_info >= (3, 13), reason="_xxsubinterpreters has another name, and numpy refuses first")
+@pytest.mark.parametrize("imported_before", [False, True])
+def test_a_subinterpreter_is_refused(imported_before):
+    ended = run(
+        "import wirewarp" if imported_before else "",
+        "import _xxsubinterpreters as interpreters",
+        "interpreter = interpreters.create()",
+        "interpreters.run_string(interpreter, 'import sys; sys.path[:0] = ' + repr(sys.path) + '\\nimport wirewarp')",
+    )
+    assert "main interpreter alone" in ended.stderr
