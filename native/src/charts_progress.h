@@ -21,6 +21,7 @@ class ChartsProgress {
   /// At a step of a chart, in any thread. False once the caller has cancelled.
   bool go_on(std::size_t chart, const char* stage);
 
+  /// In any thread.
   void finish(std::size_t chart);
 
   /// How far all charts are, in the thread that made this. False once the caller has cancelled.

@@ -156,12 +156,23 @@ std::vector<Layout> flatten_charts(const std::vector<Chart>& charts, const Run& 
     const auto go_on = [&](const char* stage) { return progress.go_on(c, stage); };
     if (chart.error) {
       layouts[c].error = report.is_cancelled() ? *chart.error : with_proposed_seams(*chart.error, chart);
+    } else if (report.is_cancelled()) {
+      layouts[c].error = cancelled();
+      layouts[c].report.termination = Termination::cancelled;
     } else {
       layouts[c] = reuse.layout_of(chart, [&] { return solve_chart(chart, run, go_on); });
     }
     progress.finish(c);
   };
-  run_in_threads(charts.size(), num_cores(), flatten_chart, [&] { progress.tell(); });
+  const auto flatten_or_stop_all = [&](std::size_t i) {
+    try {
+      flatten_chart(i);
+    } catch (...) {
+      report.cancel();
+      throw;
+    }
+  };
+  run_in_threads(charts.size(), num_cores(), flatten_or_stop_all, [&] { progress.tell(); });
   return layouts;
 }
 
@@ -189,6 +200,7 @@ FlattenResult flatten_with(const FlattenInput& input, const Options& options, co
     check_options(options, input.wires.size());
     check_mesh(input);
     const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+    check_faces_share_edges(input, edges);
     check_seams_and_wires(input, edges);
 
     report.go_on("charts", 0);

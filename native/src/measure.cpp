@@ -115,6 +115,7 @@ FlattenResult measure(const FlattenInput& input, const CornerUv& corner_uv) {
     check_mesh(input);
     check_corners(input, corner_uv);
     const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+    check_faces_share_edges(input, edges);
     check_seams_and_wires(input, edges);
     Charts charts;
     {

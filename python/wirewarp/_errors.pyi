@@ -10,6 +10,7 @@ class ErrorCode(StrEnum):
     empty_mesh = "empty_mesh"
     vertex_out_of_range = "vertex_out_of_range"
     non_finite_coordinates = "non_finite_coordinates"
+    loose_faces = "loose_faces"
     seam_not_an_edge = "seam_not_an_edge"
     wire_not_an_edge = "wire_not_an_edge"
     wire_too_short = "wire_too_short"

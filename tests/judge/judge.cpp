@@ -99,7 +99,7 @@ Sentences faults_of_error(const FlattenError& error, const FlattenInput& input) 
   if (sentence.size() < 20 || sentence.back() != '.') faults.push_back(name + " has no sentence: " + sentence);
   const ErrorElements& named = error.elements;
   const std::set<ErrorCode> of_no_element{ErrorCode::empty_mesh, ErrorCode::invalid_option, ErrorCode::wire_too_short,
-                                          ErrorCode::cancelled};
+                                          ErrorCode::cancelled, ErrorCode::loose_faces};
   if (!of_no_element.count(error.code) && named.vertices.empty() && named.edges.empty() && named.faces.empty()) {
     faults.push_back(name + " names no element: " + sentence);
   }

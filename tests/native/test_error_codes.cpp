@@ -52,6 +52,32 @@ void expect_names(const FlattenError& error, const std::string& words) {
 
 TEST(ErrorCodes, EmptyMesh) { EXPECT_EQ(thrown_by(FlattenInput{}).code, Code::empty_mesh); }
 
+/// Each on vertices of its own.
+FlattenInput loose_squares(int count, int triangles_of_each) {
+  FlattenInput input;
+  input.vertices.resize(4 * count, 3);
+  input.faces.resize(triangles_of_each * count, 3);
+  for (int i = 0; i < count; ++i) {
+    for (int k = 0; k < 4; ++k) input.vertices.row(4 * i + k) << i + (k == 1 || k == 2), k / 2, 0;
+    for (int k = 0; k < triangles_of_each; ++k) {
+      input.faces.row(triangles_of_each * i + k) << 4 * i, 4 * i + k + 1, 4 * i + k + 2;
+    }
+  }
+  return input;
+}
+
+TEST(ErrorCodes, LooseFacesAreThousandsOfPartsOfAFaceEach) {
+  const FlattenError triangles = thrown_by(loose_squares(1001, 1));
+  EXPECT_EQ(triangles.code, Code::loose_faces);
+  expect_names(triangles, "The 1001 triangles of the mesh are 1001 separate parts: merge vertices by distance");
+  const FlattenError squares = thrown_by(loose_squares(1001, 2));
+  EXPECT_EQ(squares.code, Code::loose_faces);
+  expect_names(squares, "The 2002 triangles of the mesh are 1001 separate parts");
+  const FlattenResult allowed = flatten(loose_squares(1000, 1));
+  EXPECT_EQ(allowed.pieces.size(), 1000U);
+  EXPECT_FALSE(allowed.pieces.front().error);
+}
+
 TEST(ErrorCodes, VertexOutOfRangeInFacesSeamsAndWires) {
   const FlattenError face = thrown_by(triangles(kSquare, {{0, 1, 2}, {0, 2, 7}}));
   EXPECT_EQ(face.code, Code::vertex_out_of_range);

@@ -21,6 +21,7 @@ COMMANDS = {
     "zero_area_face": " In Edit Mode: Mesh > Clean Up > Degenerate Dissolve.",
     "repeated_face": " In Edit Mode: Mesh > Delete > Only Faces.",
     "repeated_vertex_in_face": " In Edit Mode: Mesh > Delete > Only Faces.",
+    "loose_faces": " In Edit Mode: Mesh > Merge > By Distance.",
     "inconsistent_orientation": " In Edit Mode: Mesh > Normals > Recalculate Outside.",
     "non_manifold_vertex": " In Edit Mode: Mesh > Split > Selection, with the faces on one side selected.",
 }

@@ -20,6 +20,7 @@ enum class ErrorCode {
   empty_mesh,
   vertex_out_of_range,
   non_finite_coordinates,
+  loose_faces,
   seam_not_an_edge,
   wire_not_an_edge,
   wire_too_short,

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "disjoint_sets.h"
 #include "errors/sentence.h"
 
 namespace wirewarp {
@@ -91,6 +92,12 @@ void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::
   }
 }
 
+/// So many parts and less are taken as they are, whatever they are.
+constexpr int kManyParts = 1000;
+
+/// Parts of so many triangles each, on average, are single faces: hexagons at most.
+constexpr int kTrianglesOfFace = 4;
+
 }  // namespace
 
 void check_wire(const Wire& wire) {
@@ -133,6 +140,21 @@ void check_mesh(const FlattenInput& input) {
                            " are not all finite and below 1e60 in magnitude: move or delete them.",
                        {not_finite, {}, {}});
   }
+}
+
+void check_faces_share_edges(const FlattenInput& input, const EdgeTable& edges) {
+  const auto num_faces = static_cast<int>(input.faces.rows());
+  int num_parts = num_faces;
+  DisjointSets parts(static_cast<std::size_t>(num_faces));
+  for (int e = 0; e < edges.num_edges(); ++e) {
+    for (int j = 1; j < edges.num_sides(e); ++j) {
+      if (parts.unite(edges.side(e, 0) / 3, edges.side(e, j) / 3)) --num_parts;
+    }
+  }
+  if (num_parts <= kManyParts || num_faces > kTrianglesOfFace * num_parts) return;
+  throw FlattenError(ErrorCode::loose_faces,
+                     "The " + std::to_string(num_faces) + " triangles of the mesh are " + std::to_string(num_parts) +
+                         " separate parts: merge vertices by distance, so that neighboring faces share their edges.");
 }
 
 void check_seams_and_wires(const FlattenInput& input, const EdgeTable& edges) {
