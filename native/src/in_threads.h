@@ -32,13 +32,20 @@ std::optional<std::future<void>> begin_thread(const Work& work) {
 }
 
 /// Calls work(0) to work(count - 1), begun in this order, on at most so many threads. The calling thread does the
-/// first, goes on with others, and calls meanwhile() from time to time once there is nothing left to begin.
+/// first, goes on with others, and calls meanwhile() from time to time once there is nothing left to begin. Once work
+/// has thrown, none is begun any more; throws what it threw.
 template <typename Work>
 void run_in_threads(
     std::size_t count, std::size_t num_threads, const Work& work, const std::function<void()>& meanwhile = [] {}) {
   std::atomic<std::size_t> next{1};
+  std::atomic<bool> has_failed{false};
   const auto begin_at = [&](std::size_t i) {
-    for (; i < count; i = next++) work(i);
+    try {
+      for (; i < count && !has_failed; i = next++) work(i);
+    } catch (...) {
+      has_failed = true;
+      throw;
+    }
   };
   std::vector<std::future<void>> others;
   while (others.size() + 1 < std::min(count, num_threads)) {

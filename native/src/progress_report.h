@@ -32,6 +32,9 @@ class ProgressReport {
     return !is_cancelled_;
   }
 
+  /// In any thread: as if the caller had cancelled.
+  void cancel() { is_cancelled_ = true; }
+
   /// In any thread.
   bool is_cancelled() const { return is_cancelled_; }
 

@@ -18,17 +18,18 @@ int rows_alike(const int* target, int i, int num_rows) {
   return 1;
 }
 
-/// Adds columns begin to end of kRows rows to columns target[begin] to target[end - 1]. Rows of a tile are 4 apart.
+/// Adds columns begin to end of kRows rows to columns target[begin] to target[end - 1], where `to` holds the columns
+/// from first_column on. Rows of a tile are 4 apart.
 template <int kRows>
-void add_rows(const double* from, const int* target, int begin, int end, double* to) {
+void add_rows(const double* from, const int* target, int begin, int end, double* to, int first_column) {
   for (int j = begin; j < end; ++j) {
-    for (int i = 0; i < kRows; ++i) to[kTile * target[j] + i] += from[kTile * j + i];
+    for (int i = 0; i < kRows; ++i) to[kTile * (target[j] - first_column) + i] += from[kTile * j + i];
   }
 }
 
-void add_rows(int num_rows, const double* from, const int* target, int begin, int end, double* to) {
+void add_rows(int num_rows, const double* from, const int* target, int begin, int end, double* to, int first_column) {
   const auto add = num_rows == 4 ? add_rows<4> : num_rows == 2 ? add_rows<2> : add_rows<1>;
-  add(from, target, begin, end, to);
+  add(from, target, begin, end, to, first_column);
 }
 
 /// Extend-add: each entry of the child's Schur complement to its place in the parent's front.
@@ -44,10 +45,10 @@ void add_child(const FrontLayout& layout, int child, int node, Tile* factor, Til
     const int t = rows[i] / kTile;
     const double* const source = schurs[from.schur + triangle_size(i / kTile)].entries + i % kTile;
     double* const panel = factor[to.panel + panel_row(t, m)].entries + rows[i] % kTile;
-    add_rows(run, source, rows, 0, std::min(i + run, num_pivots), panel);
+    add_rows(run, source, rows, 0, std::min(i + run, num_pivots), panel, 0);
     if (t >= m) {
-      double* const schur = schurs[to.schur + triangle_size(t - m)].entries + rows[i] % kTile - kTile * kTile * m;
-      add_rows(run, source, rows, num_pivots, i + run, schur);
+      double* const schur = schurs[to.schur + triangle_size(t - m)].entries + rows[i] % kTile;
+      add_rows(run, source, rows, num_pivots, i + run, schur, kTile * m);
     }
     i += run;
   }

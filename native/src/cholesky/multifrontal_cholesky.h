@@ -30,6 +30,8 @@ class MultifrontalCholesky {
   /// Throws std::invalid_argument if the tree has not each vertex once or does not separate what lower joins.
   MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree, int unknowns_per_vertex,
                        bool in_threads = false, const FrontKernels& kernels = fastest_kernels());
+  MultifrontalCholesky(const MultifrontalCholesky&) = delete;  // substitution_ refers to layout_
+  MultifrontalCholesky& operator=(const MultifrontalCholesky&) = delete;
 
   /// New values on the same pattern. False if the matrix is not positive definite: a pivot was not a positive finite
   /// number; then there is no factor to solve with. Throws std::invalid_argument at a different number of entries.

@@ -25,6 +25,8 @@ class MultifrontalLu {
   /// row-diagonally-dominant M-matrix. Throws std::invalid_argument if its pattern is not symmetric.
   MultifrontalLu(const Matrix& a, const Positions2& positions, bool in_threads = false,
                  const FrontKernels& kernels = fastest_kernels());
+  MultifrontalLu(const MultifrontalLu&) = delete;  // substitution_ refers to layout_
+  MultifrontalLu& operator=(const MultifrontalLu&) = delete;
 
   /// b := A⁻¹ b. b has one row per row of A; both columns are solved in one sweep.
   void solve(Positions2& b) const { substitute(lower_, upper_, b); }

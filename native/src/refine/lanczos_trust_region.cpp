@@ -4,12 +4,20 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace wirewarp {
 namespace {
 
 constexpr double kExhausted = 1e-6;  // an entry beside T's diagonal: its vectors span an invariant space
 constexpr double kSolved = 0.01;     // residual of H d = -g over that of d = 0
+
+/// |r| in the norm dual to G, where z = G⁻¹ r. Throws where it is no number, which must not pass for a small one.
+double dual_norm(const Eigen::VectorXd& r, const Eigen::VectorXd& z) {
+  const double squared = r.dot(z);
+  if (!std::isfinite(squared)) throw std::domain_error("a gradient or its preconditioner is not finite");
+  return std::sqrt(std::max(0.0, squared));
+}
 
 }  // namespace
 
@@ -20,7 +28,7 @@ LanczosTrustRegion::LanczosTrustRegion(const Operator& times_hessian,
   std::vector<double> diagonal, beside;
   Eigen::VectorXd r = -gradient;
   Eigen::VectorXd z = precondition(r);
-  first_ = std::sqrt(std::max(0.0, r.dot(z)));
+  first_ = dual_norm(r, z);
   double norm = first_;
   double residual = 1;  // of the conjugate gradients for H d = -g, over the first, while H is positive
   double pivot = 1;     // of T
@@ -38,7 +46,7 @@ LanczosTrustRegion::LanczosTrustRegion(const Operator& times_hessian,
       r -= overlap * dual[j];
     }
     pivot = diagonal.back() - (beside.empty() ? 0 : beside.back() * beside.back() / pivot);
-    norm = std::sqrt(std::max(0.0, r.dot(z)));
+    norm = dual_norm(r, z);
     is_positive = is_positive && pivot > 0;
     residual *= norm / std::max(pivot, 1e-300);
     if (is_positive && residual < kSolved) break;
