@@ -31,7 +31,7 @@ FLAT_AREAS = "wirewarp_flat_areas"  # custom property: signed area of each piece
 # On the flat mesh, custom properties: how it was laid out.
 LAYOUT = "wirewarp_layout"  # the options that lay out otherwise when they change, JSON
 UP = "wirewarp_up"  # direction in the model's own space that was up
-AWAY = "wirewarp_away"  # places of pieces that have no shape just now, see solve.places.LaidOut
+AWAY = "wirewarp_away"  # places of pieces that have no shape just now, see solve.places.NONE_AWAY
 FACE_COUNT = "wirewarp_source_faces"  # faces of the mesh that was flattened
 RANGE = "wirewarp_range_"  # before the name of each map: its smallest and its largest value
 

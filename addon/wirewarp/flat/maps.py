@@ -28,7 +28,7 @@ def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, edges: np.ndarray, varia
     ends = edges.ravel()
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
     at_vertex = np.bincount(ends, np.repeat(variation, 2), minlength=len(mesh.vertices)) / edges_at  # their mean
-    face = np.repeat(np.arange(len(flat.polygon_sizes)), flat.polygon_sizes)  # of each corner
+    face = np.repeat(np.arange(len(flat.face_sizes)), flat.face_sizes)  # of each corner
     # A color of four float32 has the size of one complex number: to take these is far faster than to take rows. All
     # maps use the same memory, for new memory is slower still.
     taken = np.empty(len(face), dtype=np.complex128)

@@ -127,8 +127,10 @@ def _write_mesh(target: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) ->
         source_vertex=flat.source_vertex,
         loop_vertices=flat.loop_vertices,
         loop_edges=corner_edges(mesh),
-        face_sizes=flat.polygon_sizes,
-        face_piece=flat.piece,
+        face_sizes=flat.face_sizes,
+        face_piece=flat.face_piece,
+        piece_id=flat.piece_id,
+        source_face=flat.source_face,
         edges=edges,
         marks=marks,
     )
@@ -148,8 +150,8 @@ def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
     mesh.vertices.foreach_set("co", coordinates.ravel())
     mesh.loops.add(len(flat.loop_vertices))
     write_corner_vertices(mesh, flat.loop_vertices)
-    mesh.polygons.add(len(flat.polygon_starts))
-    write_faces(mesh, flat.polygon_starts, flat.polygon_sizes)
+    mesh.polygons.add(len(flat.face_starts))
+    write_faces(mesh, flat.face_starts, flat.face_sizes)
     mesh.update(calc_edges=True)
 
 
@@ -157,7 +159,7 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays, 
     add_flat_attribute(mesh, SOURCE_VERTEX, flat.source_vertex)
     add_flat_attribute(mesh, SOURCE_CORNER, flat.source_corner)
     add_flat_attribute(mesh, SOURCE_FACE, flat.source_face)
-    add_flat_attribute(mesh, PIECE_INDEX, flat.piece)
+    add_flat_attribute(mesh, PIECE_INDEX, flat.face_piece)
     add_flat_attribute(mesh, PIECE, flat.piece_id)
     mesh[FACE_COUNT] = len(arrays.polygon_starts)
     write_maps(mesh, flat, edges, edge_length_variation(flat, edges, arrays))

@@ -9,15 +9,16 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-from ..blender.mesh import corner_vertices, face_sizes, read, read_numbers
+from ..blender.mesh import read_numbers
 from ..blender.objects import linear_part
+from ..issues import ObjectError
 from ..model.owners import model_of
 from ..names import AWAY, LAYOUT, PIECE, SOURCE_VERTEX, UP
-from ..pattern.outlines import piece_of_vertices
+from ..pattern.outlines import FlatPieces, piece_of_vertices
 from ..solve.flat_mesh import FlatMesh
 from ..solve.identity import PieceIdentity
-from ..solve.places import LaidOut, find_places, laid_out, points_of
-from .read import has_flat_attributes, read_flat_attribute
+from ..solve.places import NONE_AWAY, find_places, points_of
+from .read import has_flat_attributes, read_flat_pieces
 
 GAP = 0.1  # of the model's largest dimension
 LARGE = 5.0  # times that: a room or a landscape, in which the pieces may lie
@@ -68,9 +69,9 @@ def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, gap: float
     known = _read(earlier.data) if earlier else None
     if known is None:
         return flat, []
-    places = find_places(laid_out(flat), known, gap)
+    places = find_places(flat, known, _read_away(earlier.data), gap)
     vertices = flat.vertices.copy()
-    piece = piece_of_vertices(len(vertices), flat.loop_vertices, flat.polygon_sizes, flat.piece_id)
+    piece = piece_of_vertices(len(vertices), flat.loop_vertices, flat.face_sizes, flat.piece_id)
     for piece_id, motion in places.motions.items():
         own = piece == piece_id
         vertices[own] = motion(vertices[own])
@@ -85,16 +86,16 @@ def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
 def places_of_absent(
     flat: FlatMesh, earlier: bpy.types.Object | None, identities: Sequence[PieceIdentity]
 ) -> np.ndarray:
-    """(k,4) LaidOut.away: where those of the pieces that have no flat shape now lay in the flat object `earlier`."""
+    """(k,4), see NONE_AWAY: where those of the pieces that have no flat shape now lay in the flat object `earlier`."""
     present = set(np.unique(flat.piece_id).tolist())
     absent = [identity.piece_id for identity in identities if identity.piece_id not in present]
     known = _read(earlier.data) if earlier and absent else None
-    return points_of(known, absent) if known else np.empty((0, 4))
+    return points_of(known, _read_away(earlier.data), absent) if known else NONE_AWAY
 
 
 def remember_layout(mesh: bpy.types.Mesh, options: dict, up: np.ndarray, away: np.ndarray) -> None:
     """On the flat mesh. up (3,): the direction in the model's own space that was up when the pieces were laid out;
-    away: see LaidOut.
+    away: see NONE_AWAY.
     """
     mesh[LAYOUT], mesh[UP] = _layout_text(options), up.tolist()
     if len(away):
@@ -129,25 +130,19 @@ def crowded_text(names: list[str]) -> str:
     return f"{subject} grown into other pieces and now {'lies' if len(names) == 1 else 'lie'} beside them."
 
 
-def _read(mesh: bpy.types.Mesh) -> LaidOut | None:
+def _read(mesh: bpy.types.Mesh) -> FlatPieces | None:
     """None where the user has left nothing to go by."""
-    places = read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64)
     if not len(mesh.polygons) or not has_flat_attributes(mesh, SOURCE_VERTEX, PIECE):
         return None
-    if not np.isfinite(places).all():
+    try:
+        pieces = read_flat_pieces(mesh)
+    except ObjectError:  # an attribute of our name is another's
         return None
-    return LaidOut(
-        vertices=places,
-        source_vertex=read_flat_attribute(mesh, SOURCE_VERTEX),
-        loop_vertices=corner_vertices(mesh),
-        face_sizes=face_sizes(mesh),
-        piece_id=read_flat_attribute(mesh, PIECE),
-        away=_read_away(mesh),
-    )
+    return pieces if np.isfinite(pieces.vertices).all() else None
 
 
 def _read_away(mesh: bpy.types.Mesh) -> np.ndarray:
     numbers = read_numbers(mesh, AWAY)
     if numbers is None or len(numbers) % 4 or not np.all(np.abs(numbers) < MOST):
-        return np.empty((0, 4))
+        return NONE_AWAY
     return numbers.reshape(-1, 4).astype(np.float64)

@@ -10,7 +10,6 @@ from ..model.marks import read_marks
 from ..model.owners import find_flat_object, has_flat_object
 from ..names import FLAT_AREAS, FLAT_COUNTS, FLAT_LENGTH, PIECE, PIECE_INDEX, SOURCE_CORNER, SOURCE_FACE, SOURCE_VERTEX
 from ..pattern.outlines import FlatPieces, outline_of, signed_areas
-from ..report.elements import FlatSources
 from ..solve.flat_mesh import edge_lengths
 
 DOMAINS = {SOURCE_VERTEX: "POINT", SOURCE_CORNER: "CORNER", SOURCE_FACE: "FACE", PIECE_INDEX: "FACE", PIECE: "FACE"}
@@ -38,8 +37,8 @@ def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
     return len(mesh.polygons) > 0 and is_level and has_flat_attributes(mesh, *DOMAINS)
 
 
-def read_flat_pieces(mesh: bpy.types.Mesh, scale: float) -> FlatPieces:
-    """In Blender units times `scale`. Of a mesh in Object Mode that has our attributes."""
+def read_flat_pieces(mesh: bpy.types.Mesh, scale: float = 1.0) -> FlatPieces:
+    """In Blender units times `scale`. Of a mesh in Object Mode; what is gone is None. Raises ObjectError."""
     return FlatPieces(
         vertices=read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64) * scale,
         source_vertex=read_flat_attribute(mesh, SOURCE_VERTEX),
@@ -47,6 +46,8 @@ def read_flat_pieces(mesh: bpy.types.Mesh, scale: float) -> FlatPieces:
         loop_edges=corner_edges(mesh),
         face_sizes=face_sizes(mesh),
         face_piece=read_flat_attribute(mesh, PIECE_INDEX),
+        piece_id=read_flat_attribute(mesh, PIECE),
+        source_face=read_flat_attribute(mesh, SOURCE_FACE),
         edges=edge_vertices(mesh),
         marks=read_marks(mesh),
     )
@@ -56,7 +57,7 @@ def no_pieces_sentence(source: bpy.types.Object) -> str:
     return f'There are no flat pieces to this report: flatten "{source.name}" again.'
 
 
-def flat_sources(source: bpy.types.Object, report: dict) -> tuple[bpy.types.Object, FlatSources]:
+def pieces_of_report(source: bpy.types.Object, report: dict) -> tuple[bpy.types.Object, FlatPieces]:
     """The flat object of the model, in Object Mode. Raises ObjectError if there is none to this report."""
     flat = find_flat_object(source)
     if (
@@ -65,15 +66,7 @@ def flat_sources(source: bpy.types.Object, report: dict) -> tuple[bpy.types.Obje
         or not has_flat_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX, SOURCE_FACE)
     ):
         raise object_error("no_flat_pieces", no_pieces_sentence(source))
-    mesh = flat.data
-    return flat, FlatSources(
-        vertices=read_flat_attribute(mesh, SOURCE_VERTEX),
-        edges=edge_vertices(mesh),
-        faces=read_flat_attribute(mesh, SOURCE_FACE),
-        piece=read_flat_attribute(mesh, PIECE_INDEX),
-        loop_vertices=corner_vertices(mesh),
-        face_sizes=face_sizes(mesh),
-    )
+    return flat, read_flat_pieces(flat.data)
 
 
 def remember_shape(mesh: bpy.types.Mesh, pieces: FlatPieces) -> None:
@@ -92,7 +85,7 @@ def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
     laid_out, then = read_attribute(mesh, FLAT_LENGTH, "FLOAT", "EDGE"), read_numbers(mesh, FLAT_AREAS)
     if laid_out is None or then is None or not np.array_equal(read_numbers(mesh, FLAT_COUNTS), _counts(mesh)):
         return False
-    pieces = read_flat_pieces(mesh, 1.0)
+    pieces = read_flat_pieces(mesh)
     now = _areas(pieces)
     size = float(np.abs(pieces.vertices).max(initial=0))
     if len(now) != len(then) or np.any(np.abs(now - then) > np.abs(then) + PLACE_ERROR * size**2):

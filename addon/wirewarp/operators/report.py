@@ -10,7 +10,7 @@ from ..blender.objects import check_local
 from ..blender.selection import select_elements
 from ..blender.units import length_text
 from ..blender.views import redraw_views
-from ..flat.read import flat_sources
+from ..flat.read import pieces_of_report
 from ..flat.reports import last_report, pieces_report
 from ..issues import ObjectError, changed_error, object_error
 from ..model.change import loosen_wires, mark_seams
@@ -141,14 +141,14 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         wants_flat = context.active_object != source or report.get("with_modifiers")
         if wants_flat and self._lies_flat(report, elements):
             with in_object_mode(context):
-                flat, sources = flat_sources(source, report)
-            _select(context, flat, on_flat(elements, sources))
+                flat, pieces = pieces_of_report(source, report)
+            _select(context, flat, on_flat(elements, pieces))
             return {"FINISHED"}
         check_indices(source, report)
         if elements.whole_piece:
             with in_object_mode(context):
-                _, sources = flat_sources(source, report)
-            elements = Elements(faces=faces_of_piece(elements.piece, sources))
+                _, pieces = pieces_of_report(source, report)
+            elements = Elements(faces=faces_of_piece(elements.piece, pieces))
         _select(context, source, elements)
         return {"FINISHED"}
 

@@ -10,12 +10,16 @@ from .chains import EdgeMarks, edge_keys
 
 @dataclass(frozen=True)
 class FlatPieces:
+    """A flat mesh: as it was made, or as it was read back after whatever users did to it."""
+
     vertices: np.ndarray  # (n,2) float64
     source_vertex: np.ndarray  # (n,) int32, vertex of the model
     loop_vertices: np.ndarray  # (l,) int32, the corners of one face after those of the other
     loop_edges: np.ndarray  # (l,) int32, the edge from each corner to the next of its face
     face_sizes: np.ndarray  # (f,) int32
     face_piece: np.ndarray  # (f,) int32, index of the piece in the report
+    piece_id: np.ndarray  # (f,) int32, by which the piece is known again in the next run
+    source_face: np.ndarray  # (f,) int32, face of the model
     edges: np.ndarray  # (e,2) int32
     marks: EdgeMarks  # (e,)
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..pattern.chains import edge_keys
+from ..pattern.outlines import FlatPieces
 from .names import open_edges
 
 Indices = Sequence[int] | np.ndarray  # (k,)
@@ -35,18 +36,6 @@ class Elements:
     whole_piece: bool = False
 
 
-@dataclass(frozen=True)
-class FlatSources:
-    """Where the elements of a flat mesh come from."""
-
-    vertices: np.ndarray  # (p,) of the model
-    edges: np.ndarray  # (e,2) vertices of the flat mesh
-    faces: np.ndarray  # (f,) of the model
-    piece: np.ndarray  # (f,)
-    loop_vertices: np.ndarray  # (l,) vertices of the flat mesh, face by face
-    face_sizes: np.ndarray  # (f,)
-
-
 def elements_of(report: dict, what: str, index: int) -> Elements | None:
     """Of the model; None if the report has no such entry."""
     entries: Sequence[Any] = open_edges(report) if what == "OUTLINE" else report[LISTS[what]]
@@ -69,22 +58,23 @@ def elements_of(report: dict, what: str, index: int) -> Elements | None:
             return Elements(entry["vertices"], entry["edges"], entry["faces"], entry["piece"])
 
 
-def on_flat(elements: Elements, flat: FlatSources) -> Elements:
+def on_flat(elements: Elements, flat: FlatPieces) -> Elements:
     """The same on the flat pieces; an edge along a seam is there once a side."""
-    in_piece = np.full(len(flat.faces), True) if elements.piece is None else flat.piece == elements.piece
+    in_piece = np.full(len(flat.face_piece), True) if elements.piece is None else flat.face_piece == elements.piece
     if elements.whole_piece:
         return Elements(faces=np.flatnonzero(in_piece))
-    reached = np.zeros(len(flat.vertices), dtype=bool)
+    sources = flat.source_vertex
+    reached = np.zeros(len(sources), dtype=bool)
     reached[flat.loop_vertices[np.repeat(in_piece, flat.face_sizes)]] = True
-    count = int(max(flat.vertices.max(initial=0), np.max(elements.edges, initial=0))) + 1
-    wanted = np.isin(edge_keys(flat.vertices[flat.edges], count), edge_keys(elements.edges, count))
+    count = int(max(sources.max(initial=0), np.max(elements.edges, initial=0))) + 1
+    wanted = np.isin(edge_keys(sources[flat.edges], count), edge_keys(elements.edges, count))
     return Elements(
-        vertices=np.flatnonzero(np.isin(flat.vertices, elements.vertices) & reached),
+        vertices=np.flatnonzero(np.isin(sources, elements.vertices) & reached),
         edges=flat.edges[wanted & reached[flat.edges].all(axis=1)],
-        faces=np.flatnonzero(np.isin(flat.faces, elements.faces) & in_piece),
+        faces=np.flatnonzero(np.isin(flat.source_face, elements.faces) & in_piece),
     )
 
 
-def faces_of_piece(piece: int, flat: FlatSources) -> np.ndarray:
+def faces_of_piece(piece: int, flat: FlatPieces) -> np.ndarray:
     """On the model."""
-    return flat.faces[flat.piece == piece]
+    return flat.source_face[flat.face_piece == piece]

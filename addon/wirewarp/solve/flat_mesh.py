@@ -24,11 +24,11 @@ class FlatMesh:
     vertices: np.ndarray  # (p,2) float64, Blender units
     source_vertex: np.ndarray  # (p,) int32
     loop_vertices: np.ndarray  # (l,) int32
-    polygon_starts: np.ndarray  # (f,) int32
-    polygon_sizes: np.ndarray  # (f,) int32
+    face_starts: np.ndarray  # (f,) int32
+    face_sizes: np.ndarray  # (f,) int32
     source_corner: np.ndarray  # (l,) int32, corner (loop) of the source
     source_face: np.ndarray  # (f,) int32, face of the source
-    piece: np.ndarray  # (f,) int32, piece of each face
+    face_piece: np.ndarray  # (f,) int32, index of the piece
     piece_id: np.ndarray  # (f,) int32, by which the piece is known again in the next run
     failed: np.ndarray  # (f,) bool, the piece breaks a promise
     arap_energy: np.ndarray  # (f,) float32, Eq. (6)
@@ -60,11 +60,11 @@ def flat_mesh(result: Any, arrays: MeshArrays, identities: Sequence[PieceIdentit
         vertices=vertices,
         source_vertex=source_vertex,
         loop_vertices=vertex_of_loop[source_corner],
-        polygon_starts=(np.cumsum(sizes) - sizes).astype(np.int32),
-        polygon_sizes=sizes,
+        face_starts=(np.cumsum(sizes) - sizes).astype(np.int32),
+        face_sizes=sizes,
         source_corner=source_corner.astype(np.int32),
         source_face=np.flatnonzero(kept).astype(np.int32),
-        piece=piece,
+        face_piece=piece,
         piece_id=np.array([identity.piece_id for identity in identities], dtype=np.int32)[piece],
         failed=failed_piece[piece],
         arap_energy=face_energy.astype(np.float32),

@@ -7,11 +7,13 @@ from functools import cached_property
 
 import numpy as np
 
-from ..pattern.outlines import OutlineEdges, number_edges, outline_edges, piece_of_vertices
+from ..pattern.outlines import FlatPieces, OutlineEdges, number_edges, outline_edges, piece_of_vertices
 from ..pattern.polygons import Segments, overlap
 from .flat_mesh import FlatMesh
 
 SAMPLE = 100  # points by which the place of a piece is remembered
+# Points of pieces that have a place but no shape just now: (k,4) float64, piece id, source vertex and place.
+NONE_AWAY = np.empty((0, 4))
 LIKE = 0.7  # correlation of a piece with the earlier one; below it their vertices are not the same ones any more
 
 
@@ -44,18 +46,6 @@ def fit_motion(points: np.ndarray, places: np.ndarray) -> Motion:
 
 
 @dataclass(frozen=True)
-class LaidOut:
-    """Pieces as they lie."""
-
-    vertices: np.ndarray  # (n,2) float64
-    source_vertex: np.ndarray  # (n,) int32
-    loop_vertices: np.ndarray  # (l,) int32
-    face_sizes: np.ndarray  # (f,) int32
-    piece_id: np.ndarray  # (f,) int32
-    away: np.ndarray  # (k,4) float64: piece id, source vertex and place of points of pieces that are not there just now
-
-
-@dataclass(frozen=True)
 class Places:
     motions: dict[int, Motion]  # by piece id, from where the piece was laid out to where it goes
     crowded: list[int]  # ids of pieces that could not stay, for they would lie over another
@@ -64,15 +54,15 @@ class Places:
 class _Pieces:
     """Pieces one by one. Outlines are found only where they are asked for: that takes the longest."""
 
-    def __init__(self, pieces: LaidOut) -> None:
+    def __init__(self, pieces: FlatMesh | FlatPieces, away: np.ndarray = NONE_AWAY) -> None:
         self._pieces = pieces
         ids = piece_of_vertices(len(pieces.vertices), pieces.loop_vertices, pieces.face_sizes, pieces.piece_id)
         order = np.argsort(ids, kind="stable")
         present, first = np.unique(ids[order], return_index=True)
         self._vertices = dict(zip(present.tolist(), np.split(order, first[1:]), strict=True))
         self._vertices.pop(0, None)  # of no piece
-        away_ids = pieces.away[:, 0].astype(np.int64)
-        self._away = {piece_id: pieces.away[away_ids == piece_id] for piece_id in np.unique(away_ids).tolist()}
+        away_ids = away[:, 0].astype(np.int64)
+        self._away = {piece_id: away[away_ids == piece_id] for piece_id in np.unique(away_ids).tolist()}
 
     def __iter__(self) -> Iterator[int]:
         return iter(self._vertices)
@@ -116,16 +106,10 @@ class _Pieces:
         return outline_edges(pieces.vertices, loops, number_edges(loops, sizes), sizes, pieces.piece_id)
 
 
-def laid_out(flat: FlatMesh) -> LaidOut:
-    return LaidOut(
-        flat.vertices, flat.source_vertex, flat.loop_vertices, flat.polygon_sizes, flat.piece_id, np.empty((0, 4))
-    )
-
-
-def points_of(earlier: LaidOut, piece_ids: Sequence[int]) -> np.ndarray:
-    """(k,4) as LaidOut.away: some points of each of these pieces that is there, or away already."""
-    pieces = _Pieces(earlier)
-    rows = [np.empty((0, 4))]
+def points_of(earlier: FlatPieces, away: np.ndarray, piece_ids: Sequence[int]) -> np.ndarray:
+    """(k,4), see NONE_AWAY: some points of each of these pieces that is there, or away already."""
+    pieces = _Pieces(earlier, away)
+    rows = [NONE_AWAY]
     for piece_id in piece_ids:
         if piece_id in pieces:
             sources, points = pieces.sources(piece_id), pieces.points(piece_id)
@@ -135,12 +119,12 @@ def points_of(earlier: LaidOut, piece_ids: Sequence[int]) -> np.ndarray:
     return np.concatenate(rows)
 
 
-def find_places(pieces: LaidOut, earlier: LaidOut, gap: float) -> Places:
+def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, gap: float) -> Places:
     """Of the pieces, where those that were there earlier lie; others go to the free room right of them.
 
-    gap: between pieces in the free room, as a fraction of the side of a square with the area of all.
+    away: see NONE_AWAY; gap: between pieces in the free room, as a fraction of the side of a square as large as all.
     """
-    now, then = _Pieces(pieces), _Pieces(earlier)
+    now, then = _Pieces(pieces), _Pieces(earlier, away)
     fits = {piece_id: _fit(now, then, piece_id) for piece_id in now if piece_id in then}
     kept = {piece_id: motion for piece_id, motion in fits.items() if motion}
     if not kept:
