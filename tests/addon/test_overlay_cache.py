@@ -29,6 +29,7 @@ def rigid_edges(lines):
 
 def test_nothing_is_built_again_until_something_changes(addon, source, monkeypatch):
     monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
+    monkeypatch.setattr(addon.overlay.cache, "FELT", float("inf"))
     by_target = lambda: {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}  # noqa: E731
     first, again = by_target(), by_target()
     for target in (source, flat_of(source)):
@@ -45,6 +46,7 @@ def test_nothing_is_built_again_until_something_changes(addon, source, monkeypat
 
 def test_marking_in_edit_mode_is_seen_at_once(addon, source, monkeypatch):
     monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
+    monkeypatch.setattr(addon.overlay.cache, "FELT", float("inf"))
     select_edges(source, on_line(1, 0.25))
     seen = {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}
     bpy.ops.mesh.wirewarp_mark()
@@ -55,6 +57,7 @@ def test_marking_in_edit_mode_is_seen_at_once(addon, source, monkeypatch):
 
 def test_a_selection_in_edit_mode_builds_nothing_new(addon, source, monkeypatch):
     monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
+    monkeypatch.setattr(addon.overlay.cache, "FELT", float("inf"))
     select_edges(source, RIGID)
     first = {drawing.target: drawing.lines for drawing in addon.overlay.shown.drawings(view_context())}
     select_edges(source, RIGID, on_line(1, 0.25))
@@ -94,6 +97,7 @@ def test_batches_are_sent_once_until_marks_change(addon, source, monkeypatch):
     monkeypatch.setattr(batches, "gpu", gpu)
     monkeypatch.setattr(batches, "batch_for_shader", gpu.batch_for_shader)
     monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
+    monkeypatch.setattr(addon.overlay.cache, "FELT", float("inf"))
 
     def redraw():
         gpu.sent.clear()
@@ -153,6 +157,12 @@ def test_a_build_is_not_repeated_at_once(addon, source, timers, monkeypatch):
     assert timers.running == {addon.blender.views.redraw_views: pytest.approx(0.05)}
     clock.now += 0.06
     assert drawing(2) == 2
+    clock.now += 10
+    timers.running.clear()
+    assert drawing(3) == 2  # it was slow: the screen moves first
+    assert timers.running == {addon.blender.views.redraw_views: pytest.approx(0.01)}
+    clock.now += 0.01
+    assert drawing(4) == 4  # but what changes with every redraw is built all the same
 
 
 def handlers_of(addon):

@@ -14,6 +14,8 @@ from ..blender.views import redraw_views
 T = TypeVar("T")
 IDLE_SHARE = 9  # after a build there is none for so many times as long: building takes a tenth of the time, or
 MAX_IDLE = 1.0  # more where it is slow, for after so many seconds what is seen would be old
+FELT = 0.03  # seconds: what took longer to build is seen one redraw later, so that the screen moves with the hand
+SOON = 0.01  # seconds until that redraw
 
 
 @dataclass(frozen=True)
@@ -33,25 +35,30 @@ class _Entry:
     made_of: tuple
     value: Any
     rests_until: float  # seconds of the monotonic clock
+    is_slow: bool
+    has_waited: bool = False
 
 
 _entries: dict[tuple[str, str], _Entry] = {}
 
 
 def kept_drawing(owner: bpy.types.Object, what: str, made_of: tuple, build: Callable[[], T]) -> T:
-    """build(), from the last time if `made_of` is the same as then, or if building again so soon would be felt."""
+    """build(), from the last time if `made_of` is the same as then, or if building again just now would be felt."""
     key = owner.name_full, what
     entry, now = _entries.get(key), time.monotonic()
     if entry and entry.made_of == made_of:
         return entry.value
-    if entry and now < entry.rests_until:
-        _redraw_in(entry.rests_until - now)
-        return entry.value
+    if entry:
+        wait = entry.rests_until - now if now < entry.rests_until else SOON * (entry.is_slow and not entry.has_waited)
+        if wait > 0:
+            _entries[key] = replace(entry, has_waited=True)
+            _redraw_in(wait)
+            return entry.value
     value = build()
     if entry:
         value = reused(entry.value, value)  # nothing is made anew of what a selection in Edit Mode leaves as it is
     done = time.monotonic()
-    _entries[key] = _Entry(made_of, value, done + min(IDLE_SHARE * (done - now), MAX_IDLE))
+    _entries[key] = _Entry(made_of, value, done + min(IDLE_SHARE * (done - now), MAX_IDLE), done - now > FELT)
     return value
 
 
