@@ -42,5 +42,5 @@ def subsection(inputs: Inputs) -> str:
 
 All wires rigid. Fairness is the shortest wiggle of a line that is left alone, over the square root of the piece's area:
 lengths are exact with any. More of it makes lines smoother and cloth between them more distorted; without it rigid
-outlines would buckle into zigzags. 0.1 is the default.
+outlines would buckle into zigzags. 0.05 is the default.
 """

@@ -56,7 +56,7 @@ class FlattenSettings:
         max=10.0,
         soft_min=0.02,
         soft_max=0.5,
-        default=0.1,
+        default=0.05,
         precision=3,
         step=1,
     )

@@ -30,7 +30,7 @@ class Options:
         method: Literal["wirewarping", "wirewarp++", "refined"] = "refined",
         node_weight: Literal["length", "uniform"] = "length",
         inner: Literal["minimum", "least-norm"] = "minimum",
-        fairness: float = 0.1,
+        fairness: float = 0.05,
         max_factorizations: int = 100,
         layout: Literal["packed", "row"] = "packed",
         orientation: Literal["wire", "boundary", "up"] = "wire",

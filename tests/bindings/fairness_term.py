@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The fairness of wires, the second term of what the refined method minimizes, from a piece's arrays alone:
+"""What the refined method minimizes beside the ARAP energy, from a piece's arrays alone, the fairness of wires
 
 1/2 Σ_nodes D³/ℓ |r|²,   r = (u_c - u_b) / l_bc - R(π - α) (u_b - u_a) / l_ab   at a corner a → b → c of the network
+
+and the barrier against flips, 10 Σ_faces A max(0, 1/10 - det J)².
 """
 
 import cmath
@@ -63,3 +65,13 @@ def fairness_term(
         r = (flat[c] - flat[b]) / length_out - turn * (flat[b] - flat[a]) / length_in
         total += wiggle**3 / ((length_in + length_out) / 2) * abs(r) ** 2 / 2
     return total / area
+
+
+def flip_barrier(piece: wirewarp.Piece, vertices: np.ndarray) -> float:
+    """Over the piece's area in 3D. vertices: of the input."""
+    a, b, c = np.moveaxis(vertices[piece.source_vertex][piece.faces], 1, 0)
+    area_3d = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    a, b, c = np.moveaxis(piece.vertices[piece.faces], 1, 0)
+    area_2d = np.linalg.det(np.stack([b - a, c - a], axis=1)) / 2
+    lack = np.clip(0.1 - area_2d / area_3d, 0, None)
+    return 10 * float(area_3d @ lack**2) / piece.metrics.area_3d

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import wirewarp
-from fairness_term import fairness_term
+from fairness_term import fairness_term, flip_barrier
 from surfaces import half_cylinder, spherical_patch
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
@@ -38,7 +38,9 @@ def flatten(shape: shapes.Shape, tolerance: float | None, **options) -> wirewarp
     )
 
 
-def fairness_of(shape: shapes.Shape, tolerance: float | None, piece: wirewarp.Piece, fairness: float = 0.1) -> float:
+def fairness_of(
+    shape: shapes.Shape, tolerance: float | None, piece: wirewarp.Piece, fairness: float = wirewarp.Options().fairness
+) -> float:
     held = [
         edge
         for wire in shape.wires
@@ -49,7 +51,8 @@ def fairness_of(shape: shapes.Shape, tolerance: float | None, piece: wirewarp.Pi
 
 
 def objective(shape: shapes.Shape, tolerance: float | None, piece: wirewarp.Piece) -> float:
-    return piece.metrics.arap_energy + fairness_of(shape, tolerance, piece)
+    beside = fairness_of(shape, tolerance, piece) + flip_barrier(piece, shape.vertices)
+    return piece.metrics.arap_energy + beside
 
 
 @pytest.mark.parametrize("tolerance", [0, 0.05, None], ids=["rigid", "elastic", "as marked"])

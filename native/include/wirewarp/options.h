@@ -45,7 +45,7 @@ struct Options {
 
   /// Of the refined method: the shortest wiggle of an outline or wire that is left alone, over the square root of the
   /// piece's area. Larger: smoother lines, more distortion inside. In [least_fairness, most_fairness].
-  double fairness = 0.1;
+  double fairness = 0.05;
   static constexpr double least_fairness = 0.001;
   static constexpr double most_fairness = 10;
 
