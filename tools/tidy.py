@@ -29,8 +29,6 @@ from tools.package import PYBIND11
 TIDY_APT = (*NATIVE_APT, "libbenchmark-dev")
 TOOLS = ("clang-tidy==23.1.4", PYBIND11)
 COMMANDS = BUILD / "tidy" / "compile_commands.json"
-
-
 CLEAN = ROOT / ".clang-tidy-clean"  # committed, so that a clone need not check again what was clean elsewhere
 SHORT = 16  # hexadecimal digits, of the 64 of a fingerprint
 
@@ -38,7 +36,7 @@ SHORT = 16  # hexadecimal digits, of the 64 of a fingerprint
 def tidy() -> None:
     """Checks the sources that have changed, or include what has changed, since they were last found clean: here, or
     where .clang-tidy-clean was written."""
-    clean = dict(reversed(line.split()) for line in CLEAN.read_text().splitlines())
+    clean = {name: key for key, name in (line.split() for line in CLEAN.read_text().splitlines())}
     keys = source_keys()
     check(keys, [source for source, key in keys.items() if clean.get(name_of(source)) != key[:SHORT]])
 

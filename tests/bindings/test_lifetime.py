@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects leave the process, are made in odd ways, and Python ends: always an exception, never the end of the process."""
+"""Objects leave the process, are made in odd ways, and Python ends: always an exception, never an abort."""
 
 import copy
 import math

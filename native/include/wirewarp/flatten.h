@@ -18,8 +18,8 @@ struct Wire {
   std::string name;           // UTF-8, for reports
 };
 
-/// Throws FlattenError (wire_too_short, invalid_tolerance) where a wire fits no mesh; invalid_type if its name has a NUL
-/// character.
+/// Throws FlattenError (wire_too_short, invalid_tolerance) where a wire fits no mesh; invalid_type if its name has a
+/// NUL character.
 void check_wire(const Wire& wire);
 
 /// A triangle mesh, the seams that cut it and the wires on it.

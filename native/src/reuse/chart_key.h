@@ -10,8 +10,8 @@
 namespace wirewarp {
 
 /// All that the solution of a sound chart depends on, in the chart's own numbering, so that a change elsewhere in the
-/// input does not alter it: mesh, outline, slits, wire parts and the options of the solver, bit for bit. Only the words of an
-/// error may differ, see name_key().
+/// input does not alter it: mesh, outline, slits, wire parts and the options of the solver, bit for bit. Only the words
+/// of an error may differ, see name_key().
 std::string solution_key(const Chart& chart, const Options& options);
 
 /// How the input numbers and names what is in the chart: vertices, faces and wires.
