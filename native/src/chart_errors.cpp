@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "errors/sentence.h"
-#include "feasibility/propose_seams.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
@@ -75,32 +74,48 @@ std::vector<int> small_faces(const Chart& chart) {
   return small;
 }
 
+std::string allow_more(const Chart& chart, const Options& options) {
+  return "No flat shape of " + name_piece(chart) +
+         " with all lengths was found within max_factorizations = " + std::to_string(options.max_factorizations) +
+         ": raise it, or ";
+}
+
 }  // namespace
+
+FlattenError with_proposed_seams(FlattenError error, std::vector<VertexPair> proposed_seams) {
+  if (error.code != ErrorCode::closed_chart && error.code != ErrorCode::handles) return error;
+  std::string sentence = error.what();
+  sentence.pop_back();
+  sentence += such_as_along(proposed_seams) + ".";
+  error.elements.proposed_seams = std::move(proposed_seams);
+  return FlattenError(error.code, sentence, std::move(error.elements));
+}
 
 FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, const Options& options,
                               std::vector<ProposedTolerance> tolerances, bool ran_out) {
-  const std::string piece = name_piece(chart);
-  const std::string allow_more =
-      "No flat shape of " + piece +
-      " with all lengths was found within max_factorizations = " + std::to_string(options.max_factorizations) +
-      ": raise it, or ";
   ErrorElements elements;
   elements.faces = chart.source_face;
-  if (tolerances.empty()) {
-    for (const HalfEdgeChain& loop : chart.boundary_loops) add_edges(chart, loop, elements.edges);
-    elements.proposed_seams = propose_seams(chart);
-    const std::string none_found = "No flat shape of " + piece + " was found that keeps the length of its outline" +
-                                   (has_wires(chart) ? ", even with its wires free: " : ": ");
-    const std::string message = (ran_out ? allow_more : none_found) + "mark a seam such as " +
-                                name_elements("edge", elements.proposed_seams) + ".";
-    return FlattenError(ErrorCode::infeasible_lengths, message, std::move(elements));
-  }
   elements.edges = edges_of(chart, tolerances);
   const std::string looser =
       name_tolerances(wires, tolerances) + (options.method == Method::refined ? "." : ", by the refined method.");
-  const std::string contradict = "Not all wires of " + piece + " can keep their lengths in the plane: it lies flat ";
-  const std::string message = (ran_out ? allow_more + "lay it flat " : contradict) + looser;
+  const std::string contradict =
+      "Not all wires of " + name_piece(chart) + " can keep their lengths in the plane: it lies flat ";
+  const std::string message = (ran_out ? allow_more(chart, options) + "lay it flat " : contradict) + looser;
   elements.proposed_tolerances = std::move(tolerances);
+  return FlattenError(ErrorCode::infeasible_lengths, message, std::move(elements));
+}
+
+FlattenError infeasible_outline(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
+                                bool ran_out) {
+  ErrorElements elements;
+  elements.faces = chart.source_face;
+  for (const HalfEdgeChain& loop : chart.boundary_loops) add_edges(chart, loop, elements.edges);
+  const std::string none_found = "No flat shape of " + name_piece(chart) +
+                                 " was found that keeps the length of its outline" +
+                                 (has_wires(chart) ? ", even with its wires free: " : ": ");
+  const std::string message =
+      (ran_out ? allow_more(chart, options) : none_found) + "mark a seam" + such_as_along(proposed_seams) + ".";
+  elements.proposed_seams = std::move(proposed_seams);
   return FlattenError(ErrorCode::infeasible_lengths, message, std::move(elements));
 }
 

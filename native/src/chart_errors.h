@@ -10,10 +10,17 @@ namespace wirewarp {
 /// The caller's progress function asked to stop.
 FlattenError cancelled();
 
-/// No shape with all lengths was found. tolerances: with which the refined method found one; empty where none
-/// do, for which a seam is proposed. ran_out: options.max_factorizations ended the search before all was tried.
+/// A closed chart, or one with handles, with the seams that mend it. Any other error as it is.
+FlattenError with_proposed_seams(FlattenError error, std::vector<VertexPair> proposed_seams);
+
+/// No shape with all lengths was found, with tolerances under which the refined method found one. ran_out:
+/// options.max_factorizations ended the search before all was tried.
 FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, const Options& options,
                               std::vector<ProposedTolerance> tolerances, bool ran_out);
+
+/// No tolerances of its wires help a chart, but seams do.
+FlattenError infeasible_outline(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
+                                bool ran_out);
 
 /// The paper's methods find no angles under which the wires close; the refined one keeps the lengths.
 FlattenError needs_refinement(const Chart& chart);

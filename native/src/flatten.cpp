@@ -12,6 +12,7 @@
 #include "charts_progress.h"
 #include "check_input/check_input.h"
 #include "feasibility/check_outline.h"
+#include "feasibility/folded_faces.h"
 #include "feasibility/propose_seams.h"
 #include "in_threads.h"
 #include "metrics/assemble_result.h"
@@ -21,6 +22,7 @@
 #include "piece_report.h"
 #include "progress_report.h"
 #include "refine/infeasible_wires.h"
+#include "refine/lies_flat.h"
 #include "reuse/reuse.h"
 #include "topology/process_topology.h"
 #include "topology/unjoined_wires.h"
@@ -40,13 +42,22 @@ struct Run {
   const Tuning& tuning;
 };
 
+/// Seams along which a chart lies flat that has no good shape without. None where the user stops the run.
+std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const GoOn& go_on) {
+  return propose_seams(
+      chart, {[&](const Chart& piece) { return lies_flat(piece, run.options, go_on, run.tuning); },
+              [&] { return go_on("shape"); }});
+}
+
 /// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
 FlattenError explain_infeasible(const Chart& chart, const Run& run, const RefineResult& refined,
-                                const std::function<bool()>& go_on) {
+                                const GoOn& go_on) {
   if (refined.was_stopped) return cancelled();
-  std::vector<ProposedTolerance> tolerances = propose_tolerances(chart, run.options, refined, go_on, run.tuning);
-  if (!go_on()) return cancelled();
+  std::vector<ProposedTolerance> tolerances =
+      propose_tolerances(chart, run.options, refined, [&] { return go_on("shape"); }, run.tuning);
+  if (!go_on("shape")) return cancelled();
   const bool ran_out = refined.shape.factorizations >= run.options.max_factorizations;
+  if (tolerances.empty()) return infeasible_outline(chart, run.options, propose_seams(chart, run, go_on), ran_out);
   return infeasible_wires(chart, run.input.wires, run.options, std::move(tolerances), ran_out);
 }
 
@@ -78,9 +89,8 @@ void flatten_by_warping(const Chart& chart, const Run& run, const GoOn& go_on, L
       choose_variation(prepared, *warp, bounds, [&] { begin_stage(go_on, stage); });  // II-B, Algorithm 1
   report_solution(solution, layout.report);
   if (!solution.shape.inner.is_feasible) {
-    const auto may_go_on = [&] { return go_on(stage); };
-    const RefineResult refined_shape = refine_chart(
-        chart, run.options, [&](const char*) { return may_go_on(); }, run.tuning);
+    const GoOn may_go_on = [&](const char*) { return go_on(stage); };
+    const RefineResult refined_shape = refine_chart(chart, run.options, may_go_on, run.tuning);
     if (refined_shape.shape.is_exact && !refined_shape.was_stopped) throw needs_refinement(chart);
     throw explain_infeasible(chart, run, refined_shape, may_go_on);
   }
@@ -99,7 +109,7 @@ void flatten_by_refining(const Chart& chart, const Run& run, const GoOn& go_on, 
   RefineResult refined = refine_chart(chart, run.options, go_on, run.tuning);
   report_refinement(refined, layout.report);
   if (!refined.shape.is_exact) {
-    throw explain_infeasible(chart, run, refined, [&] { return go_on("shape"); });
+    throw explain_infeasible(chart, run, refined, go_on);
   }
   layout.variation.assign(refined.shape.variation.begin(), refined.shape.variation.end());
   layout.uv = std::move(refined.shape.uv);
@@ -117,12 +127,21 @@ const char* name_of(Method method) {
   throw std::logic_error("not a Method");
 }
 
-/// The layout of a sound chart, or why it has none.
+/// What mends a layout that is turned over or covers itself. Nothing where another method does.
+std::vector<VertexPair> seams_for(const Layout& layout, const Chart& chart, const Run& run, const GoOn& go_on) {
+  if (find_folded_faces(chart.mesh, layout.uv).empty()) return {};
+  const bool can_refine = run.options.method != Method::refined && lies_flat(chart, run.options, go_on, run.tuning);
+  return can_refine ? std::vector<VertexPair>() : propose_seams(chart, run, go_on);
+}
+
+/// The layout of a chart with a mesh, or why it has none.
 Layout solve_chart(const Chart& chart, const Run& run, const GoOn& go_on) {
   Layout layout;
   try {
-    if (std::optional<FlattenError> error = find_short_outline(chart)) throw std::move(*error);
+    if (chart.error) throw with_proposed_seams(*chart.error, propose_seams(chart, run, go_on));
+    if (is_outline_too_short(chart)) throw outline_too_short(chart, propose_seams(chart, run, go_on));
     (run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, run, go_on, layout);
+    layout.proposed_seams = seams_for(layout, chart, run, go_on);
   } catch (const FlattenError& error) {
     layout.error = error;
     if (error.code == ErrorCode::cancelled) layout.report.termination = Termination::cancelled;
@@ -154,8 +173,8 @@ std::vector<Layout> flatten_charts(const std::vector<Chart>& charts, const Run& 
     const std::size_t c = order[i];
     const Chart& chart = charts[c];
     const auto go_on = [&](const char* stage) { return progress.go_on(c, stage); };
-    if (chart.error) {
-      layouts[c].error = report.is_cancelled() ? *chart.error : with_proposed_seams(*chart.error, chart);
+    if (chart.mesh.n_faces() == 0 || (chart.error && report.is_cancelled())) {
+      layouts[c].error = chart.error;
     } else if (report.is_cancelled()) {
       layouts[c].error = cancelled();
       layouts[c].report.termination = Termination::cancelled;

@@ -139,7 +139,7 @@ void check_error(Judged& judged, int number) {
       check_flips(judged, piece);
       [[fallthrough]];
     case ErrorCode::overlapping_faces:
-      if (has_seams != (topology.num_loops > 1)) judged.say("a seam is proposed, or none, against the topology");
+      if (judged.options.method == Method::refined && !has_seams) judged.say("no seam is proposed");
       break;
     default:
       break;

@@ -35,7 +35,7 @@ struct Sheet {
   const Chart& chart() const { return charts.charts[0]; }
 
   std::optional<FlattenError> check() const {
-    return check_guarantee(chart(), network, input.wires, uv, variation, measure_metrics(chart(), network, uv));
+    return check_guarantee(chart(), network, input.wires, uv, variation, measure_metrics(chart(), network, uv), {});
   }
 };
 
@@ -131,7 +131,7 @@ TEST(Guarantee, OverlapOfAnIsometricSpiralIsFound) {
   const WireNetwork network = build_wire_network(chart);
   const Positions2 uv = planar_positions(chart);
   const Metrics metrics = measure_metrics(chart, network, uv);
-  const std::optional<FlattenError> error = check_guarantee(chart, network, {}, uv, {}, metrics);
+  const std::optional<FlattenError> error = check_guarantee(chart, network, {}, uv, {}, metrics, {});
   ASSERT_TRUE(error);
   EXPECT_EQ(error->code, ErrorCode::overlapping_faces);
   EXPECT_EQ(error->elements.faces, metrics.overlapping_faces);
@@ -157,7 +157,7 @@ TEST(Guarantee, NoAdviceOnWiresWhereThereAreNone) {
     Positions2 uv = planar_positions(charts.charts[0]);
     uv.row(moved) << 0.6, 0.6;
     const Metrics metrics = measure_metrics(charts.charts[0], network, uv);
-    const std::optional<FlattenError> error = check_guarantee(charts.charts[0], network, {}, uv, {}, metrics);
+    const std::optional<FlattenError> error = check_guarantee(charts.charts[0], network, {}, uv, {}, metrics, {});
     ASSERT_TRUE(error);
     EXPECT_EQ(error->code, moved == 0 ? ErrorCode::lengths_not_kept : ErrorCode::flipped_faces);
     EXPECT_FALSE(names(*error, "wire")) << error->what();

@@ -62,6 +62,7 @@ TEST(Judge, TellsOfCodesThatDoNotFitThePiece) {
   expect_told(recode(ErrorCode::handles), "wrong about handles");
   expect_told(recode(ErrorCode::boundary_too_short), "the outline is not too short");
   expect_told(recode(ErrorCode::boundary_too_short), "no seam is proposed");
+  expect_told(recode(ErrorCode::overlapping_faces), "no seam is proposed");
   expect_told(recode(ErrorCode::overlapping_faces), "tolerances mend no lengths");
   expect_told([](FlattenError& e, const FlattenResult&) { e.has_layout = false; }, "has_layout does not say");
 }
@@ -73,15 +74,6 @@ TEST(Judge, TellsOfFacesThatAreNotTurnedOver) {
         e.elements.faces = {r.pieces.at(0).source_face.at(0)};
       },
       "is said to be turned over");
-}
-
-TEST(Judge, TellsOfSeamsThatDoNotOpenARing) {
-  expect_told(
-      [](FlattenError& e, const FlattenResult&) {
-        e.code = ErrorCode::overlapping_faces;
-        e.elements.proposed_seams = {kInside};
-      },
-      "a seam is proposed, or none, against the topology");
 }
 
 TEST(Judge, TellsOfSeamsThatAreNotProposed) {

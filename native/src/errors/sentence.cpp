@@ -39,6 +39,10 @@ std::string name_elements(const std::string& noun, const std::vector<VertexPair>
   return join(noun, names, edges.size());
 }
 
+std::string such_as_along(const std::vector<VertexPair>& edges) {
+  return edges.empty() ? "" : ", such as along " + name_elements("edge", edges);
+}
+
 std::string name_wires(const std::vector<Wire>& wires, const std::vector<int>& indices) {
   const std::string text = name_elements("wire", indices);
   if (indices.size() != 1 || wires[indices[0]].name.empty()) return text;

@@ -15,6 +15,9 @@ std::string name_elements(const std::string& noun, const std::vector<int>& indic
 /// The same for edges given by their ends: "edge 3-7".
 std::string name_elements(const std::string& noun, const std::vector<VertexPair>& edges);
 
+/// ", such as along edges 3-7 and 7-9"; nothing for none.
+std::string such_as_along(const std::vector<VertexPair>& edges);
+
 /// The same for wires, a single one with its name if it has one: "wire 2 (waist)", "wires 2 and 5".
 std::string name_wires(const std::vector<Wire>& wires, const std::vector<int>& indices);
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "errors/sentence.h"
 #include "feasibility/isoperimetric.h"
-#include "feasibility/propose_seams.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
@@ -59,24 +59,26 @@ std::string what_to_do(std::size_t num_loops) {
 
 }  // namespace
 
-std::optional<FlattenError> find_short_outline(const Chart& chart) {
+bool is_outline_too_short(const Chart& chart) {
+  const PieceOutline outline = outline_of(chart);
+  return isoperimetric_ratio(outline) < required_share(outline.loops.size());
+}
+
+FlattenError outline_too_short(const Chart& chart, std::vector<VertexPair> proposed_seams) {
   const PieceOutline outline = outline_of(chart);
   const double share = isoperimetric_ratio(outline);
-  if (share >= required_share(outline.loops.size())) return std::nullopt;
-
   ErrorElements elements;
   for (const OutlineLoop& loop : outline.loops) elements.vertices.push_back(source_of_loop(chart, loop));
   for (const HalfEdgeChain& loop : chart.boundary_loops) {
     for (const HalfedgeHandle h : loop) elements.edges.push_back(source_edge(chart, h));
   }
   elements.faces = chart.source_face;
-  elements.proposed_seams = propose_seams(chart);
   const std::string message =
       "The piece around face " + std::to_string(chart.source_face.front()) + " (" +
       std::to_string(chart.source_face.size()) + " triangles) " + what_to_do(outline.loops.size()) +
-      ", such as along " + name_elements("edge", elements.proposed_seams) + "; " + name_outlines(chart, outline.loops) +
-      " can hold no more than " + percent(share) + " of its area in the plane (a distortion of at least " +
+      such_as_along(proposed_seams) + "; " + name_outlines(chart, outline.loops) + " can hold no more than " + percent(share) + " of its area in the plane (a distortion of at least " +
       number(least_shape_error(share)) + ").";
+  elements.proposed_seams = std::move(proposed_seams);
   return FlattenError(ErrorCode::boundary_too_short, message, std::move(elements));
 }
 

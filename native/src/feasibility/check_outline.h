@@ -2,13 +2,14 @@
 // Before anything is solved: can the outline hold the piece at all?
 #pragma once
 
-#include <optional>
-
 #include "charts/chart.h"
 
 namespace wirewarp {
 
-/// boundary_too_short, with the cut that mends it, if the chart could have far too small a part of its area when flat.
-std::optional<FlattenError> find_short_outline(const Chart& chart);
+/// The chart could have far too small a part of its area when flat.
+bool is_outline_too_short(const Chart& chart);
+
+/// boundary_too_short, with the seams that mend it.
+FlattenError outline_too_short(const Chart& chart, std::vector<VertexPair> proposed_seams);
 
 }  // namespace wirewarp

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "planar.h"
 
@@ -33,13 +32,5 @@ double least_shape_error(double share) {
 }
 
 double required_share(std::size_t num_loops) { return num_loops > 1 ? kRequiredOfTube : kRequiredOfDisk; }
-
-double worst_margin(const std::vector<PieceOutline>& pieces) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const PieceOutline& piece : pieces) {
-    least = std::min(least, isoperimetric_ratio(piece) / required_share(piece.loops.size()));
-  }
-  return least;
-}
 
 }  // namespace wirewarp

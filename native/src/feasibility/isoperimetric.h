@@ -17,7 +17,4 @@ double least_shape_error(double share);
 /// The share below which a piece with so many loops is not flattened.
 double required_share(std::size_t num_loops);
 
-/// Of the pieces between cut edges the smallest quotient of attainable and required share: 1 or more if all pass.
-double worst_margin(const std::vector<PieceOutline>& pieces);
-
 }  // namespace wirewarp

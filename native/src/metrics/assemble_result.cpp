@@ -67,7 +67,8 @@ Piece assemble_piece(const FlattenInput& input, const Chart& chart, Layout& layo
     piece.wires = measure_wire_parts(chart, input.wires, layout.uv, layout.variation);
     piece.boundaries = measure_boundaries(chart, layout.uv);
     if (!piece.error) {
-      piece.error = check_guarantee(chart, *layout.network, input.wires, layout.uv, layout.variation, piece.metrics);
+      piece.error = check_guarantee(chart, *layout.network, input.wires, layout.uv, layout.variation, piece.metrics,
+                                    layout.proposed_seams);
     }
     piece.vertices = std::move(layout.uv);
   }

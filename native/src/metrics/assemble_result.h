@@ -17,6 +17,7 @@ struct Layout {
   std::vector<double> variation;  // h, one per wire part of the chart
   std::vector<PlacedHelperWire> helper_wires;
   PieceReport report;
+  std::vector<VertexPair> proposed_seams;  // of a layout that is turned over or covers itself
   std::optional<FlattenError> error;  // why there is no layout
 };
 

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "errors/sentence.h"
-#include "feasibility/propose_seams.h"
 
 namespace wirewarp {
 namespace {
@@ -96,36 +95,32 @@ FlattenError wrong_lengths(const Chart& chart, const std::vector<Wire>& wires, c
                       std::move(elements), true);
 }
 
-/// A piece that lies over itself: a ring had best be cut open, anything else as the remedy says.
-FlattenError folded(ErrorCode code, const Chart& chart, const std::vector<int>& faces, const std::string& what,
-                    std::string remedy) {
-  ErrorElements elements{{}, {}, faces};
-  if (chart.boundary_loops.size() > 1) {
-    elements.proposed_seams = propose_seams(chart);
-    remedy = "mark a seam from one of its outlines to the next, such as along " +
-             name_elements("edge", elements.proposed_seams) + ", or " + remedy;
-  }
-  return FlattenError(code, what + ": " + remedy, std::move(elements), true);
+/// A piece that lies over itself: seams are proposed, or else done as the remedy says.
+FlattenError folded(ErrorCode code, const std::vector<int>& faces, const std::vector<VertexPair>& proposed_seams,
+                    const std::string& what, const std::string& remedy) {
+  const std::string seams = proposed_seams.empty() ? "" : "mark seams" + such_as_along(proposed_seams) + ", or ";
+  return FlattenError(code, what + ": " + seams + remedy, {{}, {}, faces, proposed_seams}, true);
 }
 
 }  // namespace
 
 std::optional<FlattenError> check_guarantee(const Chart& chart, const WireNetwork& network,
                                             const std::vector<Wire>& wires, const Positions2& uv,
-                                            const std::vector<double>& variation, const Metrics& metrics) {
+                                            const std::vector<double>& variation, const Metrics& metrics,
+                                            const std::vector<VertexPair>& proposed_seams) {
   const std::vector<WrongEdge> wrong = find_wrong_edges(chart, network, uv, variation);
   const std::vector<int> beyond = parts_beyond_tolerance(chart, variation);
   if (!wrong.empty() || !beyond.empty()) return wrong_lengths(chart, wires, wrong, beyond, metrics);
 
   if (!metrics.flipped_faces.empty()) {
     const std::string loosen = has_wires(chart) ? ", or remove or loosen a wire nearby." : ".";
-    return folded(ErrorCode::flipped_faces, chart, metrics.flipped_faces,
+    return folded(ErrorCode::flipped_faces, metrics.flipped_faces, proposed_seams,
                   "The piece is turned over at " + name_elements("face", metrics.flipped_faces) +
                       also(0, metrics.overlapping_faces.size()),
                   "add a seam or a dart there" + loosen);
   }
   if (!metrics.overlapping_faces.empty()) {
-    return folded(ErrorCode::overlapping_faces, chart, metrics.overlapping_faces,
+    return folded(ErrorCode::overlapping_faces, metrics.overlapping_faces, proposed_seams,
                   "The piece covers itself at " + name_elements("face", metrics.overlapping_faces),
                   "cut it in two with a seam, or add a dart there.");
   }

@@ -13,11 +13,12 @@ namespace wirewarp {
 ///                      |h| > tolerance on an elastic part
 ///   flipped_faces      metrics.flipped_faces is not empty
 ///   overlapping_faces  metrics.overlapping_faces is not empty
-/// The message mentions the others too; has_layout is true. Where a piece with several outlines is flipped or overlaps,
-/// the error proposes seams between them. uv, variation (h per wire part) and metrics belong to the
-/// layout as it is handed to the user. wires: the input's, for the names.
+/// The message mentions the others too; has_layout is true. uv, variation (h per wire part) and metrics
+/// belong to the layout as it is handed to the user. wires: the input's, for the names. proposed_seams: what the error
+/// of a flipped or overlapping piece proposes.
 std::optional<FlattenError> check_guarantee(const Chart& chart, const WireNetwork& network,
                                             const std::vector<Wire>& wires, const Positions2& uv,
-                                            const std::vector<double>& variation, const Metrics& metrics);
+                                            const std::vector<double>& variation, const Metrics& metrics,
+                                            const std::vector<VertexPair>& proposed_seams);
 
 }  // namespace wirewarp

@@ -146,7 +146,7 @@ RefinedShape open_slits(const Chart& chart, const WireNetwork& network, const st
     return shape;
   };
   const std::optional<SewnProblem> all_shut = sewn_problem(slits);
-  if (!all_shut || find_short_outline(all_shut->chart())) return {};
+  if (!all_shut || is_outline_too_short(all_shut->chart())) return {};
   const RefinedShape whole = refine_sewn(all_shut->chart(), all_shut->network());
   if (!whole.is_exact) return {};
   RefinedShape best = as_open(*all_shut, whole);

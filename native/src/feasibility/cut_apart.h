@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "charts/chart.h"
+#include "feasibility/piece_outlines.h"
+
+namespace wirewarp {
+
+/// The charts between cut edges of a chart, with their parts of its wires. Their sources are the chart's own vertices,
+/// faces and wire parts.
+std::vector<Chart> cut_apart(const Chart& chart, const CutMask& cut);
+
+}  // namespace wirewarp

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "feasibility/halve.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "mesh/geometry.h"
+#include "mesh/shortest_paths.h"
+
+namespace wirewarp {
+namespace {
+
+using Sides = std::vector<char>;  // 0 or 1 per face
+
+VertexHandle farthest_from(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& sources) {
+  return farthest_vertex(shortest_paths(mesh, sources));
+}
+
+/// A far end of the surface, seen from its boundary.
+VertexHandle far_end(const HalfEdgeMesh& mesh) {
+  std::vector<VertexHandle> boundary;
+  for (const VertexHandle v : mesh.vertices()) {
+    if (mesh.is_boundary(v)) boundary.push_back(v);
+  }
+  return farthest_from(mesh, boundary.empty() ? std::vector<VertexHandle>{VertexHandle(0)} : boundary);
+}
+
+bool is_border(const HalfEdgeMesh& mesh, const Sides& side, HalfedgeHandle h) {
+  if (mesh.is_boundary(mesh.edge_handle(h))) return false;
+  return side[mesh.face_handle(h).idx()] != side[mesh.opposite_face_handle(h).idx()];
+}
+
+/// By how much the border between two sides grows if all faces around a vertex go to one side.
+double growth_of_border(const HalfEdgeMesh& mesh, const Sides& side, VertexHandle v, char to) {
+  double growth = 0;
+  for (const HalfedgeHandle spoke : mesh.voh_range(v)) {
+    if (is_border(mesh, side, spoke)) growth -= edge_length(mesh, spoke);
+    if (mesh.is_boundary(spoke) || side[mesh.face_handle(spoke).idx()] == to) continue;
+    const HalfedgeHandle rim = mesh.next_halfedge_handle(spoke);
+    if (mesh.is_boundary(mesh.edge_handle(rim))) continue;
+    growth += is_border(mesh, side, rim) ? -edge_length(mesh, rim) : edge_length(mesh, rim);
+  }
+  return growth;
+}
+
+/// Straightens the border: moves it over a vertex wherever that makes it shorter.
+void shorten_border(const HalfEdgeMesh& mesh, Sides& side) {
+  constexpr double kRounding = 1e-12;  // of the longest edge there
+  std::vector<VertexHandle> queue(mesh.vertices_begin(), mesh.vertices_end());
+  while (!queue.empty()) {
+    const VertexHandle v = queue.back();
+    queue.pop_back();
+    double longest = 0;
+    for (const HalfedgeHandle spoke : mesh.voh_range(v)) longest = std::max(longest, edge_length(mesh, spoke));
+    for (const char to : {char{0}, char{1}}) {
+      if (growth_of_border(mesh, side, v, to) >= -kRounding * longest) continue;
+      for (const FaceHandle f : mesh.vf_range(v)) side[f.idx()] = to;
+      for (const VertexHandle near : mesh.vv_range(v)) queue.push_back(near);
+    }
+  }
+}
+
+/// Which faces are nearer to the second vertex than to the first.
+Sides nearer_to(const HalfEdgeMesh& mesh, VertexHandle first, VertexHandle second) {
+  const std::vector<double> from_first = shortest_paths(mesh, {first}).distance;
+  const std::vector<double> from_second = shortest_paths(mesh, {second}).distance;
+  Sides side(mesh.n_faces(), 0);
+  for (const FaceHandle f : mesh.faces()) {
+    double lead = 0;
+    for (const VertexHandle v : mesh.fv_range(f)) lead += from_first[v.idx()] - from_second[v.idx()];
+    side[f.idx()] = lead > 0;
+  }
+  return side;
+}
+
+/// Corners a, b, c of each face: their mean, and half the cross product of b - a and c - a. #faces by 3.
+struct FaceGeometry {
+  explicit FaceGeometry(const HalfEdgeMesh& mesh) {
+    const Positions3 points = points_of(mesh);
+    const Triangles triangles = triangles_of(mesh);
+    middle.resize(triangles.rows(), 3);
+    area.resize(triangles.rows(), 3);
+    for (int f = 0; f < triangles.rows(); ++f) {
+      const Eigen::Vector3d a = points.row(triangles(f, 0)), b = points.row(triangles(f, 1)),
+                            c = points.row(triangles(f, 2));
+      middle.row(f) = (a + b + c) / 3;
+      area.row(f) = (b - a).cross(c - a) / 2;
+    }
+  }
+  Positions3 middle, area;
+};
+
+/// By planes through the middle, across the main axes of the surface, and by the way that faces look along these.
+std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
+  const FaceGeometry faces(mesh);
+  const Eigen::VectorXd areas = faces.area.rowwise().norm();
+  const Eigen::RowVector3d middle = areas.transpose() * faces.middle / areas.sum();
+  const Positions3 from_middle = faces.middle.rowwise() - middle;
+  const Eigen::Matrix3d spread = from_middle.transpose() * areas.asDiagonal() * from_middle;
+  const Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+  std::vector<Sides> result;
+  for (const Positions3& vectors : {from_middle, faces.area}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::VectorXd along = vectors * axes.col(axis);
+      Sides side(mesh.n_faces());
+      for (std::size_t f = 0; f < side.size(); ++f) side[f] = along[static_cast<Eigen::Index>(f)] > 0;
+      result.push_back(std::move(side));
+    }
+  }
+  return result;
+}
+
+/// By nearness to two far ends, and to two more that lie apart across them.
+std::vector<Sides> sides_of_ends(const HalfEdgeMesh& mesh) {
+  const VertexHandle first = far_end(mesh);
+  const VertexHandle second = farthest_from(mesh, {first});
+  const VertexHandle third = farthest_from(mesh, {first, second});
+  const VertexHandle fourth = farthest_from(mesh, {third});
+  return {nearer_to(mesh, first, second), nearer_to(mesh, third, fourth)};
+}
+
+CutMask cut_along_border(const HalfEdgeMesh& mesh, const Sides& side) {
+  CutMask cut(mesh.n_edges(), 0);
+  for (const EdgeHandle e : mesh.edges()) cut[e.idx()] = is_border(mesh, side, mesh.halfedge_handle(e, 0));
+  return cut;
+}
+
+}  // namespace
+
+std::vector<CutMask> halving_cuts(const HalfEdgeMesh& mesh) {
+  std::vector<Sides> all_sides = sides_of_axes(mesh);
+  for (Sides& side : sides_of_ends(mesh)) all_sides.push_back(std::move(side));
+  std::vector<CutMask> cuts;
+  const auto add = [&](const Sides& side) {
+    CutMask cut = cut_along_border(mesh, side);
+    const bool is_known = std::find(cuts.begin(), cuts.end(), cut) != cuts.end();
+    if (!is_known && length_of_cut(mesh, cut) > 0) cuts.push_back(std::move(cut));
+  };
+  for (Sides& side : all_sides) {
+    const Sides as_drawn = side;
+    shorten_border(mesh, side);
+    add(side);
+    if (mesh.n_faces() < 1000) add(as_drawn);
+  }
+  return cuts;
+}
+
+}  // namespace wirewarp
