@@ -29,6 +29,8 @@ from tools.package import PYBIND11
 TIDY_APT = (*NATIVE_APT, "libbenchmark-dev")
 TOOLS = ("clang-tidy==23.1.4", PYBIND11)
 COMMANDS = BUILD / "tidy" / "compile_commands.json"
+
+
 CLEAN = ROOT / ".clang-tidy-clean"  # committed, so that a clone need not check again what was clean elsewhere
 SHORT = 16  # hexadecimal digits, of the 64 of a fingerprint
 
@@ -36,16 +38,21 @@ SHORT = 16  # hexadecimal digits, of the 64 of a fingerprint
 def tidy() -> None:
     """Checks the sources that have changed, or include what has changed, since they were last found clean: here, or
     where .clang-tidy-clean was written."""
-    clean = {name: key for key, name in (line.split() for line in CLEAN.read_text().splitlines())}
+    clean = set(CLEAN.read_text().splitlines())
     keys = source_keys()
-    check(keys, [source for source, key in keys.items() if clean.get(name_of(source)) != key[:SHORT]])
+    check(keys, [source for source, key in keys.items() if line_of(source, key) not in clean])
 
 
 def tidy_everything() -> None:
     """Checks every source that was not found clean here, as it is, and writes .clang-tidy-clean."""
     keys = source_keys()
     check(keys, list(keys))
-    CLEAN.write_text("".join(f"{key[:SHORT]} {name_of(source)}\n" for source, key in sorted(keys.items())))
+    CLEAN.write_text("".join(f"{line_of(source, keys[source])}\n" for source in sorted(keys)))
+
+
+def line_of(source: Path, key: str) -> str:
+    """Of .clang-tidy-clean."""
+    return f"{key[:SHORT]} {source.relative_to(ROOT)}"
 
 
 def source_keys() -> dict[Path, str]:
@@ -87,12 +94,8 @@ def is_clean(program: Path, source: Path, key: str) -> bool:
     return True
 
 
-def name_of(source: Path) -> str:
-    return str(source.relative_to(ROOT))
-
-
 def stamp(source: Path) -> str:
-    return "tidy-" + name_of(source).replace("/", "-")
+    return "tidy-" + "-".join(source.relative_to(ROOT).parts)
 
 
 def headers_by_name() -> dict[str, list[Path]]:
