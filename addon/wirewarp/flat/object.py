@@ -12,7 +12,7 @@ from ..blender.mesh import corner_edges, edge_vertices, write_corner_vertices, w
 from ..blender.objects import remove_object
 from ..blender.selection import deselect_all
 from ..issues import note, warning
-from ..model.marks import write_marks
+from ..model.attributes import write_marks
 from ..model.owners import find_flat_object, flat_name, model_of
 from ..model.wire_names import write_names
 from ..names import (

@@ -8,7 +8,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from ..model.piece_ids import write_piece_ids
+from ..model.attributes import write_piece_ids
 from ..names import FACE_COUNT, PIECE, SOURCE_FACE
 from ..solve.arrays import MeshArrays
 from ..solve.identity import KnownPieces, PieceIdentity, ids_by_face

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, face_sizes, read, read_attribute, read_numbers
 from ..issues import object_error
-from ..model.marks import read_marks
+from ..model.attributes import read_marks
 from ..model.owners import find_flat_object, has_flat_object
 from ..names import FLAT_AREAS, FLAT_COUNTS, FLAT_LENGTH, PIECE, PIECE_INDEX, SOURCE_CORNER, SOURCE_FACE, SOURCE_VERTEX
 from ..pattern.outlines import FlatPieces, outline_of, signed_areas

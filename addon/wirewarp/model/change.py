@@ -7,8 +7,8 @@ import numpy as np
 from ..blender.mesh import edge_vertices, faces_at_edges, read_seams
 from ..issues import object_error
 from ..pattern.chains import EdgeMarks, edge_keys
+from .attributes import read_marks, write_marks
 from .mark import OUTLINES_ARE_RIGID
-from .marks import read_marks, write_marks
 from .wire_names import find_name
 from .wires import WireSummary, find_wires, repair_names
 

@@ -13,7 +13,7 @@ from ..issues import Issue, ObjectError
 from ..names import WIRE
 from ..pattern.chains import split_into_chains
 from ..words import counted
-from .marks import check_attributes, edit_layers, new_wire_id
+from .attributes import check_attributes, edit_layers, new_wire_id
 from .wires import repair_names
 
 OUTLINES_ARE_RIGID = "Outlines are rigid, or the two sides of a seam would not match"

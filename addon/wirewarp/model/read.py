@@ -22,8 +22,7 @@ from ..blender.objects import linear_part
 from ..issues import object_error
 from ..pattern.chains import WireChain, chains_of_marks
 from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region
-from .marks import own_ids, read_marks
-from .piece_ids import read_piece_ids
+from .attributes import own_ids, read_marks, read_piece_ids
 from .wire_names import chain_names
 
 LARGEST = 1e18  # Blender units

@@ -13,7 +13,7 @@ from ..blender.objects import metric
 from ..issues import ObjectError
 from ..pattern.chains import EdgeMarks
 from ..solve.arrays import MeshArrays
-from .marks import read_edit_marks, read_marks
+from .attributes import read_edit_marks, read_marks
 
 MODIFIED = "modified"  # of reports with modifiers
 UNKNOWN = {"faces": "?"}  # unlike any mesh

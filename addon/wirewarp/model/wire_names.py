@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import bpy
 
-from .marks import has_marks, wires_on
+from .attributes import has_marks, wires_on
 
 
 def find_name(mesh: bpy.types.Mesh, wire_id: int) -> bpy.types.PropertyGroup | None:

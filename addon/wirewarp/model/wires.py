@@ -11,7 +11,7 @@ from ..blender.cache import kept
 from ..blender.mesh import edge_vertices, read
 from ..names import WIRE
 from ..pattern.chains import EdgeMarks, chains_of_marks
-from .marks import own_ids, read_edit_marks, read_marks
+from .attributes import own_ids, read_edit_marks, read_marks
 from .wire_names import chain_names, find_name, list_places, write_names
 
 

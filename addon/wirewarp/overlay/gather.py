@@ -23,8 +23,7 @@ from ..blender.mesh import (
     triangle_vertices,
 )
 from ..flat.read import has_flat_attributes, read_flat_attribute
-from ..model.marks import read_edit_marks, read_marks
-from ..model.piece_ids import read_piece_ids
+from ..model.attributes import read_edit_marks, read_marks, read_piece_ids
 from ..names import PIECE, PIECE_INDEX, SOURCE_VERTEX, UV_LAYER, WIRE
 from .lines import LineEdges
 from .surfaces import Triangles

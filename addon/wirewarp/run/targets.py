@@ -8,9 +8,8 @@ from ..blender.objects import check_local, linear_part, metric
 from ..flat.read import is_flat_mesh
 from ..flat.uv import check_uv_room
 from ..issues import Issue, ObjectError, object_error
-from ..model.marks import check_attributes
+from ..model.attributes import check_attributes, check_piece_room
 from ..model.owners import DELETED, check_not_edited, is_deleted, model_of
-from ..model.piece_ids import check_piece_room
 
 CONVERTIBLE = {"CURVE", "SURFACE", "META", "FONT"}
 

@@ -22,7 +22,7 @@ from ..flat.places import (
 from ..flat.reports import remember, store, with_names
 from ..flat.uv import write_uv
 from ..issues import note, warning
-from ..model.marks import wires_on
+from ..model.attributes import wires_on
 from ..model.owners import earlier_sentence, find_flat_object, is_earlier, model_of
 from ..model.wire_names import update_names
 from ..names import UV_LAYER

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The two edge attributes that say which edges are wires. They are the only truth about wires.
+"""Our attributes on the model's mesh: which edges are wires, the only truth about wires; and which piece a face is of.
 
-wirewarp_wire INT: random 31-bit id of the wire, 0 on edges that are no wire.
-wirewarp_tolerance FLOAT: 0 rigid, finite elastic, inf super-elastic.
+wirewarp_wire INT: random 31-bit id of the wire, 0 on edges that are no wire. wirewarp_tolerance FLOAT: 0 rigid, finite
+elastic, inf super-elastic. wirewarp_piece INT, on faces: random 31-bit id of the piece, 0 none; it stays with the faces
+when they are subdivided, duplicated or joined, so that a piece keeps its name and its place.
 """
 
 import random
@@ -12,8 +13,8 @@ import bmesh
 import bpy
 import numpy as np
 
-from ..blender.attributes import check_attribute
-from ..names import TOLERANCE, WIRE
+from ..blender.attributes import check_attribute, check_room
+from ..names import PIECE, TOLERANCE, WIRE
 from ..pattern.chains import EdgeMarks
 
 _EXPECTED = {WIRE: "INT", TOLERANCE: "FLOAT"}
@@ -99,3 +100,23 @@ def own_ids(wire_ids: Sequence[int]) -> list[int]:
             free = free % MAX_ID + 1
         own[free] = None
     return list(own)
+
+
+def check_piece_room(target: bpy.types.Object) -> None:
+    """Raises ObjectError where the ids cannot be written to the object's mesh."""
+    check_room(target, PIECE, "INT", "FACE", "what tells pieces apart")
+
+
+def read_piece_ids(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(f,) int32 of a mesh that is not in Edit Mode."""
+    check_attribute(mesh, PIECE, "INT", "FACE")
+    ids = np.zeros(len(mesh.polygons), dtype=np.int32)
+    if PIECE in mesh.attributes:
+        mesh.attributes[PIECE].data.foreach_get("value", ids)
+    return ids
+
+
+def write_piece_ids(mesh: bpy.types.Mesh, ids: np.ndarray) -> None:
+    """ids (f,) int32."""
+    attribute = mesh.attributes.get(PIECE) or mesh.attributes.new(PIECE, "INT", "FACE")
+    attribute.data.foreach_set("value", ids)
