@@ -44,17 +44,15 @@ struct Run {
 
 /// Seams along which a chart lies flat that has no good shape without. None where the user stops the run.
 std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const GoOn& go_on) {
-  return propose_seams(
-      chart, {[&](const Chart& piece) { return lies_flat(piece, run.options, go_on, run.tuning); },
-              [&] { return go_on("shape"); }});
+  return propose_seams(chart, {[&](const Chart& piece) { return lies_flat(piece, run.options, go_on, run.tuning); },
+                               [&] { return go_on("shape"); }});
 }
 
 /// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
-FlattenError explain_infeasible(const Chart& chart, const Run& run, const RefineResult& refined,
-                                const GoOn& go_on) {
+FlattenError explain_infeasible(const Chart& chart, const Run& run, const RefineResult& refined, const GoOn& go_on) {
   if (refined.was_stopped) return cancelled();
-  std::vector<ProposedTolerance> tolerances =
-      propose_tolerances(chart, run.options, refined, [&] { return go_on("shape"); }, run.tuning);
+  std::vector<ProposedTolerance> tolerances = propose_tolerances(
+      chart, run.options, refined, [&] { return go_on("shape"); }, run.tuning);
   if (!go_on("shape")) return cancelled();
   const bool ran_out = refined.shape.factorizations >= run.options.max_factorizations;
   if (tolerances.empty()) return infeasible_outline(chart, run.options, propose_seams(chart, run, go_on), ran_out);

@@ -26,8 +26,7 @@ TEST(Bugs, ARingIsToldEveryRemedy) {
   ASSERT_TRUE(error);
   EXPECT_EQ(error->code, ErrorCode::flipped_faces);
   EXPECT_EQ(error->elements.proposed_seams, (std::vector<VertexPair>{{begin, end}}));
-  for (const char* remedy :
-       {"mark seams, such as along edge", "add a seam or a dart there", "loosen a wire nearby"}) {
+  for (const char* remedy : {"mark seams, such as along edge", "add a seam or a dart there", "loosen a wire nearby"}) {
     EXPECT_NE(std::string(error->what()).find(remedy), std::string::npos) << remedy << " in: " << error->what();
   }
 }

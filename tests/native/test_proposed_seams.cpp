@@ -184,21 +184,20 @@ TEST_P(ProposedSeams, LeadToPiecesThatLieFlat) {
 
 INSTANTIATE_TEST_SUITE_P(
     Shapes, ProposedSeams,
-    testing::Values(Case{"cylinder", test::cylinder_tube(16, 8, 1, 4), ErrorCode::boundary_too_short, 1},
-                    Case{"cone", cone(16), ErrorCode::boundary_too_short, 1},
-                    Case{"sphere", closed_sphere(), ErrorCode::closed_chart, 2},
-                    Case{"tetrahedron", tetrahedron(), ErrorCode::closed_chart, 2},
-                    Case{"ball_with_a_small_hole", close_bottom(cap(16, 12, 0, kPi - 0.2), 16),
-                         ErrorCode::boundary_too_short, 2},
-                    Case{"ball_with_two_small_holes", cap(16, 12, 0.2, kPi - 0.2), ErrorCode::boundary_too_short, 2},
-                    Case{"cup", cup(16, 4), ErrorCode::boundary_too_short, 1},
-                    Case{"long_glove_finger", cup(12, 12), ErrorCode::boundary_too_short, 1},
-                    Case{"cube", cubes(1, 1, 1, [](int, int, int) { return true; }), ErrorCode::closed_chart, 2},
-                    Case{"long_box", cubes(9, 1, 1, [](int, int, int) { return true; }), ErrorCode::closed_chart, 1},
-                    Case{"torus", torus(20, 10), ErrorCode::closed_chart, 1},
-                    Case{"plate_with_two_handles",
-                         cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; }),
-                         ErrorCode::closed_chart, 1}),
+    testing::Values(
+        Case{"cylinder", test::cylinder_tube(16, 8, 1, 4), ErrorCode::boundary_too_short, 1},
+        Case{"cone", cone(16), ErrorCode::boundary_too_short, 1},
+        Case{"sphere", closed_sphere(), ErrorCode::closed_chart, 2},
+        Case{"tetrahedron", tetrahedron(), ErrorCode::closed_chart, 2},
+        Case{"ball_with_a_small_hole", close_bottom(cap(16, 12, 0, kPi - 0.2), 16), ErrorCode::boundary_too_short, 2},
+        Case{"ball_with_two_small_holes", cap(16, 12, 0.2, kPi - 0.2), ErrorCode::boundary_too_short, 2},
+        Case{"cup", cup(16, 4), ErrorCode::boundary_too_short, 1},
+        Case{"long_glove_finger", cup(12, 12), ErrorCode::boundary_too_short, 1},
+        Case{"cube", cubes(1, 1, 1, [](int, int, int) { return true; }), ErrorCode::closed_chart, 2},
+        Case{"long_box", cubes(9, 1, 1, [](int, int, int) { return true; }), ErrorCode::closed_chart, 1},
+        Case{"torus", torus(20, 10), ErrorCode::closed_chart, 1},
+        Case{"plate_with_two_handles", cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; }),
+             ErrorCode::closed_chart, 1}),
     name_of);
 
 TEST(ProposedSeamsOfATube, AreTheShortestPathBetweenItsLoops) {

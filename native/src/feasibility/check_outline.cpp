@@ -76,8 +76,8 @@ FlattenError outline_too_short(const Chart& chart, std::vector<VertexPair> propo
   const std::string message =
       "The piece around face " + std::to_string(chart.source_face.front()) + " (" +
       std::to_string(chart.source_face.size()) + " triangles) " + what_to_do(outline.loops.size()) +
-      such_as_along(proposed_seams) + "; " + name_outlines(chart, outline.loops) + " can hold no more than " + percent(share) + " of its area in the plane (a distortion of at least " +
-      number(least_shape_error(share)) + ").";
+      such_as_along(proposed_seams) + "; " + name_outlines(chart, outline.loops) + " can hold no more than " +
+      percent(share) + " of its area in the plane (a distortion of at least " + number(least_shape_error(share)) + ").";
   elements.proposed_seams = std::move(proposed_seams);
   return FlattenError(ErrorCode::boundary_too_short, message, std::move(elements));
 }

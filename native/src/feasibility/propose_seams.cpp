@@ -116,8 +116,7 @@ Division SeamSearch::divide(const Chart& chart, CutMask cut) const {
   }
   const double area = surface_area(chart.mesh);
   division.covered /= area;
-  division.price =
-      length_of_cut(chart.mesh, division.cut) / std::sqrt(area) + kPriceOfDistortion * distortion / area;
+  division.price = length_of_cut(chart.mesh, division.cut) / std::sqrt(area) + kPriceOfDistortion * distortion / area;
   return division;
 }
 

@@ -18,7 +18,7 @@ struct Layout {
   std::vector<PlacedHelperWire> helper_wires;
   PieceReport report;
   std::vector<VertexPair> proposed_seams;  // of a layout that is turned over or covers itself
-  std::optional<FlattenError> error;  // why there is no layout
+  std::optional<FlattenError> error;       // why there is no layout
 };
 
 /// Measures every layout. mirror: the layouts are handed over mirrored, and measured as seen from outside.
