@@ -61,4 +61,12 @@ std::optional<FlattenInput> reference_panel(const std::string& name, double tole
   return input;
 }
 
+std::vector<FlattenInput> reference_panels(const std::vector<std::string>& names, double tolerance) {
+  std::vector<FlattenInput> panels;
+  for (const std::string& name : names) {
+    if (const std::optional<FlattenInput> panel = reference_panel(name, tolerance)) panels.push_back(*panel);
+  }
+  return panels;
+}
+
 }  // namespace wirewarp::test

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "wirewarp/flatten.h"
 
@@ -11,5 +12,8 @@ namespace wirewarp::test {
 
 /// A panel with all its wires of one tolerance. Empty where the panels are not at hand.
 std::optional<FlattenInput> reference_panel(const std::string& name, double tolerance);
+
+/// Several. Empty where they are not at hand.
+std::vector<FlattenInput> reference_panels(const std::vector<std::string>& names, double tolerance);
 
 }  // namespace wirewarp::test
