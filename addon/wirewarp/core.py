@@ -12,6 +12,7 @@ import traceback
 from importlib.machinery import EXTENSION_SUFFIXES, PathFinder
 from pathlib import Path
 from types import ModuleType
+from typing import TYPE_CHECKING
 
 _INSIDE = "_core"
 _library: ModuleType | None = None
@@ -47,9 +48,28 @@ def load(addon_version: str) -> None:
 
 
 def library() -> ModuleType:
-    """The package wirewarp. Without it nothing that asks for it is registered."""
+    """The package wirewarp. Without it nothing that asks for it is imported."""
     assert _library
     return _library
+
+
+if TYPE_CHECKING:
+    from wirewarp import BoundaryReport as BoundaryReport
+    from wirewarp import Cache as Cache
+    from wirewarp import FlattenError as FlattenError
+    from wirewarp import FlattenResult as FlattenResult
+    from wirewarp import HelperWire as HelperWire
+    from wirewarp import Piece as Piece
+    from wirewarp import SeamReport as SeamReport
+    from wirewarp import Wire as Wire
+    from wirewarp import WireReport as WireReport
+else:
+
+    def __getattr__(name: str) -> object:
+        """The library's classes, as in `from ..core import Piece`."""
+        if name.startswith("_"):  # which Python asks every module for
+            raise AttributeError(name)
+        return getattr(library(), name)
 
 
 def folder_of(package: str) -> Path | None:

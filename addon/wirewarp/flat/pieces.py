@@ -3,11 +3,11 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 import bpy
 import numpy as np
 
+from ..core import FlattenResult
 from ..model.attributes import write_piece_ids
 from ..names import FACE_COUNT, PIECE, SOURCE_FACE
 from ..solve.arrays import MeshArrays
@@ -51,7 +51,7 @@ def with_new_names(
 
 def write_pieces(
     source: bpy.types.Object,
-    result: Any,  # noqa: ANN401
+    result: FlattenResult,
     arrays: MeshArrays,
     identities: Sequence[PieceIdentity],
     on_model: bool,

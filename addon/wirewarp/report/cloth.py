@@ -7,10 +7,10 @@ an ease of 0.1 is cloth taken in by a tenth.
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from ..core import Piece
 from ..pattern.chains import edge_keys
 from ..solve.arrays import MeshArrays
 
@@ -78,7 +78,7 @@ class PieceStrain:
     ease: np.ndarray  # (q,) from 0 to 1
 
 
-def piece_strain(piece: Any, arrays: MeshArrays) -> PieceStrain:  # noqa: ANN401
+def piece_strain(piece: Piece, arrays: MeshArrays) -> PieceStrain:
     """From the principal stretches of the map from flat to model, the singular values of its gradient."""
     flat = np.asarray(piece.vertices)[piece.faces]
     model = arrays.vertices[arrays.triangles[piece.source_face]]
@@ -98,12 +98,12 @@ def piece_strain(piece: Any, arrays: MeshArrays) -> PieceStrain:  # noqa: ANN401
     )
 
 
-def triangles_around(piece: Any, triangle: int) -> np.ndarray:  # noqa: ANN401
+def triangles_around(piece: Piece, triangle: int) -> np.ndarray:
     """The triangles (k,) of a piece that share a vertex with one of them, itself included."""
     return np.flatnonzero(np.isin(piece.faces, piece.faces[triangle]).any(axis=1))
 
 
-def connected_regions(piece: Any, members: np.ndarray) -> list[np.ndarray]:  # noqa: ANN401
+def connected_regions(piece: Piece, members: np.ndarray) -> list[np.ndarray]:
     """The triangles of the mask members (q,) in groups that hang together by edges of the piece."""
     triangles = np.flatnonzero(members)
     neighbors = _neighbors(np.asarray(piece.faces)[triangles], len(piece.vertices))

@@ -4,10 +4,10 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 
+from ..core import Piece
 from ..issues import Hint
 from ..pattern.chains import edge_keys
 from ..solve.arrays import MeshArrays, triangle_areas
@@ -40,7 +40,7 @@ class Region:
         return max(self.stretch, self.ease)
 
 
-def strain_hints(pieces: Sequence[Any], strains: Sequence[PieceStrain | None], arrays: MeshArrays) -> list[Hint]:
+def strain_hints(pieces: Sequence[Piece], strains: Sequence[PieceStrain | None], arrays: MeshArrays) -> list[Hint]:
     """Where the cloth is strained most, the worst first. strains: None for a piece that failed."""
     regions = [
         region
@@ -89,7 +89,7 @@ def wire_hints(wires: list[dict]) -> list[Hint]:
     ]
 
 
-def _regions(index: int, piece: Any, strain: PieceStrain, arrays: MeshArrays) -> list[Region]:  # noqa: ANN401
+def _regions(index: int, piece: Piece, strain: PieceStrain, arrays: MeshArrays) -> list[Region]:
     worst = np.maximum(strain.stretch, strain.ease)
     areas = triangle_areas(arrays.vertices, arrays.triangles[piece.source_face])
     return [

@@ -6,12 +6,13 @@ Every length stands twice: in Blender units under its name and in metres under i
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 
+from ..core import BoundaryReport, FlattenResult, HelperWire, Piece, SeamReport, WireReport
 from ..issues import Issue, note, warning
 from ..solve.arrays import MeshArrays
 from ..solve.flatten import issue_of_piece, polygons_of
@@ -32,7 +33,7 @@ METHOD_NAMES = {
 
 
 def object_report(
-    result: Any,  # noqa: ANN401
+    result: FlattenResult,
     arrays: MeshArrays,
     identities: Sequence[PieceIdentity],
     meters: float,
@@ -102,7 +103,7 @@ def _tolerance(tolerance: float) -> float | str:
     return "inf" if math.isinf(tolerance) else tolerance
 
 
-def _piece(piece: Any, arrays: MeshArrays, meters: float) -> dict:  # noqa: ANN401
+def _piece(piece: Piece, arrays: MeshArrays, meters: float) -> dict:
     metrics = piece.metrics
     aspect = metrics.face_aspect_ratio
     return {
@@ -135,11 +136,11 @@ def _piece(piece: Any, arrays: MeshArrays, meters: float) -> dict:  # noqa: ANN4
     }
 
 
-def _has_layout(piece: Any) -> bool:  # noqa: ANN401
+def _has_layout(piece: Piece) -> bool:
     return bool(np.isfinite(piece.vertices).all() and len(piece.vertices))
 
 
-def _strain(piece: Any, strain: PieceStrain | None, arrays: MeshArrays) -> dict:  # noqa: ANN401
+def _strain(piece: Piece, strain: PieceStrain | None, arrays: MeshArrays) -> dict:
     """The largest stretch and ease of the cloth, and the faces around the place where it is that."""
     found: dict[str, Any] = {}
     for name in ("stretch", "ease"):
@@ -150,7 +151,7 @@ def _strain(piece: Any, strain: PieceStrain | None, arrays: MeshArrays) -> dict:
     return found
 
 
-def _wire(wire: Any, meters: float) -> dict:  # noqa: ANN401
+def _wire(wire: WireReport, meters: float) -> dict:
     if str(wire.kind) == "super_elastic":
         kept = math.isfinite(wire.length_2d)  # nothing else is promised
     else:
@@ -167,11 +168,11 @@ def _wire(wire: Any, meters: float) -> dict:  # noqa: ANN401
     }
 
 
-def _helper(wire: Any, meters: float) -> dict:  # noqa: ANN401
+def _helper(wire: HelperWire, meters: float) -> dict:
     return {**lengths(wire.length_3d, [wire.length_2d], meters), "variation": number(wire.variation)}
 
 
-def _outline(chain: Any, meters: float) -> dict:  # noqa: ANN401
+def _outline(chain: BoundaryReport, meters: float) -> dict:
     return {
         "seam": chain.seam,
         "vertices": [int(vertex) for vertex in chain.vertices],
@@ -180,7 +181,7 @@ def _outline(chain: Any, meters: float) -> dict:  # noqa: ANN401
     }
 
 
-def _seam(index: int, seam: Any, failed: set, meters: float) -> dict:  # noqa: ANN401
+def _seam(index: int, seam: SeamReport, failed: set, meters: float) -> dict:
     sides = lengths(seam.length_3d, seam.length_2d, meters)
     within = all(percent is not None and abs(percent) <= 100 * LENGTH_LIMIT for percent in sides["percent"])
     return {
@@ -194,7 +195,7 @@ def _seam(index: int, seam: Any, failed: set, meters: float) -> dict:  # noqa: A
     }
 
 
-def lengths(length_3d: float, lengths_2d: Any, meters: float) -> dict:  # noqa: ANN401
+def lengths(length_3d: float, lengths_2d: Iterable[float], meters: float) -> dict:
     """The 3D length and, one per side, the 2D length, the difference (2D less 3D) and the percentage."""
     flat = [float(length) for length in lengths_2d]
     differences = [length - length_3d for length in flat]

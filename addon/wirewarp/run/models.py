@@ -5,8 +5,8 @@ import threading
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from types import ModuleType
-from typing import Any
 
+from ..core import Cache, FlattenResult
 from ..issues import Issue, ObjectError, warning
 from ..report.hints import torn_hints
 from ..report.report import failure_report, object_report
@@ -33,7 +33,7 @@ class Model:
     units: LengthText  # for sentences
     arrays: MeshArrays | None = None
     known: KnownPieces | None = None
-    solved: Any = None  # wirewarp.Cache, the pieces of the last run
+    solved: Cache | None = None  # wirewarp.Cache, the pieces of the last run
     issue: Issue | None = None  # why it cannot be flattened
 
 
@@ -43,7 +43,7 @@ class Outcome:
 
     model: Model
     report: dict
-    result: Any = None
+    result: FlattenResult | None = None
     identities: Sequence[PieceIdentity] = ()
     pieces: FlatMesh | None = None  # None: there is no layout to write
 
@@ -91,7 +91,7 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
     return outcome
 
 
-def _outcome(model: Model, result: Any, meters: float) -> Outcome:  # noqa: ANN401
+def _outcome(model: Model, result: FlattenResult, meters: float) -> Outcome:
     identities = identify_pieces(result, model.arrays, model.known, model.facts["object"])
     report = object_report(result, model.arrays, identities, meters)
     any_layout = bool(has_layout(result.corner_uv).any())

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Objects in Object Mode to models that can be solved without Blender; and whether they are still the same."""
 
-from typing import Any, Protocol
+from typing import Protocol
 
 import bpy
 import numpy as np
@@ -21,7 +21,7 @@ from ..words import LengthText, quoted
 from .models import Model
 from .targets import check_target
 
-_caches: dict[str, Any] = {}  # wirewarp.Cache by the object's full name
+_caches: dict[str, core.Cache] = {}  # wirewarp.Cache by the object's full name
 
 
 class RunSettings(Protocol):
@@ -98,7 +98,7 @@ def _read(
     return Model(source.name_full, facts, state, notes, units, arrays, known, solved, issue)
 
 
-def solved_pieces(source: bpy.types.Object) -> Any:  # noqa: ANN401
+def solved_pieces(source: bpy.types.Object) -> core.Cache:
     """The object's wirewarp.Cache. It may be used in a thread; what does not fit is not taken from it."""
     gone = _caches.keys() - {each.name_full for each in bpy.data.objects}
     for name in gone:

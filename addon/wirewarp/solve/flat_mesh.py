@@ -7,10 +7,10 @@ nothing else. Measures taken per triangle are put together per face: energies ad
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from ..core import FlattenResult
 from ..pattern.chains import EdgeMarks, edge_keys
 from .arrays import MeshArrays, triangle_areas
 from .flatten import has_layout
@@ -37,7 +37,7 @@ class FlatMesh:
     stretch: np.ndarray  # (f,) float32: 0.1 is cloth that the model stretches by 10 %, in the mean of all directions
 
 
-def flat_mesh(result: Any, arrays: MeshArrays, identities: Sequence[PieceIdentity]) -> FlatMesh:  # noqa: ANN401
+def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[PieceIdentity]) -> FlatMesh:
     """The pieces of a FlattenResult side by side, as packed."""
     vertices, source_vertex, flat_triangles, piece_of_triangle, energy, ratio = _join_pieces(result, arrays)
     placed = has_layout(result.corner_uv)
@@ -88,7 +88,7 @@ def edge_lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
     return np.sqrt(sum((column[a] - column[b]) ** 2 for column in columns))
 
 
-def _join_pieces(result: Any, arrays: MeshArrays) -> tuple[np.ndarray, ...]:  # noqa: ANN401
+def _join_pieces(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, ...]:
     """All pieces' vertices in one numbering, and per input triangle: its corners, piece, energy and aspect ratio."""
     count = len(arrays.triangles)
     flat_triangles = np.full((count, 3), -1, dtype=np.int32)

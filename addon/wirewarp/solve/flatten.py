@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
 from itertools import pairwise
 from types import ModuleType
-from typing import Any
 
 import numpy as np
 
+from ..core import Cache, FlattenError, FlattenResult, Piece, Wire
 from ..issues import Issue, LooserWire, ObjectError
 from ..pattern.chains import edge_keys
 from .arrays import MeshArrays, NamedWire
@@ -46,8 +46,8 @@ def flatten_arrays(
     arrays: MeshArrays,
     choices: FlattenChoices,
     progress: Progress,
-    solved: Any = None,  # noqa: ANN401
-) -> Any:  # noqa: ANN401
+    solved: Cache | None = None,
+) -> FlattenResult:
     """The library's FlattenResult; solved: a Cache with pieces that need not be solved again.
 
     Raises ObjectError if the mesh as a whole is refused.
@@ -79,7 +79,7 @@ def _grain_index(arrays: MeshArrays) -> int:
     return ids.index(arrays.grain_wire) if arrays.grain_wire in ids else -1
 
 
-def _library_wire(library: ModuleType, wire: NamedWire) -> Any:  # noqa: ANN401
+def _library_wire(library: ModuleType, wire: NamedWire) -> Wire:
     try:
         return library.Wire(wire.chain.vertices, tolerance=wire.chain.tolerance, name=wire.name)
     except library.FlattenError as error:  # knows neither the wire's name nor where it is
@@ -91,7 +91,7 @@ def _library_wire(library: ModuleType, wire: NamedWire) -> Any:  # noqa: ANN401
         raise ObjectError(Issue(str(error.code), sentence, edges=edges)) from error
 
 
-def issue_of_piece(piece: Any, index: int, arrays: MeshArrays) -> Issue:  # noqa: ANN401
+def issue_of_piece(piece: Piece, index: int, arrays: MeshArrays) -> Issue:
     """The error of a piece that has one, and every face of it that breaks a promise."""
     counted = [piece.source_face, piece.metrics.flipped_faces, piece.metrics.overlapping_faces]
     issue = issue_of_error(piece.error, arrays, [np.asarray(triangles) for triangles in counted])
@@ -99,7 +99,7 @@ def issue_of_piece(piece: Any, index: int, arrays: MeshArrays) -> Issue:  # noqa
     return replace(issue, piece=index, faces=sorted(bad))
 
 
-def issue_of_error(error: Any, arrays: MeshArrays, counted: Sequence[np.ndarray] = ()) -> Issue:  # noqa: ANN401
+def issue_of_error(error: FlattenError, arrays: MeshArrays, counted: Sequence[np.ndarray] = ()) -> Issue:
     """The library's error, its triangles named as the polygons they are part of.
 
     counted: the sets of triangles that the sentence may give the numbers of.

@@ -7,10 +7,10 @@ A piece is known again by the ids on the faces of the model, whatever its number
 import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from ..core import FlattenResult
 from .arrays import MeshArrays, area_vectors, faces_inward
 from .piece_names import numbered, region_names, side_names
 
@@ -41,7 +41,7 @@ class _Shape:
 
 
 def identify_pieces(
-    result: Any,  # noqa: ANN401
+    result: FlattenResult,
     arrays: MeshArrays,
     known: KnownPieces,
     model_name: str,
@@ -67,7 +67,7 @@ def identify_pieces(
     return [PieceIdentity(piece_id, name) for piece_id, name in zip(ids, names, strict=True)]
 
 
-def ids_by_face(result: Any, arrays: MeshArrays, identities: Sequence[PieceIdentity]) -> np.ndarray:  # noqa: ANN401
+def ids_by_face(result: FlattenResult, arrays: MeshArrays, identities: Sequence[PieceIdentity]) -> np.ndarray:
     """(f,) int32, for the model."""
     ids = np.zeros(len(arrays.polygon_starts), dtype=np.int32)
     for piece, identity in zip(result.pieces, identities, strict=True):
