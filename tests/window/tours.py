@@ -97,6 +97,7 @@ def auto_update_waits_for_a_tool() -> drive.Tour:
     yield from drive.press("RET", (x + 40, y + 20))
     yield from drive.move_mouse_until(lambda: source["wirewarp_report"] != report)
     yield lambda: not window_run.is_running()
+    assert drive.window_manager().operators[-1].name == "Move"  # it can still be adjusted
     yield from undo()
     yield lambda: bpy.data.objects["Bump"]["wirewarp_report"] == report
     assert bpy.context.mode == "EDIT_MESH"
