@@ -2,8 +2,11 @@
 #include "refine/fair_shape_error.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesh/geometry.h"
+#include "planar.h"
+#include "refine/log_barrier.h"
 
 namespace wirewarp {
 namespace {
@@ -12,7 +15,9 @@ using HatGradients = Eigen::Matrix<double, 2, 3>;
 using PerCorner = Eigen::Matrix<double, 2, 3>;
 
 constexpr double kOpen = 0.7;                 // |z| of a triangle that is not much compressed
-constexpr double kSmallestDeterminant = 0.1;  // where the barrier begins
+constexpr double kSmallestDeterminant = 0.1;  // where the barrier begins: beyond what any good piece has
+constexpr double kFiniteWeight = 10;          // ω: a triangle without area costs as much as one shrunk by a third
+constexpr double kInfiniteWeight = 0.1;       // κ: ω ⅒², so that both barriers begin alike
 
 double kappa(double norm_z, Curvature curvature) {
   const double exact = norm_z > 0 ? 2 / norm_z : 1;  // norm_z is 2 |z|
@@ -50,16 +55,33 @@ Eigen::Matrix2d conjugate_product(const HatGradients& g, int i, int j) {
 
 }  // namespace
 
-FairShapeError::FairShapeError(const Chart& chart, const WireNetwork& network, double fairness)
-    : shape_error_(chart), bending_(chart, network, fairness, surface_area(chart.mesh)) {}
+FairShapeError::FairShapeError(const Chart& chart, const WireNetwork& network, double fairness, Injectivity injectivity,
+                               const Positions2& layout)
+    : shape_error_(chart),
+      bending_(chart, network, fairness, surface_area(chart.mesh)),
+      injectivity_(injectivity) {
+  if (injectivity == Injectivity::global) outline_barrier_.emplace(chart, layout);
+}
+
+/// Of a determinant below the smallest.
+FairShapeError::FlipBarrier FairShapeError::flip_barrier(double determinant) const {
+  if (injectivity_ == Injectivity::none) {
+    const double lack = kSmallestDeterminant - determinant;
+    return {kFiniteWeight * lack * lack, -2 * kFiniteWeight * lack, 2 * kFiniteWeight};
+  }
+  const LogBarrier barrier(determinant / kSmallestDeterminant);
+  return {kInfiniteWeight * barrier.value, kInfiniteWeight / kSmallestDeterminant * barrier.slope,
+          kInfiniteWeight / (kSmallestDeterminant * kSmallestDeterminant) * barrier.curvature};
+}
 
 double FairShapeError::value(const Positions2& uv) const {
   double barrier = 0;
   for (const ShapeError::Triangle& t : shape_error_.triangles()) {
-    const double lack = kSmallestDeterminant - ShapeError::map_of(t, uv).determinant();
-    if (lack > 0) barrier += t.area * lack * lack;
+    const double determinant = ShapeError::map_of(t, uv).determinant();
+    if (determinant < kSmallestDeterminant) barrier += t.area * flip_barrier(determinant).value;
   }
-  return shape_error_.energy(uv) + bending_.value(uv) + flip_weight_ * barrier;
+  if (outline_barrier_) barrier += outline_barrier_->value(uv);
+  return shape_error_.energy(uv) + bending_.value(uv) + barrier;
 }
 
 double FairShapeError::value_and_gradient(const Positions2& uv, Positions2& gradient) const {
@@ -67,13 +89,14 @@ double FairShapeError::value_and_gradient(const Positions2& uv, Positions2& grad
   double barrier = 0;
   for (const ShapeError::Triangle& t : shape_error_.triangles()) {
     const ShapeError::LinearMap map = ShapeError::map_of(t, uv);
-    const double lack = kSmallestDeterminant - map.determinant();
-    if (lack <= 0) continue;
-    barrier += t.area * lack * lack;
-    const PerCorner by_corner = -2 * flip_weight_ * t.area * lack * determinant_gradient(t.hat_gradients(), map);
+    if (map.determinant() >= kSmallestDeterminant) continue;
+    const FlipBarrier of_triangle = flip_barrier(map.determinant());
+    barrier += t.area * of_triangle.value;
+    const PerCorner by_corner = t.area * of_triangle.slope * determinant_gradient(t.hat_gradients(), map);
     for (int i = 0; i < 3; ++i) gradient.row(t.vertices[i]) += by_corner.col(i).transpose();
   }
-  return energy + bending_.add_gradient(uv, gradient) + flip_weight_ * barrier;
+  if (outline_barrier_) barrier += outline_barrier_->add_gradient(uv, gradient);
+  return energy + bending_.add_gradient(uv, gradient) + barrier;
 }
 
 double FairShapeError::value_of_rounding(double error) const {
@@ -90,12 +113,30 @@ int FairShapeError::count_flips(const Positions2& uv) const {
   return flips;
 }
 
+/// Each area is a quadratic function a + bt + ct² of the share t, positive at 0.
+double FairShapeError::longest_step(const Positions2& uv, const Positions2& d) const {
+  if (injectivity_ == Injectivity::none) return 1;
+  double longest = outline_barrier_ ? outline_barrier_->longest_step(uv, d) : 1;
+  for (const ShapeError::Triangle& t : shape_error_.triangles()) {
+    const auto side = [&](const Positions2& of, int k) -> Eigen::Vector2d {
+      return of.row(t.vertices[k]) - of.row(t.vertices[0]);
+    };
+    const Eigen::Vector2d e1 = side(uv, 1), e2 = side(uv, 2), d1 = side(d, 1), d2 = side(d, 2);
+    const double a = cross(e1, e2), b = cross(e1, d2) + cross(d1, e2), c = cross(d1, d2);
+    const double discriminant = b * b - 4 * a * c;
+    const double q = discriminant >= 0 ? std::sqrt(discriminant) - b : 0;
+    if (q > 0) longest = std::min(longest, 2 * a / q);
+  }
+  return longest;
+}
+
 void FairShapeError::list_pairs(std::vector<VertexPair>& pairs) const {
   pairs.reserve(pairs.size() + 3 * shape_error_.triangles().size());
   for (const ShapeError::Triangle& t : shape_error_.triangles()) {
     for (int i = 0; i < 3; ++i) pairs.push_back({t.vertices[i], t.vertices[(i + 1) % 3]});
   }
   bending_.list_pairs(pairs);
+  if (outline_barrier_) outline_barrier_->list_pairs(pairs);
 }
 
 void FairShapeError::attach_to(const VertexMatrix& hessian) {
@@ -146,19 +187,19 @@ void FairShapeError::add_curvature(const Positions2& uv, Curvature curvature, Ve
       add_triangle(i, hessian,
                    [&](int a, int b) -> Eigen::Matrix2d { return factor * s.col(a) * s.col(b).transpose(); });
     }
-    const double lack = kSmallestDeterminant - map.determinant();
-    if (lack <= 0) continue;
+    if (map.determinant() >= kSmallestDeterminant) continue;
     const PerCorner by_corner = determinant_gradient(g, map);
-    const double weight = flip_weight_ * t.area;
+    const FlipBarrier barrier = flip_barrier(map.determinant());
     add_triangle(i, hessian, [&](int a, int b) -> Eigen::Matrix2d {
-      Eigen::Matrix2d bend = weight * lack * conjugate_product(g, a, b);
+      Eigen::Matrix2d bend = -t.area / 2 * barrier.slope * conjugate_product(g, a, b);
       if (curvature == Curvature::exact) {
         bend(0, 1) *= 2, bend(1, 0) *= 2;
         bend(0, 0) = bend(1, 1) = 0;
       }
-      return 2 * weight * by_corner.col(a) * by_corner.col(b).transpose() + bend;
+      return t.area * barrier.curvature * by_corner.col(a) * by_corner.col(b).transpose() + bend;
     });
   }
+  if (outline_barrier_) outline_barrier_->add_hessian(uv, hessian);
 }
 
 }  // namespace wirewarp

@@ -2,7 +2,12 @@
 // What the refined method minimizes: the shape error of Eq. (4) and the fairness of the wires, and a barrier against
 // flips that is silent on ordinary pieces.
 //
-//   f(u) = E(u) + F(u) + Σ_t ω A max(0, ⅒ − det J)²       E: arap/shape_error.h, F: refine/bending.h
+//   f(u) = E(u) + F(u) + Σ_t A β(det J)                   E: arap/shape_error.h, F: refine/bending.h
+//
+//   β(x) = ω max(0, ⅒ − x)²      finite: what the quick way to the minimum may go through
+//   β(x) = κ b(x / ⅒)            infinite where x <= 0, refine/log_barrier.h; to it belongs a step that ends where the
+//                                first triangle turns over (J. Smith, S. Schaefer, Bijective parameterization with
+//                                free boundaries, ACM Transactions on Graphics 34 (2015), article 70)
 //
 // Hessian of E, with the hat gradients g_i of a triangle as complex numbers and s_i = g_i · i ẑ:
 //
@@ -10,12 +15,15 @@
 //   indefinite
 //
 // The first term is the constant Laplacian. With det J = |z|² − |w|² the barrier has ∇_i det = g_i z − ḡ_i w, and its
-// Hessian without the term that could make it indefinite is 2ωA ∇det ∇detᵀ + ωA (⅒ − det J) M(ḡ_i g_j), M(a + ib) the
-// matrix of multiplication by a + ib.
+// Hessian without the term that could make it indefinite is A β″ ∇det ∇detᵀ − ½ A β′ M(ḡ_i g_j), M(a + ib) the matrix of
+// multiplication by a + ib.
 #pragma once
+
+#include <optional>
 
 #include "arap/shape_error.h"
 #include "refine/bending.h"
+#include "refine/outline_barrier.h"
 
 namespace wirewarp {
 
@@ -27,16 +35,21 @@ enum class Curvature {
   none,              // κ = 0: the Laplacian
 };
 
+/// What no step may lead to.
+enum class Injectivity {
+  none,    // anything goes, flips at a price
+  local,   // no triangle turns over
+  global,  // nor does the outline cross itself: no two points of the piece are in one place
+};
+
 class FairShapeError {
  public:
-  /// network: of all wires but super-elastic ones.
-  FairShapeError(const Chart& chart, const WireNetwork& network, double fairness);
+  /// network: of all wires but super-elastic ones. layout: of Injectivity::global, one row per chart vertex; the Hessian
+  /// knows the parts of the outline that are near each other there.
+  FairShapeError(const Chart& chart, const WireNetwork& network, double fairness,
+                 Injectivity injectivity = Injectivity::none, const Positions2& layout = {});
 
-  /// ω: 10 to begin with.
-  double flip_weight() const { return flip_weight_; }
-  void set_flip_weight(double weight) { flip_weight_ = weight; }
-
-  /// f, scene units squared. uv: one row per chart vertex.
+  /// f, scene units squared; infinite where the injectivity is lost. uv: one row per chart vertex.
   double value(const Positions2& uv) const;
   double value_and_gradient(const Positions2& uv, Positions2& gradient) const;
 
@@ -45,6 +58,12 @@ class FairShapeError {
 
   /// Triangles turned over or without area.
   int count_flips(const Positions2& uv) const;
+
+  /// The share of the step d from uv, at most 1, after which the injectivity is first lost.
+  double longest_step(const Positions2& uv, const Positions2& d) const;
+
+  /// Whether the Hessian knows all parts of the outline that are near each other.
+  bool covers_contacts(const Positions2& uv) const { return !outline_barrier_ || outline_barrier_->covers_contacts(uv); }
 
   /// The vertices that the Hessian couples.
   void list_pairs(std::vector<VertexPair>& pairs) const;
@@ -65,12 +84,18 @@ class FairShapeError {
     VertexMatrix::Block off_diagonal[3];  // (0, 1), (0, 2), (1, 2) in this order
   };
 
+  struct FlipBarrier {
+    double value, slope, curvature;  // β, β′, β″
+  };
+
+  FlipBarrier flip_barrier(double determinant) const;
   template <class BlockOf>
   void add_triangle(std::size_t t, VertexMatrix& hessian, const BlockOf& block_of) const;
 
   ShapeError shape_error_;
   Bending bending_;
-  double flip_weight_ = 10;
+  Injectivity injectivity_;
+  std::optional<OutlineBarrier> outline_barrier_;
   std::vector<TriangleBlocks> blocks_;
 };
 

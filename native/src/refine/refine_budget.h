@@ -20,6 +20,7 @@ class RefineBudget {
   RefineBudget(const Options& options, const GoOn& go_on)
       : fairness_(options.fairness), max_factorizations_(options.max_factorizations), go_on_(go_on) {}
 
+  double fairness() const { return fairness_; }
   bool was_stopped() const { return was_stopped_; }
   bool ran_out() const { return was_stopped_ || factorizations_ >= max_factorizations_; }
   int factorizations() const { return factorizations_; }
@@ -32,11 +33,17 @@ class RefineBudget {
     };
   }
 
+  /// What is left, for a shape with that injectivity.
+  RefinementLimits limits(int max_factorizations = kNoLimit, Injectivity injectivity = Injectivity::none) {
+    return {std::min(max_factorizations, max_factorizations_ - factorizations_), asking("shape"), injectivity};
+  }
+
+  void count(int factorizations) { factorizations_ += factorizations; }
+
   RefinedShape refine(const Chart& chart, const WireNetwork& network, const RefinementStart& start,
-                      int max_factorizations = kNoLimit) {
-    const int most = std::min(max_factorizations, max_factorizations_ - factorizations_);
-    RefinedShape shape = refine_shape(chart, network, fairness_, start, {most, asking("shape")});
-    factorizations_ += shape.factorizations;
+                      int max_factorizations = kNoLimit, Injectivity injectivity = Injectivity::none) {
+    RefinedShape shape = refine_shape(chart, network, fairness_, start, limits(max_factorizations, injectivity));
+    count(shape.factorizations);
     return shape;
   }
 

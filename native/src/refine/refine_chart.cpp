@@ -10,6 +10,7 @@
 #include "arap/free_boundary_arap.h"
 #include "outer/choose_variation.h"
 #include "refine/coarse_start.h"
+#include "refine/injective_shape.h"
 #include "refine/open_slits.h"
 #include "refine/project_to_lengths.h"
 #include "refine/refine_budget.h"
@@ -93,6 +94,11 @@ RefineResult try_all_starts(const Chart& chart, const WireNetwork& held_network,
   }
   if (attempts.was_stopped()) return result;
 
+  if (goal == Goal::least_distortion) {
+    result.shape = refine_injectively(chart, held_network, Injectivity::local, attempts);
+    if (result.shape.is_exact || attempts.was_stopped()) return result;
+  }
+
   result.loose = relax_lengths(chart, held_network, options.fairness, free, attempts.asking("shape"));
   if (attempts.was_stopped()) return result;
   const bool is_tight =
@@ -147,7 +153,9 @@ RefinedShape refine_with_slits(const Chart& chart, const WireNetwork& held_netwo
 RefineResult refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const Options& options,
                                  const GoOn& go_on) {
   RefineBudget attempts(options, go_on);
-  return finish(try_all_starts(chart, held_network, options, Goal::least_distortion, attempts), attempts);
+  RefineResult result = try_all_starts(chart, held_network, options, Goal::least_distortion, attempts);
+  result.shape = make_injective(chart, held_network, std::move(result.shape), attempts);
+  return finish(std::move(result), attempts);
 }
 
 RefineResult reach_exact_lengths(const Chart& chart, Options options, const GoOn& go_on) {
@@ -166,6 +174,7 @@ RefineResult refine_chart(const Chart& chart, const Options& options, const GoOn
   if (!result.shape.is_exact && !attempts.was_stopped()) {
     result = refine_whole(chart, held_network, options, tuning, attempts);
   }
+  result.shape = make_injective(chart, held_network, std::move(result.shape), attempts);
   return finish(std::move(result), attempts);
 }
 

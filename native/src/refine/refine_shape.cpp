@@ -28,7 +28,7 @@ constexpr int kMaxKrylovSize = 15;
 constexpr double kNear = 1e-2;      // slope of a Newton step over f, so small that the factor stays good
 constexpr double kMuchLess = 1e-2;  // slope of a step with the same factor, over that of the one before
 constexpr double kFlat = 1e-4;      // negative curvature over that of the convex part which is not worth a step
-constexpr double kStrongestBarrier = 1000;
+constexpr int kPatience = 30;       // factorizations after which triangles turned over are not expected to open
 
 constexpr Convexity kExactHessian{Curvature::exact, true};
 constexpr Convexity kOpenHessian{Curvature::exact_where_open, true};
@@ -47,7 +47,7 @@ class Refinement {
 
   bool factorize_at_start();
   bool reach_exact_lengths();
-  void minimize_without_flips();
+  void minimize();
   RefinedShape shape(const Chart& chart) const;
 
  private:
@@ -64,7 +64,9 @@ class Refinement {
   };
   enum class Outcome { accepted, rejected, not_positive, converged };
 
-  void minimize();
+  bool stays_flipped() const {
+    return system_.num_factorizations() >= kPatience && objective_.count_flips(now_.uv) > 0;
+  }
   bool may_go_on() const { return system_.num_factorizations() < limits_.max_factorizations && limits_.go_on(); }
   double isometric() const { return std::max(kIsometric * area_, rounding_); }
   double worthwhile() const { return std::max(kWorthwhile * now_.value, isometric()); }
@@ -102,7 +104,7 @@ class Refinement {
 Refinement::Refinement(const Chart& chart, const WireNetwork& network, double fairness, const RefinementStart& start,
                        const RefinementLimits& limits)
     : constraints_(chart, network),
-      objective_(chart, network, fairness),
+      objective_(chart, network, fairness, limits.injectivity, start.uv),
       system_(chart, objective_, constraints_, start.uv),
       limits_(limits),
       area_(surface_area(chart.mesh)),
@@ -146,10 +148,11 @@ Refinement::Step Refinement::newton_step() const {
   return step;
 }
 
-/// Takes the trial to exact lengths; false where that fails.
+/// Takes the trial to exact lengths; false where that fails, or something forbidden lies on the way.
 bool Refinement::evaluate(Iterate& trial) const {
   trial.variation = trial.variation.cwiseMax(-tolerance_).cwiseMin(tolerance_);
   if (!retract_to_lengths(constraints_, system_, trial.variation, trial.uv)) return false;
+  if (objective_.longest_step(now_.uv, trial.uv - now_.uv) < 1) return false;
   trial.value = objective_.value(trial.uv);
   return true;
 }
@@ -302,22 +305,12 @@ Refinement::Outcome Refinement::take_step() {
 void Refinement::minimize() {
   const auto is_isometric = [&] { return now_.value <= isometric(); };  // no step takes off more than all
   Outcome outcome = Outcome::accepted;
-  while (outcome == Outcome::accepted && !is_isometric() && may_go_on()) {
+  while (outcome == Outcome::accepted && !is_isometric() && !stays_flipped() && may_go_on()) {
     now_.value = objective_.value_and_gradient(now_.uv, gradient_);
     ++iterations_;
     outcome = take_step();
   }
   converged_ = outcome == Outcome::converged || is_isometric();
-}
-
-/// Minimizes, with a stronger barrier as long as triangles are turned over.
-void Refinement::minimize_without_flips() {
-  minimize();
-  while (objective_.flip_weight() < kStrongestBarrier && may_go_on() && objective_.count_flips(now_.uv) > 0) {
-    objective_.set_flip_weight(10 * objective_.flip_weight());
-    is_positive_ = true;
-    minimize();
-  }
 }
 
 RefinedShape Refinement::shape(const Chart& chart) const {
@@ -343,7 +336,7 @@ RefinedShape Refinement::shape(const Chart& chart) const {
 RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double fairness, const RefinementStart& start,
                           const RefinementLimits& limits) {
   Refinement refinement(chart, network, fairness, start, limits);
-  if (refinement.reach_exact_lengths()) refinement.minimize_without_flips();
+  if (refinement.reach_exact_lengths()) refinement.minimize();
   return refinement.shape(chart);
 }
 

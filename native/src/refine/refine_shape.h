@@ -13,6 +13,7 @@
 
 #include "charts/chart.h"
 #include "network/wire_network.h"
+#include "refine/fair_shape_error.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
@@ -32,6 +33,7 @@ struct RefinedShape {
 struct RefinementLimits {
   int max_factorizations;
   std::function<bool()> go_on;  // asked before each factorization; false: stop at the iterate at hand
+  Injectivity injectivity = Injectivity::none;  // of all iterates, the start included
 };
 
 /// Where to begin: far from the minimum, where lengths may be out by half, or with multipliers near it.
@@ -44,7 +46,8 @@ struct RefinementStart {
 };
 
 /// network: of all wires but super-elastic ones. fairness: shortest wiggle of wires that is left alone, over the square
-/// root of the area. Not exact where the start is too far from exact lengths for one step.
+/// root of the area. Not exact where the start is too far from exact lengths for one step. Where flips are not forbidden
+/// and stay, it gives up.
 RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double fairness, const RefinementStart& start,
                           const RefinementLimits& limits);
 

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/injective_start.h"
+
+#include <cmath>
+#include <utility>
+
+#include "mesh/geometry.h"
+#include "network/length_variation.h"
+#include "optimize/box_quadratic.h"
+#include "refine/newton_system.h"
+#include "refine/retract_to_lengths.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kFirstStiffness = 1;  // of ρ l / √area: a strain of 1 costs what one of the surface nearby does
+constexpr double kStiffening = 4;      // of ρ, where lengths do not become four times as good
+constexpr double kStiffest = 1e6;      // beyond, rounding spoils the steps
+constexpr int kStepsPerMultiplier = 5;  // at most: λ far from its end needs no minimum
+constexpr double kEnough = 1e-2;        // slope over Φ from where on the minimum is near enough for the next λ
+constexpr double kSufficient = 1e-4;    // share of the promised decrease that a step must bring
+constexpr double kShortestStep = 1e-9;
+constexpr double kInside = 0.9;      // of the way to where the injectivity is lost
+constexpr double kRetractable = 1e-3;  // error of lengths that are tried to be made exact at once; then a tenth each time
+
+class MultiplierMethod {
+ public:
+  MultiplierMethod(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& map,
+                   Injectivity injectivity);
+
+  bool reach_exact_lengths(const RefinementLimits& limits);
+  RefinementStart start() const { return {now_.uv, multipliers_}; }
+  int factorizations() const { return factorizations_ + system_->num_factorizations(); }
+
+ private:
+  struct Iterate {
+    Positions2 uv;
+    Eigen::VectorXd variation;  // h of the elastic parts
+  };
+  struct Step {
+    Positions2 d;
+    Eigen::VectorXd variation;  // Δh
+    double slope;               // of Φ along the step
+  };
+  enum class Outcome { near_minimum, on_the_way, stuck };
+
+  void linearize_near(const Positions2& uv);
+  Eigen::VectorXd residual(const Iterate& iterate) const {
+    return constraints_.residual(iterate.uv, iterate.variation);
+  }
+  double length_error() const { return constraints_.largest_error(residual(now_)); }
+  double value(const Iterate& iterate) const;
+  std::optional<Step> newton_step();
+  Outcome take_step();
+  void update_multipliers();
+  bool retract();
+
+  const Chart& chart_;
+  const WireNetwork& network_;
+  double fairness_;
+  Injectivity injectivity_;
+  LengthConstraints constraints_;
+  const Eigen::SparseMatrix<double>& lengths_;  // T
+  Eigen::VectorXd tolerance_;                   // ε of the elastic parts
+  std::optional<FairShapeError> objective_;
+  std::optional<NewtonSystem> system_;
+  Eigen::VectorXd holding_stiffness_;  // ρ that holds lengths in a retraction
+  int factorizations_ = 0;             // of systems before
+
+  Iterate now_;
+  Eigen::VectorXd multipliers_;  // λ
+  Eigen::VectorXd unit_;         // √area / l
+  double stiffness_ = kFirstStiffness;
+  double error_before_ = 0;  // |c| when λ was last updated; 0: never
+};
+
+MultiplierMethod::MultiplierMethod(const Chart& chart, const WireNetwork& network, double fairness,
+                                   const Positions2& map, Injectivity injectivity)
+    : chart_(chart),
+      network_(network),
+      fairness_(fairness),
+      injectivity_(injectivity),
+      constraints_(chart, network),
+      lengths_(constraints_.elastic_lengths()),
+      multipliers_(Eigen::VectorXd::Zero(constraints_.size())) {
+  tolerance_.resize(constraints_.num_elastic());
+  for (int w = 0; w < constraints_.num_elastic(); ++w) {
+    tolerance_[w] = chart.wire_parts[constraints_.elastic_parts()[w]].tolerance;
+  }
+  now_ = {map, length_variation(chart, map)(constraints_.elastic_parts()).cwiseMax(-tolerance_).cwiseMin(tolerance_)};
+  const double size = std::sqrt(surface_area(chart.mesh));
+  unit_.resize(constraints_.size());
+  for (int e = 0; e < constraints_.size(); ++e) unit_[e] = size / constraints_.edges()[e].length;
+  linearize_near(map);
+}
+
+/// A system whose Hessian knows the parts of the outline that are near each other.
+void MultiplierMethod::linearize_near(const Positions2& uv) {
+  if (system_) factorizations_ += system_->num_factorizations();
+  system_.reset();
+  objective_.emplace(chart_, network_, fairness_, injectivity_, uv);
+  system_.emplace(chart_, *objective_, constraints_, uv);
+  holding_stiffness_ = system_->stiffness();
+}
+
+double MultiplierMethod::value(const Iterate& iterate) const {
+  const Eigen::VectorXd c = residual(iterate);
+  return objective_->value(iterate.uv) + multipliers_.dot(c) + stiffness_ / 2 * c.dot(unit_.cwiseProduct(c));
+}
+
+/// With d eliminated a quadratic program in Δh is left: how ρ and the surface resist, and what the forces pull.
+std::optional<MultiplierMethod::Step> MultiplierMethod::newton_step() {
+  const Eigen::VectorXd stiffness = stiffness_ * unit_;
+  const Eigen::VectorXd forces = multipliers_ + stiffness.cwiseProduct(residual(now_));
+  system_->set_stiffness(stiffness);
+  if (!system_->factorize(now_.uv, forces, {Curvature::convex, false})) return std::nullopt;
+  Positions2 gradient;
+  objective_->value_and_gradient(now_.uv, gradient);
+  const Positions2& directions = system_->directions();
+  constraints_.add_transposed(directions, forces, gradient);
+  Step step{system_->apply_inverse(-gradient), Eigen::VectorXd::Zero(constraints_.num_elastic()), 0};
+  if (constraints_.num_elastic() > 0) {
+    const Eigen::VectorXd pull =
+        lengths_.transpose() * (forces + stiffness.cwiseProduct(constraints_.apply(directions, step.d)));
+    step.variation = minimize_quadratic_in_box(-pull, make_positive(system_->stiffness_by_variation()),
+                                               -tolerance_ - now_.variation, tolerance_ - now_.variation);
+    step.d += system_->finish(system_->least_change(lengths_ * step.variation));
+  }
+  step.slope = (gradient.array() * step.d.array()).sum() - forces.dot(lengths_ * step.variation);
+  return step;
+}
+
+MultiplierMethod::Outcome MultiplierMethod::take_step() {
+  const std::optional<Step> step = newton_step();
+  if (!step) return Outcome::stuck;
+  const double before = value(now_), longest = objective_->longest_step(now_.uv, step->d);
+  for (double t = longest < 1 ? kInside * longest : 1; t > kShortestStep; t /= 2) {
+    Iterate trial{now_.uv + t * step->d, now_.variation + t * step->variation};
+    if (!(value(trial) <= before + kSufficient * t * step->slope)) continue;
+    now_ = std::move(trial);
+    return t >= 0.5 && -step->slope < kEnough * std::abs(before) ? Outcome::near_minimum : Outcome::on_the_way;
+  }
+  return -step->slope < kEnough * std::abs(before) ? Outcome::near_minimum : Outcome::stuck;
+}
+
+void MultiplierMethod::update_multipliers() {
+  const Eigen::VectorXd c = residual(now_);
+  multipliers_ += stiffness_ * unit_.cwiseProduct(c);
+  const double error = c.norm();
+  if (error_before_ > 0 && error > error_before_ / kStiffening && stiffness_ < kStiffest) stiffness_ *= kStiffening;
+  error_before_ = error;
+}
+
+/// To exact lengths by the least change, if nothing is in the way.
+bool MultiplierMethod::retract() {
+  system_->set_stiffness(holding_stiffness_);
+  if (!system_->factorize(now_.uv, multipliers_, {Curvature::convex, false})) return false;
+  Positions2 exact = now_.uv;
+  if (!retract_to_lengths(constraints_, *system_, now_.variation, exact)) return false;
+  if (objective_->longest_step(now_.uv, exact - now_.uv) < 1) return false;
+  now_.uv = std::move(exact);
+  return true;
+}
+
+bool MultiplierMethod::reach_exact_lengths(const RefinementLimits& limits) {
+  const auto may_go_on = [&] { return factorizations() < limits.max_factorizations && limits.go_on(); };
+  double retractable = kRetractable;
+  for (int steps = 1; may_go_on(); ++steps) {
+    if (!objective_->covers_contacts(now_.uv)) linearize_near(now_.uv);
+    const Outcome outcome = take_step();
+    if (outcome == Outcome::stuck) return false;
+    if (const double error = length_error(); error < retractable && may_go_on()) {
+      if (retract()) return true;
+      retractable = error / 10;
+    }
+    if (outcome == Outcome::near_minimum || steps == kStepsPerMultiplier) {
+      update_multipliers();
+      steps = 0;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+InjectiveStart injective_start(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& map,
+                               const RefinementLimits& limits) {
+  MultiplierMethod method(chart, network, fairness, map, limits.injectivity);
+  InjectiveStart result;
+  if (method.reach_exact_lengths(limits)) result.start = method.start();
+  result.factorizations = method.factorizations();
+  return result;
+}
+
+}  // namespace wirewarp
