@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "dense_algebra.h"
@@ -110,15 +111,47 @@ TEST_F(FairShapeErrorOnASaddle, RoundingCostsHalfTheTraceOfTheConstantHessian) {
   EXPECT_NEAR(objective.value_of_rounding(error), expected, 1e-12 * expected);
 }
 
-TEST_F(FairShapeErrorOnASaddle, TheBarrierCountsByItsWeightAndIsSilentOnOpenTriangles) {
+TEST_F(FairShapeErrorOnASaddle, BarriersAreSilentOnOpenTrianglesAndOneIsInfiniteOnTurnedOnes) {
+  const FairShapeError injective(chart, network, 0.2, Injectivity::local);
   const Positions2 flat = test::planar_positions(chart), turned = layout(1);
   ASSERT_GT(objective.count_flips(turned), 0);
-  const double light = objective.value(turned), open = objective.value(flat);
-  objective.set_flip_weight(20);
-  const double heavy = objective.value(turned);
-  objective.set_flip_weight(40);
-  EXPECT_NEAR(objective.value(turned) - heavy, 2 * (heavy - light), 1e-12 * heavy);
-  EXPECT_EQ(objective.value(flat), open);
+  EXPECT_EQ(injective.value(flat), objective.value(flat));
+  EXPECT_TRUE(std::isfinite(objective.value(turned)));
+  EXPECT_EQ(injective.value(turned), std::numeric_limits<double>::infinity());
+}
+
+/// Squeezed to determinants from 0.01 to 0.09, where the infinite barrier works.
+TEST_F(FairShapeErrorOnASaddle, DerivativesOfTheInfiniteBarrierEqualDifferences) {
+  objective = FairShapeError(chart, network, 0.2, Injectivity::local);
+  const Positions2 flat = test::planar_positions(chart);
+  const Positions2 uv = flat * Eigen::Vector2d(1, 0.05).asDiagonal() + 1e-3 * random_positions(flat.rows(), 5);
+  const Positions2 d = random_positions(flat.rows(), 6);
+  ASSERT_TRUE(std::isfinite(objective.value(uv)));
+  const double step = 1e-6;
+  Positions2 gradient, ahead, behind;
+  objective.value_and_gradient(uv, gradient);
+  const double slope = (objective.value(uv + step * d) - objective.value(uv - step * d)) / (2 * step);
+  EXPECT_NEAR(dot(gradient, d), slope, 1e-5 * std::abs(slope));
+  objective.value_and_gradient(uv + step * d, ahead);
+  objective.value_and_gradient(uv - step * d, behind);
+  const Eigen::VectorXd change = (ahead - behind).reshaped<Eigen::RowMajor>() / (2 * step);
+  const Eigen::VectorXd expected = hessian(uv, Curvature::exact) * d.reshaped<Eigen::RowMajor>();
+  EXPECT_LT((change - expected).norm(), 1e-4 * expected.norm());
+  EXPECT_GT(test::eigenvalues(hessian(uv, Curvature::convex)).minCoeff(), 0);
+}
+
+TEST(FairShapeError, AStepEndsWhereTheFirstTriangleTurnsOver) {
+  const Charts charts = test::charts_of(test::flat_rectangle(1, 1, 1, 1));  // cut from (0, 0) to (1, 1)
+  const Chart& chart = charts.charts.at(0);
+  const WireNetwork network = build_held_network(chart);
+  const Positions2 uv = test::planar_positions(chart);
+  Positions2 d = Positions2::Zero(4, 2);
+  d.row(1) << -1, 1;  // of the corner (1, 0), onto the diagonal half way
+  const FairShapeError injective(chart, network, 0.1, Injectivity::local);
+  EXPECT_NEAR(injective.longest_step(uv, d), 0.5, 1e-15);
+  EXPECT_EQ(injective.longest_step(uv, 0.4 * d), 1);
+  EXPECT_EQ(injective.longest_step(uv, -d), 1);
+  EXPECT_EQ(FairShapeError(chart, network, 0.1).longest_step(uv, d), 1) << "flips are not forbidden";
 }
 
 TEST(FairShapeError, AMirrorImageIsAllFlips) {

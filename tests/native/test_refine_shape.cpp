@@ -301,28 +301,6 @@ TEST(RefineShape, ConvergesWhenTheSurfaceIsRefined) {
   EXPECT_LT(change, 0.02);
 }
 
-/// A steep saddle under a net of rigid wires: triangles next to them close up, so far that the first barrier is too
-/// weak.
-TEST(RefineShape, OpensTrianglesThatAWeakBarrierLeavesTurnedOver) {
-  const int n = 12;
-  FlattenInput input = test::saddle(n, 1.2);
-  for (const int i : {3, 6, 9}) {
-    test::add_wire(input, test::grid_row(n, i));
-    test::add_wire(input, test::grid_column(n, n, i));
-  }
-  Case panel(input);
-  panel.fairness = 0.05;
-  Options options;
-  options.fairness = panel.fairness;
-  const RefinedShape shape = refine_chart(panel.chart, options, kGoOn).shape;
-  EXPECT_TRUE(shape.is_exact && shape.converged);
-  EXPECT_EQ(panel.flips(shape.uv), 0);
-  FairShapeError objective(panel.chart, panel.network, panel.fairness);
-  objective.set_flip_weight(100);
-  EXPECT_NEAR(shape.objective, objective.value(shape.uv) / surface_area(panel.chart.mesh), 1e-9 * shape.objective);
-  EXPECT_GT(shape.objective, panel.value(shape.uv) * (1 + 1e-6)) << "of the first barrier";
-}
-
 TEST(RefineShape, StopsAtAnyBudgetWithExactLengths) {
   for (const FlattenInput& input : {with_tolerance(test::quarter_sphere(12), 0), dome_with_wires(0.05)}) {
     const Case panel(input);

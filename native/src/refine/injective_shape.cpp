@@ -48,6 +48,8 @@ RefinedShape refine_injectively(const Chart& chart, const WireNetwork& network, 
 
 RefinedShape make_injective(const Chart& chart, const WireNetwork& network, RefinedShape shape, RefineBudget& budget) {
   for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {
+    const bool is_disk = chart.boundary_loops.size() == 1;  // a ring that overlaps had best be cut open
+    if (injectivity == Injectivity::global && !is_disk) continue;
     if (budget.ran_out() || !shape.is_exact || injectivity_of(chart, shape.uv) >= injectivity) continue;
     RefinedShape injective = refine_injectively(chart, network, injectivity, budget);
     if (injective.is_exact) shape = std::move(injective);

@@ -16,6 +16,8 @@ namespace {
 constexpr double kFirstStiffness = 1;  // of ρ l / √area: a strain of 1 costs what one of the surface nearby does
 constexpr double kStiffening = 4;      // of ρ, where lengths do not become four times as good
 constexpr double kStiffest = 1e6;      // beyond, rounding spoils the steps
+constexpr double kStiff = 1e4;         // lengths that are not kept to kHopeless by then contradict one another
+constexpr double kHopeless = 1e-2;
 constexpr int kStepsPerMultiplier = 5;  // at most: λ far from its end needs no minimum
 constexpr double kEnough = 1e-2;        // slope over Φ from where on the minimum is near enough for the next λ
 constexpr double kSufficient = 1e-4;    // share of the promised decrease that a step must bring
@@ -174,6 +176,7 @@ bool MultiplierMethod::reach_exact_lengths(const RefinementLimits& limits) {
       retractable = error / 10;
     }
     if (outcome == Outcome::near_minimum || steps == kStepsPerMultiplier) {
+      if (stiffness_ > kStiff && length_error() > kHopeless) return false;
       update_multipliers();
       steps = 0;
     }

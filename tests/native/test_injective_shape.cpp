@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces that the quick way to the minimum turns over or lays over themselves, though a good shape exists.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <random>
+
+#include "planar.h"
+#include "refine/injective_shape.h"
+#include "refine/refine_chart.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+const GoOn kGoOn = [](const char*) { return true; };
+
+/// A bump as high as its square is wide, a level and an upright line across: a finger of a glove.
+FlattenInput finger(double tolerance = 0) {
+  const int n = 8;
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    const double x = 2 * s - 1, y = 2 * t - 1;
+    return Eigen::Vector3d(x, y, 2 * std::exp(-4 * (x * x + y * y)));
+  });
+  test::add_wire(input, test::grid_row(n, n / 2), tolerance);
+  test::add_wire(input, test::grid_column(n, n, n / 2), tolerance);
+  return input;
+}
+
+/// A saddle with a vent: flat, its sides want to lie over each other.
+FlattenInput saddle_with_vent() {
+  return test::keep_faces(test::saddle(24, 0.5),
+                          [](const Eigen::Vector3d& p) { return !(std::abs(p.x()) < 0.1 && p.y() > -0.5); });
+}
+
+/// A strip on a saddle, twice around: flat, it turns further than on the surface, and the second round meets the first.
+FlattenInput spiral_on_a_saddle() {
+  return test::make_grid(96, 2, [](double s, double t) {
+    const double turn = 4 * kPi * s, radius = 0.6 + 0.3 * s - (t - 0.5) * 0.1;
+    const double x = radius * std::cos(turn), y = radius * std::sin(turn);
+    return Eigen::Vector3d(x, y, 0.5 * (x * x - y * y));
+  });
+}
+
+RefineResult refine(const FlattenInput& input, int max_factorizations = Options{}.max_factorizations) {
+  const Charts charts = test::charts_of(input);
+  Options options;
+  options.max_factorizations = max_factorizations;
+  return refine_chart(charts.charts.at(0), options, kGoOn);
+}
+
+FlattenInput with_faces_shuffled(FlattenInput input, unsigned seed) {
+  std::mt19937 random(seed);
+  for (int i = static_cast<int>(input.faces.rows()) - 1; i > 0; --i) {
+    input.faces.row(i).swap(input.faces.row(static_cast<int>(random() % static_cast<unsigned>(i + 1))));
+  }
+  return input;
+}
+
+TEST(InjectiveShape, NothingTurnsOverOrOverlapsWhereAShapeWithoutThatExists) {
+  for (const FlattenInput& input : {finger(), saddle_with_vent(), spiral_on_a_saddle()}) {
+    const Charts charts = test::charts_of(input);
+    const Chart& chart = charts.charts.at(0);
+    const RefinedShape shape = refine(input).shape;
+    ASSERT_TRUE(shape.is_exact);
+    EXPECT_LT(shape.length_error, 1e-10);
+    EXPECT_EQ(injectivity_of(chart, shape.uv), Injectivity::global);
+    EXPECT_FALSE(flatten(input).pieces.at(0).error);
+  }
+}
+
+TEST(InjectiveShape, WhatIsInjectiveStaysAsItIs) {
+  const Charts charts = test::charts_of(test::quarter_sphere(12));
+  const Chart& chart = charts.charts.at(0);
+  const RefinedShape shape = refine(test::quarter_sphere(12)).shape;
+  RefineBudget budget(Options{}, kGoOn);
+  EXPECT_EQ(make_injective(chart, build_held_network(chart), shape, budget).uv, shape.uv);
+  EXPECT_EQ(budget.factorizations(), 0);
+}
+
+TEST(InjectiveShape, TheOrderOfFacesDoesNotMatter) {
+  const double expected = refine(finger()).shape.objective;
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const FlattenInput input = with_faces_shuffled(finger(), seed);
+    EXPECT_NEAR(refine(input).shape.objective, expected, 1e-6 * expected) << seed;
+    EXPECT_FALSE(flatten(input).pieces.at(0).error) << seed;
+  }
+}
+
+TEST(InjectiveShape, LooserIsNeverWorse) {
+  double before = refine(finger()).shape.objective;
+  for (const double tolerance : {0.01, 0.03, 0.1}) {
+    const double looser = refine(finger(tolerance)).shape.objective;
+    EXPECT_FALSE(flatten(finger(tolerance)).pieces.at(0).error) << tolerance;
+    EXPECT_LE(looser, before * (1 + 1e-9)) << tolerance;
+    before = looser;
+  }
+}
+
+TEST(InjectiveShape, FactorizationsAreCounted) {
+  const int whole = refine(finger()).shape.factorizations;
+  for (const int budget : {whole / 4, whole / 2, whole - 1, whole}) {
+    EXPECT_EQ(refine(finger(), budget).shape.factorizations, budget);
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp

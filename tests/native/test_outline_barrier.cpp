@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The barrier that keeps an outline from crossing itself, on a plate with a notch: its sides are 0.02 apart, its edges 1
+// long, and the barrier begins at 0.1.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+
+#include "dense_algebra.h"
+#include "refine/log_barrier.h"
+#include "refine/outline_barrier.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kGap = 0.02;
+
+TEST(LogBarrier, HasTheValueAndDerivativesOfItsFormula) {
+  const double x = 0.3, step = 1e-5;
+  const auto b = [](double at) { return -(1 - at) * (1 - at) * std::log(at); };
+  EXPECT_NEAR(LogBarrier(x).value, b(x), 1e-15);
+  EXPECT_NEAR(LogBarrier(x).slope, (b(x + step) - b(x - step)) / (2 * step), 1e-7);
+  EXPECT_NEAR(LogBarrier(x).curvature, (LogBarrier(x + step).slope - LogBarrier(x - step).slope) / (2 * step), 1e-7);
+  EXPECT_EQ(LogBarrier(1).value, 0);
+  EXPECT_EQ(LogBarrier(0).value, std::numeric_limits<double>::infinity());
+}
+
+class OutlineOfANotch : public testing::Test {
+ protected:
+  /// A 5 by 3 plate without the upper two squares in the middle: a U.
+  static FlattenInput plate() {
+    return test::keep_faces(test::flat_rectangle(5, 3, 5, 3),
+                            [](const Eigen::Vector3d& p) { return !(p.x() > 2 && p.x() < 3 && p.y() > 1); });
+  }
+
+  /// The arms moved together, until the notch is so wide.
+  Positions2 closed_to(double gap) const {
+    Positions2 uv = wide;
+    for (int v = 0; v < uv.rows(); ++v) {
+      if (uv(v, 1) > 1.5) uv(v, 0) += (uv(v, 0) < 2.5 ? 1 : -1) * (1 - gap) / 2;
+    }
+    return uv;
+  }
+
+  const Charts charts = test::charts_of(plate());
+  const Chart& chart = charts.charts.at(0);
+  const Positions2 wide = test::planar_positions(chart);
+  const Positions2 narrow = closed_to(kGap);
+  const OutlineBarrier barrier{chart, narrow};
+};
+
+TEST_F(OutlineOfANotch, IsSilentWhereTheOutlineIsWideAndInfiniteWhereItTouches) {
+  EXPECT_EQ(barrier.value(wide), 0);
+  EXPECT_GT(barrier.value(narrow), 0);
+  EXPECT_TRUE(std::isfinite(barrier.value(narrow)));
+  EXPECT_EQ(barrier.value(closed_to(0)), std::numeric_limits<double>::infinity());
+}
+
+TEST_F(OutlineOfANotch, GradientEqualsDifferences) {
+  Positions2 uv = narrow, gradient = Positions2::Zero(uv.rows(), 2);
+  for (int v = 0; v < uv.rows(); ++v) uv.row(v) += 2e-3 * Eigen::RowVector2d(std::sin(3.0 * v), std::cos(5.0 * v));
+  barrier.add_gradient(uv, gradient);
+  const double step = 1e-7;
+  for (int v = 0; v < uv.rows(); ++v) {
+    for (int k = 0; k < 2; ++k) {
+      Positions2 ahead = uv, behind = uv;
+      ahead(v, k) += step;
+      behind(v, k) -= step;
+      EXPECT_NEAR(gradient(v, k), (barrier.value(ahead) - barrier.value(behind)) / (2 * step),
+                  1e-5 * gradient.cwiseAbs().maxCoeff());
+    }
+  }
+}
+
+/// Of the arms moving towards each other: distances are linear in that, and so the Hessian of Gauss and Newton is exact.
+TEST_F(OutlineOfANotch, HessianIsThatOfTheDistances) {
+  std::vector<VertexPair> pairs;
+  barrier.list_pairs(pairs);
+  VertexMatrix matrix(static_cast<int>(chart.mesh.n_vertices()), pairs);
+  barrier.add_hessian(narrow, matrix);
+  const Eigen::MatrixXd hessian = Eigen::MatrixXd(matrix.lower()).selfadjointView<Eigen::Lower>();
+  EXPECT_GT(test::eigenvalues(hessian).minCoeff(), -1e-12 * hessian.norm());
+  const double step = 1e-5;
+  const Positions2 closing = (closed_to(kGap - step) - narrow) / step;
+  const double second =
+      (barrier.value(closed_to(kGap - step)) - 2 * barrier.value(narrow) + barrier.value(closed_to(kGap + step))) /
+      (step * step);
+  const Eigen::VectorXd d = closing.reshaped<Eigen::RowMajor>();
+  EXPECT_NEAR(d.dot(hessian * d), second, 1e-4 * second);
+}
+
+TEST_F(OutlineOfANotch, AStepEndsWhereTheOutlineFirstTouches) {
+  const Positions2 too_far = closed_to(-3 * kGap) - narrow;  // four gaps on, the first of which closes the notch
+  EXPECT_NEAR(barrier.longest_step(narrow, too_far), 0.25, 1e-12);
+  EXPECT_EQ(barrier.longest_step(narrow, wide - narrow), 1);
+  EXPECT_EQ(barrier.longest_step(wide, closed_to(kGap) - wide), 1);
+}
+
+TEST_F(OutlineOfANotch, KnowsWhichContactsItsHessianCovers) {
+  EXPECT_TRUE(barrier.covers_contacts(narrow));
+  EXPECT_TRUE(barrier.covers_contacts(wide));
+  EXPECT_FALSE(OutlineBarrier(chart, wide).covers_contacts(narrow));
+}
+
+}  // namespace
+}  // namespace wirewarp
