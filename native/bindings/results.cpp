@@ -113,12 +113,17 @@ void bind_piece_parts(py::module_& module) {
           "'measured'.")
       .field("message", &PieceReport::message, "One sentence.")
       .field("warnings", &PieceReport::warnings, "Sentences.")
+      .field("start", &PieceReport::start,
+             "Where the refined method began: 'unfolded', 'sewn' (slits sewn up first), 'coarse', 'free' (ARAP without "
+             "wires), 'elastic-free' (rigid wires alone), 'wires' (flattened alone first), 'injective' (nothing turned "
+             "over on the way) or 'relaxed' (the least broken lengths). Empty where no shape was found, and for other "
+             "methods.")
       .field("inner_solves", &PieceReport::inner_solves, "Factorizations of the inner problem.")
       .field("outer_iterations", &PieceReport::outer_iterations, "Steps over the wires' lengths.")
       .field("gradient_evaluations", &PieceReport::gradient_evaluations, "Gradients with respect to them.")
       .field("factorizations", &PieceReport::factorizations,
-             "Of the placement of the vertices between wires and the free flattening; refined: of Newton systems, "
-             "counted as Options.max_factorizations does.")
+             "Of the placement of the vertices between wires and the free flattening; refined: of all its Newton "
+             "systems, as Options.max_factorizations counts them.")
       .field("constraint_residual", &PieceReport::constraint_residual,
              "Largest gap of a wire loop over its length; refined: largest error of an edge's length over that length "
              "plus 1e-5 of the root of the piece's area. NaN where no shape was found, and for measured pieces.")

@@ -11,10 +11,12 @@
 #include "charts/cut_into_charts.h"
 #include "charts_progress.h"
 #include "check_input/check_input.h"
+#include "factorization_failed.h"
 #include "feasibility/check_outline.h"
 #include "feasibility/folded_faces.h"
 #include "feasibility/propose_seams.h"
 #include "in_threads.h"
+#include "internal_options.h"
 #include "metrics/assemble_result.h"
 #include "metrics/helper_wires.h"
 #include "outer/choose_variation.h"
@@ -26,43 +28,36 @@
 #include "reuse/reuse.h"
 #include "topology/process_topology.h"
 #include "topology/unjoined_wires.h"
-#include "tuning.h"
 
 namespace wirewarp {
 namespace {
 
-void begin_stage(const GoOn& go_on, const char* stage) {
-  if (!go_on(stage)) throw cancelled();
-}
-
 /// What all charts of a run have in common.
 struct Run {
   const FlattenInput& input;
-  const Options& options;
-  const Tuning& tuning;
+  const InternalOptions& options;
 };
 
 /// Seams along which a chart lies flat that has no good shape without. None where the user stops the run.
-std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const GoOn& go_on) {
-  return propose_seams(chart, {[&](const Chart& piece) { return lies_flat(piece, run.options, go_on, run.tuning); },
-                               [&] { return go_on("shape"); }});
+std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop) {
+  return propose_seams(chart, {[&](const Chart& piece) { return lies_flat(piece, run.options, stop); },
+                               [stop = stop.in("shape")] { return stop.may_go_on(); }});
 }
 
 /// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
-FlattenError explain_infeasible(const Chart& chart, const Run& run, const RefineResult& refined, const GoOn& go_on) {
-  if (refined.was_stopped) return cancelled();
-  std::vector<ProposedTolerance> tolerances = propose_tolerances(
-      chart, run.options, refined, [&] { return go_on("shape"); }, run.tuning);
-  if (!go_on("shape")) return cancelled();
-  const bool ran_out = refined.shape.factorizations >= run.options.max_factorizations;
-  if (tolerances.empty()) return infeasible_outline(chart, run.options, propose_seams(chart, run, go_on), ran_out);
-  return infeasible_wires(chart, run.input.wires, run.options, std::move(tolerances), ran_out);
+FlattenError explain_infeasible(const Chart& chart, const Run& run, const RefineResult& refined,
+                                const StopToken& stop) {
+  std::vector<ProposedTolerance> tolerances = propose_tolerances(chart, run.options, refined, stop);
+  stop.check();
+  if (tolerances.empty())
+    return infeasible_outline(chart, run.options, propose_seams(chart, run, stop), refined.ran_out);
+  return infeasible_wires(chart, run.input.wires, run.options, std::move(tolerances), refined.ran_out);
 }
 
 /// WireWarping and WireWarping++: the wires first, the surface follows (II).
-void flatten_by_warping(const Chart& chart, const Run& run, const GoOn& go_on, Layout& layout) {
+void flatten_by_warping(const Chart& chart, const Run& run, const StopToken& stop, Layout& layout) {
   std::map<std::string, double>& seconds = layout.report.seconds;
-  begin_stage(go_on, "wires");
+  stop.in("wires").check();
   std::optional<Chart> refined;
   WireNetwork network;
   {
@@ -72,25 +67,24 @@ void flatten_by_warping(const Chart& chart, const Run& run, const GoOn& go_on, L
     layout.network = refined ? build_wire_network(chart) : network;
   }
   const Chart& prepared = refined ? *refined : chart;
-  const char* stage = "interior";
-  begin_stage(go_on, stage);
+  stop.in("interior").check();
+  const StopToken at_lengths = stop.in("lengths");
   std::optional<Warp> warp;  // ψ (II-A)
   {
     const StageTimer timer(seconds, "interior");
-    warp.emplace(prepared, network, run.options.node_weight, run.options.inner, [&] { begin_stage(go_on, stage); });
+    warp.emplace(prepared, network, run.options.node_weight, run.options.inner, at_lengths);
     layout.report.factorizations = warp->interior_factorizations();
   }
-  stage = "lengths";
-  const StageTimer timer(seconds, stage);
+  const StageTimer timer(seconds, "lengths");
   const VariationBounds bounds = variation_bounds(prepared, run.options);
-  OuterSolution solution =
-      choose_variation(prepared, *warp, bounds, [&] { begin_stage(go_on, stage); });  // II-B, Algorithm 1
+  OuterSolution solution = choose_variation(prepared, *warp, bounds);  // II-B, Algorithm 1
   report_solution(solution, layout.report);
   if (!solution.shape.inner.is_feasible) {
-    const GoOn may_go_on = [&](const char*) { return go_on(stage); };
-    const RefineResult refined_shape = refine_chart(chart, run.options, may_go_on, run.tuning);
-    if (refined_shape.shape.is_exact && !refined_shape.was_stopped) throw needs_refinement(chart);
-    throw explain_infeasible(chart, run, refined_shape, may_go_on);
+    const StopToken in_no_other_stage([&](const char*) { return at_lengths.may_go_on(); });
+    const RefineResult refined_shape = refine_chart(chart, run.options, in_no_other_stage);
+    if (stop.is_stopped()) throw Stopped();
+    if (refined_shape.shape.is_exact) throw needs_refinement(chart);
+    throw explain_infeasible(chart, run, refined_shape, in_no_other_stage);
   }
   layout.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
   layout.variation.assign(solution.variation.begin(),
@@ -100,15 +94,13 @@ void flatten_by_warping(const Chart& chart, const Run& run, const GoOn& go_on, L
 
 /// The refined method: wires and surface at once, under the same exact lengths. Once those are reached, cancelling
 /// leaves the piece at the best shape so far.
-void flatten_by_refining(const Chart& chart, const Run& run, const GoOn& go_on, Layout& layout) {
-  begin_stage(go_on, "start");
+void flatten_by_refining(const Chart& chart, const Run& run, const StopToken& stop, Layout& layout) {
+  stop.in("start").check();
   const StageTimer timer(layout.report.seconds, "shape");
   layout.network = build_wire_network(chart);
-  RefineResult refined = refine_chart(chart, run.options, go_on, run.tuning);
-  report_refinement(refined, layout.report);
-  if (!refined.shape.is_exact) {
-    throw explain_infeasible(chart, run, refined, go_on);
-  }
+  RefineResult refined = refine_chart(chart, run.options, stop);
+  report_refinement(refined, stop.is_stopped(), layout.report);
+  if (!refined.shape.is_exact) throw explain_infeasible(chart, run, refined, stop.in("shape"));
   layout.variation.assign(refined.shape.variation.begin(), refined.shape.variation.end());
   layout.uv = std::move(refined.shape.uv);
 }
@@ -126,26 +118,28 @@ const char* name_of(Method method) {
 }
 
 /// What mends a layout that is turned over or covers itself. Nothing where another method does.
-std::vector<VertexPair> seams_for(const Layout& layout, const Chart& chart, const Run& run, const GoOn& go_on) {
+std::vector<VertexPair> seams_for(const Layout& layout, const Chart& chart, const Run& run, const StopToken& stop) {
   if (find_folded_faces(chart.mesh, layout.uv).empty()) return {};
-  const bool can_refine = run.options.method != Method::refined && lies_flat(chart, run.options, go_on, run.tuning);
-  return can_refine ? std::vector<VertexPair>() : propose_seams(chart, run, go_on);
+  const bool can_refine = run.options.method != Method::refined && lies_flat(chart, run.options, stop);
+  return can_refine ? std::vector<VertexPair>() : propose_seams(chart, run, stop);
 }
 
 /// The layout of a chart with a mesh, or why it has none.
-Layout solve_chart(const Chart& chart, const Run& run, const GoOn& go_on) {
+Layout solve_chart(const Chart& chart, const Run& run, const StopToken& stop) {
   Layout layout;
   try {
-    if (chart.error) throw with_proposed_seams(*chart.error, propose_seams(chart, run, go_on));
-    if (is_outline_too_short(chart)) throw outline_too_short(chart, propose_seams(chart, run, go_on));
-    (run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, run, go_on, layout);
-    layout.proposed_seams = seams_for(layout, chart, run, go_on);
+    if (chart.error) throw with_proposed_seams(*chart.error, propose_seams(chart, run, stop));
+    if (is_outline_too_short(chart)) throw outline_too_short(chart, propose_seams(chart, run, stop));
+    (run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, run, stop, layout);
+    layout.proposed_seams = seams_for(layout, chart, run, stop);
   } catch (const FlattenError& error) {
     layout.error = error;
-    if (error.code == ErrorCode::cancelled) layout.report.termination = Termination::cancelled;
+  } catch (const Stopped&) {
+    layout.error = cancelled();
+    layout.report.termination = Termination::cancelled;
   } catch (const UnjoinedWires&) {
     layout.error = not_joined(chart);
-  } catch (const std::domain_error&) {  // a factorization broke down
+  } catch (const FactorizationFailed&) {
     layout.error = not_solvable(chart);
   }
   return layout;
@@ -170,14 +164,14 @@ std::vector<Layout> flatten_charts(const std::vector<Chart>& charts, const Run& 
   const auto flatten_chart = [&](std::size_t i) {
     const std::size_t c = order[i];
     const Chart& chart = charts[c];
-    const auto go_on = [&](const char* stage) { return progress.go_on(c, stage); };
+    const StopToken stop([&](const char* stage) { return progress.go_on(c, stage); });
     if (chart.mesh.n_faces() == 0 || (chart.error && report.is_cancelled())) {
       layouts[c].error = chart.error;
     } else if (report.is_cancelled()) {
       layouts[c].error = cancelled();
       layouts[c].report.termination = Termination::cancelled;
     } else {
-      layouts[c] = reuse.layout_of(chart, [&] { return solve_chart(chart, run, go_on); });
+      layouts[c] = reuse.layout_of(chart, [&] { return solve_chart(chart, run, stop); });
     }
     progress.finish(c);
   };
@@ -203,11 +197,11 @@ void pack(const Charts& charts, const Options& options, std::vector<Layout>& lay
 }  // namespace
 
 FlattenResult flatten(const FlattenInput& input, const Options& options, const Progress& progress, Cache* cache) {
-  return flatten_with(input, options, {}, progress, cache);
+  return flatten_with(input, options, progress, cache);
 }
 
-FlattenResult flatten_with(const FlattenInput& input, const Options& options, const Tuning& tuning,
-                           const Progress& progress, Cache* cache) {
+FlattenResult flatten_with(const FlattenInput& input, const InternalOptions& options, const Progress& progress,
+                           Cache* cache) {
   std::map<std::string, double> seconds;
   FlattenResult result;
   {
@@ -227,7 +221,7 @@ FlattenResult flatten_with(const FlattenInput& input, const Options& options, co
       charts = cut_into_charts(input, edges);
     }
     Reuse reuse(cache, input, options);
-    std::vector<Layout> layouts = flatten_charts(charts.charts, {input, options, tuning}, report, reuse);
+    std::vector<Layout> layouts = flatten_charts(charts.charts, {input, options}, report, reuse);
     reuse.finish();
     report.go_on("measure", 0.9);
     {

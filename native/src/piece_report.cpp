@@ -17,19 +17,20 @@ void report_solution(const OuterSolution& solution, PieceReport& report) {
   report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
 }
 
-void report_refinement(const RefineResult& refined, PieceReport& report) {
+void report_refinement(const RefineResult& refined, bool was_stopped, PieceReport& report) {
   report.inner_solves = refined.inner.num_solves;
   report.outer_iterations = refined.shape.iterations;
-  report.factorizations = refined.shape.factorizations;
+  report.factorizations = refined.factorizations;
+  report.start = refined.start;
   if (!refined.shape.is_exact) return;
   report.constraint_residual = refined.shape.length_error;
   report.objective = refined.shape.objective;
-  if (refined.was_stopped) {
+  if (was_stopped) {
     report.warnings.push_back("Cancelled: the lengths are exact, but the shape could be less distorted.");
   } else if (!refined.shape.converged) {
     report.warnings.push_back("The shape stopped short of the least distortion.");
   }
-  report.termination = refined.was_stopped       ? Termination::cancelled
+  report.termination = was_stopped               ? Termination::cancelled
                        : report.warnings.empty() ? Termination::converged
                                                  : Termination::stalled;
 }

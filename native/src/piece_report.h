@@ -9,6 +9,6 @@ namespace wirewarp {
 
 void report_solution(const OuterSolution& solution, PieceReport& report);
 
-void report_refinement(const RefineResult& refined, PieceReport& report);
+void report_refinement(const RefineResult& refined, bool was_stopped, PieceReport& report);
 
 }  // namespace wirewarp

@@ -12,9 +12,6 @@
 
 namespace wirewarp {
 
-/// Asked at every step of a chart with the name of its stage; false cancels.
-using GoOn = std::function<bool(const char* stage)>;
-
 /// Passes progress on, and remembers that the caller cancelled or threw.
 class ProgressReport {
  public:

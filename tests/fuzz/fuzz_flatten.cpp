@@ -12,7 +12,6 @@
 #include "judge.h"
 #include "random_network.h"
 #include "small_mesh.h"
-#include "tuning.h"
 
 namespace wirewarp::test {
 namespace {
@@ -22,7 +21,6 @@ constexpr int kMostVertices = 40;
 struct Asked {
   FlattenInput input;
   Options options;
-  Tuning tuning;
   int steps_until_cancelled = std::numeric_limits<int>::max();
 };
 
@@ -103,7 +101,7 @@ Asked any_case(FuzzedDataProvider& bytes) {
   asked.options.grain = bytes.ConsumeIntegralInRange(-1, 3);
   asked.input = bytes.ConsumeBool() ? any_input(bytes) : changed_mesh(bytes);
   asked.options.grain = std::min(asked.options.grain, static_cast<int>(asked.input.wires.size()));  // one is too many
-  if (bytes.ConsumeBool()) asked.tuning.large_chart = bytes.ConsumeIntegralInRange(1, kMostVertices);
+  if (bytes.ConsumeBool()) asked.options.large_chart = bytes.ConsumeIntegralInRange(1, kMostVertices);
   return asked;
 }
 
@@ -129,7 +127,7 @@ void flatten_and_judge(const Asked& asked) {
   int steps = 0;
   const Progress progress = [&](const std::string&, double) { return steps++ < asked.steps_until_cancelled; };
   try {
-    const FlattenResult result = flatten_with(asked.input, asked.options, asked.tuning, progress);
+    const FlattenResult result = flatten_with(asked.input, asked.options, progress);
     demand_none(broken_promises(asked.input, asked.options, result));
     demand_none(doubts_of_measure(asked, result));
   } catch (const FlattenError& error) {

@@ -98,7 +98,8 @@ RefinementCost cost_of_refinement(const FlattenInput& input) {
   const WireNetwork network = build_held_network(chart);
   const Positions2 start = free_boundary_arap(chart, 30).uv;
   const FrontCounts before = count_fronts();
-  const RefinedShape shape = refine_shape(chart, network, 0.1, start, {100, [] { return true; }});
+  RefineBudget budget(100);
+  const RefinedShape shape = refine_shape(chart, network, 0.1, start, {budget});
   const FrontCounts after = count_fronts();
   EXPECT_TRUE(shape.converged);
   const auto fronts = static_cast<double>(after.factored - before.factored) / shape.factorizations;

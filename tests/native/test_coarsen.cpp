@@ -81,12 +81,11 @@ TEST(Coarsen, TakesMostVerticesOut) {
   EXPECT_GT(c.coarse.chart.mesh.n_faces(), 50u);
 }
 
-TEST(Coarsen, StopsWhenAskedWithWhatThereIs) {
+TEST(Coarsen, StopsWhenAsked) {
   const Coarse c(with_cross(jittered_grid(40, 0.3, dome), 40));
   int rounds = 0;
-  const CoarseChart once = coarsen(c.chart, c.network, 0.2, [&] { return rounds++ < 1; });
-  EXPECT_LT(once.chart.mesh.n_faces(), c.chart.mesh.n_faces());
-  EXPECT_GT(once.chart.mesh.n_faces(), 2 * c.coarse.chart.mesh.n_faces());
+  EXPECT_THROW(coarsen(c.chart, c.network, 0.2, StopToken([&](const char*) { return rounds++ < 1; })), Stopped);
+  EXPECT_EQ(rounds, 2);
 }
 
 TEST(Coarsen, WireVerticesStayOnTheirWires) {
@@ -270,8 +269,6 @@ TEST(Prolong, FollowsQuadraticMaps) {
   EXPECT_LT(error, 0.1 * linear);
 }
 
-const RefinementLimits kNoLimits{100, [] { return true; }};
-
 /// From the coarse shape to the same minimum as from scratch, in few factorizations.
 void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int max_factorizations = 3) {
   const Charts charts = test::charts_of(input);
@@ -279,11 +276,11 @@ void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int m
   const WireNetwork network = build_held_network(chart);
   Options options;
   options.fairness = fairness;
-  const std::optional<RefinementStart> start = start_from_coarse(chart, network, options, kNoLimits.go_on);
+  RefineBudget coarse_budget(100), budget(100), budget_from_scratch(100);
+  const std::optional<RefinementStart> start = start_from_coarse(chart, network, options, coarse_budget);
   ASSERT_TRUE(start);
-  const RefinedShape shape = refine_shape(chart, network, options.fairness, *start, kNoLimits);
-  const RefinedShape from_scratch =
-      refine_from_scratch(chart, network, options, [](const char*) { return true; }).shape;
+  const RefinedShape shape = refine_shape(chart, network, options.fairness, *start, {budget});
+  const RefinedShape from_scratch = refine_from_scratch(chart, network, options, budget_from_scratch).shape;
   EXPECT_TRUE(shape.is_exact);
   EXPECT_TRUE(shape.converged);
   EXPECT_LT(shape.length_error, 1e-12);
@@ -318,7 +315,8 @@ TEST(CoarseStart, LargeChartsTakeThreeFactorizationsAtMost) {
   const int n = 104;  // 21,632 faces
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
   int asked = 0;
-  const RefineResult refined = refine_chart(charts.charts.at(0), Options{}, [&](const char*) { return ++asked > 0; });
+  const RefineResult refined =
+      refine_chart(charts.charts.at(0), Options{}, StopToken([&](const char*) { return ++asked > 0; }));
   EXPECT_TRUE(refined.shape.converged);
   EXPECT_LE(refined.shape.factorizations, 3);
   EXPECT_GE(asked, refined.shape.factorizations);
@@ -326,22 +324,25 @@ TEST(CoarseStart, LargeChartsTakeThreeFactorizationsAtMost) {
 
 TEST(CoarseStart, StopsWhenAsked) {
   const int n = 32;
-  const Tuning all{1};
-  Options options;
+  InternalOptions options;
+  options.large_chart = 1;
   options.fairness = 0.3;
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
   int asked = 0;
-  refine_chart(
-      charts.charts.at(0), options, [&](const char*) { return ++asked > 0; }, all);
+  refine_chart(charts.charts.at(0), options, StopToken([&](const char*) { return ++asked > 0; }));
   bool was_exact = false;
   for (int last = 0; last < asked; ++last) {  // in the coarse chart, too
     int count = 0;
-    const RefineResult stopped = refine_chart(
-        charts.charts.at(0), options, [&](const char*) { return ++count <= last; }, all);
-    EXPECT_TRUE(stopped.was_stopped);
+    const StopToken stop([&](const char*) { return ++count <= last; });
+    try {
+      const RefinedShape stopped = refine_chart(charts.charts.at(0), options, stop).shape;
+      EXPECT_TRUE(stopped.is_exact && stopped.length_error < 1e-10);
+      was_exact = true;
+    } catch (const Stopped&) {
+      EXPECT_FALSE(was_exact) << "an exact shape is not lost again";
+    }
+    EXPECT_TRUE(stop.is_stopped());
     EXPECT_EQ(count, last + 1);
-    EXPECT_TRUE(!stopped.shape.is_exact || stopped.shape.length_error < 1e-10);
-    was_exact = was_exact || stopped.shape.is_exact;
   }
   EXPECT_TRUE(was_exact);
 }
@@ -357,8 +358,8 @@ TEST(CoarseStart, IsNoneWhereTheCoarseChartHasNoExactLengths) {
   const Charts charts = test::charts_of(input);
   Options options;
   options.fairness = 1;
-  EXPECT_FALSE(
-      start_from_coarse(charts.charts.at(0), build_held_network(charts.charts.at(0)), options, kNoLimits.go_on));
+  RefineBudget budget(100);
+  EXPECT_FALSE(start_from_coarse(charts.charts.at(0), build_held_network(charts.charts.at(0)), options, budget));
 }
 
 /// Wires may wiggle in waves no longer than a few edges: a coarser chart would not show them.
@@ -366,8 +367,8 @@ TEST(CoarseStart, IsNoneWhereWiresAreLeftToWiggle) {
   const Charts charts = test::charts_of(with_cross(jittered_grid(24, 0.2, dome), 24));
   Options options;
   options.fairness = 0.01;
-  EXPECT_FALSE(
-      start_from_coarse(charts.charts.at(0), build_held_network(charts.charts.at(0)), options, kNoLimits.go_on));
+  RefineBudget budget(100);
+  EXPECT_FALSE(start_from_coarse(charts.charts.at(0), build_held_network(charts.charts.at(0)), options, budget));
 }
 
 /// A start that claims to be near the minimum and is a point.
@@ -377,8 +378,9 @@ TEST(CoarseStart, AFalseClaimIsNoticed) {
   const Chart& chart = charts.charts.at(0);
   const WireNetwork network = build_held_network(chart);
   const Positions2 point = Positions2::Constant(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2, 1.0);
+  RefineBudget budget(100);
   const RefinedShape shape = refine_shape(
-      chart, network, 0.1, {point, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(network.edges.size()))}, kNoLimits);
+      chart, network, 0.1, {point, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(network.edges.size()))}, {budget});
   EXPECT_FALSE(shape.is_exact);
 }
 

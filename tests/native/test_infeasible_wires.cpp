@@ -165,14 +165,17 @@ TEST(LooseLengths, NobodyPaysWhereLengthsCanBeKept) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
   const WireNetwork network = build_held_network(chart);
-  RelaxedShape loose = relax_lengths(chart, network, 0.1, free_boundary_arap(chart, 30).uv, [] { return true; });
+  RefineBudget relax_budget(kMaxRelaxFactorizations);
+  RelaxedShape loose = relax_lengths(chart, network, 0.1, free_boundary_arap(chart, 30).uv, relax_budget);
   EXPECT_LT(loose.tolerance_violation.maxCoeff(), 1e-4);  // the last smoothing
   EXPECT_LT(loose.strain_rms.maxCoeff(), 1e-4);
   EXPECT_LT(loose.boundary_strain, 1e-4);
   const Positions2 untouched = loose.uv;
-  EXPECT_FALSE(project_to_lengths(chart, network, 0.1, loose.uv, [] { return false; }));
+  RefineBudget budget(kMaxProjectFactorizations);
+  EXPECT_THROW(project_to_lengths(chart, network, 0.1, loose.uv, budget, StopToken([](const char*) { return false; })),
+               Stopped);
   EXPECT_EQ((loose.uv - untouched).norm(), 0);
-  EXPECT_TRUE(project_to_lengths(chart, network, 0.1, loose.uv, [] { return true; }));
+  EXPECT_TRUE(project_to_lengths(chart, network, 0.1, loose.uv, budget));
   for (const WireEdge& edge : network.edges) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
     const double length =
@@ -190,7 +193,8 @@ TEST(LooseLengths, ToleranceOfSingleEdgesIsFreeOfCharge) {
   for (Wire& wire : input.wires) wire.tolerance = 0.5;
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const RelaxedShape loose = relax_lengths(chart, build_held_network(chart), 0.1, free, [] { return true; });
+  RefineBudget budget(kMaxRelaxFactorizations);
+  const RelaxedShape loose = relax_lengths(chart, build_held_network(chart), 0.1, free, budget);
   EXPECT_EQ(loose.tolerance_violation.maxCoeff(), 0);
   EXPECT_LT(loose.boundary_strain, 1e-4);  // the last smoothing
 }
@@ -199,9 +203,12 @@ TEST(LooseLengths, StopsWhenAsked) {
   const Charts charts = test::charts_of(test::quarter_sphere(4));
   const Chart& chart = charts.charts.at(0);
   const Positions2 start = free_boundary_arap(chart, 30).uv;
-  const RelaxedShape loose = relax_lengths(chart, build_held_network(chart), 0.1, start, [] { return false; });
-  EXPECT_EQ(loose.factorizations, 0);
-  EXPECT_EQ((loose.uv - start).norm(), 0);
+  int asked = 0;
+  const StopToken stop([&](const char*) { return ++asked < 2; });
+  RefineBudget budget(kMaxRelaxFactorizations);
+  EXPECT_THROW(relax_lengths(chart, build_held_network(chart), 0.1, start, budget, stop), Stopped);
+  EXPECT_EQ(budget.spent(), 1);
+  EXPECT_EQ(asked, 2);
 }
 
 TEST(InfeasibleWires, ThePapersMethodsProposeWhatTheRefinedOneKeeps) {

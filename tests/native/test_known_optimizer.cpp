@@ -89,7 +89,7 @@ TEST_P(KnownOptimizer, FindsNothingBetter) {
     const VariationBounds bounds = variation_bounds(chart, Options{});
     ASSERT_FALSE(bounds.elastic_parts().empty());
     const OuterSolution start = start_variation(chart, warp, bounds);
-    const OuterSolution ours = choose_variation(chart, warp, bounds, [] {});
+    const OuterSolution ours = choose_variation(chart, warp, bounds);
     for (const nlopt_algorithm algorithm : {NLOPT_LD_SLSQP, NLOPT_LD_LBFGS}) {
       const double theirs = least_shape_error(algorithm, warp, bounds, start.variation);
       EXPECT_LT(theirs, start.shape_error);

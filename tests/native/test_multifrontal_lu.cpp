@@ -100,7 +100,7 @@ TEST(MultifrontalLu, RefusesAPivotThatIsNotPositive) {
     problem.matrix.coeffRef(i, i) = diagonal - (1 - 1e-7) / inverse(i, i);
     EXPECT_NO_THROW(MultifrontalLu(problem.matrix, problem.positions)) << i;
     problem.matrix.coeffRef(i, i) = diagonal - (1 + 1e-7) / inverse(i, i);
-    EXPECT_THROW(MultifrontalLu(problem.matrix, problem.positions), std::domain_error) << i;
+    EXPECT_THROW(MultifrontalLu(problem.matrix, problem.positions), FactorizationFailed) << i;
     problem.matrix.coeffRef(i, i) = diagonal;
   }
 }

@@ -53,7 +53,7 @@ TEST(OpenSlits, OneOpensAndOneStaysShut) {
   const FlattenInput input = bump_with_slits();
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const RefinedShape shape = refine_chart(chart, Options{}, [](const char*) { return true; }).shape;
+  const RefinedShape shape = refine_chart(chart, Options{}).shape;
   EXPECT_TRUE(shape.is_exact && shape.converged);
   EXPECT_LE(shape.factorizations, 15);
   std::vector<double> gaps;
@@ -72,7 +72,7 @@ TEST(OpenSlits, StopAtAnyBudgetWithExactLengths) {
   const auto refined = [&](int most) {
     Options options;
     options.max_factorizations = most;
-    return refine_chart(chart, options, [](const char*) { return true; }).shape;
+    return refine_chart(chart, options).shape;
   };
   const RefinedShape whole = refined(100);
   for (int most = 1; most < whole.factorizations; ++most) {
@@ -150,7 +150,7 @@ TEST(OpenSlits, AsFarOnFineMeshesAsOnCoarseOnes) {
     test::add_seam(input, slit);
     const Charts charts = test::charts_of(input);
     const Chart& chart = charts.charts.at(0);
-    const RefinedShape shape = refine_chart(chart, Options{}, [](const char*) { return true; }).shape;
+    const RefinedShape shape = refine_chart(chart, Options{}).shape;
     EXPECT_TRUE(shape.is_exact && shape.converged) << n;
     EXPECT_LE(shape.factorizations, 8) << n << ": a face that turns over takes many";
     gaps.push_back(gap(chart, find_slits(chart).at(0), shape.uv));

@@ -29,14 +29,12 @@ namespace {
 constexpr double kFree = std::numeric_limits<double>::infinity();
 constexpr double kSameMinimum = 1e-7;  // of f: each run stops where a step promises less than 1e-9
 
-const RefinementLimits kNoLimits{100, [] { return true; }};
-const GoOn kGoOn = [](const char*) { return true; };
-
 struct Case {
   explicit Case(const FlattenInput& input) : charts(test::charts_of(input)) {}
 
-  RefinedShape refine(const Positions2& start, const RefinementLimits& limits = kNoLimits) const {
-    return refine_shape(chart, network, fairness, start, limits);
+  RefinedShape refine(const Positions2& start, int max_factorizations = 100) const {
+    RefineBudget budget(max_factorizations);
+    return refine_shape(chart, network, fairness, start, {budget});
   }
   RefinedShape refine() const { return refine(free_boundary_arap(chart, 30).uv); }
 
@@ -194,12 +192,11 @@ TEST(RefineShape, ANarrowToleranceIsUsedUpAndAWideOneIsNot) {
 TEST(RefineShape, NothingNearIsBetter) {
   for (const FlattenInput& input : {dome_with_wires(0), dome_with_wires(0.02), test::quarter_sphere(12)}) {
     const Case panel(input);
-    const RefinedShape least = refine_chart(panel.chart, Options{}, kGoOn).shape;
+    const RefinedShape least = refine_chart(panel.chart, Options{}).shape;
     ASSERT_TRUE(least.is_exact && least.converged);
     for (unsigned seed = 0; seed < 10; ++seed) {
       // No factorization beyond the one to exact lengths: a nearby exact shape, not the minimum again.
-      const RefinedShape near =
-          panel.refine(jittered(least.uv, 0.01 * panel.shortest_edge(), seed), {1, [] { return true; }});
+      const RefinedShape near = panel.refine(jittered(least.uv, 0.01 * panel.shortest_edge(), seed), 1);
       ASSERT_TRUE(near.is_exact);
       EXPECT_GE(near.objective, least.objective * (1 - 1e-9));
     }
@@ -280,7 +277,7 @@ TEST(RefineShape, ConvergesWhenTheSurfaceIsRefined) {
   double change = std::numeric_limits<double>::infinity();
   for (const auto& [n, energy] : expected) {
     const Case sphere(test::quarter_sphere(n));
-    const RefinedShape shape = refine_chart(sphere.chart, Options{}, kGoOn).shape;
+    const RefinedShape shape = refine_chart(sphere.chart, Options{}).shape;
     EXPECT_TRUE(shape.converged);
     EXPECT_LE(shape.factorizations, 16) << n;
     EXPECT_EQ(sphere.flips(shape.uv), 0);
@@ -305,12 +302,13 @@ TEST(RefineShape, StopsAtAnyBudgetWithExactLengths) {
   for (const FlattenInput& input : {with_tolerance(test::quarter_sphere(12), 0), dome_with_wires(0.05)}) {
     const Case panel(input);
     Options options;
-    const RefinedShape whole = refine_chart(panel.chart, options, kGoOn).shape;
+    const RefineResult whole = refine_chart(panel.chart, options);
     double before = std::numeric_limits<double>::infinity();
     for (int budget = 1; budget <= whole.factorizations; ++budget) {
       options.max_factorizations = budget;
-      const RefinedShape shape = refine_chart(panel.chart, options, kGoOn).shape;
-      EXPECT_LE(shape.factorizations, budget);
+      const RefineResult result = refine_chart(panel.chart, options);
+      const RefinedShape& shape = result.shape;
+      EXPECT_LE(result.factorizations, budget);
       ASSERT_TRUE(shape.is_exact) << budget;
       EXPECT_LT(panel.length_error(shape), 1e-11);
       EXPECT_LE(shape.objective, before * (1 + 1e-12)) << budget;
@@ -318,7 +316,7 @@ TEST(RefineShape, StopsAtAnyBudgetWithExactLengths) {
       EXPECT_EQ(shape.converged, budget == whole.factorizations);
       before = shape.objective;
     }
-    EXPECT_EQ(before, whole.objective);
+    EXPECT_EQ(before, whole.shape.objective);
   }
 }
 
@@ -326,15 +324,21 @@ TEST(RefineShape, CancelledAtAnyMomentItIsExactOrSaysSo) {
   for (const FlattenInput& input : {test::quarter_sphere(12), dome_with_wires(0.05)}) {
     const Case panel(input);
     int questions = 0;
-    const RefinedShape whole = refine_chart(panel.chart, Options{}, [&](const char*) { return ++questions > 0; }).shape;
+    const StopToken count([&](const char*) { return ++questions > 0; });
+    const RefinedShape whole = refine_chart(panel.chart, Options{}, count).shape;
     for (int last = 1; last <= questions; ++last) {
       int asked = 0;
-      const RefineResult stopped = refine_chart(panel.chart, Options{}, [&](const char*) { return ++asked < last; });
-      EXPECT_TRUE(stopped.was_stopped);
+      const StopToken stop([&](const char*) { return ++asked < last; });
+      try {
+        const RefinedShape stopped = refine_chart(panel.chart, Options{}, stop).shape;
+        EXPECT_TRUE(stopped.is_exact);
+        EXPECT_LT(panel.length_error(stopped), 1e-11);
+        EXPECT_GE(stopped.objective, whole.objective * (1 - kSameMinimum));
+      } catch (const Stopped&) {
+        EXPECT_LT(last, questions) << "exact by then";
+      }
+      EXPECT_TRUE(stop.is_stopped());
       EXPECT_EQ(asked, last) << "not asked again after a no";
-      if (!stopped.shape.is_exact) continue;
-      EXPECT_LT(panel.length_error(stopped.shape), 1e-11);
-      EXPECT_GE(stopped.shape.objective, whole.objective * (1 - kSameMinimum));
     }
   }
 }
@@ -360,10 +364,10 @@ TEST_P(RefinePanels, AreNeverAboveTheWarpOfTheSameLengths) {
       const Chart& prepared = processed ? *processed : panel.chart;
       const WireNetwork network = build_wire_network(prepared);
       Warp warp(prepared, network, NodeWeight::length, Inner::minimum);
-      const OuterSolution solution = choose_variation(prepared, warp, variation_bounds(prepared, Options{}), [] {});
+      const OuterSolution solution = choose_variation(prepared, warp, variation_bounds(prepared, Options{}));
       ASSERT_TRUE(solution.shape.inner.is_feasible);
       const Positions2 uv = solution.shape.uv.topRows(static_cast<Eigen::Index>(panel.chart.mesh.n_vertices()));
-      const RefinedShape refined = refine_chart(panel.chart, Options{}, kGoOn).shape;
+      const RefinedShape refined = refine_chart(panel.chart, Options{}).shape;
       EXPECT_LT(refined.objective, panel.value(uv));
       const RefinedShape from_there = panel.refine(uv);
       EXPECT_TRUE(from_there.is_exact);

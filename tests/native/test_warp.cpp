@@ -29,9 +29,7 @@ struct Case {
         network(build_wire_network(chart)),
         warp(chart, network, weight, Inner::minimum),
         bounds(variation_bounds(chart, Options{})) {}
-  OuterSolution solve() {
-    return choose_variation(chart, warp, bounds, [] {});
-  }
+  OuterSolution solve() { return choose_variation(chart, warp, bounds); }
   Eigen::VectorXd no_variation() const { return Eigen::VectorXd::Zero(bounds.lower.size()); }
   Charts charts;
   std::optional<Chart> refined;
@@ -140,23 +138,24 @@ TEST(Warp, GradientCostsOneFactorizationHoweverManyWires) {
 }
 
 TEST(Warp, AsksBeforeEachFactorizationAndGoesNoFurther) {
-  class Stop : public std::exception {};
   const Charts charts = test::charts_of(test::quarter_sphere(12));
   const Chart& chart = charts.charts[0];
   const WireNetwork network = build_wire_network(chart);
   int questions = 0, answers = std::numeric_limits<int>::max();
-  Warp warp(chart, network, NodeWeight::length, Inner::minimum, [&] {
-    if (++questions > answers) throw Stop();
-  });
+  const auto new_warp = [&] {
+    return Warp(chart, network, NodeWeight::length, Inner::minimum,
+                StopToken([&](const char*) { return ++questions <= answers; }));
+  };
+  Warp warp = new_warp();
   const Eigen::VectorXd h = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chart.wire_parts.size()));
   warp.gradient(warp(h));
   const int whole = questions;
   EXPECT_GE(whole, warp.inner_factorizations());
   for (answers = 0; answers < whole; ++answers) {
     questions = 0;
-    const int before = warp.inner_factorizations();
-    EXPECT_THROW(warp.gradient(warp(h)), Stop);
-    EXPECT_LE(warp.inner_factorizations() - before, answers);
+    Warp stopped = new_warp();
+    EXPECT_THROW(stopped.gradient(stopped(h)), Stopped);
+    EXPECT_LE(stopped.inner_factorizations(), answers);
   }
 }
 
@@ -302,7 +301,7 @@ TEST(ChooseVariation, WireWarpingIsEveryToleranceZero) {
   Options least_norm;
   least_norm.inner = Inner::least_norm;
   EXPECT_TRUE(variation_bounds(elastic.chart, least_norm).elastic_parts().empty()) << "it has no gradient by h";
-  const OuterSolution as_rigid = choose_variation(elastic.chart, elastic.warp, rigid_bounds, [] {});
+  const OuterSolution as_rigid = choose_variation(elastic.chart, elastic.warp, rigid_bounds);
   Case rigid(dome(12, 2, 0));
   EXPECT_LT((as_rigid.shape.uv - rigid.solve().shape.uv).cwiseAbs().maxCoeff(), 1e-12);
 }
@@ -311,8 +310,7 @@ TEST(ChooseVariation, HelperWiresStayFreeInWireWarping) {
   Options wirewarping;
   wirewarping.method = Method::wirewarping;
   Case free(saddle_with_loose_wires(kFree)), rigid(saddle_with_loose_wires(0));
-  const OuterSolution as_rigid =
-      choose_variation(free.chart, free.warp, variation_bounds(free.chart, wirewarping), [] {});
+  const OuterSolution as_rigid = choose_variation(free.chart, free.warp, variation_bounds(free.chart, wirewarping));
   const OuterSolution expected = rigid.solve();
   EXPECT_LT((as_rigid.variation - expected.variation).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_LT((as_rigid.shape.uv - expected.shape.uv).cwiseAbs().maxCoeff(), 1e-12);

@@ -43,7 +43,7 @@ struct Outcome {
 };
 
 /// The same solver, so that a cache solves no chart again.
-Options with_plain_layout(Options options) {
+InternalOptions with_plain_layout(InternalOptions options) {
   const Options plain;
   options.layout = plain.layout;
   options.orientation = plain.orientation;
@@ -71,10 +71,10 @@ Outcome judge_errors(const RandomCase& random_case, const FlattenResult& result)
 Outcome run(const RandomCase& random_case) {
   try {
     const FlattenInput& input = random_case.input;
-    const Options& options = random_case.options;
+    const InternalOptions& options = random_case.options;
     Cache cache;
-    const FlattenResult result = flatten_with(input, options, random_case.tuning, {}, &cache);
-    const FlattenResult again = flatten_with(input, with_plain_layout(options), random_case.tuning, {}, &cache);
+    const FlattenResult result = flatten_with(input, options, {}, &cache);
+    const FlattenResult again = flatten_with(input, with_plain_layout(options), {}, &cache);
     Outcome outcome = judge_errors(random_case, result);
     outcome.add(broken_promises(input, options, result));
     outcome.add(broken_demands(input, options, result, random_case.fault));

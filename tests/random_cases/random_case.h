@@ -6,14 +6,13 @@
 #include <optional>
 #include <string>
 
-#include "tuning.h"
+#include "internal_options.h"
 
 namespace wirewarp::test {
 
 struct RandomCase {
   FlattenInput input;
-  Options options;
-  Tuning tuning;
+  InternalOptions options;
   std::optional<ErrorCode> fault;  // the error that must come, thrown or carried by a piece; none: the input is legal
   std::string description;
 };

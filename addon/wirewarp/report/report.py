@@ -127,6 +127,7 @@ def _piece(piece: Piece, arrays: MeshArrays, meters: float) -> dict:
         "termination": str(piece.report.termination),
         "message": piece.report.message,
         "warnings": list(piece.report.warnings),
+        "start": piece.report.start,
         "inner_solves": piece.report.inner_solves,
         "outer_iterations": piece.report.outer_iterations,
         "gradient_evaluations": piece.report.gradient_evaluations,

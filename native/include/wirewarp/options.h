@@ -49,9 +49,9 @@ struct Options {
   static constexpr double least_fairness = 0.001;
   static constexpr double most_fairness = 10;
 
-  /// Of the refined method: after so many factorizations of its Newton system a piece stops at the shape it has. Not
-  /// counted: up to 30 on the coarser mesh of a large piece (60 with slits), and those that find out which wires
-  /// contradict. >= 1.
+  /// Of the refined method: after so many factorizations of its Newton systems, those of the coarser mesh of a large
+  /// piece and of a piece with slits sewn up among them, a piece stops at the shape it has. Those that find out which
+  /// wires contradict have limits of their own. >= 1.
   int max_factorizations = 100;
 
   PieceLayout layout = PieceLayout::packed;

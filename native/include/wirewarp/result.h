@@ -85,12 +85,16 @@ struct PieceReport {
   Termination termination = Termination::failed;
   std::string message;  // one sentence
   std::vector<std::string> warnings;
-  int inner_solves = 0;      // factorizations of the inner problem (Eq. 1); refined: if its wires were flattened alone
+  std::string start;     // refined: where the shape began: "unfolded", "sewn" (slits sewn up first), "coarse", "free"
+                         // (ARAP without wires), "elastic-free" (rigid wires alone), "wires" (flattened alone first),
+                         // "injective" (nothing turned over on the way), "relaxed" (the least broken lengths).
+                         // Empty: no shape was found, or another method
+  int inner_solves = 0;  // factorizations of the inner problem (Eq. 1); refined: if its wires were flattened alone
   int outer_iterations = 0;  // refined: of the start that led to the shape
   int gradient_evaluations = 0;
 
-  /// Of the interior placement and free flattening; refined: of Newton systems for all starts, counted as
-  /// Options::max_factorizations does.
+  /// Of the interior placement and free flattening; refined: of Newton systems for all starts, those of a coarser mesh
+  /// or of the piece with slits sewn up among them, as Options::max_factorizations counts them.
   int factorizations = 0;
 
   /// Largest gap of a wire loop / its length; refined: largest error of an edge's length / (its length + 1e-5 of the

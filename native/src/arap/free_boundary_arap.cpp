@@ -7,7 +7,6 @@
 #include "arap/free_boundary_arap.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "arap/shape_error.h"
@@ -15,6 +14,7 @@
 #include "charts/enclosed_area.h"
 #include "cholesky/matrix_graph.h"
 #include "cholesky/multifrontal_cholesky.h"
+#include "factorization_failed.h"
 #include "in_threads.h"
 
 namespace wirewarp {
@@ -32,7 +32,7 @@ class GlobalStep {
       : cholesky_(hessian, nested_dissection(graph_of(hessian, 1), positions), 1, has_second_core()) {
     hessian.coeffRef(0, 0) *= 2;
     hessian.diagonal() *= 1 + kRegularization;
-    if (!cholesky_.factorize(hessian)) throw std::domain_error("GlobalStep: the Laplacian is not positive definite");
+    if (!cholesky_.factorize(hessian)) throw FactorizationFailed("GlobalStep: the Laplacian is not positive definite");
   }
 
   /// K⁻¹ b.
@@ -58,7 +58,7 @@ double step_length(const ShapeError& shape_error, const FreeBoundaryArap& flat, 
 }  // namespace
 
 FreeBoundaryArap free_boundary_arap(const Chart& chart, int max_iterations, const std::optional<Positions2>& start,
-                                    const std::function<bool()>& go_on) {
+                                    const StopToken& stop) {
   FreeBoundaryArap flat;
   flat.uv = start ? *start : tutte_embedding(chart);
   if (enclosed_area(chart, flat.uv) < 0) flat.uv.col(0) *= -1;
@@ -71,7 +71,8 @@ FreeBoundaryArap free_boundary_arap(const Chart& chart, int max_iterations, cons
   flat.energy = shape_error.energy_and_gradient(flat.uv, gradient);
   Positions2 direction = Positions2::Zero(flat.uv.rows(), 2);
   double decrease = 1;  // g·s
-  while (flat.iterations < max_iterations && !flat.converged && go_on()) {
+  while (flat.iterations < max_iterations && !flat.converged) {
+    stop.check();
     ++flat.iterations;
     const Positions2 step = global_step.solve(gradient);
     const double beta = std::max(0.0, dot(gradient - other_gradient, step) / decrease);

@@ -5,10 +5,10 @@
 // and bent charts take a tenth of the steps that way.
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include "charts/chart.h"
+#include "stop_token.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
@@ -25,11 +25,10 @@ struct FreeBoundaryArap {
 inline constexpr int kFreeSteps = 30;
 
 /// Takes at most max_iterations steps from the given layout (one row per chart vertex; mirrored if its area is
-/// negative) or, without one, from the embedding on a circle. No step raises E. go_on is asked before each; false: stop
-/// at the layout at hand. Throws std::domain_error where rounding leaves the Laplacian, or the springs of the
-/// embedding, not positive definite.
-FreeBoundaryArap free_boundary_arap(
-    const Chart& chart, int max_iterations, const std::optional<Positions2>& start = {},
-    const std::function<bool()>& go_on = [] { return true; });
+/// negative) or, without one, from the embedding on a circle. No step raises E. Throws Stopped, asking before each
+/// step, and FactorizationFailed where rounding leaves the Laplacian, or the springs of the embedding, not positive
+/// definite.
+FreeBoundaryArap free_boundary_arap(const Chart& chart, int max_iterations, const std::optional<Positions2>& start = {},
+                                    const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 #include "cholesky/matrix_graph.h"
 #include "cholesky/multifrontal_cholesky.h"
+#include "factorization_failed.h"
 #include "in_threads.h"
 #include "mesh/geometry.h"
 #include "mesh/project_to_principal_plane.h"
@@ -58,7 +58,7 @@ class Springs {
     }
     MultifrontalCholesky cholesky(stiffness, nested_dissection(graph_of(stiffness, 1), free_layout), 1,
                                   has_second_core());
-    if (!cholesky.factorize(stiffness)) throw std::domain_error("tutte_embedding: the springs are not stable");
+    if (!cholesky.factorize(stiffness)) throw FactorizationFailed("tutte_embedding: the springs are not stable");
     cholesky.solve_in_place(x_);
     for (Eigen::Index v = 0; v < uv_.rows(); ++v) {
       if (row_of_point_[v] >= 0) uv_.row(v) = x_.row(row_of_point_[v]);

@@ -13,7 +13,7 @@ namespace wirewarp {
 /// all. Holes are free: each counts as filled by a cone, whose apex is one more such vertex. The filled chart is a
 /// triangulated disk and its outline a strictly convex polygon, so no triangle is flipped (M. S. Floater, One-to-one
 /// piecewise linear mappings over triangulations, Mathematics of Computation 72 (2003), 685-696). One row per chart
-/// vertex, scene units. Throws std::domain_error if rounding leaves the springs unstable.
+/// vertex, scene units. Throws FactorizationFailed if rounding leaves the springs unstable.
 Positions2 tutte_embedding(const Chart& chart);
 
 }  // namespace wirewarp

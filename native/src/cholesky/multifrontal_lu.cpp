@@ -9,6 +9,7 @@
 #include "cholesky/eliminate_fronts.h"
 #include "cholesky/matrix_graph.h"
 #include "cholesky/nested_dissection.h"
+#include "factorization_failed.h"
 
 namespace wirewarp {
 namespace {
@@ -66,7 +67,7 @@ MultifrontalLu::MultifrontalLu(const Triangles& a, bool in_threads, const FrontK
     return kernels.factor_lu(&lower_[front.panel], &lower_schurs[front.schur], &upper_[front.panel],
                              &upper_schurs[front.schur], front.pivot_tiles, front.row_tiles);
   });
-  if (!is_factored) throw std::domain_error("multifrontal LU: a pivot is not positive");
+  if (!is_factored) throw FactorizationFailed("multifrontal LU: a pivot is not positive");
 }
 
 void MultifrontalLu::substitute(const Tiles& forward, const Tiles& back, Positions2& b) const {

@@ -21,7 +21,7 @@ class MultifrontalLu {
 
   /// Factors a square matrix whose pattern is symmetric. positions: one per row, for nested_dissection().
   /// in_threads: as in MultifrontalCholesky.
-  /// Throws std::domain_error at a pivot that is not a positive finite number: then a is singular or no
+  /// Throws FactorizationFailed at a pivot that is not a positive finite number: then a is singular or no
   /// row-diagonally-dominant M-matrix. Throws std::invalid_argument if its pattern is not symmetric.
   MultifrontalLu(const Matrix& a, const Positions2& positions, bool in_threads = false,
                  const FrontKernels& kernels = fastest_kernels());

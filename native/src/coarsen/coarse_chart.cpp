@@ -10,8 +10,8 @@ namespace {
 
 class Coarsening {
  public:
-  Coarsening(const Chart& chart, const WireNetwork& network, double edge_length, const std::function<bool()>& go_on)
-      : fine_(chart), fine_network_(network), decimated_(decimate(chart, network, edge_length, go_on)) {}
+  Coarsening(const Chart& chart, const WireNetwork& network, double edge_length, const StopToken& stop)
+      : fine_(chart), fine_network_(network), decimated_(decimate(chart, network, edge_length, stop)) {}
 
   CoarseChart run();
 
@@ -124,9 +124,8 @@ CoarseChart Coarsening::run() {
 
 }  // namespace
 
-CoarseChart coarsen(const Chart& chart, const WireNetwork& network, double edge_length,
-                    const std::function<bool()>& go_on) {
-  return Coarsening(chart, network, edge_length, go_on).run();
+CoarseChart coarsen(const Chart& chart, const WireNetwork& network, double edge_length, const StopToken& stop) {
+  return Coarsening(chart, network, edge_length, stop).run();
 }
 
 }  // namespace wirewarp

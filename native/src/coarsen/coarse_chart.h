@@ -24,9 +24,7 @@ struct CoarseChart {
   std::vector<CoarseWirePlace> wire_places;  // per fine wire edge
 };
 
-/// network: of all wires but super-elastic ones. edge_length: wanted, scene units. go_on: of decimate().
-CoarseChart coarsen(
-    const Chart& chart, const WireNetwork& network, double edge_length,
-    const std::function<bool()>& go_on = [] { return true; });
+/// network: of all wires but super-elastic ones. edge_length: wanted, scene units. Throws Stopped.
+CoarseChart coarsen(const Chart& chart, const WireNetwork& network, double edge_length, const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -30,7 +30,7 @@ struct Fan {
 class Decimation {
  public:
   Decimation(const Chart& chart, const WireNetwork& network, double edge_length);
-  void run(const std::function<bool()>& go_on);
+  void run(const StopToken& stop);
   DecimatedMesh result();
 
  private:
@@ -281,9 +281,12 @@ int Decimation::remove_round() {
   return removed;
 }
 
-void Decimation::run(const std::function<bool()>& go_on) {
+void Decimation::run(const StopToken& stop) {
   auto left = static_cast<double>(mesh_.n_vertices());
-  for (double removed = left; removed > kWorthwhile * left && go_on(); left -= removed) removed = remove_round();
+  for (double removed = left; removed > kWorthwhile * left; left -= removed) {
+    stop.check();
+    removed = remove_round();
+  }
 }
 
 DecimatedMesh Decimation::result() {
@@ -319,10 +322,9 @@ DecimatedMesh Decimation::result() {
 
 }  // namespace
 
-DecimatedMesh decimate(const Chart& chart, const WireNetwork& network, double edge_length,
-                       const std::function<bool()>& go_on) {
+DecimatedMesh decimate(const Chart& chart, const WireNetwork& network, double edge_length, const StopToken& stop) {
   Decimation decimation(chart, network, edge_length);
-  decimation.run(go_on);
+  decimation.run(stop);
   return decimation.result();
 }
 

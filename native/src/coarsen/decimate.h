@@ -8,11 +8,11 @@
 // vertex on a wire or boundary goes along it alone; where such lines meet, end or turn sharply it stays.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "charts/chart.h"
 #include "network/wire_network.h"
+#include "stop_token.h"
 
 namespace wirewarp {
 
@@ -30,8 +30,7 @@ struct DecimatedMesh {
 };
 
 /// network: the lines along which wire vertices stay. edge_length: wanted, scene units; no new edge is longer than
-/// twice that. go_on is asked before each round over all vertices; false: stop with what there is.
-DecimatedMesh decimate(const Chart& chart, const WireNetwork& network, double edge_length,
-                       const std::function<bool()>& go_on);
+/// twice that. Throws Stopped, asking before each round over all vertices.
+DecimatedMesh decimate(const Chart& chart, const WireNetwork& network, double edge_length, const StopToken& stop = {});
 
 }  // namespace wirewarp

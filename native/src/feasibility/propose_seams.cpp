@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "arap/free_boundary_arap.h"
 #include "charts/chart_faults.h"
+#include "factorization_failed.h"
 #include "feasibility/check_outline.h"
 #include "feasibility/cut_apart.h"
 #include "feasibility/cut_to_disk.h"
@@ -42,7 +42,7 @@ FreeLook look_at_whole(const Chart& chart) {
     FreeLook look{0, free.energy};
     for (const int f : find_folded_faces(chart.mesh, free.uv)) look.covered += face_area(chart.mesh, FaceHandle(f));
     return look;
-  } catch (const std::domain_error&) {  // a factorization broke down
+  } catch (const FactorizationFailed&) {
     return nothing;
   }
 }

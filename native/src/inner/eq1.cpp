@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inner/eq1.h"
 
-#include <stdexcept>
-
 #include "inner/linear_angle_constraints.h"
 #include "planar.h"
+#include "topology/unjoined_wires.h"
 
 namespace wirewarp {
 namespace {
@@ -50,7 +49,7 @@ Eigen::VectorXd lay_out_headings(const WireNetwork& network, const Eigen::Vector
       queue.push_back(other);
     }
   }
-  if (queue.size() < network.edges.size()) throw std::domain_error("Eq. (1) needs a network whose edges hang together");
+  if (queue.size() < network.edges.size()) throw UnjoinedWires("Eq. (1) needs a network whose edges hang together");
   return headings;
 }
 

@@ -150,7 +150,7 @@ Eigen::VectorXd InnerProblem::inverse_iteration(Eigen::VectorXd turn) const {
 /// Eq. (1) falls by `decrease` at least.
 bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& direction, double t, double decrease,
                         Eigen::VectorXd& psi, double& value) const {
-  ask();
+  stop().check();
   Eigen::VectorXd trial = psi + t * direction;
   if (!restore(lengths, trial)) return false;
   const double trial_value = eq1_.angle_variation(trial);

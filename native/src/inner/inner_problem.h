@@ -21,14 +21,13 @@ struct InnerSolution {
   bool is_minimum = false;  // stationary to 1e-10 with the right inertia (or closing is all that was asked for)
 };
 
-/// Solves Eq. (1) on one network for as many lengths as wanted. All throw std::domain_error where a factorization
-/// breaks down on a zero pivot.
+/// Solves Eq. (1) on one network for as many lengths as wanted. All throw Stopped, and FactorizationFailed at a zero
+/// pivot.
 class InnerProblem {
  public:
-  /// ask: before each factorization, and before each step along closed loops.
-  InnerProblem(
-      const WireNetwork& network, NodeWeight node_weight, Ask ask = [] {})
-      : eq1_(network, node_weight), kkt_(eq1_, network, std::move(ask)) {}
+  /// stop: checked before each factorization, and before each step along closed loops.
+  InnerProblem(const WireNetwork& network, NodeWeight node_weight, StopToken stop = {})
+      : eq1_(network, node_weight), kkt_(eq1_, network, std::move(stop)) {}
 
   /// The local minimum of Eq. (1) reached from the surface angles (Inner::minimum), or the first point where every
   /// loop closes (Inner::least_norm). lengths: positive, scene units, #wire edges.
@@ -50,7 +49,7 @@ class InnerProblem {
   Eigen::VectorXd total_derivative(const InnerSolution& solution, const Eigen::VectorXd& by_headings,
                                    const Eigen::VectorXd& by_lengths) const;
 
-  void ask() const { kkt_.ask(); }
+  const StopToken& stop() const { return kkt_.stop(); }
 
   int num_factorizations() const { return kkt_.num_factorizations(); }
 

@@ -21,7 +21,7 @@ namespace wirewarp {
 class InteriorPlacement {
  public:
   /// Factors I - W. Every vertex of the chart must be joined to the network, as in a connected chart with a boundary.
-  /// Throws std::domain_error where rounding leaves a pivot that is not positive.
+  /// Throws FactorizationFailed where rounding leaves a pivot that is not positive.
   InteriorPlacement(const Chart& chart, const WireNetwork& network);
 
   /// Fills the rows of uv (one per chart vertex) that are not on the network from those that are.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inner/kkt_system.h"
 
-#include <stdexcept>
 #include <utility>
 
+#include "factorization_failed.h"
 #include "inner/elimination_order.h"
 
 namespace wirewarp {
@@ -13,10 +13,10 @@ constexpr double kRegularization = 1e-13;
 
 }  // namespace
 
-KktSystem::KktSystem(const Eq1& eq1, const WireNetwork& network, Ask ask)
+KktSystem::KktSystem(const Eq1& eq1, const WireNetwork& network, StopToken stop)
     : num_edges_(eq1.num_edges()),
       num_closures_(eq1.num_closures()),
-      ask_(std::move(ask)),
+      stop_(std::move(stop)),
       order_(num_edges_ + num_closures_) {
   const std::vector<int> order = order_elimination(eq1, network);
   for (int i = 0; i < num_edges_ + num_closures_; ++i) order_.indices()[order[static_cast<std::size_t>(i)]] = i;
@@ -25,7 +25,7 @@ KktSystem::KktSystem(const Eq1& eq1, const WireNetwork& network, Ask ask)
 bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& diagonal,
                        const Eigen::SparseMatrix<double>& jacobian) {
   using Iterator = Eigen::SparseMatrix<double>::InnerIterator;
-  ask_();
+  stop_.check();
   const double mean_diagonal = laplacian.diagonal().mean();
   const Eigen::VectorXi& position = order_.indices();
   std::vector<Eigen::Triplet<double>> entries;
@@ -57,7 +57,7 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
 }
 
 KktSystem::Solution KktSystem::solve(const Eigen::VectorXd& r1, const Eigen::VectorXd& r2) const {
-  if (factor_.info() != Eigen::Success) throw std::domain_error("KktSystem: a pivot is zero");
+  if (factor_.info() != Eigen::Success) throw FactorizationFailed("KktSystem: a pivot is zero");
   constexpr int kRefinements = 2;  // against δ = 0
   Eigen::VectorXd right(num_edges_ + num_closures_);
   right << r1, r2;

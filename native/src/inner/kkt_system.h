@@ -9,19 +9,16 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
-#include <functional>
 
 #include "inner/eq1.h"
+#include "stop_token.h"
 
 namespace wirewarp {
 
-/// Called before each piece of work; may throw to cancel.
-using Ask = std::function<void()>;
-
 class KktSystem {
  public:
-  KktSystem(
-      const Eq1& eq1, const WireNetwork& network, Ask ask = [] {});
+  /// stop: checked before each factorization.
+  KktSystem(const Eq1& eq1, const WireNetwork& network, StopToken stop = {});
 
   /// False if L + D is not positive definite on the closures' null space (the inertia is wrong): the step would not
   /// lead downhill. Counted in num_factorizations.
@@ -32,18 +29,17 @@ class KktSystem {
     Eigen::VectorXd step;         // d, #edges
     Eigen::VectorXd multipliers;  // λ, #closures
   };
-  /// Throws std::domain_error if the last factorization broke down on a zero pivot.
+  /// Throws FactorizationFailed if the last factorization broke down on a zero pivot.
   Solution solve(const Eigen::VectorXd& r1, const Eigen::VectorXd& r2) const;
 
-  /// As before each factorization.
-  void ask() const { ask_(); }
+  const StopToken& stop() const { return stop_; }
 
   int num_factorizations() const { return num_factorizations_; }
 
  private:
   int num_edges_;
   int num_closures_;
-  Ask ask_;
+  StopToken stop_;
   int num_factorizations_ = 0;
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order_;  // unknown -> place in the elimination
   Eigen::SparseMatrix<double> matrix_;  // upper triangle in elimination order, δ left out

@@ -34,8 +34,7 @@ OuterSolution evaluate(Warp& warp, const Eigen::VectorXd& variation) {
   return measured(warp, variation, warp(variation));
 }
 
-OuterSolution improve(Warp& warp, const VariationBounds& bounds, OuterSolution start,
-                      const BeforeEvaluation& before_evaluation) {
+OuterSolution improve(Warp& warp, const VariationBounds& bounds, OuterSolution start) {
   if (!start.shape.inner.is_minimum) {  // E has no gradient by h there
     start.converged = false;
     return start;
@@ -51,7 +50,7 @@ OuterSolution improve(Warp& warp, const VariationBounds& bounds, OuterSolution s
   best.shape_error = std::numeric_limits<double>::infinity();
   int inner_solves = hessian ? 1 : 0;
   const BoxFunction error_of = [&](const Eigen::VectorXd& elastic) -> std::optional<ValueAndGradient> {
-    before_evaluation();
+    warp.stop().check();
     Eigen::VectorXd variation = first;
     variation(parts) = elastic;
     OuterSolution trial = std::exchange(is_first, false)
@@ -103,12 +102,9 @@ OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBou
   const bool has_rigid = rigid.shape.inner.is_feasible;
   if (bounds.elastic_parts().empty() || (has_rigid && rigid.shape_error < kIsometry)) return rigid;
 
-  warp.ask();
+  warp.stop().check();
   const std::optional<Positions2> layout = has_rigid ? std::optional(rigid.shape.uv) : std::nullopt;
-  const FreeBoundaryArap free = free_boundary_arap(chart, kFreeSteps, layout, [&] {
-    warp.ask();
-    return true;
-  });
+  const FreeBoundaryArap free = free_boundary_arap(chart, kFreeSteps, layout, warp.stop());
   OuterSolution relaxed =
       evaluate(warp, length_variation(chart, free.uv).cwiseMax(bounds.lower).cwiseMin(bounds.upper));
   const int inner_solves = rigid.inner_solves + relaxed.inner_solves;
@@ -122,13 +118,12 @@ OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBou
   return start;
 }
 
-OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
-                               const BeforeEvaluation& before_evaluation) {
-  before_evaluation();
+OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds) {
+  warp.stop().check();
   OuterSolution start = start_variation(chart, warp, bounds);
   const bool can_improve =
       !bounds.elastic_parts().empty() && start.shape.inner.is_feasible && !(start.shape_error < kIsometry);
-  return can_improve ? improve(warp, bounds, std::move(start), before_evaluation) : start;
+  return can_improve ? improve(warp, bounds, std::move(start)) : start;
 }
 
 }  // namespace wirewarp

@@ -37,13 +37,10 @@ VariationBounds variation_bounds(const Chart& chart, const Options& options);
 /// is an isometry, or no part is elastic. shape.inner is not feasible where neither exists.
 OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds);
 
-/// Called before each evaluation; may throw to cancel.
-using BeforeEvaluation = std::function<void()>;
-
 /// The length variations with the least shape error within the bounds, found from h0; h0 itself where there is nothing
 /// to improve. The wire angles follow from one h to the next, so that E does not jump where Eq. (1) has several minima.
-/// Not converged where they reach no minimum at h0: E has no gradient there.
-OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds,
-                               const BeforeEvaluation& before_evaluation);
+/// Not converged where they reach no minimum at h0: E has no gradient there. The warp's token is checked before each
+/// evaluation, too.
+OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds);
 
 }  // namespace wirewarp

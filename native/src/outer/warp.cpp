@@ -18,12 +18,12 @@ Eigen::VectorXd edge_lengths(const WireNetwork& network) {
 
 }  // namespace
 
-Warp::Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner, Ask ask)
+Warp::Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner, StopToken stop)
     : network_(network),
       num_vertices_(static_cast<int>(chart.mesh.n_vertices())),
       num_parts_(static_cast<int>(chart.wire_parts.size())),
       inner_(inner),
-      inner_problem_(network, node_weight, std::move(ask)),
+      inner_problem_(network, node_weight, std::move(stop)),
       layout_(chart, network),
       placement_(chart, network),
       shape_error_(chart),
@@ -92,7 +92,7 @@ Eigen::MatrixXd Warp::gauss_newton_hessian(const WarpedShape& shape, const std::
   const auto size = static_cast<Eigen::Index>(parts.size());
   Eigen::MatrixXd hessian(size, size);
   for (Eigen::Index column = 0; column < size; ++column) {
-    ask();
+    stop().check();
     const Eigen::VectorXd d_lengths =
         lengths_of(Eigen::VectorXd::Unit(num_parts_, parts[static_cast<std::size_t>(column)])) - rest_lengths_;
     Positions2 d_uv = Positions2::Zero(num_vertices_, 2);

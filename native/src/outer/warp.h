@@ -19,13 +19,12 @@ struct WarpedShape {
   InnerSolution inner;      // where the lengths cannot be kept (not feasible), uv is empty
 };
 
-/// All throw std::domain_error where a factorization breaks down.
+/// All throw Stopped, and FactorizationFailed.
 class Warp {
  public:
   /// chart and network must outlive the warp. network: every wire-patch a disk (see process_topology).
-  /// ask: before each step and factorization of Eq. (1).
-  Warp(
-      const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner, Ask ask = [] {});
+  /// stop: checked before each step and factorization of Eq. (1).
+  Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner, StopToken stop = {});
 
   /// ψ(h). variation: h > -1, one per wire part of the chart; boundaries keep their length.
   WarpedShape operator()(const Eigen::VectorXd& variation);
@@ -47,7 +46,7 @@ class Warp {
   Eigen::MatrixXd gauss_newton_hessian(const WarpedShape& shape, const std::vector<int>& parts);
 
   /// For those who work with the warp.
-  void ask() const { inner_problem_.ask(); }
+  const StopToken& stop() const { return inner_problem_.stop(); }
 
   int interior_factorizations() const { return placement_.factorizations(); }
   int inner_factorizations() const { return inner_problem_.num_factorizations(); }  // of all calls so far

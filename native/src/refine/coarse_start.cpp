@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "coarsen/prolong.h"
 #include "mesh/geometry.h"
@@ -14,8 +13,8 @@ namespace {
 
 constexpr double kCoarsening = 4;  // length of a coarse edge over that of a fine one
 constexpr double kLeastCoarsening = 2;
-constexpr double kPerWiggle = 0.3;  // length of a coarse edge over the shortest wiggle of wires, at most
-constexpr int kMaxFactorizations = 30;
+constexpr double kPerWiggle = 0.3;      // length of a coarse edge over the shortest wiggle of wires, at most
+constexpr int kMaxFactorizations = 30;  // and half of what is left: the chart itself needs some
 
 /// Of the edges of as many equilateral triangles with the same area, scene units.
 double typical_edge_length(const HalfEdgeMesh& mesh) {
@@ -31,25 +30,23 @@ bool has_slit_of_one_edge(const HalfEdgeMesh& mesh) {
 
 }  // namespace
 
-std::optional<RefinementStart> start_from_coarse(const Chart& chart, const WireNetwork& network, const Options& options,
-                                                 const std::function<bool()>& go_on) {
+std::optional<RefinementStart> start_from_coarse(const Chart& chart, const WireNetwork& network,
+                                                 const InternalOptions& options, RefineBudget& budget,
+                                                 const StopToken& stop) {
   const double fine = typical_edge_length(chart.mesh);
   const double wanted =
       std::min(kCoarsening * fine, kPerWiggle * options.fairness * std::sqrt(surface_area(chart.mesh)));
-  if (wanted < kLeastCoarsening * fine || has_slit_of_one_edge(chart.mesh) || !go_on()) return std::nullopt;
-  const CoarseChart coarse = coarsen(chart, network, wanted, go_on);
-  if (!go_on()) return std::nullopt;
-  Options brief = options;
-  brief.max_factorizations = std::min(options.max_factorizations, kMaxFactorizations);
-  try {
-    const RefinedShape shape =
-        refine_from_scratch(coarse.chart, coarse.network, brief, [&](const char*) { return go_on(); }).shape;
-    if (!shape.is_exact || !go_on()) return std::nullopt;
-    return RefinementStart{prolong_positions(chart, network, coarse, shape.uv),
-                           prolong_multipliers(coarse, shape.multipliers)};
-  } catch (const std::domain_error&) {  // a factorization broke down, or no topology serves the coarse wires
-    return std::nullopt;
-  }
+  if (wanted < kLeastCoarsening * fine || has_slit_of_one_edge(chart.mesh)) return std::nullopt;
+  const StopToken at_start([at_start = stop.in("start")](const char*) { return at_start.may_go_on(); });
+  at_start.check();
+  const CoarseChart coarse = coarsen(chart, network, wanted, at_start);
+  at_start.check();
+  RefineBudget coarse_budget(budget, std::min(kMaxFactorizations, budget.left() / 2));
+  const RefinedShape shape = refine_from_scratch(coarse.chart, coarse.network, options, coarse_budget, at_start).shape;
+  if (!shape.is_exact) return std::nullopt;
+  at_start.check();
+  return RefinementStart{prolong_positions(chart, network, coarse, shape.uv),
+                         prolong_multipliers(coarse, shape.multipliers)};
 }
 
 }  // namespace wirewarp

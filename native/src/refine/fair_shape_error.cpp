@@ -57,9 +57,7 @@ Eigen::Matrix2d conjugate_product(const HatGradients& g, int i, int j) {
 
 FairShapeError::FairShapeError(const Chart& chart, const WireNetwork& network, double fairness, Injectivity injectivity,
                                const Positions2& layout)
-    : shape_error_(chart),
-      bending_(chart, network, fairness, surface_area(chart.mesh)),
-      injectivity_(injectivity) {
+    : shape_error_(chart), bending_(chart, network, fairness, surface_area(chart.mesh)), injectivity_(injectivity) {
   if (injectivity == Injectivity::global) outline_barrier_.emplace(chart, layout);
 }
 

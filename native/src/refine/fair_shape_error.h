@@ -15,8 +15,8 @@
 //   indefinite
 //
 // The first term is the constant Laplacian. With det J = |z|² − |w|² the barrier has ∇_i det = g_i z − ḡ_i w, and its
-// Hessian without the term that could make it indefinite is A β″ ∇det ∇detᵀ − ½ A β′ M(ḡ_i g_j), M(a + ib) the matrix of
-// multiplication by a + ib.
+// Hessian without the term that could make it indefinite is A β″ ∇det ∇detᵀ − ½ A β′ M(ḡ_i g_j), M(a + ib) the matrix
+// of multiplication by a + ib.
 #pragma once
 
 #include <optional>
@@ -44,8 +44,8 @@ enum class Injectivity {
 
 class FairShapeError {
  public:
-  /// network: of all wires but super-elastic ones. layout: of Injectivity::global, one row per chart vertex; the Hessian
-  /// knows the parts of the outline that are near each other there.
+  /// network: of all wires but super-elastic ones. layout: of Injectivity::global, one row per chart vertex; the
+  /// Hessian knows the parts of the outline that are near each other there.
   FairShapeError(const Chart& chart, const WireNetwork& network, double fairness,
                  Injectivity injectivity = Injectivity::none, const Positions2& layout = {});
 
@@ -63,7 +63,9 @@ class FairShapeError {
   double longest_step(const Positions2& uv, const Positions2& d) const;
 
   /// Whether the Hessian knows all parts of the outline that are near each other.
-  bool covers_contacts(const Positions2& uv) const { return !outline_barrier_ || outline_barrier_->covers_contacts(uv); }
+  bool covers_contacts(const Positions2& uv) const {
+    return !outline_barrier_ || outline_barrier_->covers_contacts(uv);
+  }
 
   /// The vertices that the Hessian couples.
   void list_pairs(std::vector<VertexPair>& pairs) const;

@@ -6,11 +6,14 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <stdexcept>
 
+#include "arap/free_boundary_arap.h"
+#include "factorization_failed.h"
 #include "feasibility/folded_faces.h"
 #include "refine/lies_flat.h"
 #include "refine/project_to_lengths.h"
+#include "refine/relax_lengths.h"
+#include "refine/starts.h"
 
 namespace wirewarp {
 namespace {
@@ -21,7 +24,8 @@ constexpr double kUneven = 5e-3;                  // strain_rms that a larger va
 constexpr double kFineStep = 1e-3, kStep = 5e-3;  // of what is proposed: 0.1 %, from 0.5 % on 0.5 %
 constexpr double kLargest = 0.5;
 constexpr double kFree = std::numeric_limits<double>::infinity();
-constexpr double kSpare = 1.1;   // of tolerances that a free shape needs
+constexpr int kMaxFreeFactorizations = 4 * kStartFactorizations;  // those of a coarser or a sewn chart count
+constexpr double kSpare = 1.1;                                    // of tolerances that a free shape needs
 constexpr int kMostTrials = 30;  // of fewer wires, and of smaller tolerances: hundredths of a second each
 constexpr std::size_t kFewWires =
     8;  // get a tolerance each; more of them the same, which is quicker to find and to type
@@ -111,19 +115,15 @@ std::vector<ProposedTolerance> listed(const Tolerances& tolerances) {
 class ToleranceSearch {
  public:
   /// starts: layouts to come from, near exact lengths.
-  ToleranceSearch(const Chart& chart, double fairness, std::vector<Positions2> starts,
-                  const std::function<bool()>& go_on)
-      : chart_(chart), fairness_(fairness), starts_(std::move(starts)), go_on_(go_on) {}
+  ToleranceSearch(const Chart& chart, double fairness, std::vector<Positions2> starts, StopToken stop)
+      : chart_(chart), fairness_(fairness), starts_(std::move(starts)), stop_(std::move(stop)) {}
 
   bool serve(const Tolerances& tolerances) const {
     const Chart looser = with_tolerances(chart_, tolerances);
     const WireNetwork network = build_held_network(looser);
     return std::any_of(starts_.begin(), starts_.end(), [&](Positions2 uv) {
-      try {
-        return project_to_lengths(looser, network, fairness_, uv, go_on_);
-      } catch (const std::domain_error&) {  // a factorization broke down; others may not
-        return false;
-      }
+      RefineBudget budget(kMaxProjectFactorizations);
+      return project_to_lengths(looser, network, fairness_, uv, budget, stop_);
     });
   }
 
@@ -154,7 +154,8 @@ class ToleranceSearch {
   }
 
   bool try_instead(Tolerances& tolerances, Tolerances others) {
-    if (num_trials_ >= kMostTrials || !go_on_()) return false;
+    if (num_trials_ >= kMostTrials) return false;
+    stop_.check();
     ++num_trials_;
     if (!serve(others)) return false;
     tolerances = std::move(others);
@@ -208,39 +209,46 @@ class ToleranceSearch {
   const Chart& chart_;
   double fairness_;
   std::vector<Positions2> starts_;
-  const std::function<bool()>& go_on_;
+  StopToken stop_;
   int num_trials_ = 0;
 };
 
 }  // namespace
 
-std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Options& options,
-                                                  const RefineResult& refined, const std::function<bool()>& go_on,
-                                                  const Tuning& tuning) {
+std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const InternalOptions& options,
+                                                  const RefineResult& refined, const StopToken& stop) {
   const Tolerances all = free_wires(chart);
   if (all.empty()) return {};
-  const GoOn may_go_on = [&](const char*) { return go_on(); };
-  Options brief = options;
-  brief.max_factorizations = kStartFactorizations;
+  InternalOptions brief = options;
+  brief.max_factorizations = kMaxFreeFactorizations;
   RefinedShape free;
   try {
-    free = refine_chart(with_tolerances(chart, all), brief, may_go_on, tuning).shape;
-  } catch (const std::domain_error&) {  // a factorization broke down
+    free = refine_chart(with_tolerances(chart, all), brief, stop).shape;
+  } catch (const FactorizationFailed&) {
     return {};
   }
-  if (!free.is_exact || !go_on()) return {};
-  const Tolerances plain = find_needs(chart, refined.loose, kKept);
-  const Tolerances possible = find_needs(chart, refined.loose, kPerhapsKept);
+  if (!free.is_exact) return {};
+  stop.check();
+  RefineBudget relax_budget(kMaxRelaxFactorizations);
+  const RelaxedShape relaxed =
+      refined.relaxed && refined.relaxed->is_minimum
+          ? *refined.relaxed
+          : relax_lengths(chart, build_held_network(chart), options.fairness,
+                          free_boundary_arap(chart, kFreeSteps, {}, stop).uv, relax_budget, stop);
+  const Tolerances plain = find_needs(chart, relaxed, kKept);
+  const Tolerances possible = find_needs(chart, relaxed, kPerhapsKept);
   const Tolerances candidates[] = {widened(chart, plain, 1),    widened(chart, plain, 2), widened(chart, possible, 1),
                                    widened(chart, possible, 2), all_free(plain),          shared(chart, free),
                                    all_free(possible)};
-  ToleranceSearch search(chart, options.fairness, {refined.loose.uv, free.uv}, go_on);
+  ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.uv}, stop);
   const auto lie_flat = [&](const Tolerances& tolerances) {
-    return go_on() && lies_flat(with_tolerances(chart, tolerances), options, may_go_on, tuning);
+    stop.check();
+    return lies_flat(with_tolerances(chart, tolerances), options, stop);
   };
   std::set<Tolerances> tried{{}, all};
   for (const Tolerances& tolerances : candidates) {
-    if (!tried.insert(tolerances).second || !go_on() || !search.serve(tolerances)) continue;
+    stop.check();
+    if (!tried.insert(tolerances).second || !search.serve(tolerances)) continue;
     const Tolerances least = search.least(tolerances);
     for (const Tolerances& looser : {least, widened(chart, least, 2), tolerances}) {
       if (lie_flat(looser)) return listed(looser);

@@ -10,10 +10,8 @@ namespace wirewarp {
 /// lengths kept, nothing turned over, no overlap. Those wires that give way at the least price, without those that need
 /// not; else all that change when free. Round and as small as serves: one for each of a few wires, the same for many;
 /// infinity for a wire that no tolerance up to a half helps. Empty if no good shape is found even with all wires free.
-/// options.max_factorizations does not count here. refined: of the chart, not exact. Stops early, with nothing, where
-/// go_on says so.
-std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Options& options,
-                                                  const RefineResult& refined, const std::function<bool()>& go_on,
-                                                  const Tuning& tuning);
+/// options.max_factorizations does not count here. refined: of the chart, not exact. Throws Stopped.
+std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const InternalOptions& options,
+                                                  const RefineResult& refined, const StopToken& stop);
 
 }  // namespace wirewarp

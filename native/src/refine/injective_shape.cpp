@@ -6,6 +6,7 @@
 
 #include "arap/free_boundary_arap.h"
 #include "arap/tutte_embedding.h"
+#include "factorization_failed.h"
 #include "mesh/geometry.h"
 #include "mesh/overlap.h"
 #include "refine/injective_start.h"
@@ -27,34 +28,58 @@ Injectivity injectivity_of(const Chart& chart, const Positions2& uv) {
   return overlaps ? Injectivity::local : Injectivity::global;
 }
 
-RefinedShape refine_injectively(const Chart& chart, const WireNetwork& network, Injectivity injectivity,
-                                RefineBudget& budget) {
-  Positions2 map = free_boundary_arap(chart, kFreeSteps, {}, budget.asking("start")).uv;
-  if (injectivity_of(chart, map) < injectivity) map = tutte_embedding(chart);
-  if (budget.was_stopped() || injectivity_of(chart, map) < injectivity) return {};  // rounding spoils the embedding
-  const InjectiveStart reached =
-      injective_start(chart, network, budget.fairness(), map, budget.limits(kNoLimit, injectivity));
-  budget.count(reached.factorizations);
-  if (!reached.start || budget.was_stopped()) return {};
-  RefinedShape shape = budget.refine(chart, network, *reached.start, kNoLimit, injectivity);
+std::optional<RefinementStart> reach_injectively(const Chart& chart, const WireNetwork& network, double fairness,
+                                                 const RefinementLimits& limits) {
+  if (!limits.budget.allows()) return std::nullopt;
+  Positions2 map = free_boundary_arap(chart, kFreeSteps, {}, limits.stop.in("start")).uv;
+  if (injectivity_of(chart, map) < limits.injectivity) map = tutte_embedding(chart);
+  if (injectivity_of(chart, map) < limits.injectivity) return std::nullopt;  // rounding spoils the embedding
+  RefinementLimits in_shape = limits;
+  in_shape.stop = limits.stop.in("shape");
+  return injective_start(chart, network, fairness, map, in_shape);
+}
+
+namespace {
+
+/// The least distorted shape with exact lengths and the injectivity of the limits. Not exact where it is not found.
+RefinedShape refine_injectively(const Chart& chart, const WireNetwork& network, double fairness,
+                                const RefinementLimits& limits) {
+  const std::optional<RefinementStart> start = reach_injectively(chart, network, fairness, limits);
+  if (!start) return {};
+  RefinementLimits in_shape = limits;
+  in_shape.stop = limits.stop.in("shape");
+  RefinedShape shape = refine_shape(chart, network, fairness, *start, in_shape);
   // Parts of the outline that came near each other on the way are not in the Hessian yet.
-  while (injectivity == Injectivity::global && shape.is_exact && !shape.converged && !budget.ran_out()) {
-    RefinedShape next = budget.refine(chart, network, {shape.uv, shape.multipliers}, kNoLimit, injectivity);
+  while (limits.injectivity == Injectivity::global && shape.is_exact && !shape.converged && limits.budget.allows() &&
+         !limits.stop.is_stopped()) {
+    RefinedShape next = refine_shape(chart, network, fairness, {shape.uv, shape.multipliers}, in_shape);
     if (!(next.objective < shape.objective)) break;
     shape = std::move(next);
   }
   return shape;
 }
 
-RefinedShape make_injective(const Chart& chart, const WireNetwork& network, RefinedShape shape, RefineBudget& budget) {
+}  // namespace
+
+bool make_injective(const Chart& chart, const WireNetwork& network, double fairness, const RefinementLimits& limits,
+                    RefinedShape& shape) {
+  bool is_other = false;
   for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {
     const bool is_disk = chart.boundary_loops.size() == 1;  // a ring that overlaps had best be cut open
     if (injectivity == Injectivity::global && !is_disk) continue;
-    if (budget.ran_out() || !shape.is_exact || injectivity_of(chart, shape.uv) >= injectivity) continue;
-    RefinedShape injective = refine_injectively(chart, network, injectivity, budget);
-    if (injective.is_exact) shape = std::move(injective);
+    if (limits.stop.is_stopped() || !shape.is_exact || injectivity_of(chart, shape.uv) >= injectivity) continue;
+    try {
+      RefinedShape injective = refine_injectively(chart, network, fairness, {limits.budget, limits.stop, injectivity});
+      if (!injective.is_exact) continue;
+      shape = std::move(injective);
+      is_other = true;
+    } catch (const Stopped&) {  // the shape at hand has exact lengths
+      break;
+    } catch (const FactorizationFailed&) {
+      break;
+    }
   }
-  return shape;
+  return is_other;
 }
 
 }  // namespace wirewarp

@@ -22,17 +22,17 @@ constexpr int kStepsPerMultiplier = 5;  // at most: λ far from its end needs no
 constexpr double kEnough = 1e-2;        // slope over Φ from where on the minimum is near enough for the next λ
 constexpr double kSufficient = 1e-4;    // share of the promised decrease that a step must bring
 constexpr double kShortestStep = 1e-9;
-constexpr double kInside = 0.9;      // of the way to where the injectivity is lost
-constexpr double kRetractable = 1e-3;  // error of lengths that are tried to be made exact at once; then a tenth each time
+constexpr double kInside = 0.9;  // of the way to where the injectivity is lost
+constexpr double kRetractable =
+    1e-3;  // error of lengths that are tried to be made exact at once; then a tenth each time
 
 class MultiplierMethod {
  public:
   MultiplierMethod(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& map,
-                   Injectivity injectivity);
+                   const RefinementLimits& limits);
 
-  bool reach_exact_lengths(const RefinementLimits& limits);
+  bool reach_exact_lengths();
   RefinementStart start() const { return {now_.uv, multipliers_}; }
-  int factorizations() const { return factorizations_ + system_->num_factorizations(); }
 
  private:
   struct Iterate {
@@ -56,18 +56,18 @@ class MultiplierMethod {
   Outcome take_step();
   void update_multipliers();
   bool retract();
+  bool factorize(const Eigen::VectorXd& multipliers);
 
   const Chart& chart_;
   const WireNetwork& network_;
   double fairness_;
-  Injectivity injectivity_;
+  RefinementLimits limits_;
   LengthConstraints constraints_;
   const Eigen::SparseMatrix<double>& lengths_;  // T
   Eigen::VectorXd tolerance_;                   // ε of the elastic parts
   std::optional<FairShapeError> objective_;
   std::optional<NewtonSystem> system_;
   Eigen::VectorXd holding_stiffness_;  // ρ that holds lengths in a retraction
-  int factorizations_ = 0;             // of systems before
 
   Iterate now_;
   Eigen::VectorXd multipliers_;  // λ
@@ -77,11 +77,11 @@ class MultiplierMethod {
 };
 
 MultiplierMethod::MultiplierMethod(const Chart& chart, const WireNetwork& network, double fairness,
-                                   const Positions2& map, Injectivity injectivity)
+                                   const Positions2& map, const RefinementLimits& limits)
     : chart_(chart),
       network_(network),
       fairness_(fairness),
-      injectivity_(injectivity),
+      limits_(limits),
       constraints_(chart, network),
       lengths_(constraints_.elastic_lengths()),
       multipliers_(Eigen::VectorXd::Zero(constraints_.size())) {
@@ -98,9 +98,8 @@ MultiplierMethod::MultiplierMethod(const Chart& chart, const WireNetwork& networ
 
 /// A system whose Hessian knows the parts of the outline that are near each other.
 void MultiplierMethod::linearize_near(const Positions2& uv) {
-  if (system_) factorizations_ += system_->num_factorizations();
   system_.reset();
-  objective_.emplace(chart_, network_, fairness_, injectivity_, uv);
+  objective_.emplace(chart_, network_, fairness_, limits_.injectivity, uv);
   system_.emplace(chart_, *objective_, constraints_, uv);
   holding_stiffness_ = system_->stiffness();
 }
@@ -110,12 +109,18 @@ double MultiplierMethod::value(const Iterate& iterate) const {
   return objective_->value(iterate.uv) + multipliers_.dot(c) + stiffness_ / 2 * c.dot(unit_.cwiseProduct(c));
 }
 
+bool MultiplierMethod::factorize(const Eigen::VectorXd& multipliers) {
+  limits_.stop.check();
+  limits_.budget.spend(1);
+  return system_->factorize(now_.uv, multipliers, {Curvature::convex, false});
+}
+
 /// With d eliminated a quadratic program in Δh is left: how ρ and the surface resist, and what the forces pull.
 std::optional<MultiplierMethod::Step> MultiplierMethod::newton_step() {
   const Eigen::VectorXd stiffness = stiffness_ * unit_;
   const Eigen::VectorXd forces = multipliers_ + stiffness.cwiseProduct(residual(now_));
   system_->set_stiffness(stiffness);
-  if (!system_->factorize(now_.uv, forces, {Curvature::convex, false})) return std::nullopt;
+  if (!factorize(forces)) return std::nullopt;
   Positions2 gradient;
   objective_->value_and_gradient(now_.uv, gradient);
   const Positions2& directions = system_->directions();
@@ -156,7 +161,7 @@ void MultiplierMethod::update_multipliers() {
 /// To exact lengths by the least change, if nothing is in the way.
 bool MultiplierMethod::retract() {
   system_->set_stiffness(holding_stiffness_);
-  if (!system_->factorize(now_.uv, multipliers_, {Curvature::convex, false})) return false;
+  if (!factorize(multipliers_)) return false;
   Positions2 exact = now_.uv;
   if (!retract_to_lengths(constraints_, *system_, now_.variation, exact)) return false;
   if (objective_->longest_step(now_.uv, exact - now_.uv) < 1) return false;
@@ -164,14 +169,13 @@ bool MultiplierMethod::retract() {
   return true;
 }
 
-bool MultiplierMethod::reach_exact_lengths(const RefinementLimits& limits) {
-  const auto may_go_on = [&] { return factorizations() < limits.max_factorizations && limits.go_on(); };
+bool MultiplierMethod::reach_exact_lengths() {
   double retractable = kRetractable;
-  for (int steps = 1; may_go_on(); ++steps) {
+  for (int steps = 1; limits_.budget.allows(); ++steps) {
     if (!objective_->covers_contacts(now_.uv)) linearize_near(now_.uv);
     const Outcome outcome = take_step();
     if (outcome == Outcome::stuck) return false;
-    if (const double error = length_error(); error < retractable && may_go_on()) {
+    if (const double error = length_error(); error < retractable && limits_.budget.allows()) {
       if (retract()) return true;
       retractable = error / 10;
     }
@@ -186,13 +190,11 @@ bool MultiplierMethod::reach_exact_lengths(const RefinementLimits& limits) {
 
 }  // namespace
 
-InjectiveStart injective_start(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& map,
-                               const RefinementLimits& limits) {
-  MultiplierMethod method(chart, network, fairness, map, limits.injectivity);
-  InjectiveStart result;
-  if (method.reach_exact_lengths(limits)) result.start = method.start();
-  result.factorizations = method.factorizations();
-  return result;
+std::optional<RefinementStart> injective_start(const Chart& chart, const WireNetwork& network, double fairness,
+                                               const Positions2& map, const RefinementLimits& limits) {
+  MultiplierMethod method(chart, network, fairness, map, limits);
+  if (!method.reach_exact_lengths()) return std::nullopt;
+  return method.start();
 }
 
 }  // namespace wirewarp

@@ -4,7 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "factorization_failed.h"
 
 namespace wirewarp {
 namespace {
@@ -15,7 +16,7 @@ constexpr double kSolved = 0.01;     // residual of H d = -g over that of d = 0
 /// |r| in the norm dual to G, where z = G⁻¹ r. Throws where it is no number, which must not pass for a small one.
 double dual_norm(const Eigen::VectorXd& r, const Eigen::VectorXd& z) {
   const double squared = r.dot(z);
-  if (!std::isfinite(squared)) throw std::domain_error("a gradient or its preconditioner is not finite");
+  if (!std::isfinite(squared)) throw FactorizationFailed("a gradient or its preconditioner is not finite");
   return std::sqrt(std::max(0.0, squared));
 }
 

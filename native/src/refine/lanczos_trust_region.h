@@ -30,7 +30,7 @@ class LanczosTrustRegion {
 
   /// times_hessian: H d. precondition: r ↦ the d in the tangent space with G d = r but for normal components, which it
   /// may take off r. gradient: g. Builds at most max_size basis vectors.
-  /// Throws std::domain_error where a product is not finite.
+  /// Throws FactorizationFailed where a product is not finite.
   LanczosTrustRegion(const Operator& times_hessian,
                      const std::function<Eigen::VectorXd(Eigen::VectorXd& r)>& precondition,
                      const Eigen::VectorXd& gradient, int max_size);

@@ -2,8 +2,8 @@
 #include "refine/lies_flat.h"
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "factorization_failed.h"
 #include "feasibility/check_outline.h"
 #include "feasibility/folded_faces.h"
 
@@ -15,14 +15,16 @@ constexpr int kMaxFactorizations = 40;
 
 }  // namespace
 
-bool lies_flat(const Chart& chart, const Options& options, const GoOn& go_on, const Tuning& tuning) {
+bool lies_flat(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
   if (chart.error || is_outline_too_short(chart)) return false;
-  Options brief = options;
+  InternalOptions brief = options;
   brief.max_factorizations = std::min(options.max_factorizations, kMaxFactorizations);
   try {
-    const RefinedShape shape = refine_chart(chart, brief, go_on, tuning).shape;
+    const RefinedShape shape = refine_chart(chart, brief, stop).shape;
     return shape.is_exact && find_folded_faces(chart.mesh, shape.uv).empty();
-  } catch (const std::domain_error&) {  // a factorization broke down
+  } catch (const FactorizationFailed&) {
+    return false;
+  } catch (const Stopped&) {
     return false;
   }
 }

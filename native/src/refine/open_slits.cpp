@@ -131,19 +131,26 @@ bool touches(const Chart& chart, const Slit& slit, const std::vector<int>& faces
 
 }  // namespace
 
-RefinedShape open_slits(const Chart& chart, const WireNetwork& network, const std::vector<Slit>& slits,
+RefinedShape open_slits(const Chart& chart, const WireNetwork& network, double fairness, const std::vector<Slit>& slits,
                         const std::function<RefinedShape(const Chart& chart, const WireNetwork& network)>& refine_sewn,
-                        RefineBudget& attempts) {
+                        const RefinementLimits& limits) {
   const auto sewn_problem = [&](const std::vector<Slit>& shut) -> std::optional<SewnProblem> {
     std::optional<SewnChart> sewn = sew(chart, shut);
     if (!sewn) return std::nullopt;
     return SewnProblem(chart, network, std::move(*sewn));
   };
   const auto as_open = [&](const SewnProblem& problem, const RefinedShape& sewn) {
-    RefinedShape shape = attempts.refine(chart, network, problem.to_open(sewn), 0);
+    RefinedShape shape = evaluate_shape(chart, network, fairness, problem.to_open(sewn));
     shape.converged = sewn.converged;
     shape.iterations = sewn.iterations;
     return shape;
+  };
+  const auto refine = [&](const SewnProblem& problem, const RefinementStart& start, RefineBudget& budget) {
+    try {
+      return refine_shape(problem.chart(), problem.network(), fairness, start, {budget, limits.stop});
+    } catch (const Stopped&) {  // the best shape so far is exact
+      return RefinedShape{};
+    }
   };
   const std::optional<SewnProblem> all_shut = sewn_problem(slits);
   if (!all_shut || is_outline_too_short(all_shut->chart())) return {};
@@ -153,18 +160,19 @@ RefinedShape open_slits(const Chart& chart, const WireNetwork& network, const st
 
   std::vector<Slit> shut, open;
   for (const Slit& slit : slits) (slit.rims.size() == 2 ? shut : open).push_back(slit);
-  while (!open.empty() && !attempts.ran_out()) {
+  const auto may_go_on = [&] { return limits.budget.allows() && !limits.stop.is_stopped(); };
+  while (!open.empty() && may_go_on()) {
     const std::optional<SewnProblem> problem = sewn_problem(shut);
     if (!problem) return best;
     RefinementStart start{best.uv, best.multipliers};
     for (const Slit& slit : open) open_a_little(chart, slit, start.uv);
-    RefinedShape trial =
-        attempts.refine(problem->chart(), problem->network(), problem->to_sewn(start), kMaxFactorizations);
+    RefineBudget brief(limits.budget, kMaxFactorizations);
+    RefinedShape trial = refine(*problem, problem->to_sewn(start), brief);
     const auto overlapping = [&] { return newly_overlapping(chart, problem->to_open(trial).uv, best.uv); };
-    if (trial.is_exact && !trial.converged && !attempts.ran_out() && overlapping().empty()) {
-      trial = attempts.refine(problem->chart(), problem->network(), {trial.uv, trial.multipliers});
+    if (trial.is_exact && !trial.converged && may_go_on() && overlapping().empty()) {
+      trial = refine(*problem, {trial.uv, trial.multipliers}, limits.budget);
     }
-    if (attempts.ran_out() && !trial.converged) best.converged = false;
+    if (!may_go_on() && !trial.converged) best.converged = false;
     if (!trial.is_exact) return best;
     const std::vector<int> overlapping_faces = overlapping();
     if (overlapping_faces.empty()) {

@@ -14,9 +14,9 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kWeight = 1;   // κ: the force where d is about half of d̂ is that of a strain of 1, edge by edge
-constexpr double kReach = 0.1;  // d̂ over an edge: corners of more than 6° feel nothing between their own sides
-constexpr double kCovered = 8;  // contacts nearer than so many d̂ are in the Hessian: those of the next steps
+constexpr double kWeight = 1;    // κ: the force where d is about half of d̂ is that of a strain of 1, edge by edge
+constexpr double kReach = 0.1;   // d̂ over an edge: corners of more than 6° feel nothing between their own sides
+constexpr double kCovered = 8;   // contacts nearer than so many d̂ are in the Hessian: those of the next steps
 constexpr double kAside = 1e-9;  // of an edge: a vertex that passes its end by no more counts as touching
 
 Box2 box_around(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double margin) {
@@ -124,8 +124,8 @@ void OutlineBarrier::add_hessian(const Positions2& uv, VertexMatrix& hessian) co
     const Distance d = distance(uv, contact);
     const double curvature = LogBarrier(d.value / contact.reach).curvature;
     if (curvature == 0) continue;
-    const Eigen::Matrix2d block = kWeight * size_ * outline_length_[contact.p] / contact.reach * curvature * d.normal *
-                                  d.normal.transpose();
+    const Eigen::Matrix2d block =
+        kWeight * size_ * outline_length_[contact.p] / contact.reach * curvature * d.normal * d.normal.transpose();
     const int vertices[3] = {contact.p, edges_[contact.edge].a, edges_[contact.edge].b};
     const double shares[3] = {1, d.along - 1, -d.along};
     for (int i = 0; i < 3; ++i) {

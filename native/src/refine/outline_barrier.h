@@ -60,9 +60,9 @@ class OutlineBarrier {
 
   double size_;  // √A
   std::vector<Edge> edges_;
-  std::vector<int> vertices_;                 // of the outline
+  std::vector<int> vertices_;                   // of the outline
   std::vector<double> reach_, outline_length_;  // d̂ for p's edges, w; one per chart vertex
-  std::vector<Contact> covered_;              // in order
+  std::vector<Contact> covered_;                // in order
 };
 
 }  // namespace wirewarp

@@ -11,7 +11,6 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kMaxFactorizations = 30;
 constexpr int kMaxSteps = 10;               // with one factor
 constexpr double kShortestStep = 1.0 / 64;  // below, the lengths are as near as they get from here
 constexpr double kSufficient = 0.1;         // share of the decrease of the strain which a step must bring
@@ -101,9 +100,11 @@ class Projection {
 }  // namespace
 
 bool project_to_lengths(const Chart& chart, const WireNetwork& network, double fairness, Positions2& uv,
-                        const std::function<bool()>& go_on) {
+                        RefineBudget& budget, const StopToken& stop) {
   Projection projection(chart, network, fairness, uv);
-  for (int i = 0; i < kMaxFactorizations && !projection.has(LengthConstraints::exact) && go_on(); ++i) {
+  while (!projection.has(LengthConstraints::exact) && budget.allows()) {
+    stop.check();
+    budget.spend(1);
     if (!projection.get_nearer()) break;
   }
   uv = projection.uv();

@@ -2,57 +2,45 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
-#include <limits>
-
-#include "progress_report.h"
-#include "refine/refine_shape.h"
-#include "wirewarp/options.h"
 
 namespace wirewarp {
 
-inline constexpr int kNoLimit = std::numeric_limits<int>::max();
-
-/// The starts of one chart, and of it with slits sewn up: they share the limits, and are counted together.
+/// The factorizations of Newton systems that all starts of a chart may take together. Those of its coarser mesh and of
+/// the chart with slits sewn up count like its own.
 class RefineBudget {
  public:
-  /// go_on must outlive the attempts.
-  RefineBudget(const Options& options, const GoOn& go_on)
-      : fairness_(options.fairness), max_factorizations_(options.max_factorizations), go_on_(go_on) {}
+  explicit RefineBudget(int max_factorizations) : left_(max_factorizations) {}
 
-  double fairness() const { return fairness_; }
-  bool was_stopped() const { return was_stopped_; }
-  bool ran_out() const { return was_stopped_ || factorizations_ >= max_factorizations_; }
-  int factorizations() const { return factorizations_; }
+  /// At most so many of another budget, and counted there too. That must outlive this one.
+  RefineBudget(RefineBudget& whole, int max_factorizations)
+      : whole_(&whole), left_(std::min(max_factorizations, whole.left_)) {}
 
-  /// Asks in a stage, and not again after a no.
-  std::function<bool()> asking(const char* stage) {
-    return [this, stage] {
-      was_stopped_ = was_stopped_ || !go_on_(stage);
-      return !was_stopped_;
-    };
+  RefineBudget(const RefineBudget&) = delete;
+  RefineBudget& operator=(const RefineBudget&) = delete;
+
+  int left() const { return left_; }
+  int spent() const { return spent_; }
+
+  /// Whether so many may be spent; remembers a no.
+  bool allows(int factorizations = 1) {
+    ran_out_ = ran_out_ || left_ < factorizations;
+    return left_ >= factorizations;
   }
 
-  /// What is left, for a shape with that injectivity.
-  RefinementLimits limits(int max_factorizations = kNoLimit, Injectivity injectivity = Injectivity::none) {
-    return {std::min(max_factorizations, max_factorizations_ - factorizations_), asking("shape"), injectivity};
-  }
+  /// More would have been spent.
+  bool ran_out() const { return ran_out_; }
 
-  void count(int factorizations) { factorizations_ += factorizations; }
-
-  RefinedShape refine(const Chart& chart, const WireNetwork& network, const RefinementStart& start,
-                      int max_factorizations = kNoLimit, Injectivity injectivity = Injectivity::none) {
-    RefinedShape shape = refine_shape(chart, network, fairness_, start, limits(max_factorizations, injectivity));
-    count(shape.factorizations);
-    return shape;
+  void spend(int factorizations) {
+    left_ -= factorizations;
+    spent_ += factorizations;
+    if (whole_) whole_->spend(factorizations);
   }
 
  private:
-  double fairness_;
-  int max_factorizations_;
-  const GoOn& go_on_;
-  int factorizations_ = 0;
-  bool was_stopped_ = false;
+  RefineBudget* whole_ = nullptr;
+  int left_;
+  int spent_ = 0;
+  bool ran_out_ = false;
 };
 
 }  // namespace wirewarp

@@ -40,22 +40,57 @@ double extent(const Positions2& uv) { return (uv.colwise().maxCoeff() - uv.colwi
 
 double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
 
+struct Iterate {
+  Positions2 uv;
+  Eigen::VectorXd variation;  // h of the elastic parts
+  double value = 0;           // f
+};
+
+/// ε of the elastic parts.
+Eigen::VectorXd tolerances(const Chart& chart, const LengthConstraints& constraints) {
+  Eigen::VectorXd tolerance(constraints.num_elastic());
+  for (int w = 0; w < tolerance.size(); ++w) {
+    tolerance[w] = chart.wire_parts[constraints.elastic_parts()[w]].tolerance;
+  }
+  return tolerance;
+}
+
+/// h of the elastic parts within their tolerances.
+Eigen::VectorXd nearest_variation(const Chart& chart, const LengthConstraints& constraints,
+                                  const Eigen::VectorXd& tolerance, const Positions2& uv) {
+  return length_variation(chart, uv)(constraints.elastic_parts()).cwiseMax(-tolerance).cwiseMin(tolerance);
+}
+
+/// f, below which a layout is isometric but for rounding: that is felt on slivers and edges of 1e-8 of the piece.
+double isometric_value(const Chart& chart, const FairShapeError& objective, const Positions2& uv) {
+  const double rounding = objective.value_of_rounding(std::numeric_limits<double>::epsilon() * extent(uv));
+  return std::max(kIsometric * surface_area(chart.mesh), rounding);
+}
+
+/// Without multipliers and how it was reached.
+RefinedShape describe(const Chart& chart, const LengthConstraints& constraints, const Iterate& iterate) {
+  RefinedShape shape;
+  shape.uv = iterate.uv;
+  shape.variation = length_variation(chart, iterate.uv);
+  for (int i = 0; i < shape.variation.size(); ++i) {
+    if (chart.wire_parts[i].kind != WireKind::super_elastic) shape.variation[i] = 0;
+  }
+  shape.variation(constraints.elastic_parts()) = iterate.variation;
+  shape.objective = iterate.value / surface_area(chart.mesh);
+  shape.length_error = constraints.largest_error(constraints.residual(iterate.uv, iterate.variation));
+  return shape;
+}
+
 class Refinement {
  public:
   Refinement(const Chart& chart, const WireNetwork& network, double fairness, const RefinementStart& start,
              const RefinementLimits& limits);
 
-  bool factorize_at_start();
   bool reach_exact_lengths();
   void minimize();
   RefinedShape shape(const Chart& chart) const;
 
  private:
-  struct Iterate {
-    Positions2 uv;
-    Eigen::VectorXd variation;  // h of the elastic parts
-    double value = 0;           // f
-  };
   struct Step {
     Positions2 d;
     Eigen::VectorXd variation;    // Δh
@@ -64,12 +99,12 @@ class Refinement {
   };
   enum class Outcome { accepted, rejected, not_positive, converged };
 
+  bool factorize_at_start();
   bool stays_flipped() const {
     return system_.num_factorizations() >= kPatience && objective_.count_flips(now_.uv) > 0;
   }
-  bool may_go_on() const { return system_.num_factorizations() < limits_.max_factorizations && limits_.go_on(); }
-  double isometric() const { return std::max(kIsometric * area_, rounding_); }
-  double worthwhile() const { return std::max(kWorthwhile * now_.value, isometric()); }
+  bool may_go_on() const { return limits_.budget.allows() && limits_.stop.may_go_on(); }
+  double worthwhile() const { return std::max(kWorthwhile * now_.value, isometric_); }
   double length_error() const { return constraints_.largest_error(constraints_.residual(now_.uv, now_.variation)); }
   bool factorize(const Convexity& convexity);
   Step newton_step() const;
@@ -84,9 +119,8 @@ class Refinement {
   LengthConstraints constraints_;
   FairShapeError objective_;
   NewtonSystem system_;
-  const RefinementLimits& limits_;
-  double area_;
-  double rounding_;  // f of an isometric layout in double precision: felt on slivers and edges of 1e-8 of the piece
+  RefinementLimits limits_;
+  double isometric_;  // f
   bool starts_near_minimum_;
   Eigen::VectorXd tolerance_;  // ε of the elastic parts
 
@@ -107,20 +141,16 @@ Refinement::Refinement(const Chart& chart, const WireNetwork& network, double fa
       objective_(chart, network, fairness, limits.injectivity, start.uv),
       system_(chart, objective_, constraints_, start.uv),
       limits_(limits),
-      area_(surface_area(chart.mesh)),
-      rounding_(objective_.value_of_rounding(std::numeric_limits<double>::epsilon() * extent(start.uv))),
-      starts_near_minimum_(start.multipliers.size() > 0) {
-  tolerance_.resize(constraints_.num_elastic());
-  for (int w = 0; w < constraints_.num_elastic(); ++w) {
-    tolerance_[w] = chart.wire_parts[constraints_.elastic_parts()[w]].tolerance;
-  }
+      isometric_(isometric_value(chart, objective_, start.uv)),
+      starts_near_minimum_(start.multipliers.size() > 0),
+      tolerance_(tolerances(chart, constraints_)) {
   now_.uv = start.uv;
-  now_.variation =
-      length_variation(chart, start.uv)(constraints_.elastic_parts()).cwiseMax(-tolerance_).cwiseMin(tolerance_);
+  now_.variation = nearest_variation(chart, constraints_, tolerance_, start.uv);
   multipliers_ = starts_near_minimum_ ? start.multipliers : Eigen::VectorXd::Zero(constraints_.size());
 }
 
 bool Refinement::factorize(const Convexity& convexity) {
+  limits_.budget.spend(1);
   if (!system_.factorize(now_.uv, multipliers_, convexity)) return false;
   if (constraints_.num_elastic() > 0) by_variation_ = system_.multipliers_by_variation();
   return true;
@@ -159,8 +189,12 @@ bool Refinement::evaluate(Iterate& trial) const {
 
 /// Near the minimum the exact Hessian, or its convex part where it is not positive; else the Laplacian.
 bool Refinement::factorize_at_start() {
-  if (!starts_near_minimum_) return may_go_on() && factorize(kLaplacian);
-  return (may_go_on() && factorize(kExactHessian)) || (may_go_on() && factorize(kConvexHessian));
+  const auto try_to_factorize = [&](const Convexity& convexity) {
+    limits_.stop.check();
+    return limits_.budget.allows() && factorize(convexity);
+  };
+  if (!starts_near_minimum_) return try_to_factorize(kLaplacian);
+  return try_to_factorize(kExactHessian) || try_to_factorize(kConvexHessian);
 }
 
 /// One Newton step and the way back from its end; near the minimum a second one where that is too long.
@@ -201,7 +235,7 @@ Refinement::Outcome Refinement::take_newton_step() {
 
 /// Newton steps with the factor from before a step with the given slope, as long as each leaves little to the next.
 Refinement::Outcome Refinement::take_steps_with_factor(double slope) {
-  while (limits_.go_on()) {
+  while (limits_.stop.may_go_on()) {
     now_.value = objective_.value_and_gradient(now_.uv, gradient_);
     Step step = newton_step();
     if (std::abs(step.slope) > kMuchLess * std::abs(slope)) break;
@@ -232,6 +266,7 @@ std::vector<int> Refinement::free_parts() const {
 }
 
 Refinement::Outcome Refinement::trust_region_step() {
+  limits_.budget.spend(1);
   if (!system_.factorize(now_.uv, multipliers_, kConvexHessian)) return Outcome::not_positive;
   multipliers_ = system_.solve_on_wires(-gradient_, Eigen::VectorXd::Zero(constraints_.size())).multipliers;
   const TangentSpace space(system_, constraints_, free_parts());
@@ -303,7 +338,7 @@ Refinement::Outcome Refinement::take_step() {
 }
 
 void Refinement::minimize() {
-  const auto is_isometric = [&] { return now_.value <= isometric(); };  // no step takes off more than all
+  const auto is_isometric = [&] { return now_.value <= isometric_; };  // no step takes off more than all
   Outcome outcome = Outcome::accepted;
   while (outcome == Outcome::accepted && !is_isometric() && !stays_flipped() && may_go_on()) {
     now_.value = objective_.value_and_gradient(now_.uv, gradient_);
@@ -314,18 +349,10 @@ void Refinement::minimize() {
 }
 
 RefinedShape Refinement::shape(const Chart& chart) const {
-  RefinedShape shape;
-  shape.uv = now_.uv;
-  shape.variation = length_variation(chart, now_.uv);
-  for (int i = 0; i < shape.variation.size(); ++i) {
-    if (chart.wire_parts[i].kind != WireKind::super_elastic) shape.variation[i] = 0;
-  }
-  shape.variation(constraints_.elastic_parts()) = now_.variation;
+  RefinedShape shape = describe(chart, constraints_, now_);
   shape.multipliers = multipliers_;
-  shape.objective = now_.value / area_;
   shape.iterations = iterations_;
   shape.factorizations = system_.num_factorizations();
-  shape.length_error = length_error();
   shape.is_exact = is_exact_;
   shape.converged = converged_;
   return shape;
@@ -338,6 +365,21 @@ RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double
   Refinement refinement(chart, network, fairness, start, limits);
   if (refinement.reach_exact_lengths()) refinement.minimize();
   return refinement.shape(chart);
+}
+
+RefinedShape evaluate_shape(const Chart& chart, const WireNetwork& network, double fairness,
+                            const RefinementStart& start) {
+  const LengthConstraints constraints(chart, network);
+  const FairShapeError objective(chart, network, fairness);
+  const Eigen::VectorXd tolerance = tolerances(chart, constraints);
+  const Iterate at_start{start.uv, nearest_variation(chart, constraints, tolerance, start.uv),
+                         objective.value(start.uv)};
+  RefinedShape shape = describe(chart, constraints, at_start);
+  shape.multipliers =
+      start.multipliers.size() > 0 ? start.multipliers : Eigen::VectorXd(Eigen::VectorXd::Zero(constraints.size()));
+  shape.is_exact = shape.length_error <= LengthConstraints::kept;
+  shape.converged = at_start.value <= isometric_value(chart, objective, start.uv);
+  return shape;
 }
 
 }  // namespace wirewarp

@@ -8,12 +8,13 @@
 // them, and from there every iterate has exact lengths, so that it can stop anywhere.
 #pragma once
 
-#include <functional>
 #include <utility>
 
 #include "charts/chart.h"
 #include "network/wire_network.h"
 #include "refine/fair_shape_error.h"
+#include "refine/refine_budget.h"
+#include "stop_token.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
@@ -31,8 +32,8 @@ struct RefinedShape {
 };
 
 struct RefinementLimits {
-  int max_factorizations;
-  std::function<bool()> go_on;  // asked before each factorization; false: stop at the iterate at hand
+  RefineBudget& budget;
+  StopToken stop = {};                          // asked before each factorization
   Injectivity injectivity = Injectivity::none;  // of all iterates, the start included
 };
 
@@ -46,9 +47,14 @@ struct RefinementStart {
 };
 
 /// network: of all wires but super-elastic ones. fairness: shortest wiggle of wires that is left alone, over the square
-/// root of the area. Not exact where the start is too far from exact lengths for one step. Where flips are not forbidden
+/// root of the area. Not exact where the start is too far from exact lengths for one step, or the budget is spent
+/// before that. Stopped with exact lengths: the shape at hand; before: throws Stopped. Where flips are not forbidden
 /// and stay, it gives up.
 RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double fairness, const RefinementStart& start,
                           const RefinementLimits& limits);
+
+/// The start as a shape: its f, and whether its lengths are exact. Converged where it is isometric.
+RefinedShape evaluate_shape(const Chart& chart, const WireNetwork& network, double fairness,
+                            const RefinementStart& start);
 
 }  // namespace wirewarp

@@ -15,11 +15,11 @@ namespace {
 constexpr double kWeightOfExcess = 10;       // V over the square root of the area: far above the forces in wires
 constexpr double kWeightOfUnevenness = 100;  // W of wire parts, the same
 constexpr double kWeightOfBoundary = 1000;
-constexpr double kWithinTolerance = 0.99;            // of it, so that what smoothing leaves stays within
-constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};  // σ
-constexpr int kMaxSteps = 20;                        // for each σ
-constexpr double kWorthwhile = 1e-5;                 // promised decrease over Φ
-constexpr double kSufficient = 1e-4;                 // share of it that a step must bring
+constexpr double kWithinTolerance = 0.99;               // of it, so that what smoothing leaves stays within
+constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};     // σ
+constexpr int kMaxSteps = kMaxRelaxFactorizations / 3;  // for each σ
+constexpr double kWorthwhile = 1e-5;                    // promised decrease over Φ
+constexpr double kSufficient = 1e-4;                    // share of it that a step must bring
 constexpr double kShortestStep = 1e-3;
 
 /// The chart with those wire parts elastic whose edges share a variation, whatever their tolerance. A single edge needs
@@ -36,7 +36,7 @@ class LooseLengths {
  public:
   LooseLengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start);
 
-  void minimize(double smoothing, const std::function<bool()>& go_on);
+  bool minimize(double smoothing, RefineBudget& budget, const StopToken& stop);
   RelaxedShape shape() const;
 
  private:
@@ -187,11 +187,15 @@ LooseLengths::Step LooseLengths::step(double smoothing) {
   return step;
 }
 
-void LooseLengths::minimize(double smoothing, const std::function<bool()>& go_on) {
+/// False where the budget was spent before.
+bool LooseLengths::minimize(double smoothing, RefineBudget& budget, const StopToken& stop) {
   double now = value(now_, smoothing);
-  for (int i = 0; i < kMaxSteps && go_on(); ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
+    if (!budget.allows()) return false;
+    stop.check();
+    budget.spend(1);
     const Step full = step(smoothing);
-    if (-full.slope <= kWorthwhile * now) return;
+    if (-full.slope <= kWorthwhile * now) return true;
     double t = 1;
     Iterate trial;
     double reached = 0;
@@ -200,10 +204,11 @@ void LooseLengths::minimize(double smoothing, const std::function<bool()>& go_on
       reached = value(trial, smoothing);
       if (reached <= now + kSufficient * t * full.slope) break;
     }
-    if (t <= kShortestStep) return;
+    if (t <= kShortestStep) return true;
     now_ = std::move(trial);
     now = reached;
   }
+  return true;
 }
 
 RelaxedShape LooseLengths::shape() const {
@@ -222,18 +227,20 @@ RelaxedShape LooseLengths::shape() const {
                                   : shape.tolerance_violation[group.part];
     most = std::max(most, strain);
   }
-  shape.factorizations = system_.num_factorizations();
   return shape;
 }
 
 }  // namespace
 
 RelaxedShape relax_lengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
-                           const std::function<bool()>& go_on) {
+                           RefineBudget& budget, const StopToken& stop) {
   const Chart varied = with_variations(chart);
   LooseLengths lengths(varied, network, fairness, start);
-  for (const double smoothing : kSmoothing) lengths.minimize(smoothing, go_on);
-  return lengths.shape();
+  bool is_minimum = true;
+  for (const double smoothing : kSmoothing) is_minimum = is_minimum && lengths.minimize(smoothing, budget, stop);
+  RelaxedShape shape = lengths.shape();
+  shape.is_minimum = is_minimum;
+  return shape;
 }
 
 }  // namespace wirewarp

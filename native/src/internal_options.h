@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include "wirewarp/flatten.h"
+
+namespace wirewarp {
+
+/// Options, and figures that users do not choose; tests do, to reach with small input what large input meets.
+struct InternalOptions : Options {
+  InternalOptions(Options options = {}) : Options(std::move(options)) {}  // NOLINT(google-explicit-constructor)
+
+  std::size_t large_chart = 20'000;  // faces: from here on a coarse start saves more than it costs
+};
+
+/// flatten() with such options; the same ones in all runs with one cache.
+FlattenResult flatten_with(const FlattenInput& input, const InternalOptions& options, const Progress& progress = {},
+                           Cache* cache = nullptr);
+
+}  // namespace wirewarp

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/starts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "arap/free_boundary_arap.h"
+#include "outer/choose_variation.h"
+#include "refine/coarse_start.h"
+#include "refine/injective_shape.h"
+#include "refine/project_to_lengths.h"
+#include "refine/relax_lengths.h"
+#include "refine/unfold.h"
+#include "topology/process_topology.h"
+
+namespace wirewarp {
+namespace {
+
+bool is_elastic(const WirePart& part) { return part.kind == WireKind::elastic; }
+
+const Positions2& free_uv(StartProblem& problem) {
+  if (!problem.free_shape) {
+    problem.free_shape = free_boundary_arap(problem.chart, kFreeSteps, {}, problem.stop.in("start")).uv;
+  }
+  return *problem.free_shape;
+}
+
+}  // namespace
+
+std::optional<RefinementStart> unfolded(StartProblem& problem) {
+  std::optional<Positions2> uv = unfold(problem.chart);
+  if (!uv) return std::nullopt;
+  return RefinementStart(std::move(*uv));
+}
+
+std::optional<RefinementStart> coarse_shape(StartProblem& problem) {
+  if (problem.chart.mesh.n_faces() < problem.options.large_chart) return std::nullopt;
+  return start_from_coarse(problem.chart, problem.held_network, problem.options, problem.budget, problem.stop);
+}
+
+std::optional<RefinementStart> free_shape(StartProblem& problem) { return RefinementStart(free_uv(problem)); }
+
+std::optional<RefinementStart> shape_with_elastic_wires_free(StartProblem& problem) {
+  if (std::none_of(problem.chart.wire_parts.begin(), problem.chart.wire_parts.end(), is_elastic)) return std::nullopt;
+  Chart freed = problem.chart;
+  for (WirePart& part : freed.wire_parts) {
+    if (is_elastic(part)) part.kind = WireKind::super_elastic;
+  }
+  RefineBudget budget(problem.budget, kStartFactorizations);
+  RefinedShape shape = refine_shape(freed, build_held_network(freed), problem.options.fairness, free_uv(problem),
+                                    {budget, problem.stop.in("shape")});
+  if (!shape.is_exact) return std::nullopt;
+  return RefinementStart(std::move(shape.uv));
+}
+
+std::optional<RefinementStart> wires_alone(StartProblem& problem) {
+  const Options plain;  // those of Eq. (1) are not the refined method's
+  const StopToken stop = problem.stop.in("start");
+  stop.check();
+  const std::optional<Chart> split = process_topology(problem.chart);
+  const Chart& prepared = split ? *split : problem.chart;
+  const WireNetwork network = build_wire_network(prepared);
+  stop.check();
+  Warp warp(prepared, network, plain.node_weight, plain.inner, stop);
+  WarpedShape shape = start_variation(prepared, warp, variation_bounds(prepared, plain)).shape;
+  problem.inner = std::move(shape.inner);
+  if (!problem.inner.is_feasible) return std::nullopt;
+  shape.uv.conservativeResize(static_cast<Eigen::Index>(problem.chart.mesh.n_vertices()), 2);
+  return RefinementStart(std::move(shape.uv));
+}
+
+std::optional<RefinementStart> injective_shape(StartProblem& problem) {
+  return reach_injectively(problem.chart, problem.held_network, problem.options.fairness,
+                           {problem.budget, problem.stop, Injectivity::local});
+}
+
+std::optional<RefinementStart> relaxed_shape(StartProblem& problem) {
+  if (!problem.budget.allows()) return std::nullopt;
+  const StopToken stop = problem.stop.in("shape");
+  const double fairness = problem.options.fairness;
+  problem.relaxed =
+      relax_lengths(problem.chart, problem.held_network, fairness, free_uv(problem), problem.budget, stop);
+  Positions2 uv = problem.relaxed->uv;
+  RefineBudget budget(problem.budget, kMaxProjectFactorizations);
+  if (!project_to_lengths(problem.chart, problem.held_network, fairness, uv, budget, stop)) return std::nullopt;
+  return RefinementStart(std::move(uv));
+}
+
+}  // namespace wirewarp
