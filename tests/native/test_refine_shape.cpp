@@ -119,8 +119,7 @@ FlattenInput saddle_with_a_floating_ring(double tolerance) {
 }
 
 std::vector<FlattenInput> own_panels(double tolerance) {
-  return {dome_with_wires(tolerance), gore_with_wires(tolerance), saddle_with_a_floating_ring(tolerance),
-          with_tolerance(test::quarter_sphere(12), tolerance)};
+  return {dome_with_wires(tolerance), gore_with_wires(tolerance), saddle_with_a_floating_ring(tolerance)};
 }
 
 std::vector<FlattenInput> wetsuit_panels(double tolerance) {
@@ -358,7 +357,9 @@ TEST(RefineShape, ElasticPartsKeepZeroWhereNothingIsDistorted) {
 /// Where the paper's method leads to the same lengths, f of its shape is never less.
 TEST_P(RefinePanels, AreNeverAboveTheWarpOfTheSameLengths) {
   for (const double tolerance : {0.0, 0.05}) {
-    for (const FlattenInput& input : GetParam()(tolerance)) {
+    std::vector<FlattenInput> inputs = GetParam()(tolerance);
+    inputs.push_back(with_tolerance(test::quarter_sphere(12), tolerance));
+    for (const FlattenInput& input : inputs) {
       const Case panel(input);
       const std::optional<Chart> processed = process_topology(panel.chart);
       const Chart& prepared = processed ? *processed : panel.chart;
