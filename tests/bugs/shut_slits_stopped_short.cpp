@@ -39,7 +39,7 @@ double shut_objective(const FlattenInput& input, const Options& options) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
   const SewnChart sewn = *sew(chart, find_slits(chart));
-  const RefinedShape shape = refine_chart(sewn.chart, options, [](const char*) { return true; }).shape;
+  const RefinedShape shape = refine_chart(sewn.chart, options).shape;
   EXPECT_TRUE(shape.is_exact && shape.converged);
   const FairShapeError objective(chart, build_held_network(chart), options.fairness);
   return objective.value(shape.uv(sewn.vertex, Eigen::all)) / surface_area(chart.mesh);
