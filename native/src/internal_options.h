@@ -12,7 +12,7 @@ namespace wirewarp {
 struct InternalOptions : Options {
   InternalOptions(Options options = {}) : Options(std::move(options)) {}  // NOLINT(google-explicit-constructor)
 
-  std::size_t large_chart = 20'000;  // faces: from here on a coarse start saves more than it costs
+  std::size_t large_chart = 8'000;  // faces: from here on a coarse start saves more than it costs
 };
 
 /// flatten() with such options; the same ones in all runs with one cache.

@@ -53,7 +53,7 @@ RandomCase make_random_case(std::uint64_t seed) {
     result.description += std::string(" with ") + describe(*result.fault).name;
   }
   if (!result.fault && random.chance(0.1) && let_parts_touch(random, result.input)) result.description += " touching";
-  result.options.large_chart = static_cast<std::size_t>(random.across_scales(50, 20'000));
+  result.options.large_chart = static_cast<std::size_t>(random.across_scales(50, 8'000));
   return result;
 }
 

@@ -91,7 +91,7 @@ Mesh random_sheet(RandomStream& random) {
   const auto height = random_height(random);
   const double width = random.across_scales(0.05, 20);
   const bool jitters = random.chance(0.3);
-  const bool is_huge = random.chance(0.006);  // 20,000 faces or more: solved from coarse to fine
+  const bool is_huge = random.chance(0.006);  // 8,000 faces or more: solved from coarse to fine
   const int most = is_huge ? 120 : random.chance(0.03) ? 45 : 12;
   const int nx = random.whole(is_huge ? 100 : 1, most);
   const int ny = random.whole(is_huge ? 100 : 1, most);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kCoarsening = 4;  // length of a coarse edge over that of a fine one
 constexpr double kLeastCoarsening = 2;
-constexpr double kPerWiggle = 0.3;      // length of a coarse edge over the shortest wiggle of wires, at most
+constexpr double kPerWiggle = 0.9;      // length of a coarse edge over the shortest wiggle of wires, at most
 constexpr int kMaxFactorizations = 30;  // and half of what is left: the chart itself needs some
 
 /// Of the edges of as many equilateral triangles with the same area, scene units.
