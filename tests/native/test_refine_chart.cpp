@@ -32,29 +32,17 @@ TEST(RefineChart, CountsStartsThatFail) {
   const Charts charts = test::charts_of(saddle_of_wires(1e-4));
   const Chart& chart = charts.charts.at(0);
   Options options;
+  options.max_factorizations = 1000;
   const RefineResult whole = refine_chart(chart, options);
   ASSERT_FALSE(whole.shape.is_exact || whole.inner.is_feasible);
   EXPECT_FALSE(whole.ran_out);
   EXPECT_STREQ(whole.start, "");
-  EXPECT_GT(whole.factorizations, 3) << "one from the free shape, some with elastic wires free and one from there";
-  for (const int most : {1, 2, 3, 10, 50, 90}) {
+  for (const int most : {1, 2, 3, 10, whole.factorizations - 1}) {
     options.max_factorizations = most;
     const RefineResult brief = refine_chart(chart, options);
-    EXPECT_LE(brief.factorizations, most);
-    EXPECT_EQ(brief.ran_out, !brief.relaxed)
-        << "the last start, which is tried where there is room for all it may take";
+    EXPECT_EQ(brief.factorizations, most);
+    EXPECT_TRUE(brief.ran_out);
   }
-}
-
-TEST(RefineChart, CountsAStartThatFailsWithElasticWiresFree) {
-  FlattenInput input = saddle_of_wires(0);
-  input.wires.back().tolerance = 0.01;
-  const Charts charts = test::charts_of(input);
-  Options options;
-  options.max_factorizations = 60;
-  const RefineResult refined = refine_chart(charts.charts.at(0), options);
-  ASSERT_FALSE(refined.shape.is_exact || refined.inner.is_feasible || refined.relaxed);
-  EXPECT_EQ(refined.factorizations, 2);  // a step each, with that wire and without
 }
 
 TEST(RefineChart, OptionsOfTheWiresAloneDoNotMatter) {
@@ -90,7 +78,7 @@ TEST(RefineChart, ASearchThatRanOutSaysSoAndProposesTheSame) {
     options.max_factorizations = max_factorizations;
     return *flatten(input, options).pieces.at(0).error;
   };
-  const FlattenError whole = error_with(100), brief = error_with(1);
+  const FlattenError whole = error_with(1000), brief = error_with(1);
   EXPECT_EQ(std::string(whole.what()).find("max_factorizations"), std::string::npos);
   EXPECT_NE(std::string(brief.what()).find("max_factorizations = 1: raise it"), std::string::npos) << brief.what();
   const auto &expected = whole.elements.proposed_tolerances, &proposed = brief.elements.proposed_tolerances;
