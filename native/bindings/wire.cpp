@@ -35,15 +35,15 @@ void bind_wire(py::module_& module) {
              "repeats its first. tolerance: 0 rigid, finite elastic, math.inf super-elastic.");
   record.def(py::pickle([](const Wire& wire) { return py::make_tuple(wire.vertices, wire.tolerance, wire.name); },
                         [](const py::tuple& fields) { return make_wire(fields[0], fields[1], fields[2]); }));
-  record
-      .field(
-          "vertices",
-          [](const Wire& wire, py::handle owner) {
-            py::object vertices = to_python(wire.vertices, owner);
-            vertices.attr("setflags")(py::arg("write") = false);  // a checked wire stays as it was checked
-            return vertices;
-          },
-          "(n,) int, read-only.")
+  record.def_property_readonly(
+      "vertices",
+      [](const py::object& self) {
+        py::object vertices = to_python(self.cast<const Wire&>().vertices, self);
+        vertices.attr("setflags")(py::arg("write") = false);  // a checked wire stays as it was checked
+        return vertices;
+      },
+      "(n,) int, read-only.");
+  record.listed("vertices")
       .field("tolerance", &Wire::tolerance, "Dimensionless: the length may vary by this fraction.")
       .field("name", &Wire::name, "For reports.");
 }
