@@ -8,15 +8,14 @@
 #include <functional>
 #include <numeric>
 
+#include "rough_sheet.h"
+
 namespace wirewarp::test {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
 
-struct Mesh {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::array<int, 3>> faces;
-};
+using Mesh = MeshPart;
 
 /// Where the lines of a grid lie in [0, 1]: evenly, at random, or denser and denser towards 0.
 std::vector<double> grid_lines(RandomStream& random, int count) {
@@ -179,7 +178,7 @@ Mesh random_fan(RandomStream& random) {
 }
 
 Mesh random_part(RandomStream& random, std::string& description) {
-  switch (random.below(8)) {
+  switch (random.below(12)) {
     case 0:
     case 1:
     case 2:
@@ -197,6 +196,11 @@ Mesh random_part(RandomStream& random, std::string& description) {
     case 6:
       description += " ball";
       return random_ball(random);
+    case 7:
+    case 8:
+    case 9:
+    case 10:
+      return rough_sheet(random, description);
     default:
       description += " fan";
       return random_fan(random);

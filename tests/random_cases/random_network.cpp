@@ -2,6 +2,7 @@
 #include "random_network.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <queue>
@@ -95,6 +96,29 @@ std::vector<int> random_chain(RandomStream& random, const EdgeGraph& graph, cons
   return chain;
 }
 
+/// A cut of a few edges that begins on an outline, or does not, or the edges around a vertex: a dart, a slit, a loop.
+void add_small_cut(RandomStream& random, const FlattenInput& input, const EdgeGraph& graph,
+                   const std::vector<int>& used_vertices, std::set<Edge>& seams) {
+  const int kind = random.below(5);
+  const std::vector<int> border = graph.border_vertices();
+  const std::set<int> on_border(border.begin(), border.end());
+  std::vector<int> inside;
+  std::copy_if(used_vertices.begin(), used_vertices.end(), std::back_inserter(inside),
+               [&](int v) { return on_border.count(v) == 0; });
+  const std::vector<int>& starts = kind == 0 ? border : inside;
+  if (starts.empty()) return;
+  const int start = random.pick(starts);
+  if (kind < 4) {
+    random_walk(random, graph, start, random.chance(0.4) ? 1 : random.whole(1, 4), seams);
+    return;
+  }
+  for (const auto& face : input.faces.rowwise()) {
+    for (int k = 0; k < 3; ++k) {
+      if (face[k] == start) seams.insert(edge_of(face[(k + 1) % 3], face[(k + 2) % 3]));
+    }
+  }
+}
+
 std::vector<int> vertices_of_faces(const FlattenInput& input) {
   const std::set<int> found(input.faces.data(), input.faces.data() + input.faces.size());
   return {found.begin(), found.end()};
@@ -107,14 +131,21 @@ void add_random_seams(RandomStream& random, FlattenInput& input, std::string& de
   const EdgeGraph graph(input);
   const std::vector<int> vertices = vertices_of_faces(input);
   std::set<Edge> seams;
-  for (int i = 0; i < count; ++i) random_chain(random, graph, vertices, seams);
+  const bool are_small = random.chance(0.5);
+  for (int i = 0; i < count; ++i) {
+    if (are_small) {
+      add_small_cut(random, input, graph, vertices, seams);
+    } else {
+      random_chain(random, graph, vertices, seams);
+    }
+  }
   input.seams.resize(static_cast<Eigen::Index>(seams.size()), 2);
   Eigen::Index row = 0;
   for (const Edge& seam : seams) {
     const bool turned = random.chance(0.5);
     input.seams.row(row++) << seam[turned ? 1 : 0], seam[turned ? 0 : 1];
   }
-  if (count > 0) description += " seams";
+  if (count > 0) description += are_small ? " small-cuts" : " seams";
 }
 
 void add_random_wires(RandomStream& random, FlattenInput& input, std::string& description) {

@@ -8,7 +8,8 @@
 
 namespace wirewarp::test {
 
-/// Adds random seams: walks along edges, shortest paths from border to border, or none.
+/// Adds random seams: walks along edges, shortest paths from border to border, darts, slits and loops of a few edges,
+/// or none.
 void add_random_seams(RandomStream& random, FlattenInput& input, std::string& description);
 
 /// Adds random wires of every kind: walks and shortest paths along edges that no wire has yet, closed ones, ones on

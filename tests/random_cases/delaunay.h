@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace wirewarp::test {
+
+/// The Delaunay triangulation of points in general position, counter-clockwise (A. Bowyer, D. F. Watson, 1981). Time
+/// grows with the square of their number. The hull may lack slivers.
+std::vector<std::array<int, 3>> delaunay(const std::vector<Eigen::Vector2d>& points);
+
+}  // namespace wirewarp::test

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rough_sheet.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "delaunay.h"
+
+namespace wirewarp::test {
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+constexpr double kThinnest = 1e-4;  // height of a face over its longest side
+
+using Face = std::array<int, 3>;
+using Faces = std::vector<Face>;
+
+/// Inside an outline with random bays, outside of round holes.
+class Domain {
+ public:
+  explicit Domain(RandomStream& random) : bays_(random.chance(0.5) ? random.between(0, 0.6) : 0) {
+    num_bays_ = random.whole(2, 6);
+    turn_ = random.between(0, kPi);
+    const int num_holes = random.chance(0.5) ? 0 : random.whole(1, 4);
+    for (int i = 0; i < num_holes; ++i) {
+      holes_.push_back({{random.between(-0.6, 0.6), random.between(-0.6, 0.6)}, random.between(0.05, 0.3)});
+    }
+  }
+
+  bool holds(const Eigen::Vector2d& p) const {
+    const double angle = std::atan2(p.y(), p.x());
+    if (bays_ > 0 && p.norm() > 1 - bays_ * (0.5 + 0.5 * std::cos(num_bays_ * angle + turn_))) return false;
+    return std::none_of(holes_.begin(), holes_.end(),
+                        [&](const Hole& hole) { return (p - hole.center).norm() < hole.radius; });
+  }
+
+ private:
+  struct Hole {
+    Eigen::Vector2d center;
+    double radius;
+  };
+  double bays_;  // depth
+  int num_bays_;
+  double turn_;
+  std::vector<Hole> holes_;
+};
+
+/// In the square of side 2: evenly spread, or in clusters, so that faces differ in size and shape.
+std::vector<Eigen::Vector2d> random_points(RandomStream& random, int count) {
+  std::vector<Eigen::Vector2d> points;
+  const double clustered = random.chance(0.3) ? random.uniform() : 0;
+  const double spread = random.across_scales(1e-3, 0.3);
+  for (int i = 0; i < count; ++i) {
+    if (!points.empty() && random.chance(clustered)) {
+      const Eigen::Vector2d center = random.pick(points);
+      points.emplace_back(center.x() + spread * random.between(-1, 1), center.y() + spread * random.between(-1, 1));
+    } else {
+      points.emplace_back(random.between(-1, 1), random.between(-1, 1));
+    }
+  }
+  return points;
+}
+
+bool is_thin(const MeshPart& part, const Face& face) {
+  const auto corner = [&](std::size_t k) { return part.vertices[static_cast<std::size_t>(face[k])]; };
+  const Eigen::Vector3d ab = corner(1) - corner(0), bc = corner(2) - corner(1), ca = corner(0) - corner(2);
+  const double longest = std::max({ab.norm(), bc.norm(), ca.norm()});
+  return ab.cross(ca).norm() < kThinnest * longest * longest;
+}
+
+/// Groups of faces that are linked by something they share, a number per face.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  std::size_t find(std::size_t i) const {
+    while (parent_[i] != i) i = parent_[i];
+    return i;
+  }
+  void join(std::size_t i, std::size_t j) { parent_[find(i)] = find(j); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// Of the faces that hold together across edges, the most.
+Faces largest_region(const Faces& faces) {
+  Groups groups(faces.size());
+  std::map<std::pair<int, int>, std::size_t> side;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = faces[f][k], b = faces[f][(k + 1) % 3];
+      const auto [other, is_new] = side.insert({std::minmax(a, b), f});
+      if (!is_new) groups.join(f, other->second);
+    }
+  }
+  std::map<std::size_t, std::size_t> size;
+  for (std::size_t f = 0; f < faces.size(); ++f) ++size[groups.find(f)];
+  const auto largest =
+      std::max_element(size.begin(), size.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  Faces kept;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (groups.find(f) == largest->first) kept.push_back(faces[f]);
+  }
+  return kept;
+}
+
+/// Without the faces at vertices where the others touch in nothing but a point; those that leave more such vertices
+/// until there are none.
+Faces without_pinches(Faces faces) {
+  for (bool has_changed = true; has_changed;) {
+    faces = largest_region(faces);
+    std::map<int, int> sides_at, faces_at;  // outline edges and faces around each vertex
+    std::map<std::pair<int, int>, int> count;
+    for (const Face& face : faces) {
+      for (std::size_t k = 0; k < 3; ++k) ++count[std::minmax(face[k], face[(k + 1) % 3])];
+    }
+    for (const auto& [edge, times] : count) {
+      if (times > 1) continue;
+      ++sides_at[edge.first];
+      ++sides_at[edge.second];
+    }
+    const auto is_pinched = [&](const Face& face) {
+      return std::any_of(face.begin(), face.end(), [&](int v) { return sides_at.count(v) && sides_at[v] > 2; });
+    };
+    const auto kept = std::stable_partition(faces.begin(), faces.end(), [&](const Face& f) { return !is_pinched(f); });
+    has_changed = kept != faces.end() && kept != faces.begin();
+    if (kept == faces.begin()) return {faces.front()};
+    faces.erase(kept, faces.end());
+  }
+  return faces;
+}
+
+MeshPart only_used_vertices(const MeshPart& part) {
+  MeshPart used;
+  std::map<int, int> place;
+  for (const Face& face : part.faces) {
+    Face renumbered{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [known, is_new] = place.insert({face[k], static_cast<int>(used.vertices.size())});
+      if (is_new) used.vertices.push_back(part.vertices[static_cast<std::size_t>(face[k])]);
+      renumbered[k] = known->second;
+    }
+    used.faces.push_back(renumbered);
+  }
+  return used;
+}
+
+}  // namespace
+
+MeshPart rough_sheet(RandomStream& random, std::string& description) {
+  const Domain domain(random);
+  const std::vector<Eigen::Vector2d> points =
+      random_points(random, static_cast<int>(random.across_scales(5, random.chance(0.1) ? 400 : 60)));
+  const double squeeze = random.chance(0.4) ? random.across_scales(kThinnest, 1) : 1;  // makes needles of all faces
+  const double rough = random.chance(0.2) ? 0 : random.across_scales(1e-3, 3);         // steps from vertex to vertex
+  const double swell = random.chance(0.5) ? random.between(-2, 2) : 0;
+  MeshPart part;
+  for (const Eigen::Vector2d& p : points) {
+    const double height = swell * std::cos(2 * p.x()) * std::cos(1.5 * p.y()) + rough * random.between(-1, 1);
+    part.vertices.emplace_back(p.x(), squeeze * p.y(), height);
+  }
+  for (const Face& face : delaunay(points)) {
+    const auto corner = [&](std::size_t k) { return points[static_cast<std::size_t>(face[k])]; };
+    const Eigen::Vector2d middle = (corner(0) + corner(1) + corner(2)) / 3;
+    if (domain.holds(middle) && !is_thin(part, face)) part.faces.push_back(face);
+  }
+  description += " rough-sheet";
+  if (part.faces.empty()) return {{{0, 0, 0}, {1, 0, rough}, {0, 1, 0}}, {{0, 1, 2}}};
+  part.faces = without_pinches(std::move(part.faces));
+  return only_used_vertices(part);
+}
+
+}  // namespace wirewarp::test
