@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 #include "inner/eq1.h"
 #include "inner/kkt_system.h"
@@ -174,6 +175,11 @@ TEST(KktSystem, WrongInertiaIsNoticed) {
   const Eigen::SparseMatrix<double> jacobian = p.eq1.closure_jacobian(p.psi, p.lengths);
   const Eigen::VectorXd down = Eigen::VectorXd::Constant(p.eq1.num_edges(), -0.5 * p.eq1.laplacian().diagonal().mean());
   EXPECT_FALSE(kkt.factor(p.eq1.laplacian(), down, jacobian)) << "a saddle: as many descents as edges turn slowly";
+}
+
+TEST(Eq1, EdgesMustHangTogether) {
+  const Chart chart = test::charts_of(test::flat_plate_with_two_holes(2)).charts.at(0);  // three loops, no wires
+  EXPECT_THROW(Eq1(build_wire_network(chart), NodeWeight::length), std::domain_error);
 }
 
 }  // namespace

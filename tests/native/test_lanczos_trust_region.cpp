@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <limits>
 #include <random>
+#include <stdexcept>
 
 #include "dense_algebra.h"
 #include "refine/lanczos_trust_region.h"
@@ -123,6 +125,12 @@ TEST(LanczosTrustRegion, FirstLengthIsThatOfTheStepForTheMetricItself) {
   const ModelStep step = model.step(1e3);
   EXPECT_NEAR(step.length, model.convex_length(), 1e-9 * step.length);
   EXPECT_NEAR(step.decrease, step.length * step.length / 2, 1e-9);
+}
+
+TEST(LanczosTrustRegion, AGradientThatIsNoNumberIsNotSmall) {
+  Problem problem(1, 0);
+  problem.gradient[3] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(problem.model(kUnknowns), std::domain_error);
 }
 
 }  // namespace

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "in_threads.h"
+
+namespace wirewarp {
+namespace {
+
+TEST(InThreads, NothingIsBegunOnceWorkHasThrown) {
+  for (const std::size_t failing : {0, 1}) {  // in the calling thread, in another one
+    std::atomic<bool> has_thrown{false};
+    std::atomic<int> done{0};
+    std::string thrown;
+    try {
+      run_in_threads(1000, 2, [&](std::size_t i) {
+        if (i == failing) {
+          has_thrown = true;
+          throw std::runtime_error("work " + std::to_string(i));
+        }
+        while (!has_thrown) std::this_thread::yield();
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));  // the throw may take its time
+        ++done;
+      });
+    } catch (const std::runtime_error& error) {
+      thrown = error.what();
+    }
+    EXPECT_EQ(thrown, "work " + std::to_string(failing));
+    EXPECT_LT(done, 999);
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp
