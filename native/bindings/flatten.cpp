@@ -83,8 +83,9 @@ faces: (m, 3) whole numbers, triangles.
 seams: (k, 2) vertex pairs along which the surface is cut.
 wires: Wire objects.
 options: Options; None for the defaults.
-progress: called as progress(stage, fraction); returning False cancels the pieces that are not flat yet, an exception
-    cancels and is raised again. Always called in the calling thread. The last stage, "measure", runs to its end.
+progress: called as progress(stage, fraction); returning False cancels the pieces that are not flat yet; all pieces in
+    the first stage, "charts", in the last, "measure", and where those that are flat take long to measure. An exception
+    cancels and is raised again. Always called in the calling thread.
 cache: a Cache: pieces that did not change since its last run are not solved again.
 
 Raises FlattenError if the input is not a mesh with seams and wires. A region that cannot be flattened carries its

@@ -26,6 +26,7 @@
 #include "refine/infeasible_wires.h"
 #include "refine/lies_flat.h"
 #include "reuse/reuse.h"
+#include "stop_token.h"
 #include "topology/process_topology.h"
 #include "topology/unjoined_wires.h"
 
@@ -117,6 +118,13 @@ const char* name_of(Method method) {
   throw std::logic_error("not a Method");
 }
 
+Layout cancelled_layout() {
+  Layout layout;
+  layout.error = cancelled();
+  layout.report.termination = Termination::cancelled;
+  return layout;
+}
+
 /// What mends a layout that is turned over or covers itself. Nothing where another method does.
 std::vector<VertexPair> seams_for(const Layout& layout, const Chart& chart, const Run& run, const StopToken& stop) {
   if (find_folded_faces(chart.mesh, layout.uv).empty()) return {};
@@ -167,11 +175,9 @@ std::vector<Layout> flatten_charts(const std::vector<Chart>& charts, const Run& 
     const StopToken stop([&](const char* stage) { return progress.go_on(c, stage); });
     if (chart.mesh.n_faces() == 0 || (chart.error && report.is_cancelled())) {
       layouts[c].error = chart.error;
-    } else if (report.is_cancelled()) {
-      layouts[c].error = cancelled();
-      layouts[c].report.termination = Termination::cancelled;
     } else {
-      layouts[c] = reuse.layout_of(chart, [&] { return solve_chart(chart, run, stop); });
+      layouts[c] = reuse.layout_of(
+          chart, [&] { return report.is_cancelled() ? cancelled_layout() : solve_chart(chart, run, stop); });
     }
     progress.finish(c);
   };
@@ -187,11 +193,50 @@ std::vector<Layout> flatten_charts(const std::vector<Chart>& charts, const Run& 
   return layouts;
 }
 
-void pack(const Charts& charts, const Options& options, std::vector<Layout>& layouts) {
+void pack(const Charts& charts, const Options& options, const StopToken& stop, std::vector<Layout>& layouts) {
   std::vector<Positions2> shapes;
   for (Layout& layout : layouts) shapes.push_back(std::move(layout.uv));
-  shapes = pack_pieces(charts.charts, std::move(shapes), options);
+  shapes = pack_pieces(charts.charts, std::move(shapes), options, stop);
   for (std::size_t c = 0; c < layouts.size(); ++c) layouts[c].uv = std::move(shapes[c]);
+}
+
+/// Of a run that was stopped before or after all charts: no piece has a layout.
+FlattenResult cancelled_result(const FlattenInput& input, const EdgeTable& edges) {
+  const Charts charts = list_charts(input, edges, cancelled());
+  return assemble_result(input, charts, std::vector<Layout>(charts.charts.size(), cancelled_layout()), false);
+}
+
+/// Pieces that are flat when the caller cancels are measured if that takes no more questions than these of a WorkMeter:
+/// half a second at most.
+constexpr int kQuestionsAfterCancel = 25;
+
+/// All of a checked input. Throws Stopped where the caller cancels before charts are flattened, or while much remains
+/// to be measured.
+FlattenResult flatten_surface(const Run& run, const EdgeTable& edges, ProgressReport& report, Cache* cache,
+                              std::map<std::string, double>& seconds) {
+  Charts charts;
+  {
+    const StageTimer timer(seconds, "charts");
+    const StopToken stop([&](const char* stage) { return report.go_on(stage, 0); });
+    charts = cut_into_charts(run.input, edges, stop.in("charts"));
+  }
+  Reuse reuse(cache, run.input, run.options);
+  std::vector<Layout> layouts = flatten_charts(charts.charts, run, report, reuse);
+  reuse.finish();
+  const bool was_cancelled = report.is_cancelled();
+  if (!was_cancelled) report.go_on("measure", 0.9);
+  int questions_left = was_cancelled ? kQuestionsAfterCancel : 0;
+  const StopToken may_measure(
+      [&](const char* stage) { return was_cancelled ? questions_left-- > 0 : report.go_on(stage, 0.9); });
+  const StopToken stop = may_measure.in("measure");
+  {
+    const StageTimer timer(seconds, "packing");
+    pack(charts, run.options, stop, layouts);
+  }
+  const StageTimer timer(seconds, "measure");
+  FlattenResult result = assemble_result(run.input, charts, std::move(layouts), run.options.mirror, stop);
+  result.reused_pieces = reuse.num_reused();
+  return result;
 }
 
 }  // namespace
@@ -213,24 +258,11 @@ FlattenResult flatten_with(const FlattenInput& input, const InternalOptions& opt
     const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
     check_faces_share_edges(input, edges);
     check_seams_and_wires(input, edges);
-
-    report.go_on("charts", 0);
-    Charts charts;
-    {
-      const StageTimer timer(seconds, "charts");
-      charts = cut_into_charts(input, edges);
+    try {
+      result = flatten_surface({input, options}, edges, report, cache, seconds);
+    } catch (const Stopped&) {
+      result = cancelled_result(input, edges);
     }
-    Reuse reuse(cache, input, options);
-    std::vector<Layout> layouts = flatten_charts(charts.charts, {input, options}, report, reuse);
-    reuse.finish();
-    report.go_on("measure", 0.9);
-    {
-      const StageTimer timer(seconds, "packing");
-      pack(charts, options, layouts);
-    }
-    const StageTimer timer(seconds, "measure");
-    result = assemble_result(input, charts, std::move(layouts), options.mirror);
-    result.reused_pieces = reuse.num_reused();
     report.go_on("measure", 1);
   }
   for (const Piece& piece : result.pieces) {

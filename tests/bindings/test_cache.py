@@ -149,7 +149,10 @@ def test_a_cancelled_run_does_not_lose_what_it_did_not_need_to_solve(sheet):
     run_again(cache, sheet, 0)
     vertices = sheet["vertices"].copy()
     vertices[1, 2] += 0.01
-    wirewarp.flatten(**(sheet | {"vertices": vertices}), cache=cache, progress=lambda *call: False)
+    changed = sheet | {"vertices": vertices}
+    wirewarp.flatten(**changed, cache=cache, progress=lambda *call: False)
+    assert cache.size == 3, "as it was: no piece was looked at"
+    wirewarp.flatten(**changed, cache=cache, progress=lambda stage, fraction: stage == "charts")
     assert cache.size == 2
     run_again(cache, sheet | {"vertices": vertices}, 2)
 

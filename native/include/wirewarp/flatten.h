@@ -33,8 +33,10 @@ struct FlattenInput {
 class Cache;
 
 /// Called with the stage ("charts", "start", "shape", "wires", "interior", "lengths", "measure") and the fraction of
-/// the run in [0, 1]; returning false cancels the pieces that are not flat yet. "measure" comes last: it runs to its
-/// end. Pieces are solved on several cores, but this is called in the thread that called flatten() alone.
+/// the run in [0, 1], after so much work at most, be the pieces few and large or thousands. Returning false cancels the
+/// pieces that are not flat yet; all pieces in "charts", which comes first, in "measure", which comes last, and where
+/// those that are flat take long to measure. Pieces are solved on several cores, but this is called in the thread that
+/// called flatten() alone.
 using Progress = std::function<bool(const std::string& stage, double fraction)>;
 
 /// Flattens every chart of the input; pieces laid out without overlap, front faces with positive area.

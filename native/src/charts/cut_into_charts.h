@@ -3,10 +3,15 @@
 
 #include "charts/chart.h"
 #include "mesh/edge_table.h"
+#include "stop_token.h"
 
 namespace wirewarp {
 
-/// The charts of a checked input, numbered by their lowest face. A chart with a fault carries its error.
-Charts cut_into_charts(const FlattenInput& input, const EdgeTable& edges);
+/// The charts of a checked input, numbered by their lowest face. A chart with a fault carries its error. Throws
+/// Stopped.
+Charts cut_into_charts(const FlattenInput& input, const EdgeTable& edges, const StopToken& stop = {});
+
+/// The same charts, of which nothing but the faces is found out: each carries the error.
+Charts list_charts(const FlattenInput& input, const EdgeTable& edges, const FlattenError& error);
 
 }  // namespace wirewarp

@@ -9,6 +9,7 @@
 
 #include "mesh/box_tree.h"
 #include "planar.h"
+#include "work_meter.h"
 
 namespace wirewarp {
 namespace {
@@ -51,7 +52,8 @@ bool penetrate(const Corners& a, const Corners& b, double depth) {
 
 /// Flags the faces of all pairs (candidate, any face) that overlap.
 std::vector<bool> overlaps_with(const std::vector<int>& candidates, const Triangles& faces, const Positions2& uv,
-                                double depth) {
+                                double depth, const StopToken& stop) {
+  WorkMeter work(stop);
   std::vector<Box2> boxes;
   boxes.reserve(candidates.size());
   std::vector<bool> is_candidate(static_cast<std::size_t>(faces.rows()), false);
@@ -65,7 +67,9 @@ std::vector<bool> overlaps_with(const std::vector<int>& candidates, const Triang
   for (int face = 0; face < faces.rows(); ++face) {
     const Corners triangle = corners_of(faces, uv, face);
     const bool is_both = is_candidate[static_cast<std::size_t>(face)];
+    work.did(1);
     tree.for_each_meeting(inner_box(triangle, depth / 2), [&](int item) {
+      work.did(1);
       const int other = candidates[static_cast<std::size_t>(item)];
       if (is_both && other <= face) return;  // itself, or a pair seen from the other side
       if (penetrate(counter_clockwise(triangle), counter_clockwise(corners_of(faces, uv, other)), depth)) {
@@ -107,7 +111,7 @@ std::vector<int> indices_of(const std::vector<bool>& flags) {
 }  // namespace
 
 std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vector<bool>& on_boundary,
-                                        const Positions2& uv, double relative_depth) {
+                                        const Positions2& uv, double relative_depth, const StopToken& stop) {
   if (faces.rows() == 0) return {};
   const double size = (uv.colwise().maxCoeff() - uv.colwise().minCoeff()).norm();
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * uv.cwiseAbs().maxCoeff();
@@ -118,13 +122,13 @@ std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vecto
   // there over another one: if no boundary face overlaps any face, nothing does. That costs one look at every face.
   const std::vector<int> boundary = indices_of(on_boundary);
   if (!any_not_positive(faces, uv) && !any_too_thin(boundary, faces, uv, depth) &&
-      !any(overlaps_with(boundary, faces, uv, depth))) {
+      !any(overlaps_with(boundary, faces, uv, depth, stop))) {
     return {};
   }
 
   std::vector<int> all(static_cast<std::size_t>(faces.rows()));
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
-  return indices_of(overlaps_with(all, faces, uv, depth));
+  return indices_of(overlaps_with(all, faces, uv, depth, stop));
 }
 
 std::vector<bool> faces_on_boundary(const HalfEdgeMesh& mesh) {

@@ -5,9 +5,13 @@
 #include <vector>
 
 #include "mesh/half_edge_mesh.h"
+#include "stop_token.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
+
+/// Penetration that counts as overlap, over the diagonal of the piece: far above rounding, far below what scissors can.
+inline constexpr double kRelativeOverlapDepth = 1e-9;
 
 /// Faces that overlap another face of the same piece by positive area, in increasing order.
 ///
@@ -16,9 +20,10 @@ namespace wirewarp {
 ///
 /// Two faces overlap if they penetrate each other by more than relative_depth times the diagonal of the piece (plus
 /// rounding of the coordinates): faces that touch, and the two sides of a slit or dart that closes exactly flat, do
-/// not.
+/// not. A crumpled piece takes time that grows with the square of its faces: throws Stopped where stop says so.
 std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vector<bool>& on_boundary,
-                                        const Positions2& uv, double relative_depth = 1e-9);
+                                        const Positions2& uv, double relative_depth = kRelativeOverlapDepth,
+                                        const StopToken& stop = {});
 
 /// One flag per face, true if it has a boundary edge.
 std::vector<bool> faces_on_boundary(const HalfEdgeMesh& mesh);

@@ -2,14 +2,15 @@
 #include "metrics/assemble_result.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
-#include <map>
 
 #include "mesh/geometry.h"
 #include "metrics/guarantee.h"
 #include "metrics/lengths.h"
 #include "metrics/metrics.h"
 #include "packing/pack_pieces.h"
+#include "work_meter.h"
 
 namespace wirewarp {
 namespace {
@@ -18,15 +19,15 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The vertices and faces of a chart that its faults kept from becoming a mesh: one vertex per input vertex.
 void take_input_faces(const FlattenInput& input, const Chart& chart, Piece& piece) {
-  std::map<int, int> piece_vertex;  // of each input vertex
   piece.faces.resize(static_cast<Eigen::Index>(chart.source_face.size()), 3);
   for (int f = 0; f < piece.faces.rows(); ++f) piece.faces.row(f) = input.faces.row(chart.source_face[f]);
-  for (const int v : piece.faces.reshaped()) piece_vertex[v];
-  for (auto& [vertex, index] : piece_vertex) {
-    index = static_cast<int>(piece.source_vertex.size());
-    piece.source_vertex.push_back(vertex);
-  }
-  piece.faces = piece.faces.unaryExpr([&](int v) { return piece_vertex.at(v); });
+  std::vector<int>& vertices = piece.source_vertex;
+  vertices.assign(piece.faces.data(), piece.faces.data() + piece.faces.size());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  piece.faces = piece.faces.unaryExpr([&](int v) {
+    return static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+  });
 }
 
 /// What is known of a piece that has no flat shape: its 3D area.
@@ -44,7 +45,8 @@ Metrics unknown_metrics(const FlattenInput& input, const std::vector<int>& faces
   return metrics;
 }
 
-Piece assemble_piece(const FlattenInput& input, const Chart& chart, Layout& layout, bool mirror) {
+Piece assemble_piece(const FlattenInput& input, const Chart& chart, Layout& layout, bool mirror,
+                     const StopToken& stop) {
   Piece piece;
   piece.source_face = chart.source_face;
   if (chart.mesh.n_faces() > 0) {
@@ -63,7 +65,7 @@ Piece assemble_piece(const FlattenInput& input, const Chart& chart, Layout& layo
     piece.helper_wires = place_helper_wires(std::move(layout.helper_wires), layout.uv);
     layout.uv.conservativeResize(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
     const Positions2 seen_from_outside = mirror ? mirror_image(layout.uv) : layout.uv;
-    piece.metrics = measure_metrics(chart, *layout.network, seen_from_outside);
+    piece.metrics = measure_metrics(chart, *layout.network, seen_from_outside, stop);
     piece.wires = measure_wire_parts(chart, input.wires, layout.uv, layout.variation);
     piece.boundaries = measure_boundaries(chart, layout.uv);
     if (!piece.error) {
@@ -87,12 +89,14 @@ void write_corners(const Piece& piece, CornerUv& corner_uv) {
 
 }  // namespace
 
-FlattenResult assemble_result(const FlattenInput& input, const Charts& charts, std::vector<Layout> layouts,
-                              bool mirror) {
+FlattenResult assemble_result(const FlattenInput& input, const Charts& charts, std::vector<Layout> layouts, bool mirror,
+                              const StopToken& stop) {
+  WorkMeter work(stop);
   FlattenResult result;
   result.corner_uv.setConstant(input.faces.rows(), 6, kNaN);
   for (std::size_t c = 0; c < charts.charts.size(); ++c) {
-    result.pieces.push_back(assemble_piece(input, charts.charts[c], layouts[c], mirror));
+    work.did(charts.charts[c].source_face.size());
+    result.pieces.push_back(assemble_piece(input, charts.charts[c], layouts[c], mirror, stop));
     write_corners(result.pieces.back(), result.corner_uv);
   }
   result.seams = measure_seams(charts, result.pieces, input.vertices);

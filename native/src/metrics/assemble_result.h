@@ -7,6 +7,7 @@
 
 #include "metrics/helper_wires.h"
 #include "network/wire_network.h"
+#include "stop_token.h"
 
 namespace wirewarp {
 
@@ -21,8 +22,9 @@ struct Layout {
   std::optional<FlattenError> error;       // why there is no layout
 };
 
-/// Measures every layout. mirror: the layouts are handed over mirrored, and measured as seen from outside.
-FlattenResult assemble_result(const FlattenInput& input, const Charts& charts, std::vector<Layout> layouts,
-                              bool mirror);
+/// Measures every layout. mirror: the layouts are handed over mirrored, and measured as seen from outside. Throws
+/// Stopped.
+FlattenResult assemble_result(const FlattenInput& input, const Charts& charts, std::vector<Layout> layouts, bool mirror,
+                              const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -79,13 +79,13 @@ double planar_angle(const Chart& chart, const WireNetwork& network, const WireNo
   return angle + 2 * kPi * std::round((node.surface_angle - angle) / (2 * kPi));
 }
 
-Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Positions2& uv) {
+Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Positions2& uv, const StopToken& stop) {
   Metrics metrics;
   const Triangles faces = triangles_of(chart.mesh);
   measure_faces(chart, faces, uv, metrics);
   measure_wire_edges(chart, network, uv, metrics);
   measure_angles(chart, network, uv, metrics);
-  for (const int f : find_overlapping_faces(faces, faces_on_boundary(chart.mesh), uv)) {
+  for (const int f : find_overlapping_faces(faces, faces_on_boundary(chart.mesh), uv, kRelativeOverlapDepth, stop)) {
     metrics.overlapping_faces.push_back(chart.source_face[f]);
   }
   return metrics;

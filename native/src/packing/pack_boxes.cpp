@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "work_meter.h"
+
 namespace wirewarp {
 namespace {
 
@@ -52,12 +54,13 @@ void raise(std::vector<Step>& skyline, std::size_t i, double width, double top) 
 
 /// Each box as low as it can go, then as far left, in a strip of the given width.
 Packing pack_in_strip(const Positions2& sizes, const std::vector<Eigen::Index>& order, double gap, double strip,
-                      double slack) {
+                      double slack, WorkMeter& work) {
   Packing packing;
   packing.corners.resize(sizes.rows(), 2);
   std::vector<Step> skyline{{0, strip + gap + slack, 0}};
   const double overhang = std::min(gap, slack);
   for (const Eigen::Index box : order) {
+    work.did(skyline.size());
     const double width = sizes(box, 0) + gap;
     std::size_t best = 0;
     double best_y = std::numeric_limits<double>::infinity();
@@ -77,7 +80,7 @@ Packing pack_in_strip(const Positions2& sizes, const std::vector<Eigen::Index>& 
 
 }  // namespace
 
-Positions2 pack_boxes(const Positions2& sizes, double gap) {
+Positions2 pack_boxes(const Positions2& sizes, double gap, const StopToken& stop) {
   if (sizes.rows() == 0) return Positions2(0, 2);
   const double side = std::sqrt(((sizes.col(0).array() + gap) * (sizes.col(1).array() + gap)).sum());
   const double slack = kSameLength * side;
@@ -90,11 +93,12 @@ Positions2 pack_boxes(const Positions2& sizes, double gap) {
 
   // Of several strip widths the one that comes nearest to a square.
   constexpr int kStrips = 16;
+  WorkMeter work(stop);
   Packing best;
   best.extent = std::numeric_limits<double>::infinity();
   for (int k = 0; k < kStrips; ++k) {
     const double strip = std::max(sizes.col(0).maxCoeff(), side * (0.8 + 0.05 * k));
-    Packing packing = pack_in_strip(sizes, order, gap, strip, slack);
+    Packing packing = pack_in_strip(sizes, order, gap, strip, slack, work);
     if (packing.extent < best.extent - slack || k == 0) best = std::move(packing);
   }
   return best.corners;

@@ -6,6 +6,7 @@
 #include "charts/enclosed_area.h"
 #include "packing/pack_boxes.h"
 #include "packing/upright_direction.h"
+#include "work_meter.h"
 
 namespace wirewarp {
 namespace {
@@ -35,11 +36,13 @@ Positions2 mirror_image(const Positions2& uv) {
 
 // In place: on a large piece new memory is what takes time.
 std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, std::vector<Positions2> layouts,
-                                    const Options& options) {
+                                    const Options& options, const StopToken& stop) {
+  WorkMeter work(stop);
   std::vector<std::size_t> pieces;  // those with a layout
   double area = 0;
   for (std::size_t i = 0; i < layouts.size(); ++i) {
     if (layouts[i].rows() == 0) continue;
+    work.did(charts[i].source_face.size());
     pieces.push_back(i);
     area += std::abs(enclosed_area(charts[i], layouts[i]));
     Eigen::Vector2d up = upright_direction(charts[i], layouts[i], options);
@@ -55,7 +58,8 @@ std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, std::vecto
     sizes.row(static_cast<Eigen::Index>(k)) = layouts[pieces[k]].colwise().maxCoeff();
   }
   const double gap = options.gap * std::sqrt(area);
-  const Positions2 corners = options.layout == PieceLayout::row ? place_in_row(sizes, gap) : pack_boxes(sizes, gap);
+  const Positions2 corners =
+      options.layout == PieceLayout::row ? place_in_row(sizes, gap) : pack_boxes(sizes, gap, stop);
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     layouts[pieces[k]].rowwise() += corners.row(static_cast<Eigen::Index>(k));
   }

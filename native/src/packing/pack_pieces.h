@@ -3,6 +3,7 @@
 #pragma once
 
 #include "charts/chart.h"
+#include "stop_token.h"
 
 namespace wirewarp {
 
@@ -11,8 +12,9 @@ namespace wirewarp {
 ///
 /// layouts: one per chart, one row per chart vertex, scene units; no rows: no layout, skipped. options: layout,
 /// orientation, grain, up, gap and mirror. Rotation and translation move each coordinate by a few units of rounding.
+/// Throws Stopped.
 std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, std::vector<Positions2> layouts,
-                                    const Options& options);
+                                    const Options& options, const StopToken& stop = {});
 
 /// The same layout seen from the other side, exactly: x negated.
 Positions2 mirror_image(const Positions2& uv);
