@@ -52,6 +52,7 @@ void bind_lengths(py::module_& module) {
       .field("length_2d", &WireReport::length_2d, "Scene units; NaN without a layout.")
       .field("variation", &WireReport::variation, "h: the lengths aimed at are (1 + h) times the 3D ones.")
       .field("max_edge_error", &WireReport::max_edge_error, "Largest |l2 - (1 + h) l| / l of its edges.")
+      .field("vertices", &WireReport::vertices, "(n,) input vertices in order; a closed wire repeats its first.")
       .picklable();
 
   Record<HelperWire>(module, "HelperWire", "A free wire that the method added; it runs across faces.")

@@ -26,6 +26,7 @@ struct WireReport {
   double length_2d = 0;
   double variation = 0;       // h, the length variation the method chose: lengths are (1+h) times the 3D ones
   double max_edge_error = 0;  // largest |l2 - (1+h) l| / l of its edges
+  std::vector<int> vertices;  // in order along the wire; a closed one repeats its first
 };
 
 /// A super-elastic wire that the method added where the network of wires needs one (paper III). It runs across the

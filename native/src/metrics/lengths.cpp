@@ -41,6 +41,12 @@ VertexPair sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 double distance(const Positions3& vertices, int a, int b) { return (vertices.row(a) - vertices.row(b)).norm(); }
 
+std::vector<int> source_vertices(const Chart& chart, const HalfEdgeChain& chain) {
+  std::vector<int> vertices = {chart.source_vertex[chart.mesh.from_vertex_handle(chain.front()).idx()]};
+  for (const HalfedgeHandle h : chain) vertices.push_back(chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]);
+  return vertices;
+}
+
 /// What the pieces know of the edges of one wire.
 struct WireEdges {
   struct Edge {
@@ -76,6 +82,7 @@ WireReport measure_whole_wire(const Wire& wire, bool is_boundary, const WireEdge
   }
   report.variation = intended / report.length_3d - 1;
   report.max_edge_error = std::isnan(intended) ? kNaN : known.max_edge_error;
+  report.vertices = wire.vertices;
   return report;
 }
 
@@ -90,7 +97,8 @@ std::vector<WireReport> measure_wire_parts(const Chart& chart, const std::vector
     const WirePart& part = chart.wire_parts[i];
     const ChainLength chain = measure_chain(chart, part.half_edges, uv, variation[i]);
     reports.push_back({wires[part.wire_index].name, part.wire_index, part.part, part.kind, part.tolerance,
-                       chain.length_3d, chain.length_2d, variation[i], chain.max_edge_error});
+                       chain.length_3d, chain.length_2d, variation[i], chain.max_edge_error,
+                       source_vertices(chart, part.half_edges)});
   }
   return reports;
 }
@@ -100,10 +108,7 @@ std::vector<BoundaryReport> measure_boundaries(const Chart& chart, const Positio
   for (const BoundaryChain& boundary : chart.boundary_chains) {
     const ChainLength chain = measure_chain(chart, boundary.half_edges, uv, 0);
     BoundaryReport report;
-    report.vertices.push_back(chart.source_vertex[chart.mesh.from_vertex_handle(boundary.half_edges.front()).idx()]);
-    for (const HalfedgeHandle h : boundary.half_edges) {
-      report.vertices.push_back(chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]);
-    }
+    report.vertices = source_vertices(chart, boundary.half_edges);
     report.length_3d = chain.length_3d;
     report.length_2d = chain.length_2d;
     report.max_edge_error = chain.max_edge_error;

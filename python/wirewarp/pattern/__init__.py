@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From flat pieces to the cutting table: allowances, notches, and files to print, plot and cut.
+
+Everything is in millimeters, y upwards. Needs pyclipper, and pydyf for PDF.
+"""
+
+from .model import Line, PatternPiece, Point, Text
+from .pattern import Pattern, Written
+from .units import UnitSystem
+
+__all__ = ["Line", "Pattern", "PatternPiece", "Point", "Text", "UnitSystem", "Written"]

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From the sew lines of a piece to its cut lines: strips and corners, united on a grid of integers.
+
+Strips may overlap one another and the piece as they like: each point of a strip lies within its width of the sew line.
+Clipper unites them exactly, because its coordinates are integers; floating-point unions of strips have left slits.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pyclipper
+
+from .corners import CornerType, corner_path
+from .strips import right_normals, strip
+
+GRID = 1e-4  # millimeters: far finer than anything is cut, and 100 m still fit Clipper's fast integers of 30 bits
+Polygon = list[list[int]]  # corners on the grid
+SMALLEST = 1e-3  # square millimeters: loops that rounding leaves
+
+
+@dataclass(frozen=True)
+class Corner:
+    """How the allowances meet at the end of a stretch."""
+
+    kind: CornerType = "mitre"
+    of_next: bool = False  # it is the next stretch whose allowance ends by the corner's rule
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A part of an outline with one width of allowance."""
+
+    points: np.ndarray  # (k,2), the piece on the left; a closed outline of one stretch repeats its first point
+    width: float
+    corner: Corner = Corner()  # at its end
+
+
+@dataclass(frozen=True)
+class CutLines:
+    """All closed, without repeating the first point; the outer ones counterclockwise, the holes clockwise."""
+
+    outer: list[np.ndarray]
+    holes: list[np.ndarray]
+    pockets: list[np.ndarray]  # outside the piece, but enclosed by its allowance: not cut
+
+
+def cut_lines(loops: Sequence[Sequence[Stretch]]) -> CutLines:
+    """loops: the outlines of one piece, each as its stretches in order."""
+    outlines = [np.concatenate([stretch.points[:-1] for stretch in loop]) for loop in loops]
+    if all(stretch.width == 0 for loop in loops for stretch in loop):
+        areas = [signed_area(outline) for outline in outlines]
+        inner = [outline for outline, area in zip(outlines, areas, strict=True) if area < 0]
+        return CutLines([outline for outline, area in zip(outlines, areas, strict=True) if area >= 0], inner, [])
+    origin = outlines[0][0]
+    parts = [_on_grid(outline, origin) for outline in outlines]
+    for loop in loops:
+        parts += _allowance(loop, origin)
+    outer, holes, pockets = [], [], []
+    for united in _unite(parts):
+        points = np.array(united) * GRID + origin
+        area = signed_area(points)
+        if area > SMALLEST:
+            outer.append(points)
+        elif area < -SMALLEST:
+            is_hole = any(signed_area(outline) < 0 and _contains(outline, points) for outline in outlines)
+            (holes if is_hole else pockets).append(points)
+    return CutLines(outer, holes, pockets)
+
+
+def signed_area(outline: np.ndarray) -> float:
+    """Of a closed outline (k,2); above 0 where it runs counterclockwise."""
+    x, y = (outline - outline[0]).T
+    return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
+
+
+def _allowance(loop: Sequence[Stretch], origin: np.ndarray) -> list[Polygon]:
+    """The polygons of the strips and corners of one outline."""
+    strips = [[_on_grid(strip(part.points, part.width), origin)] if part.width > 0 else [] for part in loop]
+    corners = []
+    for number, first in enumerate(loop if len(loop) > 1 else []):
+        following = (number + 1) % len(loop)
+        place = _Place(first, loop[following])
+        path = place.path()
+        if path is not None:
+            filling = place.filling(path)
+            corners.append(_on_grid(filling, origin))
+            strips[number] = _without(strips[number], place.trimmed_of_first(path, filling), origin)
+            strips[following] = _without(strips[following], place.trimmed_of_second(path, filling), origin)
+    return [polygon for polygons in strips for polygon in polygons] + corners
+
+
+class _Place:
+    """Where one stretch ends and the next begins."""
+
+    def __init__(self, first: Stretch, second: Stretch) -> None:
+        self._a, self._b, self._corner = first.width, second.width, first.corner
+        self._point = first.points[-1]
+        (self._normal_a,), (self._normal_b,) = right_normals(first.points[-2:]), right_normals(second.points[:2])
+        self._end_a = self._point + self._a * self._normal_a
+        self._end_b = self._point + self._b * self._normal_b
+        self._along_a, self._along_b = (_turned_left(n) for n in (self._normal_a, self._normal_b))
+        cross = self._normal_a[0] * self._normal_b[1] - self._normal_a[1] * self._normal_b[0]
+        self._turn = math.atan2(cross, self._normal_a @ self._normal_b)
+
+    def path(self) -> np.ndarray | None:
+        """(k,2) from the first cut line to the second one; None where the strips alone are right."""
+        if not self._corner.of_next:
+            path = corner_path(self._corner.kind, self._turn, self._a, self._b)
+            return None if path is None else self._point + path @ np.array([self._along_a, -self._normal_a])
+        path = corner_path(self._corner.kind, self._turn, self._b, self._a)
+        return None if path is None else (self._point + path @ np.array([-self._along_b, -self._normal_b]))[::-1]
+
+    def filling(self, path: np.ndarray) -> np.ndarray:
+        """The polygon, counterclockwise, between the corner, the square ends of the strips and the path."""
+        ends = [self._point[None]]
+        if (path[0] - self._point) @ self._along_a > 0:
+            ends.append(self._end_a[None])
+        ends.append(path)
+        if (path[-1] - self._point) @ self._along_b < 0:
+            ends.append(self._end_b[None])
+        return np.concatenate(ends)
+
+    def trimmed_of_first(self, path: np.ndarray, filling: np.ndarray) -> np.ndarray | None:
+        """What the path takes off the end of the first strip."""
+        back = (path[0] - self._point) @ self._along_a
+        inner = path[1] if len(path) > 1 else self._end_b
+        if back > -GRID or _contains(filling, self._end_a[None]):
+            return None
+        return _beyond(path[0], inner, -back * self._along_a)
+
+    def trimmed_of_second(self, path: np.ndarray, filling: np.ndarray) -> np.ndarray | None:
+        """What the path takes off the start of the second strip."""
+        ahead = (path[-1] - self._point) @ self._along_b
+        inner = path[-2] if len(path) > 1 else self._end_a
+        if ahead < GRID or _contains(filling, self._end_b[None]):
+            return None
+        return _beyond(path[-1], inner, -ahead * self._along_b)
+
+
+def _beyond(end: np.ndarray, inner: np.ndarray, shift: np.ndarray) -> np.ndarray:
+    """A parallelogram from the line through both points on by the shift; longer, for the strip of a curve bulges."""
+    outside = end + (end - inner) / 2
+    return np.array([outside, inner, inner + shift, outside + shift])
+
+
+def _turned_left(vector: np.ndarray) -> np.ndarray:
+    return np.array([-vector[1], vector[0]])
+
+
+def _on_grid(points: np.ndarray, origin: np.ndarray) -> Polygon:
+    """All with one origin, so that what shares points shares them on the grid too, and no slit is left between."""
+    rounded: Polygon = np.rint((points - origin) / GRID).astype(np.int64).tolist()
+    return rounded
+
+
+def _without(polygons: list[Polygon], trimmed: np.ndarray | None, origin: np.ndarray) -> list[Polygon]:
+    if trimmed is None or not polygons:
+        return polygons
+    clipper = pyclipper.Pyclipper()
+    clipper.AddPaths(polygons, pyclipper.PT_SUBJECT, True)
+    clipper.AddPath(_on_grid(trimmed, origin), pyclipper.PT_CLIP, True)
+    left: list[Polygon] = clipper.Execute(pyclipper.CT_DIFFERENCE, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO)
+    return left
+
+
+def _unite(polygons: list[Polygon]) -> list[Polygon]:
+    """The outer outlines counterclockwise, the others clockwise."""
+    clipper = pyclipper.Pyclipper()
+    clipper.AddPaths(polygons, pyclipper.PT_SUBJECT, True)
+    united = clipper.Execute(pyclipper.CT_UNION, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO)
+    return [loop for loop in pyclipper.CleanPolygons(united) if len(loop) >= 3]
+
+
+def _contains(outline: np.ndarray, loop: np.ndarray) -> bool:
+    """Whether the loop lies inside the outline, which it does not cross."""
+    x, y = loop[0]
+    a, b = outline, np.roll(outline, -1, axis=0)
+    crosses = (a[:, 1] > y) != (b[:, 1] > y)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        at = a[:, 0] + (y - a[:, 1]) * (b[:, 0] - a[:, 0]) / (b[:, 1] - a[:, 1])
+    return int((crosses & (x < at)).sum()) % 2 == 1

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A pattern as strokes and texts by role: what every writer draws."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from .model import PatternPiece, Text
+from .roles import LOOKS, WIRE_DASHES, Look
+
+ARROW = 6.0  # millimeters: length of the heads of grain arrows
+CROSS = 4.0  # across the cross in a hole to drill
+
+
+@dataclass(frozen=True)
+class Stroke:
+    role: str
+    points: np.ndarray  # (k,2)
+    closed: bool = False
+    name: str = ""
+    dashes: tuple[float, ...] = ()
+
+    @property
+    def look(self) -> Look:
+        return LOOKS[self.role]
+
+
+def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
+    """Everything of a piece but its texts; cut lines last, so that inner lines are cut first, holes before outlines."""
+    for line in sorted(piece.lines, key=lambda line: (line.role == "cut", line.role == "inner_cut")):
+        if line.role == "cut":
+            break
+        dashes = WIRE_DASHES[line.kind] if line.role == "wire" else LOOKS[line.role].dashes
+        yield Stroke(line.role, line.points, line.closed, line.name, dashes)
+        if line.role == "grain":
+            yield from (Stroke("grain", head) for head in _arrow_heads(line.points))
+    for point in piece.points:
+        if point.role == "drill":
+            yield from (Stroke("drill", arm) for arm in _cross(point.at, point.depth))
+        else:
+            yield from (Stroke(point.role, stroke) for stroke in point.strokes)
+    for line in piece.of_role("cut"):
+        yield Stroke("cut", line.points, line.closed)
+
+
+def _arrow_heads(line: np.ndarray) -> list[np.ndarray]:
+    """(3,2) at each end of the line."""
+    heads = []
+    for tip, other in (line, line[::-1]):
+        back = (other - tip) / np.linalg.norm(other - tip) * min(ARROW, np.linalg.norm(other - tip) / 3)
+        aside = np.array([-back[1], back[0]]) * math.tan(math.radians(25))
+        heads.append(np.array([tip + back + aside, tip, tip + back - aside]))
+    return heads
+
+
+def _cross(at: np.ndarray, size: float) -> list[np.ndarray]:
+    arm = np.array([[1.0, 1.0], [1.0, -1.0]]) * (size + CROSS) / 4
+    return [np.array([at - each, at + each]) for each in arm]
+
+
+def letters_baselines(text: Text, line_height: float) -> Iterator[tuple[str, np.ndarray]]:
+    """Each line of the text and the middle (2,) of its base line, the text turned about its center."""
+    angle = math.radians(text.angle)
+    up = np.array([-math.sin(angle), math.cos(angle)])
+    for number, line in enumerate(text.lines):
+        below = line_height * (number - (len(text.lines) - 1) / 2) + 0.36  # capitals are 0.72 of the size high
+        yield line, text.center - below * text.height * up

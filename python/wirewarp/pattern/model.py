@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a piece of a pattern consists of, whatever it is written to. Everything is in millimeters, y upwards."""
+
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+import numpy as np
+
+LineRole = Literal["cut", "inner_cut", "sew", "wire", "grain", "fold"]
+PointRole = Literal["notch", "drill", "clip"]
+
+
+@dataclass(frozen=True)
+class Line:
+    role: LineRole
+    points: np.ndarray  # (k,2)
+    closed: bool = False  # a closed line does not repeat its first point
+    name: str = ""  # "Seam 3", or the name of the wire
+    width: float | None = None  # of sew lines: the allowance outside of it
+    seam: int | None = None  # of sew lines: index into the result's seams; None where nothing is sewn to it
+    kind: str = ""  # of wires: "rigid", "elastic" or "super_elastic"
+
+    def moved(self, offset: np.ndarray) -> "Line":
+        return replace(self, points=self.points + offset)
+
+
+@dataclass(frozen=True)
+class Point:
+    """A mark at one place: a notch or a clip, cut from the cut line inwards, or a hole to drill."""
+
+    role: PointRole
+    at: np.ndarray  # (2,), of notches and clips on the cut line
+    direction: np.ndarray = field(default_factory=lambda: np.zeros(2))  # (2,) unit vector into the piece
+    depth: float = 0.0  # of notches and clips; of holes the diameter
+    count: int = 1  # notches beside one another: one in front, two at the back
+    pair: tuple[int, int] | None = None  # seam, and number along it: notches of one pair are sewn onto each other
+
+    def moved(self, offset: np.ndarray) -> "Point":
+        return replace(self, at=self.at + offset)
+
+    @property
+    def strokes(self) -> np.ndarray:
+        """(count,2,2) the cuts of a notch or clip, from the cut line inwards."""
+        beside = np.array([-self.direction[1], self.direction[0]]) * NOTCH_GAP
+        starts = self.at + (np.arange(self.count) - (self.count - 1) / 2)[:, None] * beside
+        return np.stack([starts, starts + self.depth * self.direction], axis=1)
+
+
+NOTCH_GAP = 6.0  # millimeters between the two cuts of a double notch
+
+
+@dataclass(frozen=True)
+class Text:
+    lines: tuple[str, ...]
+    center: np.ndarray  # (2,)
+    height: float  # of the letters
+    angle: float = 0.0  # degrees counterclockwise
+
+    def moved(self, offset: np.ndarray) -> "Text":
+        return replace(self, center=self.center + offset)
+
+
+@dataclass(frozen=True)
+class PatternPiece:
+    number: int  # from 1
+    name: str
+    lines: list[Line]
+    points: list[Point]
+    texts: list[Text]
+    quantity: tuple[int, int] = (1, 0)  # to cut as drawn, and mirrored
+    material: str = ""
+
+    def of_role(self, *roles: str) -> list[Line]:
+        return [line for line in self.lines if line.role in roles]
+
+    @property
+    def bounds(self) -> tuple[np.ndarray, np.ndarray]:
+        """The lowest and the highest corner of the cut lines."""
+        points = np.concatenate([line.points for line in self.of_role("cut")])
+        return points.min(axis=0), points.max(axis=0)
+
+    @property
+    def size(self) -> np.ndarray:
+        """Width and height."""
+        low, high = self.bounds
+        return high - low
+
+    def moved(self, offset: np.ndarray) -> "PatternPiece":
+        return replace(
+            self,
+            lines=[line.moved(offset) for line in self.lines],
+            points=[point.moved(offset) for point in self.points],
+            texts=[text.moved(offset) for text in self.texts],
+        )

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The outlines of a flat piece as chains between junctions, in millimeters: what is sewn, and what is not."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .allowance import signed_area
+
+if TYPE_CHECKING:
+    from .._wirewarp import Piece
+
+
+@dataclass(frozen=True)
+class Side:
+    """One chain of an outline between junctions. The piece lies on the left."""
+
+    piece: int
+    sources: np.ndarray  # (k,) input vertices; a closed chain repeats its first
+    points: np.ndarray  # (k,2)
+    seam: int | None  # index into the result's seams; None where nothing is sewn to it
+    is_turned: bool  # runs against the input's triangles: the piece is mirrored
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether it is a whole outline."""
+        return bool(self.sources[0] == self.sources[-1] and np.array_equal(self.points[0], self.points[-1]))
+
+    @property
+    def along(self) -> np.ndarray:
+        """(k,) length from the start to each point."""
+        return lengths_along(self.points)
+
+
+def lengths_along(points: np.ndarray) -> np.ndarray:
+    """(k,) length of a line (k,2) from its start to each point."""
+    return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+
+
+def outlines_of(index: int, piece: "Piece", scale: float) -> list[list[Side]]:
+    """The closed outlines of a piece that has a layout, each as its chains in order; the outer one has positive area.
+
+    index: of the piece; scale: millimeters per scene unit.
+    """
+    points, ends = piece.vertices * scale, _outline_edges(piece)
+    chains = []
+    for boundary in piece.boundaries:
+        sources = boundary.vertices
+        pairs = list(zip(sources[:-1].tolist(), sources[1:].tolist(), strict=True))
+        vertices = [ends[pairs[0]][0], *(ends[pair][1] for pair in pairs)]
+        if vertices[0] == vertices[-1]:  # all sides of a closed seam begin at one vertex
+            first = int(np.argmin(sources[:-1]))
+            sources, vertices = _rotated(sources, first), _rotated(np.array(vertices), first).tolist()
+        chains.append((vertices, Side(index, sources, points[vertices], boundary.seam, False)))
+    loops = _joined(chains)
+    areas = [signed_area(np.concatenate([side.points[:-1] for side in loop])) for loop in loops]
+    return loops if sum(areas) > 0 else [[_turned(side) for side in reversed(loop)] for loop in loops]
+
+
+def _rotated(closed: np.ndarray, first: int) -> np.ndarray:
+    """A closed chain, its first repeated at the end, begun elsewhere."""
+    return np.concatenate([closed[first:-1], closed[: first + 1]])
+
+
+def _outline_edges(piece: "Piece") -> dict[tuple[int, int], tuple[int, int]]:
+    """The piece's vertices at both ends of each outline edge, by the input's; as in the triangle that has the edge."""
+    sides = np.concatenate([piece.faces[:, [0, 1]], piece.faces[:, [1, 2]], piece.faces[:, [2, 0]]]).astype(np.int64)
+    count = len(piece.vertices)
+    forward, backward = sides[:, 0] * count + sides[:, 1], sides[:, 1] * count + sides[:, 0]
+    lonely = sides[~np.isin(forward, backward)]
+    sources = piece.source_vertex[lonely]
+    return {(a, b): (c, d) for (a, b), (c, d) in zip(sources.tolist(), lonely.tolist(), strict=True)}
+
+
+def _joined(chains: list[tuple[list[int], Side]]) -> list[list[Side]]:
+    """The chains, each after the one at whose last vertex it begins."""
+    waiting: dict[int, list[tuple[list[int], Side]]] = {}
+    for chain in chains:
+        waiting.setdefault(chain[0][0], []).append(chain)
+    loops = []
+    while waiting:
+        start = next(iter(waiting))
+        at, loop = start, []
+        while at in waiting:
+            vertices, side = waiting[at].pop()
+            if not waiting[at]:
+                del waiting[at]
+            loop.append(side)
+            at = vertices[-1]
+            if at == start:
+                break
+        loops.append(loop)
+    return loops
+
+
+def _turned(side: Side) -> Side:
+    return Side(side.piece, side.sources[::-1], side.points[::-1], side.seam, True)

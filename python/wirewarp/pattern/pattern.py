@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A pattern, ready to be written."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, get_args
+
+import numpy as np
+import numpy.typing as npt
+
+from .arrange import offsets
+from .card import card_lines
+from .model import PatternPiece
+from .notches import check_spacing
+from .outline import outlines_of
+from .pieces import finished, lay, marks, warnings_of
+from .seams import sewn_sides
+from .stretches import Rules, outline
+from .units import Units, UnitSystem
+from .widths import Widths, checked_length, problem
+
+if TYPE_CHECKING:
+    from .._wirewarp import FlattenResult
+
+
+@dataclass(frozen=True)
+class Pattern:
+    """Pieces with sew lines, that are exactly what was flattened, and cut lines, that are derived from these."""
+
+    title: str
+    pieces: list[PatternPiece]
+    allowance_text: str  # what is included: "10 mm", "10 to 30 mm" or "none"
+    units: UnitSystem
+    warnings: list[str] = field(default_factory=list)
+
+    @classmethod
+    def from_result(
+        cls,
+        result: "FlattenResult",
+        *,
+        title: str = "",
+        piece_names: Sequence[str] | None = None,
+        millimeters_per_unit: float = 1000.0,
+        allowance: float = 10.0,
+        allowances: npt.ArrayLike | None = None,
+        side_allowances: npt.ArrayLike | None = None,
+        hem: float | None = None,
+        notch_spacing: float = 100.0,
+        corner: str = "auto",
+        darts: Literal["close", "cut", "slit"] = "close",
+        material: str = "",
+        units: Units = "metric",
+    ) -> "Pattern":
+        """The pattern of a flattening whose pieces all keep their promises.
+
+        All lengths but millimeters_per_unit are in millimeters, widths from 0 to 1000.
+
+        allowance: outside of every seam. hem: outside of every outline that is not sewn; as the allowance where None.
+        allowances: (k,3) vertex, vertex of an edge of the model, and the width on all sides of that edge.
+        side_allowances: (k,3) likewise for one side: that of the triangle which has the edge in this direction.
+        notch_spacing: along seams, 0 for none.
+        corner: "auto" chooses by what is sewn first; or one of "mitre", "right angle", "fold-back", "extend", "step",
+        "round" for all corners.
+        darts: "close" cuts straight over their mouths; "cut" cuts them out, with allowance on the legs; "slit" along
+        the legs.
+        material: as it stands on the pieces. units: "metric" or "imperial", of texts and of the square to measure.
+
+        Raises FlattenError for bad input, and for a piece with an error.
+        """
+        if units not in get_args(Units):
+            raise problem(f"units is {units!r}: give 'metric' or 'imperial'.")
+        scale = checked_length("millimeters_per_unit", millimeters_per_unit, 1e-9, 1e9)
+        names = _names(piece_names, len(result.pieces))
+        for name, piece in zip(names, result.pieces, strict=True):
+            if piece.error is not None:
+                raise problem(f'"{name}" is not ready to cut: {piece.error.message}', piece.error.code)
+        widths = Widths(allowance, hem, allowances, side_allowances)
+        outlines = [outlines_of(index, piece, scale) for index, piece in enumerate(result.pieces)]
+        loops = [loop for own in outlines for loop in own]
+        rules, seams = Rules(loops, corner, darts), sewn_sides(loops, len(result.seams))
+        check_spacing(checked_length("notch_spacing", notch_spacing, 0, math.inf), seams)
+        laid = [
+            lay(index, name, piece, own, [outline(loop, widths, rules) for loop in own], scale)
+            for index, (name, piece, own) in enumerate(zip(names, result.pieces, outlines, strict=True))
+        ]
+        widths.check_all_used()
+        system = UnitSystem(units)
+        text = system.range_of([run.width for piece in laid for own in piece.outlines for run in own.runs if run.width])
+        points = marks(laid, seams, notch_spacing)
+        pieces = []
+        for number, piece in enumerate(laid, start=1):
+            card = card_lines(piece.name, number, len(laid), title, material, text)
+            pieces.append(finished(piece, number, points[piece.index], card, {"material": material}))
+        pattern = cls(title, pieces, text, system, [warning for piece in laid for warning in warnings_of(piece)])
+        return pattern.arranged()
+
+    def arranged(self, width: float = math.inf) -> "Pattern":
+        """The pieces in rows on a sheet of this width, about square without one; the lower left corner is at 0, 0."""
+        lows, sizes = [piece.bounds[0] for piece in self.pieces], np.array([piece.size for piece in self.pieces])
+        moved = [piece.moved(by) for piece, by in zip(self.pieces, offsets(lows, sizes, width), strict=True)]
+        return Pattern(self.title, moved, self.allowance_text, self.units, self.warnings)
+
+    @property
+    def size(self) -> np.ndarray:
+        """Width and height of all pieces as they lie."""
+        return np.max([piece.bounds[1] for piece in self.pieces], axis=0) - np.min(
+            [piece.bounds[0] for piece in self.pieces], axis=0
+        )
+
+    def write(self, path: str | Path, **options: Any) -> "Written":  # noqa: ANN401
+        """Writes the file whose kind the suffix of the path says; the options are those of the kind.
+
+        .svg: see `svg.write`. The file is there whole or not at all: a failure leaves one that was there before as it
+        was. Raises FlattenError for options, OSError for paths.
+        """
+        from .write import write
+
+        return write(self, Path(path), options)
+
+
+@dataclass(frozen=True)
+class Written:
+    """What was written."""
+
+    path: Path
+    sheets: int
+    warnings: list[str]
+
+
+def _names(names: Sequence[str] | None, count: int) -> list[str]:
+    if count == 0:
+        raise problem("The result has no pieces.")
+    if names is None:
+        return [f"Piece {number}" for number in range(1, count + 1)]
+    if isinstance(names, str) or len(names) != count or not all(isinstance(name, str) for name in names):
+        raise problem(f"piece_names must be {count} texts, one for each piece.")
+    return list(names)

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From the outlines of flat pieces to pieces of a pattern: cut lines, sew lines, wires, marks and texts."""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .allowance import CutLines, cut_lines
+from .interior import innermost_point, place_text
+from .model import Line, PatternPiece, Point
+from .notches import clips, drill_hole, notch, places_along, turns_little
+from .outline import Side
+from .rays import Rays
+from .seams import SewnSide
+from .stretches import Outline
+
+if TYPE_CHECKING:
+    from .._wirewarp import Piece
+
+TEXT_HEIGHT = 8.0  # millimeters, at most
+GRAIN = 0.7  # of the way across the piece
+SAME_PLACE = 1e-6  # millimeters
+
+
+@dataclass(frozen=True)
+class Laid:
+    """A piece whose outlines are cut into stretches, and its cut lines."""
+
+    index: int
+    name: str
+    loops: list[list[Side]]
+    outlines: list[Outline]
+    cut: CutLines
+    wires: list[Line]
+
+    @property
+    def rays(self) -> Rays:
+        return Rays([*self.cut.outer, *self.cut.holes])
+
+    @property
+    def sew_loops(self) -> list[np.ndarray]:
+        return [np.concatenate([side.points[:-1] for side in loop]) for loop in self.loops]
+
+
+def lay(index: int, name: str, piece: "Piece", loops: list[list[Side]], outlines: list[Outline], scale: float) -> Laid:
+    """With the cut lines and the wires inside of the piece."""
+    cut = cut_lines([outline.stretches for outline in outlines if outline.stretches])
+    return Laid(index, name, loops, outlines, cut, _wires(piece, scale))
+
+
+def warnings_of(laid: Laid) -> list[str]:
+    """What the allowance does to the piece that the maker should know."""
+    found = []
+    holes = sum(1 for outline in laid.outlines if outline.stretches) - 1
+    if len(laid.cut.holes) < holes:
+        found.append(f'"{laid.name}": the allowance fills {holes - len(laid.cut.holes)} of {holes} holes; they are not cut.')
+    if laid.cut.pockets:
+        found.append(f'"{laid.name}": the allowance closes a gap in the outline; what it encloses is not cut out.')
+    if len(laid.cut.outer) > 1:
+        found.append(f'"{laid.name}" is cut as {len(laid.cut.outer)} parts, for it hangs together in single points.')
+    return found
+
+
+def _wires(piece: "Piece", scale: float) -> list[Line]:
+    """Those inside; along the outline there is the sew line already."""
+    sides = np.concatenate([piece.faces[:, [0, 1]], piece.faces[:, [1, 2]], piece.faces[:, [2, 0]]])
+    ends = {}
+    for a, b in sides.tolist():
+        key = (int(piece.source_vertex[a]), int(piece.source_vertex[b]))
+        ends[key], ends[key[::-1]] = (a, b), (b, a)
+    lines = []
+    for wire in piece.wires:
+        if wire.kind != "boundary":
+            pairs = list(zip(wire.vertices[:-1].tolist(), wire.vertices[1:].tolist(), strict=True))
+            points = piece.vertices[[ends[pairs[0]][0], *(ends[pair][1] for pair in pairs)]] * scale
+            lines.append(Line("wire", points, name=wire.name, kind=wire.kind))
+    return lines
+
+
+def marks(laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], spacing: float) -> dict[int, list[Point]]:
+    """By piece: notches in pairs along seams, at the ends of wires and of seams that nothing shows; clips; holes."""
+    rays = {piece.index: piece.rays for piece in laid}
+    names = {piece.index: piece.name for piece in laid}
+    closed = {id(side) for piece in laid for outline in piece.outlines for dart in outline.darts
+              for side in (dart.first, dart.second)}  # fmt: skip
+    found: dict[int, list[Point]] = {piece.index: [] for piece in laid}
+    at_wires = {piece.index: _wire_ends(piece) for piece in laid}
+    for number, sides in enumerate(seams):
+        if not sides or any(id(own.side) in closed for own in sides):
+            continue
+        count = 2 if any(re.search(r"\bback\b", names[own.side.piece], re.IGNORECASE) for own in sides) else 1
+        taken = sorted({place for own in sides for place in _places_of(own, at_wires[own.side.piece])})
+        length = float(sides[0].along[-1])
+        inner = [place for place in taken if SAME_PLACE < place < length - SAME_PLACE]
+        places = sorted([*inner, *places_along(length, inner, spacing)])
+        for own in sides:
+            share = own.along[-1] / length  # of a side that is eased, notches stand at equal shares
+            for order, place in enumerate(places):
+                at, outward = own.at(place * share)
+                found[own.side.piece].append(notch(at, outward, rays[own.side.piece], count, (number, order)))
+    for piece in laid:
+        for outline, loop in zip(piece.outlines, piece.loops, strict=True):
+            found[piece.index] += _free_notches(loop, at_wires[piece.index], rays[piece.index])
+            found[piece.index] += [drill_hole(dart) for dart in outline.darts]
+            if outline.stretches and not outline.darts:
+                found[piece.index] += clips(loop, rays[piece.index])
+    return found
+
+
+def _wire_ends(piece: Laid) -> np.ndarray:
+    """(w,2)"""
+    return np.array([end for wire in piece.wires for end in (wire.points[0], wire.points[-1])]).reshape(-1, 2)
+
+
+def _places_of(own: SewnSide, ends: np.ndarray) -> list[float]:
+    """Lengths from the start of the side at which wires end on it."""
+    near = np.abs(own.points[:, None] - ends[None]).max(axis=2, initial=0) < SAME_PLACE
+    return own.along[near.any(axis=1)].round(6).tolist() if len(ends) else []
+
+
+def _free_notches(loop: Sequence[Side], ends: np.ndarray, rays: Rays) -> list[Point]:
+    """Where wires end on an outline that is not sewn, and where a seam ends and the outline runs on smoothly."""
+    found = []
+    for number, side in enumerate(loop):
+        following = loop[(number + 1) % len(loop)]
+        if len(loop) > 1 and turns_little(side, following):
+            forward = SewnSide(side, True)
+            at, outward = forward.at(float(side.along[-1]))
+            found.append(notch(at, outward, rays, 1, None))
+        if side.seam is None:
+            forward = SewnSide(side, True)
+            for place in _places_of(forward, ends):
+                if SAME_PLACE < place < side.along[-1] - SAME_PLACE:
+                    found.append(notch(*forward.at(place), rays, 1, None))
+    return found
+
+
+def lines_of(laid: Laid) -> list[Line]:
+    lines = [Line("cut", points, closed=True) for points in laid.cut.outer]
+    lines += [Line("inner_cut", points, closed=True) for points in laid.cut.holes]
+    for outline in laid.outlines:
+        for run in outline.runs:
+            seam = run.side.seam
+            is_whole = len(outline.runs) == 1 and run.side.is_closed
+            points = run.points[:-1] if is_whole else run.points
+            lines.append(Line("sew", points, is_whole, "" if seam is None else f"Seam {seam + 1}", run.width, seam))
+    return [*lines, *laid.wires]
+
+
+def grain_line(laid: Laid) -> Line:
+    """Upright through the middle of the piece."""
+    center, _ = innermost_point(laid.sew_loops, [])
+    rays = Rays(laid.sew_loops)
+    up, down = (GRAIN * rays.to_cut(center, np.array([0.0, sign])) for sign in (1, -1))
+    return Line("grain", center + np.array([[0.0, -down], [0.0, up]]))
+
+
+def finished(
+    laid: Laid, number: int, points: Sequence[Point], card: tuple[str, ...], options: Mapping[str, str]
+) -> PatternPiece:
+    lines, grain = lines_of(laid), grain_line(laid)
+    inside = [line.points for line in laid.wires] + [grain.points]
+    text = place_text(card, laid.sew_loops, inside, TEXT_HEIGHT)
+    return PatternPiece(number, laid.name, [*lines, grain], list(points), [text], material=options.get("material", ""))

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A pattern as an SVG file in true size: one unit is one millimeter.
+
+One group per piece, and in it a layer, as Inkscape knows them, for each kind of line; each kind has its own color too,
+by which cutters and plotters tell them apart.
+"""
+
+import re
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .drawing import Stroke, letters_baselines, strokes_of
+from .interior import LINE
+from .model import PatternPiece, Text
+from .roles import LAYERS, LOOKS
+
+if TYPE_CHECKING:
+    from .pattern import Pattern
+
+SVG, INKSCAPE = "http://www.w3.org/2000/svg", "http://www.inkscape.org/namespaces/inkscape"
+MARGIN = 10.0  # around everything
+DECIMALS = 4  # of a millimeter
+NO_CHARACTER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # of XML 1.0
+
+
+def write_svg(path: Path, pattern: "Pattern") -> None:
+    ElementTree.register_namespace("", SVG)
+    ElementTree.register_namespace("inkscape", INKSCAPE)
+    tree = ElementTree.ElementTree(_document(pattern))
+    ElementTree.indent(tree, " ")
+    tree.write(path, encoding="utf-8", xml_declaration=True)
+
+
+def _document(pattern: "Pattern") -> ElementTree.Element:
+    """The square to measure stands above the pieces."""
+    side, label = pattern.units.square
+    width, height = pattern.size + 2 * MARGIN
+    width, height = max(width, side + 2 * MARGIN), height + side + MARGIN
+    low = np.min([piece.bounds[0] for piece in pattern.pieces], axis=0)
+    shown = [f"{value:.{DECIMALS}f}" for value in (width, height)]
+    root = ElementTree.Element(
+        f"{{{SVG}}}svg", width=f"{shown[0]}mm", height=f"{shown[1]}mm", viewBox=f"0 0 {shown[0]} {shown[1]}",
+        version="1.1",
+    )  # fmt: skip
+    _add(root, "title").text = pattern.title
+    drawing = _Drawing(root, height)
+    for piece in pattern.pieces:
+        drawing.add_piece(piece.moved(MARGIN - low))
+    drawing.add_square(side, label, pattern.allowance_text, np.array([MARGIN, height - MARGIN - side]))
+    for element in root.iter():  # names may hold what XML cannot
+        element.text = element.text and NO_CHARACTER.sub("\ufffd", element.text)
+        for key, value in element.items():
+            element.set(key, NO_CHARACTER.sub("\ufffd", value))
+    return root
+
+
+class _Drawing:
+    """Everything comes in with y upwards and the origin in the page's lower left corner; on the page y is downwards."""
+
+    def __init__(self, root: ElementTree.Element, height: float) -> None:
+        self._root, self._height = root, height
+        self._ids: set[str] = set()
+
+    def add_piece(self, piece: PatternPiece) -> None:
+        group = self._add_group(self._root, piece.name, piece.name)
+        _add(group, "title").text = piece.name
+        strokes = list(strokes_of(piece))
+        for label in reversed(LAYERS):  # the cut line is drawn last
+            own = [stroke for stroke in strokes if stroke.look.layer == label]
+            texts = piece.texts if label == LOOKS["text"].layer else []
+            if own or texts:
+                layer = self._add_layer(group, piece.name, label)
+                for stroke in own:
+                    self._add_path(layer, stroke)
+                for text in texts:
+                    self._add_text(layer, text)
+
+    def add_square(self, side: float, label: str, allowance: str, corner: np.ndarray) -> None:
+        layer = self._add_layer(self._root, "", LOOKS["scale"].layer)
+        self._add_path(layer, Stroke("scale", corner + side * np.array([[0, 0], [1, 0], [1, 1], [0, 1]]), True))
+        lines = (label, "Measure before cutting", f"Allowance included: {allowance}")
+        self._add_text(layer, Text(lines, corner + side / 2, 5.0))
+
+    def _add_path(self, layer: ElementTree.Element, stroke: Stroke) -> None:
+        down = stroke.points * (1, -1) + (0, self._height)
+        corners = " ".join(f"{x:.{DECIMALS}f},{y:.{DECIMALS}f}" for x, y in down)
+        # As attributes of every line: many cutters' programs read neither style sheets nor what a group hands down.
+        look = {"fill": "none", "stroke": stroke.look.color, "stroke-width": f"{stroke.look.stroke:g}"}
+        look |= {"stroke-linejoin": "round", "data-role": stroke.role}
+        if stroke.dashes:
+            look["stroke-dasharray"] = " ".join(f"{dash:g}" for dash in stroke.dashes)
+        path = _add(layer, "path", **look, d=f"M {corners}{' Z' if stroke.closed else ''}")
+        if stroke.name:
+            _add(path, "title").text = stroke.name
+
+    def _add_text(self, layer: ElementTree.Element, text: Text) -> None:
+        look = {"fill": LOOKS["text"].color, "font-family": "sans-serif", "text-anchor": "middle"}
+        for line, place in letters_baselines(text, LINE):
+            x, y = place * (1, -1) + (0, self._height)
+            placed = f"translate({x:.{DECIMALS}f} {y:.{DECIMALS}f}) rotate({-text.angle:g})"
+            element = _add(layer, "text", **look, **{"font-size": f"{text.height:.2f}", "transform": placed})
+            element.text = line
+
+    def _add_layer(self, parent: ElementTree.Element, owner: str, label: str) -> ElementTree.Element:
+        layer = self._add_group(parent, f"{owner} {label}".strip(), label)
+        layer.set(f"{{{INKSCAPE}}}groupmode", "layer")
+        return layer
+
+    def _add_group(self, parent: ElementTree.Element, name: str, label: str) -> ElementTree.Element:
+        group = _add(parent, "g", id=_free_id(name, self._ids))
+        group.set(f"{{{INKSCAPE}}}label", label)
+        return group
+
+
+def _add(parent: ElementTree.Element, tag: str, **attributes: str) -> ElementTree.Element:
+    return ElementTree.SubElement(parent, f"{{{SVG}}}{tag}", attributes)
+
+
+def _free_id(name: str, taken: set[str]) -> str:
+    """The name as XML allows it for an id: no spaces, no digit in front; none twice."""
+    plain = re.sub(r"[^\w.-]", "_", name)
+    plain = plain if re.match(r"[^\W\d]", plain) else f"_{plain}"
+    free, number = plain, 2
+    while free in taken:
+        free, number = f"{plain}_{number}", number + 1
+    taken.add(free)
+    return free

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lengths as makers read them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal
+
+Units = Literal["metric", "imperial"]
+INCH = 25.4
+FINEST = 16  # parts of an inch on a tape measure
+
+
+@dataclass(frozen=True)
+class UnitSystem:
+    name: Units = "metric"
+
+    def text(self, millimeters: float) -> str:
+        """ "10 mm", or "3/8 in" to the nearest sixteenth."""
+        if self.name == "metric":
+            return f"{millimeters:.4g} mm" if millimeters < 1000 else f"{millimeters / 1000:.4g} m"
+        sixteenths = Fraction(round(millimeters / INCH * FINEST), FINEST)
+        whole, rest = divmod(sixteenths, 1)
+        return " ".join(part for part in (str(whole) if whole or not rest else "", str(rest) if rest else "") if part) + " in"
+
+    def range_of(self, lengths: Sequence[float]) -> str:
+        if not lengths:
+            return "none"
+        low, high = self.text(min(lengths)), self.text(max(lengths))
+        return low if low == high else f"{low} to {high}"
+
+    @property
+    def square(self) -> tuple[float, str]:
+        """The side of the square to measure after printing, and what stands in it."""
+        return (100.0, "100 mm") if self.name == "metric" else (4 * INCH, "4 in")
