@@ -57,7 +57,9 @@ def cut_lines(loops: Sequence[Sequence[Stretch]]) -> CutLines:
     parts = [_on_grid(outline, origin) for outline in outlines]
     for loop in loops:
         parts += _allowance(loop, origin)
-    outer, holes, pockets = [], [], []
+    outer: list[np.ndarray] = []
+    holes: list[np.ndarray] = []
+    pockets: list[np.ndarray] = []
     for united in _unite(parts):
         points = np.array(united) * GRID + origin
         area = signed_area(points)
@@ -126,7 +128,7 @@ class _Place:
         """What the path takes off the end of the first strip."""
         back = (path[0] - self._point) @ self._along_a
         inner = path[1] if len(path) > 1 else self._end_b
-        if back > -GRID or _contains(filling, self._end_a[None]):
+        if back > -GRID or self._only_trims(second=True) or _contains(filling, self._end_a[None]):
             return None
         return _beyond(path[0], inner, -back * self._along_a)
 
@@ -134,9 +136,13 @@ class _Place:
         """What the path takes off the start of the second strip."""
         ahead = (path[-1] - self._point) @ self._along_b
         inner = path[-2] if len(path) > 1 else self._end_a
-        if ahead < GRID or _contains(filling, self._end_b[None]):
+        if ahead < GRID or self._only_trims(second=False) or _contains(filling, self._end_b[None]):
             return None
         return _beyond(path[-1], inner, -ahead * self._along_b)
+
+    def _only_trims(self, second: bool) -> bool:
+        """An allowance that folds back leaves the one that it ends on as it is."""
+        return self._corner.kind == "fold-back" and self._corner.of_next == second
 
 
 def _beyond(end: np.ndarray, inner: np.ndarray, shift: np.ndarray) -> np.ndarray:

@@ -16,8 +16,9 @@ from .strips import MITRE_LIMIT
 
 CornerType = Literal["mitre", "right angle", "fold-back", "extend", "step", "round"]
 CORNER_TYPES: tuple[str, ...] = get_args(CornerType)
-STRAIGHT = math.radians(0.5)  # less is no corner: the two cut lines are parallel for all that can be cut
-NEARLY_STRAIGHT = 3.0  # times the width: a step comes before a point so far away
+STRAIGHT = 1e-7  # radians: between strips as wide as may be, the wedge of a smaller turn is finer than the grid
+SHARP = math.radians(30)  # less can hardly be seen on cloth, and no allowance needs to end in a way of its own
+STEEP = 1.5  # of the width, the difference of the widths over the sine of the turn: beyond, a step comes before a slant
 SAGITTA = 0.02  # millimeters, of the chords of a round corner
 
 
@@ -29,12 +30,21 @@ def corner_path(kind: CornerType, turn: float, a: float, b: float) -> np.ndarray
     """
     if turn < STRAIGHT or (a == 0 and b == 0):
         return None
-    if kind == "mitre" and abs(a - b) > NEARLY_STRAIGHT * max(a, b) * math.sin(turn):
+    if turn < SHARP and kind != "round":
+        kind = "mitre"
+    if kind == "mitre" and abs(a - b) > STEEP * max(a, b) * math.sin(turn):
         kind = "step"
     path = PATHS[kind](turn, a, b)
-    if path is None or np.linalg.norm(path, axis=1).max() > MITRE_LIMIT * max(a, b) * (1 + 1e-9):
+    if path is None or _goes_too_far(path, turn, a, b):
         path = _cut_off_mitre(turn, a, b)
     return path
+
+
+def _goes_too_far(path: np.ndarray, turn: float, a: float, b: float) -> bool:
+    """Whether it leads beyond the limit, or takes more off the end of an allowance than that is wide."""
+    outwards = float(np.linalg.norm(path, axis=1).max()) > MITRE_LIMIT * max(a, b) * (1 + 1e-9)
+    taken = max(-path[0, 0], path[-1] @ (math.cos(turn), math.sin(turn)))
+    return outwards or bool(taken > max(a, b))
 
 
 def _mitre(turn: float, a: float, b: float) -> np.ndarray:
@@ -68,7 +78,7 @@ def _fold_back(turn: float, a: float, b: float) -> np.ndarray:
 
 
 def _extend(turn: float, a: float, b: float) -> np.ndarray:
-    """Each allowance ends where its cut line meets the sew line of the other, extended; straight from one to the other."""
+    """Each allowance ends where its cut line meets the sew line of the other, extended; straight between these."""
     return np.array([[-a / math.tan(turn), -a], [b / math.sin(turn), 0.0]])
 
 

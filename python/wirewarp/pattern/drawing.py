@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .model import PatternPiece, Text
-from .roles import LOOKS, WIRE_DASHES, Look
+from .roles import LOOKS, SHEET, WIRE_DASHES, Look
 
 ARROW = 6.0  # millimeters: length of the heads of grain arrows
 CROSS = 4.0  # across the cross in a hole to drill
@@ -24,7 +24,7 @@ class Stroke:
 
     @property
     def look(self) -> Look:
-        return LOOKS[self.role]
+        return SHEET if self.role == "sheet" else LOOKS[self.role]
 
 
 def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
@@ -40,7 +40,7 @@ def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
         if point.role == "drill":
             yield from (Stroke("drill", arm) for arm in _cross(point.at, point.depth))
         else:
-            yield from (Stroke(point.role, stroke) for stroke in point.strokes)
+            yield Stroke(point.role, point.stroke)
     for line in piece.of_role("cut"):
         yield Stroke("cut", line.points, line.closed)
 

@@ -32,21 +32,15 @@ class Point:
     at: np.ndarray  # (2,), of notches and clips on the cut line
     direction: np.ndarray = field(default_factory=lambda: np.zeros(2))  # (2,) unit vector into the piece
     depth: float = 0.0  # of notches and clips; of holes the diameter
-    count: int = 1  # notches beside one another: one in front, two at the back
     pair: tuple[int, int] | None = None  # seam, and number along it: notches of one pair are sewn onto each other
 
     def moved(self, offset: np.ndarray) -> "Point":
         return replace(self, at=self.at + offset)
 
     @property
-    def strokes(self) -> np.ndarray:
-        """(count,2,2) the cuts of a notch or clip, from the cut line inwards."""
-        beside = np.array([-self.direction[1], self.direction[0]]) * NOTCH_GAP
-        starts = self.at + (np.arange(self.count) - (self.count - 1) / 2)[:, None] * beside
-        return np.stack([starts, starts + self.depth * self.direction], axis=1)
-
-
-NOTCH_GAP = 6.0  # millimeters between the two cuts of a double notch
+    def stroke(self) -> np.ndarray:
+        """(2,2) the cut of a notch or clip, from the cut line inwards."""
+        return np.array([self.at, self.at + self.depth * self.direction])
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks on the cut lines: notches that are sewn onto each other, clips at inward corners, holes at the tips of darts."""
+"""Marks: notches that are sewn onto each other, clips at inward corners, holes at the tips of darts."""
 
 import math
 from collections.abc import Sequence
@@ -10,8 +10,8 @@ from .model import Point
 from .outline import Side
 from .rays import Rays
 from .seams import SewnSide, turn_between
-from .strips import right_normals
 from .stretches import Dart
+from .strips import right_normals
 from .widths import problem
 
 DEEPEST = 5.0  # millimeters
@@ -22,6 +22,7 @@ CLEAR = 0.2  # of the spacing: so close to another notch or to the end of the se
 LEAST_SEAM = 15.0  # millimeters: a shorter one needs no notch in its middle
 LOPSIDED = 5.0  # millimeters by which notches of a seam turned end for end must miss each other
 STARTS = (1.0, 0.8, 0.6, 0.4)  # of the spacing, from the start of the seam to its first notch
+DOUBLE = 6.0  # millimeters between the two of a double notch
 CORNER = math.radians(30)  # what turns less is no corner that can be found on cloth
 CLIP_SHORT = 2.0  # millimeters that a clip ends before the corner of the sew line
 DRILL_BACK = 13.0  # millimeters before the tip of the dart, where the seam covers it (1/2 in)
@@ -35,7 +36,8 @@ def check_spacing(spacing: float, sides: Sequence[Sequence[SewnSide]]) -> None:
     longest = max((own[0].along[-1] for own in sides if own), default=0.0)
     if spacing and longest > MOST * spacing:
         raise problem(
-            f"A seam is {longest / 1000:,.0f} m long, too long for a notch every {spacing:g} mm: see millimeters_per_unit."
+            f"A seam is {longest / 1000:,.0f} m long, too long for a notch every {spacing:g} mm: "
+            "see millimeters_per_unit."
         )
 
 
@@ -64,11 +66,11 @@ def _is_lopsided(places: np.ndarray, length: float) -> bool:
     return bool(np.abs(np.sort(places) - turned).max() >= LOPSIDED)
 
 
-def notch(at_sew: np.ndarray, outward: np.ndarray, rays: Rays, count: int, pair: tuple[int, int] | None) -> Point:
+def notch(at_sew: np.ndarray, outward: np.ndarray, rays: Rays, pair: tuple[int, int] | None = None) -> Point:
     """From where the normal of the sew line meets the cut line, inwards; short of the sew line."""
     allowance = rays.to_cut(at_sew, outward)
     room = SHARE * allowance if allowance > 0 else SHARE * rays.to_cut(at_sew - outward * 1e-3, -outward)
-    return Point("notch", at_sew + allowance * outward, -outward, min(DEEPEST, room), count, pair)
+    return Point("notch", at_sew + allowance * outward, -outward, min(DEEPEST, room), pair)
 
 
 def clips(loop: Sequence[Side], rays: Rays) -> list[Point]:

@@ -89,11 +89,11 @@ class Pattern:
         system = UnitSystem(units)
         text = system.range_of([run.width for piece in laid for own in piece.outlines for run in own.runs if run.width])
         points = marks(laid, seams, notch_spacing)
-        pieces = []
-        for number, piece in enumerate(laid, start=1):
-            card = card_lines(piece.name, number, len(laid), title, material, text)
-            pieces.append(finished(piece, number, points[piece.index], card, {"material": material}))
-        pattern = cls(title, pieces, text, system, [warning for piece in laid for warning in warnings_of(piece)])
+        pieces = [
+            finished(own, points[own.index], card_lines(own, len(laid), title, material, text), material)
+            for own in laid
+        ]
+        pattern = cls(title, pieces, text, system, [warning for own in laid for warning in warnings_of(own)])
         return pattern.arranged()
 
     def arranged(self, width: float = math.inf) -> "Pattern":

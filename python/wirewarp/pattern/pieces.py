@@ -2,7 +2,7 @@
 """From the outlines of flat pieces to pieces of a pattern: cut lines, sew lines, wires, marks and texts."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ import numpy as np
 from .allowance import CutLines, cut_lines
 from .interior import innermost_point, place_text
 from .model import Line, PatternPiece, Point
-from .notches import clips, drill_hole, notch, places_along, turns_little
+from .notches import DOUBLE, clips, drill_hole, notch, places_along, turns_little
 from .outline import Side
 from .rays import Rays
 from .seams import SewnSide
@@ -56,7 +56,9 @@ def warnings_of(laid: Laid) -> list[str]:
     found = []
     holes = sum(1 for outline in laid.outlines if outline.stretches) - 1
     if len(laid.cut.holes) < holes:
-        found.append(f'"{laid.name}": the allowance fills {holes - len(laid.cut.holes)} of {holes} holes; they are not cut.')
+        found.append(
+            f'"{laid.name}": the allowance fills {holes - len(laid.cut.holes)} of {holes} holes; they are not cut.'
+        )
     if laid.cut.pockets:
         found.append(f'"{laid.name}": the allowance closes a gap in the outline; what it encloses is not cut out.')
     if len(laid.cut.outer) > 1:
@@ -91,16 +93,18 @@ def marks(laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], spacing: fl
     for number, sides in enumerate(seams):
         if not sides or any(id(own.side) in closed for own in sides):
             continue
-        count = 2 if any(re.search(r"\bback\b", names[own.side.piece], re.IGNORECASE) for own in sides) else 1
+        at_back = any(re.search(r"\bback\b", names[own.side.piece], re.IGNORECASE) for own in sides)
         taken = sorted({place for own in sides for place in _places_of(own, at_wires[own.side.piece])})
         length = float(sides[0].along[-1])
         inner = [place for place in taken if SAME_PLACE < place < length - SAME_PLACE]
         places = sorted([*inner, *places_along(length, inner, spacing)])
+        if at_back:  # two beside each other
+            places = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
         for own in sides:
             share = own.along[-1] / length  # of a side that is eased, notches stand at equal shares
             for order, place in enumerate(places):
                 at, outward = own.at(place * share)
-                found[own.side.piece].append(notch(at, outward, rays[own.side.piece], count, (number, order)))
+                found[own.side.piece].append(notch(at, outward, rays[own.side.piece], (number, order)))
     for piece in laid:
         for outline, loop in zip(piece.outlines, piece.loops, strict=True):
             found[piece.index] += _free_notches(loop, at_wires[piece.index], rays[piece.index])
@@ -129,12 +133,12 @@ def _free_notches(loop: Sequence[Side], ends: np.ndarray, rays: Rays) -> list[Po
         if len(loop) > 1 and turns_little(side, following):
             forward = SewnSide(side, True)
             at, outward = forward.at(float(side.along[-1]))
-            found.append(notch(at, outward, rays, 1, None))
+            found.append(notch(at, outward, rays))
         if side.seam is None:
             forward = SewnSide(side, True)
             for place in _places_of(forward, ends):
                 if SAME_PLACE < place < side.along[-1] - SAME_PLACE:
-                    found.append(notch(*forward.at(place), rays, 1, None))
+                    found.append(notch(*forward.at(place), rays))
     return found
 
 
@@ -151,17 +155,16 @@ def lines_of(laid: Laid) -> list[Line]:
 
 
 def grain_line(laid: Laid) -> Line:
-    """Upright through the middle of the piece."""
-    center, _ = innermost_point(laid.sew_loops, [])
+    """Upright, where there is most room beside wires."""
+    center, _ = innermost_point(laid.sew_loops, [wire.points for wire in laid.wires])
     rays = Rays(laid.sew_loops)
     up, down = (GRAIN * rays.to_cut(center, np.array([0.0, sign])) for sign in (1, -1))
     return Line("grain", center + np.array([[0.0, -down], [0.0, up]]))
 
 
-def finished(
-    laid: Laid, number: int, points: Sequence[Point], card: tuple[str, ...], options: Mapping[str, str]
-) -> PatternPiece:
+def finished(laid: Laid, points: Sequence[Point], card: tuple[str, ...], material: str) -> PatternPiece:
+    """card: the lines of the text on the piece."""
     lines, grain = lines_of(laid), grain_line(laid)
     inside = [line.points for line in laid.wires] + [grain.points]
     text = place_text(card, laid.sew_loops, inside, TEXT_HEIGHT)
-    return PatternPiece(number, laid.name, [*lines, grain], list(points), [text], material=options.get("material", ""))
+    return PatternPiece(laid.index + 1, laid.name, [*lines, grain], list(points), [text], material=material)

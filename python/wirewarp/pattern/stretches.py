@@ -120,9 +120,7 @@ def _darts_of(loop: Sequence[Side]) -> list[Dart]:
 
 def _runs(side: Side, widths: np.ndarray) -> list[Run]:
     ends = [0, *(np.flatnonzero(np.diff(widths)) + 1).tolist(), len(widths)]
-    return [
-        Run(side, side.points[a : b + 1], float(widths[a])) for a, b in zip(ends[:-1], ends[1:], strict=True)
-    ]
+    return [Run(side, side.points[a : b + 1], float(widths[a])) for a, b in zip(ends[:-1], ends[1:], strict=True)]
 
 
 def _cap(dart: Dart, before: Run, after: Run) -> np.ndarray:

@@ -26,12 +26,13 @@ DECIMALS = 4  # of a millimeter
 NO_CHARACTER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # of XML 1.0
 
 
-def write_svg(path: Path, pattern: "Pattern") -> None:
+def write_svg(path: Path, pattern: "Pattern") -> tuple[int, list[str]]:
     ElementTree.register_namespace("", SVG)
     ElementTree.register_namespace("inkscape", INKSCAPE)
     tree = ElementTree.ElementTree(_document(pattern))
     ElementTree.indent(tree, " ")
     tree.write(path, encoding="utf-8", xml_declaration=True)
+    return 1, []
 
 
 def _document(pattern: "Pattern") -> ElementTree.Element:

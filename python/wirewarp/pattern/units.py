@@ -21,7 +21,10 @@ class UnitSystem:
             return f"{millimeters:.4g} mm" if millimeters < 1000 else f"{millimeters / 1000:.4g} m"
         sixteenths = Fraction(round(millimeters / INCH * FINEST), FINEST)
         whole, rest = divmod(sixteenths, 1)
-        return " ".join(part for part in (str(whole) if whole or not rest else "", str(rest) if rest else "") if part) + " in"
+        return (
+            " ".join(part for part in (str(whole) if whole or not rest else "", str(rest) if rest else "") if part)
+            + " in"
+        )
 
     def range_of(self, lengths: Sequence[float]) -> str:
         if not lengths:

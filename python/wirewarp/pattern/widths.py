@@ -10,7 +10,7 @@ from .outline import Side
 WIDEST = 1000.0  # millimeters: what is wider was given in another unit
 
 
-def problem(message: str, code: ErrorCode = ErrorCode("invalid_option")) -> FlattenError:
+def problem(message: str, code: ErrorCode | str = "invalid_option") -> FlattenError:
     return FlattenError(code, message)
 
 
@@ -34,7 +34,7 @@ class Widths:
         """both, sides: (k,3) as in Pattern.from_result."""
         self._seam = checked_length("allowance", allowance)
         self._hem = self._seam if hem is None else checked_length("hem", hem)
-        self._both = {tuple(sorted(pair)): width for pair, width in _rows("allowances", both).items()}
+        self._both = {(min(pair), max(pair)): width for pair, width in _rows("allowances", both).items()}
         self._sides = _rows("side_allowances", sides)
         self._unused = set(self._both) | set(self._sides)
 
@@ -68,9 +68,9 @@ def _rows(name: str, values: npt.ArrayLike | None) -> dict[tuple[int, int], floa
     if table.size == 0 and table.ndim <= 2:
         table = table.reshape(-1, 3)
     if table.ndim != 2 or table.shape[1] != 3:
-        raise problem(f"{name} must be an array (k, 3): vertex, vertex, millimeters.", ErrorCode("invalid_shape"))
+        raise problem(f"{name} must be an array (k, 3): vertex, vertex, millimeters.", "invalid_shape")
     if not np.array_equal(table[:, :2], np.rint(table[:, :2])) or np.any(table[:, :2] < 0):
-        raise problem(f"{name} has a vertex that is no whole number from 0.", ErrorCode("invalid_type"))
+        raise problem(f"{name} has a vertex that is no whole number from 0.", "invalid_type")
     for a, b, width in table:
         checked_length(f"The allowance of edge {a:.0f}-{b:.0f}", width)
     return {(int(a), int(b)): float(width) for a, b, width in table}

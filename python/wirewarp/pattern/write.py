@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which writer writes which kind of file."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from inspect import signature
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .dxf import write_dxf
+from .hpgl import write_plt
 from .pattern import Written
+from .pdf import write_pdf
 from .replace_file import replaced_file
 from .svg import write_svg
 from .widths import problem
@@ -14,9 +18,24 @@ if TYPE_CHECKING:
     from .pattern import Pattern
 
 
+WRITERS: dict[str, Callable[..., tuple[int, list[str]]]] = {
+    ".svg": write_svg,
+    ".pdf": write_pdf,
+    ".dxf": write_dxf,
+    ".plt": write_plt,
+}
+
+
 def write(pattern: "Pattern", path: Path, options: Mapping[str, Any]) -> Written:
-    if path.suffix.lower() != ".svg":
-        raise problem(f'"{path.name}" does not end in .svg, and no other kind of file can be written.')
+    writer = WRITERS.get(path.suffix.lower())
+    if writer is None:
+        known = ", ".join(WRITERS)
+        raise problem(f'"{path.name}" ends in none of {known}: no other kind of file can be written.')
+    known_options = list(signature(writer).parameters)[2:]
+    for name in options:
+        if name not in known_options:
+            has = " and ".join(known_options) or "none"
+            raise problem(f"{path.suffix} files have no option {name!r}; they have {has}.")
     with replaced_file(path) as unfinished:
-        write_svg(unfinished, pattern)
-    return Written(path, 1, pattern.warnings)
+        sheets, warnings = writer(unfinished, pattern, **options)
+    return Written(path, sheets, [*pattern.warnings, *warnings])

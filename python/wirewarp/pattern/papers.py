@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Papers to print on, and how a pattern is divided into their sheets."""
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pyclipper
+
+from .allowance import GRID
+from .units import INCH
+from .widths import checked_length, problem
+
+if TYPE_CHECKING:
+    from .pattern import Pattern
+
+SHEETS = {
+    "a4": (210.0, 297.0),
+    "letter": (8.5 * INCH, 11 * INCH),
+    "a4-letter": (210.0, 11 * INCH),  # what fits on both
+    "a3": (297.0, 420.0),
+    "tabloid": (11 * INCH, 17 * INCH),
+    "a0": (841.0, 1189.0),
+}
+ROLLS = {"36in": 36 * INCH, "24in": 24 * INCH}
+PROJECTOR = "projector"
+LONGEST = 5000.0  # millimeters: readers take pages up to 5.08 m
+MARGIN = 10.0  # few printers reach nearer to the edge of a sheet
+OVERLAP = 10.0  # of neighboring sheets, to glue or tape
+MOST_SHEETS = 2000
+
+
+@dataclass(frozen=True)
+class Tile:
+    row: int  # from the top
+    column: int
+    low: np.ndarray  # (2,) lower left corner of what it shows
+
+    @property
+    def name(self) -> str:
+        return tile_name(self.row, self.column)
+
+
+@dataclass(frozen=True)
+class Tiles:
+    """A pattern on sheets that overlap."""
+
+    pattern: "Pattern"
+    paper: np.ndarray  # (2,) width and height of a sheet
+    shown: np.ndarray  # (2,) of each sheet, inside its margins
+    rows: int
+    columns: int
+    tiles: list[Tile]  # those with something on them
+
+
+def tile_name(row: int, column: int) -> str:
+    """ "A1" is the first sheet of the top row; after row Z comes row AA."""
+    letters = ""
+    row += 1
+    while row:
+        row, letter = divmod(row - 1, 26)
+        letters = chr(ord("A") + letter) + letters
+    return f"{letters}{column + 1}"
+
+
+def roll_width(paper: str | float) -> float | None:
+    """Millimeters; None if the paper is no roll. Raises FlattenError for what is no paper at all."""
+    if isinstance(paper, str):
+        if paper in ROLLS:
+            return ROLLS[paper]
+        if paper in SHEETS or paper == PROJECTOR:
+            return None
+        known = ", ".join([*SHEETS, *ROLLS, PROJECTOR])
+        raise problem(f"paper is {paper!r}: give one of {known}, or the width of a roll in millimeters.")
+    return checked_length("paper, the width of a roll,", paper, 100.0, LONGEST)
+
+
+def divided(pattern: "Pattern", paper: str) -> Tiles:
+    """On sheets upright or on their side, the pieces in rows as wide as takes the fewest sheets."""
+    best = None
+    for width, height in (SHEETS[paper], SHEETS[paper][::-1]):
+        shown = np.array([width, height]) - 2 * MARGIN
+        step = shown - OVERLAP
+        widest = max(piece.size[0] for piece in pattern.pieces)
+        first = max(1, math.ceil((widest - OVERLAP) / step[0]))
+        square = math.ceil(math.sqrt(float(np.prod(pattern.size))) / step[0])
+        for columns in range(first, max(first, 2 * square) + 1):
+            arranged = pattern.arranged(columns * step[0] + OVERLAP)
+            rows = max(1, math.ceil((arranged.size[1] - OVERLAP) / step[1] - 1e-9))
+            columns = max(1, math.ceil((arranged.size[0] - OVERLAP) / step[0] - 1e-9))
+            if best is None or rows * columns < best.rows * best.columns:
+                best = Tiles(arranged, np.array([width, height]), shown, rows, columns, [])
+    assert best is not None
+    if best.rows * best.columns > MOST_SHEETS:
+        size = " x ".join(f"{side / 1000:.1f} m" for side in best.pattern.size)
+        raise problem(f"The pattern is {size}: more than {MOST_SHEETS} sheets of {paper}; see millimeters_per_unit.")
+    return _with_tiles(best)
+
+
+def _with_tiles(plan: Tiles) -> Tiles:
+    step, top = plan.shown - OVERLAP, plan.pattern.size[1]
+    shapes = [([line.points for line in piece.of_role("cut")], piece.bounds) for piece in plan.pattern.pieces]
+    tiles = []
+    for row in range(plan.rows):
+        for column in range(plan.columns):
+            low = np.array([column * step[0], top - row * step[1] - plan.shown[1]])
+            if any(_shows(low, low + plan.shown, cut, bounds) for cut, bounds in shapes):
+                tiles.append(Tile(row, column, low))
+    return Tiles(plan.pattern, plan.paper, plan.shown, plan.rows, plan.columns, tiles)
+
+
+def _shows(low: np.ndarray, high: np.ndarray, cut: list[np.ndarray], bounds: tuple[np.ndarray, np.ndarray]) -> bool:
+    """Whether a sheet from low to high shows a part of a piece."""
+    if np.any(bounds[0] >= high) or np.any(bounds[1] <= low):
+        return False
+    clipper = pyclipper.Pyclipper()
+    box = np.array([low, [high[0], low[1]], high, [low[0], high[1]]])
+    clipper.AddPath(np.rint((box - low) / GRID).astype(np.int64).tolist(), pyclipper.PT_CLIP, True)
+    clipper.AddPaths(
+        [np.rint((line - low) / GRID).astype(np.int64).tolist() for line in cut], pyclipper.PT_SUBJECT, True
+    )
+    return bool(clipper.Execute(pyclipper.CT_INTERSECTION, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO))

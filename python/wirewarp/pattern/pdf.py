@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A pattern as PDF: sheets to tape together, a roll for a plotter, or one page for a projector."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .drawing import Stroke, strokes_of
+from .model import PatternPiece, Text
+from .papers import LONGEST, MARGIN, OVERLAP, PROJECTOR, SHEETS, Tiles, divided, roll_width, tile_name
+from .pdf_document import Content, Document
+from .roles import LAYERS
+from .scale_block import SIZE, UNIT, scale_block
+from .widths import problem
+
+if TYPE_CHECKING:
+    from .pattern import Pattern
+
+BORDER = 5.0  # millimeters round a piece's box: notches and letters may reach over it
+SHEET_LAYER, GRID_LAYER = "Sheets", "Grid"
+GRID_STEP = {"metric": 50.0, "imperial": 2 * 25.4}
+
+
+def write_pdf(path: Path, pattern: "Pattern", paper: str | float = "a4") -> tuple[int, list[str]]:
+    """Writes the file; returns the number of pages, and sentences on what could not be drawn.
+
+    paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
+    a roll in millimeters.
+    """
+    width = roll_width(paper)
+    if width is not None:
+        pages, left_out = _write_roll(path, pattern, width)
+    elif paper == PROJECTOR:
+        pages, left_out = _write_page(path, pattern)
+    else:
+        pages, left_out = _write_tiles(path, pattern, str(paper))
+    return pages, [f'"{line}" is left out of the PDF, whose letters are Latin.' for line in dict.fromkeys(left_out)]
+
+
+def _document(pattern: "Pattern", *layers: str, hidden: tuple[str, ...] = ()) -> Document:
+    return Document(pattern.title or "Pattern", [*LAYERS, *layers], hidden)
+
+
+def _add_forms(document: Document, pattern: "Pattern") -> list[str]:
+    """One form per piece, P1, P2, ...; returns the texts that could not be drawn."""
+    left_out = []
+    for piece in pattern.pieces:
+        content = _drawn(piece)
+        low, high = piece.bounds
+        document.add_form(f"P{piece.number}", content, low - BORDER, high + BORDER)
+        left_out += content.left_out
+    return left_out
+
+
+def _drawn(piece: PatternPiece) -> Content:
+    content = Content()
+    strokes = list(strokes_of(piece))
+    for layer in reversed(LAYERS):
+        own = [stroke for stroke in strokes if stroke.look.layer == layer]
+        content.in_layer(layer, own, piece.texts if layer == "Text" else ())
+    return content
+
+
+def _write_page(path: Path, pattern: "Pattern") -> tuple[int, list[str]]:
+    """All on one page as large as it takes, with a grid that is hidden at first."""
+    size = np.maximum(pattern.size, (SIZE[0], 0)) + 2 * MARGIN + (0, SIZE[1])
+    if size.max() > LONGEST:
+        raise problem(
+            f"The pattern takes a page of {size[0] / 1000:.1f} x {size[1] / 1000:.1f} m, and readers show no more than "
+            f"{LONGEST / 1000:g} m: choose a roll or sheets."
+        )
+    document = _document(pattern, GRID_LAYER, hidden=(GRID_LAYER,))
+    left_out = _add_forms(document, pattern)
+    content = Content()
+    content.in_layer(GRID_LAYER, _grid(size, GRID_STEP[pattern.units.name]))
+    _add_scale(content, pattern, np.array([MARGIN, MARGIN]))
+    for piece in pattern.pieces:
+        content.add_form(f"P{piece.number}", np.array([MARGIN, MARGIN + SIZE[1]]))
+    document.add_page(size, content)
+    document.write(path)
+    return 1, left_out
+
+
+def _grid(size: np.ndarray, step: float) -> Iterator[Stroke]:
+    for x in np.arange(step, size[0], step):
+        yield Stroke("scale", np.array([[x, 0.0], [x, size[1]]]))
+    for y in np.arange(step, size[1], step):
+        yield Stroke("scale", np.array([[0.0, y], [size[0], y]]))
+
+
+def _write_roll(path: Path, pattern: "Pattern", width: float) -> tuple[int, list[str]]:
+    """Pages as wide as the roll; pieces stay whole, and no page is too long for readers."""
+    inner = width - 2 * MARGIN
+    for piece in pattern.pieces:
+        if piece.size[0] > inner or piece.size[1] > LONGEST - 2 * MARGIN - SIZE[1]:
+            across, along = piece.size
+            raise problem(
+                f'"{piece.name}" is {across:.0f} x {along:.0f} mm: too large for a roll of {width:.0f} mm, of which '
+                f"{inner:.0f} mm can be printed, and for pages of {LONGEST / 1000:g} m."
+            )
+    if inner < SIZE[0]:
+        raise problem(
+            f"A roll of {width:.0f} mm is too narrow for the square to measure: choose a wider one or sheets."
+        )
+    arranged = pattern.arranged(inner)
+    document = _document(pattern)
+    left_out = _add_forms(document, arranged)
+    pages = _pages_of_rows(arranged)
+    for number, pieces in enumerate(pages):
+        low = min(piece.bounds[0][1] for piece in pieces)
+        high = max(piece.bounds[1][1] for piece in pieces)
+        block = SIZE[1] if number == 0 else 0.0
+        content = Content()
+        if number == 0:
+            _add_scale(content, pattern, np.array([MARGIN, MARGIN]))
+        for piece in pieces:
+            content.add_form(f"P{piece.number}", np.array([MARGIN, MARGIN + block - low]))
+        document.add_page(np.array([width, high - low + 2 * MARGIN + block]), content)
+    document.write(path)
+    return len(pages), left_out
+
+
+def _pages_of_rows(pattern: "Pattern") -> list[list[PatternPiece]]:
+    """The pieces of each page, none longer than readers show."""
+    pages: list[list[PatternPiece]] = []
+    low = 0.0
+    room = LONGEST - 2 * MARGIN - SIZE[1]
+    for piece in sorted(pattern.pieces, key=lambda piece: float(piece.bounds[0][1])):
+        bottom, top = float(piece.bounds[0][1]), float(piece.bounds[1][1])
+        if not pages or top - low > room:
+            pages.append([])
+            low = bottom
+        pages[-1].append(piece)
+    return pages
+
+
+def _add_scale(content: Content, pattern: "Pattern", corner: np.ndarray) -> None:
+    strokes, texts = scale_block(corner, pattern.units)
+    included = f"Allowance included: {pattern.allowance_text}"
+    content.in_layer("Scale", strokes, [*texts, Text((included,), corner + (62.0, 116.0), 4.0)])
+
+
+def _write_tiles(path: Path, pattern: "Pattern", paper: str) -> tuple[int, list[str]]:
+    """A first page with a map and what is to be measured, then the sheets."""
+    plan = divided(pattern, paper)
+    document = _document(pattern, SHEET_LAYER)
+    left_out = _add_forms(document, plan.pattern)
+    cover = _map_page(plan, np.array(SHEETS[paper]))
+    document.add_page(np.array(SHEETS[paper]), cover)
+    margin = np.array([MARGIN, MARGIN])
+    boxes = [piece.bounds for piece in plan.pattern.pieces]
+    for tile in plan.tiles:
+        content = Content()
+        content.clip(margin, margin + plan.shown)
+        for piece, (low, high) in zip(plan.pattern.pieces, boxes, strict=True):
+            if np.all(low - BORDER < tile.low + plan.shown) and np.all(high + BORDER > tile.low):
+                content.add_form(f"P{piece.number}", margin - tile.low)
+        content.unclip()
+        content.in_layer(SHEET_LAYER, *_sheet_marks(plan, tile.row, tile.column))
+        document.add_page(plan.paper, content)
+    document.write(path)
+    return 1 + len(plan.tiles), left_out + cover.left_out
+
+
+def _sheet_marks(plan: Tiles, row: int, column: int) -> tuple[list[Stroke], list[Text]]:
+    """The frame, its name, diamonds that two sheets complete, and which sheet comes at which side."""
+    low, high = np.array([MARGIN, MARGIN]), MARGIN + plan.shown
+    strokes = [Stroke("sheet", low + plan.shown * UNIT, True)]
+    texts = [Text((tile_name(row, column),), low + (9.0, 7.0), 6.0)]
+    middle = (low + high) / 2
+    sides = (
+        (np.array([-1, 0]), (row, column - 1), np.array([low[0] + OVERLAP / 2, middle[1]])),
+        (np.array([1, 0]), (row, column + 1), np.array([high[0] - OVERLAP / 2, middle[1]])),
+        (np.array([0, 1]), (row - 1, column), np.array([middle[0], high[1] - OVERLAP / 2])),
+        (np.array([0, -1]), (row + 1, column), np.array([middle[0], low[1] + OVERLAP / 2])),
+    )
+    for direction, (other_row, other_column), at in sides:
+        if 0 <= other_row < plan.rows and 0 <= other_column < plan.columns:
+            # Both sheets show the whole overlap, so the diamond in its middle lies on itself.
+            strokes.append(Stroke("sheet", at + OVERLAP / 2 * np.array([[1, 0], [0, 1], [-1, 0], [0, -1]]), True))
+            aside = np.array([direction[1], direction[0]])
+            angle = 90.0 if direction[0] else 0.0
+            texts.append(Text((tile_name(other_row, other_column),), at + 12.0 * np.abs(aside), 3.0, angle))
+    return strokes, texts
+
+
+def _map_page(plan: Tiles, paper: np.ndarray) -> Content:
+    """Title and advice, the sheets with the pieces on them, and what is to be measured."""
+    pattern, content = plan.pattern, Content()
+    _add_scale(content, pattern, np.array([MARGIN, MARGIN]))
+    skipped = plan.rows * plan.columns - len(plan.tiles)
+    lines = [
+        pattern.title or "Pattern",
+        "Print at 100 % (actual size), not fitted to the page; then measure the squares and bars.",
+        f"{len(plan.tiles)} sheets in {plan.rows} rows of {plan.columns}"
+        + (f", {skipped} of them empty and left out" if skipped else "")
+        + f"; neighbors overlap by {pattern.units.text(OVERLAP)}: lay diamond on diamond.",
+        f"{len(pattern.pieces)} pieces. Allowance included: {pattern.allowance_text}.",
+    ]
+    top = paper[1] - MARGIN
+    texts = [
+        Text((line,), np.array([paper[0] / 2, top - 4 - 5.0 * n]), 4.5 if n == 0 else 3.4)
+        for n, line in enumerate(lines)
+    ]
+    content.in_layer("Text", (), texts)
+    room = np.array([paper[0] - 2 * MARGIN, top - 26 - MARGIN - SIZE[1]])
+    whole = np.array([plan.columns, plan.rows]) * (plan.shown - OVERLAP) + OVERLAP
+    scale = float((room / whole).min())
+    low = np.array([0.0, pattern.size[1] - whole[1]])
+    corner = np.array([(paper[0] - scale * whole[0]) / 2, MARGIN + SIZE[1] + 2]) - scale * low
+
+    def placed(points: np.ndarray) -> np.ndarray:
+        return corner + scale * points
+
+    outlines = [Stroke("scale", placed(line.points), True) for piece in pattern.pieces for line in piece.of_role("cut")]
+    numbers = [Text((str(piece.number),), placed(piece.texts[0].center), 3.0) for piece in pattern.pieces]
+    content.in_layer("Scale", outlines, numbers)
+    frames = [Stroke("sheet", placed(tile.low + plan.shown * UNIT), True) for tile in plan.tiles]
+    height = min(3.0, 0.12 * scale * float(plan.shown.min()))
+    names = [Text((tile.name,), placed(tile.low + plan.shown * (0.15, 0.1)), height) for tile in plan.tiles]
+    content.in_layer(SHEET_LAYER, frames, names)
+    return content

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""DXF for lasers, routers and drawing programs: outlines on named layers, in millimeters; no texts, no blocks."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .drawing import Stroke, strokes_of
+from .dxf_tags import Tags, section
+from .roles import LOOKS
+
+if TYPE_CHECKING:
+    from .pattern import Pattern
+
+DECIMALS = 4
+
+
+def plain_dxf(pattern: "Pattern") -> str:
+    entities = Tags(DECIMALS)
+    side, _ = pattern.units.square
+    square = side * np.array([[0, 0], [1, 0], [1, 1], [0, 1]]) - (side + 10, 0)
+    strokes = [stroke for piece in pattern.pieces for stroke in strokes_of(piece)]
+    for stroke in [Stroke("scale", square, True), *strokes]:
+        layer = stroke.look.layer.upper()
+        if len(stroke.points) == 2:
+            entities.line(layer, stroke.points)
+        else:
+            entities.polyline(layer, stroke.points, stroke.closed)
+    low, high = np.minimum(square.min(axis=0), 0), np.maximum(pattern.size, side)
+    parts = [section("HEADER", [_header(low, high)]), section("TABLES", [_layers()]), section("ENTITIES", [entities])]
+    return "".join(part.data() for part in parts) + "  0\nEOF\n"
+
+
+def _header(low: np.ndarray, high: np.ndarray) -> Tags:
+    tags = Tags(DECIMALS)
+    tags.add((9, "$ACADVER"), (1, "AC1009"), (9, "$INSUNITS"), (70, 4), (9, "$MEASUREMENT"), (70, 1))  # 4: millimeters
+    tags.add((9, "$EXTMIN"), *tags.at(low, z=0.0), (9, "$EXTMAX"), *tags.at(high, z=0.0))
+    return tags
+
+
+def _layers() -> Tags:
+    looks = {look.layer.upper(): look for look in reversed(LOOKS.values())}
+    tags = Tags(DECIMALS)
+    tags.add((0, "TABLE"), (2, "LTYPE"), (70, 1))
+    tags.add((0, "LTYPE"), (2, "CONTINUOUS"), (70, 0), (3, "Solid line"), (72, 65), (73, 0), (40, "0.0"))
+    tags.add((0, "ENDTAB"), (0, "TABLE"), (2, "LAYER"), (70, len(looks)))
+    for name, look in looks.items():
+        tags.add((0, "LAYER"), (2, name), (70, 0), (62, look.dxf_color), (6, "CONTINUOUS"))
+    tags.add((0, "ENDTAB"))
+    return tags

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flattenings for tests of patterns. Shapely, which has no part in making a pattern, measures what is on it."""
+
+import sys
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import shapely
+import wirewarp
+from wirewarp.pattern import Line, Pattern, PatternPiece
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
+
+import shapes
+
+SAMPLES = {shape.name: shape for shape in shapes.all_shapes()}
+
+
+@cache
+def flattened(name: str) -> wirewarp.FlattenResult:
+    shape = SAMPLES[name]
+    wires = [wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires]
+    return wirewarp.flatten(shape.vertices, shape.triangles(), seams=shape.seams, wires=wires)
+
+
+@cache
+def sample(name: str, **options) -> Pattern:
+    return Pattern.from_result(flattened(name), title=name, **options)
+
+
+def quads(points, corners, **options) -> wirewarp.FlattenResult:
+    """Of quads (q,4) between points (n,2) in millimeters, which lie in a plane already."""
+    vertices = np.column_stack([np.array(points) / 1000, np.zeros(len(points))])
+    faces = [triangle for a, b, c, d in corners for triangle in ((a, b, c), (a, c, d))]
+    return wirewarp.flatten(vertices, np.array(faces), **options)
+
+
+def rectangle(width: float, height: float) -> wirewarp.FlattenResult:
+    """Millimeters; no seam. Its vertices are 0, 1, 2, 3, counterclockwise from the lower left."""
+    return quads([(0, 0), (width, 0), (width, height), (0, height)], [(0, 1, 2, 3)])
+
+
+def cut_polygon(piece: PatternPiece) -> shapely.Polygon:
+    (outer,) = piece.of_role("cut")
+    return shapely.Polygon(outer.points, [line.points for line in piece.of_role("inner_cut")])
+
+
+def sew_polygon(piece: PatternPiece) -> shapely.Polygon:
+    """The outlines that were flattened, from the sew lines; the largest one with the others as holes."""
+    rings = shapely.polygonize([line_string(line) for line in piece.of_role("sew")]).geoms
+    return max(rings, key=lambda ring: shapely.Polygon(ring.exterior).area)
+
+
+def line_string(line: Line) -> shapely.LineString:
+    return shapely.LineString([*line.points, *line.points[:1]] if line.closed else line.points)

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Patterns of the samples and of made-up pieces: lines, notches, darts, what is told, and what is refused."""
+
+import math
+
+import numpy as np
+import pytest
+import shapely
+import wirewarp
+from patterns import SAMPLES, cut_polygon, flattened, line_string, quads, rectangle, sample, sew_polygon
+from wirewarp.pattern import Pattern
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_the_cut_line_lies_at_the_width_from_every_sew_line(name):
+    for piece in sample(name, darts="cut").pieces:
+        cut, outline = cut_polygon(piece), sew_polygon(piece)
+        assert cut.is_valid and cut.contains_properly(outline)
+        sides = [line_string(line) for line in piece.of_role("sew")]
+        corners = shapely.MultiPoint([place for side in sides for place in (side.coords[0], side.coords[-1])])
+        edge = shapely.MultiLineString([cut.exterior, *cut.interiors])
+        for side, line in zip(sides, piece.of_role("sew"), strict=True):
+            places = shapely.line_interpolate_point(side, np.linspace(0, side.length, 30))
+            assert np.all(shapely.distance(places[shapely.distance(places, corners) > 30], edge) > line.width - 0.01)
+        places = shapely.line_interpolate_point(edge, np.linspace(0, edge.length, 100))
+        for place in places[shapely.distance(places, corners) > 40]:
+            nearest = min(sides, key=place.distance)
+            foot = nearest.interpolate(nearest.project(place))
+            if foot.distance(shapely.MultiPoint(nearest.coords)) > 1e-6:
+                assert foot.distance(place) == pytest.approx(10, abs=0.01)
+
+
+@pytest.mark.parametrize("name", ["Fitted top", "Carnival mask", "Toy"])
+def test_sew_lines_are_what_was_flattened(name):
+    for piece, flat in zip(sample(name).pieces, flattened(name).pieces, strict=True):
+        boundaries = sorted(boundary.length_2d * 1000 for boundary in flat.boundaries)
+        lengths = sorted(line_string(line).length for line in piece.of_role("sew"))
+        assert lengths == pytest.approx(boundaries, rel=1e-12)
+        wires = [wire for wire in flat.wires if wire.kind != "boundary"]
+        drawn = piece.of_role("wire")
+        assert [(line.name, line.kind) for line in drawn] == [(wire.name, wire.kind) for wire in wires]
+        for line, wire in zip(drawn, wires, strict=True):
+            assert line_string(line).length == pytest.approx(wire.length_2d * 1000, rel=1e-12)
+
+
+def test_cut_lines_of_different_pieces_lie_apart():
+    cuts = [cut_polygon(piece) for piece in sample("Toy").pieces]
+    tree = shapely.STRtree(cuts)
+    for index, cut in enumerate(cuts):
+        assert tree.query(cut, predicate="intersects").tolist() == [index]
+
+
+@pytest.mark.parametrize("name", ["Fitted top", "Hat", "Jeans", "Wetsuit upper body"])
+def test_notches_begin_on_the_cut_line_and_end_before_the_sew_line(name):
+    for piece in sample(name, hem=30.0).pieces:
+        cut, outline = cut_polygon(piece), sew_polygon(piece)
+        for point in piece.points:
+            if point.role != "drill":
+                start, end = (shapely.Point(place) for place in point.stroke)
+                assert cut.boundary.distance(start) < 1e-3
+                assert outline.distance(end) > 1.9 and cut.contains(end)
+
+
+@pytest.mark.parametrize("name", ["Fitted top", "Ball of six gores", "Cushion", "Toy"])
+def test_notches_pair_at_equal_sewn_length_and_no_seam_fits_upside_down(name):
+    places = {}
+    for piece in sample(name).pieces:
+        lines = [line for line in piece.of_role("sew") if line.seam is not None]
+        for point in piece.points:
+            if point.pair:
+                ray = shapely.LineString([point.at, point.at + 20 * point.direction])
+                own = (line_string(line) for line in lines if line.seam == point.pair[0])
+                line = next(line for line in own if line.intersects(ray))
+                at = line.project(shapely.Point(ray.intersection(line).coords[0]))
+                places.setdefault(point.pair, []).append((at, line.length))
+    seams = {}
+    for (seam, _), ends in places.items():
+        # On a dart both sides have one line's name; elsewhere the outline runs the other way on the other side.
+        (first, length), (second, _) = ends
+        assert min(abs(first - second), abs(first - (length - second))) < 1e-6
+        seams.setdefault(seam, (length, []))[1].append(first)
+    for length, found in seams.values():
+        turned = sorted(length - place for place in found)
+        assert max(abs(a - b) for a, b in zip(sorted(found), turned, strict=True)) > 4.9
+
+
+def test_a_seam_has_the_notches_of_its_spacing():
+    result = quads(
+        [(0, 0), (350, 0), (350, 100), (0, 100), (350, 200), (0, 200)],
+        [(0, 1, 2, 3), (3, 2, 4, 5)],
+        seams=[(2, 3)],
+    )
+    for spacing, count in ((0, 0), (100, 3), (50, 6)):
+        pattern = Pattern.from_result(result, notch_spacing=spacing)
+        assert [sum(1 for point in piece.points if point.pair) for piece in pattern.pieces] == [count] * 2
+
+
+def test_seams_of_a_back_have_double_notches():
+    result = flattened("Fitted top")
+    plain = Pattern.from_result(result)
+    named = Pattern.from_result(result, piece_names=["Front", "Back", "Sleeve", "Sleeve"])
+
+    def paired(pattern, index):
+        return sum(1 for point in pattern.pieces[index].points if point.pair)
+
+    assert paired(named, 1) == 2 * paired(plain, 1)
+
+
+def junction() -> wirewarp.FlattenResult:
+    """Four pieces about a vertex; seams run straight over it one way, and meet it slanted the other way."""
+    points = [(0, 0), (160, 0), (300, 0), (0, 100), (150, 100), (300, 100), (0, 200), (190, 200), (300, 200)]
+    corners = [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7)]
+    return quads(points, corners, seams=[(1, 4), (4, 7), (3, 4), (4, 5)])
+
+
+def test_both_allowances_of_a_seam_end_on_the_cut_lines_that_cross_it():
+    # The seam across runs straight over seams 1-4 and 4-7, so these are sewn first; pressed open, they end with it.
+    result = junction()
+    sticks_out, falls_short = np.zeros(4), np.zeros(4)
+    for piece in Pattern.from_result(result).pieces:
+        cut, lines = cut_polygon(piece), [line for line in piece.of_role("sew") if line.seam is not None]
+        ends = [tuple(end) for line in lines for end in (line.points[0], line.points[-1])]
+        (meeting,) = {end for end in ends if ends.count(end) == 2}
+        for line in lines:
+            a, b = line.points[0], line.points[-1]
+            along = (b - a) / np.linalg.norm(b - a)
+            normal = np.array([along[1], -along[0]])
+            first, last = a - 99 * along, b + 99 * along
+
+            def beside(reach, first=first, last=last, normal=normal, cut=cut, meeting=meeting):
+                strip = shapely.Polygon([first, last, last + reach * normal, first + reach * normal])
+                return cut.intersection(strip).intersection(shapely.Point(meeting).buffer(40))
+
+            corners = np.array(beside(99).exterior.coords)
+            folded = shapely.Polygon(corners - 2 * ((corners - a) @ normal)[:, None] * normal)
+            sticks_out[line.seam] += folded.difference(cut).area
+            under = beside(-10).intersection(shapely.Point(meeting).buffer(25))
+            falls_short[line.seam] += under.difference(folded).area
+    first = [number for number, seam in enumerate(result.seams) if set(seam.edges[0].tolist()) in ({1, 4}, {4, 7})]
+    last = [number for number in range(4) if number not in first]
+    assert np.all(sticks_out[first] < 0.01) and np.all(falls_short[first] < 0.01)
+    assert np.all(falls_short[last] > 10)
+
+
+def test_a_hem_is_wider_and_side_allowances_differ_by_side():
+    result = quads(
+        [(0, 0), (300, 0), (300, 100), (0, 100), (300, 200), (0, 200)],
+        [(0, 1, 2, 3), (3, 2, 4, 5)],
+        seams=[(2, 3)],
+    )
+    pattern = Pattern.from_result(
+        result, allowance=10, hem=30, allowances=[(0, 1, 15)], side_allowances=[(2, 3, 6), (3, 0, 0)]
+    )
+    found = [sorted({line.width for line in piece.of_role("sew")}) for piece in pattern.pieces]
+    assert found == [[0.0, 6.0, 15.0, 30.0], [10.0, 30.0]]
+    assert sorted(pattern.pieces[0].size) == pytest.approx([100 + 15 + 6, 300 + 30], abs=1e-3)
+
+
+def dart(mouth: float, depth: float) -> wirewarp.FlattenResult:
+    """A rectangle of 300 x 200 with a dart from the middle of its lower edge, made by folding the mouth away."""
+    # The dart's legs are sewn, so the model is a cone: the flat piece opens by itself.
+    half = mouth / 2
+    leg = math.hypot(half, depth)
+    rise = math.sqrt(leg**2 - depth**2)
+    points = np.array(
+        [(-150 + half, 0, 0), (0, 0, 0), (150 - half, 0, 0), (-150, depth, 0), (0, depth, rise), (150, depth, 0)]
+        + [(-150, 200, 0), (0, 200, rise), (150, 200, 0)]
+    )
+    faces = [(0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4), (3, 4, 7), (3, 7, 6), (4, 5, 8), (4, 8, 7)]
+    return wirewarp.flatten(points / 1000, np.array(faces), seams=[(1, 4)])
+
+
+def test_a_dart_is_closed_cut_out_or_slit():
+    result = dart(40, 100)
+    areas = {}
+    for how in ("close", "cut", "slit"):
+        (piece,) = Pattern.from_result(result, darts=how, allowance=3).pieces
+        areas[how] = cut_polygon(piece).area
+        holes = [point for point in piece.points if point.role == "drill"]
+        assert len(holes) == (0 if how == "cut" else 1)
+    assert areas["close"] > areas["cut"] > areas["slit"]
+    (piece,) = Pattern.from_result(result, allowance=0.0).pieces
+    gap = cut_polygon(piece).difference(sew_polygon(piece))
+    (hole,) = [point for point in piece.points if point.role == "drill"]
+    assert gap.contains(shapely.Point(hole.at))  # in the fold of the dart, where the seam covers it
+
+
+def test_an_inward_corner_is_clipped():
+    points = [(0, 0), (100, 0), (200, 0), (0, 100), (100, 100), (200, 100), (0, 200), (100, 200)]
+    result = quads(points, [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6)])
+    (piece,) = Pattern.from_result(result).pieces
+    (clip,) = [point for point in piece.points if point.role == "clip"]
+    assert clip.depth == pytest.approx(10 * math.sqrt(2) - 2, abs=1e-3)  # from the corner of the cut line
+
+
+def test_what_the_allowance_swallows_is_told():
+    assert sample("Carnival mask", allowance=25.0).warnings == [
+        '"Piece 1": the allowance fills 2 of 2 holes; they are not cut.'
+    ]
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"allowance": -1}, "allowance is -1"),
+        ({"allowance": math.nan}, "allowance is nan"),
+        ({"allowance": 1e9}, "from 0 to 1000"),
+        ({"allowance": "wide"}, "allowance is 'wide'"),
+        ({"hem": math.inf}, "hem is inf"),
+        ({"allowances": [(0, 1)]}, r"\(k, 3\)"),
+        ({"allowances": [(0, 1, math.nan)]}, "edge 0-1 is nan"),
+        ({"allowances": [(0, 2, 5)]}, "Edge 0-2 has an allowance"),
+        ({"allowances": [(0.5, 1, 5)]}, "no whole number"),
+        ({"side_allowances": [(1, 0, 5)]}, "Edge 1-0 has an allowance"),
+        ({"notch_spacing": 0.5}, "notch_spacing is 0.5"),
+        ({"notch_spacing": -5}, "notch_spacing is -5"),
+        ({"millimeters_per_unit": 0}, "millimeters_per_unit is 0"),
+        ({"piece_names": ["a", "b"]}, "must be 1 texts"),
+        ({"corner": "pointed"}, "corner is 'pointed'"),
+        ({"darts": "open"}, "darts is 'open'"),
+        ({"units": "feet"}, "units is 'feet'"),
+    ],
+)
+def test_bad_input_is_one_sentence(options, words):
+    with pytest.raises(wirewarp.FlattenError, match=words) as raised:
+        Pattern.from_result(rectangle(100, 100), **options)
+    assert str(raised.value).count(". ") == 0
+
+
+def test_a_piece_that_breaks_a_promise_is_no_pattern():
+    result = wirewarp.flatten(*closed_box())
+    with pytest.raises(wirewarp.FlattenError, match='"Piece 1" is not ready to cut'):
+        Pattern.from_result(result)
+
+
+def closed_box():
+    points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    return points, np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cut lines lie at the widths asked for, in one loop, whatever the outline; corners are as each type says."""
+
+import math
+
+import numpy as np
+import pytest
+import shapely
+from wirewarp.pattern.allowance import Corner, Stretch, cut_lines, signed_area
+from wirewarp.pattern.corners import CORNER_TYPES
+
+OUTLINES = 60  # 1,000 take 20 s, and were right when this was written
+
+
+def random_outline(random: np.random.Generator) -> np.ndarray:
+    count = random.integers(12, 200)
+    angles = np.linspace(0, 2 * np.pi, count, endpoint=False)
+    waves = range(1, int(random.integers(2, 9)))
+    radius = 200 + sum(random.uniform(0, 60) / k * np.cos(k * angles + random.uniform(0, 7)) for k in waves)
+    return np.column_stack([radius * np.cos(angles), radius * np.sin(angles)])
+
+
+def random_stretches(random: np.random.Generator) -> list[Stretch]:
+    points = random_outline(random)
+    starts = np.sort(random.choice(len(points), int(random.integers(2, min(9, len(points) // 2))), replace=False))
+    points, ends = np.roll(points, -starts[0], axis=0), [*(starts[1:] - starts[0]), len(points)]
+    closed, begins = np.concatenate([points, points[:1]]), [0, *ends[:-1]]
+    return [
+        Stretch(
+            closed[a : b + 1],
+            float(random.choice([0, 3, 6, 10, 15, 30])),
+            Corner(str(random.choice(CORNER_TYPES)), bool(random.random() < 0.5)),
+        )
+        for a, b in zip(begins, ends, strict=True)
+    ]
+
+
+@pytest.mark.parametrize("seed", range(OUTLINES))
+def test_any_widths_round_any_outline_make_one_loop_at_these_widths(seed):
+    loop = random_stretches(np.random.default_rng(seed))
+    outline = shapely.Polygon(np.concatenate([stretch.points[:-1] for stretch in loop]))
+    if not outline.is_valid:
+        pytest.skip("the random outline crosses itself")
+    found = cut_lines([loop])
+    (outer,) = found.outer
+    cut = shapely.Polygon(outer)
+    assert cut.is_valid and cut.buffer(1e-3).contains(outline)
+    assert sum(-signed_area(pocket) for pocket in found.pockets) < 1
+    closed = cut.buffer(0.01, join_style="mitre").buffer(-0.01, join_style="mitre")  # fills slits
+    assert closed.area - cut.area < 0.5
+    corners = shapely.MultiPoint([stretch.points[-1] for stretch in loop])
+    zone = 4 * max(stretch.width for stretch in loop)
+    lines = [shapely.LineString(stretch.points) for stretch in loop]
+    for stretch, line in zip(loop, lines, strict=True):
+        places = shapely.line_interpolate_point(line, np.linspace(0, line.length, 40))
+        free = places[shapely.distance(places, corners) > zone]
+        assert np.all(shapely.distance(free, cut.exterior) > stretch.width - 0.01)
+    places = shapely.line_interpolate_point(cut.exterior, np.linspace(0, cut.length, 300))
+    places = places[shapely.distance(places, corners) > zone]
+    distances = np.array([shapely.distance(places, line) for line in lines])
+    vertices = shapely.MultiPoint(outline.exterior.coords)
+    for place, nearest in zip(places, distances.argmin(axis=0), strict=True):
+        foot = lines[nearest].interpolate(lines[nearest].project(place))
+        if foot.distance(vertices) > 1e-6:  # from a vertex the mitre is a little farther
+            assert foot.distance(place) == pytest.approx(loop[nearest].width, abs=0.01)
+
+
+def square(widths, corner: Corner) -> list[Stretch]:
+    """Of 100 mm, from the lower left corner on; the corner type is that of the lower right corner."""
+    points = np.array([[0.0, 0], [100, 0], [100, 100], [0, 100], [0, 0]])
+    corners = [corner, Corner(), Corner(), Corner()]
+    return [Stretch(points[i : i + 2], widths[i], corners[i]) for i in range(4)]
+
+
+@pytest.mark.parametrize(
+    ("kind", "a", "b", "area"),
+    [
+        ("mitre", 10, 10, 100),
+        ("mitre", 20, 10, 200),
+        ("step", 20, 20, 400),  # there is no step between equal widths
+        ("fold-back", 20, 10, 200),  # at a right angle the mirror image of the neighbor is its own continuation
+        ("extend", 10, 10, 50),  # straight from one end to the other: half the square
+        ("round", 10, 10, 25 * math.pi),
+        ("mitre", 0, 10, 0),
+    ],
+)
+def test_the_area_in_a_corner(kind, a, b, area):
+    (outer,) = cut_lines([square([a, b, 0, 0], Corner(kind))]).outer
+    sides = 100 * a + 100 * b  # nothing is beyond the corners to the sides without allowance
+    assert signed_area(outer) == pytest.approx(100 * 100 + sides + area, abs=0.3 if kind == "round" else 0.01)
+
+
+@pytest.mark.parametrize("of_next", [False, True])
+@pytest.mark.parametrize("degrees", [60, 75, 90, 105, 120])
+def test_an_allowance_that_folds_back_ends_on_the_cut_line_of_its_neighbor(degrees, of_next):
+    # A triangle-like piece whose lower edge (y = 0, the piece above) meets another at an inner angle of `degrees`.
+    inner = math.radians(degrees)
+    far = np.array([200 - 300 * math.cos(inner), 300 * math.sin(inner)])
+    points = np.array([[-400.0, 0], [200, 0], far, [-400, far[1]], [-400, 0]])
+    widths = [10.0, 14.0, 0.0, 0.0]
+    corners = [Corner("fold-back", of_next), Corner(), Corner(), Corner()]
+    (outer,) = cut_lines([[Stretch(points[i : i + 2], widths[i], corners[i]) for i in range(4)]]).outer
+    cut = shapely.Polygon(outer)
+    start, end = (points[0], points[1]) if not of_next else (points[2], points[1])
+    along = (end - start) / np.linalg.norm(end - start)
+    normal = np.array([along[1], -along[0]]) * (1 if not of_next else -1)
+    far_off, width = 1000 * along, 14 if of_next else 10
+
+    def beside(reach: float) -> shapely.Polygon:
+        """The allowance, or what lies under it once folded, from 60 mm before the corner on."""
+        first, last = end - 60 * along, end + far_off
+        return cut.intersection(shapely.Polygon([first, last, last + reach * normal, first + reach * normal]))
+
+    allowance = np.array(beside(1000).exterior.coords)
+    folded = shapely.Polygon(allowance - 2 * ((allowance - end) @ normal)[:, None] * normal)
+    assert folded.difference(cut).area < 0.01  # nothing shows beyond the cut line,
+    assert beside(-width).difference(folded).area < 0.01  # and it reaches up to it
+
+
+def test_a_sharp_corner_is_cut_off_at_two_and_a_half_widths():
+    points = np.array([[0.0, 0], [300, 0], [0, 30], [0, 0]])
+    loop = [Stretch(points[i : i + 2], 10.0) for i in range(3)]
+    (outer,) = cut_lines([loop]).outer
+    assert np.linalg.norm(outer - points[1], axis=1).min() > 10
+    middle = (points[1] - points[0]) / 300 + (points[1] - points[2]) / math.hypot(300, 30)
+    reach = (outer - points[1]) @ (middle / np.linalg.norm(middle))
+    assert reach.max() == pytest.approx(25, abs=1e-3)
+
+
+def test_a_hole_gets_its_allowance_inside_and_one_too_small_is_not_cut():
+    outer = np.array([[0.0, 0], [200, 0], [200, 200], [0, 200], [0, 0]])
+    hole = np.array([[50.0, 50], [50, 150], [150, 150], [150, 50], [50, 50]])
+    found = cut_lines([[Stretch(outer, 10.0)], [Stretch(hole, 10.0)]])
+    assert signed_area(found.holes[0]) == pytest.approx(-(80**2), abs=0.01)
+    assert cut_lines([[Stretch(outer, 10.0)], [Stretch(hole, 50.0)]]).holes == []
+
+
+def test_a_gap_that_the_allowance_closes_is_a_pocket():
+    room = [(40, 40), (40, 160), (160, 160), (160, 40)]
+    outline = [(0, 0), (200, 0), (200, 200), (0, 200), (0, 105), (40, 105), (40, 160), (160, 160), (160, 40), (40, 40)]
+    points = np.array([*outline, (40, 95), (0, 95), (0, 0)], dtype=float)
+    found = cut_lines([[Stretch(points, 10.0)]])
+    assert len(found.outer) == 1 and found.holes == []
+    assert sum(-signed_area(pocket) for pocket in found.pockets) == pytest.approx(
+        shapely.Polygon(room).buffer(-10, join_style="mitre").area, abs=0.01
+    )
+
+
+def test_no_allowance_leaves_every_point_as_it_was():
+    points = np.random.default_rng(1).uniform(0, 1, (3, 2)) + [[0, 0], [100, 0], [0, 100]]
+    (outer,) = cut_lines([[Stretch(np.concatenate([points, points[:1]]), 0.0)]]).outer
+    assert np.array_equal(outer, points)
