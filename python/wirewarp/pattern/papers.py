@@ -9,6 +9,7 @@ import numpy as np
 import pyclipper
 
 from .allowance import GRID
+from .arrange import in_rows
 from .units import INCH
 from .widths import checked_length, problem
 
@@ -78,24 +79,29 @@ def roll_width(paper: str | float) -> float | None:
 
 def divided(pattern: "Pattern", paper: str) -> Tiles:
     """On sheets upright or on their side, the pieces in rows as wide as takes the fewest sheets."""
-    best = None
-    for width, height in (SHEETS[paper], SHEETS[paper][::-1]):
-        shown = np.array([width, height]) - 2 * MARGIN
-        step = shown - OVERLAP
-        widest = max(piece.size[0] for piece in pattern.pieces)
-        first = max(1, math.ceil((widest - OVERLAP) / step[0]))
-        square = math.ceil(math.sqrt(float(np.prod(pattern.size))) / step[0])
-        for columns in range(first, max(first, 2 * square) + 1):
-            arranged = pattern.arranged(columns * step[0] + OVERLAP)
-            rows = max(1, math.ceil((arranged.size[1] - OVERLAP) / step[1] - 1e-9))
-            columns = max(1, math.ceil((arranged.size[0] - OVERLAP) / step[0] - 1e-9))
-            if best is None or rows * columns < best.rows * best.columns:
-                best = Tiles(arranged, np.array([width, height]), shown, rows, columns, [])
+    sizes = np.array([piece.size for piece in pattern.pieces])
+    best: tuple[int, float, np.ndarray] | None = None
+    for upright in (SHEETS[paper], SHEETS[paper][::-1]):
+        sheet = np.array(upright)
+        step = sheet - 2 * MARGIN - OVERLAP
+        first = max(1, math.ceil((sizes[:, 0].max() - OVERLAP) / step[0]))
+        about_square = math.ceil(math.sqrt(float(np.prod(pattern.size))) / step[0])
+        for columns in range(first, max(first, 2 * about_square) + 1):
+            width = columns * step[0] + OVERLAP
+            taken = (in_rows(sizes, width) + sizes).max(axis=0)
+            count = int(np.prod(np.maximum(np.ceil((taken - OVERLAP) / step - 1e-9), 1)))
+            if best is None or count < best[0]:
+                best = (count, width, sheet)
+            if count > MOST_SHEETS:  # so many columns that it takes long to go through them
+                break
     assert best is not None
-    if best.rows * best.columns > MOST_SHEETS:
-        size = " x ".join(f"{side / 1000:.1f} m" for side in best.pattern.size)
+    count, width, sheet = best
+    if count > MOST_SHEETS:
+        size = " x ".join(f"{side / 1000:.1f} m" for side in pattern.size)
         raise problem(f"The pattern is {size}: more than {MOST_SHEETS} sheets of {paper}; see millimeters_per_unit.")
-    return _with_tiles(best)
+    arranged, shown = pattern.arranged(width), sheet - 2 * MARGIN
+    columns, rows = np.maximum(np.ceil((arranged.size - OVERLAP) / (shown - OVERLAP) - 1e-9), 1).astype(int)
+    return _with_tiles(Tiles(arranged, sheet, shown, int(rows), int(columns), []))
 
 
 def _with_tiles(plan: Tiles) -> Tiles:

@@ -13,6 +13,7 @@ from .papers import LONGEST, MARGIN, OVERLAP, PROJECTOR, SHEETS, Tiles, divided,
 from .pdf_document import Content, Document
 from .roles import LAYERS
 from .scale_block import SIZE, UNIT, scale_block
+from .units import counted
 from .widths import problem
 
 if TYPE_CHECKING:
@@ -194,10 +195,10 @@ def _map_page(plan: Tiles, paper: np.ndarray) -> Content:
     lines = [
         pattern.title or "Pattern",
         "Print at 100 % (actual size), not fitted to the page; then measure the squares and bars.",
-        f"{len(plan.tiles)} sheets in {plan.rows} rows of {plan.columns}"
+        f"{counted(len(plan.tiles), 'sheet')} in {counted(plan.rows, 'row')} of {plan.columns}"
         + (f", {skipped} of them empty and left out" if skipped else "")
         + f"; neighbors overlap by {pattern.units.text(OVERLAP)}: lay diamond on diamond.",
-        f"{len(pattern.pieces)} pieces. Allowance included: {pattern.allowance_text}.",
+        f"{counted(len(pattern.pieces), 'piece')}. Allowance included: {pattern.allowance_text}.",
     ]
     top = paper[1] - MARGIN
     texts = [

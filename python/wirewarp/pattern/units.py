@@ -11,6 +11,11 @@ INCH = 25.4
 FINEST = 16  # parts of an inch on a tape measure
 
 
+def counted(count: int, noun: str) -> str:
+    """ "1 piece", "2 pieces"."""
+    return f"{count} {noun}{'' if count == 1 else 's'}"
+
+
 @dataclass(frozen=True)
 class UnitSystem:
     name: Units = "metric"

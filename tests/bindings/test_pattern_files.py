@@ -1,0 +1,307 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Each kind of file, read by a library that did not write it."""
+
+import re
+import xml.etree.ElementTree as ElementTree
+
+import dxfgrabber
+import ezdxf
+import numpy as np
+import pypdfium2
+import pytest
+import shapely
+import wirewarp
+from patterns import flattened, quads, rectangle, sample
+from wirewarp.pattern import Pattern
+
+MILLIMETER = 72 / 25.4  # PDF's points in it
+SCALE = 4.0  # pixels per millimeter of what is measured
+
+
+def cut_points(pattern: Pattern) -> list[np.ndarray]:
+    return [line.points for piece in pattern.pieces for line in piece.of_role("cut", "inner_cut")]
+
+
+def same_up_to_moves(found: list[np.ndarray], wanted: list[np.ndarray], within: float) -> None:
+    """Every outline is there, in true size; where it lies does not matter."""
+    assert len(found) == len(wanted)
+    shapes = sorted((normalized(points) for points in found), key=lambda points: (len(points), points.sum()))
+    others = sorted((normalized(points) for points in wanted), key=lambda points: (len(points), points.sum()))
+    for one, other in zip(shapes, others, strict=True):
+        assert one == pytest.approx(other, abs=within)
+
+
+def normalized(points: np.ndarray) -> np.ndarray:
+    points = points[:-1] if np.array_equal(points[0], points[-1]) else points
+    return points - points.min(axis=0)
+
+
+# ---- SVG
+
+
+def test_svg_has_every_outline_in_millimeters(tmp_path):
+    pattern = sample("Carnival mask", allowance=2.0)
+    pattern.write(tmp_path / "mask.svg")
+    root = ElementTree.parse(tmp_path / "mask.svg").getroot()
+    assert root.get("width").endswith("mm")
+    assert root.get("viewBox") == f"0 0 {root.get('width')[:-2]} {root.get('height')[:-2]}"
+    found = []
+    for path in root.iter("{http://www.w3.org/2000/svg}path"):
+        if path.get("data-role") in ("cut", "inner_cut"):
+            assert path.get("d").endswith("Z")
+            numbers = np.array([float(number) for number in re.findall(r"-?[\d.]+", path.get("d"))]).reshape(-1, 2)
+            found.append(numbers * (1, -1))
+    same_up_to_moves(found, cut_points(pattern), 2e-4)
+
+
+@pytest.mark.parametrize("ending", ["svg", "pdf", "dxf", "plt"])
+def test_names_in_any_script(tmp_path, ending):
+    result = flattened("Ball of six gores")
+    names = ["Ärmel", "袖", "كم", "Рукав", 'a"b\\c(d', "\x00\ud800<&>"]
+    pattern = Pattern.from_result(result, title="型紙 №1", piece_names=names)
+    written = pattern.write(tmp_path / f"ball.{ending}")
+    assert (tmp_path / f"ball.{ending}").stat().st_size > 1000
+    if ending in ("pdf", "dxf"):
+        assert any("袖" in warning for warning in written.warnings)
+    if ending == "svg":
+        root = ElementTree.parse(tmp_path / "ball.svg").getroot()
+        labels = [group.get("{http://www.inkscape.org/namespaces/inkscape}label") for group in root]
+        assert labels[1:6] == names[:5]
+
+
+# ---- PDF
+
+
+def dark(page: pypdfium2.PdfPage, scale: float = SCALE) -> np.ndarray:
+    """(h,w) bool, the first row at the bottom: where there is a line."""
+    image = page.render(scale=scale / MILLIMETER, grayscale=True).to_numpy()
+    return image.reshape(image.shape[:2])[::-1] < 128
+
+
+def extent(pixels: np.ndarray, scale: float = SCALE) -> tuple[float, float]:
+    """Millimeters from the first to the last dark pixel, across and upwards."""
+    columns, rows = (np.flatnonzero(pixels.any(axis=axis)) for axis in (0, 1))
+    return (columns[-1] - columns[0] + 1) / scale, (rows[-1] - rows[0] + 1) / scale
+
+
+@pytest.mark.parametrize(("paper", "size"), [("a4", (210, 297)), ("letter", (215.9, 279.4)), ("a3", (297, 420))])
+def test_pages_have_the_size_of_the_paper(tmp_path, paper, size):
+    written = sample("Hat").write(tmp_path / "hat.pdf", paper=paper)
+    document = pypdfium2.PdfDocument(tmp_path / "hat.pdf")
+    assert len(document) == written.sheets > 1
+    for page in document:
+        assert sorted(side / MILLIMETER for side in page.get_size()) == pytest.approx(sorted(size), abs=1e-3)
+
+
+def test_what_is_printed_has_its_true_size(tmp_path):
+    # Without marks and texts: the outermost lines are the cut line of a rectangle, 0.5 mm wide.
+    pattern = Pattern.from_result(rectangle(150, 700), allowance=10.0)
+    pattern.write(tmp_path / "strip.pdf", paper=1000)
+    (page,) = pypdfium2.PdfDocument(tmp_path / "strip.pdf")
+    width, height = (side / MILLIMETER for side in page.get_size())
+    assert width == pytest.approx(1000, abs=1e-3)
+    pixels = dark(page)
+    pixels = pixels[int(168 * SCALE) :]  # above the squares to measure
+    across, up = sorted(extent(pixels))
+    assert (across, up) == pytest.approx((170.5, 720.5), abs=1.5 / SCALE)
+
+
+def test_tiles_put_together_are_the_one_page(tmp_path):
+    pattern = Pattern.from_result(rectangle(420, 330), allowance=10.0, notch_spacing=0)
+    pattern.write(tmp_path / "tiles.pdf", paper="a4")
+    texts = [page.get_textpage().get_text_range() for page in pypdfium2.PdfDocument(tmp_path / "tiles.pdf")]
+    names = [re.search(r"\b([A-Z])(\d)", text).groups() for text in texts[1:]]
+    document = pypdfium2.PdfDocument(tmp_path / "tiles.pdf")
+    paper = np.array(document[1].get_size()) / MILLIMETER
+    shown, scale = paper - 20, 2.0
+    step = shown - 10
+    columns, rows = max(int(column) for _, column in names), max(ord(row) - 64 for row, _ in names)
+    whole = np.zeros([round(side * scale) for side in (np.array([columns, rows]) * step + 10)[::-1]], dtype=bool)
+    for number, (row, column) in enumerate(names, start=1):
+        pixels = dark(document[number], scale)
+        inner = pixels[
+            round(11 * scale) : round((paper[1] - 11) * scale), round(11 * scale) : round((paper[0] - 11) * scale)
+        ]
+        low = np.array([(int(column) - 1) * step[0] + 1, (rows - (ord(row) - 64)) * step[1] + 1])
+        x, y = np.rint(low * scale).astype(int)
+        whole[y : y + inner.shape[0], x : x + inner.shape[1]] |= inner
+    # Of the pattern's own lines every piece of the outer one is there, and at its place to a pixel.
+    (cut,) = cut_points(pattern)
+    top = (np.array([columns, rows]) * step + 10)[1]
+    line = shapely.LinearRing(cut + (0, top - pattern.size[1]))
+    for place in shapely.line_interpolate_point(line, np.linspace(0, line.length, 400)):
+        x, y = np.rint(np.array(place.coords[0]) * scale).astype(int)
+        assert whole[max(0, y - 3) : y + 4, max(0, x - 3) : x + 4].any() or near_border(place, step, whole, scale)
+
+
+def near_border(place, step, whole, scale) -> bool:
+    """The outermost millimeter of the outermost sheets was not looked at, for the frame is there."""
+    x, y = place.coords[0]
+    return min(x, y, whole.shape[1] / scale - x, whole.shape[0] / scale - y) < 2.5
+
+
+def test_layers_are_named_and_the_grid_is_hidden(tmp_path):
+    sample("Hat").write(tmp_path / "hat.pdf", paper="projector")
+    data = (tmp_path / "hat.pdf").read_bytes()
+    names = re.findall(rb"/Type /OCG/Name \(([^)]*)\)|/Name \(([^)]*)\)", data)
+    found = {(one or other).decode() for one, other in names}
+    assert {"Cut", "Sew", "Notches", "Wires", "Text", "Grid"} <= found
+    (page,) = pypdfium2.PdfDocument(tmp_path / "hat.pdf")
+    hidden = re.search(rb"/OFF \[(\d+) 0 R\]", data)
+    assert hidden and dark(page, 1.0).mean() < 0.05
+
+
+@pytest.mark.parametrize(
+    ("paper", "words"),
+    [
+        ("a5", "paper is 'a5'"),
+        (50, "the width of a roll"),
+        (float("nan"), "nan"),
+        (200, "too large for a roll of 200 mm"),
+    ],
+)
+def test_papers_that_do_not_do(tmp_path, paper, words):
+    with pytest.raises(wirewarp.FlattenError, match=words):
+        Pattern.from_result(rectangle(300, 300)).write(tmp_path / "x.pdf", paper=paper)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_pattern_of_kilometers_is_refused(tmp_path):
+    pattern = Pattern.from_result(rectangle(300, 300), millimeters_per_unit=1e6, notch_spacing=0)
+    for paper, words in (
+        ("a4", "more than 2000 sheets"),
+        ("projector", "choose a roll or sheets"),
+        (1000, "too large"),
+    ):
+        with pytest.raises(wirewarp.FlattenError, match=words):
+            pattern.write(tmp_path / "x.pdf", paper=paper)
+
+
+# ---- DXF
+
+
+@pytest.mark.parametrize("dialect", ["astm", "aama"])
+def test_apparel_dxf_is_read_by_two_libraries(tmp_path, dialect):
+    pattern = sample("Fitted top", hem=30.0)
+    pattern.write(tmp_path / "top.dxf", dialect=dialect)
+    document = ezdxf.readfile(tmp_path / "top.dxf")
+    assert document.audit().errors == [] and document.dxfversion == "AC1009"
+    blocks = [block for block in document.blocks if not block.name.startswith(("*", "$", "_"))]
+    inserted = [entity.dxf.name for entity in document.modelspace().query("INSERT")]
+    assert sorted(block.name for block in blocks) == sorted(inserted) and len(inserted) == 4
+    found = []
+    for block in blocks:
+        (outline,) = [line for line in block.query("POLYLINE") if line.dxf.layer == "1"]
+        points = np.array([vertex.dxf.location.vec2 for vertex in outline.vertices])
+        assert outline.is_closed and np.array_equal(points[0], points[-1])
+        found.append(points)
+        assert len([line for line in block.query("LINE") if line.dxf.layer == "7"]) == 1
+        ring = shapely.LinearRing(points)
+        for notch in (point for point in block.query("POINT") if point.dxf.layer == "4"):
+            at = np.array(notch.dxf.location.vec2)
+            assert ring.distance(shapely.Point(at)) < 0.02 and 2 < notch.dxf.location[2] <= 5
+            direction = np.array([np.cos(np.radians(notch.dxf.angle)), np.sin(np.radians(notch.dxf.angle))])
+            assert shapely.Polygon(points).contains(shapely.Point(at + direction))
+    same_up_to_moves(found, cut_points(pattern), 0.011)
+    grabbed = dxfgrabber.readfile(str(tmp_path / "top.dxf"))
+    again = [
+        np.array([point[:2] for point in entity.points])
+        for block in grabbed.blocks
+        for entity in block
+        if entity.dxftype == "POLYLINE" and entity.layer == "1"
+    ]
+    same_up_to_moves(again, cut_points(pattern), 0.011)
+
+
+def test_inches_in_apparel_dxf(tmp_path):
+    pattern = Pattern.from_result(rectangle(254, 254), allowance=25.4, units="imperial")
+    pattern.write(tmp_path / "square.dxf", control_square=True)
+    document = ezdxf.readfile(tmp_path / "square.dxf")
+    sides = {}
+    for block in document.blocks:
+        for line in block.query("POLYLINE"):
+            if line.dxf.layer == "1":
+                points = np.array([vertex.dxf.location.vec2 for vertex in line.vertices])
+                sides[block.name] = np.ptp(points[:, 0])
+    assert sides == pytest.approx({"PIECE_1": 12.0, "CONTROL_100MM": 100 / 25.4}, abs=1e-4)
+    texts = [entity.dxf.text for entity in document.modelspace().query("TEXT")]
+    assert "Units: ENGLISH" in texts
+
+
+def test_plain_dxf_has_named_layers_and_true_extents(tmp_path):
+    pattern = sample("Carnival mask", allowance=2.0)
+    pattern.write(tmp_path / "mask.dxf", dialect="plain")
+    document = ezdxf.readfile(tmp_path / "mask.dxf")
+    assert document.audit().errors == []
+    assert {"CUT", "SEW", "NOTCHES", "SCALE"} <= {layer.dxf.name for layer in document.layers}
+    found = [
+        np.array([vertex.dxf.location.vec2 for vertex in line.vertices])
+        for line in document.modelspace().query("POLYLINE")
+        if line.dxf.layer == "CUT"
+    ]
+    same_up_to_moves(found, cut_points(pattern), 1e-4)
+    low, high = document.header["$EXTMIN"], document.header["$EXTMAX"]
+    assert low[0] == pytest.approx(-110) and high[0] == pytest.approx(max(pattern.size[0], 100), abs=1e-3)
+
+
+# ---- HPGL
+
+
+def test_plotter_commands_draw_every_outline_last(tmp_path):
+    pattern = sample("Carnival mask", allowance=2.0)
+    pattern.write(tmp_path / "mask.plt")
+    commands = [command.strip() for command in (tmp_path / "mask.plt").read_text().split(";")]
+    assert commands[0] == "IN" and commands[-2:] == ["SP0", ""]
+    pens = [command for command in commands if re.fullmatch(r"SP[1-9]", command)]
+    assert pens[-1] == "SP1"
+    lines, pen = [], ""
+    for command in commands:
+        numbers = [int(number) for number in re.findall(r"-?\d+", command)]
+        if command.startswith("SP"):
+            pen = command
+        elif command.startswith("PU") and numbers:
+            lines.append((pen, numbers))
+        elif command.startswith("PD"):
+            assert len(numbers) <= 200
+            lines[-1][1].extend(numbers)
+    found = [np.array(numbers).reshape(-1, 2) / 40 for pen, numbers in lines if pen == "SP1"]
+    same_up_to_moves(found, cut_points(pattern), 0.026)
+
+
+# ---- all
+
+
+def test_a_failure_leaves_the_old_file_as_it_was(tmp_path, monkeypatch):
+    path = tmp_path / "top.svg"
+    path.write_text("old")
+    pattern = sample("Hat")
+    with pytest.raises(wirewarp.FlattenError, match="no option 'paper'"):
+        pattern.write(path, paper="a4")
+    monkeypatch.setattr("wirewarp.pattern.svg._document", lambda pattern: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        pattern.write(path)
+    assert path.read_text() == "old" and list(tmp_path.iterdir()) == [path]
+
+
+def test_paths_that_cannot_be_written(tmp_path):
+    pattern = sample("Hat")
+    with pytest.raises(wirewarp.FlattenError, match="no other kind of file"):
+        pattern.write(tmp_path / "hat.blend")
+    with pytest.raises(FileNotFoundError, match="there is no folder"):
+        pattern.write(tmp_path / "none" / "hat.svg")
+    (tmp_path / "folder.svg").mkdir()
+    with pytest.raises(IsADirectoryError, match="is no file"):
+        pattern.write(tmp_path / "folder.svg")
+
+
+def test_500_pieces(tmp_path):
+    side, count = 30.0, 500  # millimeters
+    points = [(x + 40 * number, y) for number in range(count) for x, y in ((0, 0), (side, 0), (side, side), (0, side))]
+    result = quads(points, np.arange(4 * count).reshape(-1, 4).tolist())
+    pattern = Pattern.from_result(result)
+    assert len(pattern.pieces) == count
+    for name, options in (("x.pdf", {}), ("x.svg", {}), ("x.dxf", {}), ("x.plt", {})):
+        pattern.write(tmp_path / name, **options)
+    assert (
+        len([block for block in ezdxf.readfile(tmp_path / "x.dxf").blocks if block.name.startswith("PIECE")]) == count
+    )
