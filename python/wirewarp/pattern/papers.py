@@ -29,6 +29,7 @@ PROJECTOR = "projector"
 LONGEST = 5000.0  # millimeters: readers take pages up to 5.08 m
 MARGIN = 10.0  # few printers reach nearer to the edge of a sheet
 OVERLAP = 10.0  # of neighboring sheets, to glue or tape
+INSET = 5.0  # round the pattern, so that no cut line falls onto the edge of what is printed
 MOST_SHEETS = 2000
 
 
@@ -84,12 +85,12 @@ def divided(pattern: "Pattern", paper: str) -> Tiles:
     for upright in (SHEETS[paper], SHEETS[paper][::-1]):
         sheet = np.array(upright)
         step = sheet - 2 * MARGIN - OVERLAP
-        first = max(1, math.ceil((sizes[:, 0].max() - OVERLAP) / step[0]))
+        first = max(1, math.ceil((sizes[:, 0].max() + 2 * INSET - OVERLAP) / step[0]))
         about_square = math.ceil(math.sqrt(float(np.prod(pattern.size))) / step[0])
         for columns in range(first, max(first, 2 * about_square) + 1):
-            width = columns * step[0] + OVERLAP
+            width = columns * step[0] + OVERLAP - 2 * INSET
             taken = (in_rows(sizes, width) + sizes).max(axis=0)
-            count = int(np.prod(np.maximum(np.ceil((taken - OVERLAP) / step - 1e-9), 1)))
+            count = int(np.prod(_counts(taken, step)))
             if best is None or count < best[0]:
                 best = (count, width, sheet)
             if count > MOST_SHEETS:  # so many columns that it takes long to go through them
@@ -100,17 +101,23 @@ def divided(pattern: "Pattern", paper: str) -> Tiles:
         size = " x ".join(f"{side / 1000:.1f} m" for side in pattern.size)
         raise problem(f"The pattern is {size}: more than {MOST_SHEETS} sheets of {paper}; see millimeters_per_unit.")
     arranged, shown = pattern.arranged(width), sheet - 2 * MARGIN
-    columns, rows = np.maximum(np.ceil((arranged.size - OVERLAP) / (shown - OVERLAP) - 1e-9), 1).astype(int)
+    columns, rows = _counts(arranged.size, shown - OVERLAP)
     return _with_tiles(Tiles(arranged, sheet, shown, int(rows), int(columns), []))
 
 
+def _counts(size: np.ndarray, step: np.ndarray) -> np.ndarray:
+    """(2,) columns and rows of sheets for what is so large, each sheet a step from the one before."""
+    counts: np.ndarray = np.maximum(np.ceil((size + 2 * INSET - OVERLAP) / step - 1e-9), 1).astype(int)
+    return counts
+
+
 def _with_tiles(plan: Tiles) -> Tiles:
-    step, top = plan.shown - OVERLAP, plan.pattern.size[1]
+    step, top = plan.shown - OVERLAP, plan.pattern.size[1] + INSET
     shapes = [([line.points for line in piece.of_role("cut")], piece.bounds) for piece in plan.pattern.pieces]
     tiles = []
     for row in range(plan.rows):
         for column in range(plan.columns):
-            low = np.array([column * step[0], top - row * step[1] - plan.shown[1]])
+            low = np.array([column * step[0] - INSET, top - row * step[1] - plan.shown[1]])
             if any(_shows(low, low + plan.shown, cut, bounds) for cut, bounds in shapes):
                 tiles.append(Tile(row, column, low))
     return Tiles(plan.pattern, plan.paper, plan.shown, plan.rows, plan.columns, tiles)

@@ -9,7 +9,7 @@ import numpy as np
 
 from .drawing import Stroke, strokes_of
 from .model import PatternPiece, Text
-from .papers import LONGEST, MARGIN, OVERLAP, PROJECTOR, SHEETS, Tiles, divided, roll_width, tile_name
+from .papers import INSET, LONGEST, MARGIN, OVERLAP, PROJECTOR, SHEETS, Tiles, divided, roll_width, tile_name
 from .pdf_document import Content, Document
 from .roles import LAYERS
 from .scale_block import SIZE, UNIT, scale_block
@@ -209,7 +209,7 @@ def _map_page(plan: Tiles, paper: np.ndarray) -> Content:
     room = np.array([paper[0] - 2 * MARGIN, top - 26 - MARGIN - SIZE[1]])
     whole = np.array([plan.columns, plan.rows]) * (plan.shown - OVERLAP) + OVERLAP
     scale = float((room / whole).min())
-    low = np.array([0.0, pattern.size[1] - whole[1]])
+    low = np.array([-INSET, pattern.size[1] + INSET - whole[1]])
     corner = np.array([(paper[0] - scale * whole[0]) / 2, MARGIN + SIZE[1] + 2]) - scale * low
 
     def placed(points: np.ndarray) -> np.ndarray:
