@@ -193,6 +193,35 @@ def test_an_inward_corner_is_clipped():
     assert clip.depth == pytest.approx(10 * math.sqrt(2) - 2, abs=1e-3)  # from the corner of the cut line
 
 
+def test_twins_and_symmetric_pieces_are_offered_and_taken():
+    pattern = sample("Fitted top", hem=30.0)
+    assert pattern.twins() == [(3, 4)]
+    assert pattern.symmetric() == [1, 2]
+    paired = pattern.cut_as_pairs(pattern.twins())
+    assert [piece.quantity for piece in paired.pieces] == [(1, 0), (1, 0), (1, 1)]
+    assert "3 of 3" in paired.pieces[2].texts[0].lines
+    half = pattern.cut_on_fold([1]).pieces[0]
+    (fold,) = half.of_role("fold")
+    (cut,) = half.of_role("cut")
+    assert not cut.closed and half.on_fold and "Cut 1 on the fold" in half.texts[0].lines
+    assert 2 * shapely.Polygon(cut.points).area == pytest.approx(cut_polygon(pattern.pieces[0]).area, rel=1e-4)
+    assert {tuple(cut.points[0].round(3)), tuple(cut.points[-1].round(3))} == {
+        tuple(end.round(3)) for end in fold.points
+    }
+    low, high = half.bounds
+    for line in half.lines:
+        assert np.all(line.points > low - 0.1) and np.all(line.points < high + 0.1)
+
+
+def test_allowances_that_differ_make_no_twins():
+    points = [(0, 0), (100, 0), (100, 50), (0, 80), (200, 0), (300, 0), (300, 80), (200, 50)]
+    result = quads(points, [(0, 1, 2, 3), (4, 5, 6, 7)])
+    assert Pattern.from_result(result).twins() == [(1, 2)]
+    assert Pattern.from_result(result, allowances=[(0, 1, 20)]).twins() == []
+    with pytest.raises(wirewarp.FlattenError, match="not symmetric"):
+        Pattern.from_result(result).cut_on_fold([1])
+
+
 def test_what_the_allowance_swallows_is_told():
     assert sample("Carnival mask", allowance=25.0).warnings == [
         '"Piece 1": the allowance fills 2 of 2 holes; they are not cut.'

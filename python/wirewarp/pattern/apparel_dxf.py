@@ -133,6 +133,8 @@ class _Writer:
             if role == "grain":
                 tags.line("5", points)  # the line that grading refers to
             return
+        if role == "cut" and not closed:  # half of a piece: real files go along the fold, without the flag
+            points = np.concatenate([points, points[:1]])
         tags.polyline(layer, points, closed, repeat=True)
         if role == "sew" and self._is_aama:
             tags.polyline("8", points, closed, repeat=True)  # layer 14 came with ASTM

@@ -63,6 +63,7 @@ class PatternPiece:
     texts: list[Text]
     quantity: tuple[int, int] = (1, 0)  # to cut as drawn, and mirrored
     material: str = ""
+    on_fold: bool = False  # half of it is drawn; the other half lies beyond the fold
 
     def of_role(self, *roles: str) -> list[Line]:
         return [line for line in self.lines if line.role in roles]

@@ -2,8 +2,9 @@
 """A pattern, ready to be written."""
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
@@ -11,7 +12,9 @@ import numpy as np
 import numpy.typing as npt
 
 from .arrange import offsets
-from .card import card_lines
+from .card import with_card
+from .fold import folded
+from .mirror import fold_of, mirror_between
 from .model import PatternPiece
 from .notches import check_spacing
 from .outline import outlines_of
@@ -89,18 +92,68 @@ class Pattern:
         system = UnitSystem(units)
         text = system.range_of([run.width for piece in laid for own in piece.outlines for run in own.runs if run.width])
         points = marks(laid, seams, notch_spacing)
+        pieces = [finished(own, points[own.index], material) for own in laid]
+        warnings = [warning for own in laid for warning in warnings_of(own)]
+        return cls(title, pieces, text, system, warnings)._with_cards().arranged()
+
+    def _with_cards(self) -> "Pattern":
+        """The pieces numbered anew, with texts."""
+        count = len(self.pieces)
         pieces = [
-            finished(own, points[own.index], card_lines(own, len(laid), title, material, text), material)
-            for own in laid
+            with_card(piece, number, count, self.title, self.allowance_text)
+            for number, piece in enumerate(self.pieces, start=1)
         ]
-        pattern = cls(title, pieces, text, system, [warning for own in laid for warning in warnings_of(own)])
-        return pattern.arranged()
+        return replace(self, pieces=pieces)
+
+    def twins(self) -> list[tuple[int, int]]:
+        """The numbers of pieces that are mirror images of each other, found by their outlines; each piece once.
+
+        None is found where the triangles along the outlines of the two do not correspond.
+        """
+        found: list[tuple[int, int]] = []
+        for first, second in combinations(self.pieces, 2):
+            is_taken = any(piece.number in pair for pair in found for piece in (first, second))
+            if not is_taken and mirror_between(first, second):
+                found.append((first.number, second.number))
+        return found
+
+    def cut_as_pairs(self, pairs: Iterable[tuple[int, int]]) -> "Pattern":
+        """With one piece for each of these twins, to be cut once as drawn and once mirrored.
+
+        Raises FlattenError for numbers of no twins.
+        """
+        by_number = {piece.number: piece for piece in self.pieces}
+        for pair in pairs:
+            if not set(pair) <= set(by_number) or not mirror_between(*(by_number[number] for number in pair)):
+                raise problem(f"Pieces {pair[0]} and {pair[1]} are no mirror images of each other.")
+            first = by_number[pair[0]]
+            del by_number[pair[1]]
+            by_number[pair[0]] = replace(first, quantity=(1, 1))
+        return replace(self, pieces=list(by_number.values()))._with_cards().arranged()
+
+    def symmetric(self) -> list[int]:
+        """The numbers of pieces that can be cut on the fold."""
+        return [piece.number for piece in self.pieces if not piece.on_fold and fold_of(piece) is not None]
+
+    def cut_on_fold(self, numbers: Iterable[int]) -> "Pattern":
+        """With the right half of these pieces alone, and a fold line. Raises FlattenError for what is not symmetric."""
+        wanted = set(numbers)
+        unknown = wanted - {piece.number for piece in self.pieces}
+        pieces = []
+        for piece in self.pieces:
+            fold = fold_of(piece) if piece.number in wanted else None
+            if fold is None and piece.number in wanted:
+                raise problem(f'"{piece.name}" is not symmetric: it cannot be cut on the fold.')
+            pieces.append(piece if fold is None else folded(piece, fold))
+        if unknown:
+            raise problem(f"There is no piece {min(unknown)}: there are {len(self.pieces)}.")
+        return replace(self, pieces=pieces)._with_cards().arranged()
 
     def arranged(self, width: float = math.inf) -> "Pattern":
         """The pieces in rows on a sheet of this width, about square without one; the lower left corner is at 0, 0."""
         lows, sizes = [piece.bounds[0] for piece in self.pieces], np.array([piece.size for piece in self.pieces])
         moved = [piece.moved(by) for piece, by in zip(self.pieces, offsets(lows, sizes, width), strict=True)]
-        return Pattern(self.title, moved, self.allowance_text, self.units, self.warnings)
+        return replace(self, pieces=moved)
 
     @property
     def size(self) -> np.ndarray:

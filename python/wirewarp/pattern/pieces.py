@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .allowance import CutLines, cut_lines
-from .interior import innermost_point, place_text
+from .interior import innermost_point
 from .model import Line, PatternPiece, Point
 from .notches import DOUBLE, clips, drill_hole, notch, places_along, turns_little
 from .outline import Side
@@ -20,7 +20,6 @@ from .stretches import Outline
 if TYPE_CHECKING:
     from .._wirewarp import Piece
 
-TEXT_HEIGHT = 8.0  # millimeters, at most
 GRAIN = 0.7  # of the way across the piece
 SAME_PLACE = 1e-6  # millimeters
 
@@ -162,9 +161,8 @@ def grain_line(laid: Laid) -> Line:
     return Line("grain", center + np.array([[0.0, -down], [0.0, up]]))
 
 
-def finished(laid: Laid, points: Sequence[Point], card: tuple[str, ...], material: str) -> PatternPiece:
-    """card: the lines of the text on the piece."""
-    lines, grain = lines_of(laid), grain_line(laid)
-    inside = [line.points for line in laid.wires] + [grain.points]
-    text = place_text(card, laid.sew_loops, inside, TEXT_HEIGHT)
-    return PatternPiece(laid.index + 1, laid.name, [*lines, grain], list(points), [text], material=material)
+def finished(laid: Laid, points: Sequence[Point], material: str) -> PatternPiece:
+    """The piece, still without a text."""
+    return PatternPiece(
+        laid.index + 1, laid.name, [*lines_of(laid), grain_line(laid)], list(points), [], material=material
+    )
