@@ -12,6 +12,7 @@ from .outline import Side, lengths_along
 from .strips import right_normals
 
 STRAIGHT = math.radians(1)  # crossing lines that differ less in straightness are alike
+SAME_LENGTH = 0.01  # millimeters
 
 
 @dataclass(frozen=True)
@@ -91,7 +92,8 @@ def sewn_first(loops: Sequence[Sequence[Side]]) -> set[tuple[int, int]]:
 
     What crosses a seam should run on straight over it once it is sewn: so at each junction first the seam over which
     the two neighbors come nearest to a straight line, the shorter one of equals, then others that share no corner
-    with one chosen. On both sides of a seam the answer is the same, so that its two allowances end alike.
+    with one chosen. Neighbors that are alike, as at the pole of a ball, are both left out: symmetry is kept. On both
+    sides of a seam the answer is the same, so that its two allowances end alike.
     """
     angles: dict[int, dict[int, list[float]]] = defaultdict(lambda: defaultdict(list))
     beside: dict[tuple[int, int], set[int]] = defaultdict(set)
@@ -106,12 +108,14 @@ def sewn_first(loops: Sequence[Sequence[Side]]) -> set[tuple[int, int]]:
                     beside[vertex, side.seam].add(other.seam)
     chosen = set()
     for vertex, by_seam in angles.items():
-        order = sorted(
-            by_seam, key=lambda seam: (round(abs(sum(by_seam[seam]) - math.pi) / STRAIGHT), length[seam], seam)
-        )
+        rank = {
+            seam: (round(abs(sum(inside) - math.pi) / STRAIGHT), round(length[seam] / SAME_LENGTH))
+            for seam, inside in by_seam.items()
+        }
         first_here: set[int] = set()
-        for seam in order:
-            if not beside[vertex, seam] & (first_here | {seam}):
+        for seam in sorted(rank, key=lambda seam: (rank[seam], seam)):
+            others = beside[vertex, seam]
+            if not others & (first_here | {seam}) and all(rank[other] != rank[seam] for other in others):
                 first_here.add(seam)
         chosen |= {(vertex, seam) for seam in first_here}
     return chosen
