@@ -3,6 +3,7 @@
 
 import re
 import xml.etree.ElementTree as ElementTree
+from dataclasses import replace
 
 import dxfgrabber
 import ezdxf
@@ -275,6 +276,25 @@ def test_a_failure_leaves_the_old_file_as_it_was(tmp_path, monkeypatch):
     with pytest.raises(ZeroDivisionError):
         pattern.write(path)
     assert path.read_text() == "old" and list(tmp_path.iterdir()) == [path]
+
+
+@pytest.mark.parametrize("ending", ["svg", "pdf", "dxf", "plt"])
+def test_a_file_that_came_out_wrong_takes_no_place(tmp_path, monkeypatch, ending):
+    pattern = sample("Hat")
+    written = pattern.write(tmp_path / f"hat.{ending}")
+    assert written.off < 0.02 and "3 pieces on" in str(written) and "read again: 0.0" in str(written)
+    old = (tmp_path / f"hat.{ending}").read_bytes()
+    strokes_of = wirewarp.pattern.drawing.strokes_of
+
+    def moved(piece):
+        for stroke in strokes_of(piece):
+            yield replace(stroke, points=stroke.points * 1.001)
+
+    for module in ("svg", "pdf", "plain_dxf", "hpgl"):
+        monkeypatch.setattr(f"wirewarp.pattern.{module}.strokes_of", moved)
+    with pytest.raises(RuntimeError, match="mm off"):
+        pattern.write(tmp_path / f"hat.{ending}", **({"dialect": "plain"} if ending == "dxf" else {}))
+    assert (tmp_path / f"hat.{ending}").read_bytes() == old and len(list(tmp_path.iterdir())) == 1
 
 
 def test_paths_that_cannot_be_written(tmp_path):

@@ -21,7 +21,7 @@ from .outline import outlines_of
 from .pieces import finished, lay, marks, warnings_of
 from .seams import sewn_sides
 from .stretches import Rules, outline
-from .units import Units, UnitSystem
+from .units import Units, UnitSystem, counted
 from .widths import Widths, checked_length, problem
 
 if TYPE_CHECKING:
@@ -175,11 +175,17 @@ class Pattern:
 
 @dataclass(frozen=True)
 class Written:
-    """What was written."""
+    """What was written, and read again. As a text: "8 pieces on 23 sheets, read again: 0.00 mm off"."""
 
     path: Path
-    sheets: int
-    warnings: list[str]
+    sheets: int  # of PDF the pages; 1 of other files
+    pieces: int
+    off: float  # millimeters from the worst point in the file to where it should be
+    warnings: list[str]  # sentences
+
+    def __str__(self) -> str:
+        what = f"{counted(self.pieces, 'piece')} on {counted(self.sheets, 'sheet')}"
+        return f"{what}, read again: {self.off:.2f} mm off"
 
 
 def _names(names: Sequence[str] | None, count: int) -> list[str]:

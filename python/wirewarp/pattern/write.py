@@ -10,6 +10,7 @@ from .dxf import write_dxf
 from .hpgl import write_plt
 from .pattern import Written
 from .pdf import write_pdf
+from .read_back import check
 from .replace_file import replaced_file
 from .svg import write_svg
 from .widths import problem
@@ -27,7 +28,8 @@ WRITERS: dict[str, Callable[..., tuple[int, list[str]]]] = {
 
 
 def write(pattern: "Pattern", path: Path, options: Mapping[str, Any]) -> Written:
-    writer = WRITERS.get(path.suffix.lower())
+    kind = path.suffix.lower()
+    writer = WRITERS.get(kind)
     if writer is None:
         known = ", ".join(WRITERS)
         raise problem(f'"{path.name}" ends in none of {known}: no other kind of file can be written.')
@@ -38,4 +40,6 @@ def write(pattern: "Pattern", path: Path, options: Mapping[str, Any]) -> Written
             raise problem(f"{path.suffix} files have no option {name!r}; they have {has}.")
     with replaced_file(path) as unfinished:
         sheets, warnings = writer(unfinished, pattern, **options)
-    return Written(path, sheets, [*pattern.warnings, *warnings])
+        outlines = [line.points for piece in pattern.pieces for line in piece.of_role("cut", "inner_cut")]
+        off = check(unfinished, kind, outlines)
+    return Written(path, sheets, len(pattern.pieces), off, [*pattern.warnings, *warnings])
