@@ -6,20 +6,26 @@ from dataclasses import replace
 import numpy as np
 
 from .interior import place_text
+from .line_names import line_names
 from .model import PatternPiece
+from .room import Room
 
 TEXT_HEIGHT = 8.0  # millimeters, at most
 
 
 def with_card(piece: PatternPiece, number: int, count: int, title: str, allowance: str) -> PatternPiece:
-    """With its number, and a text inside: style, number of how many, name, how often to cut it, material, allowance."""
+    """With its number and texts: a card of what a maker must know, and names along its lines.
+
+    The card: style, number of how many, name, how often to cut it, material, allowance.
+    """
     includes = "No seam allowance" if allowance == "none" else f"Includes {allowance} allowance"
     lines = (title, f"{number} of {count}", piece.name, how_to_cut(piece), piece.material, includes)
-    inside = [line.points for line in piece.of_role("wire", "grain")]
+    drawn = [line.points for line in piece.of_role("wire", "grain", "sew")]
     outlines = [line.points for line in piece.of_role("cut", "inner_cut")]
-    sewn = [np.asarray(line.points) for line in piece.of_role("sew")]
-    text = place_text(tuple(line for line in lines if line.strip()), outlines, [*inside, *sewn], TEXT_HEIGHT)
-    return replace(piece, number=number, texts=[text])
+    text = place_text(tuple(line for line in lines if line.strip()), outlines, drawn, TEXT_HEIGHT)
+    notches = [point.stroke for point in piece.points]
+    room = Room([np.concatenate([line, line[:1]]) for line in outlines], [*drawn, *notches], [text])
+    return replace(piece, number=number, texts=[text, *line_names(piece.lines, room)])
 
 
 def how_to_cut(piece: PatternPiece) -> str:
