@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The example in the README runs and prints what the README says."""
+"""The examples in the README run, one after the other, and print what the README says."""
 
 import re
 from pathlib import Path
@@ -7,7 +7,11 @@ from pathlib import Path
 README = Path(__file__).resolve().parents[2] / "README.md"
 
 
-def test_the_python_example_prints_what_the_readme_says(capsys):
-    code, output = re.search(r"```python\n(.*?)```\s*```\n(.*?)```", README.read_text(), re.DOTALL).groups()
-    exec(code, {})
-    assert capsys.readouterr().out == output
+def test_the_python_examples_print_what_the_readme_says(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    examples = re.findall(r"```python\n(.*?)```\s*```\n(.*?)```", README.read_text(), re.DOTALL)
+    names = {}
+    for code, output in examples:
+        exec(code, names)
+        assert capsys.readouterr().out == output
+    assert len(examples) == 2

@@ -57,6 +57,8 @@ def test_both_sides_of_a_seam_and_a_wire_keep_their_length_on_a_sphere():
     parts = [part for piece in result.pieces for part in piece.wires]
     assert sorted(part.part for part in parts) == [0, 1]
     assert sum(part.length_2d for part in parts) == pytest.approx(waist.length_2d, rel=1e-12)
+    assert waist.vertices.tolist() == row
+    assert sorted(part.vertices.tolist() for part in parts) == [row[:5], row[4:]]
 
 
 def test_measuring_a_result_gives_its_own_figures():
