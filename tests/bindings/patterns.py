@@ -18,10 +18,11 @@ SAMPLES = {shape.name: shape for shape in shapes.all_shapes()}
 
 
 @cache
-def flattened(name: str) -> wirewarp.FlattenResult:
+def flattened(name: str, mirror: bool = False) -> wirewarp.FlattenResult:
     shape = SAMPLES[name]
     wires = [wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires]
-    return wirewarp.flatten(shape.vertices, shape.triangles(), seams=shape.seams, wires=wires)
+    options = wirewarp.Options(mirror=mirror)
+    return wirewarp.flatten(shape.vertices, shape.triangles(), seams=shape.seams, wires=wires, options=options)
 
 
 @cache

@@ -185,6 +185,31 @@ def test_a_dart_is_closed_cut_out_or_slit():
     assert gap.contains(shapely.Point(hole.at))  # in the fold of the dart, where the seam covers it
 
 
+def test_a_slit_inside_a_piece(tmp_path):
+    grid = [(40 * x, 40 * y) for y in range(9) for x in range(9)]
+    corners = [(9 * y + x, 9 * y + x + 1, 9 * y + x + 10, 9 * y + x + 9) for y in range(8) for x in range(8)]
+    result = quads(grid, corners, seams=[(38, 39), (39, 40), (40, 41)])
+    found = {}
+    for how in ("close", "cut", "slit"):
+        pattern = Pattern.from_result(result, darts=how)
+        (piece,) = pattern.pieces
+        found[how] = [line_string(line).length for line in piece.of_role("inner_cut")]
+        assert sum(point.role == "drill" for point in piece.points) == (0 if how == "cut" else 2)
+        assert [warning.count("fills 1 of 1 holes") for warning in pattern.warnings] == ([1] if how == "cut" else [])
+        for ending in ("svg", "pdf", "dxf", "plt"):
+            pattern.write(tmp_path / f"slit.{ending}")
+        pattern.write(tmp_path / "slit.dxf", dialect="plain")
+    assert found == {"close": [], "cut": [], "slit": pytest.approx([120])}
+
+
+def test_a_mirrored_flattening_has_its_allowance_outside():
+    plain, mirrored = sample("Hat"), Pattern.from_result(flattened("Hat", mirror=True))
+    for one, other in zip(plain.pieces, mirrored.pieces, strict=True):
+        assert cut_polygon(other).contains_properly(sew_polygon(other))
+        assert cut_polygon(other).area == pytest.approx(cut_polygon(one).area, rel=1e-6)
+        assert len(one.points) == len(other.points)
+
+
 def test_an_inward_corner_is_clipped():
     points = [(0, 0), (100, 0), (200, 0), (0, 100), (100, 100), (200, 100), (0, 200), (100, 200)]
     result = quads(points, [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6)])

@@ -145,6 +145,7 @@ def lines_of(laid: Laid) -> list[Line]:
     lines = [Line("cut", points, closed=True) for points in laid.cut.outer]
     lines += [Line("inner_cut", points, closed=True) for points in laid.cut.holes]
     for outline in laid.outlines:
+        lines += [Line("inner_cut", slit) for slit in outline.slits]
         for run in outline.runs:
             seam = run.side.seam
             is_whole = len(outline.runs) == 1 and run.side.is_closed

@@ -22,7 +22,7 @@ def plain_dxf(pattern: "Pattern") -> str:
     strokes = [stroke for piece in pattern.pieces for stroke in strokes_of(piece)]
     for stroke in [Stroke("scale", square, True), *strokes]:
         layer = stroke.look.layer.upper()
-        if len(stroke.points) == 2:
+        if len(stroke.points) == 2 and stroke.look.layer != LOOKS["cut"].layer:
             entities.line(layer, stroke.points)
         else:
             entities.polyline(layer, stroke.points, stroke.closed)

@@ -16,6 +16,7 @@ from .widths import Widths, problem
 
 Darts = Literal["close", "cut", "slit"]
 WIDEST_DART = math.radians(50)  # folded away in cloth; a wider gap, as of a cone, is cut out
+LEAST_GAP = 0.01  # millimeters: the legs of a narrower dart are one line, which no cut line can go round
 HIGHEST_CAP = 1.0  # times the mouth of the dart: a cap that leads farther out is left flat
 
 
@@ -42,12 +43,18 @@ class Dart:
         """(2,2) where the legs begin on the outline."""
         return np.array([self.first.points[0], self.second.points[-1]])
 
+    @property
+    def gap(self) -> float:
+        """The largest distance in millimeters between its legs."""
+        return float(np.linalg.norm(self.first.points - self.second.points[::-1], axis=1).max())
+
 
 @dataclass(frozen=True)
 class Outline:
     runs: list[Run]  # what is sewn or hemmed, in order
-    stretches: list[Stretch]  # what the cut line goes round; none of a slit that is closed
+    stretches: list[Stretch]  # what the cut line goes round; none of a slit inside the piece
     darts: list[Dart]
+    slits: list[np.ndarray]  # (k,2) each: darts without a gap that are cut along their legs
 
 
 class Rules:
@@ -93,8 +100,10 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
             runs = [Run(side, side.points, None if rules.darts == "close" else 0.0)]
         by_side.append(runs)
     runs = [run for own in by_side for run in own]
-    if rules.darts == "close" and len(legs) == len(loop):
-        return Outline(runs, [], darts)
+    is_slit = rules.darts == "slit"
+    slits = [dart.first.points for dart in darts if is_slit and dart.gap < LEAST_GAP]
+    if all(map(is_leg, loop)) and (rules.darts == "close" or slits):
+        return Outline(runs, [], darts, slits[:1])
     stretches: list[Stretch] = []
     count = len(loop)
     for number, (side, own) in enumerate(zip(loop, by_side, strict=True)):
@@ -109,13 +118,13 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
         if rules.darts != "cut" and is_leg(following):
             corners[-1] = Corner()
         stretches += [Stretch(run.points, run.width or 0.0, corner) for run, corner in zip(own, corners, strict=True)]
-    return Outline(runs, stretches, darts)
+    return Outline(runs, stretches, darts, slits)
 
 
 def _darts_of(loop: Sequence[Side]) -> list[Dart]:
+    """A slit inside a piece is two: it has two tips."""
     pairs = [(side, loop[(number + 1) % len(loop)]) for number, side in enumerate(loop)]
-    darts = [Dart(first, second) for first, second in pairs if is_dart(first, second, WIDEST_DART)]
-    return darts[:1] if len(loop) == 2 else darts  # a slit inside a piece has two tips
+    return [Dart(first, second) for first, second in pairs if is_dart(first, second, WIDEST_DART)]
 
 
 def _runs(side: Side, widths: np.ndarray) -> list[Run]:
