@@ -55,6 +55,20 @@ def test_svg_has_every_outline_in_millimeters(tmp_path):
     same_up_to_moves(found, cut_points(pattern), 2e-4)
 
 
+def test_presets_for_cutters(tmp_path):
+    pattern = Pattern.from_result(rectangle(234, 76.2), allowance=10.0)
+    pattern.write(tmp_path / "laser.svg", preset="laser")
+    text = (tmp_path / "laser.svg").read_text()
+    assert "dasharray" not in text and "<text" not in text and set(re.findall(r'width="([\d.]+)"', text)) == {"0.1"}
+    pattern.write(tmp_path / "cricut.svg", preset="cricut")
+    root = ElementTree.parse(tmp_path / "cricut.svg").getroot()
+    (cut,) = [path for path in root.iter("{http://www.w3.org/2000/svg}path") if path.get("data-role") == "cut"]
+    points = np.array([float(number) for number in re.findall(r"-?[\d.]+", cut.get("d"))]).reshape(-1, 2)
+    assert sorted(np.ptp(points, axis=0)) == pytest.approx([96.2 / 25.4 * 96, 254 / 25.4 * 96], abs=1e-3)
+    with pytest.raises(wirewarp.FlattenError, match="preset is 'plasma'"):
+        pattern.write(tmp_path / "x.svg", preset="plasma")
+
+
 @pytest.mark.parametrize("ending", ["svg", "pdf", "dxf", "plt"])
 def test_names_in_any_script(tmp_path, ending):
     result = flattened("Ball of six gores")
@@ -272,7 +286,7 @@ def test_a_failure_leaves_the_old_file_as_it_was(tmp_path, monkeypatch):
     pattern = sample("Hat")
     with pytest.raises(wirewarp.FlattenError, match="no option 'paper'"):
         pattern.write(path, paper="a4")
-    monkeypatch.setattr("wirewarp.pattern.svg._document", lambda pattern: 1 / 0)
+    monkeypatch.setattr("wirewarp.pattern.svg._document", lambda pattern, preset: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         pattern.write(path)
     assert path.read_text() == "old" and list(tmp_path.iterdir()) == [path]

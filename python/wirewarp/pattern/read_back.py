@@ -55,9 +55,11 @@ def _normalized(points: np.ndarray) -> np.ndarray:
 
 
 def _read_svg(path: Path) -> Iterator[np.ndarray]:
-    for element in ElementTree.parse(path).iter():
+    root = ElementTree.parse(path).getroot()
+    unit = 1.0 if root.get("viewBox") else INCH / 96
+    for element in root.iter():
         if element.get("data-role") in ("cut", "inner_cut"):
-            yield _pairs(re.findall(NUMBER, element.get("d", ""))) * (1, -1)
+            yield _pairs(re.findall(NUMBER, element.get("d", ""))) * (unit, -unit)
 
 
 def _read_pdf(path: Path) -> Iterator[np.ndarray]:

@@ -26,7 +26,7 @@ LOOKS = {
     "clip": Look("Notches", "#ff0000", 0.3, (), "4", 3, 4),
     "drill": Look("Notches", "#ff0000", 0.3, (), "13", 3, 4),
     "text": Look("Text", "#505050", 0.3, (), "15", 7, 3),
-    "scale": Look("Scale", "#000000", 0.3, (), "8", 8, 3),
+    "scale": Look("Scale", "#808080", 0.3, (), "8", 8, 3),
 }
 SHEET = Look("Sheets", "#909090", 0.3, (), "8", 8, 3)  # frames and marks of the sheets of a PDF
 WIRE_DASHES: dict[str, tuple[float, ...]] = {"rigid": (), "elastic": (6.0, 2.0), "super_elastic": (0.3, 2.0)}

@@ -7,6 +7,7 @@ by which cutters and plotters tell them apart.
 
 import re
 import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +17,7 @@ from .drawing import Stroke, letters_baselines, strokes_of
 from .interior import LINE
 from .model import PatternPiece, Text
 from .roles import LAYERS, LOOKS
+from .widths import problem
 
 if TYPE_CHECKING:
     from .pattern import Pattern
@@ -26,28 +28,55 @@ DECIMALS = 4  # of a millimeter
 NO_CHARACTER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # of XML 1.0
 
 
-def write_svg(path: Path, pattern: "Pattern") -> tuple[int, list[str]]:
+PIXEL = 25.4 / 96  # millimeters, as style sheets have it
+
+
+@dataclass(frozen=True)
+class Preset:
+    """How a program that cuts takes a file."""
+
+    stroke: float | None = None  # millimeters, of all lines; None: each as it is
+    has_texts: bool = True
+    has_dashes: bool = True
+    in_pixels: bool = False  # 96 to the inch, without a viewBox, which some programs ignore
+
+
+PRESETS = {
+    "print": Preset(),
+    "laser": Preset(stroke=0.1, has_texts=False, has_dashes=False),  # LightBurn, Glowforge: lines are cut as they are
+    "cricut": Preset(stroke=0.3, has_texts=False, has_dashes=False, in_pixels=True),
+}
+
+
+def write_svg(path: Path, pattern: "Pattern", preset: str = "print") -> tuple[int, list[str]]:
+    """preset: "print"; "laser" for LightBurn, Glowforge and the like: thin lines without dashes, no texts; "cricut": so
+    too, in pixels of 1/96 in.
+    """
+    if preset not in PRESETS:
+        raise problem(f"preset is {preset!r}: give {', '.join(map(repr, PRESETS))}.")
     ElementTree.register_namespace("", SVG)
     ElementTree.register_namespace("inkscape", INKSCAPE)
-    tree = ElementTree.ElementTree(_document(pattern))
+    tree = ElementTree.ElementTree(_document(pattern, PRESETS[preset]))
     ElementTree.indent(tree, " ")
     tree.write(path, encoding="utf-8", xml_declaration=True)
     return 1, []
 
 
-def _document(pattern: "Pattern") -> ElementTree.Element:
+def _document(pattern: "Pattern", preset: Preset) -> ElementTree.Element:
     """The square to measure stands above the pieces."""
     side, label = pattern.units.square
     width, height = pattern.size + 2 * MARGIN
     width, height = max(width, side + 2 * MARGIN), height + side + MARGIN
     low = np.min([piece.bounds[0] for piece in pattern.pieces], axis=0)
-    shown = [f"{value:.{DECIMALS}f}" for value in (width, height)]
-    root = ElementTree.Element(
-        f"{{{SVG}}}svg", width=f"{shown[0]}mm", height=f"{shown[1]}mm", viewBox=f"0 0 {shown[0]} {shown[1]}",
-        version="1.1",
-    )  # fmt: skip
+    unit = PIXEL if preset.in_pixels else 1.0
+    shown = [f"{value / unit:.{DECIMALS}f}" for value in (width, height)]
+    root = ElementTree.Element(f"{{{SVG}}}svg", version="1.1")
+    for name, value in zip(("width", "height"), shown, strict=True):
+        root.set(name, value if preset.in_pixels else f"{value}mm")
+    if not preset.in_pixels:
+        root.set("viewBox", f"0 0 {' '.join(shown)}")
     _add(root, "title").text = pattern.title
-    drawing = _Drawing(root, height)
+    drawing = _Drawing(root, height, preset)
     for piece in pattern.pieces:
         drawing.add_piece(piece.moved(MARGIN - low))
     drawing.add_square(side, label, pattern.allowance_text, np.array([MARGIN, height - MARGIN - side]))
@@ -61,8 +90,9 @@ def _document(pattern: "Pattern") -> ElementTree.Element:
 class _Drawing:
     """Everything comes in with y upwards and the origin in the page's lower left corner; on the page y is downwards."""
 
-    def __init__(self, root: ElementTree.Element, height: float) -> None:
-        self._root, self._height = root, height
+    def __init__(self, root: ElementTree.Element, height: float, preset: Preset) -> None:
+        self._root, self._height, self._preset = root, height, preset
+        self._unit = PIXEL if preset.in_pixels else 1.0
         self._ids: set[str] = set()
 
     def add_piece(self, piece: PatternPiece) -> None:
@@ -71,7 +101,7 @@ class _Drawing:
         strokes = list(strokes_of(piece))
         for label in reversed(LAYERS):  # the cut line is drawn last
             own = [stroke for stroke in strokes if stroke.look.layer == label]
-            texts = piece.texts if label == LOOKS["text"].layer else []
+            texts = piece.texts if label == LOOKS["text"].layer and self._preset.has_texts else []
             if own or texts:
                 layer = self._add_layer(group, piece.name, label)
                 for stroke in own:
@@ -83,15 +113,17 @@ class _Drawing:
         layer = self._add_layer(self._root, "", LOOKS["scale"].layer)
         self._add_path(layer, Stroke("scale", corner + side * np.array([[0, 0], [1, 0], [1, 1], [0, 1]]), True))
         lines = (label, "Measure before cutting", f"Allowance included: {allowance}")
-        self._add_text(layer, Text(lines, corner + side / 2, 5.0))
+        if self._preset.has_texts:
+            self._add_text(layer, Text(lines, corner + side / 2, 5.0))
 
     def _add_path(self, layer: ElementTree.Element, stroke: Stroke) -> None:
-        down = stroke.points * (1, -1) + (0, self._height)
+        down = (stroke.points * (1, -1) + (0, self._height)) / self._unit
         corners = " ".join(f"{x:.{DECIMALS}f},{y:.{DECIMALS}f}" for x, y in down)
         # As attributes of every line: many cutters' programs read neither style sheets nor what a group hands down.
-        look = {"fill": "none", "stroke": stroke.look.color, "stroke-width": f"{stroke.look.stroke:g}"}
+        width = (self._preset.stroke or stroke.look.stroke) / self._unit
+        look = {"fill": "none", "stroke": stroke.look.color, "stroke-width": f"{width:.3g}"}
         look |= {"stroke-linejoin": "round", "data-role": stroke.role}
-        if stroke.dashes:
+        if stroke.dashes and self._preset.has_dashes:
             look["stroke-dasharray"] = " ".join(f"{dash:g}" for dash in stroke.dashes)
         path = _add(layer, "path", **look, d=f"M {corners}{' Z' if stroke.closed else ''}")
         if stroke.name:
