@@ -185,6 +185,14 @@ def test_a_dart_is_closed_cut_out_or_slit():
     assert gap.contains(shapely.Point(hole.at))  # in the fold of the dart, where the seam covers it
 
 
+def test_no_notch_leaps_to_a_cut_line_far_away():
+    # Between the legs of a narrow dart that is cut out, the allowances run together: there is nothing to notch.
+    (piece,) = Pattern.from_result(dart(40, 100), darts="cut").pieces
+    outline = sew_polygon(piece)
+    assert all(outline.distance(shapely.Point(point.at)) < 10.01 for point in piece.points)
+    assert not any(point.pair for point in piece.points)
+
+
 def test_a_slit_inside_a_piece(tmp_path):
     grid = [(40 * x, 40 * y) for y in range(9) for x in range(9)]
     corners = [(9 * y + x, 9 * y + x + 1, 9 * y + x + 10, 9 * y + x + 9) for y in range(8) for x in range(8)]

@@ -11,11 +11,12 @@ from .outline import Side
 from .rays import Rays
 from .seams import SewnSide, turn_between
 from .stretches import Dart
-from .strips import right_normals
+from .strips import MITRE_LIMIT, right_normals
 from .widths import problem
 
 DEEPEST = 5.0  # millimeters
 SHARE = 0.5  # of the allowance, or of the way to the cut line on the other side: notches never reach the sew line
+NEXT_TO = 2e-3  # millimeters: beside a line, not on it
 LEAST_SPACING = 1.0  # millimeters
 MOST = 10_000  # along one seam
 CLEAR = 0.2  # of the spacing: so close to another notch or to the end of the seam there is none
@@ -66,10 +67,16 @@ def _is_lopsided(places: np.ndarray, length: float) -> bool:
     return bool(np.abs(np.sort(places) - turned).max() >= LOPSIDED)
 
 
-def notch(at_sew: np.ndarray, outward: np.ndarray, rays: Rays, pair: tuple[int, int] | None = None) -> Point:
-    """From where the normal of the sew line meets the cut line, inwards; short of the sew line."""
+def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[int, int] | None = None) -> Point | None:
+    """From where the normal of the side, at this length along it, meets the cut line; inwards, short of the sew line.
+
+    width: the widest allowance of the side. None where the cut line is much farther, for allowances run together there.
+    """
+    at_sew, outward = own.at(length)
     allowance = rays.to_cut(at_sew, outward)
-    room = SHARE * allowance if allowance > 0 else SHARE * rays.to_cut(at_sew - outward * 1e-3, -outward)
+    if allowance > MITRE_LIMIT * width + NEXT_TO:
+        return None
+    room = SHARE * allowance if allowance > 0 else SHARE * rays.to_cut(at_sew - outward * NEXT_TO, -outward)
     return Point("notch", at_sew + allowance * outward, -outward, min(DEEPEST, room), pair)
 
 

@@ -2,7 +2,7 @@
 """From the outlines of flat pieces to pieces of a pattern: cut lines, sew lines, wires, marks and texts."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -89,6 +89,10 @@ def marks(laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], spacing: fl
               for side in (dart.first, dart.second)}  # fmt: skip
     found: dict[int, list[Point]] = {piece.index: [] for piece in laid}
     at_wires = {piece.index: _wire_ends(piece) for piece in laid}
+    runs = [run for piece in laid for outline in piece.outlines for run in outline.runs]
+    widths: dict[int, float] = {}
+    for run in runs:
+        widths[id(run.side)] = max(widths.get(id(run.side), 0.0), run.width or 0.0)
     for number, sides in enumerate(seams):
         if not sides or any(id(own.side) in closed for own in sides):
             continue
@@ -99,14 +103,16 @@ def marks(laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], spacing: fl
         places = sorted([*inner, *places_along(length, inner, spacing)])
         if at_back:  # two beside each other
             places = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
+            places = [place for place in places if 0 < place < length]
         for own in sides:
             share = own.along[-1] / length  # of a side that is eased, notches stand at equal shares
             for order, place in enumerate(places):
-                at, outward = own.at(place * share)
-                found[own.side.piece].append(notch(at, outward, rays[own.side.piece], (number, order)))
+                index = own.side.piece
+                cut = notch(own, place * share, rays[index], widths[id(own.side)], (number, order))
+                found[index] += [cut] if cut else []
     for piece in laid:
         for outline, loop in zip(piece.outlines, piece.loops, strict=True):
-            found[piece.index] += _free_notches(loop, at_wires[piece.index], rays[piece.index])
+            found[piece.index] += _free_notches(loop, at_wires[piece.index], rays[piece.index], widths)
             found[piece.index] += [drill_hole(dart) for dart in outline.darts]
             if outline.stretches and not outline.darts:
                 found[piece.index] += clips(loop, rays[piece.index])
@@ -124,21 +130,17 @@ def _places_of(own: SewnSide, ends: np.ndarray) -> list[float]:
     return own.along[near.any(axis=1)].round(6).tolist() if len(ends) else []
 
 
-def _free_notches(loop: Sequence[Side], ends: np.ndarray, rays: Rays) -> list[Point]:
+def _free_notches(loop: Sequence[Side], ends: np.ndarray, rays: Rays, widths: Mapping[int, float]) -> list[Point]:
     """Where wires end on an outline that is not sewn, and where a seam ends and the outline runs on smoothly."""
     found = []
     for number, side in enumerate(loop):
-        following = loop[(number + 1) % len(loop)]
-        if len(loop) > 1 and turns_little(side, following):
-            forward = SewnSide(side, True)
-            at, outward = forward.at(float(side.along[-1]))
-            found.append(notch(at, outward, rays))
+        forward, length, width = SewnSide(side, True), float(side.along[-1]), widths[id(side)]
+        if len(loop) > 1 and turns_little(side, loop[(number + 1) % len(loop)]):
+            found.append(notch(forward, length, rays, width))
         if side.seam is None:
-            forward = SewnSide(side, True)
-            for place in _places_of(forward, ends):
-                if SAME_PLACE < place < side.along[-1] - SAME_PLACE:
-                    found.append(notch(*forward.at(place), rays))
-    return found
+            places = [place for place in _places_of(forward, ends) if SAME_PLACE < place < length - SAME_PLACE]
+            found += [notch(forward, place, rays, width) for place in places]
+    return [point for point in found if point]
 
 
 def lines_of(laid: Laid) -> list[Line]:
