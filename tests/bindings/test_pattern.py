@@ -281,6 +281,7 @@ def test_what_the_allowance_swallows_is_told():
         ({"corner": "pointed"}, "corner is 'pointed'"),
         ({"darts": "open"}, "darts is 'open'"),
         ({"units": "feet"}, "units is 'feet'"),
+        ({"title": None}, "must be texts"),
     ],
 )
 def test_bad_input_is_one_sentence(options, words):

@@ -74,6 +74,8 @@ class Pattern:
         """
         if units not in get_args(Units):
             raise problem(f"units is {units!r}: give 'metric' or 'imperial'.")
+        if not isinstance(title, str) or not isinstance(material, str):
+            raise problem("title and material must be texts.")
         scale = checked_length("millimeters_per_unit", millimeters_per_unit, 1e-9, 1e9)
         names = _names(piece_names, len(result.pieces))
         for name, piece in zip(names, result.pieces, strict=True):
@@ -163,10 +165,11 @@ class Pattern:
         )
 
     def write(self, path: str | Path, **options: Any) -> "Written":  # noqa: ANN401
-        """Writes the file whose kind the suffix of the path says; the options are those of the kind.
+        """Writes the file whose kind the suffix of the path says, and reads it again before it takes its place.
 
-        .svg: see `svg.write`. The file is there whole or not at all: a failure leaves one that was there before as it
-        was. Raises FlattenError for options, OSError for paths.
+        Options: of .pdf `paper`, of .svg `preset`, of .dxf `dialect` and `control_square`; see docs/pattern.md.
+        A failure leaves a file that was there before as it was. Raises FlattenError for options and for what does not
+        fit on the paper, OSError for paths, RuntimeError if what was read again is not the pattern.
         """
         from .write import write
 

@@ -19,6 +19,7 @@ from .widths import problem
 if TYPE_CHECKING:
     from .pattern import Pattern
 
+PROJECTED = 0.5  # millimeters: thinner lines look dotted under a projector
 BORDER = 5.0  # millimeters round a piece's box: notches and letters may reach over it
 SHEET_LAYER, GRID_LAYER = "Sheets", "Grid"
 GRID_STEP = {"metric": 50.0, "imperial": 2 * 25.4}
@@ -44,19 +45,19 @@ def _document(pattern: "Pattern", *layers: str, hidden: tuple[str, ...] = ()) ->
     return Document(pattern.title or "Pattern", [*LAYERS, *layers], hidden)
 
 
-def _add_forms(document: Document, pattern: "Pattern") -> list[str]:
+def _add_forms(document: Document, pattern: "Pattern", thinnest: float = 0.0) -> list[str]:
     """One form per piece, P1, P2, ...; returns the texts that could not be drawn."""
     left_out = []
     for piece in pattern.pieces:
-        content = _drawn(piece)
+        content = _drawn(piece, thinnest)
         low, high = piece.bounds
         document.add_form(f"P{piece.number}", content, low - BORDER, high + BORDER)
         left_out += content.left_out
     return left_out
 
 
-def _drawn(piece: PatternPiece) -> Content:
-    content = Content()
+def _drawn(piece: PatternPiece, thinnest: float) -> Content:
+    content = Content(thinnest)
     strokes = list(strokes_of(piece))
     for layer in reversed(LAYERS):
         own = [stroke for stroke in strokes if stroke.look.layer == layer]
@@ -73,7 +74,7 @@ def _write_page(path: Path, pattern: "Pattern") -> tuple[int, list[str]]:
             f"{LONGEST / 1000:g} m: choose a roll or sheets."
         )
     document = _document(pattern, GRID_LAYER, hidden=(GRID_LAYER,))
-    left_out = _add_forms(document, pattern)
+    left_out = _add_forms(document, pattern, PROJECTED)
     content = Content()
     content.in_layer(GRID_LAYER, _grid(size, GRID_STEP[pattern.units.name]))
     _add_scale(content, pattern, np.array([MARGIN, MARGIN]))

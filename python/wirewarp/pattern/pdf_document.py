@@ -13,13 +13,13 @@ from .interior import LINE
 from .model import Text
 
 POINT = 72 / 25.4  # PDF's unit in a millimeter
-THINNEST = 0.3  # millimeters: thinner lines look dotted on projectors
 
 
 class Content:
-    """A stream of drawing in millimeters."""
+    """A stream of drawing in millimeters. thinnest: of its lines."""
 
-    def __init__(self) -> None:
+    def __init__(self, thinnest: float = 0.0) -> None:
+        self._thinnest = thinnest
         self._parts: list[str] = []
         self.left_out: list[str] = []
 
@@ -44,7 +44,7 @@ class Content:
         dashes = " ".join(f"{dash:g}" for dash in stroke.dashes)
         corners = [f"{x:.4f} {y:.4f}" for x, y in stroke.points.tolist()]
         return (
-            f"{_rgb(stroke.look.color)} RG {max(stroke.look.stroke, THINNEST):g} w [{dashes}] 0 d\n"
+            f"{_rgb(stroke.look.color)} RG {max(stroke.look.stroke, self._thinnest):g} w [{dashes}] 0 d\n"
             f"{corners[0]} m\n" + "".join(f"{corner} l\n" for corner in corners[1:]) + ("s" if stroke.closed else "S")
         )
 
