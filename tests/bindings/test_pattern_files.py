@@ -149,6 +149,18 @@ def test_tiles_put_together_are_the_one_page(tmp_path):
         assert whole[y - 1 : y + 2, x - 1 : x + 2].any()
 
 
+def test_pieces_that_fit_on_sheets_are_not_cut_apart(tmp_path):
+    points = [(x + 400 * n, y) for n in range(3) for x, y in ((0, 0), (300, 0), (300, 200), (0, 200))]
+    pattern = Pattern.from_result(quads(points, np.arange(12).reshape(3, 4).tolist()), notch_spacing=0)
+    assert pattern.write(tmp_path / "x.pdf", paper="a3").sheets == 1 + 3
+    document = pypdfium2.PdfDocument(tmp_path / "x.pdf")
+    for page in list(document)[1:]:
+        pixels = dark(page, 2.0)
+        frame = round(12 * 2)
+        across, up = sorted(extent(pixels[frame:-frame, frame:-frame], 2.0))
+        assert (across, up) == pytest.approx((220.5, 320.5), abs=1)
+
+
 def test_layers_are_named_and_the_grid_is_hidden(tmp_path):
     sample("Hat").write(tmp_path / "hat.pdf", paper="projector")
     data = (tmp_path / "hat.pdf").read_bytes()

@@ -2,7 +2,7 @@
 """Papers to print on, and how a pattern is divided into their sheets."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -46,13 +46,15 @@ class Tile:
 
 @dataclass(frozen=True)
 class Tiles:
-    """A pattern on sheets that overlap."""
+    """A pattern on sheets."""
 
     pattern: "Pattern"
     paper: np.ndarray  # (2,) width and height of a sheet
     shown: np.ndarray  # (2,) of each sheet, inside its margins
+    overlap: float  # of neighboring sheets; 0 where every piece lies on one sheet
     rows: int
     columns: int
+    low: np.ndarray  # (2,) lower left corner of all sheets
     tiles: list[Tile]  # those with something on them
 
 
@@ -79,7 +81,35 @@ def roll_width(paper: str | float) -> float | None:
 
 
 def divided(pattern: "Pattern", paper: str) -> Tiles:
-    """On sheets upright or on their side, the pieces in rows as wide as takes the fewest sheets."""
+    """On the fewest sheets, upright or on their side; if it takes no more, with every piece on one sheet."""
+    taped = _taped(pattern, paper)
+    whole = [plan for upright in (SHEETS[paper], SHEETS[paper][::-1]) if (plan := _whole(pattern, np.array(upright)))]
+    fewest = min(whole, key=lambda plan: len(plan.tiles), default=None)
+    return fewest if fewest and len(fewest.tiles) <= len(taped.tiles) else taped
+
+
+def _whole(pattern: "Pattern", sheet: np.ndarray) -> Tiles | None:
+    """Rows of pieces, each row on one sheet; None where a piece is larger than that."""
+    shown = sheet - 2 * MARGIN
+    room = shown - 2 * INSET
+    sizes = np.array([piece.size for piece in pattern.pieces])
+    if np.any(sizes > room):
+        return None
+    corners = in_rows(sizes, float(room[0]))
+    sheets, start = -1, -math.inf
+    for row in np.unique(corners[:, 1]):
+        in_row = corners[:, 1] == row
+        if row + sizes[in_row, 1].max() > start + room[1]:
+            sheets, start = sheets + 1, float(row)
+        corners[in_row, 1] += sheets * shown[1] - start
+    moved = [piece.moved(to - piece.bounds[0]) for piece, to in zip(pattern.pieces, corners, strict=True)]
+    low, count = np.array([-INSET, -INSET]), sheets + 1
+    tiles = [Tile(row, 0, low + (0, (count - 1 - row) * shown[1])) for row in range(count)]
+    return Tiles(replace(pattern, pieces=moved), sheet, shown, 0.0, count, 1, low, tiles)
+
+
+def _taped(pattern: "Pattern", paper: str) -> Tiles:
+    """In rows as wide as takes the fewest sheets. Raises FlattenError if these are too many."""
     sizes = np.array([piece.size for piece in pattern.pieces])
     best: tuple[int, float, np.ndarray] | None = None
     for upright in (SHEETS[paper], SHEETS[paper][::-1]):
@@ -100,9 +130,7 @@ def divided(pattern: "Pattern", paper: str) -> Tiles:
     if count > MOST_SHEETS:
         size = " x ".join(f"{side / 1000:.1f} m" for side in pattern.size)
         raise problem(f"The pattern is {size}: more than {MOST_SHEETS} sheets of {paper}; see millimeters_per_unit.")
-    arranged, shown = pattern.arranged(width), sheet - 2 * MARGIN
-    columns, rows = _counts(arranged.size, shown - OVERLAP)
-    return _with_tiles(Tiles(arranged, sheet, shown, int(rows), int(columns), []))
+    return _with_tiles(pattern.arranged(width), sheet)
 
 
 def _counts(size: np.ndarray, step: np.ndarray) -> np.ndarray:
@@ -111,16 +139,19 @@ def _counts(size: np.ndarray, step: np.ndarray) -> np.ndarray:
     return counts
 
 
-def _with_tiles(plan: Tiles) -> Tiles:
-    step, top = plan.shown - OVERLAP, plan.pattern.size[1] + INSET
-    shapes = [([line.points for line in piece.of_role("cut")], piece.bounds) for piece in plan.pattern.pieces]
+def _with_tiles(pattern: "Pattern", sheet: np.ndarray) -> Tiles:
+    shown = sheet - 2 * MARGIN
+    step, top = shown - OVERLAP, pattern.size[1] + INSET
+    columns, rows = _counts(pattern.size, step).tolist()
+    shapes = [([line.points for line in piece.of_role("cut")], piece.bounds) for piece in pattern.pieces]
     tiles = []
-    for row in range(plan.rows):
-        for column in range(plan.columns):
-            low = np.array([column * step[0] - INSET, top - row * step[1] - plan.shown[1]])
-            if any(_shows(low, low + plan.shown, cut, bounds) for cut, bounds in shapes):
+    for row in range(rows):
+        for column in range(columns):
+            low = np.array([column * step[0] - INSET, top - row * step[1] - shown[1]])
+            if any(_shows(low, low + shown, cut, bounds) for cut, bounds in shapes):
                 tiles.append(Tile(row, column, low))
-    return Tiles(plan.pattern, plan.paper, plan.shown, plan.rows, plan.columns, tiles)
+    lowest = np.array([-INSET, top - (rows - 1) * step[1] - shown[1]])
+    return Tiles(pattern, sheet, shown, OVERLAP, rows, columns, lowest, tiles)
 
 
 def _shows(low: np.ndarray, high: np.ndarray, cut: list[np.ndarray], bounds: tuple[np.ndarray, np.ndarray]) -> bool:

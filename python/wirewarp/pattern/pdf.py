@@ -9,7 +9,7 @@ import numpy as np
 
 from .drawing import Stroke, strokes_of
 from .model import PatternPiece, Text
-from .papers import INSET, LONGEST, MARGIN, OVERLAP, PROJECTOR, SHEETS, Tiles, divided, roll_width, tile_name
+from .papers import LONGEST, MARGIN, OVERLAP, PROJECTOR, SHEETS, Tiles, divided, roll_width, tile_name
 from .pdf_document import Content, Document
 from .roles import LAYERS
 from .scale_block import SIZE, UNIT, scale_block
@@ -179,7 +179,7 @@ def _sheet_marks(plan: Tiles, row: int, column: int) -> tuple[list[Stroke], list
         (np.array([0, -1]), (row + 1, column), np.array([middle[0], low[1] + OVERLAP / 2])),
     )
     for direction, (other_row, other_column), at in sides:
-        if 0 <= other_row < plan.rows and 0 <= other_column < plan.columns:
+        if plan.overlap and 0 <= other_row < plan.rows and 0 <= other_column < plan.columns:
             # Both sheets show the whole overlap, so the diamond in its middle lies on itself.
             strokes.append(Stroke("sheet", at + OVERLAP / 2 * np.array([[1, 0], [0, 1], [-1, 0], [0, -1]]), True))
             aside = np.array([direction[1], direction[0]])
@@ -193,12 +193,14 @@ def _map_page(plan: Tiles, paper: np.ndarray) -> Content:
     pattern, content = plan.pattern, Content()
     _add_scale(content, pattern, np.array([MARGIN, MARGIN]))
     skipped = plan.rows * plan.columns - len(plan.tiles)
+    sheets = f"{counted(len(plan.tiles), 'sheet')} in {counted(plan.rows, 'row')} of {plan.columns}"
+    sheets += f", {skipped} more are empty and left out" if skipped else ""
     lines = [
         pattern.title or "Pattern",
         "Print at 100 % (actual size), not fitted to the page; then measure the squares and bars.",
-        f"{counted(len(plan.tiles), 'sheet')} in {counted(plan.rows, 'row')} of {plan.columns}"
-        + (f", {skipped} of them empty and left out" if skipped else "")
-        + f"; neighbors overlap by {pattern.units.text(OVERLAP)}: lay diamond on diamond.",
+        f"{sheets}; neighbors overlap by {pattern.units.text(OVERLAP)}: lay diamond on diamond."
+        if plan.overlap
+        else f"{counted(len(plan.tiles), 'sheet')}, every piece on one of them.",
         f"{counted(len(pattern.pieces), 'piece')}. Allowance included: {pattern.allowance_text}.",
     ]
     top = paper[1] - MARGIN
@@ -208,10 +210,9 @@ def _map_page(plan: Tiles, paper: np.ndarray) -> Content:
     ]
     content.in_layer("Text", (), texts)
     room = np.array([paper[0] - 2 * MARGIN, top - 26 - MARGIN - SIZE[1]])
-    whole = np.array([plan.columns, plan.rows]) * (plan.shown - OVERLAP) + OVERLAP
+    whole = np.array([plan.columns, plan.rows]) * (plan.shown - plan.overlap) + plan.overlap
     scale = float((room / whole).min())
-    low = np.array([-INSET, pattern.size[1] + INSET - whole[1]])
-    corner = np.array([(paper[0] - scale * whole[0]) / 2, MARGIN + SIZE[1] + 2]) - scale * low
+    corner = np.array([(paper[0] - scale * whole[0]) / 2, MARGIN + SIZE[1] + 2]) - scale * plan.low
 
     def placed(points: np.ndarray) -> np.ndarray:
         return corner + scale * points
