@@ -14,11 +14,12 @@ import numpy.typing as npt
 from .arrange import offsets
 from .card import with_card
 from .fold import folded
+from .marks import marks
 from .mirror import fold_of, mirror_between
 from .model import PatternPiece
 from .notches import check_spacing
 from .outline import outlines_of
-from .pieces import finished, lay, marks, warnings_of
+from .pieces import finished, lay, warnings_of
 from .seams import sewn_sides
 from .stretches import Rules, outline
 from .units import Units, UnitSystem, counted

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From the outlines of flat pieces to pieces of a pattern: cut lines, sew lines, wires, marks and texts."""
 
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -11,17 +10,14 @@ import numpy as np
 from .allowance import CutLines, cut_lines
 from .interior import innermost_point
 from .model import Line, PatternPiece, Point
-from .notches import DOUBLE, clips, drill_hole, notch, places_along, turns_little
 from .outline import Side
 from .rays import Rays
-from .seams import SewnSide
 from .stretches import Outline
 
 if TYPE_CHECKING:
     from .._wirewarp import Piece
 
 GRAIN = 0.7  # of the way across the piece
-SAME_PLACE = 1e-6  # millimeters
 
 
 @dataclass(frozen=True)
@@ -79,68 +75,6 @@ def _wires(piece: "Piece", scale: float) -> list[Line]:
             points = piece.vertices[[ends[pairs[0]][0], *(ends[pair][1] for pair in pairs)]] * scale
             lines.append(Line("wire", points, name=wire.name, kind=wire.kind))
     return lines
-
-
-def marks(laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], spacing: float) -> dict[int, list[Point]]:
-    """By piece: notches in pairs along seams, at the ends of wires and of seams that nothing shows; clips; holes."""
-    rays = {piece.index: piece.rays for piece in laid}
-    names = {piece.index: piece.name for piece in laid}
-    closed = {id(side) for piece in laid for outline in piece.outlines for dart in outline.darts
-              for side in (dart.first, dart.second)}  # fmt: skip
-    found: dict[int, list[Point]] = {piece.index: [] for piece in laid}
-    at_wires = {piece.index: _wire_ends(piece) for piece in laid}
-    runs = [run for piece in laid for outline in piece.outlines for run in outline.runs]
-    widths: dict[int, float] = {}
-    for run in runs:
-        widths[id(run.side)] = max(widths.get(id(run.side), 0.0), run.width or 0.0)
-    for number, sides in enumerate(seams):
-        if not sides or any(id(own.side) in closed for own in sides):
-            continue
-        at_back = any(re.search(r"\bback\b", names[own.side.piece], re.IGNORECASE) for own in sides)
-        taken = sorted({place for own in sides for place in _places_of(own, at_wires[own.side.piece])})
-        length = float(sides[0].along[-1])
-        inner = [place for place in taken if SAME_PLACE < place < length - SAME_PLACE]
-        places = sorted([*inner, *places_along(length, inner, spacing)])
-        if at_back:  # two beside each other
-            places = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
-            places = [place for place in places if 0 < place < length]
-        for own in sides:
-            share = own.along[-1] / length  # of a side that is eased, notches stand at equal shares
-            for order, place in enumerate(places):
-                index = own.side.piece
-                cut = notch(own, place * share, rays[index], widths[id(own.side)], (number, order))
-                found[index] += [cut] if cut else []
-    for piece in laid:
-        for outline, loop in zip(piece.outlines, piece.loops, strict=True):
-            found[piece.index] += _free_notches(loop, at_wires[piece.index], rays[piece.index], widths)
-            found[piece.index] += [drill_hole(dart) for dart in outline.darts]
-            if outline.stretches and not outline.darts:
-                found[piece.index] += clips(loop, rays[piece.index])
-    return found
-
-
-def _wire_ends(piece: Laid) -> np.ndarray:
-    """(w,2)"""
-    return np.array([end for wire in piece.wires for end in (wire.points[0], wire.points[-1])]).reshape(-1, 2)
-
-
-def _places_of(own: SewnSide, ends: np.ndarray) -> list[float]:
-    """Lengths from the start of the side at which wires end on it."""
-    near = np.abs(own.points[:, None] - ends[None]).max(axis=2, initial=0) < SAME_PLACE
-    return own.along[near.any(axis=1)].round(6).tolist() if len(ends) else []
-
-
-def _free_notches(loop: Sequence[Side], ends: np.ndarray, rays: Rays, widths: Mapping[int, float]) -> list[Point]:
-    """Where wires end on an outline that is not sewn, and where a seam ends and the outline runs on smoothly."""
-    found = []
-    for number, side in enumerate(loop):
-        forward, length, width = SewnSide(side, True), float(side.along[-1]), widths[id(side)]
-        if len(loop) > 1 and turns_little(side, loop[(number + 1) % len(loop)]):
-            found.append(notch(forward, length, rays, width))
-        if side.seam is None:
-            places = [place for place in _places_of(forward, ends) if SAME_PLACE < place < length - SAME_PLACE]
-            found += [notch(forward, place, rays, width) for place in places]
-    return [point for point in found if point]
 
 
 def lines_of(laid: Laid) -> list[Line]:
