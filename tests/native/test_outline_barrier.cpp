@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The barrier that keeps an outline from crossing itself, on a plate with a notch: its sides are 0.02 apart, its edges 1
-// long, and the barrier begins at 0.1.
+// The barrier that keeps an outline from crossing itself, on a plate with a notch: its sides are 0.02 apart, its edges
+// 1 long, and the barrier begins at 0.1.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -74,7 +74,8 @@ TEST_F(OutlineOfANotch, GradientEqualsDifferences) {
   }
 }
 
-/// Of the arms moving towards each other: distances are linear in that, and so the Hessian of Gauss and Newton is exact.
+/// Of the arms moving towards each other: distances are linear in that, and so the Hessian of Gauss and Newton is
+/// exact.
 TEST_F(OutlineOfANotch, HessianIsThatOfTheDistances) {
   std::vector<VertexPair> pairs;
   barrier.list_pairs(pairs);
