@@ -11,7 +11,9 @@
 #include "count_fronts.h"
 #include "mesh/edge_table.h"
 #include "planar.h"
+#include "refine/injective_shape.h"
 #include "refine/refine_chart.h"
+#include "refine/starts.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -43,6 +45,21 @@ TEST(RefineChart, CountsStartsThatFail) {
     EXPECT_EQ(brief.factorizations, most);
     EXPECT_TRUE(brief.ran_out);
   }
+}
+
+TEST(RefineChart, CountsAStartThatFailsWithElasticWiresFree) {
+  FlattenInput input = saddle_of_wires(0);
+  input.wires.back().tolerance = 0.01;
+  const Charts charts = test::charts_of(input);
+  Options options;
+  options.max_factorizations = 60;
+  const RefineResult refined = refine_chart(charts.charts.at(0), options);
+  ASSERT_FALSE(refined.shape.is_exact || refined.inner.is_feasible || refined.relaxed);
+  RefineBudget budget(60);
+  const Chart& chart = charts.charts.at(0);
+  EXPECT_FALSE(
+      reach_injectively(chart, build_held_network(chart), Options{}.fairness, {budget, {}, Injectivity::local}));
+  EXPECT_EQ(refined.factorizations, 2 + budget.spent()) << "a step each, with that wire and without, then injectively";
 }
 
 TEST(RefineChart, OptionsOfTheWiresAloneDoNotMatter) {
@@ -169,7 +186,14 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
     test::add_wire(input, test::grid_column(n, n, i));
   }
   const Charts charts = test::charts_of(input);
-  const RefinedShape shape = refine_chart(charts.charts.at(0), Options{}).shape;
+  const Chart& chart = charts.charts.at(0);
+  const WireNetwork network = build_held_network(chart);
+  RefineBudget budget(100);
+  const InternalOptions options;
+  StartProblem problem{chart, network, options, budget, {}};
+  const std::optional<RefinementStart> start = wires_alone(problem);
+  ASSERT_TRUE(start);
+  const RefinedShape shape = refine_shape(chart, network, Options{}.fairness, *start, {budget});
   EXPECT_TRUE(shape.is_exact && shape.converged);
 }
 
