@@ -9,6 +9,7 @@
 #include "cholesky/multifrontal_lu.h"
 #include "cholesky_problems.h"
 #include "dense_algebra.h"
+#include "factorization_failed.h"
 
 namespace wirewarp {
 namespace {
