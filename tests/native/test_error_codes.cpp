@@ -379,24 +379,6 @@ TEST(ErrorCodes, WiresThatCannotBeJoinedNameThemselvesAndTheRefinedMethod) {
   expect_names(error, "take the refined method");
 }
 
-TEST(ErrorCodes, Cancelled) {
-  const FlattenResult result = flatten(test::quarter_sphere(4), {}, [](const std::string&, double) { return false; });
-  ASSERT_TRUE(result.pieces[0].error.has_value());
-  EXPECT_EQ(result.pieces[0].error->code, Code::cancelled);
-  EXPECT_EQ(result.pieces[0].report.termination, Termination::cancelled);
-}
-
-TEST(ErrorCodes, TheLastStageIsNotCancelled) {
-  bool was_cancelled = false;
-  const FlattenResult result = flatten(test::quarter_sphere(4), {}, [&](const std::string& stage, double) {
-    was_cancelled = was_cancelled || stage == "measure";
-    return stage != "measure";
-  });
-  EXPECT_TRUE(was_cancelled);
-  EXPECT_FALSE(result.pieces[0].error.has_value());
-  EXPECT_TRUE(result.corner_uv.allFinite());
-}
-
 TEST(ErrorCodes, EveryCodeHasItsDescription) {
   for (const ErrorCode code : all_error_codes()) {
     EXPECT_FALSE(std::string(describe(code).name).empty());

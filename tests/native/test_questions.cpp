@@ -98,5 +98,23 @@ TEST(Questions, AreAskedWhileBoxesArePacked) {
   EXPECT_GE(asked.times, 16 * sizes.rows() / static_cast<int>(WorkMeter::work_per_question));
 }
 
+TEST(Questions, ANoAtOnceCancels) {
+  const FlattenResult result = flatten(test::quarter_sphere(4), {}, [](const std::string&, double) { return false; });
+  ASSERT_TRUE(result.pieces[0].error.has_value());
+  EXPECT_EQ(result.pieces[0].error->code, ErrorCode::cancelled);
+  EXPECT_EQ(result.pieces[0].report.termination, Termination::cancelled);
+}
+
+TEST(Questions, TheLastStageOfASmallRunIsNotCancelled) {
+  bool was_cancelled = false;
+  const FlattenResult result = flatten(test::quarter_sphere(4), {}, [&](const std::string& stage, double) {
+    was_cancelled = was_cancelled || stage == "measure";
+    return stage != "measure";
+  });
+  EXPECT_TRUE(was_cancelled);
+  EXPECT_FALSE(result.pieces[0].error.has_value());
+  EXPECT_TRUE(result.corner_uv.allFinite());
+}
+
 }  // namespace
 }  // namespace wirewarp
