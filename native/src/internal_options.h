@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
 
 #include "wirewarp/flatten.h"
 
@@ -10,7 +9,7 @@ namespace wirewarp {
 
 /// Options, and figures that users do not choose; tests do, to reach with small input what large input meets.
 struct InternalOptions : Options {
-  InternalOptions(Options options = {}) : Options(std::move(options)) {}  // NOLINT(google-explicit-constructor)
+  InternalOptions(const Options& options = {}) : Options(options) {}  // NOLINT(google-explicit-constructor)
 
   std::size_t large_chart = 8'000;  // faces: from here on a coarse start saves more than it costs
 };

@@ -58,7 +58,7 @@ FlattenInput loose_squares(int count, int triangles_of_each) {
   input.vertices.resize(4 * count, 3);
   input.faces.resize(triangles_of_each * count, 3);
   for (int i = 0; i < count; ++i) {
-    for (int k = 0; k < 4; ++k) input.vertices.row(4 * i + k) << i + (k == 1 || k == 2), k / 2, 0;
+    for (int k = 0; k < 4; ++k) input.vertices.row(4 * i + k) << i + (k == 1 || k == 2), (k > 1 ? 1 : 0), 0;
     for (int k = 0; k < triangles_of_each; ++k) {
       input.faces.row(triangles_of_each * i + k) << 4 * i, 4 * i + k + 1, 4 * i + k + 2;
     }

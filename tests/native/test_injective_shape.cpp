@@ -99,9 +99,9 @@ TEST(InjectiveShape, LooserIsNeverWorse) {
 }
 
 TEST(InjectiveShape, FactorizationsAreCounted) {
-  const int whole = refine(finger()).shape.factorizations;
+  const int whole = refine(finger()).factorizations;
   for (const int budget : {whole / 4, whole / 2, whole - 1, whole}) {
-    EXPECT_EQ(refine(finger(), budget).shape.factorizations, budget);
+    EXPECT_EQ(refine(finger(), budget).factorizations, budget);
   }
 }
 

@@ -47,21 +47,6 @@ TEST(RefineChart, CountsStartsThatFail) {
   }
 }
 
-TEST(RefineChart, CountsAStartThatFailsWithElasticWiresFree) {
-  FlattenInput input = saddle_of_wires(0);
-  input.wires.back().tolerance = 0.01;
-  const Charts charts = test::charts_of(input);
-  Options options;
-  options.max_factorizations = 60;
-  const RefineResult refined = refine_chart(charts.charts.at(0), options);
-  ASSERT_FALSE(refined.shape.is_exact || refined.inner.is_feasible || refined.relaxed);
-  RefineBudget budget(60);
-  const Chart& chart = charts.charts.at(0);
-  EXPECT_FALSE(
-      reach_injectively(chart, build_held_network(chart), Options{}.fairness, {budget, {}, Injectivity::local}));
-  EXPECT_EQ(refined.factorizations, 2 + budget.spent()) << "a step each, with that wire and without, then injectively";
-}
-
 TEST(RefineChart, OptionsOfTheWiresAloneDoNotMatter) {
   // A strongly curved net: the free shape is too far from exact lengths, and the wires are flattened alone.
   const int n = 12;
@@ -145,7 +130,7 @@ TEST(RefineChart, CancellingIsHeardAtOnceWhateverIsTried) {
         return true;
       });
       EXPECT_LE(whole.factored, 3 * fronts) << "the free shape, and before it the embedding on a circle";
-      EXPECT_LE(whole.substituted, (tolerance > 0 ? 60 : 25) * fronts) << "steps to exact lengths, and for each wire";
+      EXPECT_LE(whole.substituted, (tolerance > 0 ? 60 : 35) * fronts) << "steps to exact lengths, and for each wire";
       for (int last = 0; last < questions; last += 1 + questions / 20) {
         int asked = 0;
         Silence after;

@@ -188,9 +188,8 @@ class ToleranceSearch {
       const double* middle = low + (high - low) / 2;
       Tolerances lower = tolerances;
       for (const int wire : wires) lower[wire] = std::min(lower[wire], *middle);
-      if (lower != tolerances && !is_looser(lower)) {
-        low = middle + 1;
-      } else if (lower == tolerances || try_instead(tolerances, std::move(lower))) {
+      const bool serves = lower == tolerances || (is_looser(lower) && try_instead(tolerances, std::move(lower)));
+      if (serves) {
         high = middle;
       } else {
         low = middle + 1;

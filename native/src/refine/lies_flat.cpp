@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "refine/lies_flat.h"
 
-#include <algorithm>
-
 #include "factorization_failed.h"
 #include "feasibility/check_outline.h"
 #include "feasibility/folded_faces.h"
@@ -18,7 +16,7 @@ constexpr int kMaxFactorizations = 40;
 bool lies_flat(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
   if (chart.error || is_outline_too_short(chart)) return false;
   InternalOptions brief = options;
-  brief.max_factorizations = std::min(options.max_factorizations, kMaxFactorizations);
+  brief.max_factorizations = kMaxFactorizations;  // whatever the user allows the piece itself
   try {
     const RefinedShape shape = refine_chart(chart, brief, stop).shape;
     return shape.is_exact && find_folded_faces(chart.mesh, shape.uv).empty();

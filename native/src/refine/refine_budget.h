@@ -21,8 +21,9 @@ class RefineBudget {
   int left() const { return left_; }
   int spent() const { return spent_; }
 
-  /// Whether so many may be spent; remembers a no.
+  /// Whether so many may be spent; remembers a no, in the whole budget too if that is what says no.
   bool allows(int factorizations = 1) {
+    if (whole_) whole_->allows(factorizations);
     ran_out_ = ran_out_ || left_ < factorizations;
     return left_ >= factorizations;
   }
