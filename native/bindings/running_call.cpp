@@ -2,8 +2,10 @@
 #include "running_call.h"
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <thread>
 
 namespace wirewarp::bindings {
 namespace {
@@ -13,6 +15,7 @@ struct RunningCalls {
   std::condition_variable one_ended;
   int count = 0;  // changed with the GIL
   std::atomic<bool> python_is_ending{false};
+  std::thread::id ending_thread;  // set with the GIL, before python_is_ending
 };
 
 /// Never destroyed: threads may outlive static objects.
@@ -23,17 +26,26 @@ RunningCalls& running_calls() {
 
 void wait_for_running_calls() {
   RunningCalls& calls = running_calls();
+  calls.ending_thread = std::this_thread::get_id();
   calls.python_is_ending = true;
   const py::gil_scoped_release no_gil;
   std::unique_lock lock(calls.mutex);
   calls.one_ended.wait(lock, [&] { return calls.count == 0; });
 }
 
+/// Sleeps until the process ends in any thread but the one that ends Python, as Python 3.14 lets its threads do.
+void stay_if_python_is_ending() {
+  const RunningCalls& calls = running_calls();
+  if (!calls.python_is_ending || calls.ending_thread == std::this_thread::get_id()) return;
+  const py::gil_scoped_release no_gil;
+  while (true) std::this_thread::sleep_for(std::chrono::hours(1));
+}
+
 }  // namespace
 
 RunningCall::RunningCall() {
+  stay_if_python_is_ending();
   RunningCalls& calls = running_calls();
-  if (calls.python_is_ending) throw std::runtime_error("Python is about to end");
   const std::lock_guard lock(calls.mutex);
   ++calls.count;
 }
@@ -45,6 +57,7 @@ RunningCall::~RunningCall() {
     --calls.count;
   }
   calls.one_ended.notify_all();
+  stay_if_python_is_ending();
 }
 
 bool python_is_ending() { return running_calls().python_is_ending; }

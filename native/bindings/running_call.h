@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Python may end while another thread is in the core, which has let go of the GIL: such a thread would be unwound when
 // it asks for the GIL again, which C++ does not survive. So the end of Python cancels these calls and waits for them.
+// Their threads, which are daemons by then, do not return to Python: what they print there, Python 3.11 aborts on.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -12,8 +13,9 @@ namespace py = pybind11;
 /// A call that lets go of the GIL, from before until it holds it again. Made and ended with the GIL.
 class RunningCall {
  public:
-  /// Throws RuntimeError where Python is about to end.
+  /// Does not return to a daemon thread once Python is ending.
   RunningCall();
+  /// The same.
   ~RunningCall();
   RunningCall(const RunningCall&) = delete;
   RunningCall& operator=(const RunningCall&) = delete;

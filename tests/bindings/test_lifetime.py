@@ -162,6 +162,15 @@ def test_python_ends_while_a_thread_flattens(stage, calls_on):
     assert ended.returncode == 0, ended.stderr
 
 
+def test_a_mesh_is_flattened_while_python_ends():
+    ended = run(
+        "import atexit",
+        "atexit.register(lambda: print(wirewarp.flatten(vertices, faces).pieces[0].error))",  # runs after wirewarp's
+        *SHEET,
+    )
+    assert ended.stdout == "None\n", ended.stderr
+
+
 def test_a_child_process_ends_although_its_parent_flattens():
     ended = run(
         *SHEET,
