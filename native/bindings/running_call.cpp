@@ -33,10 +33,9 @@ void wait_for_running_calls() {
   calls.one_ended.wait(lock, [&] { return calls.count == 0; });
 }
 
-/// Sleeps until the process ends in any thread but the one that ends Python, as Python 3.14 lets its threads do.
+/// Sleeps until the process ends where Python is ending, as Python 3.14 lets its daemon threads do.
 void stay_if_python_is_ending() {
-  const RunningCalls& calls = running_calls();
-  if (!calls.python_is_ending || calls.ending_thread == std::this_thread::get_id()) return;
+  if (!python_is_ending()) return;
   const py::gil_scoped_release no_gil;
   while (true) std::this_thread::sleep_for(std::chrono::hours(1));
 }
@@ -60,7 +59,10 @@ RunningCall::~RunningCall() {
   stay_if_python_is_ending();
 }
 
-bool python_is_ending() { return running_calls().python_is_ending; }
+bool python_is_ending() {
+  const RunningCalls& calls = running_calls();
+  return calls.python_is_ending && calls.ending_thread != std::this_thread::get_id();
+}
 
 void bind_running_calls() {
   py::module_::import("atexit").attr("register")(py::cpp_function(&wait_for_running_calls));

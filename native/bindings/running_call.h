@@ -21,7 +21,7 @@ class RunningCall {
   RunningCall& operator=(const RunningCall&) = delete;
 };
 
-/// Python waits for the running calls: they are to end, without the GIL where they can. In any thread.
+/// Another thread ends Python and waits for the calls of this one: they are to end, without the GIL where they can.
 bool python_is_ending();
 
 /// Lets the end of Python wait for the running calls.
