@@ -36,7 +36,7 @@ void wait_for_running_calls() {
 /// Sleeps until the process ends where Python is ending, as Python 3.14 lets its daemon threads do.
 void stay_if_python_is_ending() {
   if (!python_is_ending()) return;
-  const py::gil_scoped_release no_gil;
+  PyEval_SaveThread();
   while (true) std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
