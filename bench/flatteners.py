@@ -82,9 +82,9 @@ def unwrap_in_blender(method: str, surface: Surface) -> Answer:
 
 
 WARPING = "wirewarping, 2 rigid wires"
-WARPED_ELASTIC = "wirewarp++, 8 wires ±3 %"
+WARPED_ELASTIC = "wirewarp++, 8 wires ±3%"
 REFINED = "refined, 2 rigid wires"
-REFINED_ELASTIC = "refined, 8 wires ±3 %"
+REFINED_ELASTIC = "refined, 8 wires ±3%"
 ARAP, SLIM = "libigl ARAP", "libigl SLIM"
 ARAP_CONVERGED, SLIM_CONVERGED = f"{ARAP}, converged", f"{SLIM}, converged"
 ANGLE_BASED, CONFORMAL, MINIMUM_STRETCH = (

@@ -58,7 +58,7 @@ def stage_table(benchmarks: list[dict], name: str) -> list[str]:
     rows = []
     for runs in by_wires(select(benchmarks, name)):
         wires, percent = runs[0]["wires"], runs[0]["percent"]
-        kind = f"{wires}, ±{percent} %" if percent else f"{wires}, rigid"
+        kind = f"{wires}, ±{percent}%" if percent else f"{wires}, rigid"
         for run in runs:
             times = [f"{run[f'{stage}_ms']:,.3g}" for stage in stages]
             rows.append((f"{run['triangles']:,}", kind, *times, f"{run['peak_MB']:,.0f}"))
@@ -111,5 +111,5 @@ def blender_table(runs: list[dict]) -> list[str]:
     for run in runs:
         times = [f"{run[name]:.3g}" for name in ("read", "solve", "write", "flatten", "unwrap")]
         ratio, share = run["flatten"] / run["unwrap"], (run["read"] + run["write"]) / run["flatten"]
-        rows.append((f"{run['triangles']:,}", *times, f"{ratio:.2f}", f"{100 * share:.0f} %"))
+        rows.append((f"{run['triangles']:,}", *times, f"{ratio:.2f}", f"{100 * share:.0f}%"))
     return table(["triangles", "reading", "solving", "writing", "Flatten", "unwrap", "ratio", "read and write"], rows)

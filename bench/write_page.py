@@ -28,7 +28,7 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "",
         "All methods on the same surface, turn by turn on one core, each turn in a process of its own: CPU seconds "
         "(medians; also as multiples of libigl's ARAP) and the most memory above what the process had with the "
-        "surface in it. **WireWarp**: the outline and two or eight wires rigid, or eight wires elastic by ±3 %. "
+        "surface in it. **WireWarp**: the outline and two or eight wires rigid, or eight wires elastic by ±3%. "
         f"**libigl** as a Python package: harmonic start, then {ITERATIONS} iterations of ARAP or of SLIM (symmetric "
         f"Dirichlet energy); converged is when ten iterations move no vertex by more than {STILL:g} of the width, or "
         f"after {MOST_ITERATIONS:,}. **Blender** 4.5 as a Python module: its own three unwraps, scaled to the area of "

@@ -76,7 +76,7 @@ def section(inputs: Inputs) -> str:
 
 Blender's unwraps with its default options, each island scaled to its area on the model; ARAP by libigl, from Blender's
 angle-based unwrap; WireWarp with its default options but for the method. Wires have the tolerances of the samples,
-±5 % on elastic ones;
+±5% on elastic ones;
 {", ".join(only_rigid)} have only rigid wires, so that WireWarping and WireWarping++ are the same there. What is off by
 less than a nanometer, or a part in 10⁸, is written as 0.
 

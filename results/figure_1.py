@@ -16,10 +16,10 @@ RIGID, ONE, BOTH = [0.0, 0.0], [TOLERANCE, 0.0], [TOLERANCE, TOLERANCE]
 CASES = {  # method and tolerances
     "WireWarping:\nboth wires rigid": ("wirewarping", RIGID),
     "Refined:\nboth wires rigid": ("refined", RIGID),
-    f"WireWarping++:\nmeridian elastic, ±{100 * TOLERANCE:.0f} %": ("wirewarp++", ONE),
-    f"WireWarping++:\nboth elastic, ±{100 * TOLERANCE:.0f} %": ("wirewarp++", BOTH),
-    f"Refined:\nmeridian elastic, ±{100 * TOLERANCE:.0f} %": ("refined", ONE),
-    f"Refined:\nboth elastic, ±{100 * TOLERANCE:.0f} %": ("refined", BOTH),
+    f"WireWarping++:\nmeridian elastic, ±{100 * TOLERANCE:.0f}%": ("wirewarp++", ONE),
+    f"WireWarping++:\nboth elastic, ±{100 * TOLERANCE:.0f}%": ("wirewarp++", BOTH),
+    f"Refined:\nmeridian elastic, ±{100 * TOLERANCE:.0f}%": ("refined", ONE),
+    f"Refined:\nboth elastic, ±{100 * TOLERANCE:.0f}%": ("refined", BOTH),
 }
 DRAWN = 4  # the first
 HEADER = ["", "*E*", "max *E_r*", "Meridian", "Cross arc", "angles: rms", "largest", "turned over"]

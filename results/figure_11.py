@@ -41,7 +41,7 @@ def section(inputs: Inputs) -> str:
         sentences.append(
             f"{name}: with the tolerances *E* {change(rigid.energy, elastic.energy)} and the largest *E_r* "
             f"{change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)}; {count(limit, 'part', 'parts')} of "
-            f"{len(elastic.changes)} elastic ones at the limit of ±5 %. Refined: *E* "
+            f"{len(elastic.changes)} elastic ones at the limit of ±5%. Refined: *E* "
             f"{change(elastic.energy, refined.energy)} from WireWarping++."
         )
     return f"""## Fig. 11: toy and furniture

@@ -112,7 +112,7 @@ def section(inputs: Inputs) -> str:
 {picture("E(h) and its derivative along h of each wire, for four pieces", path)}
 
 *E* of Eq. (4) over the area of the piece, and its derivative by the adjoint solve of the core, at {STEPS + 1} values of
-*h* within ±{100 * LIMIT:.0f} % along each wire while the others keep their lengths, by the program in
+*h* within ±{100 * LIMIT:.0f}% along each wire while the others keep their lengths, by the program in
 `native/bench/error_curves`; {exists}. The paper shows a chest, a knee and a collar patch, and curves of *E* alone.
 {verdict(kinks(curves))}
 """

@@ -57,7 +57,7 @@ def section(inputs: Inputs) -> str:
 {table(HEADER, [row(name, s) for name, s in found.items()])}
 
 Outline and rigid wires: the largest relative change of a whole one, stretches of outline from junction to junction;
-elastic wires: of the part inside a piece, which under WireWarping++ and Refined is allowed up to the tolerance of ±5 %
+elastic wires: of the part inside a piece, which under WireWarping++ and Refined is allowed up to the tolerance of ±5%
 and under the methods above is one error more. ARAP has the least *E* by its definition; but the pieces
 of the methods that keep
 no lengths do not fit together, nor do their wires keep their lengths: two sides of one seam

@@ -14,10 +14,10 @@ from text import change, count, degrees, picture, table
 CASES = {  # method and tolerance of both wires
     "WireWarping: both wires rigid": ("wirewarping", 0.0),
     "Refined: both wires rigid": ("refined", 0.0),
-    "WireWarping++, ±3 %": ("wirewarp++", 0.03),
-    "WireWarping++, ±5 %": ("wirewarp++", 0.05),
-    "Refined, ±3 %": ("refined", 0.03),
-    "Refined, ±5 %": ("refined", 0.05),
+    "WireWarping++, ±3%": ("wirewarp++", 0.03),
+    "WireWarping++, ±5%": ("wirewarp++", 0.05),
+    "Refined, ±3%": ("refined", 0.03),
+    "Refined, ±5%": ("refined", 0.05),
 }
 DRAWN = 4  # the first
 
@@ -52,17 +52,17 @@ def section(inputs: Inputs) -> str:
     first = summarize(columns[0].shape.vertices, paper_warping(columns[0].shape))
     return f"""## Fig. 8: collar of a wetsuit
 
-{picture("Collar flattened with rigid wires, with a tolerance of 3 % and of 5 %, refined", path)}
+{picture("Collar flattened with rigid wires, with a tolerance of 3% and of 5%, refined", path)}
 
 {table(header, rows)}
 
 The maps are darkest where rigid wires force the cloth; with a tolerance the wires give way, and the colors fade.
-Within ±3 % *E* {change(rigid.energy, three.energy)}, within ±5 % it {change(rigid.energy, five.energy)}.
-In the paper the lengths that come out under ±5 % are 3.4 % and 4.3 % off, within the tolerance both; ours stand in the
+Within ±3% *E* {change(rigid.energy, three.energy)}, within ±5% it {change(rigid.energy, five.energy)}.
+In the paper the lengths that come out under ±5% are 3.4% and 4.3% off, within the tolerance both; ours stand in the
 last columns. A wire stays inside its tolerance where a longer or shorter one would not lower *E*, and lies at the limit
 where only the tolerance holds it; so the numbers depend on the collar, and ours is another one. With the
 first angles that close all loops, as in the paper, and equal weights *E* of the rigid case is {first.energy:.4f}, and
 {count(first.flipped, "triangle is", "triangles are")} turned over.
 The refined method, second in the picture, has the same lengths to keep: *E* of the rigid case
-{change(rigid.energy, refined.energy)}, within ±5 % it {change(five.energy, refined_five.energy)}.
+{change(rigid.energy, refined.energy)}, within ±5% it {change(five.energy, refined_five.energy)}.
 """

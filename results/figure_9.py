@@ -33,7 +33,7 @@ def section(inputs: Inputs) -> str:
 
 {picture("Upper body of a wetsuit: model, pieces, maps", path)}
 
-The suit is cut into {pieces}; bust and waist line are rigid, the other wires may change by ±5 %. The outline and the
+The suit is cut into {pieces}; bust and waist line are rigid, the other wires may change by ±5%. The outline and the
 rigid wires keep their lengths in all three flattenings, and two sides of a seam
 {differ(max(s.seam_mismatch for s in found))}.
 From WireWarping to WireWarping++ *E* {change(rigid.energy, elastic.energy)}, the largest *E_r*

@@ -28,11 +28,11 @@ def use_style() -> None:
 
 
 def percent(share: float, digits: int = 1) -> str:
-    """Signed, such as +2.0 % or −0.3 %; plain 0 where it rounds to nothing."""
-    text = f"{100 * share:+.{digits}f} %".replace("-", "−")
-    return text if any(c in "123456789" for c in text) else "0 %"
+    """Signed, such as +2.0% or −0.3%; plain 0 where it rounds to nothing."""
+    text = f"{100 * share:+.{digits}f}%".replace("-", "−")
+    return text if any(c in "123456789" for c in text) else "0%"
 
 
 def plain_percent(share: float, digits: int = 1) -> str:
     """Without a sign; what is exact but for rounding is 0."""
-    return "0 %" if abs(share) < 1e-8 else f"{100 * abs(share):.{digits}f} %"
+    return "0%" if abs(share) < 1e-8 else f"{100 * abs(share):.{digits}f}%"

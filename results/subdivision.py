@@ -31,5 +31,5 @@ def subsection() -> str:
 {table(["triangles", "*E*: WireWarping", "Refined", "factorizations"], rows)}
 
 The quarter sphere with both wires rigid, its mesh finer in every row. From the last but one to the last *E* of
-WireWarping changes by {100 * by_angles:.1f} %, refined by {100 * by_shape:.1f} %.
+WireWarping changes by {100 * by_angles:.1f}%, refined by {100 * by_shape:.1f}%.
 """

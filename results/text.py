@@ -22,11 +22,11 @@ def picture(alternative: str, path: Path) -> str:
 
 
 def change(before: float, after: float) -> str:
-    """A verb and by how much, such as "falls by 62 %"; "stays as it is" below half a percent."""
+    """A verb and by how much, such as "falls by 62%"; "stays as it is" below half a percent."""
     share = after / before - 1
     if abs(share) < 0.005:
         return "stays as it is"
-    return f"{'falls' if share < 0 else 'rises'} by {100 * abs(share):.0f} %"
+    return f"{'falls' if share < 0 else 'rises'} by {100 * abs(share):.0f}%"
 
 
 def count(number: int, one: str, many: str) -> str:

@@ -41,9 +41,9 @@ def show(kind: str) -> None:
         return
     found = _report(*KINDS)
     shares = {name: file["summary"]["percent_covered"] for name, file in found["files"].items()}
-    say(f"coverage of the add-on: {found['totals']['percent_covered']:.0f} % of the lines; least covered:")
+    say(f"coverage of the add-on: {found['totals']['percent_covered']:.0f}% of the lines; least covered:")
     for name in sorted(shares, key=lambda name: shares[name])[:8]:
-        say(f"  {shares[name]:3.0f} %  {name}")
+        say(f"  {shares[name]:3.0f}%  {name}")
     files = _report(kind)["files"]
     modules = {str(path.relative_to(ROOT)): path for path in ADDON.rglob("*.py")}
     theirs = NEEDS_WINDOW.keys() if kind == "window" else modules.keys() - NEEDS_WINDOW.keys()

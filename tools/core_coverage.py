@@ -50,7 +50,7 @@ def show() -> None:
 
 def _share(files: list[Counts]) -> str:
     lines = [is_run for counts in files for is_run in counts.lines.values()]
-    return f"{100 * sum(lines) / len(lines):5.1f} %"
+    return f"{100 * sum(lines) / len(lines):5.1f}%"
 
 
 def _read() -> dict[str, Counts]:

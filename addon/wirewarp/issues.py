@@ -48,7 +48,7 @@ def object_error(code: str, sentence: str) -> ObjectError:
 
 def changed_error(name: str) -> ObjectError:
     """name: of an object whose report is of another shape."""
-    return object_error("changed", f'"{name}" has changed since it was flattened: flatten it again.')
+    return object_error("changed", f'"{name}" has changed since it was flattened. Flatten it again.')
 
 
 def note(text: str) -> dict:

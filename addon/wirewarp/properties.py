@@ -20,19 +20,19 @@ METHODS = [
     (
         "REFINED",
         "Refined: least distortion",
-        "Lines and cloth are laid out together, so that the cloth is distorted as little as these lengths allow. "
-        "Elastic wires stay within their tolerance; free wires get the length that is best. The one to use",
+        "Lay out lines and cloth together, with the least distortion that these lengths allow. Elastic wires stay "
+        "within their tolerance; free wires get the best length. Use this one",
     ),
     (
         "WIREWARP_PLUS_PLUS",
         "WireWarping++: lines first",
-        "Lines are laid out first, bent as on the model, and the cloth follows: more distortion, and faces may come "
-        "out turned over. Elastic wires stay within their tolerance; free wires get the length that is best",
+        "The paper's method: lay out the lines first, bent as on the model, and let the cloth follow. More distortion, "
+        "and faces may flip. Elastic wires stay within their tolerance; free wires get the best length",
     ),
     (
         "WIREWARPING",
         "WireWarping: all wires rigid",
-        "As WireWarping++, but every wire keeps exactly its length, whatever its tolerance",
+        "Like WireWarping++, but every wire keeps exactly its length, whatever its tolerance",
     ),
 ]
 LIBRARY_METHODS = {"REFINED": "refined", "WIREWARP_PLUS_PLUS": "wirewarp++", "WIREWARPING": "wirewarping"}
@@ -49,9 +49,8 @@ class FlattenSettings:
     )
     fairness: FloatProperty(
         name="Smooth Outlines",
-        description="The shortest wiggle of outlines and wires that is left alone, as a share of the size of the "
-        "piece: 0.1 is a tenth. More: smoother lines; less: less distortion of the cloth, but lines may come out wavy. "
-        "Lengths are exact either way",
+        description="Smooth wiggles shorter than this share of the piece. Lengths stay exact. More: smoother lines; "
+        "less: less distortion of the cloth, but lines may come out wavy",
         min=0.001,
         max=10.0,
         soft_min=0.02,
@@ -62,18 +61,18 @@ class FlattenSettings:
     )
     node_weight: EnumProperty(
         name="Angles",
-        description="For the methods that lay the lines first: which parts of a line keep best the bends that they "
-        "have on the model, where not all of it can",
+        description="For the methods that lay out the lines first: where a line cannot keep all its bends, which of "
+        "them count more",
         items=[
             (
                 "LENGTH",
                 "By Length",
-                "Every stretch of a line counts by its length, wherever the mesh has its vertices. Best for most",
+                "Every stretch of a line counts by its length, however fine its mesh is. Best for most models",
             ),
             (
                 "UNIFORM",
                 "By Vertex",
-                "Every vertex counts alike, so that finely meshed stretches of a line count more",
+                "Every vertex counts the same, so finely meshed stretches of a line count more",
             ),
         ],
         default="LENGTH",
@@ -116,7 +115,7 @@ class FlattenSettings:
         name="Keep Places",
         description="Pieces stay where they lie in the flat object, moved or turned as you have left them; new pieces "
         "go beside them. Another Layout, Upright, grain wire, Gap or Mirrored moves them all; a model that was turned "
-        "does not. Off: all pieces are laid out anew",
+        "does not. Off: all pieces are laid out again",
         default=True,
     )
     mirror: BoolProperty(
@@ -126,8 +125,8 @@ class FlattenSettings:
     )
     use_modifiers: BoolProperty(
         name="Modifiers",
-        description="Flatten the mesh as modifiers and shape keys leave it. There are flat pieces then, but no UV map "
-        "on the model. That the modifiers have changed since is seen in Object Mode only",
+        description="Flatten the mesh as modifiers and shape keys leave it. This makes flat pieces, but no UV map on "
+        "the model. Later changes of the modifiers are noticed in Object Mode only",
         default=False,
     )
 
@@ -169,9 +168,8 @@ def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Con
 class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
     auto_update: BoolProperty(
         name="Auto",
-        description="Flatten models that have flat pieces again by themselves when seams, wires, shape, scale or, with "
-        "Modifiers, these change, as soon as the mouse moves. While a model of more than 20,000 vertices is in Edit "
-        "Mode, its pieces wait",
+        description="Flatten again by itself when seams, wires, shape or scale change, or with Modifiers what they "
+        "make, as soon as the mouse moves. Models of more than 20,000 vertices wait until you leave Edit Mode",
         default=False,
         update=_look_for_changes,
     )

@@ -42,6 +42,6 @@ def lit(normals: np.ndarray, color: np.ndarray) -> np.ndarray:
 
 
 def round_limit(stretch: np.ndarray) -> float:
-    """A round end for the scale, from 1 % on, that leaves out at most one value in a hundred."""
+    """A round end for the scale, from 1% on, that leaves out at most one value in a hundred."""
     needed = np.quantile(np.abs(stretch), 0.99)
     return next((limit for limit in (0.01, 0.02, 0.05, 0.1, 0.2, 0.3) if needed <= limit), 0.5)

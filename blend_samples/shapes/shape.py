@@ -106,7 +106,7 @@ class ShapeBuilder:
         self._seams.update((int(min(a, b)), int(max(a, b))) for a, b in zip(chain[:-1], chain[1:], strict=True))
 
     def add_wire(self, chain: np.ndarray, name: str, tolerance: float = 0.0) -> None:
-        """Marks a wire along a chain of vertices: rigid, or elastic with a tolerance, 0.05 for 5 %."""
+        """Marks a wire along a chain of vertices: rigid, or elastic with a tolerance, 0.05 for 5%."""
         self._wires.append(Wire([int(v) for v in chain], name, tolerance))
 
     def build(self, name: str) -> Shape:

@@ -15,7 +15,7 @@ FlattenError cancelled() { return FlattenError(ErrorCode::cancelled, "Cancelled 
 
 namespace {
 
-/// "with a tolerance of 0.3 % to 1.2 % on wires 3 and 4 and with wire 7 (waist) free".
+/// "with a tolerance of 0.3% to 1.2% on wires 3 and 4 and with wire 7 (waist) free".
 std::string name_tolerances(const std::vector<Wire>& wires, const std::vector<ProposedTolerance>& tolerances) {
   std::vector<int> elastic, free;
   double least = std::numeric_limits<double>::infinity(), most = 0;

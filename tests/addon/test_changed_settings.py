@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pieces that were made with other settings than the panel has: the report and the export say so."""
 
+from unittest.mock import MagicMock
+
 import bpy
 import pytest
 from everything import draw_panels
 from surfaces import bump, flat_of, grid, mark, on_line
 
-SENTENCE = "Made with other settings than the panel has now ({}): flatten again if those are wanted."
+SENTENCE = "Settings changed since ({}). Flatten again to apply."
 
 
 @pytest.fixture
@@ -15,6 +17,19 @@ def source():
     mark(target, on_line(1, 0.0))
     bpy.ops.object.wirewarp_flatten()
     return target
+
+
+def drawn(draw):
+    layout = MagicMock()
+    draw(layout, bpy.context.scene.wirewarp)
+    return {call.args[1] for call in layout.row.return_value.prop.call_args_list}
+
+
+def test_the_methods_of_the_paper_and_their_settings_are_apart(addon):
+    main, advanced = drawn(addon.ui.settings.draw_settings), drawn(addon.ui.settings.draw_advanced)
+    assert advanced == {"method", "node_weight"}
+    assert not main & advanced
+    assert main | advanced == set(addon.properties.FlattenSettings.__annotations__)
 
 
 def give(addon, source, **settings):
@@ -64,7 +79,7 @@ def test_a_choice_for_one_run_is_no_error_and_a_failure_says_nothing_of_settings
     assert "Not flattened" in draw_panels(addon)
     assert SENTENCE.format("Smooth Outlines") in draw_panels(addon)  # of the pieces that are there
     bpy.data.objects.remove(flat_of(source))
-    assert not any("other settings" in word for word in draw_panels(addon))
+    assert not any("Settings changed" in word for word in draw_panels(addon))
 
 
 def test_upright_is_told_of_a_grain_wire_that_was_not_used(addon, source):

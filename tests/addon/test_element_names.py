@@ -56,13 +56,13 @@ def test_counts(addon, sentence, counts, expected):
     [
         (
             "The piece around face 0 (24 faces) is a tube: mark a seam, such as along edge 46-47; its outlines, 0.3134 "
-            "long at vertex 3 and 1.2e-05 long at vertex 0, can hold no more than 6.23 % of its area in the plane (a "
+            "long at vertex 3 and 1.2e-05 long at vertex 0, can hold no more than 6.23% of its area in the plane (a "
             "distortion of at least 0.875).",
             "The piece is a tube: mark a seam, such as the proposed one; its outlines, 313 mm and 0.012 mm long, "
             "are too short to lie around it.",
         ),
         (
-            "mark a seam; its outline, 0.5 long at vertex 3, can hold no more than 6.23 % of its area in the plane.",
+            "mark a seam; its outline, 0.5 long at vertex 3, can hold no more than 6.23% of its area in the plane.",
             "mark a seam; its outline, 500 mm long, is too short to lie around it.",
         ),
         ('The wire "Hip 3 long" is not valid.', 'The wire "Hip 3 long" is not valid.'),

@@ -66,7 +66,7 @@ def test_one_of_several_selected_models_is_written_and_that_is_said(source, tmp_
     assert "Of the selected ones" not in capfd.readouterr().out
     select_only(other, source, flat_of(source))
     bpy.ops.object.wirewarp_export_svg(filepath=path)
-    assert 'Print at 100 %. Of the selected ones, "Other" only.' in capfd.readouterr().out
+    assert 'Print at 100%. Of the selected ones, "Other" only.' in capfd.readouterr().out
 
 
 def test_the_paper_says_that_there_is_no_allowance(source, tmp_path):

@@ -266,7 +266,7 @@ def test_no_pattern_of_what_has_no_pieces_or_has_changed(source, tmp_path):
     export_fails('"Bump" has no flat pieces: flatten it first', tmp_path)
     bpy.ops.object.wirewarp_flatten()
     source.data.vertices[40].co.z += 0.1
-    export_fails('"Bump" has changed since it was flattened: flatten it again', tmp_path)
+    export_fails('"Bump" has changed since it was flattened. Flatten it again', tmp_path)
     source.data.vertices[40].co.z -= 0.1
     bpy.data.objects.remove(flat_of(source))
     export_fails('"Bump" has no flat pieces', tmp_path)
@@ -330,7 +330,7 @@ def test_pieces_edited_by_hand_are_not_trusted(source, tmp_path, change):
     change(edit)
     edit.to_mesh(flat_of(source).data)
     edit.free()
-    export_fails('The pieces in "Bump Flat" were changed by hand', tmp_path)
+    export_fails('The pieces in "Bump Flat" were edited by hand', tmp_path)
 
 
 def test_a_seam_that_is_not_found_on_the_pieces_is_a_sentence(source, tmp_path):
@@ -340,14 +340,14 @@ def test_a_seam_that_is_not_found_on_the_pieces_is_a_sentence(source, tmp_path):
     numbers = read(sources, "value", np.int32)
     inside = np.flatnonzero(np.bincount(numbers) == 2)[3]  # in the middle of the seam: once on either side
     sources[int(np.flatnonzero(numbers == inside)[0])].value = 0
-    export_fails("changed by hand, and a seam of the model is not found on them: flatten the model again", tmp_path)
+    export_fails("edited by hand, and a seam of the model is missing on them. Flatten the model again", tmp_path)
 
 
 def test_flat_pieces_of_an_earlier_version_are_flattened_again(source, tmp_path):
     bpy.ops.object.wirewarp_flatten()
     flat = flat_of(source).data
     flat.attributes.remove(flat.attributes["flat_length"])
-    export_fails('flatten "Bump" again', tmp_path)
+    export_fails('Flatten "Bump" again', tmp_path)
 
 
 def test_failed_pieces_are_written_only_if_asked_for(tmp_path):
@@ -357,17 +357,17 @@ def test_failed_pieces_are_written_only_if_asked_for(tmp_path):
     bpy.ops.object.join()
     with pytest.raises(RuntimeError, match="turned over"):
         bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
-    export_fails("Not to be cut: Top Left. See the report", tmp_path)
+    export_fails("Failed: Top Left. See the report", tmp_path)
     assert set(export(source, tmp_path, failed_pieces=True).pieces) == {"Top Left", "Top Right"}
 
 
 def test_a_folder_that_is_not_there_is_a_sentence(source, tmp_path):
     bpy.ops.object.wirewarp_flatten()
-    with pytest.raises(RuntimeError, match=r'none.pattern\.svg" cannot be written: there is no folder ".*none"\.'):
+    with pytest.raises(RuntimeError, match=r'Cannot write ".*none.pattern\.svg": there is no folder ".*none"\.'):
         bpy.ops.object.wirewarp_export_svg(filepath=str(tmp_path / "none" / "pattern.svg"))
 
 
 def test_the_folder_of_a_file_that_was_never_saved_is_a_sentence(source):
     bpy.ops.object.wirewarp_flatten()
-    with pytest.raises(RuntimeError, match='"//pattern.svg" cannot be written: "//" is the folder of the Blender file'):
+    with pytest.raises(RuntimeError, match='Cannot write "//pattern.svg": "//" is the folder of the Blender file'):
         bpy.ops.object.wirewarp_export_svg(filepath="//pattern.svg")

@@ -95,14 +95,14 @@ def test_nothing_selected():
 
 def test_what_is_no_mesh_is_converted_first():
     bpy.ops.curve.primitive_bezier_circle_add()
-    flatten_fails('Circle" is no mesh. Object > Convert > Mesh makes it one')
+    flatten_fails('Circle" is not a mesh. Use Object > Convert > Mesh first')
 
 
 def test_the_flat_object_is_not_flattened_again():
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     select_only(flat_of(source))
-    flatten_fails("flat pieces are not flattened again. Select the model")
+    flatten_fails("these are flat pieces. Select their model")
 
 
 def test_flat_pieces_whose_model_was_deleted(addon):
@@ -187,20 +187,20 @@ def test_linked_data(tmp_path):
 def test_a_report_file_in_no_folder(tmp_path):
     source = grid("Bump", bump)
     flatten_fails("there is no folder", report_path=str(tmp_path / "none" / "report.json"))
-    flatten_fails("Blender file, which has not been saved", report_path="//report.json")
+    flatten_fails("Blender file; save that first", report_path="//report.json")
     assert nothing_written(source)
 
 
 def test_a_report_file_that_cannot_be_written(tmp_path):
     source = grid("Bump", bump)
-    flatten_fails(f'"{tmp_path}" cannot be written: it is no file but a directory', report_path=str(tmp_path))
+    flatten_fails(f'Cannot write "{tmp_path}": it is a folder', report_path=str(tmp_path))
     assert nothing_written(source)
 
 
 def test_a_report_file_in_a_folder_that_takes_none(tmp_path):
     """/proc takes new files from nobody, whatever he may do."""
     source = grid("Bump", bump)
-    flatten_fails('"/proc/report.json" cannot be written: ', report_path="/proc/report.json")
+    flatten_fails('Cannot write "/proc/report.json": ', report_path="/proc/report.json")
     assert nothing_written(source)
     path = tmp_path / "report.json"
     bpy.ops.object.wirewarp_flatten(report_path=str(path))
@@ -210,7 +210,7 @@ def test_a_report_file_in_a_folder_that_takes_none(tmp_path):
 def test_a_vertex_that_is_nowhere():
     source = grid("Bump", bump)
     source.data.vertices[40].co.z = float("nan")
-    flatten_fails("The coordinates of one vertex are no numbers, or beyond all measure: move or delete")
+    flatten_fails("The coordinates of one vertex are not numbers, or far too large: move or delete")
     assert nothing_written(source)
 
 
@@ -225,7 +225,7 @@ def bump_with_a_faulty_wire():
 
 def test_a_faulty_wire_is_named_as_the_user_named_it():
     source = bump_with_a_faulty_wire()
-    flatten_fails('Bump: The tolerance of the wire "Dart Line" is none')
+    flatten_fails('Bump: Wire "Dart Line" has an invalid tolerance. Click it')
     assert nothing_written(source)
 
 

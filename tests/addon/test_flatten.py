@@ -303,12 +303,12 @@ def test_what_is_shown_but_not_flattened_is_said(addon):
     assert notes_after(addon, source) == []
     key.data[40].co.z += 1
     key.value = 1
-    what = "Not the size you see: {} were left out. Tick Modifiers in the settings and flatten again."
-    assert notes_after(addon, source) == [what.format("shape keys")]
+    what = "{} were ignored, so sizes may differ from what you see. Tick Modifiers and flatten again."
+    assert notes_after(addon, source) == [what.format("Shape keys")]
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
-    assert notes_after(addon, source) == [what.format("modifiers and shape keys")]
+    assert notes_after(addon, source) == [what.format("Modifiers and shape keys")]
     key.mute = True
-    assert notes_after(addon, source) == [what.format("modifiers")]
+    assert notes_after(addon, source) == [what.format("Modifiers")]
 
 
 def test_shape_keys_are_flattened_with_the_modifiers():
@@ -330,7 +330,7 @@ def test_an_old_uv_map_is_said_not_to_belong_to_pieces_with_modifiers(addon):
     bpy.ops.object.wirewarp_flatten()
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
     (note,) = notes_after(addon, source, use_modifiers=True)
-    assert note == 'The UV map "WireWarp" is of an earlier run without modifiers and not of these flat pieces.'
+    assert note == 'The UV map "WireWarp" is from an earlier run without Modifiers. It does not show these pieces.'
 
 
 def test_the_source_keeps_its_shape_and_selection():

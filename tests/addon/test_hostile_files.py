@@ -53,7 +53,7 @@ def test_a_flat_face_of_no_such_face_is_said(model):
     flat_of(model).data.attributes["source_face"].data[0].value = 1000
     select_only(model)
     said = answer("mesh.wirewarp_select_result", what="PIECE", index=0)
-    assert '"Bump" has changed since it was flattened: flatten it again' in said
+    assert '"Bump" has changed since it was flattened. Flatten it again' in said
 
 
 def edited(**entries):
@@ -88,7 +88,7 @@ def test_a_report_that_another_hand_has_changed_is_not_believed(model, addon, ev
     def spoil():
         model["wirewarp_report"] = edit(text)
         select_only(model)
-        assert "not one of this version of WireWarp: flatten again" in draw_panels(addon)
+        assert "from another version of WireWarp. Flatten again" in draw_panels(addon)
 
     everything_answers(spoil)
 

@@ -32,7 +32,7 @@ def test_a_tolerance_that_is_none_is_named_with_its_wire():
     model = grid("Bump", bump)
     mark(model, WIRE)
     fill(model.data, "wirewarp_tolerance", -0.5)
-    assert 'The tolerance of the wire "Wire 1" is none that a wire can have' in answer("object.wirewarp_flatten")
+    assert 'Wire "Wire 1" has an invalid tolerance' in answer("object.wirewarp_flatten")
     assert "Bump Flat" not in bpy.data.objects
 
 

@@ -8,7 +8,7 @@ from everything import answer, draw_panels
 from surfaces import bump, flat_of, grid, mark_seam, on_line, read, select_only
 from test_failures import cube
 
-READY, AGAIN = "Ready to cut", 'There are no flat pieces to this report: flatten "Bump" again'
+READY, AGAIN = "Ready to cut", 'The flat pieces of this report are gone. Flatten "Bump" again'
 
 
 @pytest.fixture
@@ -24,7 +24,7 @@ def fail(source):
     """A run of which nothing comes, and the model as it was."""
     place = source.data.vertices[0].co.copy()
     source.data.vertices[0].co.x = float("nan")
-    with pytest.raises(RuntimeError, match="no numbers, or beyond"):
+    with pytest.raises(RuntimeError, match="not numbers, or far"):
         bpy.ops.object.wirewarp_flatten()
     source.data.vertices[0].co = place
     source.data.update()
@@ -105,7 +105,7 @@ def test_a_copy_of_the_model_has_no_pieces(source, addon):
     select_only(source)
     bpy.ops.object.duplicate()
     words = draw_panels(addon)
-    assert 'There are no flat pieces to this report: flatten "Bump.001" again' in words
+    assert 'The flat pieces of this report are gone. Flatten "Bump.001" again' in words
     assert READY not in words
 
 
@@ -123,7 +123,7 @@ def test_a_copy_of_the_pieces_is_told_from_them(source, addon, tmp_path):
     select_only(flat_of(source))
     bpy.ops.object.duplicate()
     copy = bpy.context.active_object
-    sentence = '"Bump Flat.001" is a copy or a part of earlier pieces: go by "Bump Flat"'
+    sentence = '"Bump Flat.001" is a copy or part of earlier pieces. Use "Bump Flat"'
     assert sentence in draw_panels(addon)
     assert sentence in export(tmp_path)
     select_only(source)

@@ -149,7 +149,7 @@ def test_a_tolerance_is_marked_on_the_rest_of_a_line_that_meets_a_seam_or_outlin
     beside = NORTH_SOUTH if place == "seam" else on_line(0, 1.0)
     select_edges(target, EAST_WEST, beside)
     assert bpy.ops.mesh.wirewarp_mark(kind="ELASTIC", tolerance=0.05) == {"FINISHED"}
-    assert "1 wire marked, but not 8 selected edges that lie on a seam or outline" in capfd.readouterr().out
+    assert "1 wire marked. 8 edges on seams or outlines were left out" in capfd.readouterr().out
     bpy.ops.object.mode_set(mode="OBJECT")
     assert list(wire_marks(target.data).values()) == [8]
     assert not any(beside(*ends) for ends in ends_of_marked(target))
@@ -186,7 +186,7 @@ def grid_with_a_loose_edge():
 def test_an_edge_without_a_face_is_not_marked():
     target = grid_with_a_loose_edge()
     select_edges(target, EAST_WEST)
-    with pytest.raises(RuntimeError, match='1 selected edge belongs to no face of "Bump".*Delete Loose'):
+    with pytest.raises(RuntimeError, match='1 selected edge of "Bump" has no face.*Delete Loose'):
         bpy.ops.mesh.wirewarp_mark()
     bpy.ops.object.mode_set(mode="OBJECT")
     assert wire_marks(target.data) == {}
@@ -200,7 +200,7 @@ def test_a_marked_edge_that_lost_its_face_is_left_out_and_said(addon):
     report = addon.flat.reports.last_report(target)
     assert [wire["name"] for wire in report["wires"]] == ["Wire 1"]
     (note,) = report["notes"]
-    assert note["text"] == "Left out of the wires, for no face has them: 1 marked edge."
+    assert note["text"] == "1 marked edge ignored: it has no face."
 
 
 def test_rigid_on_an_outline_is_as_good_as_said():

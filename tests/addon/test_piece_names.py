@@ -68,7 +68,7 @@ def test_a_tube_turned_inside_out_keeps_front_and_back_and_is_told():
     assert sorted(flatten(tube)) == ["Back", "Front"]
     assert middle_of(tube, "Front")[1] < 0
     (note,) = json.loads(tube["wirewarp_report"])["notes"]
-    assert note["text"].startswith("The faces point inward") and note["is_warning"]
+    assert note["text"].startswith("Normals point inward, so pieces show their inside") and note["is_warning"]
     bpy.ops.object.wirewarp_flatten(mirror=True)
     assert json.loads(tube["wirewarp_report"])["notes"] == []  # now they are as seen from outside
 

@@ -173,7 +173,7 @@ def test_a_piece_that_grew_into_another_goes_beside_it_and_that_is_said(source, 
     assert_same_places(places_of(source), before, ["Top Right"])
     found = boxes(source)
     assert are_apart(found["Top Left"], found["Top Right"])
-    assert notes_of(addon, source) == ["Top Left has grown into other pieces and now lies beside them."]
+    assert notes_of(addon, source) == ["Top Left no longer fitted its place and was moved aside."]
     flatten(source)
     assert notes_of(addon, source) == []
 
@@ -236,7 +236,7 @@ def test_the_button_that_lays_out_anew_is_there_where_places_are_kept(source, ad
 
     flatten_button = addon.operators.OBJECT_OT_wirewarp_flatten
     words = [flatten_button.description(bpy.context, SimpleNamespace(only_active=only)) for only in (False, True)]
-    assert "keep the length" in words[0] and "lay all its pieces out anew" in words[1]
+    assert "keep the length" in words[0] and "lay out all its pieces again" in words[1]
 
 
 @pytest.mark.parametrize("is_selected", [True, False])
@@ -268,7 +268,7 @@ def test_a_model_that_is_turned_leaves_its_pieces_as_they_stand_and_that_is_said
         flatten(source)
         assert_same_places(places_of(source), before)
         (note,) = notes_of(addon, source)
-        assert note.startswith("The model was turned since its pieces were laid out")
+        assert note.startswith("The model was turned after its pieces were laid out")
     flatten(source, keep_places=False)
     assert notes_of(addon, source) == []
     flatten(source)

@@ -92,7 +92,7 @@ def test_a_model_that_has_changed_is_left_alone(mode):
     flatten_fails()
     source.data.vertices[20].co.x += 0.01
     bpy.ops.object.mode_set(mode=mode)
-    with pytest.raises(RuntimeError, match='"Tube" has changed since it was flattened: flatten it again'):
+    with pytest.raises(RuntimeError, match='"Tube" has changed since it was flattened. Flatten it again'):
         take()
     assert source.mode == mode
     bpy.ops.object.mode_set(mode="OBJECT")

@@ -137,7 +137,7 @@ def test_a_table_of_a_changed_model_is_told_from_a_true_one(capfd):
     source.data.vertices[40].co.z += 1
     source.data.update()
     bpy.ops.object.wirewarp_copy_report()
-    assert '2 lines copied, of "Bump" as it was: it has changed since' in capfd.readouterr().out
+    assert '2 lines copied. "Bump" has changed since' in capfd.readouterr().out
 
 
 def test_there_must_be_a_report_to_copy():

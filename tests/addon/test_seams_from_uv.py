@@ -61,7 +61,7 @@ def test_after_a_run_the_users_own_map_is_read(capfd):
     assert target.data.uv_layers.active.name == "WireWarp"
     select_edges(target)
     bpy.ops.mesh.wirewarp_seams_from_uv_islands()
-    assert '8 edges marked as seam by the UV map "Map"' in capfd.readouterr().out
+    assert '8 edges marked as seam, from the UV map "Map"' in capfd.readouterr().out
     bpy.ops.object.mode_set(mode="OBJECT")
     assert seam_edges(target.data) == edges_on(target.data, CUT)
 
@@ -84,7 +84,7 @@ def test_the_active_one_of_several_maps_is_read_and_ours_if_there_is_no_other(ca
     target.data.uv_layers.active = plain
     select_edges(target)
     assert bpy.ops.mesh.wirewarp_seams_from_uv_islands() == {"CANCELLED"}
-    assert 'Every border of the islands of the UV map "Plain" is a seam' in capfd.readouterr().out
+    assert 'No new seams: every island border of the UV map "Plain" is one already' in capfd.readouterr().out
     other = grid("Bump", bump)
     mark_seam(other, CUT)
     flatten(other)
@@ -92,7 +92,7 @@ def test_the_active_one_of_several_maps_is_read_and_ours_if_there_is_no_other(ca
     bpy.ops.mesh.select_all(action="SELECT")
     bpy.ops.mesh.mark_seam(clear=True)
     bpy.ops.mesh.wirewarp_seams_from_uv_islands()
-    assert '8 edges marked as seam by the UV map "WireWarp"' in capfd.readouterr().out
+    assert '8 edges marked as seam, from the UV map "WireWarp"' in capfd.readouterr().out
 
 
 def test_without_a_map_nothing_is_marked():

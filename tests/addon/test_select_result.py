@@ -64,7 +64,7 @@ def test_what_cannot_be_shown_leaves_the_user_where_he_was(source, addon):
     select_only(source, other)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.data.objects.remove(flat)
-    select_fails("no flat pieces to this report", what="PIECE", index=0)
+    select_fails("flat pieces of this report are gone", what="PIECE", index=0)
     select = partial(addon.blender.selection.select_elements, bpy.context)
     with pytest.raises(addon.issues.ObjectError, match="has changed"):
         select(source, faces=[64])
@@ -75,12 +75,12 @@ def test_what_cannot_be_shown_leaves_the_user_where_he_was(source, addon):
 
 
 def test_what_is_not_there_is_said(source):
-    select_fails('report of "Bump" has no line 2 of this kind: choose another', what="SEAM", index=1)
-    select_fails('report of "Bump" has no line 3 of this kind', what="OUTLINE", index=2)
+    select_fails("That line is gone. Flatten again", what="SEAM", index=1)
+    select_fails("That line is gone", what="OUTLINE", index=2)
     bpy.data.objects.remove(flat_of(source))
-    select_fails('no flat pieces to this report: flatten "Bump" again', what="PIECE", index=0)
+    select_fails('flat pieces of this report are gone. Flatten "Bump" again', what="PIECE", index=0)
     grid("Other", bump)
-    select_fails('"Other" has not been flattened yet: press Flatten first', what="PIECE", index=0)
+    select_fails('"Other" has not been flattened yet. Press Flatten first', what="PIECE", index=0)
 
 
 def test_the_report_of_another_version_shows_the_model(source):

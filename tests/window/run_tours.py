@@ -45,7 +45,7 @@ def escape_cancels() -> drive.Tour:
     yield from drive.press("ESC")
     yield lambda: not window_run.is_running()
     assert contents(large) == before
-    assert messages == [("WARNING", "Flattening was cancelled: nothing was written.")]
+    assert messages == [("WARNING", "Flatten was cancelled. Nothing was written.")]
     assert not threads()
     source = grid("Next", bump)
     yield from flatten()
@@ -59,7 +59,7 @@ def only_one_run() -> drive.Tour:
     try:
         bpy.ops.object.wirewarp_flatten()
     except RuntimeError as error:
-        assert "Flatten is at work" in str(error)
+        assert "Flatten is still running" in str(error)
     else:
         raise AssertionError("a second run was begun")
     view = drive.view_area().spaces.active.region_3d
@@ -84,7 +84,7 @@ def a_changed_model_is_not_written() -> drive.Tour:
     goes_on.set()
     yield lambda: not window_run.is_running()
     assert contents(source) == before
-    sentence = '"Bump" changed while it was flattened, nothing was written: flatten again.'
+    sentence = '"Bump" changed during the run, so nothing was written. Flatten again.'
     assert messages == [("ERROR", sentence)]
 
 

@@ -18,7 +18,7 @@ NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # on one system or another
 def given_file(path: str) -> Path:
     """With "//" for the folder of the Blender file. Raises OSError where there is none."""
     if path.startswith("//") and not bpy.data.filepath:
-        raise OSError('"//" is the folder of the Blender file, which has not been saved yet')
+        raise OSError('"//" is the folder of the Blender file; save that first')
     return Path(bpy.path.abspath(path))
 
 
@@ -30,7 +30,7 @@ def file_name(name: str, ending: str) -> str:
 
 def unwritten(path: str | Path, error: OSError) -> str:
     """The sentence for a file that cannot be written."""
-    return f'"{path}" cannot be written: {error.strerror or error}.'
+    return f'Cannot write "{path}": {error.strerror or error}.'
 
 
 def check_file(path: Path) -> None:
@@ -39,15 +39,15 @@ def check_file(path: Path) -> None:
     if not path.parent.is_dir():
         raise OSError(f'there is no folder "{path.parent}"')
     if path.exists() and not path.is_file():
-        raise OSError(f"it is no file but a {'directory' if path.is_dir() else 'device'}")
+        raise OSError("it is a folder" if path.is_dir() else "it is a device")
     if re.fullmatch(r"\.blend\d*", path.suffix.lower()):
-        raise OSError("it is a Blender file by its name; choose another name")
+        raise OSError("a Blender file has this name; choose another")
 
 
 def check_ending(path: Path, ending: str) -> None:
     """Raises OSError where a name promises another kind of file."""
     if path.suffix.lower() != ending:
-        raise OSError(f"its name does not end in {ending}, and no other kind of file can be written")
+        raise OSError(f"its name must end in {ending}")
 
 
 def check_room(path: Path) -> None:

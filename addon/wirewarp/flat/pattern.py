@@ -28,8 +28,8 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: floa
     if failed and not failed_too:
         raise object_error(
             "failed_pieces",
-            f"Not to be cut: {', '.join(failed)}. See the report for what is wrong, or choose Failed Pieces to export "
-            "them all the same.",
+            f"Failed: {', '.join(failed)}. See the report for what is wrong, or choose Failed Pieces to export them "
+            "anyway.",
         )
     text, millimeters = length_text(scene), 1000 * meters_per_blender_unit(scene)
     labels = {
@@ -56,14 +56,14 @@ def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
     if _is_edited(flat.data, report):
         raise object_error(
             "edited_pieces",
-            f'The pieces in "{flat.name}" were changed by hand, and their lengths are not those of the model any more: '
-            f'flatten "{source.name}" again. Moving and turning whole pieces is fine.',
+            f'The pieces in "{flat.name}" were edited by hand, so their lengths are no longer those of the model. '
+            f'Flatten "{source.name}" again. Moving and turning whole pieces is fine.',
         )
     if not is_true_size(flat):
         raise object_error(
             "scaled_pieces",
-            f'"{flat.name}" or its parent is scaled or mirrored as a whole, and the pattern would not be. Clear the '
-            f'scale (Alt+S), or scale "{source.name}" and flatten again.',
+            f'"{flat.name}" or its parent is scaled or mirrored, so it is not true size. Clear the scale (Alt+S), or '
+            f'scale "{source.name}" and flatten again.',
         )
     return report, flat
 
@@ -73,8 +73,7 @@ def _has_changed(source: bpy.types.Object, report: dict) -> bool:
     if report.get("with_modifiers") and not shows_modified(source):
         raise object_error(
             "not_visible",
-            f'Show "{source.name}" in Object Mode first, so that its modifiers can be checked: it is hidden or in '
-            "another mode.",
+            f'Show "{source.name}" in Object Mode first, so its modifiers can be checked.',
         )
     return has_changed(source, report, read_anew)
 

@@ -29,8 +29,8 @@ LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "gap", "mirror")
 MOST = 2.0**53  # what a float holds as a whole number
 TURNED = 0.999  # cosine of the angle, 2.5 degrees, from which on another direction is up
 TURNED_TEXT = (
-    "The model was turned since its pieces were laid out, and Keep Places leaves them as they stand. To have them "
-    "upright again, select the model and press Lay Out Anew in the panel Pieces."
+    "The model was turned after its pieces were laid out, and Keep Places left them as they were. To set them upright "
+    "again, select the model and press Lay Out Again in the Pieces panel."
 )
 
 
@@ -126,8 +126,9 @@ def _layout_text(options: dict) -> str:
 
 
 def crowded_text(names: list[str]) -> str:
-    subject = f"{names[0]} has" if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]} have"
-    return f"{subject} grown into other pieces and now {'lies' if len(names) == 1 else 'lie'} beside them."
+    if len(names) == 1:
+        return f"{names[0]} no longer fitted its place and was moved aside."
+    return f"{', '.join(names[:-1])} and {names[-1]} no longer fitted their places and were moved aside."
 
 
 def _read(mesh: bpy.types.Mesh) -> FlatPieces | None:

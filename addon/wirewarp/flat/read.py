@@ -54,7 +54,7 @@ def read_flat_pieces(mesh: bpy.types.Mesh, scale: float = 1.0) -> FlatPieces:
 
 
 def no_pieces_sentence(source: bpy.types.Object) -> str:
-    return f'There are no flat pieces to this report: flatten "{source.name}" again.'
+    return f'The flat pieces of this report are gone. Flatten "{source.name}" again.'
 
 
 def pieces_of_report(source: bpy.types.Object, report: dict) -> tuple[bpy.types.Object, FlatPieces]:

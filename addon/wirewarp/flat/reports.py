@@ -100,7 +100,7 @@ def _parse(text: str, seal: str) -> dict:
     if report.get("schema") == SCHEMA:
         return report
     return failure_report(
-        Issue("unreadable_report", "The stored report is not one of this version of WireWarp: flatten again.")
+        Issue("unreadable_report", "The stored report is from another version of WireWarp. Flatten again.")
     )
 
 

@@ -18,7 +18,7 @@ def wire_at(target: bpy.types.Object, edge: int) -> WireSummary:
     for wire in find_wires(target.data):
         if edge in wire.edges:
             return wire
-    sentence = f'Edge {edge} of "{target.name}" is no part of a wire: choose one in the list, or mark it first.'
+    sentence = f'Edge {edge} of "{target.name}" is not part of a wire. Choose one in the list, or mark it first.'
     raise object_error("no_wire", sentence)
 
 

@@ -95,10 +95,11 @@ def _refuse_loose(target: bpy.types.Object) -> None:
     edit = bmesh.from_edit_mesh(target.data)  # its edges live as long as this does
     loose = [edge for edge in _selected_edges(edit) if not edge.link_faces]
     if loose:
-        count = counted(len(loose), "selected edge belongs", "selected edges belong")
+        count = counted(len(loose), "selected edge")
+        have, them = ("has", "it") if len(loose) == 1 else ("have", "them")
         sentence = (
-            f'{count} to no face of "{target.name}", so there is nothing to flatten along it: leave such edges out, or '
-            "delete them with Mesh > Clean Up > Delete Loose."
+            f'{count} of "{target.name}" {have} no face. Deselect {them}, or delete {them} with Mesh > Clean Up > '
+            "Delete Loose."
         )
         raise ObjectError(Issue("loose_edge", sentence, edges=_pairs(loose)))
 

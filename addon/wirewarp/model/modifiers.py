@@ -26,15 +26,15 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
     notes = []
     shown = [] if use_modifiers else shown_only(source)
     if shown:
-        left = " and ".join(shown)
-        text = f"Not the size you see: {left} were left out. Tick Modifiers in the settings and flatten again."
+        ignored = " and ".join(shown).capitalize()
+        text = f"{ignored} were ignored, so sizes may differ from what you see. Tick Modifiers and flatten again."
         notes.append(warning(text))
     if use_modifiers and UV_LAYER in source.data.uv_layers:
-        text = f'The UV map "{UV_LAYER}" is of an earlier run without modifiers and not of these flat pieces.'
+        text = f'The UV map "{UV_LAYER}" is from an earlier run without Modifiers. It does not show these pieces.'
         notes.append(note(text))
     if arrays and arrays.loose_marks:
-        count = counted(arrays.loose_marks, "marked edge")
-        notes.append(warning(f"Left out of the wires, for no face has them: {count}."))
+        ignored = counted(arrays.loose_marks, "marked edge ignored: it has", "marked edges ignored: they have")
+        notes.append(warning(f"{ignored} no face."))
     return notes
 
 

@@ -44,7 +44,7 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
     )
     failed_pieces: BoolProperty(
         name="Failed Pieces",
-        description="Write pieces too that broke a promise. Look at them only: they are not to be cut",
+        description="Also export failed pieces, for inspection only",
         default=False,
     )
 
@@ -92,7 +92,7 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
             self.report({"ERROR"}, unwritten(self.filepath, error))
             return {"CANCELLED"}
         only = f' Of the selected ones, "{pattern.title}" only.' if _has_others(context) else ""
-        said = f'"{path.name}": {" ".join(_size_sentences(pattern))} Print at 100 %.{only}'
+        said = f'"{path.name}": {" ".join(_size_sentences(pattern))} Print at 100%.{only}'
         source, crossing = _source(context), _crossing_sentence(pattern)
         settings = settings_sentence(source, pieces_report(source), context.scene.wirewarp)
         self.report({"WARNING" if crossing else "INFO"}, "\n".join(filter(None, [crossing, said, settings])))

@@ -11,7 +11,7 @@ from ..blender.modes import WORKING_MODES
 from ..properties import take_settings
 from ..run import window_run
 from ..run.targets import active_target, mesh_targets, nothing_to_flatten
-from ..ui.settings import draw_settings
+from ..ui.settings import draw_advanced, draw_settings
 from .flatten_steps import FlattenSteps
 
 
@@ -37,8 +37,8 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
-        if properties.only_active:  # the button Lay Out Anew
-            return "Flatten this model again, and lay all its pieces out anew, wherever they have been put"
+        if properties.only_active:  # the button Lay Out Again
+            return "Flatten this model again and lay out all its pieces again, wherever they were moved"
         return cls.__doc__
 
     @classmethod
@@ -71,7 +71,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
         """Whether nothing can be done at all; says why."""
         refusal = nothing_to_flatten(context, sources)
         if window_run.is_running():
-            refusal = "Flatten is at work: wait for its end, or press Esc."
+            refusal = "Flatten is still running. Wait, or press Esc."
         elif not refusal and self.report_path:
             refusal = self._file_refusal()
         if refusal:
@@ -87,3 +87,4 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)
+        draw_advanced(self.layout, self)

@@ -102,11 +102,11 @@ class FlattenSteps(FlattenSettings):
         try:
             outcomes = self._run.result()
         except CancelledError:
-            return self.give_up(context, "cancelled", "Flattening was cancelled: nothing was written.", "WARNING")
+            return self.give_up(context, "cancelled", "Flatten was cancelled. Nothing was written.", "WARNING")
         except Exception as error:
             return self.give_up(context, "internal_error", _fault(error, "nothing was written"), "ERROR")
         if context.mode not in WORKING_MODES or _place(context) != (self._scene, self._view_layer):
-            sentence = "The mode or the scene was changed during the run, nothing was written: flatten again."
+            sentence = "The mode or the scene changed during the run, so nothing was written. Flatten again."
             return self.give_up(context, "elsewhere", sentence, "ERROR")
         try:
             with in_object_mode(context):
@@ -155,8 +155,8 @@ def _fault(error: Exception, state: str) -> str:
     """The sentence for what should not happen; state: of the file."""
     traceback.print_exc()
     return (
-        f"Flattening failed, {state}: {str(error) or type(error).__name__}. This is a fault of WireWarp: please report "
-        "it with what Blender's console says."
+        f"Flatten failed, {state}: {str(error) or type(error).__name__}. This is a bug in WireWarp. Please report it, "
+        "with the text in Blender's console."
     )
 
 

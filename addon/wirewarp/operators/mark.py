@@ -27,7 +27,7 @@ class WireKind:
     kind: EnumProperty(name="Kind", description="How strictly the wire keeps its length", items=KINDS, default="RIGID")
     tolerance: FloatProperty(
         name="Tolerance",
-        description="Elastic wires: how much the total length may change, as a fraction (0.03 is 3 %)",
+        description="Elastic wires: how much the total length may change, as a fraction (0.03 is 3%)",
         min=0.0,
         soft_max=0.2,
         max=0.99,
@@ -62,7 +62,7 @@ class WireKind:
 
 
 class MESH_OT_wirewarp_mark(WireKind, bpy.types.Operator):
-    """Make wires of the selected edges, one of each line"""
+    """Turn the selected edges into wires, one for each line"""
 
     bl_idname = "mesh.wirewarp_mark"
     bl_label = "Mark Wire"
@@ -70,7 +70,7 @@ class MESH_OT_wirewarp_mark(WireKind, bpy.types.Operator):
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
-        return f"Make wires of the selected edges, one of each line. {DESCRIPTIONS[properties.kind]}"
+        return f"Turn the selected edges into wires, one for each line. {DESCRIPTIONS[properties.kind]}"
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -95,8 +95,8 @@ class MESH_OT_wirewarp_mark(WireKind, bpy.types.Operator):
             return {"CANCELLED"}
         marked = f"{counted(count, 'wire')} marked"
         if left_out:
-            lie = counted(left_out, "selected edge that lies", "selected edges that lie")
-            self.report({"WARNING"}, f"{marked}, but not {lie} on a seam or outline. {OUTLINES_ARE_RIGID}.")
+            skipped = counted(left_out, "edge on a seam or outline was", "edges on seams or outlines were")
+            self.report({"WARNING"}, f"{marked}. {skipped} left out. {OUTLINES_ARE_RIGID}.")
         else:
             self.report({"INFO"}, marked)
         return {"FINISHED"}
@@ -107,7 +107,7 @@ class MESH_OT_wirewarp_mark(WireKind, bpy.types.Operator):
 
 
 class MESH_OT_wirewarp_clear(bpy.types.Operator):
-    """The selected edges are wires no longer"""
+    """Remove wires from the selected edges"""
 
     bl_idname = "mesh.wirewarp_clear"
     bl_label = "Clear Wire"
@@ -130,7 +130,7 @@ class MESH_OT_wirewarp_clear(bpy.types.Operator):
 
 
 class MESH_OT_wirewarp_seams_from_uv_islands(bpy.types.Operator):
-    """Mark seams where the islands of the active UV map end; of your own map where that of the flat pieces is active"""
+    """Mark seams along the island borders of the active UV map, or of your own map while WireWarp's is active"""
 
     bl_idname = "mesh.wirewarp_seams_from_uv_islands"
     bl_label = "Seams from UV Islands"
@@ -150,7 +150,7 @@ class MESH_OT_wirewarp_seams_from_uv_islands(bpy.types.Operator):
             return {"CANCELLED"}
         named = f"{'UV map' if len(maps) == 1 else 'UV maps'} {quoted(maps)}"
         if count == 0:
-            self.report({"INFO"}, f"Every border of the islands of the {named} is a seam or an outline already")
+            self.report({"INFO"}, f"No new seams: every island border of the {named} is one already")
             return {"CANCELLED"}
-        self.report({"INFO"}, f"{counted(count, 'edge')} marked as seam by the {named}")
+        self.report({"INFO"}, f"{counted(count, 'edge')} marked as seam, from the {named}")
         return {"FINISHED"}

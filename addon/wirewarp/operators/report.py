@@ -27,7 +27,7 @@ def check_indices(target: bpy.types.Object, report: dict) -> None:
     if report.get("with_modifiers"):
         raise object_error(
             "with_modifiers",
-            "The report is of the mesh that modifiers make, not of the one that is marked: flatten without Modifiers.",
+            "This report is about the mesh after its modifiers. To mark the model itself, flatten without Modifiers.",
         )
     update_mesh(target)
     if "counts" in report and report["counts"] != element_counts(target.data):
@@ -59,7 +59,7 @@ class ReportOperator:
         report = self.report_of(source)
         try:
             if report is None:
-                raise object_error("not_flattened", f'"{source.name}" has not been flattened yet: press Flatten first.')
+                raise object_error("not_flattened", f'"{source.name}" has not been flattened yet. Press Flatten first.')
             return self.act(context, source, report)
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
@@ -82,14 +82,14 @@ class OBJECT_OT_wirewarp_copy_report(ReportOperator, bpy.types.Operator):
         context.window_manager.clipboard = table
         lines = table.count("\n") - 1
         if has_changed(source, report):
-            self.report({"WARNING"}, f'{lines} lines copied, of "{source.name}" as it was: it has changed since')
+            self.report({"WARNING"}, f'{lines} lines copied. "{source.name}" has changed since they were measured')
         else:
             self.report({"INFO"}, f"{lines} lines copied")
         return {"FINISHED"}
 
 
 class MESH_OT_wirewarp_select_issues(ReportOperator, bpy.types.Operator):
-    """Select, in Edit Mode, the vertices, edges and faces that the last flattening complained about"""
+    """Select, in Edit Mode, the vertices, edges and faces that the last run complained about"""
 
     bl_idname = "mesh.wirewarp_select_issues"
     bl_label = "Select Problems"
@@ -99,7 +99,7 @@ class MESH_OT_wirewarp_select_issues(ReportOperator, bpy.types.Operator):
         names = ("vertices", "edges", "faces")
         elements = {name: [item for issue in report["issues"] for item in issue[name]] for name in names}
         if not any(elements.values()):
-            self.report({"INFO"}, "The last flattening found nothing wrong with single elements")
+            self.report({"INFO"}, "The last run found nothing wrong with particular elements")
             return {"CANCELLED"}
         select_elements(context, source, **elements)
         return {"FINISHED"}
@@ -135,8 +135,7 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
         elements = elements_of(report, self.what, self.index)
         if elements is None:
-            sentence = f'The report of "{source.name}" has no line {self.index + 1} of this kind: choose another.'
-            raise object_error("not_in_report", sentence)
+            raise object_error("not_in_report", "That line is gone. Flatten again.")
         # The elements of a mesh with modifiers are to be had on the flat pieces only.
         wants_flat = context.active_object != source or report.get("with_modifiers")
         if wants_flat and self._lies_flat(report, elements):
@@ -185,7 +184,7 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
         with in_object_mode(context):
             count = self._take(source, report)
         if count == 0:
-            self.report({"INFO"}, "Done already: flatten again")
+            self.report({"INFO"}, "Already done. Flatten again")
             return {"CANCELLED"}
         if edits_others:
             bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only

@@ -86,8 +86,8 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
     def act(self, target: bpy.types.Object) -> None:
         left_out = change_wire(target, self.edge, self.name, self.chosen_tolerance())
         if left_out:
-            lie = counted(left_out, "edge that lies", "edges that lie")
-            self.report({"WARNING"}, f"Changed, but not {lie} on a seam or outline. {OUTLINES_ARE_RIGID}.")
+            skipped = counted(left_out, "edge on a seam or outline", "edges on seams or outlines")
+            self.report({"WARNING"}, f"Changed, except {skipped}. {OUTLINES_ARE_RIGID}.")
 
     def draw(self, _context: bpy.types.Context) -> None:
         self.layout.use_property_split = True
@@ -96,7 +96,7 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
 
 
 class MESH_OT_wirewarp_grain_wire(WireOperator, bpy.types.Operator):
-    """Make this wire the grain wire, which stands upright in the pieces it runs through; again: no longer"""
+    """Make this wire the grain wire, which stands upright in the pieces it runs through. Press again to undo"""
 
     bl_idname = "mesh.wirewarp_grain_wire"
     bl_label = "Grain Wire"
@@ -146,5 +146,5 @@ class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
         selected = read(target.data.edges, "select", bool)
         found = [wire.edges for wire in find_wires(target.data) if selected[wire.edges].any()]
         if not found:
-            raise object_error("no_wire", "No selected edge is a wire: select an edge of the wire first.")
+            raise object_error("no_wire", "No selected edge is a wire. Select an edge of the wire first.")
         return [row for rows in found for row in rows]

@@ -9,7 +9,7 @@ from ..issues import object_error
 from .chains import split_into_chains
 from .outlines import FlatPieces, OutlineEdges
 
-EDITED = "The flat pieces were changed by hand, and a seam of the model is not found on them: flatten the model again."
+EDITED = "The flat pieces were edited by hand, and a seam of the model is missing on them. Flatten the model again."
 
 
 @dataclass(frozen=True)

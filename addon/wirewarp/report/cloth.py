@@ -36,11 +36,13 @@ def is_strained(piece: dict) -> bool:
 def ready_text(pieces: list[dict]) -> str:
     """The verdict on good pieces that are not beyond cloth: from which cloth they may be cut."""
     strain = max(largest(piece[name]) for piece in pieces for name in ("stretch_max", "ease_max"))
-    return f"Ready to cut from cloth that gives {percent_text(strain)}" if strain > STRAIN_LIMIT else "Ready to cut"
+    return (
+        f"Ready to cut, from cloth that stretches {percent_text(strain)}" if strain > STRAIN_LIMIT else "Ready to cut"
+    )
 
 
 def strain_words(stretch: float, ease: float) -> str:
-    """What cloth must do, of shares of its flat length: "stretch up to 12 % and ease in up to 9 %"."""
+    """What cloth must do, of shares of its flat length: "stretch up to 12% and ease in up to 9.0%"."""
     if math.isinf(stretch):
         return "stretch more than any cloth can"
     worth = _worth_words([("stretch", stretch), ("ease in", ease)])
@@ -48,7 +50,7 @@ def strain_words(stretch: float, ease: float) -> str:
 
 
 def strain_figures(stretch: float, ease: float) -> str:
-    """The same in short: "stretch 12 %, ease 9 %"."""
+    """The same in short: "stretch 12%, ease 9.0%"."""
     worth = _worth_words([("stretch", stretch), ("ease", ease)])
     return ", ".join(f"{noun} {percent_text(share)}" for noun, share in worth)
 
@@ -61,8 +63,8 @@ def _worth_words(strains: list[tuple[str, float]]) -> list[tuple[str, float]]:
 
 def percent_text(share: float) -> str:
     if math.isinf(share):
-        return "beyond measure"
-    return f"{100 * share:.0f} %" if share >= 0.0995 else f"{100 * share:.1f} %"
+        return "unlimited"
+    return f"{100 * share:.0f}%" if share >= 0.0995 else f"{100 * share:.1f}%"
 
 
 def largest(share: float | None) -> float:

@@ -20,8 +20,8 @@ MOST_REGIONS = 4  # of all pieces
 LEAST_AMOUNT = 0.1  # of the greatest: the others are single faces, or not worth words
 TORN = "torn"
 ADVICE = (
-    "Outlines lie on others without being joined to them. Where that is one surface, show them, use Mesh > Merge > By "
-    "Distance, or Merge of the modifier Mirror, and flatten again"
+    "Some edges overlap but are not joined. If they should be, select them, use Mesh > Merge > By Distance (or Merge "
+    "in the Mirror modifier), and flatten again"
 )
 
 
@@ -67,7 +67,7 @@ def _strain_hint(piece: int, figures: str, alike: list[Region], arrays: MeshArra
     words = strain_words(max(region.stretch for region in alike), max(region.ease for region in alike))
     return Hint(
         "strained",
-        f"{words[0].upper()}{words[1:]} near here: a dart or a seam here would relieve it.",
+        f"{words[0].upper()}{words[1:]} near here. Add a dart or seam here.",
         short=figures if len(alike) == 1 else f"{figures}, at {len(alike)} places",
         piece=piece,
         faces=polygons_of(arrays, np.concatenate([region.triangles for region in alike])),
@@ -81,7 +81,7 @@ def wire_hints(wires: list[dict]) -> list[Hint]:
     return [
         Hint(
             "wire_at_limit",
-            f'The wire "{wire["name"]}" is at its limit: a wider tolerance would lower the distortion.',
+            f'Wire "{wire["name"]}" is at its limit. A wider tolerance would lower the distortion.',
             short=f'"{wire["name"]}" {tolerance_text(wire["tolerance"])}',
             edges=list(pairwise(wire["vertices"])),
         )

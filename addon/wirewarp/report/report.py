@@ -218,7 +218,7 @@ def number(value: float) -> float | None:
 def _notes(method: str, wires: list[dict]) -> list[dict]:
     loose = [wire["name"] for wire in wires if wire["tolerance"] != 0]
     if method == "wirewarping" and loose:
-        return [note(f"Kept rigid by this method, tolerance not used: {quoted(loose)}.")]
+        return [note(f"This method keeps every wire rigid, so these tolerances were not used: {quoted(loose)}.")]
     return []
 
 

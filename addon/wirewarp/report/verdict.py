@@ -46,7 +46,8 @@ def _strained_line(strained: list[Entry], with_objects: bool) -> VerdictLine:
     pieces = [piece for _, piece in strained]
     words = strain_words(*(max(largest(piece[name]) for piece in pieces) for name in ("stretch_max", "ease_max")))
     named = _names(strained[:SHOWN_NAMES], with_objects)
-    return VerdictLine(f"{named}{more}: lengths kept, but the cloth must {words}", "ERROR")
+    keep, remedy = ("keeps its", "a dart or seam") if len(strained) == 1 else ("keep their", "darts or seams")
+    return VerdictLine(f"{named}{more} {keep} lengths, but the cloth must {words}. Add {remedy} there.", "ERROR")
 
 
 def _others(good: list[Entry], with_objects: bool) -> str:

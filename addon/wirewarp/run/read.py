@@ -48,7 +48,7 @@ def check_current(context: bpy.types.Context, models: list[Model], settings: Run
     depsgraph = _updated_depsgraph(context, settings)
     changed = [model.facts["object"] for model in models if not _is_current(model, depsgraph)]
     if changed:
-        sentence = f"{quoted(changed)} changed while it was flattened, nothing was written: flatten again."
+        sentence = f"{quoted(changed)} changed during the run, so nothing was written. Flatten again."
         raise object_error("changed", sentence)
     for model in models:
         if model.issue is None:

@@ -34,8 +34,8 @@ def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Objec
     """Why nothing can be flattened, as a sentence; empty if it can."""
     if context.scene.library:
         return (
-            f'Nothing to flatten: the scene "{context.scene.name}" is linked from another file, and no flat pieces can '
-            "be put into it. Link the model into a scene of this file."
+            f'Nothing to flatten: the scene "{context.scene.name}" is linked from another file and cannot take flat '
+            "pieces. Link the model into a scene of this file."
         )
     if sources:
         return ""
@@ -46,9 +46,9 @@ def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Objec
     if models and all(map(is_deleted, models)):
         return f"Nothing to flatten: these are flat pieces. {DELETED.format(models[0].name)}"
     if active and active.select_get() and active.type in CONVERTIBLE:
-        return f'Nothing to flatten: "{active.name}" is no mesh. Object > Convert > Mesh makes it one.'
+        return f'Nothing to flatten: "{active.name}" is not a mesh. Use Object > Convert > Mesh first.'
     if models:
-        return "Nothing to flatten: flat pieces are not flattened again. Select the model."
+        return "Nothing to flatten: these are flat pieces. Select their model."
     return "Nothing to flatten: select a mesh object."
 
 

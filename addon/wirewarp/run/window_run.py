@@ -47,7 +47,7 @@ class WindowRun:
     def is_done(self) -> bool:
         """Also shows how far it is."""
         if time.monotonic() - self._begun > UNSEEN_SECONDS:
-            percent = f"{100 * self._thread.fraction:.0f} %"
+            percent = f"{100 * self._thread.fraction:.0f}%"
             key = "stopping..." if self._thread.cancelled else "Esc: cancel"
             self._workspace.status_text_set(f"Flattening {self._what}: {percent}    {key}")
         return self._thread.is_done()

@@ -39,7 +39,7 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
             _write_pieces(context, source, outcome, settings)
             continue
         if find_flat_object(source):
-            text = "Nothing was written: the flat pieces are those of an earlier run."
+            text = "Nothing changed: these are still the earlier pieces."
             outcome.report["notes"].append(warning(text))
         remember(source, outcome.report)
 

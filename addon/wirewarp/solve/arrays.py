@@ -9,8 +9,8 @@ from ..pattern.chains import WireChain
 
 ALL_ROUND = 0.3  # of the area: by so much at most may one side outweigh the others, or in and out are not told apart
 INWARD = (
-    "The faces point inward, so that the pieces are drawn as seen from inside. "
-    "In Edit Mode: Mesh > Normals > Recalculate Outside. Then flatten again."
+    "Normals point inward, so pieces show their inside. In Edit Mode use Mesh > Normals > Recalculate Outside, then "
+    "flatten again."
 )
 
 

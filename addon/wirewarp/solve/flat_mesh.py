@@ -34,7 +34,7 @@ class FlatMesh:
     arap_energy: np.ndarray  # (f,) float32, Eq. (6)
     energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
     aspect_ratio: np.ndarray  # (f,) float32
-    stretch: np.ndarray  # (f,) float32: 0.1 is cloth that the model stretches by 10 %, in the mean of all directions
+    stretch: np.ndarray  # (f,) float32: 0.1 is cloth that the model stretches by 10%, in the mean of all directions
 
 
 def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[PieceIdentity]) -> FlatMesh:

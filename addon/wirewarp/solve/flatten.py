@@ -85,8 +85,8 @@ def _library_wire(library: ModuleType, wire: NamedWire) -> Wire:
     except library.FlattenError as error:  # knows neither the wire's name nor where it is
         edges = list(pairwise(wire.chain.vertices))
         sentence = (
-            f'The tolerance of the wire "{wire.name}" is none that a wire can have: click on it in the list of wires, '
-            "and choose Rigid, Elastic or Free."
+            f'Wire "{wire.name}" has an invalid tolerance. Click it in the list of wires and choose Rigid, Elastic or '
+            "Free."
         )
         raise ObjectError(Issue(str(error.code), sentence, edges=edges)) from error
 

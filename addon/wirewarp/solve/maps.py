@@ -34,7 +34,7 @@ class ColorMap:
     def number(self, value: float, digits: int = 4) -> str:
         """A value as the scale writes it; of a scale with two sides, with its sign."""
         sign = "+" if self.low < 0 < value else ""
-        return f"{sign}{100 * value:.{digits}g} %" if self.is_percent else f"{sign}{value:.{digits}g}"
+        return f"{sign}{100 * value:.{digits}g}%" if self.is_percent else f"{sign}{value:.{digits}g}"
 
 
 ASPECT_RATIO = ColorMap("aspect_ratio_color", "Worst direction, as a factor", 1.0, 1.5)

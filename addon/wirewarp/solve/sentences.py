@@ -74,9 +74,9 @@ def _plain(sentence: str, units: LengthText) -> str:
     sentence = re.sub(r"\blong at vertex \d+", "long", sentence)
     sentence = re.sub(rf"\b{NUMBER} (?:units )?long\b", lambda match: f"{units.rough(float(match[1]))} long", sentence)
     sentence = re.sub(rf" long(?=(?:,| and) {NUMBER} \S+ long\b)", "", sentence)
-    too_short = rf"\b(outline(s?), .*,) can hold no more than {NUMBER} % of its area in the plane"
+    too_short = rf"\b(outline(s?), .*,) can hold no more than {NUMBER}% of its area in the plane"
     sentence = re.sub(too_short, _short, sentence)
-    sentence = sentence.replace("not all finite and below 1e60 in magnitude", "no numbers, or beyond all measure")
+    sentence = sentence.replace("not all finite and below 1e60 in magnitude", "not numbers, or far too large")
     return re.sub(LISTED, _counted, sentence)
 
 

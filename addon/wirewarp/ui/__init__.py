@@ -7,6 +7,7 @@ May import: overlay, flat, model, blender, report, properties, issues, words.
 from . import layout, menus
 from .panel import (
     IMAGE_PT_wirewarp_overlay,
+    VIEW3D_PT_wirewarp_advanced,
     VIEW3D_PT_wirewarp_flatten,
     VIEW3D_PT_wirewarp_mark,
     VIEW3D_PT_wirewarp_overlay,
@@ -27,6 +28,7 @@ CLASSES = (
     VIEW3D_PT_wirewarp_wires,
     VIEW3D_PT_wirewarp_flatten,
     VIEW3D_PT_wirewarp_settings,
+    VIEW3D_PT_wirewarp_advanced,
     WIREWARP_UL_pieces,
     VIEW3D_PT_wirewarp_pieces,
     VIEW3D_PT_wirewarp_report,

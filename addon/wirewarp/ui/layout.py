@@ -42,7 +42,7 @@ def draw_cells(layout: bpy.types.UILayout, label: str, cells: list[str], label_s
 
 
 def broken(context: bpy.types.Context, text: str, spare: int = 0) -> list[str]:
-    """The text in lines that fit the region beside an icon, no number apart from its %.
+    """The text in lines that fit the region beside an icon.
 
     spare: more of Blender's own pixels to leave free.
     """
@@ -59,7 +59,7 @@ def _lines(text: str, width: float, size: float) -> list[str]:
     lines = [first]
     for word in words:
         longer = f"{lines[-1]} {word}"
-        if word == "%" or blf.dimensions(FONT, longer)[0] <= width:
+        if blf.dimensions(FONT, longer)[0] <= width:
             lines[-1] = longer
         else:
             lines.append(word)

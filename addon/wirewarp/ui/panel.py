@@ -7,7 +7,7 @@ from ..flat.reports import last_report
 from ..issues import ObjectError
 from ..model.owners import DELETED, find_flat_object, is_deleted, model_of, model_or_self
 from .layout import SidebarPanel, draw_sentence
-from .settings import draw_settings
+from .settings import draw_advanced, draw_settings
 from .wire_list import shown_wires
 
 
@@ -82,6 +82,15 @@ class VIEW3D_PT_wirewarp_settings(SidebarPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         draw_settings(self.layout, context.scene.wirewarp)
+
+
+class VIEW3D_PT_wirewarp_advanced(SidebarPanel, bpy.types.Panel):
+    bl_label = "Advanced"
+    bl_parent_id = "VIEW3D_PT_wirewarp_settings"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        draw_advanced(self.layout, context.scene.wirewarp)
 
 
 def _has_loose_wires(context: bpy.types.Context) -> bool:

@@ -11,7 +11,7 @@ from .layout import SidebarPanel, draw_cells, draw_sentence, mark_of
 from .report import shown_source
 from .report_table import draw_select
 
-NO_STRAIN = 5e-4  # what is shown as 0.0 %
+NO_STRAIN = 5e-4  # what is shown as 0.0%
 
 
 class WIREWARP_UL_pieces(bpy.types.UIList):
@@ -84,7 +84,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         if chosen:
             draw_figures(context, self.layout, chosen)
         if context.active_object == source and context.scene.wirewarp.keep_places:
-            button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Anew", icon="MOD_ARRAY")
+            button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
             button.keep_places, button.only_active = False, True
         self.layout.operator("object.wirewarp_export_svg", icon="EXPORT")
 

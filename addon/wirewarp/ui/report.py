@@ -16,7 +16,7 @@ from .report_sentences import draw_hints, draw_issues
 from .report_table import draw_table
 from .settings import settings_sentence
 
-CHANGED = "The model has changed since: flatten again."
+CHANGED = "The model has changed since. Flatten again."
 
 
 def shown_report(context: bpy.types.Context) -> dict | None:

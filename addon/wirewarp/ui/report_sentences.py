@@ -11,11 +11,11 @@ from .layout import draw_sentence
 from .report_table import SHOWN_ROWS, draw_select
 
 SHOWN_HINTS = 5
-WITH_MODIFIERS = "To be shown what to mark, flatten without Modifiers: these make other edges than the model has."
+WITH_MODIFIERS = "To see what to mark, flatten without Modifiers: they change the edges."
 ADVICE = {
     TORN: f"{TORN_ADVICE}:",
     "wire_at_limit": "A wider tolerance on these wires would lower the distortion:",
-    "strained": "The cloth must give here; a dart or a seam would relieve it:",
+    "strained": "The cloth must stretch or ease in here. Add a dart or seam:",
 }
 
 

@@ -9,7 +9,8 @@ from ..model.modifiers import shown_only
 from ..properties import FlattenSettings, WIREWARP_PG_settings, choices_of
 
 LINES_FIRST = {"WIREWARP_PLUS_PLUS", "WIREWARPING"}
-WHOLE_WIDTH = {"fairness"}  # the method's too: their names do not fit half a narrow sidebar
+WHOLE_WIDTH = {"fairness"}  # its name does not fit half a narrow sidebar
+ADVANCED = {"method", "node_weight"}  # the paper's methods, for comparison
 ONLY_FOR = {"fairness": {"REFINED"}, "node_weight": LINES_FIRST}
 NAMES = {  # of the choices in a report, as the panel calls them
     "method": "Method",
@@ -24,15 +25,22 @@ OF_REFINED, OF_OTHERS = {"fairness"}, {"node_weight"}
 
 
 def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings) -> None:
-    """Every setting; those that the chosen method does not use are gray."""
-    layout.prop(settings, "method", text="")
-    for name in FlattenSettings.__annotations__:
-        if name != "method":
-            row = layout.row()
-            row.use_property_split = name not in WHOLE_WIDTH
-            row.use_property_decorate = False
-            row.enabled = settings.method in ONLY_FOR.get(name, {settings.method})
-            row.prop(settings, name)
+    """What most models need; settings that the chosen method does not use are gray."""
+    _draw(layout, settings, [name for name in FlattenSettings.__annotations__ if name not in ADVANCED])
+
+
+def draw_advanced(layout: bpy.types.UILayout, settings: FlattenSettings) -> None:
+    """The methods, and what belongs to those of the paper."""
+    _draw(layout, settings, [name for name in FlattenSettings.__annotations__ if name in ADVANCED])
+
+
+def _draw(layout: bpy.types.UILayout, settings: FlattenSettings, names: list[str]) -> None:
+    for name in names:
+        row = layout.row()
+        row.use_property_split = name not in WHOLE_WIDTH
+        row.use_property_decorate = False
+        row.enabled = settings.method in ONLY_FOR.get(name, {settings.method})
+        row.prop(settings, name)
 
 
 def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> str:
@@ -41,7 +49,7 @@ def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP
     if not changed:
         return ""
     names = ", ".join(changed)
-    return f"Made with other settings than the panel has now ({names}): flatten again if those are wanted."
+    return f"Settings changed since ({names}). Flatten again to apply."
 
 
 def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> list[str]:

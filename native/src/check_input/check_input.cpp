@@ -52,7 +52,7 @@ void check_chain_and_tolerance(const Wire& wire, const std::string& label, const
   if (!(wire.tolerance >= 0)) {
     throw FlattenError(ErrorCode::invalid_tolerance,
                        "The " + label + " has a tolerance of " + shortest(wire.tolerance) +
-                           ": use 0 (rigid), a positive fraction such as 0.03 (3 %), or infinity (free).",
+                           ": use 0 (rigid), a positive fraction such as 0.03 (3%), or infinity (free).",
                        {vertices, {}, {}});
   }
 }

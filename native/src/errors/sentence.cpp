@@ -66,7 +66,7 @@ std::string shortest(double value) {
 
 std::string percent(double fraction) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g %%", 100 * std::abs(fraction));
+  std::snprintf(text, sizeof text, "%.3g%%", 100 * std::abs(fraction));
   return text;
 }
 

@@ -27,7 +27,7 @@ std::string capitalized(std::string sentence);
 /// The fewest digits that mean this number: "0.1", "1e-300", "nan".
 std::string shortest(double value);
 
-/// "3.25 %", without a sign.
+/// "3.25%", without a sign.
 std::string percent(double fraction);
 
 }  // namespace wirewarp

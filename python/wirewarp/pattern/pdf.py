@@ -197,7 +197,7 @@ def _map_page(plan: Tiles, paper: np.ndarray) -> Content:
     sheets += f", {skipped} more are empty and left out" if skipped else ""
     lines = [
         pattern.title or "Pattern",
-        "Print at 100 % (actual size), not fitted to the page; then measure the squares and bars.",
+        "Print at 100% (actual size), not fitted to the page; then measure the squares and bars.",
         f"{sheets}; neighbors overlap by {pattern.units.text(OVERLAP)}: lay diamond on diamond."
         if plan.overlap
         else f"{counted(len(plan.tiles), 'sheet')}, every piece on one of them.",
