@@ -10,6 +10,7 @@ TOLERANCE = "wirewarp_tolerance"  # FLOAT, 0 rigid, finite elastic, inf super-el
 
 # On the model's mesh, written by a run.
 PIECE = "wirewarp_piece"  # face attribute INT, random 31-bit id of the piece, 0 none; on the flat mesh too
+SEAM = "wirewarp_seam"  # edge attribute INT, random 31-bit id of the seam, 0 none; on the flat mesh too
 UV_LAYER = "WireWarp"  # UV map of the pieces in the unit square
 UV_SCALE = "wirewarp_uv_scale"  # custom property: Blender units in one UV unit
 

@@ -239,7 +239,14 @@ class WIREWARP_PG_piece(bpy.types.PropertyGroup):
     piece_id: IntProperty(name="Piece Id", options={"HIDDEN"})
 
 
-CLASSES = (WIREWARP_PG_settings, WIREWARP_PG_wire_name, WIREWARP_PG_piece)
+class WIREWARP_PG_seam(bpy.types.PropertyGroup):
+    """The name of the seam with this id."""
+
+    name: StringProperty(name="Name", description="What the seam is called", update=_redraw)
+    seam_id: IntProperty(name="Seam Id", options={"HIDDEN"})
+
+
+CLASSES = (WIREWARP_PG_settings, WIREWARP_PG_wire_name, WIREWARP_PG_piece, WIREWARP_PG_seam)
 
 
 def attach() -> None:
@@ -249,6 +256,7 @@ def attach() -> None:
         name="Grain Wire", description="Id of the wire that stands upright in the flat pieces it runs through, 0: none"
     )
     bpy.types.Object.wirewarp_pieces = CollectionProperty(type=WIREWARP_PG_piece)
+    bpy.types.Object.wirewarp_seams = CollectionProperty(type=WIREWARP_PG_seam)
     bpy.types.Object.wirewarp_active_piece = IntProperty(name="Active Piece", description="In the list of pieces")
     bpy.types.Object.wirewarp_source = PointerProperty(
         name="Flattened From",
@@ -260,6 +268,7 @@ def attach() -> None:
 def detach() -> None:
     del bpy.types.Object.wirewarp_source
     del bpy.types.Object.wirewarp_active_piece
+    del bpy.types.Object.wirewarp_seams
     del bpy.types.Object.wirewarp_pieces
     del bpy.types.Mesh.wirewarp_grain
     del bpy.types.Mesh.wirewarp_names

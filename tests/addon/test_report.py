@@ -232,7 +232,7 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
         result = addon.solve.flatten.flatten_arrays(
             addon.core.library(), arrays, choices, lambda stage, _: stage != "shape" or next(left, 0) > 0
         )
-        return addon.report.report.object_report(result, arrays, identities, 1.0)
+        return addon.report.report.object_report(result, arrays, identities, [], 1.0)
 
     first, *_, last = (report_of_run(steps) for steps in range(9))
     assert not first["ok"]

@@ -31,11 +31,12 @@ def lengths(percent, length=1.0):
 
 def test_rows_are_worst_first(addon):
     def seam(index, percent, ok=True):
-        return {"index": index, "pieces": [0], "ok": ok, **lengths(percent)}
+        named = {"name": f"Seam {index + 1}", "seam_id": index}
+        return {"index": index, "pieces": [0], "ok": ok, **named, **lengths(percent)}
 
     seams = [seam(0, 0.1), seam(1, -0.5), seam(2, None, ok=False), seam(3, 1e-12), seam(4, 2e-12)]
     rows = addon.report.rows.seam_rows({"pieces": [{"name": "Front"}], "seams": seams})
-    assert [row.name for row in rows] == [f"Seam {k}: Front" for k in (3, 2, 1, 4, 5)]
+    assert [row.name for row in rows] == [f"Seam {k}" for k in (3, 2, 1, 4, 5)]
     assert [row.index for row in rows] == [2, 1, 0, 3, 4]  # what its button selects
     assert addon.report.rows.largest_difference(rows) == pytest.approx(0.005)
     assert addon.report.rows.largest_difference(rows[:1]) is None  # no layout
@@ -44,7 +45,7 @@ def test_rows_are_worst_first(addon):
 def test_every_kind_of_element_has_its_rows(addon, report):
     tables = addon.report.rows.tables_of(report)
     (seam,) = tables.seams
-    assert seam.name == "Seam 1: Top Right, Top Left"
+    assert (seam.name, seam.note) == ("Seam 1", "Top Right – Top Left")
     assert [side.label for side in seam.sides] == ["Top Right", "Top Left"]
     (wire,) = tables.wires
     assert (wire.name, wire.note) == ("Wire 1", "Top Right, Top Left; free")
@@ -59,7 +60,7 @@ def test_rows_are_made_once_a_report(addon, report):
     assert addon.report.rows.tables_of(report) is tables
     report["pieces"][0]["name"] = "Front"  # as the user renames it
     renamed = addon.report.rows.tables_of(report)
-    assert renamed.seams[0].name == "Seam 1: Front, Top Left"
+    assert renamed.seams[0].note == "Front – Top Left"
     assert addon.report.rows.tables_of(dict(report)) is not renamed
 
 
@@ -94,7 +95,7 @@ def test_the_table_for_spreadsheets_has_every_line_in_the_scenes_units(addon, re
     lines = table_of(addon, report)
     assert [line["Kind"] for line in lines] == ["Seam", "Seam", "Wire", "Open edge", "Open edge", "Piece", "Piece"]
     first, second = lines[:2]
-    assert [first["Name"], first["Piece"], second["Piece"]] == ["Seam 1", "Top Right", "Top Left"]
+    assert [first["Name"], first["Piece"], second["Piece"]] == ["Seam 1: Top Right – Top Left", "Top Right", "Top Left"]
     assert float(first["Flat length (cm)"]) == pytest.approx(10 * report["seams"][0]["length_2d"][0], rel=1e-6)
     assert float(first["Length on model (cm)"]) == pytest.approx(10 * report["seams"][0]["length_3d"], rel=1e-6)
     assert (first["Tolerance (%)"], first["Kept"]) == ("0", "yes")

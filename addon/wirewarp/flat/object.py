@@ -12,7 +12,7 @@ from ..blender.mesh import corner_edges, edge_vertices, write_corner_vertices, w
 from ..blender.objects import remove_object
 from ..blender.selection import deselect_all
 from ..issues import note, warning
-from ..model.attributes import write_marks
+from ..model.attributes import write_marks, write_seam_ids
 from ..model.owners import find_flat_object, flat_name, model_of
 from ..model.wire_names import write_names
 from ..names import (
@@ -25,10 +25,9 @@ from ..names import (
     SOURCE_FACE,
     SOURCE_VERTEX,
 )
-from ..pattern.chains import EdgeMarks
 from ..pattern.outlines import FlatPieces
 from ..solve.arrays import MeshArrays
-from ..solve.flat_mesh import FlatMesh, edge_length_variation, flat_marks
+from ..solve.flat_mesh import FlatMarks, FlatMesh, edge_length_variation, flat_marks
 from .maps import write_maps
 from .places import free_place
 from .read import add_flat_attribute, remember_shape
@@ -121,7 +120,7 @@ def _write_mesh(target: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) ->
     _write_faces(mesh, flat)
     deselect_all(mesh)  # in Edit Mode L is to take one piece, not one more
     edges = edge_vertices(mesh)
-    seams, marks = flat_marks(flat, edges, arrays)
+    marks = flat_marks(flat, edges, arrays)
     pieces = FlatPieces(
         vertices=flat.vertices,
         source_vertex=flat.source_vertex,
@@ -132,10 +131,10 @@ def _write_mesh(target: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) ->
         piece_id=flat.piece_id,
         source_face=flat.source_face,
         edges=edges,
-        marks=marks,
+        marks=marks.wires,
     )
     _write_attributes(mesh, flat, arrays, edges)
-    _write_marks(mesh, seams, marks)
+    _write_marks(mesh, marks)
     remember_shape(mesh, pieces)
     write_names(mesh, {wire.chain.wire_id: wire.name for wire in arrays.wires})
     _show_failed(mesh, flat.failed)
@@ -165,11 +164,12 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays, 
     write_maps(mesh, flat, edges, edge_length_variation(flat, edges, arrays))
 
 
-def _write_marks(mesh: bpy.types.Mesh, seams: np.ndarray, marks: EdgeMarks) -> None:
+def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
     """Seams are red in Edit Mode as on the model, and wires, for which Blender has no color, blue as sharp edges."""
-    mesh.edges.foreach_set("use_seam", seams)
-    write_sharp_edges(mesh, marks.are_wires)
-    write_marks(mesh, marks)
+    mesh.edges.foreach_set("use_seam", marks.seams)
+    write_sharp_edges(mesh, marks.wires.are_wires)
+    write_marks(mesh, marks.wires)
+    write_seam_ids(mesh, marks.seam_ids)
 
 
 def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:

@@ -19,6 +19,7 @@ from ..names import REPORT, REPORT_SEAL
 from ..report.names import rename_wires
 from ..report.report import SCHEMA, failure_report
 from .pieces import piece_names
+from .seams import seam_names
 
 _failures: dict[object, dict] = {}  # by object, see _key
 # By object: text and seal, and what they say, so that drawing the panel need not parse it.
@@ -55,9 +56,11 @@ def flattened_name(source: bpy.types.Object) -> str:
 
 
 def with_names(source: bpy.types.Object, report: dict | None) -> dict | None:
-    """The report itself, its pieces and wires called as in the lists of the model."""
+    """The report itself, its pieces, seams and wires called as in the lists of the model."""
     if report and report["pieces"]:
-        names = piece_names(source)
+        names, named_seams = piece_names(source), seam_names(source)
+        for seam in report["seams"]:
+            seam["name"] = named_seams.get(seam["seam_id"], seam["name"])
         for piece in report["pieces"]:
             piece["name"] = names.get(piece["piece_id"], piece["name"])
         rename_wires(report, present_names(source.data, report["wires"]))
@@ -98,6 +101,9 @@ def _digest(text: str) -> str:
 def _parse(text: str, seal: str) -> dict:
     report = json.loads(text) if seal == _digest(text) else {}
     if report.get("schema") == SCHEMA:
+        for seam in report["seams"]:
+            if "seam_id" not in seam:  # as first written, when seams had numbers only
+                seam |= {"seam_id": 0, "name": f"Seam {seam['index'] + 1}", "is_dart": False}
         return report
     return failure_report(
         Issue("unreadable_report", "The stored report is from another version of WireWarp. Flatten again.")

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Our attributes on the model's mesh: which edges are wires, the only truth about wires; and which piece a face is of.
+"""Our attributes on the model's mesh: which edges are wires, the only truth about wires; which piece a face is of, and
+which seam an edge.
 
 wirewarp_wire INT: random 31-bit id of the wire, 0 on edges that are no wire. wirewarp_tolerance FLOAT: 0 rigid, finite
 elastic, inf super-elastic. wirewarp_piece INT, on faces: random 31-bit id of the piece, 0 none; it stays with the faces
-when they are subdivided, duplicated or joined, so that a piece keeps its name and its place.
+when they are subdivided, duplicated or joined, so that a piece keeps its name and its place. wirewarp_seam INT, on
+edges: the same of seams.
 """
 
 import random
@@ -14,7 +16,7 @@ import bpy
 import numpy as np
 
 from ..blender.attributes import check_attribute, check_room
-from ..names import PIECE, TOLERANCE, WIRE
+from ..names import PIECE, SEAM, TOLERANCE, WIRE
 from ..pattern.chains import EdgeMarks
 
 _EXPECTED = {WIRE: "INT", TOLERANCE: "FLOAT"}
@@ -102,9 +104,10 @@ def own_ids(wire_ids: Sequence[int]) -> list[int]:
     return list(own)
 
 
-def check_piece_room(target: bpy.types.Object) -> None:
-    """Raises ObjectError where the ids cannot be written to the object's mesh."""
+def check_id_room(target: bpy.types.Object) -> None:
+    """Raises ObjectError where the ids of pieces and seams cannot be written to the object's mesh."""
     check_room(target, PIECE, "INT", "FACE", "what tells pieces apart")
+    check_room(target, SEAM, "INT", "EDGE", "what tells seams apart")
 
 
 def read_piece_ids(mesh: bpy.types.Mesh) -> np.ndarray:
@@ -119,4 +122,19 @@ def read_piece_ids(mesh: bpy.types.Mesh) -> np.ndarray:
 def write_piece_ids(mesh: bpy.types.Mesh, ids: np.ndarray) -> None:
     """ids (f,) int32."""
     attribute = mesh.attributes.get(PIECE) or mesh.attributes.new(PIECE, "INT", "FACE")
+    attribute.data.foreach_set("value", ids)
+
+
+def read_seam_ids(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(e,) int32 of a mesh that is not in Edit Mode."""
+    check_attribute(mesh, SEAM, "INT", "EDGE")
+    ids = np.zeros(len(mesh.edges), dtype=np.int32)
+    if SEAM in mesh.attributes:
+        mesh.attributes[SEAM].data.foreach_get("value", ids)
+    return ids
+
+
+def write_seam_ids(mesh: bpy.types.Mesh, ids: np.ndarray) -> None:
+    """ids (e,) int32."""
+    attribute = mesh.attributes.get(SEAM) or mesh.attributes.new(SEAM, "INT", "EDGE")
     attribute.data.foreach_set("value", ids)

@@ -22,7 +22,7 @@ from ..blender.objects import linear_part
 from ..issues import object_error
 from ..pattern.chains import WireChain, chains_of_marks
 from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region
-from .attributes import own_ids, read_marks, read_piece_ids
+from .attributes import own_ids, read_marks, read_piece_ids, read_seam_ids
 from .wire_names import chain_names
 
 LARGEST = 1e18  # Blender units
@@ -63,6 +63,7 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
     face_count = faces_at_edges(mesh)
     in_face = face_count > 0
     marks = read_marks(mesh)
+    seams = read_seams(mesh) & in_face  # a loose edge cuts nothing
     return MeshArrays(
         vertices=vertices,
         triangles=loop_vertices[loops],
@@ -73,7 +74,8 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
         polygon_starts=face_starts(mesh),
         polygon_sizes=sizes,
         edges=edges,
-        seams=edges[read_seams(mesh) & in_face],  # a loose edge cuts nothing
+        seams=edges[seams],
+        seam_ids=read_seam_ids(mesh)[seams],
         outline=edges[face_count == 1],
         wires=_name_wires(source.data, chains_of_marks(edges, marks.without(~in_face), vertices)),
         grain_wire=source.data.wirewarp_grain,

@@ -6,7 +6,7 @@ import io
 from collections.abc import Iterator
 
 from ..words import LengthText
-from .names import open_edges, piece_name, piece_names, pieces_of_wires, side_names
+from .names import open_edges, piece_name, piece_names, pieces_of_wires, seam_name, side_names
 
 DIGITS = 6  # after the point
 
@@ -45,8 +45,9 @@ def _rows(report: dict, units: LengthText) -> Iterator[list[str]]:
     for seam in report["seams"]:
         sides = zip(seam["pieces"], side_names(report, seam), strict=True)
         for side, (piece, label) in enumerate(sides):
-            name, place = f"Seam {seam['index'] + 1}", piece_name(report, piece)
-            yield _length_row("Seam", name if label == place else f"{name}, {label}", place, seam, side, units)
+            name, place = seam_name(report, seam), piece_name(report, piece)
+            kind = "Dart" if seam["is_dart"] else "Seam"
+            yield _length_row(kind, name if label == place else f"{name}, {label}", place, seam, side, units)
     pieces = pieces_of_wires(report)
     for wire in report["wires"]:
         yield _length_row("Wire", wire["name"], piece_names(report, pieces[wire["wire"]]), wire, 0, units)

@@ -16,9 +16,14 @@ def piece_names(report: dict, indices: list[int]) -> str:
     return ", ".join(piece_name(report, index) for index in dict.fromkeys(indices))
 
 
+def joined_pieces(report: dict, seam: dict) -> str:
+    """What a seam joins: "Front – Back"."""
+    return " – ".join(piece_name(report, index) for index in dict.fromkeys(seam["pieces"]))
+
+
 def seam_name(report: dict, seam: dict) -> str:
-    """ "Seam 3: Front, Back"; the overlay draws its number beside it."""
-    return f"Seam {seam['index'] + 1}: {piece_names(report, seam['pieces'])}"
+    """ "Seam 3: Front – Back", "Dart 4: Front"."""
+    return f"{seam['name']}: {joined_pieces(report, seam)}"
 
 
 def side_names(report: dict, seam: dict) -> list[str]:

@@ -17,6 +17,7 @@ from ..issues import Issue, note, warning
 from ..solve.arrays import MeshArrays
 from ..solve.flatten import issue_of_piece, polygons_of
 from ..solve.identity import PieceIdentity
+from ..solve.seams import SeamIdentity
 from ..words import quoted
 from .cloth import PieceStrain, piece_strain, triangles_around
 from .hints import strain_hints, wire_hints
@@ -36,6 +37,7 @@ def object_report(
     result: FlattenResult,
     arrays: MeshArrays,
     identities: Sequence[PieceIdentity],
+    seams: Sequence[SeamIdentity],
     meters: float,
 ) -> dict:
     """The report of one object; identities of its pieces; meters: metres in a Blender unit."""
@@ -68,7 +70,10 @@ def object_report(
         "method": method,
         "method_name": METHOD_NAMES[method],
         "pieces": pieces,
-        "seams": [_seam(index, seam, failed, meters) for index, seam in enumerate(result.seams)],
+        "seams": [
+            {"index": index, **asdict(identity), **_seam(seam, failed, meters)}
+            for index, (identity, seam) in enumerate(zip(seams, result.seams, strict=True))
+        ],
         "wires": wires,
         "issues": [_issue(issue) for issue in issues],
         "hints": [dict(vars(hint)) for hint in hints],
@@ -182,11 +187,10 @@ def _outline(chain: BoundaryReport, meters: float) -> dict:
     }
 
 
-def _seam(index: int, seam: SeamReport, failed: set, meters: float) -> dict:
+def _seam(seam: SeamReport, failed: set, meters: float) -> dict:
     sides = lengths(seam.length_3d, seam.length_2d, meters)
     within = all(percent is not None and abs(percent) <= 100 * LENGTH_LIMIT for percent in sides["percent"])
     return {
-        "index": index,
         "pieces": [int(piece) for piece in seam.pieces],
         "edges": np.asarray(seam.edges).tolist(),
         **sides,

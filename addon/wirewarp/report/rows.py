@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from ..words import tolerance_text
 from .cloth import aspect_ratio, is_strained, largest
-from .names import open_edges, piece_name, piece_names, pieces_of_wires, seam_name, side_names
+from .names import joined_pieces, open_edges, piece_name, piece_names, pieces_of_wires, side_names
 from .verdict import VerdictLine, verdict
 
 
@@ -26,7 +26,8 @@ class ReportRow:
     sides: list[Side]
     what: str | None = None  # for the button that selects it
     index: int = 0
-    note: str = ""  # of a wire: where it lies, its tolerance and what came of that
+    note: str = ""  # of a seam: what it joins; of a wire: where it lies, its tolerance and what came of that
+    seam_id: int = 0  # of a seam, by which its name is found in the list where it can be changed
     at_limit: bool = False
 
     @property
@@ -56,7 +57,15 @@ class PieceRow:
 
 def seam_rows(report: dict) -> list[ReportRow]:
     return _worst_first([
-        ReportRow(seam_name(report, seam), seam["ok"], _sides(seam, side_names(report, seam)), "SEAM", seam["index"])
+        ReportRow(
+            name=seam["name"],
+            ok=seam["ok"],
+            sides=_sides(seam, side_names(report, seam)),
+            what="SEAM",
+            index=seam["index"],
+            note=joined_pieces(report, seam),
+            seam_id=seam["seam_id"],
+        )
         for seam in report["seams"]
     ])  # fmt: skip
 
@@ -160,7 +169,7 @@ _kept: list[tuple[dict, list[str], ReportTables]] = []  # of the last two report
 
 def tables_of(report: dict) -> ReportTables:
     """Of a report that was shown last, as long as its pieces and wires keep their names."""
-    names = [entry["name"] for entry in report["pieces"] + report["wires"]]
+    names = [entry["name"] for entry in report["pieces"] + report["wires"] + report["seams"]]
     for shown, known, tables in _kept:
         if shown is report and known == names:
             return tables

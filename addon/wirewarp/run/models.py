@@ -3,7 +3,7 @@
 
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from types import ModuleType
 
 from ..core import Cache, FlattenResult
@@ -14,6 +14,7 @@ from ..solve.arrays import INWARD, MeshArrays, faces_inward
 from ..solve.flat_mesh import FlatMesh, flat_mesh
 from ..solve.flatten import FlattenChoices, Progress, flatten_arrays, has_layout, used_choices
 from ..solve.identity import KnownPieces, PieceIdentity, identify_pieces
+from ..solve.seams import KnownSeams, SeamIdentity, identify_seams, ids_by_edge
 from ..solve.sentences import plain_sentence
 from ..words import LengthText
 
@@ -33,6 +34,7 @@ class Model:
     units: LengthText  # for sentences
     arrays: MeshArrays | None = None
     known: KnownPieces | None = None
+    seams: KnownSeams | None = None
     solved: Cache | None = None  # wirewarp.Cache, the pieces of the last run
     issue: Issue | None = None  # why it cannot be flattened
 
@@ -45,6 +47,8 @@ class Outcome:
     report: dict
     result: FlattenResult | None = None
     identities: Sequence[PieceIdentity] = ()
+    seams: Sequence[SeamIdentity] = ()
+    arrays: MeshArrays | None = None  # the model's, with the ids that its seams have now
     pieces: FlatMesh | None = None  # None: there is no layout to write
 
 
@@ -93,10 +97,13 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
 
 def _outcome(model: Model, result: FlattenResult, meters: float) -> Outcome:
     identities = identify_pieces(result, model.arrays, model.known, model.facts["object"])
-    report = object_report(result, model.arrays, identities, meters)
+    seams = identify_seams(result, model.arrays, model.seams)
+    report = object_report(result, model.arrays, identities, seams, meters)
+    arrays = replace(model.arrays, seam_ids=ids_by_edge(result, model.arrays, seams))
     any_layout = bool(has_layout(result.corner_uv).any())
     pieces = flat_mesh(result, model.arrays, identities) if any_layout else None
-    return Outcome(model, model.facts | report | {"model_state": model.state}, result, identities, pieces)
+    report = model.facts | report | {"model_state": model.state}
+    return Outcome(model, report, result, identities, seams, arrays, pieces)
 
 
 class _Share:

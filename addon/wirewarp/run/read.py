@@ -12,6 +12,7 @@ from ..blender.mesh import element_counts
 from ..blender.units import length_text
 from ..flat.pieces import known_pieces
 from ..flat.reports import flattened_name
+from ..flat.seams import known_seams
 from ..issues import ObjectError, object_error
 from ..model.modifiers import left_out
 from ..model.owners import find_flat_object
@@ -81,7 +82,7 @@ def _read(
     use_modifiers = settings.use_modifiers
     names = {"object": source.name, "mesh": source.data.name, "with_modifiers": use_modifiers}
     facts = names | {"counts": element_counts(source.data)}
-    arrays = known = state = solved = issue = None
+    arrays = known = seams = state = solved = issue = None
     try:
         _check(source, settings)
         arrays = object_to_arrays(source, depsgraph)
@@ -90,12 +91,13 @@ def _read(
         asks_flat_pieces = use_modifiers or source.data.users > 1
         flat = find_flat_object(source) if asks_flat_pieces else None
         known = known_pieces(source, arrays, flat, flattened_name(source))
+        seams = known_seams(source, arrays, flat)
         state = model_state(source, None if use_modifiers else arrays)
         solved = solved_pieces(source)
     except ObjectError as error:
         issue = error.issue
     notes = left_out(source, arrays, use_modifiers)
-    return Model(source.name_full, facts, state, notes, units, arrays, known, solved, issue)
+    return Model(source.name_full, facts, state, notes, units, arrays, known, seams, solved, issue)
 
 
 def solved_pieces(source: bpy.types.Object) -> core.Cache:

@@ -8,7 +8,7 @@ from ..blender.objects import check_local, linear_part, metric
 from ..flat.read import is_flat_mesh
 from ..flat.uv import check_uv_room
 from ..issues import Issue, ObjectError, object_error
-from ..model.attributes import check_attributes, check_piece_room
+from ..model.attributes import check_attributes, check_id_room
 from ..model.owners import DELETED, check_not_edited, is_deleted, model_of
 
 CONVERTIBLE = {"CURVE", "SURFACE", "META", "FONT"}
@@ -70,7 +70,7 @@ def check_target(target: bpy.types.Object, writes_model: bool) -> None:
         check_local(target, target.data)
     check_attributes(target.data)
     if writes_model:
-        check_piece_room(target)
+        check_id_room(target)
         check_uv_room(target)
         _check_users(target)
 

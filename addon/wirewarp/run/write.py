@@ -20,6 +20,7 @@ from ..flat.places import (
     wants_new_layout,
 )
 from ..flat.reports import remember, store, with_names
+from ..flat.seams import write_seams
 from ..flat.uv import write_uv
 from ..issues import note, warning
 from ..model.attributes import wires_on
@@ -48,7 +49,7 @@ def _write_pieces(
     context: bpy.types.Context, source: bpy.types.Object, outcome: Outcome, settings: RunSettings
 ) -> None:
     """The flat object comes first, for it takes the most: should that fail, all is still as it was."""
-    arrays = outcome.model.arrays
+    arrays = outcome.arrays
     earlier = _kept_object(source, outcome, settings.keep_places)
     pieces, up = _place(source, outcome, earlier)
     away = places_of_absent(outcome.pieces, earlier, outcome.identities)
@@ -59,6 +60,7 @@ def _write_pieces(
         update_names(source.data, wires_on(source.data))
     outcome.identities = with_new_names(source, outcome.model.known, outcome.identities)
     write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
+    write_seams(source, arrays, outcome.seams, not settings.use_modifiers)
     with_names(source, outcome.report)
     if not settings.use_modifiers:
         remove_model_maps(source.data)

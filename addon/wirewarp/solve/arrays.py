@@ -47,6 +47,7 @@ class MeshArrays:
     polygon_sizes: np.ndarray  # (f,) int32
     edges: np.ndarray  # (e,2) int32
     seams: np.ndarray  # (k,2) int32
+    seam_ids: np.ndarray  # (k,) int32, of the seams that these edges were in when last flattened; 0 none
     outline: np.ndarray  # (k,2) int32, edges of one face
     wires: list[NamedWire]
     grain_wire: int  # id of the wire that stands upright in its pieces; 0: none was chosen

@@ -127,13 +127,36 @@ def _in_space(points: np.ndarray) -> np.ndarray:
     return np.column_stack([points, np.zeros(len(points))])
 
 
-def flat_marks(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> tuple[np.ndarray, EdgeMarks]:
-    """Which flat edges (e,2) are seams, a mask, and which are wires, by the edges of the model they come from."""
+@dataclass(frozen=True)
+class FlatMarks:
+    """Of the flat edges, by the edges of the model they come from."""
+
+    seams: np.ndarray  # (e,) bool
+    seam_ids: np.ndarray  # (e,) int32, 0 none
+    wires: EdgeMarks
+
+
+def flat_marks(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> FlatMarks:
+    """flat_edges (e,2)"""
     count = len(arrays.vertices)
     keys = edge_keys(flat.source_vertex[flat_edges], count)
-    is_seam, marks = np.isin(keys, edge_keys(arrays.seams, count)), EdgeMarks.none(len(keys))
+    return FlatMarks(*_seams_at(keys, arrays), _wires_at(keys, arrays))
+
+
+def _seams_at(keys: np.ndarray, arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
+    if not len(arrays.seams):
+        return np.zeros(len(keys), dtype=bool), np.zeros(len(keys), dtype=np.int32)
+    own = edge_keys(arrays.seams, len(arrays.vertices))
+    order = np.argsort(own)
+    place = order[np.searchsorted(own[order], keys).clip(max=len(own) - 1)]
+    is_seam = own[place] == keys
+    return is_seam, np.where(is_seam, arrays.seam_ids[place], 0).astype(np.int32)
+
+
+def _wires_at(keys: np.ndarray, arrays: MeshArrays) -> EdgeMarks:
+    marks, count = EdgeMarks.none(len(keys)), len(arrays.vertices)
     if not arrays.wires:
-        return is_seam, marks
+        return marks
 
     chains = [wire.chain for wire in arrays.wires]
     wire_keys = np.concatenate([edge_keys(np.column_stack([c.vertices[:-1], c.vertices[1:]]), count) for c in chains])
@@ -144,4 +167,4 @@ def flat_marks(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> tu
     wire = wire_of_key[order[place[on_wire]]]
     marks.wire_ids[on_wire] = np.array([chain.wire_id for chain in chains], dtype=np.int32)[wire]
     marks.tolerances[on_wire] = np.array([chain.tolerance for chain in chains], dtype=np.float32)[wire]
-    return is_seam, marks
+    return marks

@@ -115,7 +115,8 @@ class ReportSection(SidebarPanel):
         return f"{len(rows)}, largest difference {text}" if text and is_wide(context) else text
 
     def draw(self, context: bpy.types.Context) -> None:
-        draw_table(context, self.layout, self.rows(context))
+        names = {entry.seam_id: entry for entry in shown_source(context).wirewarp_seams}
+        draw_table(context, self.layout, self.rows(context), names)
 
 
 class VIEW3D_PT_wirewarp_report_seams(ReportSection, bpy.types.Panel):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A table of lengths: four columns where the sidebar is wide, one number a line where it is narrow."""
 
+from collections.abc import Mapping
+
 import bpy
 
 from ..blender.units import length_text
@@ -12,14 +14,23 @@ SHOWN_ROWS = 8
 MOST_ROWS = 100  # more make Blender slow to draw
 
 
-def draw_table(context: bpy.types.Context, layout: bpy.types.UILayout, rows: list[ReportRow]) -> None:
+def draw_table(
+    context: bpy.types.Context,
+    layout: bpy.types.UILayout,
+    rows: list[ReportRow],
+    names: Mapping[int, bpy.types.PropertyGroup],
+) -> None:
+    """names: what has the name of each seam, by its id; there it can be changed."""
     text = length_text(context.scene)
     column = layout.column(align=True)
     wide = is_wide(context)
     if wide:
         draw_cells(column, "", [f"Model {text.unit}", f"Flat {text.unit}", "Diff.", "%"], 0.2)
     for row in rows[: shown_rows(context)]:
-        draw_heading(context, column, row.name, mark_of(row.ok), row.what, row.index)
+        if row.seam_id in names:
+            _draw_name(column, row, names[row.seam_id])
+        else:
+            draw_heading(context, column, row.name, mark_of(row.ok), row.what, row.index)
         if row.note:
             draw_note(context, column, row.note, "INFO" if row.at_limit else "BLANK1")
         (_draw_wide if wide else _draw_narrow)(column, row, text)
@@ -50,6 +61,12 @@ def draw_heading(
         text.label(text=line, **({"icon": "BLANK1"} if number else mark))
     if what:
         draw_select(row, what, index)
+
+
+def _draw_name(layout: bpy.types.UILayout, row: ReportRow, entry: bpy.types.PropertyGroup) -> None:
+    line = layout.row(align=True)
+    line.prop(entry, "name", text="", **mark_of(row.ok))
+    draw_select(line, row.what, row.index)
 
 
 def draw_note(context: bpy.types.Context, layout: bpy.types.UILayout, note: str, icon: str) -> None:

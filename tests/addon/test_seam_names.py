@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Seams are numbered once: what is chalked on cloth stays true, whatever else is marked or changed."""
+
+import json
+
+import bpy
+import numpy as np
+import pytest
+from everything import draw_panels
+from surfaces import bump, flat_of, flatten, grid, mark_seam, on_line, read
+
+ACROSS = on_line(1, 0.0)
+DOWN = on_line(0, 0.0)
+
+
+def at(x):
+    return on_line(0, x)
+
+
+def dart(a, b):
+    return DOWN(a, b) and max(a[1], b[1]) < 0.1
+
+
+@pytest.fixture
+def source():
+    target = grid("Bump", bump)
+    mark_seam(target, at(0.5))
+    flatten(target)
+    return target
+
+
+def seams(addon, target):
+    """Of the last report: where they run, by name."""
+    report = addon.flat.reports.last_report(target)
+    places = read(target.data.vertices, "co", np.float32, 3)
+    return {seam["name"]: places[seam["edges"]].mean(axis=(0, 1))[:2].round(2).tolist() for seam in report["seams"]}
+
+
+def test_a_new_seam_leaves_the_others_their_numbers(addon, source):
+    assert seams(addon, source) == {"Seam 1": [0.5, 0.0]}
+    mark_seam(source, at(-0.5))
+    flatten(source)
+    assert seams(addon, source) == {"Seam 1": [0.5, 0.0], "Seam 2": [-0.5, 0.0]}
+    mark_seam(source, DOWN)
+    flatten(source)
+    assert seams(addon, source) == {"Seam 1": [0.5, 0.0], "Seam 2": [-0.5, 0.0], "Seam 3": [0.0, 0.0]}
+
+
+def test_a_number_is_not_given_again(addon, source):
+    mark_seam(source, at(-0.5))
+    flatten(source)
+    for edge in source.data.edges:
+        edge.use_seam = False
+    mark_seam(source, at(0.5))
+    flatten(source)
+    mark_seam(source, DOWN)
+    flatten(source)
+    assert seams(addon, source) == {"Seam 1": [0.5, 0.0], "Seam 3": [0.0, 0.0]}
+    mark_seam(source, at(-0.5))  # what was a seam before is that one again
+    flatten(source)
+    assert seams(addon, source)["Seam 2"] == [-0.5, 0.0]
+
+
+def test_a_seam_keeps_its_name_through_edits(addon, source, tmp_path):
+    source.wirewarp_seams[0].name = "Side"
+    mark_seam(source, DOWN)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.subdivide()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    flatten(source)
+    assert seams(addon, source) == {"Side": [0.5, 0.0], "Seam 2": [0.0, 0.0]}
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "saved.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "saved.blend"))
+    assert set(seams(addon, bpy.data.objects["Bump"])) == {"Side", "Seam 2"}
+
+
+def test_of_a_seam_that_is_cut_in_two_the_longer_keeps_the_name(addon, source):
+    mark_seam(source, lambda a, b: on_line(1, 0.5)(a, b) and min(a[0], b[0]) > 0.4)
+    flatten(source)
+    found = seams(addon, source)
+    assert found["Seam 1"] == [0.5, -0.25]
+    assert sorted(found) == ["Seam 1", "Seam 2", "Seam 3"]
+
+
+def test_a_seam_that_ends_inside_its_piece_is_a_dart(addon):
+    target = grid("Bump", bump)
+    mark_seam(target, dart)
+    flatten(target)
+    assert list(seams(addon, target)) == ["Dart 1"]
+    assert addon.report.rows.seam_rows(addon.flat.reports.last_report(target))[0].note == "Bump"
+    mark_seam(target, DOWN)  # all the way through: the same seam, and no dart any more
+    flatten(target)
+    assert list(seams(addon, target)) == ["Seam 1"]
+
+
+def test_a_seam_with_both_sides_in_one_piece_that_opens_a_tube_is_no_dart(addon):
+    bpy.ops.mesh.primitive_cylinder_add(vertices=12, end_fill_type="NOTHING")
+    tube = bpy.context.active_object
+    height = read(tube.data.vertices, "co", np.float32, 3)[:, 2]
+    upright = [edge for edge in tube.data.edges if np.ptp(height[list(edge.vertices)]) > 1]
+    upright[0].use_seam = True
+    flatten(tube)
+    assert list(seams(addon, tube)) == ["Seam 1"]
+
+
+def test_the_list_and_the_table_say_what_a_seam_joins(addon, source):
+    names = [piece["name"] for piece in addon.flat.reports.last_report(source)["pieces"]]
+    joined = " – ".join(names)
+    assert joined in draw_panels(addon)
+    text = addon.report.csv_table.report_csv(
+        addon.flat.reports.last_report(source), addon.blender.units.length_text(bpy.context.scene)
+    )
+    assert f"Seam,Seam 1: {joined},{names[0]}," in text
+
+
+def test_seams_keep_their_numbers_with_modifiers(addon, source):
+    source.modifiers.new("Twice", "SUBSURF")
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    mark_seam(source, DOWN)
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    before = {entry.seam_id: entry.name for entry in source.wirewarp_seams}
+    assert list(before.values()) == ["Seam 1", "Seam 2"]
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    assert {entry.seam_id: entry.name for entry in source.wirewarp_seams} == before
+    flat = flat_of(source).data
+    assert set(read(flat.attributes["wirewarp_seam"].data, "value", np.int32)) == {0, *before}
+
+
+def test_a_report_from_before_seams_had_names_is_read(addon, source):
+    report = json.loads(source["wirewarp_report"])
+    for seam in report["seams"]:
+        for part in ("seam_id", "name", "is_dart"):
+            del seam[part]
+    addon.flat.reports.store(source, report)
+    source.wirewarp_seams.clear()
+    assert [seam["name"] for seam in addon.flat.reports.last_report(source)["seams"]] == ["Seam 1"]
+    assert "Seam 1" in draw_panels(addon)
