@@ -20,6 +20,7 @@ COMMANDS = [  # what writes comes last
     ("object.wirewarp_export_svg", {}),
     ("mesh.wirewarp_take_proposal", {"what": "SEAMS", "issue": 0}),
     ("mesh.wirewarp_take_proposal", {"what": "TOLERANCES", "issue": 0}),
+    *(("object.wirewarp_mend", {"what": what}) for what in ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE")),
     ("mesh.wirewarp_grain_wire", EDGE),
     ("mesh.wirewarp_change_wire", EDGE | {"kind": "ELASTIC"}),
     ("mesh.wirewarp_mark", {"kind": "RIGID"}),
@@ -155,7 +156,7 @@ def call(command, settings, before):
     """
     where = place()
     said = answer(command, **settings)
-    if said == "{'FINISHED'}" or "flatten" in command:
+    if said == "{'FINISHED'}" or "flatten" in command or "mend" in command:
         return
     assert place() == where, f"{command} {settings}: {said}"
     to_object_mode()

@@ -63,6 +63,7 @@ def test_what_would_make_other_pieces_is_named(addon, source, settings, names, t
 def test_what_makes_no_difference_is_none(addon, source):
     assert give(addon, source, node_weight="UNIFORM", use_modifiers=True, keep_places=False, orientation="UP") == ""
     source.modifiers.new("Smooth", "SUBSURF")
+    bpy.ops.object.wirewarp_flatten()
     assert give(addon, source) == SENTENCE.format("Modifiers")
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     assert give(addon, source) == ""

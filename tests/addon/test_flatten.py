@@ -303,12 +303,39 @@ def test_what_is_shown_but_not_flattened_is_said(addon):
     assert notes_after(addon, source) == []
     key.data[40].co.z += 1
     key.value = 1
-    what = "{} were ignored, so sizes may differ from what you see. Tick Modifiers and flatten again."
-    assert notes_after(addon, source) == [what.format("Shape keys")]
+    assert ignored_after(addon, source) == "Modifiers and shape keys"
+    source.modifiers.clear()
+    assert ignored_after(addon, source) == "Shape keys"
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
-    assert notes_after(addon, source) == [what.format("Modifiers and shape keys")]
-    key.mute = True
-    assert notes_after(addon, source) == [what.format("Modifiers")]
+    assert ignored_after(addon, source) == "Modifiers and shape keys"
+
+
+def ignored_after(addon, source):
+    """What a run says was ignored; the pieces are not ready to cut then."""
+    bpy.ops.object.wirewarp_flatten()
+    level, text = addon.report.verdict.run_message([addon.flat.reports.last_report(source)])
+    assert level == "WARNING" and "Ready to cut" not in text
+    return text.removesuffix(" were ignored, so sizes differ from what you see")
+
+
+def test_modifiers_that_change_nothing_are_not_told(addon):
+    """An armature at rest, and edges that are split: the verdict is green."""
+    source = grid("Bump", bump)
+    bpy.ops.object.armature_add()
+    armature = bpy.context.object
+    source.vertex_groups.new(name=armature.data.bones[0].name).add(range(81), 1.0, "REPLACE")
+    source.modifiers.new("Armature", "ARMATURE").object = armature
+    select_only(source)
+    assert "Ready to cut" in message_after(addon, source)
+    source.modifiers.new("Split", "EDGE_SPLIT").split_angle = 0
+    assert "Ready to cut" in message_after(addon, source)
+    armature.pose.bones[0].location.y = 0.5
+    assert ignored_after(addon, source) == "Modifiers"
+
+
+def message_after(addon, source):
+    bpy.ops.object.wirewarp_flatten()
+    return addon.report.verdict.run_message([addon.flat.reports.last_report(source)])[1]
 
 
 def test_shape_keys_are_flattened_with_the_modifiers():

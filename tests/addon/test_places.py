@@ -232,7 +232,7 @@ def test_the_button_that_lays_out_anew_is_there_where_places_are_kept(source, ad
     assert buttons() == with_button - 2  # narrow and wide
     bpy.context.scene.wirewarp.keep_places = True
     select_only(flat_of(source))
-    assert buttons() == 0  # these are not flattened
+    assert buttons() == with_button  # of their model
 
     flatten_button = addon.operators.OBJECT_OT_wirewarp_flatten
     words = [flatten_button.description(bpy.context, SimpleNamespace(only_active=only)) for only in (False, True)]

@@ -17,6 +17,25 @@ def redraw_views() -> None:
                 area.tag_redraw()
 
 
+def redraw_sidebars() -> None:
+    """Of all 3D views, without what is beside them."""
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            for region in area.regions if area.type == "VIEW_3D" else ():
+                if region.type == "UI":
+                    region.tag_redraw()
+
+
+def is_over_sidebar(event: bpy.types.Event) -> bool:
+    """Whether the mouse is over the sidebar of a 3D view of the event's window."""
+    return any(
+        region.x <= event.mouse_x < region.x + region.width and region.y <= event.mouse_y < region.y + region.height
+        for area in bpy.context.window.screen.areas
+        for region in (area.regions if area.type == "VIEW_3D" else ())
+        if region.type == "UI"
+    )
+
+
 @dataclass(frozen=True)
 class Projection:
     """Of a view, as its projection matrix has it."""

@@ -1,34 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Notes on what the model has and the flat pieces have not."""
+"""What the model has and the flat pieces have not."""
 
 import bpy
+import numpy as np
 
+from ..blender.mesh import read
 from ..issues import note, warning
 from ..names import UV_LAYER
 from ..solve.arrays import MeshArrays
 from ..words import counted
 
-# Modifiers that move no vertex and make no face.
-OF_ATTRIBUTES = {
-    "DATA_TRANSFER",
-    "EDGE_SPLIT",
-    "NORMAL_EDIT",
-    "UV_PROJECT",
-    "UV_WARP",
-    "VERTEX_WEIGHT_EDIT",
-    "VERTEX_WEIGHT_MIX",
-    "VERTEX_WEIGHT_PROXIMITY",
-    "WEIGHTED_NORMAL",
-}
+ROUNDING = 1e-5  # of the model's size: what matrices of single precision move a vertex that an armature at rest holds
 
 
 def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers: bool) -> list[dict]:
     notes = []
-    shown = [] if use_modifiers else shown_only(source)
-    if shown:
-        ignored = " and ".join(shown).capitalize()
-        text = f"{ignored} were ignored, so sizes may differ from what you see. Tick Modifiers and flatten again."
-        notes.append(warning(text))
     if use_modifiers and UV_LAYER in source.data.uv_layers:
         text = f'The UV map "{UV_LAYER}" is from an earlier run without Modifiers. It does not show these pieces.'
         notes.append(note(text))
@@ -38,18 +24,24 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
     return notes
 
 
-def shown_only(source: bpy.types.Object) -> list[str]:
-    """What makes the object look different from its base mesh."""
-    moving = [modifier for modifier in source.modifiers if modifier.type not in OF_ATTRIBUTES]
-    shown = ["modifiers"] if any(modifier.show_viewport for modifier in moving) else []
-    return shown + (["shape keys"] if _is_keyed(source.data.shape_keys, source) else [])
+def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[str]:
+    """What makes the object look other than its base mesh: modifiers, shape keys. In Object Mode.
+
+    By its shape as it is evaluated: an armature at rest changes nothing, nor does a modifier of normals.
+    """
+    makers = ["modifiers"] if any(modifier.show_viewport for modifier in source.modifiers) else []
+    makers += ["shape keys"] if source.data.shape_keys else []
+    if not makers:
+        return []
+    return [] if _is_same_shape(source.data, source.evaluated_get(depsgraph).data) else makers
 
 
-def _is_keyed(keys: bpy.types.Key | None, source: bpy.types.Object) -> bool:
-    if keys is None:
+def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:
+    """Where a modifier splits edges, the same places are there several times."""
+    if len(base.polygons) != len(seen.polygons):
         return False
-    if source.show_only_shape_key:
-        return source.active_shape_key != keys.reference_key
-    if not keys.use_relative:
-        return True
-    return any(key.value != 0 and not key.mute for key in keys.key_blocks if key != keys.reference_key)
+    places, seen_places = (read(mesh.vertices, "co", np.float32, 3) for mesh in (base, seen))
+    if len(places) != len(seen_places):
+        return np.array_equal(np.unique(places, axis=0), np.unique(seen_places, axis=0))
+    size = float(np.abs(places).max(initial=0))
+    return bool(np.allclose(places, seen_places, rtol=0, atol=ROUNDING * size, equal_nan=True))

@@ -5,8 +5,9 @@ May import: ui, run, flat, model, blender, report, pattern, properties, core, is
 """
 
 from .export import OBJECT_OT_wirewarp_export_svg
-from .flatten import OBJECT_OT_wirewarp_flatten
+from .flatten import OBJECT_OT_wirewarp_cancel, OBJECT_OT_wirewarp_flatten
 from .mark import MESH_OT_wirewarp_clear, MESH_OT_wirewarp_mark, MESH_OT_wirewarp_seams_from_uv_islands
+from .mend import OBJECT_OT_wirewarp_mend
 from .report import (
     MESH_OT_wirewarp_select_issues,
     MESH_OT_wirewarp_select_result,
@@ -28,6 +29,8 @@ CLASSES = (
     MESH_OT_wirewarp_select_result,
     MESH_OT_wirewarp_take_proposal,
     OBJECT_OT_wirewarp_flatten,
+    OBJECT_OT_wirewarp_mend,
+    OBJECT_OT_wirewarp_cancel,
     VIEW3D_OT_wirewarp_frame,
     OBJECT_OT_wirewarp_copy_report,
     OBJECT_OT_wirewarp_export_svg,

@@ -88,3 +88,19 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)
         draw_advanced(self.layout, self)
+
+
+class OBJECT_OT_wirewarp_cancel(bpy.types.Operator):
+    """Stop flattening; nothing is written"""
+
+    bl_idname = "object.wirewarp_cancel"
+    bl_label = "Cancel"
+    bl_options = {"INTERNAL"}
+
+    @classmethod
+    def poll(cls, _context: bpy.types.Context) -> bool:
+        return window_run.is_running() and not window_run.is_cancelled()
+
+    def execute(self, _context: bpy.types.Context) -> set[str]:
+        window_run.cancel()
+        return {"FINISHED"}

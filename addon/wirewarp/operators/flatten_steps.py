@@ -12,7 +12,7 @@ from .. import core
 from ..blender.files import replaced_file, unwritten
 from ..blender.modes import WORKING_MODES, hold_whole_file, in_object_mode
 from ..blender.units import meters_per_blender_unit
-from ..blender.views import redraw_views
+from ..blender.views import is_over_sidebar, redraw_views
 from ..issues import Issue, ObjectError
 from ..properties import FlattenSettings, choices_of
 from ..report.verdict import run_message, run_report
@@ -62,7 +62,9 @@ class FlattenSteps(FlattenSettings):
         return {"PASS_THROUGH" if self.lets_pass(event) else "RUNNING_MODAL"}
 
     def lets_pass(self, event: bpy.types.Event) -> bool:
-        """Whether the user may do this during the run."""
+        """Whether the user may do this during the run: all else would be lost or make its result untrue."""
+        if event.type == "LEFTMOUSE":
+            return is_over_sidebar(event)  # where Cancel is
         return event.type in HARMLESS or event.type.startswith(HARMLESS_KINDS)
 
     def cancel(self, _context: bpy.types.Context) -> None:

@@ -162,6 +162,24 @@ def _select(context: bpy.types.Context, target: bpy.types.Object, elements: Elem
     select_elements(context, target, elements.vertices, elements.edges, elements.faces)
 
 
+def take_proposals(source: bpy.types.Object, report: dict, what: str, issues: slice = slice(None)) -> int:
+    """Writes what these issues of the report propose, SEAMS or TOLERANCES. Returns how many edges were changed.
+
+    Raises ObjectError. Of a model in Object Mode.
+    """
+    key = "proposed_seams" if what == "SEAMS" else "proposed_tolerances"
+    proposed = [each for issue in report["issues"][issues] for each in issue[key]]
+    if not proposed:
+        proposal = "seam" if what == "SEAMS" else "tolerance"
+        sentence = f'The report of "{source.name}" proposes no {proposal} here: flatten again to see what helps.'
+        raise object_error("not_in_report", sentence)
+    check_not_edited(source)
+    check_indices(source, report)
+    if has_moved(source, report):
+        raise changed_error(source.name)
+    return (mark_seams if what == "SEAMS" else loosen_wires)(source.data, proposed)
+
+
 class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
     """Mend the model as the report proposes"""
 
@@ -182,7 +200,7 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
         edits_others = context.mode == "EDIT_MESH" and source.mode != "EDIT"
         with in_object_mode(context):
-            count = self._take(source, report)
+            count = take_proposals(source, report, self.what, slice(self.issue, self.issue + 1))
         if count == 0:
             self.report({"INFO"}, "Already done. Flatten again")
             return {"CANCELLED"}
@@ -192,18 +210,3 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
         done = "marked as seam" if self.what == "SEAMS" else "made more elastic"
         self.report({"INFO"}, f"{counted(count, 'edge')} {done}: flatten again")
         return {"FINISHED"}
-
-    def _take(self, source: bpy.types.Object, report: dict) -> int:
-        """Returns the number of edges that were changed. Raises ObjectError."""
-        key = "proposed_seams" if self.what == "SEAMS" else "proposed_tolerances"
-        issues = report["issues"]
-        proposed = issues[self.issue][key] if self.issue < len(issues) else None
-        if not proposed:
-            proposal = "seam" if self.what == "SEAMS" else "tolerance"
-            sentence = f'The report of "{source.name}" proposes no {proposal} here: flatten again to see what helps.'
-            raise object_error("not_in_report", sentence)
-        check_not_edited(source)
-        check_indices(source, report)
-        if has_moved(source, report):
-            raise changed_error(source.name)
-        return (mark_seams if self.what == "SEAMS" else loosen_wires)(source.data, proposed)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which pieces may be cut: the lines in the sidebar, the message of a run, and its reports as one."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from ..words import counted
@@ -38,6 +38,20 @@ def verdict(*reports: dict) -> list[VerdictLine]:
         return lines
     which = f"{count}, {kept_text(reports)}" if len(good) == len(entries) else _others(good, len(reports) > 1)
     return [*lines, VerdictLine(f"{ready_text([piece for _, piece in good])}: {which}", "TICK")]
+
+
+def as_seen(lines: list[VerdictLine], makers: Iterable[str]) -> list[VerdictLine]:
+    """The verdict where modifiers or shape keys, which were left out, make the model look otherwise."""
+    makers = list(dict.fromkeys(makers))
+    if not makers:
+        return lines
+    text = f"{' and '.join(makers).capitalize()} were ignored, so sizes differ from what you see"
+    return [line for line in lines if line.icon != "TICK"] + [VerdictLine(text, "ERROR")]
+
+
+def left_out_of(report: dict) -> list[str]:
+    """What was left out of a run, though it changes what is seen."""
+    return [] if report.get("with_modifiers") else report.get("shaped_by", [])
 
 
 def _strained_line(strained: list[Entry], with_objects: bool) -> VerdictLine:
@@ -77,8 +91,9 @@ def run_message(reports: list[dict]) -> tuple[str, str]:
     if not all(report["ok"] for report in reports):
         warnings = [note["text"] for note in notes if note["is_warning"]]
         torn = {hint["sentence"] for report in reports for hint in report["hints"] if hint["code"] == TORN}
-        return "ERROR", "\n".join([failure_text(reports), *warnings, *torn])
-    lines = verdict(*reports)
+        left_out = as_seen([], (maker for report in reports for maker in left_out_of(report)))
+        return "ERROR", "\n".join([failure_text(reports), *(line.text for line in left_out), *warnings, *torn])
+    lines = as_seen(verdict(*reports), (maker for report in reports for maker in left_out_of(report)))
     is_fine = all(line.icon == "TICK" for line in lines) and not any(note["is_warning"] for note in notes)
     return "INFO" if is_fine else "WARNING", "\n".join([line.text for line in lines] + [note["text"] for note in notes])
 

@@ -14,7 +14,7 @@ from ..flat.pieces import known_pieces
 from ..flat.reports import flattened_name
 from ..flat.seams import known_seams
 from ..issues import ObjectError, object_error
-from ..model.modifiers import left_out
+from ..model.modifiers import left_out, shaped_by
 from ..model.owners import find_flat_object
 from ..model.read import object_to_arrays
 from ..model.state import has_changed, model_state
@@ -34,8 +34,8 @@ class RunSettings(Protocol):
 
 def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], settings: RunSettings) -> list[Model]:
     """What cannot be flattened becomes a model with an issue."""
-    depsgraph = _updated_depsgraph(context, settings)
-    units = length_text(context.scene)
+    context.view_layer.update()
+    depsgraph, units = context.evaluated_depsgraph_get(), length_text(context.scene)
     return [_read(source, depsgraph, units, settings) for source in sources]
 
 
@@ -77,15 +77,16 @@ def _updated_depsgraph(context: bpy.types.Context, settings: RunSettings) -> bpy
 
 
 def _read(
-    source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None, units: LengthText, settings: RunSettings
+    source: bpy.types.Object, depsgraph: bpy.types.Depsgraph, units: LengthText, settings: RunSettings
 ) -> Model:
     use_modifiers = settings.use_modifiers
     names = {"object": source.name, "mesh": source.data.name, "with_modifiers": use_modifiers}
+    names["shaped_by"] = shaped_by(source, depsgraph)
     facts = names | {"counts": element_counts(source.data)}
     arrays = known = seams = state = solved = issue = None
     try:
         _check(source, settings)
-        arrays = object_to_arrays(source, depsgraph)
+        arrays = object_to_arrays(source, depsgraph if use_modifiers else None)
         # Results with modifiers are not written to the model, and of objects that share a mesh the last one's are on
         # it: only the flat pieces know this object's last ids.
         asks_flat_pieces = use_modifiers or source.data.users > 1

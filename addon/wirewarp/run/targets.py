@@ -9,25 +9,30 @@ from ..flat.read import is_flat_mesh
 from ..flat.uv import check_uv_room
 from ..issues import Issue, ObjectError, object_error
 from ..model.attributes import check_attributes, check_id_room
-from ..model.owners import DELETED, check_not_edited, is_deleted, model_of
+from ..model.owners import DELETED, check_not_edited, is_deleted, model_of, model_or_self
 
 CONVERTIBLE = {"CURVE", "SURFACE", "META", "FONT"}
 
 
 def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Every selected mesh and every mesh in Edit Mode, flat pieces left out."""
+    """Every selected mesh and every mesh in Edit Mode; of flat pieces, their model."""
     edited = list(context.objects_in_mode) if context.mode == "EDIT_MESH" else []
-    return list(filter(_is_model, dict.fromkeys([*edited, *context.selected_objects])))
+    models = (_model(context, each) for each in [*edited, *context.selected_objects])
+    return list(dict.fromkeys(filter(None, models)))
 
 
 def active_target(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """The active object alone, if it is a mesh to flatten and can be seen."""
+    """The active object alone, or its model, if it can be seen."""
     active = context.view_layer.objects.active
-    return [active] if active and active.visible_get() and _is_model(active) else []
+    model = _model(context, active) if active and active.visible_get() else None
+    return [model] if model else []
 
 
-def _is_model(target: bpy.types.Object) -> bool:
-    return target.type == "MESH" and model_of(target) is None
+def _model(context: bpy.types.Context, target: bpy.types.Object) -> bpy.types.Object | None:
+    """What is flattened where this is selected; None if it is no mesh, or its model is not there."""
+    model = model_or_self(target)
+    is_there = model.name_full in context.view_layer.objects or model == target
+    return model if model.type == "MESH" and model_of(model) is None and is_there else None
 
 
 def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Object]) -> str:
@@ -48,7 +53,7 @@ def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Objec
     if active and active.select_get() and active.type in CONVERTIBLE:
         return f'Nothing to flatten: "{active.name}" is not a mesh. Use Object > Convert > Mesh first.'
     if models:
-        return "Nothing to flatten: these are flat pieces. Select their model."
+        return f'Nothing to flatten: "{models[0].name}", the model of these pieces, is not in this view layer.'
     return "Nothing to flatten: select a mesh object."
 
 

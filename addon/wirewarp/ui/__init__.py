@@ -1,18 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The sidebar tab and the menu entries: they show, and call operators by name.
 
-May import: overlay, flat, model, blender, report, properties, issues, words.
+May import: overlay, run, flat, model, blender, report, properties, issues, words.
 """
 
 from . import layout, menus
-from .panel import (
-    IMAGE_PT_wirewarp_overlay,
-    VIEW3D_PT_wirewarp_advanced,
-    VIEW3D_PT_wirewarp_flatten,
-    VIEW3D_PT_wirewarp_mark,
-    VIEW3D_PT_wirewarp_overlay,
-    VIEW3D_PT_wirewarp_settings,
-)
+from .flatten import VIEW3D_PT_wirewarp_advanced, VIEW3D_PT_wirewarp_flatten, VIEW3D_PT_wirewarp_settings
+from .panel import IMAGE_PT_wirewarp_overlay, VIEW3D_PT_wirewarp_mark, VIEW3D_PT_wirewarp_overlay
 from .piece_list import VIEW3D_PT_wirewarp_pieces, WIREWARP_UL_pieces
 from .report import (
     VIEW3D_PT_wirewarp_report,
@@ -24,11 +18,11 @@ from .wire_list import VIEW3D_PT_wirewarp_wires
 
 CLASSES = (
     *menus.CLASSES,
-    VIEW3D_PT_wirewarp_mark,
-    VIEW3D_PT_wirewarp_wires,
     VIEW3D_PT_wirewarp_flatten,
     VIEW3D_PT_wirewarp_settings,
     VIEW3D_PT_wirewarp_advanced,
+    VIEW3D_PT_wirewarp_mark,
+    VIEW3D_PT_wirewarp_wires,
     WIREWARP_UL_pieces,
     VIEW3D_PT_wirewarp_pieces,
     VIEW3D_PT_wirewarp_report,

@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marking and flattening."""
+"""Marking, and what the overlay shows."""
 
 import bpy
 
 from ..flat.reports import last_report
-from ..issues import ObjectError
-from ..model.owners import DELETED, find_flat_object, is_deleted, model_of, model_or_self
+from ..model.owners import DELETED, is_deleted, model_of, model_or_self
 from .layout import SidebarPanel, draw_sentence
-from .settings import draw_advanced, draw_settings
-from .wire_list import shown_wires
 
 
 class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
@@ -22,7 +19,7 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
             return
         model = model_of(active)
         if model:
-            sentence = f'These are the flat pieces of "{model.name}". Select it to mark and flatten.'
+            sentence = f'These are the flat pieces of "{model.name}". Select it to mark seams and wires.'
             if is_deleted(model):
                 draw_sentence(context, layout, f"These are flat pieces. {DELETED.format(model.name)}", "ERROR")
             else:
@@ -48,59 +45,6 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         row.prop(context.scene.wirewarp, "tolerance_percent", text="±")
         column.operator("mesh.wirewarp_mark", text="Free").kind = "SUPER_ELASTIC"
         column.operator("mesh.wirewarp_clear", text="Clear Wire")
-
-
-class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
-    bl_label = "Flatten"
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        return not (active and model_of(active))
-
-    def draw(self, context: bpy.types.Context) -> None:
-        layout = self.layout
-        settings = context.scene.wirewarp
-        row = layout.row(align=True)
-        row.scale_y = 1.5
-        row.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
-        row.prop(settings, "auto_update", text="", icon="FILE_REFRESH")
-        active = context.active_object
-        if active and active.type == "MESH" and last_report(active) and find_flat_object(active):
-            layout.operator("view3d.wirewarp_frame", icon="VIEWZOOM")
-
-        if settings.method == "WIREWARPING" and _has_loose_wires(context):
-            draw_sentence(context, layout, "This method keeps elastic and free wires rigid too.", "INFO")
-
-
-class VIEW3D_PT_wirewarp_settings(SidebarPanel, bpy.types.Panel):
-    """Closed at first: the answer to Flatten, the report, must be in sight below the button."""
-
-    bl_label = "Settings"
-    bl_parent_id = "VIEW3D_PT_wirewarp_flatten"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    def draw(self, context: bpy.types.Context) -> None:
-        draw_settings(self.layout, context.scene.wirewarp)
-
-
-class VIEW3D_PT_wirewarp_advanced(SidebarPanel, bpy.types.Panel):
-    bl_label = "Advanced"
-    bl_parent_id = "VIEW3D_PT_wirewarp_settings"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    def draw(self, context: bpy.types.Context) -> None:
-        draw_advanced(self.layout, context.scene.wirewarp)
-
-
-def _has_loose_wires(context: bpy.types.Context) -> bool:
-    active = context.active_object
-    if active is None or active.type != "MESH":
-        return False
-    try:
-        return any(wire.tolerance > 0 for _, wire in shown_wires(active))
-    except ObjectError:
-        return False  # the list of wires says what is wrong
 
 
 class VIEW3D_PT_wirewarp_overlay(SidebarPanel, bpy.types.Panel):

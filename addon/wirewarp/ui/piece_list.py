@@ -8,8 +8,8 @@ from ..flat.reports import pieces_report
 from ..report.cloth import percent_text
 from ..report.rows import PieceRow, tables_of
 from .layout import SidebarPanel, draw_cells, draw_sentence, mark_of
-from .report import shown_source
 from .report_table import draw_select
+from .shown import shown_source
 
 NO_STRAIN = 5e-4  # what is shown as 0.0%
 
@@ -83,7 +83,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         chosen = _row_of(context, source.wirewarp_active_piece)
         if chosen:
             draw_figures(context, self.layout, chosen)
-        if context.active_object == source and context.scene.wirewarp.keep_places:
+        if context.scene.wirewarp.keep_places:
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
             button.keep_places, button.only_active = False, True
         self.layout.operator("object.wirewarp_export_svg", icon="EXPORT")

@@ -3,33 +3,13 @@
 
 import bpy
 
-from ..blender.cache import stamp
 from ..blender.units import length_text
-from ..flat.read import no_pieces_sentence
-from ..flat.reports import last_report, pieces_report
-from ..model.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
-from ..model.state import has_changed
-from ..overlay.cache import Same, kept_drawing
+from ..flat.reports import pieces_report
 from ..report.rows import largest_difference, tables_of
 from .layout import SidebarPanel, draw_sentence, is_wide, mark_of
 from .report_sentences import draw_hints, draw_issues
 from .report_table import draw_table
-from .settings import settings_sentence
-
-CHANGED = "The model has changed since. Flatten again."
-
-
-def shown_report(context: bpy.types.Context) -> dict | None:
-    """The report of the active object, or of the source of active flat pieces."""
-    source = shown_source(context)
-    return last_report(source) if source else None
-
-
-def shown_source(context: bpy.types.Context) -> bpy.types.Object | None:
-    active = context.active_object
-    if active is None or active.type != "MESH":
-        return None
-    return model_or_self(active)
+from .shown import has_changed_since, shown_report, shown_source
 
 
 class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
@@ -42,45 +22,18 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         source, report = shown_source(context), shown_report(context)
-        changed = _has_changed(source, report)
-        untrue = CHANGED if changed else _why_untrue(context.active_object, source, report)
-        if untrue:
-            warning = layout.column()
-            warning.alert = True
-            draw_sentence(context, warning, untrue, "ERROR")
-        else:
-            for line in tables_of(report).verdict:
-                draw_sentence(context, layout, line.text, line.icon)
-            made = pieces_report(source) if has_flat_object(source) else None
-            settings = settings_sentence(source, made, context.scene.wirewarp) if made else ""
-            if settings:
-                draw_sentence(context, layout, settings, "INFO")
         for note in report["notes"]:
             draw_sentence(context, layout, note["text"], "ERROR" if note["is_warning"] else "INFO")
         if "method_name" in report:
             draw_sentence(context, layout, f"Method: {report['method_name']}")
         if report["issues"]:
             box = layout.box()
-            box.active = not changed  # gray, but the next proposal can be taken without a run between
+            box.active = not has_changed_since(source, report)  # gray, but the next proposal can be taken without a run between
             draw_issues(context, box, report)
         if report["hints"]:
             draw_hints(context, layout, report)
         if (pieces_report(source) or report)["pieces"]:
             layout.operator("object.wirewarp_copy_report", icon="COPYDOWN")
-
-
-def _why_untrue(active: bpy.types.Object, source: bpy.types.Object, report: dict) -> str:
-    """Why the report of an unchanged model says nothing of what is to be seen; "" if it does."""
-    if "flat_object" in report and not has_flat_object(source):
-        return no_pieces_sentence(source)
-    return earlier_sentence(active) if is_earlier(active) else ""
-
-
-def _has_changed(source: bpy.types.Object, report: dict) -> bool:
-    """Not asked at every redraw while a large model with modifiers changes: to read it takes as long as to draw it."""
-    place = source.mode, source.visible_get(), source.matrix_world.copy()
-    seen = stamp(source), stamp(source.data), place, Same(report)
-    return kept_drawing(source, "has changed", seen, lambda: has_changed(source, report))
 
 
 class ReportSection(SidebarPanel):

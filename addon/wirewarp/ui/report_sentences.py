@@ -6,6 +6,7 @@ import bpy
 from ..report.hints import ADVICE as TORN_ADVICE
 from ..report.hints import TORN
 from ..report.names import with_piece
+from ..report.next_step import is_shown
 from ..words import counted, tolerance_text
 from .layout import draw_sentence
 from .report_table import SHOWN_ROWS, draw_select
@@ -22,8 +23,7 @@ ADVICE = {
 def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: dict) -> None:
     issues = report["issues"]
     for index, issue in enumerate(issues[:SHOWN_ROWS]):
-        is_shown = not report.get("with_modifiers") or _lies_flat(report, issue)
-        _draw_entry(context, layout, with_piece(report, issue), "ISSUE", index, is_shown and _has_place(issue))
+        _draw_entry(context, layout, with_piece(report, issue), "ISSUE", index, is_shown(report, issue))
         if not report.get("with_modifiers"):
             _draw_proposals(context, layout, index, issue)
         elif issue["proposed_seams"] or issue["proposed_tolerances"]:
@@ -39,7 +39,7 @@ def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: 
 
 def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: dict) -> None:
     """Under the advice, the places where it would help."""
-    is_shown = not report.get("with_modifiers") or "flat_object" in report
+    is_there = not report.get("with_modifiers") or "flat_object" in report
     for code, advice in ADVICE.items():
         hints = [(index, hint) for index, hint in enumerate(report["hints"]) if hint["code"] == code]
         if not hints:
@@ -47,7 +47,7 @@ def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: d
         column = layout.column(align=True)
         draw_sentence(context, column, advice, "INFO")
         for index, hint in hints[:SHOWN_HINTS]:
-            placed = is_shown and _has_place(hint)
+            placed = is_there and _has_place(hint)
             _draw_entry(context, column, with_piece(report, hint, "short"), "HINT", index, placed)
         if len(hints) > SHOWN_HINTS:
             column.label(text=f"and {len(hints) - SHOWN_HINTS} more", icon="BLANK1")
@@ -66,10 +66,6 @@ def _draw_entry(
 
 def _has_place(entry: dict) -> bool:
     return bool(entry["vertices"] or entry["edges"] or entry["faces"])
-
-
-def _lies_flat(report: dict, issue: dict) -> bool:
-    return issue["piece"] is not None and report["pieces"][issue["piece"]]["has_layout"]
 
 
 def _draw_proposals(context: bpy.types.Context, layout: bpy.types.UILayout, index: int, issue: dict) -> None:

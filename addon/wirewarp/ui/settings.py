@@ -5,7 +5,6 @@ from dataclasses import asdict
 
 import bpy
 
-from ..model.modifiers import shown_only
 from ..properties import FlattenSettings, WIREWARP_PG_settings, choices_of
 
 LINES_FIRST = {"WIREWARP_PLUS_PLUS", "WIREWARPING"}
@@ -65,6 +64,6 @@ def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_setti
     changed = [name for key, name in NAMES.items() if key not in unused and now[key] != then[key]]
     if now["orientation"] == "wire" and then["grain_wire"] != now["grain_wire"]:
         changed.append("Grain Wire")
-    if report.get("with_modifiers", False) != settings.use_modifiers and shown_only(source):
+    if report.get("with_modifiers", False) != settings.use_modifiers and report.get("shaped_by"):
         changed.append("Modifiers")
     return changed

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The button below Flatten: mends what the report complains about, and flattens again."""
+
+import bpy
+from bpy.props import EnumProperty
+
+from ..blender.modes import WORKING_MODES, in_object_mode
+from ..blender.objects import check_local
+from ..flat.reports import last_report
+from ..issues import ObjectError, object_error
+from ..model.mend import dissolve_faces_without_area, merge_close_vertices
+from ..model.owners import check_not_edited, model_or_self
+from ..properties import take_settings
+from ..run import window_run
+from ..ui.settings import draw_advanced, draw_settings
+from .flatten_steps import FlattenSteps
+from .report import take_proposals
+
+CLEAN_UP = {"DISSOLVE": dissolve_faces_without_area, "MERGE": merge_close_vertices}
+
+
+class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
+    """Mend the model and flatten it again"""
+
+    bl_idname = "object.wirewarp_mend"
+    bl_label = "Mend and Flatten"
+    bl_options = {"REGISTER", "UNDO"}
+
+    what: EnumProperty(
+        name="What",
+        description="What to do before flattening again",
+        items=[
+            ("SEAMS", "Mark", "Mark all proposed edges as seams, and flatten again"),
+            ("TOLERANCES", "Loosen", "Give the wires that contradict one another the proposed tolerances, and flatten"),
+            ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model, and flatten again"),
+            ("MERGE", "Merge", "Merge vertices of the model that lie in one place, and flatten again"),
+            ("MODIFIERS", "Modifiers", "Flatten the mesh as modifiers and shape keys leave it, from now on"),
+        ],
+        options={"HIDDEN"},
+    )
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        return properties.rna_type.properties["what"].enum_items[properties.what].description
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        is_mesh = active is not None and active.type == "MESH"
+        return is_mesh and context.mode in WORKING_MODES and not window_run.is_running()
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        take_settings(self, context.scene.wirewarp)
+        if bpy.app.background:
+            return self.execute(context)
+        return self.begin_run(context, [self._model(context)]) if self._mend(context) else {"CANCELLED"}
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        """In a script and for Adjust Last Operation."""
+        if not self._mend(context):
+            return {"CANCELLED"}
+        self.flatten_now(context, [self._model(context)])
+        return {"FINISHED"}
+
+    def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        """What was mended stays, and can be undone, whatever becomes of the run."""
+        result = super().modal(context, event)
+        return {"FINISHED"} if result == {"CANCELLED"} else result
+
+    def _model(self, context: bpy.types.Context) -> bpy.types.Object:
+        return model_or_self(context.active_object)
+
+    def _mend(self, context: bpy.types.Context) -> bool:
+        """Whether it was; says why not."""
+        source = self._model(context)
+        try:
+            if self.what == "MODIFIERS":
+                self.use_modifiers = context.scene.wirewarp.use_modifiers = True
+                return True
+            if context.mode == "EDIT_MESH" and source.mode != "EDIT":
+                bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
+            with in_object_mode(context):
+                count = self._change(source)
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return False
+        if count == 0:
+            self.report({"ERROR"}, f'Nothing to mend: "{source.name}" has nothing of this kind any more.')
+        return count > 0
+
+    def _change(self, source: bpy.types.Object) -> int:
+        """Returns how many elements changed. Raises ObjectError, with nothing changed."""
+        if self.what in CLEAN_UP:
+            check_local(source, source.data)
+            check_not_edited(source)
+            return CLEAN_UP[self.what](source.data)
+        report = last_report(source)
+        if report is None:
+            raise object_error("not_flattened", f'"{source.name}" has not been flattened yet. Press Flatten first.')
+        return take_proposals(source, report, self.what)
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        draw_settings(self.layout, self)
+        draw_advanced(self.layout, self)

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the user does best after a run: one button, which does it and flattens again."""
+
+from typing import NamedTuple
+
+from ..words import counted
+from .cloth import is_strained
+from .verdict import left_out_of
+
+MEND = "object.wirewarp_mend"
+SHOW = "mesh.wirewarp_select_result"
+# By the kind of proposal, the most needed first: what its button says, and does.
+REMEDIES = {
+    "SEAMS": ("Mark and Flatten", "EDGESEL"),
+    "TOLERANCES": ("Loosen and Flatten", "FIXED_SIZE"),
+    "DISSOLVE": ("Dissolve and Flatten", "X"),
+    "MERGE": ("Merge and Flatten", "AUTOMERGE_ON"),
+}
+OF_CODES = {"zero_area_face": "DISSOLVE", "loose_faces": "MERGE"}
+
+
+class NextStep(NamedTuple):
+    sentence: str  # why; "" where the verdict has said it
+    text: str
+    icon: str
+    operator: str
+    settings: dict
+
+
+def next_step(report: dict, left_out: list[str]) -> NextStep | None:
+    """None where the pieces may be cut. left_out: see as_seen, of the model as it is now."""
+    remedies = [remedy_of(issue) for issue in report["issues"]] if not report.get("with_modifiers") else []
+    for what, (text, icon) in REMEDIES.items():
+        if what in remedies:
+            return NextStep(_reason(report["issues"], what), text, icon, MEND, {"what": what})
+    if report["issues"]:
+        return _show(report, "ISSUE", "Show Failed Place", report["issues"])
+    if left_out:
+        return NextStep("", "Flatten with Modifiers", "MODIFIER", MEND, {"what": "MODIFIERS"})
+    return _show(report, "HINT", "Show Strained Place", report["hints"]) if _any_strained(report) else None
+
+
+def _any_strained(report: dict) -> bool:
+    return any(map(is_strained, report["pieces"]))
+
+
+def _show(report: dict, what: str, text: str, entries: list[dict]) -> NextStep | None:
+    """The first of them that has a place: they stand in the order of what is worst."""
+    index = next((index for index, entry in enumerate(entries) if is_shown(report, entry)), None)
+    return None if index is None else NextStep("", text, "RESTRICT_SELECT_OFF", SHOW, {"what": what, "index": index})
+
+
+def remedy_of(issue: dict) -> str | None:
+    """The kind of what mends it."""
+    if issue["proposed_seams"]:
+        return "SEAMS"
+    return "TOLERANCES" if issue["proposed_tolerances"] else OF_CODES.get(issue["code"])
+
+
+def is_shown(report: dict, entry: dict) -> bool:
+    """Whether an issue or a hint has a place that can be selected: made by modifiers, on its flat piece only."""
+    if not (entry["vertices"] or entry["edges"] or entry["faces"]):
+        return False
+    if not report.get("with_modifiers"):
+        return True
+    return entry["piece"] is not None and report["pieces"][entry["piece"]]["has_layout"]
+
+
+def _reason(issues: list[dict], what: str) -> str:
+    if what == "SEAMS":
+        count = sum(len(issue["proposed_seams"]) for issue in issues)
+        return f"{counted(count, 'edge')} proposed as seam."
+    if what == "TOLERANCES":
+        count = sum(len(issue["proposed_tolerances"]) for issue in issues)
+        return f"{counted(count, 'wire')} proposed to be looser."
+    return ""

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flatten, what became of it, and what to do next: together, at the top of the sidebar."""
+
+import bpy
+
+from ..blender.cache import stamp
+from ..flat.reports import last_report, pieces_report
+from ..issues import ObjectError
+from ..model.modifiers import shaped_by
+from ..model.owners import find_flat_object, has_flat_object, model_of, model_or_self
+from ..model.state import shows_modified
+from ..overlay.cache import kept_drawing
+from ..report.next_step import next_step
+from ..report.rows import tables_of
+from ..report.verdict import as_seen, left_out_of
+from ..run.window_run import is_cancelled, shown_progress
+from .layout import SidebarPanel, draw_sentence
+from .settings import draw_advanced, draw_settings, settings_sentence
+from .shown import untrue_sentence
+from .wire_list import shown_wires
+
+
+class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
+    bl_label = "Flatten"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout, settings = self.layout, context.scene.wirewarp
+        row = layout.row(align=True)
+        row.scale_y = 1.5
+        done = shown_progress()
+        if done is not None:
+            _draw_progress(row, done)
+            return
+        row.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
+        row.prop(settings, "auto_update", text="", icon="FILE_REFRESH")
+        active = context.active_object
+        if active is None or active.type != "MESH":
+            draw_sentence(context, layout, "Select a mesh.", "INFO")
+            return
+        source = model_or_self(active)
+        report = last_report(source)
+        if report:
+            _draw_state(context, layout, source, report)
+        if report and find_flat_object(source):
+            layout.operator("view3d.wirewarp_frame", icon="VIEWZOOM")
+        if settings.method == "WIREWARPING" and _has_loose_wires(active):
+            draw_sentence(context, layout, "This method keeps elastic and free wires rigid too.", "INFO")
+
+
+def _draw_progress(row: bpy.types.UILayout, done: float) -> None:
+    """The button as a bar, and beside it what stops the run. Before Blender 4.0 there is no bar."""
+    if is_cancelled():
+        text = "Stopping..."
+    else:
+        text = f"Flattening {100 * done:.0f}%" if done < 1 else "Measuring..."
+    if hasattr(row, "progress"):
+        row.progress(factor=done, text=text)
+    else:
+        bar = row.row(align=True)
+        bar.enabled = False
+        bar.operator("object.wirewarp_flatten", text=text)
+    row.operator("object.wirewarp_cancel", text="", icon="X")
+
+
+def _draw_state(
+    context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object, report: dict
+) -> None:
+    untrue = untrue_sentence(context.active_object, source, report)
+    if untrue:
+        warning = layout.column()
+        warning.alert = True
+        draw_sentence(context, warning, untrue, "ERROR")
+        return
+    left_out = _left_out(context, source, report)
+    for line in as_seen(tables_of(report).verdict, left_out):
+        draw_sentence(context, layout, line.text, line.icon)
+    step = next_step(report, left_out)
+    if step:
+        if step.sentence:
+            draw_sentence(context, layout, step.sentence, "INFO")
+        button = layout.row()
+        button.scale_y = 1.2
+        asked = button.operator(step.operator, text=step.text, icon=step.icon)
+        for name, value in step.settings.items():
+            setattr(asked, name, value)
+    made = pieces_report(source) if has_flat_object(source) else None
+    sentence = settings_sentence(source, made, context.scene.wirewarp) if made else ""
+    if sentence:
+        draw_sentence(context, layout, sentence, "INFO")
+
+
+def _left_out(context: bpy.types.Context, source: bpy.types.Object, report: dict) -> list[str]:
+    """As it is now, where that can be seen; else as it was in the run."""
+    if report.get("with_modifiers") or not shows_modified(source):
+        return left_out_of(report)
+    if not source.modifiers and not source.data.shape_keys:
+        return []
+    depsgraph = context.view_layer.depsgraph
+    made_of = stamp(source), stamp(source.data)
+    return kept_drawing(source, "shaped by", made_of, lambda: shaped_by(source, depsgraph))
+
+
+def _has_loose_wires(active: bpy.types.Object) -> bool:
+    try:
+        return not model_of(active) and any(wire.tolerance > 0 for _, wire in shown_wires(active))
+    except ObjectError:
+        return False  # the list of wires says what is wrong
+
+
+class VIEW3D_PT_wirewarp_settings(SidebarPanel, bpy.types.Panel):
+    bl_label = "Settings"
+    bl_parent_id = "VIEW3D_PT_wirewarp_flatten"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        draw_settings(self.layout, context.scene.wirewarp)
+
+
+class VIEW3D_PT_wirewarp_advanced(SidebarPanel, bpy.types.Panel):
+    bl_label = "Advanced"
+    bl_parent_id = "VIEW3D_PT_wirewarp_settings"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        draw_advanced(self.layout, context.scene.wirewarp)

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The one button below Flatten: what it is after each outcome, and that one click mends and flattens."""
+
+import bpy
+import numpy as np
+import pytest
+from everything import draw_panels
+from surfaces import bump, flat_of, grid, make_object, mark, on_line, read, select_only
+from test_proposals import flatten_fails, inside, seams_of, tube
+
+MEND = bpy.ops.object.wirewarp_mend
+
+
+def step_of(addon, source, left_out=()):
+    return addon.report.next_step.next_step(addon.flat.reports.last_report(source), list(left_out))
+
+
+def ready(addon, source):
+    return addon.report.verdict.run_message([addon.flat.reports.last_report(source)])[1].startswith("Ready to cut")
+
+
+def buttons(addon):
+    found = []
+    draw_panels(addon, found)
+    return found
+
+
+@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
+def test_proposed_seams_are_marked_and_flattened_with_one_click(addon, mode):
+    source, other = tube(), tube("Other", place=4.0)
+    select_only(source, other)
+    bpy.ops.object.join()
+    assert "object.wirewarp_mend" not in buttons(addon)
+    flatten_fails()
+    bpy.ops.object.mode_set(mode=mode)
+    assert "object.wirewarp_mend" in buttons(addon)
+    step = step_of(addon, source)
+    assert (step.text, step.settings) == ("Mark and Flatten", {"what": "SEAMS"})
+    assert MEND(**step.settings) == {"FINISHED"}
+    assert (source.mode, ready(addon, source), step_of(addon, source)) == (mode, True, None)
+    assert "object.wirewarp_mend" not in buttons(addon)
+
+
+def test_wires_that_contradict_one_another_are_loosened_and_flattened(addon):
+    source = grid("Saddle", lambda x, y: (x, y, 0.25 * x * y), size=4, faces="triangles")
+    mark(source, inside)
+    flatten_fails("flat with")
+    step = step_of(addon, source)
+    assert step.text == "Loosen and Flatten"
+    assert MEND(**step.settings) == {"FINISHED"}
+    assert ready(addon, source)
+
+
+def test_faces_without_area_are_dissolved_and_the_rest_flattened(addon):
+    """A sliver between two squares: its three vertices lie on a line."""
+    vertices = [(0, 0, 0), (1, 0, 0), (1, 0.5, 0), (1, 1, 0), (0, 1, 0), (2, 0, 0), (2, 1, 0)]
+    source = make_object("Sliver", vertices, [(0, 1, 2, 3, 4), (1, 5, 6, 3), (1, 3, 2)])
+    flatten_fails("no area")
+    step = step_of(addon, source)
+    assert step.text == "Dissolve and Flatten"
+    assert MEND(**step.settings) == {"FINISHED"}
+    assert len(source.data.polygons) == 2
+    assert ready(addon, source)
+
+
+def test_loose_faces_are_merged_and_flattened(addon):
+    """As a file has them that lists each face with vertices of its own."""
+    whole = grid("Bump", bump, size=48)
+    places = read(whole.data.vertices, "co", np.float32, 3)
+    corners = [tuple(face.vertices) for face in whole.data.polygons]
+    faces = [tuple(range(4 * row, 4 * row + 4)) for row in range(len(corners))]
+    source = make_object("Loose", [places[vertex] for face in corners for vertex in face], faces)
+    flatten_fails("(?i)merge")
+    step = step_of(addon, source)
+    assert step.text == "Merge and Flatten"
+    assert MEND(**step.settings) == {"FINISHED"}
+    assert len(source.data.vertices) == 49 * 49
+    assert ready(addon, source)
+
+
+def test_ignored_modifiers_are_taken_from_then_on(addon):
+    source = grid("Bump", bump, size=4)
+    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    bpy.ops.object.wirewarp_flatten()
+    assert "so sizes differ from what you see" in draw_panels(addon) and "Ready to cut" not in draw_panels(addon)
+    step = step_of(addon, source, ["modifiers"])
+    assert step.text == "Flatten with Modifiers"
+    assert MEND(**step.settings) == {"FINISHED"}
+    assert len(flat_of(source).data.polygons) == 64
+    assert bpy.context.scene.wirewarp.use_modifiers
+    assert "Ready to cut" in draw_panels(addon) and "object.wirewarp_mend" not in buttons(addon)
+
+
+def test_modifiers_added_after_a_run_turn_the_verdict_amber_until_they_are_hidden(addon):
+    source = grid("Bump", bump, size=4)
+    bpy.ops.object.wirewarp_flatten()
+    assert "Ready to cut" in draw_panels(addon)
+    modifier = source.modifiers.new("Smooth", "SUBSURF")
+    bpy.context.view_layer.update()
+    assert "so sizes differ from what you see" in draw_panels(addon)
+    modifier.show_viewport = False
+    bpy.context.view_layer.update()
+    assert "Ready to cut" in draw_panels(addon)
+
+
+def test_what_only_can_be_looked_at_is_shown(addon):
+    """A strained piece by its worst place, a failure without a remedy by its own."""
+    source = grid("Peak", lambda x, y: (x, y, 3 * (1 - x * x) * (1 - y * y)), size=6)
+    bpy.ops.object.wirewarp_flatten()
+    step = step_of(addon, source)
+    assert (step.text, step.settings) == ("Show Strained Place", {"what": "HINT", "index": 0})
+    assert bpy.ops.mesh.wirewarp_select_result(**step.settings) == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    source.data.vertices[6].co.z = float("nan")
+    flatten_fails("")
+    assert step_of(addon, source).text == "Show Failed Place"
+
+
+def test_nothing_to_mend_is_said(addon):
+    source = grid("Bump", bump)
+    with pytest.raises(RuntimeError, match="has not been flattened yet"):
+        MEND(what="SEAMS")
+    bpy.ops.object.wirewarp_flatten()
+    with pytest.raises(RuntimeError, match="proposes no seam"):
+        MEND(what="SEAMS")
+    with pytest.raises(RuntimeError, match="Nothing to mend"):
+        MEND(what="DISSOLVE")
+    assert len(seams_of(source)) == 0
+
+
+def test_flat_pieces_stand_for_their_model(addon):
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    mark(source, on_line(0, 0.0))
+    select_only(flat_of(source))
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    assert [wire["name"] for wire in addon.flat.reports.last_report(source)["wires"]] == ["Wire 1"]
+    assert bpy.context.active_object == flat_of(source)
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert bpy.ops.object.wirewarp_flatten(only_active=True, keep_places=False) == {"FINISHED"}
+    assert flat_of(source).mode == "EDIT"
