@@ -3,10 +3,10 @@
 
 from tools.blender import NUMPY, PYTEST
 from tools.environment import run
+from tools.libraries import PATTERN
 from tools.package import venv_with_core
 
 HYPOTHESIS = "hypothesis==6.170.15"
-PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0")  # what wirewarp.pattern needs
 READERS = ("dxfgrabber==1.0.1", "ezdxf==1.4.5", "pypdfium2==5.15.2", "shapely==2.2.0")  # of its files, in tests alone
 
 

@@ -4,6 +4,8 @@
 wirewarp-V-cp311-*.whl, wirewarp-V-cp313-*.whl   the core package, its libraries inside, numpy not
 wirewarp-V-<platform>.zip                        extension for Blender 4.2 and later, the wheels inside
 wirewarp-V-legacy-<platform>.zip                 add-on for Blender 3.4 to 4.1, the core package unpacked inside
+
+Both zips hold pyclipper and pydyf, too, which wirewarp.pattern needs.
 """
 
 import fcntl
@@ -27,7 +29,8 @@ from tools.environment import (
     set_current,
     venv,
 )
-from tools.zips import VERSION
+from tools.libraries import library_wheels
+from tools.zips import LEGACY_TAG, VERSION
 
 DIST = ROOT / "dist"
 PYTHONS = ("3.11", "3.13")  # Blender 3.4 to 5.0; Blender 5.1 and later
@@ -75,7 +78,8 @@ def package() -> dict[str, Path]:
 def package_legacy() -> Path:
     """Builds the legacy zip alone, and returns it."""
     require_apt(*BUILD_APT)
-    return zips.write_legacy(DIST, PLATFORM, build_wheel(LEGACY_PYTHON, DEBIAN_PYTHON))
+    wheel = build_wheel(LEGACY_PYTHON, DEBIAN_PYTHON)
+    return zips.write_legacy(DIST, PLATFORM, wheel, library_wheels(PLATFORM, LEGACY_TAG))
 
 
 def venv_with_core(name: str, version: str, *requirements: str) -> Path:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The zips that users install, from wheels: for each platform an extension, and an add-on for older Blenders.
 
+Beside WireWarp's own wheels they hold those of the packages that it needs and Blender lacks (tools/libraries.py).
 Version and manifest come from pyproject.toml alone. The same sources and wheels give the same bytes.
 """
 
@@ -9,10 +10,12 @@ import os
 import re
 import tomllib
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from tools.environment import ROOT, StepError
+from tools.libraries import library_wheels
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 VERSION: str = PROJECT["project"]["version"]
@@ -31,7 +34,10 @@ PLATFORMS = {  # how the tag of a wheel looks: Blender's word for it
 }
 
 
-def write_zips(folder: Path) -> list[Path]:
+Libraries = Callable[[str, str], list[Path]]  # the wheels of other packages, by platform and Python tag
+
+
+def write_zips(folder: Path, libraries: Libraries = library_wheels) -> list[Path]:
     """For each platform that has wheels of this version in the folder: the extension, and the legacy zip if it can be.
 
     Raises StepError for a wheel whose platform is unknown, and if there is none.
@@ -43,9 +49,17 @@ def write_zips(folder: Path) -> list[Path]:
         raise StepError(f"there is no wheel of WireWarp {VERSION} in {folder}")
     written = []
     for platform, wheels in by_platform.items():
-        written.append(write_extension(folder, platform, wheels))
-        written += [write_legacy(folder, platform, wheel) for wheel in wheels if f"-{LEGACY_TAG}-" in wheel.name]
+        others = {library.name: library for tag in map(python_of, wheels) for library in libraries(platform, tag)}
+        written.append(write_extension(folder, platform, [*wheels, *others.values()]))
+        for wheel in wheels:
+            if python_of(wheel) == LEGACY_TAG:
+                written.append(write_legacy(folder, platform, wheel, libraries(platform, LEGACY_TAG)))
     return written
+
+
+def python_of(wheel: Path) -> str:
+    """ "cp311" or the like."""
+    return wheel.stem.split("-")[2]
 
 
 def platform_of(wheel: Path) -> str:
@@ -112,21 +126,29 @@ def manifest(platform: str, wheels: list[Path]) -> str:
         "platforms": [platform],
         "wheels": [f"./wheels/{wheel.name}" for wheel in wheels],
     }
-    if not any(f"-{NEWEST_TAG}-" in wheel.name for wheel in wheels):
+    if NEWEST_TAG not in map(python_of, wheels):
         entries["blender_version_max"] = FIRST_BLENDER_ON_NEWEST  # the maximum is exclusive
     # A JSON string or list of strings is a TOML one.
     return "".join(f"{key} = {json.dumps(value)}\n" for key, value in entries.items())
 
 
-def write_legacy(folder: Path, platform: str, wheel: Path) -> Path:
-    """The core goes into _core/, where the add-on's core module finds it by relative import."""
-    files = {f"{LEGACY_MODULE}/{name}": content for name, content in addon_files().items()}
-    files[f"{LEGACY_MODULE}/_core/__init__.py"] = b"# SPDX-License-Identifier: GPL-3.0-or-later\n"
+def write_legacy(folder: Path, platform: str, wheel: Path, libraries: list[Path]) -> Path:
+    """The core goes into _core/, where the add-on's core module finds it by relative import; what it needs, into
+    _core/libraries, from where that module lets Python import it.
+    """
+    files = addon_files()
+    files["_core/__init__.py"] = b"# SPDX-License-Identifier: GPL-3.0-or-later\n"
+    files |= {f"_core/{name}": content for name, content in unpacked(wheel).items()}
+    for library in libraries:
+        files |= {f"_core/libraries/{name}": content for name, content in unpacked(library).items()}
+    return write_zip(legacy_zip(folder, platform), {f"{LEGACY_MODULE}/{name}": files[name] for name in files})
+
+
+def unpacked(wheel: Path) -> dict[str, bytes]:
+    """The files of a wheel by their path, but for those that pip needs."""
     with zipfile.ZipFile(wheel) as archive:
-        for name in archive.namelist():
-            if ".dist-info/" not in name and not name.endswith("/"):
-                files[f"{LEGACY_MODULE}/_core/{name}"] = archive.read(name)
-    return write_zip(legacy_zip(folder, platform), files)
+        names = [name for name in archive.namelist() if ".dist-info/" not in name and not name.endswith("/")]
+        return {name: archive.read(name) for name in names}
 
 
 def write_zip(path: Path, files: dict[str, bytes]) -> Path:

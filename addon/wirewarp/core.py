@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The only place that imports the core library, the package wirewarp.
 
-The legacy add-on carries it inside (_core/wirewarp); for the extension Blender installs it from a wheel.
+The legacy add-on carries it inside (_core/wirewarp), and the packages that it needs (_core/libraries); for the extension
+Blender installs all of them from wheels.
 """
 
 import importlib
@@ -9,6 +10,8 @@ import platform
 import re
 import sys
 import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib.machinery import EXTENSION_SUFFIXES, PathFinder
 from pathlib import Path
 from types import ModuleType
@@ -37,14 +40,27 @@ def load(addon_version: str) -> None:
             found = importlib.import_module(f".{_INSIDE}.wirewarp", __package__)
         else:
             found = importlib.import_module("wirewarp")
+        library_version = getattr(found, "__version__", "of an unknown version")
+        if library_version == addon_version:
+            with _found_last(inside / "libraries"):
+                importlib.import_module(f"{found.__name__}.pattern.write")  # which imports all that it needs
     except Exception as error:  # what a damaged library or one for another numpy raises, is not ours to know
         traceback.print_exc()
         problem = loading_problem(error, inside / "wirewarp" if inside.is_dir() else folder_of("wirewarp"))
         raise LibraryError(problem) from error
-    library_version = getattr(found, "__version__", "of an unknown version")
     if library_version != addon_version:
         raise LibraryError(version_problem(addon_version, library_version))
     _library = found
+
+
+@contextmanager
+def _found_last(folder: Path) -> Iterator[None]:
+    """For `with`: Python imports what it finds nowhere else from this folder; afterwards its path is as it was."""
+    sys.path.append(str(folder))
+    try:
+        yield
+    finally:
+        sys.path.remove(str(folder))
 
 
 def library() -> ModuleType:
@@ -63,6 +79,7 @@ if TYPE_CHECKING:
     from wirewarp import SeamReport as SeamReport
     from wirewarp import Wire as Wire
     from wirewarp import WireReport as WireReport
+    from wirewarp import pattern as pattern
 else:
 
     def __getattr__(name: str) -> object:

@@ -25,6 +25,24 @@ def make_wheels(folder: Path, *tags: str) -> None:
             wheel.writestr(f"wirewarp-{VERSION}.dist-info/METADATA", "")
 
 
+@pytest.fixture
+def libraries(tmp_path):
+    """Wheels of a package for each Python, and of one for all."""
+    folder = tmp_path / "libraries"
+    folder.mkdir()
+
+    def found(platform: str, tag: str) -> list[Path]:
+        paths = [folder / f"clipper-1-{tag}-{tag}-{platform}.whl", folder / "writer-2-py3-none-any.whl"]
+        for path in paths:
+            with zipfile.ZipFile(path, "w") as wheel:
+                package = path.name.split("-")[0]
+                wheel.writestr(f"{package}/__init__.py", tag)
+                wheel.writestr(f"{package}.dist-info/METADATA", "")
+        return paths
+
+    return found
+
+
 def manifest_of(path: Path) -> tuple[dict, set[str]]:
     with zipfile.ZipFile(path) as archive:
         assert {name.split("/")[0] for name in archive.namelist()} == {"wirewarp_addon"}
@@ -32,48 +50,53 @@ def manifest_of(path: Path) -> tuple[dict, set[str]]:
         return tomllib.loads(archive.read("wirewarp_addon/blender_manifest.toml").decode()), names
 
 
-def test_an_extension_for_each_platform_with_its_wheels_alone(tmp_path):
+def test_an_extension_for_each_platform_with_its_wheels_alone(tmp_path, libraries):
     make_wheels(tmp_path, *LINUX, *OTHERS)
-    written = {path.name for path in write_zips(tmp_path)}
+    written = {path.name for path in write_zips(tmp_path, libraries)}
     platforms = {"linux-x64", *OTHERS.values()}
     assert written == {f"wirewarp-{VERSION}-{kind}{p}.zip" for p in platforms for kind in ("", "legacy-")}
     for tags, platform in ((LINUX, "linux-x64"), *(([tag], platform) for tag, platform in OTHERS.items())):
         manifest, names = manifest_of(tmp_path / f"wirewarp-{VERSION}-{platform}.zip")
         assert manifest["platforms"] == [platform]
-        assert manifest["wheels"] == [f"./wheels/wirewarp-{VERSION}-{tag}.whl" for tag in tags]
+        own = [f"./wheels/wirewarp-{VERSION}-{tag}.whl" for tag in tags]
+        clippers = [f"./wheels/clipper-1-{tag}-{tag}-{platform}.whl" for tag in (tag[:5] for tag in tags)]
+        assert set(manifest["wheels"]) == {*own, *clippers, "./wheels/writer-2-py3-none-any.whl"}
+        assert len(manifest["wheels"]) == len(set(manifest["wheels"]))
         assert {name for name in names if name.endswith(".whl")} == {wheel[2:] for wheel in manifest["wheels"]}
 
 
-def test_without_a_wheel_for_python_3_13_newer_blenders_are_left_out(tmp_path):
+def test_without_a_wheel_for_python_3_13_newer_blenders_are_left_out(tmp_path, libraries):
     make_wheels(tmp_path, LINUX[0], "cp311-cp311-win_amd64", "cp313-cp313-win_amd64")
-    write_zips(tmp_path)
+    write_zips(tmp_path, libraries)
     linux, _ = manifest_of(tmp_path / f"wirewarp-{VERSION}-linux-x64.zip")
     windows, _ = manifest_of(tmp_path / f"wirewarp-{VERSION}-windows-x64.zip")
     assert linux["blender_version_max"] == "5.1.0"
     assert "blender_version_max" not in windows
 
 
-def test_the_legacy_zip_holds_the_library_unpacked(tmp_path):
+def test_the_legacy_zip_holds_the_library_unpacked(tmp_path, libraries):
     make_wheels(tmp_path, *LINUX)
-    write_zips(tmp_path)
+    write_zips(tmp_path, libraries)
     with zipfile.ZipFile(tmp_path / f"wirewarp-{VERSION}-legacy-linux-x64.zip") as archive:
         assert archive.read("wirewarp_addon/_core/wirewarp/_wirewarp.so").decode() == LINUX[0]
+        assert archive.read("wirewarp_addon/_core/libraries/clipper/__init__.py").decode() == "cp311"
+        assert "wirewarp_addon/_core/libraries/writer/__init__.py" in archive.namelist()
         assert not [name for name in archive.namelist() if "dist-info" in name or "manifest" in name]
 
 
-def test_the_same_wheels_give_the_same_bytes(tmp_path):
+def test_the_same_wheels_give_the_same_bytes(tmp_path, libraries):
     make_wheels(tmp_path, *LINUX)
-    first = [path.read_bytes() for path in write_zips(tmp_path)]
-    assert [path.read_bytes() for path in write_zips(tmp_path)] == first
+    first = [path.read_bytes() for path in write_zips(tmp_path, libraries)]
+    assert [path.read_bytes() for path in write_zips(tmp_path, libraries)] == first
 
 
 @pytest.mark.parametrize("tag", ["cp311-cp311-linux_x86_64", "cp311-cp311-musllinux_1_2_x86_64"])
-def test_a_wheel_that_would_run_on_some_systems_only_is_refused(tmp_path, tag):
+def test_a_wheel_that_would_run_on_some_systems_only_is_refused(tmp_path, tag, libraries):
     make_wheels(tmp_path, tag)
     with pytest.raises(StepError, match=f"{tag}.whl is for a platform that Blender has no word for"):
-        write_zips(tmp_path)
+        write_zips(tmp_path, libraries)
 
 
-def test_a_folder_without_wheels_is_refused(tmp_path):
+def test_a_folder_without_wheels_is_refused(tmp_path, libraries):
     with pytest.raises(StepError, match="there is no wheel of WireWarp"):
-        write_zips(tmp_path)
+        write_zips(tmp_path, libraries)

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The packages that wirewarp.pattern needs, as wheels for each Blender: no Blender has them."""
+
+import shutil
+import sys
+from pathlib import Path
+
+from tools.environment import BUILD, fingerprint, is_current, run_quietly, set_current, venv
+
+PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0")  # none needs another package
+PIP_PLATFORMS = {  # pip's word for the oldest system that Blender runs on, by Blender's word
+    "linux-x64": "manylinux2014_x86_64",
+    "windows-x64": "win_amd64",
+    "macos-arm64": "macosx_11_0_arm64",
+    "macos-x64": "macosx_11_0_x86_64",
+}
+
+
+def library_wheels(platform: str, tag: str) -> list[Path]:
+    """The wheels for Blender's platform and the Python of the tag, as "cp311"; downloaded once."""
+    name = f"libraries-{platform}-{tag}"
+    folder = BUILD / "wheels" / name
+    key = fingerprint([], PIP_PLATFORMS[platform], *PATTERN)
+    if not (is_current(name, key) and len(list(folder.glob("*.whl"))) == len(PATTERN)):
+        shutil.rmtree(folder, ignore_errors=True)
+        python = venv("download", Path(sys.executable), "pip")
+        version = f"{tag[2]}.{tag[3:]}"
+        options = ("--quiet", "--no-deps", "--only-binary=:all:", "--implementation=cp", f"--python-version={version}")
+        download = ("pip", "download", *options, f"--platform={PIP_PLATFORMS[platform]}", "--dest", folder)
+        what = f"pip download {' '.join(PATTERN)} for {platform} and Python {version}"
+        run_quietly(what, [python, "-m", *download, *PATTERN])
+        set_current(name, key)
+    return sorted(folder.glob("*.whl"))
