@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The only place that imports the core library, the package wirewarp.
 
-The legacy add-on carries it inside (_core/wirewarp), and the packages that it needs (_core/libraries); for the extension
-Blender installs all of them from wheels.
+The legacy add-on carries it inside (_core/wirewarp), and what it needs (_core/libraries); for the extension Blender
+installs all of them from wheels.
 """
 
 import importlib

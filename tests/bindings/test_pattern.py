@@ -299,3 +299,30 @@ def test_a_piece_that_breaks_a_promise_is_no_pattern():
 def closed_box():
     points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
     return points, np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+
+
+def test_nothing_is_cut_at_a_fold():
+    (piece,) = Pattern.from_result(rectangle(100, 60), allowance=10, folds=[(0, 3)]).pieces
+    (fold,) = piece.of_role("fold")
+    assert np.linalg.norm(np.diff(fold.points, axis=0), axis=1).sum() == pytest.approx(60)
+    (cut,) = piece.of_role("cut")
+    assert np.sort(np.ptp(cut.points, axis=0)) == pytest.approx([60 + 10 + 10, 100 + 10])
+    assert piece.on_fold and "Cut 1 on the fold" in piece.texts[0].lines
+    assert piece.area == pytest.approx(100 * 60)
+
+
+def test_a_fold_must_be_an_edge_that_is_not_sewn():
+    with pytest.raises(wirewarp.FlattenError, match="is a fold, but it is sewn"):
+        Pattern.from_result(flattened("Hat"), folds=flattened("Hat").seams[0].edges[:1])
+    with pytest.raises(wirewarp.FlattenError, match="is on no outline"):
+        Pattern.from_result(rectangle(100, 60), folds=[(0, 99)])
+    with pytest.raises(wirewarp.FlattenError, match=r"folds must be an array \(k, 2\)"):
+        Pattern.from_result(rectangle(100, 60), folds=[0, 3])
+
+
+def test_a_crooked_fold_is_told():
+    points = [(0, 0), (100, 0), (100, 60), (0, 60), (3, 30)]
+    vertices = np.array([(x / 1000, y / 1000, 0) for x, y in points])
+    result = wirewarp.flatten(vertices, np.array([(0, 1, 4), (1, 2, 4), (2, 3, 4)]))
+    (warning,) = Pattern.from_result(result, folds=[(0, 4), (4, 3)]).warnings
+    assert "its fold is not straight but 3.0 mm off" in warning

@@ -166,7 +166,7 @@ def test_layers_are_named_and_the_grid_is_hidden(tmp_path):
     data = (tmp_path / "hat.pdf").read_bytes()
     names = re.findall(rb"/Type /OCG/Name \(([^)]*)\)|/Name \(([^)]*)\)", data)
     found = {(one or other).decode() for one, other in names}
-    assert {"Cut", "Sew", "Notches", "Wires", "Text", "Grid"} <= found
+    assert {"Cut", "Sew", "Notches", "Rigid Wires", "Text", "Line Names", "Grid"} <= found
     (page,) = pypdfium2.PdfDocument(tmp_path / "hat.pdf")
     hidden = re.search(rb"/OFF \[(\d+) 0 R\]", data)
     assert hidden and dark(page, 1.0).mean() < 0.05

@@ -4,8 +4,20 @@
 Everything is in millimeters, y upwards. Needs pyclipper, and pydyf for PDF.
 """
 
+from .flat_piece import Chain, FlatPiece, FlatWire
 from .model import Line, PatternPiece, Point, Text
 from .pattern import Pattern, Written
 from .units import UnitSystem
 
-__all__ = ["Line", "Pattern", "PatternPiece", "Point", "Text", "UnitSystem", "Written"]
+__all__ = [
+    "Chain",
+    "FlatPiece",
+    "FlatWire",
+    "Line",
+    "Pattern",
+    "PatternPiece",
+    "Point",
+    "Text",
+    "UnitSystem",
+    "Written",
+]

@@ -14,7 +14,7 @@ from .dxf_tags import Tags, section
 from .interior import LINE
 from .model import PatternPiece
 from .plain_names import block_names, plain_text
-from .roles import LOOKS
+from .roles import LOOKS, WIRES
 from .units import INCH
 
 if TYPE_CHECKING:
@@ -103,7 +103,7 @@ class _Writer:
         for text in piece.texts:
             for number, words in enumerate(text.lines):
                 down = np.array([0.0, -LINE * text.height * number])
-                tags.text(LOOKS["text"].dxf_layer, plain_text(words), text.center + down, TEXT_HEIGHT, text.angle)
+                tags.text(LOOKS["card"].dxf_layer, plain_text(words), text.center + down, TEXT_HEIGHT, text.angle)
         tags.add((0, "ENDBLK"), (8, "1"))
         return tags
 
@@ -127,7 +127,7 @@ class _Writer:
             tags.text("1", f"{self._key(key)}: {value}".rstrip(), place, TEXT_HEIGHT)
 
     def _add_line(self, tags: Tags, role: str, points: np.ndarray, closed: bool) -> None:
-        layer = LOOKS[role].dxf_layer
+        layer = LOOKS[WIRES["rigid"] if role == "wire" else role].dxf_layer  # the same of all kinds
         if role in ("grain", "fold"):
             tags.line(layer, points)
             if role == "grain":

@@ -9,17 +9,21 @@ from .interior import place_text
 from .line_names import line_names
 from .model import PatternPiece
 from .room import Room
+from .units import UnitSystem
 
 TEXT_HEIGHT = 8.0  # millimeters, at most
 
 
-def with_card(piece: PatternPiece, number: int, count: int, title: str, allowance: str) -> PatternPiece:
+def with_card(
+    piece: PatternPiece, number: int, count: int, title: str, allowance: str, units: UnitSystem
+) -> PatternPiece:
     """With its number and texts: a card of what a maker must know, and names along its lines.
 
-    The card: style, number of how many, name, how often to cut it, material, allowance.
+    The card: style, number of how many, name, how often to cut it, material, allowance, area without that.
     """
     includes = "No seam allowance" if allowance == "none" else f"Includes {allowance} allowance"
-    lines = (title, f"{number} of {count}", piece.name, how_to_cut(piece), piece.material, includes)
+    place = f"{number} of {count}"
+    lines = (title, place, piece.name, how_to_cut(piece), piece.material, includes, units.area_text(piece.area))
     drawn = [line.points for line in piece.of_role("wire", "grain", "sew")]
     outlines = [line.points for line in piece.of_role("cut", "inner_cut")]
     text = place_text(tuple(line for line in lines if line.strip()), outlines, drawn, TEXT_HEIGHT)

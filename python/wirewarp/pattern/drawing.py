@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .model import PatternPiece, Text
-from .roles import LOOKS, SHEET, WIRE_DASHES, Look
+from .roles import LOOKS, SHEET, WIRES, Look
 
 ARROW = 6.0  # millimeters: length of the heads of grain arrows
 CROSS = 4.0  # across the cross in a hole to drill
@@ -20,7 +20,6 @@ class Stroke:
     points: np.ndarray  # (k,2)
     closed: bool = False
     name: str = ""
-    dashes: tuple[float, ...] = ()
 
     @property
     def look(self) -> Look:
@@ -32,8 +31,8 @@ def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
     for line in sorted(piece.lines, key=lambda line: (line.role == "cut", line.role == "inner_cut")):
         if line.role == "cut":
             break
-        dashes = WIRE_DASHES[line.kind] if line.role == "wire" else LOOKS[line.role].dashes
-        yield Stroke(line.role, line.points, line.closed, line.name, dashes)
+        role = WIRES[line.kind] if line.role == "wire" else line.role
+        yield Stroke(role, line.points, line.closed, line.name)
         if line.role == "grain":
             yield from (Stroke("grain", head) for head in _arrow_heads(line.points))
     for point in piece.points:
@@ -64,6 +63,12 @@ def letters_baselines(text: Text, line_height: float) -> Iterator[tuple[str, np.
     """Each line of the text and the middle (2,) of its base line, the text turned about its center."""
     angle = math.radians(text.angle)
     up = np.array([-math.sin(angle), math.cos(angle)])
+    for line, below in base_lines(text, line_height):
+        yield line, text.center - below * up
+
+
+def base_lines(text: Text, line_height: float) -> Iterator[tuple[str, float]]:
+    """Each line of the text and how far its base line is below the center, in millimeters."""
     for number, line in enumerate(text.lines):
         below = line_height * (number - (len(text.lines) - 1) / 2) + 0.36  # capitals are 0.72 of the size high
-        yield line, text.center - below * text.height * up
+        yield line, below * text.height

@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from .apparel_dxf import apparel_dxf
+from .checks import problem
 from .plain_dxf import plain_dxf
-from .widths import problem
 
 if TYPE_CHECKING:
     from .pattern import Pattern

@@ -38,7 +38,7 @@ def _choices(line: Line) -> Iterator[Text]:
             point = a + (b - a) * (share * along[-1] - along[row]) / (along[row + 1] - along[row])
             inside = np.array([a[1] - b[1], b[0] - a[0]]) / np.linalg.norm(b - a)  # of an outline, on its left
             for side in (1,) if is_seam else (1, -1):
-                yield Text((text,), point + side * (BESIDE + height / 2) * inside, height, _angle(b - a))
+                yield Text((text,), point + side * (BESIDE + height / 2) * inside, height, _angle(b - a), "line name")
 
 
 def _angle(direction: np.ndarray) -> float:

@@ -8,6 +8,7 @@ import numpy as np
 
 LineRole = Literal["cut", "inner_cut", "sew", "wire", "grain", "fold"]
 PointRole = Literal["notch", "drill", "clip"]
+TextRole = Literal["card", "line name"]
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,7 @@ class Text:
     center: np.ndarray  # (2,)
     height: float  # of the letters
     angle: float = 0.0  # degrees counterclockwise
+    role: TextRole = "card"
 
     def moved(self, offset: np.ndarray) -> "Text":
         return replace(self, center=self.center + offset)
@@ -64,6 +66,7 @@ class PatternPiece:
     quantity: tuple[int, int] = (1, 0)  # to cut as drawn, and mirrored
     material: str = ""
     on_fold: bool = False  # half of it is drawn; the other half lies beyond the fold
+    area: float = 0.0  # square millimeters inside the sew lines, of the whole piece
 
     def of_role(self, *roles: str) -> list[Line]:
         return [line for line in self.lines if line.role in roles]

@@ -6,16 +6,17 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from .checks import problem
 from .model import Point
 from .outline import Side
 from .rays import Rays
 from .seams import SewnSide, turn_between
 from .stretches import Dart
 from .strips import MITRE_LIMIT, right_normals
-from .widths import problem
 
 DEEPEST = 5.0  # millimeters
-SHARE = 0.5  # of the allowance, or of the way to the cut line on the other side: notches never reach the sew line
+SHARE = 0.5  # of the allowance: notches never reach the sew line
+ACROSS = 0.3  # without allowance, of the way across the piece: two notches that face each other do not meet
 NEXT_TO = 2e-3  # millimeters: beside a line, not on it
 LEAST_SPACING = 1.0  # millimeters
 MOST = 10_000  # along one seam
@@ -76,7 +77,7 @@ def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[in
     allowance = rays.to_cut(at_sew, outward)
     if allowance > MITRE_LIMIT * width + NEXT_TO:
         return None
-    room = SHARE * allowance if allowance > 0 else SHARE * rays.to_cut(at_sew - outward * NEXT_TO, -outward)
+    room = SHARE * allowance if allowance > 0 else ACROSS * rays.to_cut(at_sew - outward * NEXT_TO, -outward)
     return Point("notch", at_sew + allowance * outward, -outward, min(DEEPEST, room), pair)
 
 

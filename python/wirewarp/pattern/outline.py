@@ -2,14 +2,12 @@
 """The outlines of a flat piece as chains between junctions, in millimeters: what is sewn, and what is not."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .allowance import signed_area
-
-if TYPE_CHECKING:
-    from .._wirewarp import Piece
+from .checks import problem
+from .flat_piece import FlatPiece
 
 
 @dataclass(frozen=True)
@@ -38,21 +36,23 @@ def lengths_along(points: np.ndarray) -> np.ndarray:
     return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
 
 
-def outlines_of(index: int, piece: "Piece", scale: float) -> list[list[Side]]:
-    """The closed outlines of a piece that has a layout, each as its chains in order; the outer one has positive area.
+def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:
+    """The closed outlines of a piece, each as its chains in order; the outer one has positive area.
 
-    index: of the piece; scale: millimeters per scene unit.
+    index: of the piece. Raises FlattenError for a chain that is not on the outline.
     """
-    points, ends = piece.vertices * scale, _outline_edges(piece)
+    points, ends = piece.vertices, _outline_edges(piece)
     chains = []
-    for boundary in piece.boundaries:
-        sources = boundary.vertices
+    for chain in piece.chains:
+        sources = chain.sources
         pairs = list(zip(sources[:-1].tolist(), sources[1:].tolist(), strict=True))
+        if not all(pair in ends for pair in pairs):
+            raise problem(f'The outline of "{piece.name}" does not run along the edges that it should.')
         vertices = [ends[pairs[0]][0], *(ends[pair][1] for pair in pairs)]
         if vertices[0] == vertices[-1]:  # all sides of a closed seam begin at one vertex
             first = int(np.argmin(sources[:-1]))
             sources, vertices = _rotated(sources, first), _rotated(np.array(vertices), first).tolist()
-        chains.append((vertices, Side(index, sources, points[vertices], boundary.seam, False)))
+        chains.append((vertices, Side(index, sources, points[vertices], chain.seam, False)))
     loops = _joined(chains)
     areas = [signed_area(np.concatenate([side.points[:-1] for side in loop])) for loop in loops]
     return loops if sum(areas) > 0 else [[_turned(side) for side in reversed(loop)] for loop in loops]
@@ -63,14 +63,10 @@ def _rotated(closed: np.ndarray, first: int) -> np.ndarray:
     return np.concatenate([closed[first:-1], closed[: first + 1]])
 
 
-def _outline_edges(piece: "Piece") -> dict[tuple[int, int], tuple[int, int]]:
-    """The piece's vertices at both ends of each outline edge, by the input's; as in the triangle that has the edge."""
-    sides = np.concatenate([piece.faces[:, [0, 1]], piece.faces[:, [1, 2]], piece.faces[:, [2, 0]]]).astype(np.int64)
-    count = len(piece.vertices)
-    forward, backward = sides[:, 0] * count + sides[:, 1], sides[:, 1] * count + sides[:, 0]
-    lonely = sides[~np.isin(forward, backward)]
-    sources = piece.source_vertex[lonely]
-    return {(a, b): (c, d) for (a, b), (c, d) in zip(sources.tolist(), lonely.tolist(), strict=True)}
+def _outline_edges(piece: FlatPiece) -> dict[tuple[int, int], tuple[int, int]]:
+    """The piece's vertices at both ends of each outline edge, by the model's."""
+    sources = piece.source_vertex[piece.outline]
+    return {(a, b): (c, d) for (a, b), (c, d) in zip(sources.tolist(), piece.outline.tolist(), strict=True)}
 
 
 def _joined(chains: list[tuple[list[int], Side]]) -> list[list[Side]]:

@@ -10,8 +10,8 @@ import pyclipper
 
 from .allowance import GRID
 from .arrange import in_rows
+from .checks import checked_length, problem
 from .units import INCH
-from .widths import checked_length, problem
 
 if TYPE_CHECKING:
     from .pattern import Pattern

@@ -13,6 +13,8 @@ import numpy.typing as npt
 
 from .arrange import offsets
 from .card import with_card
+from .checks import checked_length, problem
+from .flat_piece import FlatPiece, flat_piece
 from .fold import folded
 from .marks import marks
 from .mirror import fold_of, mirror_between
@@ -23,7 +25,7 @@ from .pieces import finished, lay, warnings_of
 from .seams import sewn_sides
 from .stretches import Rules, outline
 from .units import Units, UnitSystem, counted
-from .widths import Widths, checked_length, problem
+from .widths import Widths
 
 if TYPE_CHECKING:
     from .._wirewarp import FlattenResult
@@ -50,6 +52,7 @@ class Pattern:
         allowance: float = 10.0,
         allowances: npt.ArrayLike | None = None,
         side_allowances: npt.ArrayLike | None = None,
+        folds: npt.ArrayLike | None = None,
         hem: float | None = None,
         notch_spacing: float = 100.0,
         corner: str = "auto",
@@ -64,6 +67,7 @@ class Pattern:
         allowance: outside of every seam. hem: outside of every outline that is not sewn; as the allowance where None.
         allowances: (k,3) vertex, vertex of an edge of the model, and the width on all sides of that edge.
         side_allowances: (k,3) likewise for one side: that of the triangle which has the edge in this direction.
+        folds: (k,2) edges of the model that are not sewn, but at which the cloth lies double: nothing is cut there.
         notch_spacing: along seams, 0 for none.
         corner: "auto" chooses by what is sewn first; or one of "mitre", "right angle", "fold-back", "extend", "step",
         "round" for all corners.
@@ -73,37 +77,77 @@ class Pattern:
 
         Raises FlattenError for bad input, and for a piece with an error.
         """
-        if units not in get_args(Units):
-            raise problem(f"units is {units!r}: give 'metric' or 'imperial'.")
-        if not isinstance(title, str) or not isinstance(material, str):
-            raise problem("title and material must be texts.")
         scale = checked_length("millimeters_per_unit", millimeters_per_unit, 1e-9, 1e9)
         names = _names(piece_names, len(result.pieces))
         for name, piece in zip(names, result.pieces, strict=True):
             if piece.error is not None:
                 raise problem(f'"{name}" is not ready to cut: {piece.error.message}', piece.error.code)
-        widths = Widths(allowance, hem, allowances, side_allowances)
-        outlines = [outlines_of(index, piece, scale) for index, piece in enumerate(result.pieces)]
+        pieces = [flat_piece(piece, name, scale) for piece, name in zip(result.pieces, names, strict=True)]
+        return cls.from_pieces(
+            pieces,
+            [f"Seam {number}" for number in range(1, len(result.seams) + 1)],
+            title=title,
+            allowance=allowance,
+            allowances=allowances,
+            side_allowances=side_allowances,
+            folds=folds,
+            hem=hem,
+            notch_spacing=notch_spacing,
+            corner=corner,
+            darts=darts,
+            material=material,
+            units=units,
+        ).arranged()
+
+    @classmethod
+    def from_pieces(
+        cls,
+        pieces: Sequence[FlatPiece],
+        seam_names: Sequence[str],
+        *,
+        title: str = "",
+        allowance: float = 10.0,
+        allowances: npt.ArrayLike | None = None,
+        side_allowances: npt.ArrayLike | None = None,
+        folds: npt.ArrayLike | None = None,
+        hem: float | None = None,
+        notch_spacing: float = 100.0,
+        corner: str = "auto",
+        darts: Literal["close", "cut", "slit"] = "close",
+        material: str = "",
+        units: Units = "metric",
+    ) -> "Pattern":
+        """As from_result, of flat pieces from elsewhere, which stay as they lie; seam_names by index of the seam.
+
+        Together they are moved, so that the lower left corner is at 0, 0.
+        """
+        if units not in get_args(Units):
+            raise problem(f"units is {units!r}: give 'metric' or 'imperial'.")
+        if not isinstance(title, str) or not isinstance(material, str):
+            raise problem("title and material must be texts.")
+        widths = Widths(allowance, hem, allowances, side_allowances, folds)
+        outlines = [outlines_of(index, piece) for index, piece in enumerate(pieces)]
         loops = [loop for own in outlines for loop in own]
-        rules, seams = Rules(loops, corner, darts), sewn_sides(loops, len(result.seams))
+        rules, seams = Rules(loops, corner, darts), sewn_sides(loops, len(seam_names))
         check_spacing(checked_length("notch_spacing", notch_spacing, 0, math.inf), seams)
         laid = [
-            lay(index, name, piece, own, [outline(loop, widths, rules) for loop in own], scale)
-            for index, (name, piece, own) in enumerate(zip(names, result.pieces, outlines, strict=True))
+            lay(index, piece, own, [outline(loop, widths, rules) for loop in own])
+            for index, (piece, own) in enumerate(zip(pieces, outlines, strict=True))
         ]
         widths.check_all_used()
         system = UnitSystem(units)
         text = system.range_of([run.width for piece in laid for own in piece.outlines for run in own.runs if run.width])
         points = marks(laid, seams, notch_spacing)
-        pieces = [finished(own, points[own.index], material) for own in laid]
+        done = [finished(own, points[own.index], seam_names, material) for own in laid]
         warnings = [warning for own in laid for warning in warnings_of(own)]
-        return cls(title, pieces, text, system, warnings)._with_cards().arranged()
+        low = np.min([piece.bounds[0] for piece in done], axis=0)
+        return cls(title, [piece.moved(-low) for piece in done], text, system, warnings)._with_cards()
 
     def _with_cards(self) -> "Pattern":
         """The pieces numbered anew, with texts."""
         count = len(self.pieces)
         pieces = [
-            with_card(piece, number, count, self.title, self.allowance_text)
+            with_card(piece, number, count, self.title, self.allowance_text, self.units)
             for number, piece in enumerate(self.pieces, start=1)
         ]
         return replace(self, pieces=pieces)

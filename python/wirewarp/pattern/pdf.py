@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .checks import problem
 from .drawing import Stroke, strokes_of
 from .model import PatternPiece, Text
 from .papers import LONGEST, MARGIN, OVERLAP, PROJECTOR, SHEETS, Tiles, divided, roll_width, tile_name
 from .pdf_document import Content, Document
-from .roles import LAYERS
+from .roles import LAYERS, LOOKS
 from .scale_block import SIZE, UNIT, scale_block
 from .units import counted
-from .widths import problem
 
 if TYPE_CHECKING:
     from .pattern import Pattern
@@ -61,7 +61,7 @@ def _drawn(piece: PatternPiece, thinnest: float) -> Content:
     strokes = list(strokes_of(piece))
     for layer in reversed(LAYERS):
         own = [stroke for stroke in strokes if stroke.look.layer == layer]
-        content.in_layer(layer, own, piece.texts if layer == "Text" else ())
+        content.in_layer(layer, own, [text for text in piece.texts if LOOKS[text.role].layer == layer])
     return content
 
 

@@ -41,7 +41,7 @@ class Content:
         return "\n".join(self._parts).encode("latin-1")
 
     def _stroke(self, stroke: Stroke) -> str:
-        dashes = " ".join(f"{dash:g}" for dash in stroke.dashes)
+        dashes = " ".join(f"{dash:g}" for dash in stroke.look.dashes)
         corners = [f"{x:.4f} {y:.4f}" for x, y in stroke.points.tolist()]
         return (
             f"{_rgb(stroke.look.color)} RG {max(stroke.look.stroke, self._thinnest):g} w [{dashes}] 0 d\n"

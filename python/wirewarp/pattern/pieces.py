@@ -3,21 +3,19 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .allowance import CutLines, cut_lines
+from .allowance import CutLines, cut_lines, signed_area
+from .flat_piece import FlatPiece
 from .interior import innermost_point
 from .model import Line, PatternPiece, Point
 from .outline import Side
 from .rays import Rays
 from .stretches import Outline
 
-if TYPE_CHECKING:
-    from .._wirewarp import Piece
-
 GRAIN = 0.7  # of the way across the piece
+STRAIGHT = 0.5  # millimeters: a fold that is less off is straight, for cloth gives so much
 
 
 @dataclass(frozen=True)
@@ -40,10 +38,18 @@ class Laid:
         return [np.concatenate([side.points[:-1] for side in loop]) for loop in self.loops]
 
 
-def lay(index: int, name: str, piece: "Piece", loops: list[list[Side]], outlines: list[Outline], scale: float) -> Laid:
+def _off_straight(points: np.ndarray) -> float:
+    """How far the points (k,2) lie at most from the line through the first and the last of them."""
+    along = (points[-1] - points[0]) / max(float(np.linalg.norm(points[-1] - points[0])), 1e-9)
+    to = points - points[0]
+    return float(np.abs(to[:, 0] * along[1] - to[:, 1] * along[0]).max())
+
+
+def lay(index: int, piece: FlatPiece, loops: list[list[Side]], outlines: list[Outline]) -> Laid:
     """With the cut lines and the wires inside of the piece."""
     cut = cut_lines([outline.stretches for outline in outlines if outline.stretches])
-    return Laid(index, name, loops, outlines, cut, _wires(piece, scale))
+    wires = [Line("wire", piece.vertices[wire.vertices], name=wire.name, kind=wire.kind) for wire in piece.wires]
+    return Laid(index, piece.name, loops, outlines, cut, wires)
 
 
 def warnings_of(laid: Laid) -> list[str]:
@@ -56,28 +62,15 @@ def warnings_of(laid: Laid) -> list[str]:
         )
     if laid.cut.pockets:
         found.append(f'"{laid.name}": the allowance closes a gap in the outline; what it encloses is not cut out.')
+    crooked = max((_off_straight(run.points) for own in laid.outlines for run in own.runs if run.is_fold), default=0.0)
+    if crooked > STRAIGHT:
+        found.append(f'"{laid.name}": its fold is not straight but {crooked:.1f} mm off, so cloth does not fold there.')
     if len(laid.cut.outer) > 1:
         found.append(f'"{laid.name}" is cut as {len(laid.cut.outer)} parts, for it hangs together in single points.')
     return found
 
 
-def _wires(piece: "Piece", scale: float) -> list[Line]:
-    """Those inside; along the outline there is the sew line already."""
-    sides = np.concatenate([piece.faces[:, [0, 1]], piece.faces[:, [1, 2]], piece.faces[:, [2, 0]]])
-    ends = {}
-    for a, b in sides.tolist():
-        key = (int(piece.source_vertex[a]), int(piece.source_vertex[b]))
-        ends[key], ends[key[::-1]] = (a, b), (b, a)
-    lines = []
-    for wire in piece.wires:
-        if wire.kind != "boundary":
-            pairs = list(zip(wire.vertices[:-1].tolist(), wire.vertices[1:].tolist(), strict=True))
-            points = piece.vertices[[ends[pairs[0]][0], *(ends[pair][1] for pair in pairs)]] * scale
-            lines.append(Line("wire", points, name=wire.name, kind=wire.kind))
-    return lines
-
-
-def lines_of(laid: Laid) -> list[Line]:
+def lines_of(laid: Laid, seam_names: Sequence[str]) -> list[Line]:
     lines = [Line("cut", points, closed=True) for points in laid.cut.outer]
     lines += [Line("inner_cut", points, closed=True) for points in laid.cut.holes]
     for outline in laid.outlines:
@@ -86,7 +79,10 @@ def lines_of(laid: Laid) -> list[Line]:
             seam = run.side.seam
             is_whole = len(outline.runs) == 1 and run.side.is_closed
             points = run.points[:-1] if is_whole else run.points
-            lines.append(Line("sew", points, is_whole, "" if seam is None else f"Seam {seam + 1}", run.width, seam))
+            if run.is_fold:
+                lines.append(Line("fold", points))
+            else:
+                lines.append(Line("sew", points, is_whole, "" if seam is None else seam_names[seam], run.width, seam))
     return [*lines, *laid.wires]
 
 
@@ -98,8 +94,9 @@ def grain_line(laid: Laid) -> Line:
     return Line("grain", center + np.array([[0.0, -down], [0.0, up]]))
 
 
-def finished(laid: Laid, points: Sequence[Point], material: str) -> PatternPiece:
+def finished(laid: Laid, points: Sequence[Point], seam_names: Sequence[str], material: str) -> PatternPiece:
     """The piece, still without a text."""
-    return PatternPiece(
-        laid.index + 1, laid.name, [*lines_of(laid), grain_line(laid)], list(points), [], material=material
-    )
+    lines = [*lines_of(laid, seam_names), grain_line(laid)]
+    area = abs(sum(map(signed_area, laid.sew_loops)))
+    on_fold = any(run.is_fold for outline in laid.outlines for run in outline.runs)
+    return PatternPiece(laid.index + 1, laid.name, lines, list(points), [], (1, 0), material, on_fold, area)

@@ -9,10 +9,11 @@ from typing import Literal, get_args
 import numpy as np
 
 from .allowance import Corner, Stretch
+from .checks import problem
 from .corners import CORNER_TYPES
 from .outline import Side
 from .seams import is_dart, sewn_first
-from .widths import Widths, problem
+from .widths import Widths
 
 Darts = Literal["close", "cut", "slit"]
 WIDEST_DART = math.radians(50)  # folded away in cloth; a wider gap, as of a cone, is cut out
@@ -27,6 +28,7 @@ class Run:
     side: Side
     points: np.ndarray  # (k,2)
     width: float | None  # None: a leg of a closed dart, where nothing is cut
+    is_fold: bool = False
 
 
 @dataclass(frozen=True)
@@ -95,7 +97,7 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
 
     by_side = []
     for side in loop:
-        runs = _runs(side, widths.of(side))
+        runs = _runs(side, *widths.of(side))
         if is_leg(side):
             runs = [Run(side, side.points, None if rules.darts == "close" else 0.0)]
         by_side.append(runs)
@@ -127,9 +129,13 @@ def _darts_of(loop: Sequence[Side]) -> list[Dart]:
     return [Dart(first, second) for first, second in pairs if is_dart(first, second, WIDEST_DART)]
 
 
-def _runs(side: Side, widths: np.ndarray) -> list[Run]:
-    ends = [0, *(np.flatnonzero(np.diff(widths)) + 1).tolist(), len(widths)]
-    return [Run(side, side.points[a : b + 1], float(widths[a])) for a, b in zip(ends[:-1], ends[1:], strict=True)]
+def _runs(side: Side, widths: np.ndarray, folds: np.ndarray) -> list[Run]:
+    changes = np.flatnonzero((np.diff(widths) != 0) | (folds[1:] != folds[:-1])) + 1
+    ends = [0, *changes.tolist(), len(widths)]
+    return [
+        Run(side, side.points[a : b + 1], float(widths[a]), bool(folds[a]))
+        for a, b in zip(ends[:-1], ends[1:], strict=True)
+    ]
 
 
 def _cap(dart: Dart, before: Run, after: Run) -> np.ndarray:

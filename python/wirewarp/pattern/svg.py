@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .drawing import Stroke, letters_baselines, strokes_of
+from .checks import problem
+from .drawing import Stroke, base_lines, strokes_of
 from .interior import LINE
 from .model import PatternPiece, Text
 from .roles import LAYERS, LOOKS
-from .widths import problem
 
 if TYPE_CHECKING:
     from .pattern import Pattern
@@ -62,12 +62,29 @@ def write_svg(path: Path, pattern: "Pattern", preset: str = "print") -> tuple[in
     return 1, []
 
 
+def page_size(pattern: "Pattern") -> np.ndarray:
+    """(2,) width and height in millimeters, the square to measure included."""
+    return _page(pattern.size, pattern.units.square[0])[0]
+
+
+def _page(pieces: np.ndarray, side: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The page's size, and the lower left corners of the pieces, which take so much room, and of the square.
+
+    All with y upwards. The square stands right of the pieces or below them, where it takes less paper.
+    """
+    width, height = pieces
+    beside = np.array([width + MARGIN + side, max(height, side)])
+    below = np.array([max(width, side), height + MARGIN + side])
+    border = np.array([MARGIN, MARGIN])
+    if np.prod(beside) <= np.prod(below):
+        return beside + 2 * MARGIN, border, border + (width + MARGIN, 0)
+    return below + 2 * MARGIN, border + (0, side + MARGIN), border
+
+
 def _document(pattern: "Pattern", preset: Preset) -> ElementTree.Element:
-    """The square to measure stands above the pieces."""
     side, label = pattern.units.square
-    width, height = pattern.size + 2 * MARGIN
-    width, height = max(width, side + 2 * MARGIN), height + side + MARGIN
-    low = np.min([piece.bounds[0] for piece in pattern.pieces], axis=0)
+    (width, height), offset, square = _page(pattern.size, side)
+    offset = offset - np.min([piece.bounds[0] for piece in pattern.pieces], axis=0)
     unit = PIXEL if preset.in_pixels else 1.0
     shown = [f"{value / unit:.{DECIMALS}f}" for value in (width, height)]
     root = ElementTree.Element(f"{{{SVG}}}svg", version="1.1")
@@ -78,8 +95,8 @@ def _document(pattern: "Pattern", preset: Preset) -> ElementTree.Element:
     _add(root, "title").text = pattern.title
     drawing = _Drawing(root, height, preset)
     for piece in pattern.pieces:
-        drawing.add_piece(piece.moved(MARGIN - low))
-    drawing.add_square(side, label, pattern.allowance_text, np.array([MARGIN, height - MARGIN - side]))
+        drawing.add_piece(piece.moved(offset))
+    drawing.add_square(side, label, pattern.allowance_text, square)
     for element in root.iter():  # names may hold what XML cannot
         element.text = element.text and NO_CHARACTER.sub("\ufffd", element.text)
         for key, value in element.items():
@@ -101,7 +118,7 @@ class _Drawing:
         strokes = list(strokes_of(piece))
         for label in reversed(LAYERS):  # the cut line is drawn last
             own = [stroke for stroke in strokes if stroke.look.layer == label]
-            texts = piece.texts if label == LOOKS["text"].layer and self._preset.has_texts else []
+            texts = [text for text in piece.texts if LOOKS[text.role].layer == label and self._preset.has_texts]
             if own or texts:
                 layer = self._add_layer(group, piece.name, label)
                 for stroke in own:
@@ -112,7 +129,8 @@ class _Drawing:
     def add_square(self, side: float, label: str, allowance: str, corner: np.ndarray) -> None:
         layer = self._add_layer(self._root, "", LOOKS["scale"].layer)
         self._add_path(layer, Stroke("scale", corner + side * np.array([[0, 0], [1, 0], [1, 1], [0, 1]]), True))
-        lines = (label, "Measure before cutting", f"Allowance included: {allowance}")
+        included = "No seam allowance" if allowance == "none" else f"Allowance included: {allowance}"
+        lines = (label, "Measure before cutting", included)
         if self._preset.has_texts:
             self._add_text(layer, Text(lines, corner + side / 2, 5.0))
 
@@ -123,19 +141,19 @@ class _Drawing:
         width = (self._preset.stroke or stroke.look.stroke) / self._unit
         look = {"fill": "none", "stroke": stroke.look.color, "stroke-width": f"{width:.3g}"}
         look |= {"stroke-linejoin": "round", "data-role": stroke.role}
-        if stroke.dashes and self._preset.has_dashes:
-            look["stroke-dasharray"] = " ".join(f"{dash:g}" for dash in stroke.dashes)
+        if stroke.look.dashes and self._preset.has_dashes:
+            look["stroke-dasharray"] = " ".join(f"{dash:g}" for dash in stroke.look.dashes)
         path = _add(layer, "path", **look, d=f"M {corners}{' Z' if stroke.closed else ''}")
         if stroke.name:
             _add(path, "title").text = stroke.name
 
     def _add_text(self, layer: ElementTree.Element, text: Text) -> None:
-        look = {"fill": LOOKS["text"].color, "font-family": "sans-serif", "text-anchor": "middle"}
-        for line, place in letters_baselines(text, LINE):
-            x, y = place * (1, -1) + (0, self._height)
-            placed = f"translate({x:.{DECIMALS}f} {y:.{DECIMALS}f}) rotate({-text.angle:g})"
-            element = _add(layer, "text", **look, **{"font-size": f"{text.height:.2f}", "transform": placed})
-            element.text = line
+        x, y = text.center * (1, -1) + (0, self._height)
+        placed = f"translate({x:.{DECIMALS}f} {y:.{DECIMALS}f}) rotate({-text.angle:g})"
+        look = {"fill": LOOKS[text.role].color, "font-family": "sans-serif", "text-anchor": "middle"}
+        element = _add(layer, "text", **look, **{"font-size": f"{text.height:.2f}", "transform": placed})
+        for line, below in base_lines(text, LINE):
+            _add(element, "tspan", x="0", y=f"{below:.2f}").text = line
 
     def _add_layer(self, parent: ElementTree.Element, owner: str, label: str) -> ElementTree.Element:
         layer = self._add_group(parent, f"{owner} {label}".strip(), label)

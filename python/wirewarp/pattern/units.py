@@ -31,6 +31,13 @@ class UnitSystem:
             + " in"
         )
 
+    def area_text(self, square_millimeters: float) -> str:
+        """ "182.3 cm²" or "28.26 in²"."""
+        if self.name == "imperial":
+            return f"{square_millimeters / INCH**2:.4g} in²"
+        square_meters = square_millimeters / 1e6
+        return f"{square_meters:.4g} m²" if square_meters >= 1 else f"{square_millimeters / 100:.4g} cm²"
+
     def range_of(self, lengths: Sequence[float]) -> str:
         if not lengths:
             return "none"

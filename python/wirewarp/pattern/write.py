@@ -6,6 +6,7 @@ from inspect import signature
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .checks import problem
 from .dxf import write_dxf
 from .hpgl import write_plt
 from .pattern import Written
@@ -13,7 +14,6 @@ from .pdf import write_pdf
 from .read_back import check
 from .replace_file import replaced_file
 from .svg import write_svg
-from .widths import problem
 
 if TYPE_CHECKING:
     from .pattern import Pattern
