@@ -9,6 +9,8 @@
 namespace wirewarp {
 namespace {
 
+/// Of a closure that depends on others, as one of a slit of one edge does: enough for a pivot that rounding leaves of
+/// it, about 1e-16 of its scale, to keep its sign; the solution is refined without.
 constexpr double kRegularization = 1e-13;
 
 }  // namespace
@@ -26,7 +28,9 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
                        const Eigen::SparseMatrix<double>& jacobian) {
   using Iterator = Eigen::SparseMatrix<double>::InnerIterator;
   stop_.check();
-  const double mean_diagonal = laplacian.diagonal().mean();
+  const Eigen::VectorXd weight = laplacian.diagonal();
+  const double mean_diagonal = weight.mean();
+  Eigen::VectorXd closure_scale = Eigen::VectorXd::Zero(num_closures_);  // of J W⁻¹ Jᵀ
   const Eigen::VectorXi& position = order_.indices();
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<std::size_t>(laplacian.nonZeros() + jacobian.nonZeros() + num_closures_));
@@ -40,6 +44,7 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
     // A closure comes after its edges.
     for (Iterator it(jacobian, e); it; ++it) {
       entries.emplace_back(column, position[num_edges_ + static_cast<int>(it.row())], it.value());
+      closure_scale[it.row()] += it.value() * it.value() / weight[e];
     }
   }
   for (int i = 0; i < num_closures_; ++i) entries.emplace_back(position[num_edges_ + i], position[num_edges_ + i], 0.0);
@@ -48,7 +53,7 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
 
   Eigen::SparseMatrix<double> regularized = matrix_;
   for (int i = 0; i < num_closures_; ++i) {
-    regularized.coeffRef(position[num_edges_ + i], position[num_edges_ + i]) = -kRegularization / mean_diagonal;
+    regularized.coeffRef(position[num_edges_ + i], position[num_edges_ + i]) = -kRegularization * closure_scale[i];
   }
   if (num_factorizations_ == 0) factor_.analyzePattern(regularized);
   factor_.factorize(regularized);

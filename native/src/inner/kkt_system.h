@@ -2,7 +2,7 @@
 // The optimality system of a step of Eq. (1):
 //
 //   [ L + D   Jᵀ ] [ d ]   [ r₁ ]       L  Laplacian of the angles, D diagonal, J closure Jacobian
-//   [ J      −δ  ] [ λ ] = [ r₂ ]       δ  1e-13 over the edges' mean diagonal: closures may depend on one another
+//   [ J      −δ  ] [ λ ] = [ r₂ ]       δ  diagonal, 1e-13 of J diag(L)⁻¹ Jᵀ: closures may depend on one another
 //
 // factored as LDLᵀ without pivoting, in the order of elimination_order.h. One edge carries an extra diagonal that keeps
 // the piece from turning as a whole.

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The two closures of a slit of one edge depend on each other, and what kept its pivot from zero was measured by the
+// edges' mean weight: with tiny edges elsewhere it drowned in rounding, and pieces were "not solvable".
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "inner/kkt_system.h"
+#include "processed_chart.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+TEST(Bugs, ASlitOfOneEdgeBesideTinyEdgesHasAFactor) {
+  const int n = 12;
+  for (int slit = 0; slit < n - 2; ++slit) {
+    const auto graded = [](double s, double t) {  // columns of 1 to 3^-16
+      return Eigen::Vector3d(std::pow(3, -16 * s), t, 0.3 * t * t);
+    };
+    FlattenInput input = test::make_grid(n, 3, graded);
+    test::add_seam(input, {n + 2 + slit, 2 * n + 4 + slit});  // aslant: along an axis closures vanish exactly
+    const Chart chart = test::process(input).refined;
+    const WireNetwork network = build_wire_network(chart);
+    const Eq1 eq1(network, NodeWeight::length);
+    const Eigen::VectorXd psi = Eigen::VectorXd::Zero(eq1.num_edges());
+    Eigen::VectorXd lengths(eq1.num_edges());
+    for (int e = 0; e < lengths.size(); ++e) lengths[e] = network.edges[e].length;
+    KktSystem system(eq1, network);
+    EXPECT_TRUE(system.factor(eq1.laplacian(), psi, eq1.closure_jacobian(psi, lengths))) << slit;
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp
