@@ -9,10 +9,11 @@
 namespace wirewarp {
 namespace {
 
-VertexPairs cut_edges(const HalfEdgeMesh& mesh, const CutMask& cut) {
+/// The cut, and the outline: the rims of a slit of one edge have the same ends, and would be joined.
+VertexPairs cut_and_outline(const HalfEdgeMesh& mesh, const CutMask& cut) {
   std::vector<VertexPair> edges;
   for (const EdgeHandle e : mesh.edges()) {
-    if (!cut[e.idx()]) continue;
+    if (!cut[e.idx()] && !mesh.is_boundary(e)) continue;
     const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
     edges.push_back({mesh.from_vertex_handle(h).idx(), mesh.to_vertex_handle(h).idx()});
   }
@@ -31,7 +32,7 @@ Wire wire_of(const HalfEdgeMesh& mesh, const WirePart& part) {
 }  // namespace
 
 std::vector<Chart> cut_apart(const Chart& chart, const CutMask& cut) {
-  FlattenInput input{points_of(chart.mesh), triangles_of(chart.mesh), cut_edges(chart.mesh, cut), {}};
+  FlattenInput input{points_of(chart.mesh), triangles_of(chart.mesh), cut_and_outline(chart.mesh, cut), {}};
   for (const WirePart& part : chart.wire_parts) input.wires.push_back(wire_of(chart.mesh, part));
   return cut_into_charts(input, EdgeTable(input.faces, static_cast<int>(input.vertices.rows()))).charts;
 }
