@@ -160,7 +160,8 @@ bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& d
   return true;
 }
 
-/// Leaves a saddle along a soft turn, to either side, as far as that promises more than at_least. The promise is by the
+/// Leaves a saddle along a soft turn, to either side, as far as that promises more than at_least. Without this and the
+/// bend in close_loops, 2 of 1,000 random networks that have a good shape are refused. The promise is by the
 /// curvature of the Lagrangian, whatever share of it is in the factor. Close to the saddle a turn is sought until one
 /// falls: where the network is symmetric, its symmetry_breaker may hold little of it.
 bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,

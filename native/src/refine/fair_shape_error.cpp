@@ -14,7 +14,6 @@ namespace {
 using HatGradients = Eigen::Matrix<double, 2, 3>;
 using PerCorner = Eigen::Matrix<double, 2, 3>;
 
-constexpr double kOpen = 0.7;                 // |z| of a triangle that is not much compressed
 constexpr double kSmallestDeterminant = 0.1;  // where the barrier begins: beyond what any good piece has
 constexpr double kFiniteWeight = 10;          // ω: a triangle without area costs as much as one shrunk by a third
 constexpr double kInfiniteWeight = 0.1;       // κ: ω ⅒², so that both barriers begin alike
@@ -24,8 +23,6 @@ double kappa(double norm_z, Curvature curvature) {
   switch (curvature) {
     case Curvature::exact:
       return exact;
-    case Curvature::exact_where_open:
-      return norm_z >= 2 * kOpen ? exact : std::min(exact, 1.0);
     case Curvature::convex:
       return std::min(exact, 1.0);
     case Curvature::none:

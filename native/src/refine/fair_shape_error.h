@@ -30,9 +30,8 @@ namespace wirewarp {
 /// How much of the negative curvature of E the Hessian keeps.
 enum class Curvature {
   exact,
-  exact_where_open,  // κ <= 1 on triangles compressed below 0.7
-  convex,            // κ <= 1 everywhere: positive semidefinite
-  none,              // κ = 0: the Laplacian
+  convex,  // κ <= 1 everywhere: positive semidefinite
+  none,    // κ = 0: the Laplacian
 };
 
 /// What no step may lead to.

@@ -31,7 +31,6 @@ constexpr double kFlat = 1e-4;      // negative curvature over that of the conve
 constexpr int kPatience = 30;       // factorizations after which triangles turned over are not expected to open
 
 constexpr Convexity kExactHessian{Curvature::exact, true};
-constexpr Convexity kOpenHessian{Curvature::exact_where_open, true};
 constexpr Convexity kConvexHessian{Curvature::convex, false};
 constexpr Convexity kLaplacian{Curvature::none, false};
 
@@ -214,20 +213,16 @@ bool Refinement::reach_exact_lengths() {
 }
 
 Refinement::Outcome Refinement::take_newton_step() {
-  const bool is_exact = factorize(kExactHessian);
-  // Triangles that are nearly points bend f down more than anything else: a step without their share opens them.
-  const bool try_open = !is_exact && objective_.count_flips(now_.uv) > 0 && may_go_on();
-  if (!is_exact && !(try_open && factorize(kOpenHessian))) return Outcome::not_positive;
+  if (!factorize(kExactHessian)) return Outcome::not_positive;
   const Step step = newton_step();
   const bool is_last = std::abs(step.slope) < worthwhile();
-  if (is_last && !is_exact) return Outcome::rejected;  // perhaps a saddle
-  for (const double t : {1.0, 0.5}) {                  // shorter steps are better taken in a ball
+  for (const double t : {1.0, 0.5}) {  // shorter steps are better taken in a trust region
     Iterate trial{now_.uv + t * step.d, now_.variation + t * step.variation};
     if (!evaluate(trial) || !(trial.value <= now_.value + kSufficient * t * step.slope)) continue;
     now_ = std::move(trial);
     multipliers_ += t * (step.multipliers - multipliers_);
     if (is_last) return Outcome::converged;
-    const bool is_near = is_exact && t == 1 && std::abs(step.slope) < kNear * now_.value;
+    const bool is_near = t == 1 && std::abs(step.slope) < kNear * now_.value;
     return is_near ? take_steps_with_factor(step.slope) : Outcome::accepted;
   }
   return is_last ? Outcome::converged : Outcome::rejected;
