@@ -141,7 +141,7 @@ TEST_F(NewtonSystemOnASaddle, GoesOnFromASolutionToOtherLengths) {
   const Eigen::VectorXd stretched = r2 + constraints.elastic_lengths() * h;
   NewtonSystem::Solution solution = system.solve_on_wires(r1, r2);
   const NewtonSystem::Solution expected = system.solve_on_wires(r1, stretched);
-  const Eigen::VectorXd predicted = solution.multipliers + system.multipliers_by_variation() * h;
+  const Eigen::VectorXd predicted = solution.multipliers + system.dlambda_dh() * h;
   EXPECT_LT((predicted - expected.multipliers).norm(), 1e-7 * predicted.norm());
   system.solve_on_wires(stretched, solution);
   EXPECT_LT((solution.multipliers - expected.multipliers).norm(), 1e-7 * predicted.norm());
@@ -192,7 +192,7 @@ TEST(NewtonSystem, AWireUnderCompressionIsASaddle) {
 TEST_F(NewtonSystemOnASaddle, TheHessianByVariationIsThatOfTheDenseSystem) {
   const Eigen::VectorXd multipliers = 0.01 * random_vector(constraints.size(), 5);
   ASSERT_TRUE(system.factorize(uv, multipliers, convex));
-  const Eigen::MatrixXd s = hessian_by_variation(constraints.elastic_lengths(), system.multipliers_by_variation());
+  const Eigen::MatrixXd s = hessian_h(constraints.elastic_lengths(), system.dlambda_dh());
   const Eigen::MatrixXd j = jacobian(system.directions());
   const Eigen::MatrixXd h = dense(system.hessian(uv, multipliers, convex));
   // min ½ d·Hd with J d = T h is ½ h·S h: S = Tᵀ (J H⁻¹ Jᵀ)⁻¹ T, the pins make H regular.

@@ -93,7 +93,7 @@ Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric) {
   return eigen.eigenvectors() * positive.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-Eigen::MatrixXd hessian_by_variation(const Eigen::SparseMatrix<double>& lengths, const Eigen::MatrixXd& multipliers) {
+Eigen::MatrixXd hessian_h(const Eigen::SparseMatrix<double>& lengths, const Eigen::MatrixXd& multipliers) {
   const Eigen::MatrixXd s = -(lengths.transpose() * multipliers);
   return (s + s.transpose()) / 2;
 }
@@ -227,7 +227,7 @@ void NewtonSystem::solve_on_wires(const Eigen::MatrixXd& r2, Solution& solution)
   improve(r2, kMultiplierSteps, kAccuracy, solution);
 }
 
-Eigen::MatrixXd NewtonSystem::multipliers_by_variation() const {
+Eigen::MatrixXd NewtonSystem::dlambda_dh() const {
   const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
   Eigen::MatrixXd multipliers(lengths.rows(), lengths.cols());
   for (Eigen::Index first = 0; first < lengths.cols(); first += kColumnsAtOnce) {

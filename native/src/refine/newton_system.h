@@ -32,7 +32,7 @@ struct Convexity {
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric);
 
 /// S = −Tᵀ ∂λ/∂h: the Hessian by h of the least q(d) = g·d + ½ d·Hd with J d = T h. lengths: T; multipliers: ∂λ/∂h.
-Eigen::MatrixXd hessian_by_variation(const Eigen::SparseMatrix<double>& lengths, const Eigen::MatrixXd& multipliers);
+Eigen::MatrixXd hessian_h(const Eigen::SparseMatrix<double>& lengths, const Eigen::MatrixXd& multipliers);
 
 class NewtonSystem {
  public:
@@ -67,7 +67,7 @@ class NewtonSystem {
   void solve_on_wires(const Eigen::MatrixXd& r2, Solution& solution) const;
 
   /// ∂λ/∂h for all elastic parts, J d being T h, to about five digits. #edges by #elastic.
-  Eigen::MatrixXd multipliers_by_variation() const;
+  Eigen::MatrixXd dlambda_dh() const;
 
   /// Tᵀ (ρ − ρ J A⁻¹ Jᵀ ρ) T: how the springs ρ of the edges resist Δh, where d follows them. #elastic by #elastic.
   Eigen::MatrixXd stiffness_by_variation() const;

@@ -5,13 +5,12 @@
 
 namespace wirewarp {
 
-TangentSpace::TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free)
+TangentSpace::TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints,
+                           const Eigen::MatrixXd& dlambda_dh, std::vector<int> free)
     : system_(system), constraints_(constraints), free_(std::move(free)) {
   if (free_.empty()) return;
-  multipliers_ = system.multipliers_by_variation();
-  const Eigen::MatrixXd hessian = hessian_by_variation(constraints.elastic_lengths(), multipliers_)(free_, free_);
-  multipliers_ = multipliers_(Eigen::all, free_).eval();
-  by_free_.compute(make_positive(hessian));
+  dlambda_dh_ = dlambda_dh(Eigen::all, free_);
+  factor_h_.compute(make_positive(hessian_h(constraints.elastic_lengths(), dlambda_dh)(free_, free_)));
 }
 
 /// Stationary are G d + Jᵀλ = r_u and -Tᵀλ = r_h. With λ = λ₀ + ∂λ/∂h Δh that is S Δh = r_h + Tᵀλ₀.
@@ -24,8 +23,8 @@ Eigen::VectorXd TangentSpace::solve(Eigen::VectorXd& force) const {
   NewtonSystem::Solution solution = system_.solve_on_wires(on_vertices, Eigen::VectorXd::Zero(constraints_.size()));
   if (num_free > 0) {
     const Eigen::VectorXd pull = lengths.transpose() * solution.multipliers.col(0);
-    result.tail(num_free) = by_free_.solve(force.tail(num_free) + pull(free_));
-    solution.multipliers += multipliers_ * result.tail(num_free);
+    result.tail(num_free) = factor_h_.solve(force.tail(num_free) + pull(free_));
+    solution.multipliers += dlambda_dh_ * result.tail(num_free);
     Eigen::VectorXd variation = Eigen::VectorXd::Zero(constraints_.num_elastic());
     variation(free_) = result.tail(num_free);
     system_.solve_on_wires(lengths * variation, solution);

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace wirewarp {
+
+/// The constants of refine_shape, each with the reason for its value. f is the objective, the slope of a step the first
+/// derivative of f along it.
+struct RefineConstants {
+  // When to stop.
+
+  /// Decrease of f that a step must promise, over f: lengths are exact at every step, so that only the shape gains from
+  /// more digits, and f sums up rounding of 1e-13 on a million triangles.
+  static constexpr double worthwhile = 1e-9;
+  /// f over the area, below which a shape is isometric: strains of 1e-11, a hundredth of what is promised of lengths.
+  static constexpr double isometric = 1e-22;
+  /// Factorizations after which triangles turned over are not expected to open: twice what pieces take that end
+  /// without any. There is a start that turns none over (refine/injective_shape.h).
+  static constexpr int patience = 30;
+
+  // Newton steps.
+
+  /// Share of the promised decrease that a step must bring: that of line searches everywhere (J. Nocedal, S. J. Wright,
+  /// Numerical Optimization, section 3.1).
+  static constexpr double sufficient_ratio = 1e-4;
+  /// Slope over f, below which the Hessian hardly changes along a step: the factor serves the next step, too.
+  static constexpr double near_minimum = 1e-2;
+  /// Slope of a step with an old factor over that of the step before. Where it falls less, a new factor is the cheaper
+  /// way: it costs as much as about ten steps with the old one.
+  static constexpr double falls_fast = 1e-2;
+
+  // Steps in the trust region.
+
+  /// Share of the decrease that the model promises, from which on a step is taken: as usual (Nocedal, Wright,
+  /// algorithm 4.1, where it is below 1/4).
+  static constexpr double accept_ratio = 0.1;
+  /// The same, from which on twice the radius is tried. Lower than the usual 3/4: a larger step costs no
+  /// factorization, all radii being served by one basis.
+  static constexpr double grow_ratio = 0.5;
+  /// What the radius is divided by after a bad step.
+  static constexpr double shrink = 3;
+  /// Radii that are tried: 3³⁰ is more than doubles tell apart, so that no step, however short, goes down.
+  static constexpr int max_radii = 30;
+  /// Vectors of the Krylov space. Each costs a few substitutions: all together what one or two factorizations do.
+  static constexpr int max_krylov_size = 15;
+  /// Negative curvature over that of the convex part, below which leaving a saddle gains nothing worthwhile.
+  static constexpr double flat_curvature = 1e-4;
+};
+
+}  // namespace wirewarp

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/refine_problem.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "mesh/geometry.h"
+#include "network/length_variation.h"
+#include "refine/refine_constants.h"
+
+namespace wirewarp {
+
+RefineProblem::RefineProblem(const Chart& chart, const WireNetwork& held_network, double fairness,
+                             Injectivity injectivity, const Positions2& layout)
+    : chart_(chart),
+      constraints_(chart, held_network),
+      objective_(chart, held_network, fairness, injectivity, layout),
+      tolerance_(constraints_.num_elastic()) {
+  for (int w = 0; w < tolerance_.size(); ++w) {
+    tolerance_[w] = chart.wire_parts[constraints_.elastic_parts()[w]].tolerance;
+  }
+  // What rounding leaves of f is felt on slivers and edges of 1e-8 of the piece.
+  const double extent = (layout.colwise().maxCoeff() - layout.colwise().minCoeff()).maxCoeff();
+  isometric_value_ = std::max(RefineConstants::isometric * surface_area(chart.mesh),
+                              objective_.value_of_rounding(std::numeric_limits<double>::epsilon() * extent));
+}
+
+RefineIterate RefineProblem::iterate_at(const Positions2& uv) const {
+  const Eigen::VectorXd variation = length_variation(chart_, uv)(constraints_.elastic_parts());
+  return {uv, variation.cwiseMax(-tolerance_).cwiseMin(tolerance_), objective_.value(uv)};
+}
+
+double RefineProblem::length_error(const RefineIterate& iterate) const {
+  return constraints_.largest_error(constraints_.residual(iterate.uv, iterate.variation));
+}
+
+double RefineProblem::worthwhile_decrease(const RefineIterate& iterate) const {
+  return std::max(RefineConstants::worthwhile * iterate.value, isometric_value_);
+}
+
+RefinedShape RefineProblem::describe(const RefineIterate& iterate) const {
+  RefinedShape shape;
+  shape.uv = iterate.uv;
+  shape.variation = length_variation(chart_, iterate.uv);
+  for (int i = 0; i < shape.variation.size(); ++i) {
+    if (chart_.wire_parts[i].kind != WireKind::super_elastic) shape.variation[i] = 0;
+  }
+  shape.variation(constraints_.elastic_parts()) = iterate.variation;
+  shape.objective = iterate.value / surface_area(chart_.mesh);
+  shape.length_error = length_error(iterate);
+  return shape;
+}
+
+}  // namespace wirewarp

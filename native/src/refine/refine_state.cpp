@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/refine_state.h"
+
+#include "refine/retract_to_lengths.h"
+
+namespace wirewarp {
+
+RefineState::RefineState(const Chart& chart, const WireNetwork& held_network, double fairness,
+                         const RefinementStart& start, const RefinementLimits& refinement_limits)
+    : problem(chart, held_network, fairness, refinement_limits.injectivity, start.uv),
+      system(chart, problem.objective(), problem.constraints(), start.uv),
+      limits(refinement_limits),
+      now(problem.iterate_at(start.uv)),
+      multipliers(start.multipliers) {
+  if (multipliers.size() == 0) multipliers.setZero(problem.constraints().size());
+}
+
+bool RefineState::factorize(const Convexity& convexity) {
+  limits.budget.spend(1);
+  if (!system.factorize(now.uv, multipliers, convexity)) return false;
+  if (problem.constraints().num_elastic() > 0) dlambda_dh = system.dlambda_dh();
+  return true;
+}
+
+bool RefineState::evaluate(RefineIterate& trial) const {
+  trial.variation = trial.variation.cwiseMax(-problem.tolerance()).cwiseMin(problem.tolerance());
+  if (!retract_to_lengths(problem.constraints(), system, trial.variation, trial.uv)) return false;
+  if (problem.objective().longest_step(now.uv, trial.uv - now.uv) < 1) return false;
+  trial.value = problem.objective().value(trial.uv);
+  return true;
+}
+
+}  // namespace wirewarp

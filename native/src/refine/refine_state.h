@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "refine/newton_system.h"
+#include "refine/refine_problem.h"
+
+namespace wirewarp {
+
+inline constexpr Convexity kExactHessian{Curvature::exact, true};
+inline constexpr Convexity kConvexHessian{Curvature::convex, false};
+inline constexpr Convexity kLaplacian{Curvature::none, false};
+
+enum class StepOutcome {
+  accepted,
+  rejected,   // the Hessian is not positive, or no step goes down as promised
+  converged,  // what a step promises is not worthwhile
+};
+
+/// What the steps of refine_shape work on: the shape at hand, and the linear system of its last factorization.
+struct RefineState {
+  RefineState(const Chart& chart, const WireNetwork& held_network, double fairness, const RefinementStart& start,
+              const RefinementLimits& refinement_limits);
+  RefineState(const RefineState&) = delete;  // the system refers to the problem
+  RefineState& operator=(const RefineState&) = delete;
+
+  bool may_go_on() const { return limits.budget.allows() && limits.stop.may_go_on(); }
+  double worthwhile_decrease() const { return problem.worthwhile_decrease(now); }
+
+  /// f and its gradient at the shape at hand.
+  void update_gradient() { now.value = problem.objective().value_and_gradient(now.uv, gradient); }
+
+  /// The system at the shape at hand; false where the Hessian is not positive on the tangent space of the lengths.
+  bool factorize(const Convexity& convexity);
+
+  /// Takes the trial back to exact lengths, and to its f; false where that fails, or something forbidden lies on the
+  /// way.
+  bool evaluate(RefineIterate& trial) const;
+
+  RefineProblem problem;
+  NewtonSystem system;
+  RefinementLimits limits;
+  RefineIterate now;
+  Positions2 gradient;          // of f
+  Eigen::VectorXd multipliers;  // λ
+  Eigen::MatrixXd dlambda_dh;   // ∂λ/∂h for the factor
+  int iterations = 0;
+};
+
+}  // namespace wirewarp
