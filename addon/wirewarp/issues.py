@@ -25,6 +25,7 @@ class Issue:
     faces: list[int] = field(default_factory=list)  # polygons
     proposed_seams: list[tuple[int, int]] = field(default_factory=list)  # edges of the mesh as vertex pairs
     proposed_tolerances: list[LooserWire] = field(default_factory=list)
+    both_sides: bool = False  # what is proposed mends this piece and its twin
 
 
 @dataclass(frozen=True)

@@ -9,15 +9,18 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
+from mathutils import Matrix
 from surfaces import bump, edge_vertices, flat_of, grid, make_object, mark, on_line, read, round_bump, select_only
 
 WIRE = on_line(1, 0.0)
 
 
-def tube(name="Tube", sides=16, rows=6, place=0.0):
-    """Open at both ends, of quads, 1 wide and 3 long."""
+def tube(name="Tube", sides=16, rows=6, place=0.0, length=3.0):
+    """Open at both ends, of quads, 1 wide."""
     angles = [2 * math.pi * k / sides for k in range(sides)]
-    vertices = [(place + 0.5 * math.cos(a), 0.5 * math.sin(a), 3 * z / rows) for z in range(rows + 1) for a in angles]
+    vertices = [
+        (place + 0.5 * math.cos(a), 0.5 * math.sin(a), length * z / rows) for z in range(rows + 1) for a in angles
+    ]
     faces = [
         (z * sides + k, z * sides + (k + 1) % sides, (z + 1) * sides + (k + 1) % sides, (z + 1) * sides + k)
         for z in range(rows)
@@ -65,12 +68,42 @@ def test_what_is_done_already_is_said():
     assert np.array_equal(seams_of(source), before)
 
 
-def test_one_proposal_leaves_the_others_good():
-    source, other = tube(), tube("Other", place=4.0)
-    select_only(source, other)
+def joined(source, *others):
+    select_only(source, *others)
     bpy.ops.object.join()
+    return source
+
+
+def test_one_proposal_leaves_the_others_good():
+    joined(tube(), tube("Other", rows=9, place=4.0, length=2.0))
     flatten_fails()
     assert take(issue=0) == take(issue=1) == {"FINISHED"}
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+
+
+def test_two_sleeves_are_mended_at_once_as_mirror_images(addon):
+    """By its own proposal, the second sleeve would get its seam on the same side as the first."""
+    source, other = tube(place=-2.0), tube("Other", place=2.0)
+    for target in (source, other):  # narrower towards one side, so that a seam has its best place there
+        for vertex in target.data.vertices:
+            vertex.co.y *= 1 + 0.2 * abs(vertex.co.x)
+    joined(source, other)
+    flatten_fails()
+    assert [issue["both_sides"] for issue in addon.flat.reports.last_report(source)["issues"]] == [True, True]
+    assert take(issue=0) == {"FINISHED"}
+    ends = read(source.data.vertices, "co", np.float32, 3)[seams_of(source)]
+    middles = {tuple(place) for place in ends.mean(axis=1).round(4).tolist()}
+    assert middles and middles == {(-x, y, z) for x, y, z in middles}
+    assert take(issue=1) == {"CANCELLED"}  # done already
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+
+
+def test_twins_without_mirrored_meshes_are_mended_at_once_each_by_its_own_seam():
+    source, other = tube(), tube("Other", place=4.0)
+    other.data.transform(Matrix.Rotation(0.1, 4, "Z"))  # about the world's axis: no mirror image in X, Y or Z
+    joined(source, other)
+    flatten_fails()
+    assert take(issue=1) == {"FINISHED"}
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 
 
@@ -210,6 +243,23 @@ def test_wires_that_contradict_one_another_lie_flat_once_they_are_loosened(addon
     report = addon.flat.reports.last_report(source)
     assert report["ok"]
     assert any(wire["tolerance"] > 0 for wire in report["wires"])
+
+
+def test_wires_of_twins_are_loosened_at_once(addon):
+    saddles = [grid(name, lambda x, y: (x, y, 0.25 * x * y), size=4, faces="triangles") for name in ("Left", "Right")]
+    saddles[1].data.transform(Matrix.Scale(-1, 4, (1, 0, 0)))
+    saddles[1].data.flip_normals()
+    for target, place in zip(saddles, (-2, 2), strict=True):
+        select_only(target)
+        mark(target, inside)
+        target.data.transform(Matrix.Translation((place, 0, 0)))
+    source = joined(*saddles)
+    flatten_fails("flat with")
+    first, second = addon.flat.reports.last_report(source)["issues"]
+    assert first["both_sides"] and first["proposed_tolerances"] == second["proposed_tolerances"]
+    assert len({wire["name"] for wire in first["proposed_tolerances"]}) % 2 == 0
+    assert take("TOLERANCES") == {"FINISHED"}
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 
 
 def test_a_wire_that_must_be_free_is_proposed_as_free(addon, tmp_path):

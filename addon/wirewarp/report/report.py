@@ -21,6 +21,7 @@ from ..solve.seams import SeamIdentity
 from ..words import quoted
 from .cloth import PieceStrain, piece_strain, triangles_around
 from .hints import strain_hints, wire_hints
+from .twins import with_twins
 
 SCHEMA = "wirewarp-report-4"
 # Chains add up the rounding of their edges; the library itself checks every edge to 1e-9.
@@ -44,6 +45,7 @@ def object_report(
     issues = [
         issue_of_piece(piece, index, arrays) for index, piece in enumerate(result.pieces) if piece.error is not None
     ]
+    issues = with_twins(issues, result, arrays)
     failed = {issue.piece for issue in issues}
     method = result.report["method"]
     strains = [piece_strain(piece, arrays) if _has_layout(piece) else None for piece in result.pieces]

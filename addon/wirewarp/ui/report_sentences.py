@@ -70,13 +70,14 @@ def _has_place(entry: dict) -> bool:
 
 def _draw_proposals(context: bpy.types.Context, layout: bpy.types.UILayout, index: int, issue: dict) -> None:
     seams, wires = issue["proposed_seams"], issue["proposed_tolerances"]
+    both = " on Both Sides" if issue.get("both_sides") else ""  # which earlier reports do not know
     if seams:
-        _draw_button(layout, "SEAMS", index, f"Mark {counted(len(seams), 'Edge')} as Seam", "EDGESEL")
+        _draw_button(layout, "SEAMS", index, f"Mark {counted(len(seams), 'Edge')} as Seam{both}", "EDGESEL")
     if wires:
         named = ", ".join(f"{wire['name']} {tolerance_text(float(wire['tolerance']))}" for wire in wires[:SHOWN_ROWS])
         named += f" and {len(wires) - SHOWN_ROWS} more" if len(wires) > SHOWN_ROWS else ""
         draw_sentence(context, layout, named, "BLANK1", spare=16)
-        _draw_button(layout, "TOLERANCES", index, "Loosen Wires", "FIXED_SIZE")
+        _draw_button(layout, "TOLERANCES", index, f"Loosen Wires{both}", "FIXED_SIZE")
 
 
 def _draw_button(layout: bpy.types.UILayout, what: str, index: int, text: str, icon: str) -> None:

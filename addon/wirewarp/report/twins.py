@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Failed pieces that are alike, as two sleeves are: what is proposed for one is proposed for both, as mirror images."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import combinations, pairwise
+
+import numpy as np
+
+from ..core import FlattenResult, Piece
+from ..issues import Issue, LooserWire
+from ..pattern.chains import edge_keys
+from ..solve.arrays import MeshArrays, triangle_areas
+
+ALIKE = 1e-3  # of its own size: by so much at most the outlines and areas of twins differ
+IN_PLACE = 1e-4  # of the size of a piece: nearer than this to its mirror image a vertex is that
+Pairs = list[tuple[int, int]]  # vertices
+
+
+def with_twins(issues: Sequence[Issue], result: FlattenResult, arrays: MeshArrays) -> list[Issue]:
+    """The issues; those of twins propose what mends both.
+
+    The first proposal counts, and its mirror image, where the meshes are mirror images too; else each piece's own.
+    """
+    found = list(issues)
+    mended = [index for index, issue in enumerate(issues) if issue.proposed_seams or issue.proposed_tolerances]
+    measures = {index: _measures(result.pieces[issues[index].piece], arrays) for index in mended}
+    taken: set[int] = set()
+    for first, second in combinations(mended, 2):
+        if taken & {first, second} or not _are_alike(issues[first], issues[second], measures[first], measures[second]):
+            continue
+        taken |= {first, second}
+        piece, twin = (result.pieces[issues[index].piece] for index in (first, second))
+        other = _mirrored(issues[first], piece, twin, arrays) or issues[second]
+        for index in (first, second):
+            found[index] = replace(
+                issues[index],
+                proposed_seams=_joined(issues[first].proposed_seams, other.proposed_seams),
+                proposed_tolerances=_widest([*issues[first].proposed_tolerances, *other.proposed_tolerances]),
+                both_sides=True,
+            )
+    return found
+
+
+def _measures(piece: Piece, arrays: MeshArrays) -> np.ndarray:
+    """The root of the area, and the lengths of the outline's stretches in their order."""
+    area = triangle_areas(arrays.vertices, arrays.triangles[piece.source_face]).sum()
+    return np.array([np.sqrt(area), *sorted(chain.length_3d for chain in piece.boundaries)])
+
+
+def _are_alike(issue: Issue, other: Issue, measures: np.ndarray, others: np.ndarray) -> bool:
+    same_kind = issue.code == other.code and bool(issue.proposed_seams) == bool(other.proposed_seams)
+    return same_kind and len(measures) == len(others) and np.allclose(measures, others, rtol=ALIKE, atol=0)
+
+
+def _mirrored(issue: Issue, piece: Piece, twin: Piece, arrays: MeshArrays) -> Issue | None:
+    """What the issue proposes, on the twin; None where that has no such edges or wires."""
+    wanted = [*issue.proposed_seams, *(edge for wire in issue.proposed_tolerances for edge in wire.edges)]
+    own = np.intersect1d(np.unique(piece.source_vertex), np.array(wanted).ravel())
+    places, others = arrays.vertices[np.unique(piece.source_vertex)], np.unique(twin.source_vertex)
+    for axis in range(3):  # across X on most models; others lie, or face to the side
+        image = _images(arrays.vertices[own], places, arrays.vertices[others], axis)
+        if image is None:
+            continue
+        twin_of = dict(zip(own.tolist(), others[image].tolist(), strict=True))
+        seams = _on_twin(issue.proposed_seams, twin_of)
+        wires = [_wire_on_twin(wire, twin_of, arrays) for wire in issue.proposed_tolerances]
+        if seams is not None and _are_edges(seams, arrays) and None not in wires:
+            return replace(issue, proposed_seams=seams, proposed_tolerances=wires)
+    return None
+
+
+def _images(points: np.ndarray, own: np.ndarray, others: np.ndarray, axis: int) -> np.ndarray | None:
+    """(k,) for each of the points (k,3) of a piece the vertex of its twin that is its mirror image; None without one.
+
+    own (n,3) and others (m,3): all vertices of both, by the middles of which they are laid on each other.
+    """
+    mirror = np.where(np.arange(3) == axis, -1.0, 1.0)
+    low, high = own.min(axis=0), own.max(axis=0)
+    middle = (others.min(axis=0) + others.max(axis=0)) / 2
+    mapped = (points - (low + high) / 2) * mirror + middle
+    found = np.empty(len(points), dtype=np.int64)
+    limit = IN_PLACE * np.linalg.norm(high - low)
+    for row, point in enumerate(mapped):
+        distances = np.linalg.norm(others - point, axis=1)
+        found[row] = np.argmin(distances)
+        if distances[found[row]] > limit:
+            return None
+    return found
+
+
+def _on_twin(edges: Iterable[tuple[int, int]], twin_of: dict[int, int]) -> Pairs | None:
+    pairs = [(twin_of.get(a, -1), twin_of.get(b, -1)) for a, b in edges]
+    return None if any(-1 in pair for pair in pairs) else [(min(pair), max(pair)) for pair in pairs]
+
+
+def _are_edges(pairs: Pairs, arrays: MeshArrays) -> bool:
+    count = len(arrays.vertices)
+    return bool(np.isin(edge_keys(pairs, count), edge_keys(arrays.edges, count)).all())
+
+
+def _wire_on_twin(wire: LooserWire, twin_of: dict[int, int], arrays: MeshArrays) -> LooserWire | None:
+    """The wire along the mirror image of the part of `wire` that lies in the piece."""
+    image = _on_twin([edge for edge in wire.edges if edge[0] in twin_of and edge[1] in twin_of], twin_of)
+    wanted = set(image or ())
+    for each in arrays.wires:
+        edges = list(pairwise(each.chain.vertices))
+        if wanted and wanted <= {(min(edge), max(edge)) for edge in edges}:
+            return LooserWire(each.name, wire.tolerance, edges)
+    return None
+
+
+def _joined(first: Pairs, second: Pairs) -> Pairs:
+    return list(dict.fromkeys([*first, *second]))
+
+
+def _widest(wires: Sequence[LooserWire]) -> list[LooserWire]:
+    """Each wire once."""
+    widest: dict[str, LooserWire] = {}
+    for wire in wires:
+        if wire.name not in widest or wire.tolerance > widest[wire.name].tolerance:
+            widest[wire.name] = wire
+    return list(widest.values())
