@@ -145,3 +145,17 @@ def read(collection: object, name: str, dtype: type, columns: int = 1) -> np.nda
     values = np.empty(len(collection) * columns, dtype=dtype)
     collection.foreach_get(name, values)
     return values.reshape(-1, columns) if columns > 1 else values
+
+
+def tube(name="Tube", sides=16, rows=6, place=0.0, length=3.0):
+    """Open at both ends, of quads, 1 wide."""
+    angles = [2 * math.pi * k / sides for k in range(sides)]
+    vertices = [
+        (place + 0.5 * math.cos(a), 0.5 * math.sin(a), length * z / rows) for z in range(rows + 1) for a in angles
+    ]
+    faces = [
+        (z * sides + k, z * sides + (k + 1) % sides, (z + 1) * sides + (k + 1) % sides, (z + 1) * sides + k)
+        for z in range(rows)
+        for k in range(sides)
+    ]
+    return make_object(name, vertices, faces)

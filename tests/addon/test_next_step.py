@@ -5,8 +5,8 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from surfaces import bump, flat_of, grid, make_object, mark, on_line, read, select_only
-from test_proposals import flatten_fails, inside, seams_of, tube
+from surfaces import bump, flat_of, grid, make_object, mark, on_line, read, select_only, tube
+from test_proposals import flatten_fails, inside, seams_of
 
 MEND = bpy.ops.object.wirewarp_mend
 

@@ -10,23 +10,9 @@ import numpy as np
 import pytest
 from everything import draw_panels
 from mathutils import Matrix
-from surfaces import bump, edge_vertices, flat_of, grid, make_object, mark, on_line, read, round_bump, select_only
+from surfaces import bump, edge_vertices, flat_of, grid, mark, on_line, read, round_bump, select_only, tube
 
 WIRE = on_line(1, 0.0)
-
-
-def tube(name="Tube", sides=16, rows=6, place=0.0, length=3.0):
-    """Open at both ends, of quads, 1 wide."""
-    angles = [2 * math.pi * k / sides for k in range(sides)]
-    vertices = [
-        (place + 0.5 * math.cos(a), 0.5 * math.sin(a), length * z / rows) for z in range(rows + 1) for a in angles
-    ]
-    faces = [
-        (z * sides + k, z * sides + (k + 1) % sides, (z + 1) * sides + (k + 1) % sides, (z + 1) * sides + k)
-        for z in range(rows)
-        for k in range(sides)
-    ]
-    return make_object(name, vertices, faces)
 
 
 def flatten_fails(match="mark a seam"):

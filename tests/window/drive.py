@@ -104,12 +104,15 @@ def open_tab(panel: type) -> Tour:
     raise AssertionError(f"no tab of the sidebar shows {panel.__name__}")
 
 
-def click_button(command: str) -> Tour:
-    """Clicks the button of the sidebar that runs this operator: that of which Blender copies this command."""
+def click_button(command: str, share: float = 0.4) -> Tour:
+    """Clicks the button of the sidebar that runs this operator: that of which Blender copies this command.
+
+    share: of the sidebar's width, how far right to look for it.
+    """
     sidebar = region("UI")
     window = bpy.context.window_manager.windows[0]
     for y in range(sidebar.y + sidebar.height - 20, sidebar.y, -12):
-        place = (sidebar.x + sidebar.width // 2 - 20, y)
+        place = (sidebar.x + int(share * sidebar.width), y)
         send("MOUSEMOVE", "NOTHING", (place[0], y + 1))
         send("MOUSEMOVE", "NOTHING", place)
         yield from ticks(2)

@@ -8,8 +8,8 @@ from pathlib import Path
 import bpy
 import drive
 import wirewarp_addon
-from stage import contents, flatten, hold_runs, marked_bump, remember, window_run
-from surfaces import bump, flat_of, grid
+from stage import contents, flatten, hold_runs, marked_bump, redo, remember, undo, window_run
+from surfaces import bump, flat_of, grid, tube
 
 solve_models = wirewarp_addon.run.models
 
@@ -133,3 +133,55 @@ def unregistering_ends_the_run() -> drive.Tour:
     source = grid("Next", bump)
     yield from flatten()
     assert flat_of(source)
+
+
+def cancel_button() -> drive.Tour:
+    """While a run goes on the button is a bar, and the one beside it, which the mouse reaches, stops the run."""
+    source = marked_bump()
+    before, messages = contents(source), collect_messages()
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
+    begin_held_run()
+    yield lambda: window_run.shown_progress() == 0.4
+    yield from drive.ticks(20)
+    drive.screenshot("cancel_button")
+    yield from drive.click_button("bpy.ops.object.wirewarp_cancel(", share=0.75)
+    yield lambda: not window_run.is_running()
+    assert contents(source) == before
+    assert [level for level, _ in messages] == ["WARNING"]
+    yield from drive.ticks(20)
+    drive.screenshot("cancelled")
+
+
+def mending_is_one_undo_step() -> drive.Tour:
+    """Seams and pieces come and go together, in both modes."""
+    for mode in ("OBJECT", "EDIT"):
+        source = tube(f"Tube {mode}")
+        name = source.name
+        remember()
+        with drive.in_view():
+            bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
+        yield lambda: not window_run.is_running()
+        if mode == "EDIT":
+            yield from drive.press("LEFTMOUSE", (300, 300))  # the error's window closes
+            yield from drive.press("TAB")
+            yield lambda: bpy.context.mode == "EDIT_MESH"
+        with drive.in_view():
+            bpy.ops.object.wirewarp_mend("INVOKE_DEFAULT", True, what="SEAMS")
+        yield lambda: not window_run.is_running()
+        assert state_of(name) == (True, True)
+        yield from undo()
+        yield lambda name=name: state_of(name) == (False, False)
+        yield from redo()
+        yield lambda name=name: state_of(name) == (True, True)
+        yield from undo()
+        yield lambda name=name: state_of(name) == (False, False)
+        with drive.in_view():
+            bpy.ops.object.mode_set(mode="OBJECT")
+    drive.screenshot("mended")
+
+
+def state_of(name: str) -> tuple[bool, bool]:
+    """Whether it has seams, and flat pieces."""
+    source = bpy.data.objects[name]
+    source.update_from_editmode()
+    return any(edge.use_seam for edge in source.data.edges), f"{name} Flat" in bpy.data.objects

@@ -37,6 +37,8 @@ TOURS = {
         "a_fault_of_the_core_is_told",
         "another_file_ends_the_run",
         "unregistering_ends_the_run",
+        "cancel_button",
+        "mending_is_one_undo_step",
     ],
     "update_tours": [
         "a_tool_begun_during_an_update_goes_on",

@@ -49,10 +49,8 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
 
 def _draw_progress(row: bpy.types.UILayout, done: float) -> None:
     """The button as a bar, and beside it what stops the run. Before Blender 4.0 there is no bar."""
-    if is_cancelled():
-        text = "Stopping..."
-    else:
-        text = f"Flattening {100 * done:.0f}%" if done < 1 else "Measuring..."
+    going_on = f"Flattening {100 * done:.0f}%" if done < 1 else "Measuring..."
+    text = "Stopping..." if is_cancelled() else going_on
     if hasattr(row, "progress"):
         row.progress(factor=done, text=text)
     else:
@@ -62,9 +60,7 @@ def _draw_progress(row: bpy.types.UILayout, done: float) -> None:
     row.operator("object.wirewarp_cancel", text="", icon="X")
 
 
-def _draw_state(
-    context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object, report: dict
-) -> None:
+def _draw_state(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object, report: dict) -> None:
     untrue = untrue_sentence(context.active_object, source, report)
     if untrue:
         warning = layout.column()
