@@ -226,6 +226,23 @@ class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
     show_all: BoolProperty(name="Show All", description="Show every line of the report, not only the worst")
 
 
+class WIREWARP_preferences(bpy.types.AddonPreferences):
+    bl_idname = __package__
+
+    moves_view: BoolProperty(
+        name="Show New Pieces",
+        description="After the first Flatten, and where pieces had to move, bring model and pieces into view",
+        default=True,
+    )
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        self.layout.prop(self, "moves_view")
+
+
+def preferences(context: bpy.types.Context) -> WIREWARP_preferences:
+    return context.preferences.addons[__package__].preferences
+
+
 class WIREWARP_PG_wire_name(bpy.types.PropertyGroup):
     """The name (PropertyGroup.name) of the wire with this id."""
 
@@ -246,7 +263,7 @@ class WIREWARP_PG_seam(bpy.types.PropertyGroup):
     seam_id: IntProperty(name="Seam Id", options={"HIDDEN"})
 
 
-CLASSES = (WIREWARP_PG_settings, WIREWARP_PG_wire_name, WIREWARP_PG_piece, WIREWARP_PG_seam)
+CLASSES = (WIREWARP_preferences, WIREWARP_PG_settings, WIREWARP_PG_wire_name, WIREWARP_PG_piece, WIREWARP_PG_seam)
 
 
 def attach() -> None:

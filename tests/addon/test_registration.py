@@ -76,7 +76,8 @@ def test_menu_entries_come_and_go(addon):
 
 
 def test_every_class_of_the_add_on_is_registered(addon):
-    bases = (bpy.types.Menu, bpy.types.Operator, bpy.types.Panel, bpy.types.PropertyGroup, bpy.types.UIList)
+    kinds = ("AddonPreferences", "Menu", "Operator", "Panel", "PropertyGroup", "UIList")
+    bases = tuple(getattr(bpy.types, kind) for kind in kinds)
     modules = [module for name, module in sys.modules.items() if name.startswith(f"{addon.__name__}.")]
     found = {
         cls

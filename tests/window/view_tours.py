@@ -3,8 +3,10 @@
 
 import bpy
 import drive
+import wirewarp_addon
+from mathutils import Vector
 from stage import flatten
-from surfaces import bump, grid, mark, on_line, select_only
+from surfaces import bump, flat_of, grid, mark, on_line, select_only
 
 
 def pieces_are_seen_in_local_view() -> drive.Tour:
@@ -39,3 +41,27 @@ def search_finds_commands_by_the_add_on_s_name() -> drive.Tour:
     yield from drive.ticks(20)
     yield from drive.press("RET")
     yield lambda: "Bump Flat" in bpy.data.objects
+
+
+def the_first_pieces_are_brought_into_view() -> drive.Tour:
+    """Once: after that the view is the user's. With the preference off, never."""
+    source = grid("Bump", bump)
+    view = drive.view_area().spaces.active.region_3d
+    view.view_location, view.view_distance = (100, 100, 100), 1
+    yield from flatten()
+    assert all(in_sight(view, each) for each in (source, flat_of(source)))
+    yield from drive.ticks(20)
+    drive.screenshot("first_pieces")
+    view.view_location = elsewhere = Vector((100, 100, 100))
+    yield from flatten()
+    assert view.view_location == elsewhere
+    wirewarp_addon.properties.preferences(bpy.context).moves_view = False
+    select_only(grid("Other", bump))
+    yield from flatten()
+    assert view.view_location == elsewhere
+
+
+def in_sight(view: bpy.types.RegionView3D, target: bpy.types.Object) -> bool:
+    view.update()
+    places = [view.perspective_matrix @ (target.matrix_world @ Vector(corner)).to_4d() for corner in target.bound_box]
+    return all(abs(x) < w and abs(y) < w for x, y, _, w in places)

@@ -11,6 +11,7 @@ from ..pattern.chains import edge_keys
 from .mesh import corner_edges, edge_vertices, face_sizes, read
 from .modes import update_mesh
 from .objects import check_local
+from .views import work_area
 
 Indices = Sequence[int] | np.ndarray  # (k,)
 Pairs = Sequence[tuple[int, int]] | np.ndarray  # (k,2) vertices
@@ -61,12 +62,9 @@ def select_elements(
 
 def _frame(context: bpy.types.Context) -> None:
     """Moves the 3D view that the button is in, or the largest there is; without a window there is none."""
-    if context.window is None:
+    area = work_area(context)
+    if area is None:
         return
-    areas = [area for area in context.window.screen.areas if area.type == "VIEW_3D"]
-    if not areas:
-        return
-    area = context.area if context.area in areas else max(areas, key=lambda each: each.width * each.height)
     region = next(region for region in area.regions if region.type == "WINDOW")
     with context.temp_override(area=area, region=region):
         bpy.ops.view3d.view_selected()

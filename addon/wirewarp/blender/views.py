@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What 3D views show: redrawn, and moved so that given points are in sight."""
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import bpy
 import numpy as np
+from mathutils import Quaternion, Vector
 
 MARGIN = 1.15  # so much more is seen than the points
+LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)  # of the eye above what lies flat
 
 
 def redraw_views() -> None:
@@ -59,3 +63,47 @@ def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
     distance = float((needed + z).max() if view.is_perspective else needed.max())
     middle[0] += view.covered * distance / view.across  # the points are left of the middle, to have the sidebar beside
     return view.axes @ middle, distance
+
+
+def show_objects(context: bpy.types.Context, area: bpy.types.Area, objects: Sequence[bpy.types.Object]) -> None:
+    """Moves this 3D view so that all of the objects are in sight, and what lies flat is no line."""
+    view, region = area.spaces.active.region_3d, next(each for each in area.regions if each.type == "WINDOW")
+    if view.view_perspective == "CAMERA":
+        view.view_perspective = "PERSP"
+        view.update()
+    _rise(view)
+    corners = [target.matrix_world @ Vector(corner) for target in objects for corner in target.bound_box]
+    is_perspective = view.view_perspective == "PERSP"
+    projection = Projection(
+        axes=np.array(view.view_rotation.to_matrix()),
+        across=view.window_matrix[0][0],
+        upward=view.window_matrix[1][1],
+        is_perspective=is_perspective,
+        covered=_covered(context, area) / region.width,
+    )
+    middle, distance = fit(np.array(corners), projection)
+    view.view_location = middle
+    view.view_distance = distance if is_perspective else distance * view.view_distance
+
+
+def _rise(view: bpy.types.RegionView3D) -> None:
+    """In a view from the side (Numpad 1 or 3) flat pieces are lines: look down on them."""
+    right, _, toward = view.view_rotation.to_matrix().col
+    elevation = math.asin(max(-1.0, min(1.0, toward.z)))
+    if abs(elevation) < LEAST_ELEVATION:
+        view.view_rotation = Quaternion(right, elevation - ELEVATION) @ view.view_rotation
+        view.update()
+
+
+def _covered(context: bpy.types.Context, area: bpy.types.Area) -> int:
+    """Pixels of the view that lie below the sidebar."""
+    sidebar = next(each for each in area.regions if each.type == "UI")
+    return sidebar.width if context.preferences.system.use_region_overlap and sidebar.width > 1 else 0
+
+
+def work_area(context: bpy.types.Context) -> bpy.types.Area | None:
+    """The 3D view that the user has just clicked in, or the largest of the window; without a window there is none."""
+    areas = [area for area in context.window.screen.areas if area.type == "VIEW_3D"] if context.window else []
+    return (
+        context.area if context.area in areas else max(areas, key=lambda each: each.width * each.height, default=None)
+    )

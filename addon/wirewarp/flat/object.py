@@ -2,7 +2,7 @@
 """The pieces as the object "<name> Flat" in the collection "WireWarp"."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
 import bpy
@@ -37,15 +37,20 @@ RED = (0.8, 0.02, 0.02, 1.0)
 
 
 def write_flat_object(
-    scene: bpy.types.Scene, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays
+    scene: bpy.types.Scene,
+    source: bpy.types.Object,
+    flat: FlatMesh,
+    arrays: MeshArrays,
+    models: Sequence[bpy.types.Object],
 ) -> bpy.types.Object:
     """Makes the flat object of `source`, or replaces the data of the one it has. True scale, in its own z = 0 plane.
 
+    models: flattened with it, its own included; a new flat object lies clear of all of them.
     If it raises, the pieces there were are there again.
     """
     target = find_flat_object(source)
     if target is None:
-        return _new_object(scene, source, flat, arrays)
+        return _new_object(scene, source, flat, arrays, models)
     if _is_shared(target):
         target.data = bpy.data.meshes.new(target.name)
     with _restored_on_failure(target):
@@ -57,13 +62,17 @@ def write_flat_object(
 
 
 def _new_object(
-    scene: bpy.types.Scene, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays
+    scene: bpy.types.Scene,
+    source: bpy.types.Object,
+    flat: FlatMesh,
+    arrays: MeshArrays,
+    models: Sequence[bpy.types.Object],
 ) -> bpy.types.Object:
     name = flat_name(source.name)
     target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
     try:
         _write_mesh(target, flat, arrays)
-        target.location = free_place(scene, source, flat.vertices.max(axis=0, initial=0.0))
+        target.location = free_place(scene, source, flat.vertices.max(axis=0, initial=0.0), models)
     except BaseException:
         remove_object(target)
         raise

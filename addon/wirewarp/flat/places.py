@@ -34,24 +34,34 @@ TURNED_TEXT = (
 )
 
 
-def free_place(scene: bpy.types.Scene, source: bpy.types.Object, size: np.ndarray) -> Vector:
+def free_place(
+    scene: bpy.types.Scene, source: bpy.types.Object, size: np.ndarray, models: Sequence[bpy.types.Object]
+) -> Vector:
     """For the lower left corner of pieces of this size (2,) in Blender units.
 
-    Right of the source and of all flat pieces there are, on the level of the source's lowest point.
+    Right of the source and of all flat pieces there are, on the level of the lowest point of the models, which are
+    those of this run, and under none of them.
     """
     own, largest = _world_box(source), max(source.dimensions)
-    others = [each for each in scene.objects if each.type in SOLID and each.visible_get()]
+    together = [_world_box(each) for each in models]
+    others = [each for each in scene.objects if each.type in SOLID and each.visible_get() and each not in models]
     ours = [each for each in scene.objects if model_of(each)]
-    right = max(_world_box(each)[1, 0] for each in (source, *ours))
+    right, floor = max(_world_box(each)[1, 0] for each in (source, *ours)), min(box[0, 2] for box in together)
     obstacles = [box for box in map(_world_box, others) if np.ptp(box, axis=0).max() <= LARGE * largest]
-    return Vector(_clear_of(obstacles, np.array([right + GAP * largest, own[0, 1], own[0, 2]]), size, GAP * largest))
+    corner = np.array([right + GAP * largest, own[0, 1], floor])
+    obstacles = [box for box in obstacles if _rises(box, floor, GAP * largest)] + together
+    return Vector(_clear_of(obstacles, corner, size, GAP * largest))
+
+
+def _rises(box: Box, floor: float, gap: float) -> bool:
+    """Whether it stands on the floor or cuts through it."""
+    return bool(box[0, 2] <= floor + gap and box[1, 2] > floor)
 
 
 def _clear_of(obstacles: Sequence[Box], place: np.ndarray, size: np.ndarray, gap: float) -> np.ndarray:
-    """The place (3,), or the next to the right of it where no obstacle rises out of the floor or cuts through it."""
+    """The place (3,), or the next to the right of it where seen from above no obstacle is."""
     for low, high in sorted(obstacles, key=lambda box: box[0, 0]):
-        rises = low[2] <= place[2] + gap and high[2] > place[2]
-        if rises and np.all((low[:2] < place[:2] + size) & (high[:2] > place[:2])):
+        if np.all((low[:2] < place[:2] + size) & (high[:2] > place[:2])):
             place = np.array([high[0] + gap, *place[1:]])
     return place
 

@@ -12,13 +12,14 @@ from .. import core
 from ..blender.files import replaced_file, unwritten
 from ..blender.modes import WORKING_MODES, hold_whole_file, in_object_mode
 from ..blender.units import meters_per_blender_unit
-from ..blender.views import is_over_sidebar, redraw_views
+from ..blender.views import is_over_sidebar, redraw_views, show_objects, work_area
 from ..issues import Issue, ObjectError
-from ..properties import FlattenSettings, choices_of
+from ..model.owners import find_flat_object
+from ..properties import FlattenSettings, choices_of, preferences
 from ..report.verdict import run_message, run_report
 from ..run import window_run
 from ..run.models import CancelledError, Model, Outcome, Solver, failed_report, solve_models
-from ..run.read import check_current, read_models
+from ..run.read import check_current, find_source, read_models
 from ..run.write import write_results
 
 # What a user may do during a run: look around.
@@ -120,7 +121,15 @@ class FlattenSteps(FlattenSettings):
             self.give_up(context, "internal_error", _fault(error, "undo (Ctrl+Z) takes back what was written"), "ERROR")
             hold_whole_file()
             return {"FINISHED"}
+        self.show(context, outcomes)
         return self._tell(context, outcomes)
+
+    def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
+        """Brings into view what the user has not seen yet, or not there."""
+        sources = [find_source(outcome.model) for outcome in outcomes if outcome.is_elsewhere]
+        area = work_area(context)
+        if sources and area and preferences(context).moves_view:
+            show_objects(context, area, [each for source in sources for each in (source, find_flat_object(source))])
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
         """Ends a run of which nothing is written but the report file."""

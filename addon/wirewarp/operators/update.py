@@ -8,6 +8,7 @@ import bpy
 from ..blender.modes import WORKING_MODES
 from ..properties import take_settings
 from ..run import auto_update, window_run
+from ..run.models import Outcome
 from .flatten_steps import FlattenSteps
 
 LABEL = "Update Flat Pieces"
@@ -36,6 +37,9 @@ class UpdateSteps(FlattenSteps):
     def lets_pass(self, _event: bpy.types.Event) -> bool:
         """Everything: if the user goes on marking, this run ends without a result and the next one begins."""
         return True
+
+    def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
+        """Nothing: the user is at work in this view."""
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
         """A model that changed meanwhile is due again already; what only could not be written is due as it is."""

@@ -50,6 +50,7 @@ class Outcome:
     seams: Sequence[SeamIdentity] = ()
     arrays: MeshArrays | None = None  # the model's, with the ids that its seams have now
     pieces: FlatMesh | None = None  # None: there is no layout to write
+    is_elsewhere: bool = False  # written: some pieces lie where the user has not seen any yet
 
 
 Solver = Callable[[Progress], list[Outcome]]

@@ -24,9 +24,10 @@ from ..flat.seams import write_seams
 from ..flat.uv import write_uv
 from ..issues import note, warning
 from ..model.attributes import wires_on
-from ..model.owners import earlier_sentence, find_flat_object, is_earlier, model_of
+from ..model.owners import earlier_sentence, find_flat_object, has_flat_object, is_earlier, model_of
 from ..model.wire_names import update_names
 from ..names import UV_LAYER
+from ..report.rows import piece_rows
 from ..solve.flat_mesh import FlatMesh
 from .models import Outcome
 from .read import RunSettings, find_source
@@ -34,10 +35,11 @@ from .read import RunSettings, find_source
 
 def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings: RunSettings) -> None:
     """Writes UV layer, flat object, maps and report of every object that has a layout."""
+    models = [model for outcome in outcomes if (model := find_source(outcome.model))]
     for outcome in outcomes:
         source = find_source(outcome.model)
         if outcome.pieces is not None:
-            _write_pieces(context, source, outcome, settings)
+            _write_pieces(context, source, outcome, settings, models)
             continue
         if find_flat_object(source):
             text = "Nothing changed: these are still the earlier pieces."
@@ -46,14 +48,22 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
 
 
 def _write_pieces(
-    context: bpy.types.Context, source: bpy.types.Object, outcome: Outcome, settings: RunSettings
+    context: bpy.types.Context,
+    source: bpy.types.Object,
+    outcome: Outcome,
+    settings: RunSettings,
+    models: list[bpy.types.Object],
 ) -> None:
-    """The flat object comes first, for it takes the most: should that fail, all is still as it was."""
+    """The flat object comes first, for it takes the most: should that fail, all is still as it was.
+
+    models: of this run, all of them.
+    """
     arrays = outcome.arrays
+    is_new, failed = not has_flat_object(source), [issue["piece"] for issue in outcome.report["issues"]]
     earlier = _kept_object(source, outcome, settings.keep_places)
     pieces, up = _place(source, outcome, earlier)
     away = places_of_absent(outcome.pieces, earlier, outcome.identities)
-    flat = write_flat_object(context.scene, source, pieces, arrays)
+    flat = write_flat_object(context.scene, source, pieces, arrays, models)
     remember_layout(flat.data, outcome.report["options"], up, away)
     follow_name(source, outcome.model.known.model_name)
     if source.data.library is None:
@@ -62,6 +72,8 @@ def _write_pieces(
     write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
     write_seams(source, arrays, outcome.seams, not settings.use_modifiers)
     with_names(source, outcome.report)
+    if is_new or failed:  # else the user's choice stays
+        source.wirewarp_active_piece = piece_rows(outcome.report)[0].index
     if not settings.use_modifiers:
         remove_model_maps(source.data)
         uv_scale = write_uv(source.data, outcome.result.corner_uv, arrays)
@@ -90,6 +102,7 @@ def _place(source: bpy.types.Object, outcome: Outcome, earlier: bpy.types.Object
     """The pieces where they lay in the flat object `earlier`, and what was up then (3,)."""
     options = outcome.report["options"]
     pieces, crowded = pieces_in_place(outcome.pieces, earlier, options["gap"])
+    outcome.is_elsewhere = bool(crowded) or earlier is None
     if crowded:
         name_of = {identity.piece_id: identity.name for identity in outcome.identities}
         outcome.report["notes"].append(note(crowded_text([name_of[piece_id] for piece_id in crowded])))
