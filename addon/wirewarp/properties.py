@@ -101,15 +101,16 @@ class FlattenSettings:
         ],
         default="WIRE",
     )
-    gap: FloatProperty(
+    spacing: FloatProperty(
         name="Gap",
-        description="Space between the pieces, in percent of the side of a square as large as all pieces together",
-        subtype="PERCENTAGE",
+        description="Space between the pieces as they are laid out: at least twice the seam allowance",
+        subtype="DISTANCE",
+        unit="LENGTH",
         min=0.0,
-        max=100.0,
-        soft_max=20.0,
-        default=3.0,
-        precision=1,
+        soft_max=0.2,
+        default=0.02,  # two allowances of 10 mm
+        precision=4,
+        step=1,
     )
     keep_places: BoolProperty(
         name="Keep Places",
@@ -139,7 +140,7 @@ def choices_of(settings: FlattenSettings) -> FlattenChoices:
         node_weight=settings.node_weight.lower(),
         layout=settings.layout_kind.lower(),
         orientation=settings.orientation.lower(),
-        gap=settings.gap / 100,
+        spacing=settings.spacing,
         mirror=settings.mirror,
     )
 
@@ -272,6 +273,7 @@ def attach() -> None:
     bpy.types.Mesh.wirewarp_grain = IntProperty(
         name="Grain Wire", description="Id of the wire that stands upright in the flat pieces it runs through, 0: none"
     )
+    bpy.types.Mesh.wirewarp_active_wire = IntProperty(name="Active Wire", description="In the list of wires", min=0)
     bpy.types.Object.wirewarp_pieces = CollectionProperty(type=WIREWARP_PG_piece)
     bpy.types.Object.wirewarp_seams = CollectionProperty(type=WIREWARP_PG_seam)
     bpy.types.Object.wirewarp_active_piece = IntProperty(name="Active Piece", description="In the list of pieces")
@@ -287,6 +289,7 @@ def detach() -> None:
     del bpy.types.Object.wirewarp_active_piece
     del bpy.types.Object.wirewarp_seams
     del bpy.types.Object.wirewarp_pieces
+    del bpy.types.Mesh.wirewarp_active_wire
     del bpy.types.Mesh.wirewarp_grain
     del bpy.types.Mesh.wirewarp_names
     del bpy.types.Scene.wirewarp

@@ -220,7 +220,7 @@ def test_what_is_active_does_not_matter(addon, active):
 def test_settings_that_are_no_numbers():
     source = grid("Bump", bump)
     mark(source, WIRE)
-    for name in ("fairness", "gap"):
+    for name in ("fairness", "spacing"):
         assert "nan" in answer(FLATTEN, **{name: float("nan")})
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")

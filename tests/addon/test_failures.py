@@ -98,11 +98,17 @@ def test_what_is_no_mesh_is_converted_first():
     flatten_fails('Circle" is not a mesh. Use Object > Convert > Mesh first')
 
 
-def test_the_flat_object_is_not_flattened_again():
+def test_flat_pieces_without_their_model_in_sight_are_not_flattened_again():
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     select_only(flat_of(source))
-    flatten_fails("these are flat pieces. Select their model")
+    collection = bpy.data.collections.new("Away")
+    bpy.context.scene.collection.children.link(collection)
+    for each in source.users_collection:
+        each.objects.unlink(source)
+    collection.objects.link(source)
+    bpy.context.view_layer.layer_collection.children["Away"].exclude = True
+    flatten_fails('"Bump", the model of these pieces, is not in this view layer')
 
 
 def test_flat_pieces_whose_model_was_deleted(addon):

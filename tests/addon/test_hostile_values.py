@@ -105,7 +105,7 @@ def test_stored_properties_of_another_type(model, everything_answers, value):
 @BELOW
 @pytest.mark.parametrize("value", STORED)
 def test_what_is_below_blenders_properties(model, everything_answers, value):
-    choices = ("method", "gap", "fairness", "shown_map", "auto_update", "orientation")
+    choices = ("method", "spacing", "fairness", "shown_map", "auto_update", "orientation")
 
     def put(owner, *names):
         for name in names:
@@ -115,7 +115,7 @@ def test_what_is_below_blenders_properties(model, everything_answers, value):
 
     def spoil():
         scene = bpy.context.scene
-        scene.wirewarp.gap = 2.0
+        scene.wirewarp.spacing = 2.0
         put(scene["wirewarp"], *choices)
         put(model, "wirewarp_pieces", "wirewarp_active_piece")
         put(model.data, "wirewarp_names", "wirewarp_grain")
@@ -126,13 +126,13 @@ def test_what_is_below_blenders_properties(model, everything_answers, value):
 @BELOW
 def test_a_choice_of_another_version_goes_back_to_its_default(addon):
     settings = bpy.context.scene.wirewarp
-    settings.gap = 2.0
+    settings.spacing = 2.0
     bpy.context.scene["wirewarp"]["method"] = 77
     assert settings.method == ""
     draw_panels(addon)
     operator = SimpleNamespace(properties=SimpleNamespace(is_property_set=lambda _: False))
     addon.properties.take_settings(operator, settings)
-    assert (operator.method, operator.gap, settings.method) == ("REFINED", 2.0, "REFINED")
+    assert (operator.method, operator.spacing, settings.method) == ("REFINED", 2.0, "REFINED")
 
 
 def test_a_pattern_of_names_that_are_no_text(model, tmp_path):

@@ -281,7 +281,7 @@ def test_a_model_that_is_turned_leaves_its_pieces_as_they_stand_and_that_is_said
     assert notes_of(addon, source) == []
 
 
-@pytest.mark.parametrize("settings", [{"keep_places": False}, {"gap": 8.0}, {"mirror": True}])
+@pytest.mark.parametrize("settings", [{"keep_places": False}, {"spacing": 0.16}, {"mirror": True}])
 def test_laid_out_anew_where_that_is_wanted(source, settings):
     flatten(source, **settings)
     laid_out = places_of(source)
@@ -294,15 +294,15 @@ def test_laid_out_anew_where_that_is_wanted(source, settings):
 
 
 def test_laid_out_anew_with_another_gap_after_a_run_that_failed(source):
-    flatten(source, gap=8.0, keep_places=False)
+    flatten(source, spacing=0.16, keep_places=False)
     laid_out = places_of(source)
-    flatten(source, gap=3.0)
+    flatten(source, spacing=0.06)
     height = source.data.vertices[40].co.z
     source.data.vertices[40].co.z = math.nan
     with pytest.raises(RuntimeError):
-        flatten(source, gap=8.0)
+        flatten(source, spacing=0.16)
     source.data.vertices[40].co.z = height
-    flatten(source, gap=8.0)
+    flatten(source, spacing=0.16)
     assert_same_places(places_of(source), laid_out)
 
 
@@ -410,3 +410,19 @@ def test_the_list_opens_at_the_worst_piece_and_then_stays_where_the_user_is(addo
     source.wirewarp_active_piece = 1 - worst
     bpy.ops.object.wirewarp_flatten()
     assert source.wirewarp_active_piece == 1 - worst
+
+
+@pytest.mark.parametrize("size", [0.5, 4.0])
+def test_the_gap_is_a_length_whatever_the_size_of_the_pieces(size):
+    source = grid("Plane", lambda x, y: (size * x, size * y, 0))
+    mark_seam(source, SEAM)
+    flatten(source, spacing=0.05)
+    mesh = flat_of(source).data
+    boxes = []
+    for piece in (0, 1):
+        faces = [face for face in mesh.polygons if mesh.attributes["piece"].data[face.index].value == piece]
+        places = np.array([mesh.vertices[vertex].co[:2] for face in faces for vertex in face.vertices])
+        boxes.append((places.min(axis=0), places.max(axis=0)))
+    (low, high), (other_low, other_high) = boxes
+    apart = np.maximum(other_low - high, low - other_high).max()
+    assert apart == pytest.approx(0.05, abs=1e-5)

@@ -125,11 +125,11 @@ def test_the_methods_are_those_of_the_library(addon):
 
 def test_what_the_caller_leaves_out_is_taken_from_the_scene(addon):
     settings = bpy.context.scene.wirewarp
-    settings.mirror, settings.gap = True, 0.5
-    given = SimpleNamespace(is_property_set=lambda name: name == "gap")
-    operator = SimpleNamespace(properties=given, gap=0.25)
+    settings.mirror, settings.spacing = True, 0.5
+    given = SimpleNamespace(is_property_set=lambda name: name == "spacing")
+    operator = SimpleNamespace(properties=given, spacing=0.25)
     addon.properties.take_settings(operator, settings)
-    assert (operator.mirror, operator.gap, operator.method) == (True, 0.25, "REFINED")
+    assert (operator.mirror, operator.spacing, operator.method) == (True, 0.25, "REFINED")
     grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()  # a script's call uses its own properties only
     assert bpy.data.objects["Bump Flat"].data.polygons[0].normal.z > 0

@@ -175,3 +175,11 @@ def test_what_goes_wrong_while_the_pieces_are_made_leaves_the_file_as_it_was(add
     assert {mesh.name for mesh in bpy.data.meshes} == meshes
     assert np.array_equal(read(flat.data.vertices, "co", np.float32, 3), before[0])
     assert (source["wirewarp_report"], flat.data.name) == before[1:]
+
+
+def test_another_grain_wire_is_due_once(addon, source):
+    assert taken(addon) == []
+    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.model.wires.find_wires(source.data)[0].edges[0])
+    assert taken(addon) == ["Bump"]
+    bpy.ops.object.wirewarp_flatten()
+    assert taken(addon) == []

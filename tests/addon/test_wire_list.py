@@ -6,6 +6,7 @@ import math
 import bpy
 import numpy as np
 import pytest
+from everything import draw_panels
 from surfaces import bump, grid, mark, mark_seam, on_line, read, select_edges, select_only, wire_marks
 
 EAST_WEST, NORTH_SOUTH = on_line(1, 0.0), on_line(0, 0.0)
@@ -170,3 +171,53 @@ def test_wires_of_one_id_each_get_one_of_their_own(addon):
     own_ids, last = addon.model.attributes.own_ids, addon.model.attributes.MAX_ID
     assert own_ids([5, 9, 5, 5, 6]) == [5, 9, 7, 8, 6]
     assert own_ids([last, last]) == [last, 1]
+
+
+class Rows:
+    """A layout that keeps the words of what is drawn in it."""
+
+    def __init__(self):
+        self.words = []
+
+    def __getattr__(self, _name):
+        return lambda *_, **__: self
+
+    def __setattr__(self, name, value):
+        if name == "words":
+            vars(self)[name] = value
+
+    def label(self, text="", **_):
+        self.words.append(text)
+
+    def prop(self, entry, name, **_):
+        self.words.append(getattr(entry, name))
+
+
+def row_of(addon, target, entry):
+    select_only(target)
+    rows = Rows()
+    addon.ui.wire_list.WIREWARP_UL_wires.draw_item(None, bpy.context, rows, target.data, entry, 0, target.data, "", 0)
+    return rows.words
+
+
+def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source):
+    bpy.context.scene.unit_settings.length_unit = "CENTIMETERS"
+    row = row_of(addon, source, source.data.wirewarp_names[1])
+    length = sum(wire.length(np.eye(3)) for name, wire in addon.model.wires.listed_wires(source) if name == "Middle")
+    assert row == ["Middle", f"±5%  {100 * length:.3f} cm"]
+
+
+def test_what_has_no_row_of_its_own_stands_below_and_what_is_gone_nowhere(addon, source):
+    """A wire cut in two by hand, without Mark, and one whose edges were cleared by a script."""
+    wires = dict(addon.model.wires.listed_wires(source))
+    for row in wires["Bust"].edges[3:5]:
+        source.data.attributes["wirewarp_wire"].data[row].value = 0
+    for row in wires["Middle"].edges:
+        source.data.attributes["wirewarp_wire"].data[row].value = 0
+    source.data.update()
+    bpy.context.view_layer.update()
+    assert row_of(addon, source, source.data.wirewarp_names[1]) == ["Middle"]
+    assert len(row_of(addon, source, source.data.wirewarp_names[0])) == 2
+    buttons = []
+    draw_panels(addon, buttons)
+    assert buttons.count("mesh.wirewarp_change_wire") == 2 * 2  # the chosen and the unlisted one; narrow and wide

@@ -25,7 +25,7 @@ LARGE = 5.0  # times that: a room or a landscape, in which the pieces may lie
 SOLID = {"MESH", "CURVE", "SURFACE", "META"}
 Box = np.ndarray  # (2,3), the lowest and the highest corner
 # Of the report: with other ones the user wants another layout.
-LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "gap", "mirror")
+LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "spacing", "mirror")
 MOST = 2.0**53  # what a float holds as a whole number
 TURNED = 0.999  # cosine of the angle, 2.5 degrees, from which on another direction is up
 TURNED_TEXT = (
@@ -71,15 +71,15 @@ def _world_box(target: bpy.types.Object) -> Box:
     return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
-def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, gap: float) -> tuple[FlatMesh, list[int]]:
+def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, spacing: float) -> tuple[FlatMesh, list[int]]:
     """The pieces where they lie in the flat object `earlier`, if there is one.
 
-    Also the ids of those that lie elsewhere now because they have grown into others. gap: see find_places.
+    Also the ids of those that lie elsewhere now because they have grown into others. spacing: see find_places.
     """
     known = _read(earlier.data) if earlier else None
     if known is None:
         return flat, []
-    places = find_places(flat, known, _read_away(earlier.data), gap)
+    places = find_places(flat, known, _read_away(earlier.data), spacing)
     vertices = flat.vertices.copy()
     piece = piece_of_vertices(len(vertices), flat.loop_vertices, flat.face_sizes, flat.piece_id)
     for piece_id, motion in places.motions.items():
@@ -90,7 +90,8 @@ def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, gap: float
 
 def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
     """Whether a run with these options lays out otherwise than the one that made the flat object `earlier`."""
-    return earlier.data.get(LAYOUT) != _layout_text(options)
+    then = _read_layout(earlier.data)
+    return not then or any(then.get(name, options[name]) != options[name] for name in LAYOUT_OPTIONS)
 
 
 def places_of_absent(
@@ -129,6 +130,15 @@ def up_when_laid_out(flat: bpy.types.Object, now: np.ndarray) -> np.ndarray:
 def is_turned(up: np.ndarray, then: np.ndarray, options: dict) -> bool:
     """Whether pieces that stand as the model stood then would stand otherwise if they were laid out anew."""
     return options["orientation"] == "up" and not float(up @ then) > TURNED
+
+
+def _read_layout(mesh: bpy.types.Mesh) -> dict:
+    """The options of remember_layout, some of which another version may not have known; {} where there are none."""
+    try:
+        then = json.loads(mesh.get(LAYOUT, ""))
+    except (TypeError, ValueError):  # a user or a script has changed it
+        return {}
+    return then if isinstance(then, dict) else {}
 
 
 def _layout_text(options: dict) -> str:

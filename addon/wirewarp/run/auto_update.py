@@ -65,9 +65,15 @@ def _flattened(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 def _has_changed(source: bpy.types.Object) -> bool:
     report, tried = last_report(source), _tried.get(source.name_full)
-    if tried is not None and not has_changed(source, {"model_state": tried}):
+    if tried is not None and not has_changed(source, {"model_state": tried}) and not _is_regrained(source, report):
         return False
-    return report is not None and has_changed(source, report)
+    return report is not None and (has_changed(source, report) or _is_regrained(source, report))
+
+
+def _is_regrained(source: bpy.types.Object, report: dict) -> bool:
+    """Whether another wire is to stand upright than in the last run."""
+    options = report.get("options") if report else None
+    return options is not None and options["grain_wire"] != source.data.wirewarp_grain
 
 
 def note_update(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:

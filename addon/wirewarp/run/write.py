@@ -101,7 +101,7 @@ def _kept_object(source: bpy.types.Object, outcome: Outcome, keep_places: bool) 
 def _place(source: bpy.types.Object, outcome: Outcome, earlier: bpy.types.Object | None) -> tuple[FlatMesh, np.ndarray]:
     """The pieces where they lay in the flat object `earlier`, and what was up then (3,)."""
     options = outcome.report["options"]
-    pieces, crowded = pieces_in_place(outcome.pieces, earlier, options["gap"])
+    pieces, crowded = pieces_in_place(outcome.pieces, earlier, options["spacing"])
     outcome.is_elsewhere = bool(crowded) or earlier is None
     if crowded:
         name_of = {identity.piece_id: identity.name for identity in outcome.identities}

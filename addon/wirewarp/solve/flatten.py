@@ -12,7 +12,7 @@ import numpy as np
 from ..core import Cache, FlattenError, FlattenResult, Piece, Wire
 from ..issues import Issue, LooserWire, ObjectError
 from ..pattern.chains import edge_keys
-from .arrays import MeshArrays, NamedWire
+from .arrays import MeshArrays, NamedWire, triangle_areas
 from .sentences import count_faces, name_elements
 
 # What the library advises, by Blender's own names.
@@ -37,7 +37,7 @@ class FlattenChoices:
     node_weight: str
     layout: str
     orientation: str
-    gap: float
+    spacing: float  # between pieces, in Blender units
     mirror: bool
 
 
@@ -58,12 +58,20 @@ def flatten_arrays(
             arrays.triangles,
             seams=arrays.seams,
             wires=[_library_wire(library, wire) for wire in arrays.wires],
-            options=library.Options(**asdict(used_choices(choices, arrays)), grain=_grain_index(arrays)),
+            options=library.Options(**_options(used_choices(choices, arrays), arrays)),
             progress=progress,
             cache=solved,
         )
     except library.FlattenError as error:
         raise ObjectError(issue_of_error(error, arrays)) from error
+
+
+def _options(choices: FlattenChoices, arrays: MeshArrays) -> dict:
+    """By the library's names; it takes the gap as a share of the side of a square as large as all pieces, up to 1."""
+    options = asdict(choices)
+    side = math.sqrt(float(triangle_areas(arrays.vertices, arrays.triangles).sum()))
+    spacing = options.pop("spacing")
+    return options | {"gap": min(spacing / side, 1.0) if side > 0 else 0.0, "grain": _grain_index(arrays)}
 
 
 def used_choices(choices: FlattenChoices, arrays: MeshArrays) -> FlattenChoices:

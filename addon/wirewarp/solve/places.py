@@ -119,10 +119,10 @@ def points_of(earlier: FlatPieces, away: np.ndarray, piece_ids: Sequence[int]) -
     return np.concatenate(rows)
 
 
-def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, gap: float) -> Places:
+def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, spacing: float) -> Places:
     """Of the pieces, where those that were there earlier lie; others go to the free room right of them.
 
-    away: see NONE_AWAY; gap: between pieces in the free room, as a fraction of the side of a square as large as all.
+    away: see NONE_AWAY; spacing: between pieces in the free room.
     """
     now, then = _Pieces(pieces), _Pieces(earlier, away)
     fits = {piece_id: _fit(now, then, piece_id) for piece_id in now if piece_id in then}
@@ -134,8 +134,7 @@ def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, gap: fl
         del kept[piece_id]
     homeless = [piece_id for piece_id in now if piece_id not in kept]
     if homeless:
-        room = gap * np.sqrt(sum(now.area(piece_id) for piece_id in now))
-        kept |= _beside(kept, homeless, now, room)
+        kept |= _beside(kept, homeless, now, spacing)
     return Places(kept, crowded)
 
 

@@ -14,7 +14,7 @@ from .report import (
     VIEW3D_PT_wirewarp_report_seams,
     VIEW3D_PT_wirewarp_report_wires,
 )
-from .wire_list import VIEW3D_PT_wirewarp_wires
+from .wire_list import VIEW3D_PT_wirewarp_wires, WIREWARP_UL_wires
 
 CLASSES = (
     *menus.CLASSES,
@@ -22,6 +22,7 @@ CLASSES = (
     VIEW3D_PT_wirewarp_settings,
     VIEW3D_PT_wirewarp_advanced,
     VIEW3D_PT_wirewarp_mark,
+    WIREWARP_UL_wires,
     VIEW3D_PT_wirewarp_wires,
     WIREWARP_UL_pieces,
     VIEW3D_PT_wirewarp_pieces,

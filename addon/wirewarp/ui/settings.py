@@ -17,7 +17,7 @@ NAMES = {  # of the choices in a report, as the panel calls them
     "node_weight": "Angles",
     "layout": "Layout",
     "orientation": "Upright",
-    "gap": "Gap",
+    "spacing": "Gap",
     "mirror": "Mirrored",
 }
 OF_REFINED, OF_OTHERS = {"fairness"}, {"node_weight"}
