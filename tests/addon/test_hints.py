@@ -157,6 +157,7 @@ def test_what_failed_gets_no_advice(addon):
         (0.12, 0.09, "stretch up to 12% and ease in up to 9.0%", "stretch 12%, ease 9.0%"),
         (0.12, 0.01, "stretch up to 12%", "stretch 12%"),
         (0.0, 0.34, "ease in up to 34%", "ease 34%"),
+        (12.0, 0.1, "stretch more than any cloth can", "stretch over 100%"),
         (math.inf, 0.1, "stretch more than any cloth can", "stretch unlimited"),
     ],
 )

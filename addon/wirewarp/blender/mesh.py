@@ -7,6 +7,7 @@ from contextlib import contextmanager
 import bpy
 import numpy as np
 
+HAS_UV_ATTRIBUTES = bpy.app.version >= (3, 5, 0)
 HAS_ATTRIBUTES = bpy.app.version >= (4, 0, 0)
 SEAM = "uv_seam" if bpy.app.version >= (4, 5, 0) else ".uv_seam"  # absent where there is no seam
 
@@ -91,6 +92,19 @@ def read_seams(mesh: bpy.types.Mesh) -> np.ndarray:
         return read(mesh.edges, "use_seam", bool)
     seams = read_attribute(mesh, SEAM, "BOOLEAN", "EDGE")
     return np.zeros(len(mesh.edges), dtype=bool) if seams is None else seams
+
+
+def read_uv(layer: bpy.types.MeshUVLoopLayer) -> np.ndarray:
+    """(l,2) float32"""
+    return read(layer.uv, "vector", np.float32, 2) if HAS_UV_ATTRIBUTES else read(layer.data, "uv", np.float32, 2)
+
+
+def write_uv(layer: bpy.types.MeshUVLoopLayer, places: np.ndarray) -> None:
+    """(l,2) float32"""
+    if HAS_UV_ATTRIBUTES:
+        layer.uv.foreach_set("vector", places.ravel())
+    else:
+        layer.data.foreach_set("uv", places.ravel())
 
 
 def write_corner_vertices(mesh: bpy.types.Mesh, vertices: np.ndarray) -> None:

@@ -31,6 +31,7 @@ from ..solve.flat_mesh import FlatMarks, FlatMesh, edge_length_variation, flat_m
 from .maps import write_maps
 from .places import free_place
 from .read import add_flat_attribute, remember_shape
+from .uv import write_flat_maps
 
 OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")  # in a second scene, or beside one of another file
 RED = (0.8, 0.02, 0.02, 1.0)
@@ -54,7 +55,7 @@ def write_flat_object(
     if _is_shared(target):
         target.data = bpy.data.meshes.new(target.name)
     with _restored_on_failure(target):
-        _write_mesh(target, flat, arrays)
+        _write_mesh(target, source, flat, arrays)
     if scene not in target.users_scene:
         our_collection(scene).objects.link(target)
     target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
@@ -71,7 +72,7 @@ def _new_object(
     name = flat_name(source.name)
     target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
     try:
-        _write_mesh(target, flat, arrays)
+        _write_mesh(target, source, flat, arrays)
         target.location = free_place(scene, source, flat.vertices.max(axis=0, initial=0.0), models)
     except BaseException:
         remove_object(target)
@@ -121,7 +122,7 @@ def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) 
     return notes
 
 
-def _write_mesh(target: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) -> None:
+def _write_mesh(target: bpy.types.Object, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) -> None:
     """And nothing else: shape keys and groups of the former vertices go."""
     mesh = target.data
     target.shape_key_clear()
@@ -146,7 +147,8 @@ def _write_mesh(target: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) ->
     _write_marks(mesh, marks)
     remember_shape(mesh, pieces)
     write_names(mesh, {wire.chain.wire_id: wire.name for wire in arrays.wires})
-    _show_failed(mesh, flat.failed)
+    write_flat_maps(mesh, flat, arrays)
+    _write_materials(mesh, source, flat, arrays)
 
 
 def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
@@ -191,19 +193,19 @@ def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
     return collection
 
 
-def _show_failed(mesh: bpy.types.Mesh, failed: np.ndarray) -> None:
-    """Gives the faces (f,) bool our material; it is taken off the mesh if there are none. Others' slots stay."""
-    slot = next((i for i, material in enumerate(mesh.materials) if material and material.name == FAILED_MATERIAL), -1)
-    if not failed.any():
-        if slot >= 0:
-            mesh.materials.pop(index=slot)
-        return
-    if slot < 0:
-        if not mesh.materials:
-            mesh.materials.append(None)  # of the good pieces
-        slot = len(mesh.materials)
-        mesh.materials.append(bpy.data.materials.get(FAILED_MATERIAL) or _new_material())
-    mesh.polygons.foreach_set("material_index", np.where(failed, slot, 0).astype(np.int32))
+def _write_materials(mesh: bpy.types.Mesh, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) -> None:
+    """Those of the model, on the faces that have them there; on failed ones ours. A model without leaves the user's."""
+    kept = [material for material in mesh.materials if not (material and material.name == FAILED_MATERIAL)]
+    own = [slot.material for slot in source.material_slots]
+    shown = own or kept
+    slots = np.minimum(arrays.materials[flat.source_face], max(len(own) - 1, 0))
+    if flat.failed.any():
+        shown = [*(shown or [None]), bpy.data.materials.get(FAILED_MATERIAL) or _new_material()]
+        slots = np.where(flat.failed, len(shown) - 1, slots)
+    mesh.materials.clear()
+    for material in shown:
+        mesh.materials.append(material)
+    mesh.polygons.foreach_set("material_index", slots.astype(np.int32))
 
 
 def _new_material() -> bpy.types.Material:

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pieces as the UV layer "WireWarp" of the source mesh."""
+"""UV maps: of the source mesh the layer "WireWarp" with its pieces; of the flat mesh that and the source's own."""
 
 import bpy
 import numpy as np
 
 from ..blender.attributes import check_free
+from ..blender.mesh import write_uv as write_layer
 from ..issues import object_error
 from ..names import UV_LAYER, UV_SCALE
 from ..solve.arrays import MeshArrays
+from ..solve.flat_mesh import FlatMesh
 from ..solve.flatten import has_layout
 
 MAX_UV_LAYERS = 8
@@ -34,10 +36,7 @@ def write_uv(mesh: bpy.types.Mesh, corner_uv: np.ndarray, arrays: MeshArrays) ->
     """
     loop_uv, scale = _loop_coordinates(corner_uv, arrays)
     layer = mesh.uv_layers.get(UV_LAYER) or mesh.uv_layers.new(name=UV_LAYER, do_init=False)
-    if hasattr(layer, "uv"):  # Blender 3.5 and later
-        layer.uv.foreach_set("vector", loop_uv.ravel())
-    else:
-        layer.data.foreach_set("uv", loop_uv.ravel())
+    write_layer(layer, loop_uv)
     mesh.uv_layers.active = layer
     mesh[UV_SCALE] = scale
     return scale
@@ -59,3 +58,14 @@ def _loop_coordinates(corner_uv: np.ndarray, arrays: MeshArrays) -> tuple[np.nda
     pairs = uv.reshape(-1, 2).astype(np.float32)
     loop_uv.view(np.complex64)[loops.ravel(), 0] = pairs.view(np.complex64)[:, 0]
     return loop_uv, scale
+
+
+def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
+    """On a flat mesh without maps: the source's own, by which a print is checked, and the pieces as they lie."""
+    for name, places in list(arrays.uv_maps.items())[: MAX_UV_LAYERS - 1]:
+        write_layer(mesh.uv_layers.new(name=name, do_init=False), places[flat.source_corner])
+    low = flat.vertices.min(axis=0)
+    places = ((flat.vertices - low) / max(float((flat.vertices - low).max()), 1e-300)).astype(np.float32)
+    own = mesh.uv_layers.new(name=UV_LAYER, do_init=False)
+    write_layer(own, places[flat.loop_vertices])
+    mesh.uv_layers.active = mesh.uv_layers[0]  # the source's first, where it has one

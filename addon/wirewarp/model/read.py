@@ -16,10 +16,12 @@ from ..blender.mesh import (
     read,
     read_attribute,
     read_seams,
+    read_uv,
     triangle_corners,
 )
 from ..blender.objects import linear_part
 from ..issues import object_error
+from ..names import UV_LAYER
 from ..pattern.chains import WireChain, chains_of_marks
 from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region
 from .attributes import own_ids, read_marks, read_piece_ids, read_seam_ids
@@ -81,6 +83,8 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
         grain_wire=source.data.wirewarp_grain,
         piece_ids=read_piece_ids(mesh),
         regions=face_regions(source, mesh),
+        materials=_slots(mesh),
+        uv_maps={layer.name: read_uv(layer) for layer in mesh.uv_layers if layer.name != UV_LAYER},
         loose_marks=len(marks.take(~in_face).rows),
         mirrored=mirrored,
     )
@@ -100,6 +104,12 @@ def face_regions(source: bpy.types.Object, mesh: bpy.types.Mesh) -> FaceRegions:
     count = len(mesh.polygons)
     sample = np.arange(0, count, max(1, -(-count // SAMPLE)))
     return FaceRegions(sample, _groups(source, mesh, sample), _materials(source, mesh, sample))
+
+
+def _slots(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(f,) int32"""
+    slots = read_attribute(mesh, "material_index", "INT", "FACE")
+    return np.zeros(len(mesh.polygons), dtype=np.int32) if slots is None else slots
 
 
 def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
@@ -122,8 +132,7 @@ def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) 
 
 
 def _materials(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
-    slots = read_attribute(mesh, "material_index", "INT", "FACE")
-    of_sample = np.zeros(len(sample), dtype=np.int32) if slots is None else slots[sample]
+    of_sample = _slots(mesh)[sample]
     materials = [slot.material for slot in source.material_slots]
     present = [(material, sample[of_sample == index]) for index, material in enumerate(materials) if material]
     return [Region(material.name, faces) for material, faces in present if len(faces)]

@@ -14,6 +14,7 @@ from .report import (
     MESH_OT_wirewarp_take_proposal,
     OBJECT_OT_wirewarp_copy_report,
 )
+from .unit import SCENE_OT_wirewarp_set_unit
 from .update import OBJECT_OT_wirewarp_update, WM_OT_wirewarp_watch
 from .view import VIEW3D_OT_wirewarp_frame
 from .wire import MESH_OT_wirewarp_change_wire, MESH_OT_wirewarp_grain_wire, MESH_OT_wirewarp_select_wire
@@ -34,6 +35,7 @@ CLASSES = (
     VIEW3D_OT_wirewarp_frame,
     OBJECT_OT_wirewarp_copy_report,
     OBJECT_OT_wirewarp_export_svg,
+    SCENE_OT_wirewarp_set_unit,
     OBJECT_OT_wirewarp_update,
     WM_OT_wirewarp_watch,
 )

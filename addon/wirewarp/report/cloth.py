@@ -19,6 +19,7 @@ CLOTH_LIMIT = 1.25
 # From which share on a dart is worth a thought: pieces are cut beyond it too, but no longer lie on the model without
 # being pulled. A plain limit for cloth of which nothing is known; what gives more, like neoprene, needs no dart there.
 STRAIN_LIMIT = 0.08
+UNSEWABLE = 2.0  # of the aspect ratio: no cloth comes to twice its length or to half of it
 LESSER = 0.5  # of stretch and ease, the lesser is worth words from this share of the greater
 
 
@@ -33,6 +34,11 @@ def is_strained(piece: dict) -> bool:
     return piece["ok"] and aspect_ratio(piece) > CLOTH_LIMIT
 
 
+def is_unsewable(piece: dict) -> bool:
+    """A good piece that no cloth at all can follow."""
+    return piece["ok"] and aspect_ratio(piece) > UNSEWABLE
+
+
 def ready_text(pieces: list[dict]) -> str:
     """The verdict on good pieces that are not beyond cloth: from which cloth they may be cut."""
     strain = max(largest(piece[name]) for piece in pieces for name in ("stretch_max", "ease_max"))
@@ -43,7 +49,7 @@ def ready_text(pieces: list[dict]) -> str:
 
 def strain_words(stretch: float, ease: float) -> str:
     """What cloth must do, of shares of its flat length: "stretch up to 12% and ease in up to 9.0%"."""
-    if math.isinf(stretch):
+    if stretch >= UNSEWABLE - 1:
         return "stretch more than any cloth can"
     worth = _worth_words([("stretch", stretch), ("ease in", ease)])
     return " and ".join(f"{verb} up to {percent_text(share)}" for verb, share in worth)
@@ -64,6 +70,8 @@ def _worth_words(strains: list[tuple[str, float]]) -> list[tuple[str, float]]:
 def percent_text(share: float) -> str:
     if math.isinf(share):
         return "unlimited"
+    if share >= UNSEWABLE - 1:
+        return "over 100%"
     return f"{100 * share:.0f}%" if share >= 0.0995 else f"{100 * share:.1f}%"
 
 

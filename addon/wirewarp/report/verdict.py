@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from ..words import counted
-from .cloth import aspect_ratio, is_strained, largest, ready_text, strain_words
+from .cloth import aspect_ratio, is_strained, is_unsewable, largest, ready_text, strain_words
 from .hints import TORN
 from .report import SCHEMA
 
@@ -24,7 +24,8 @@ def verdict(*reports: dict) -> list[VerdictLine]:
     entries = [(report, piece) for report in reports for piece in report["pieces"]]
     if not entries:
         return [VerdictLine("Not flattened", "CANCEL")]
-    strained = [entry for entry in entries if is_strained(entry[1])]
+    unsewable = [entry for entry in entries if is_unsewable(entry[1])]
+    strained = [entry for entry in entries if is_strained(entry[1]) and entry not in unsewable]
     good = [entry for entry in entries if entry[1]["ok"] and not is_strained(entry[1])]
     failed = [entry for entry in entries if not entry[1]["ok"]]
     count = counted(len(entries), "piece")
@@ -32,8 +33,11 @@ def verdict(*reports: dict) -> list[VerdictLine]:
     if failed:
         which = f"{len(failed)} of {count}" if len(entries) > 1 else "the piece"
         lines.append(VerdictLine(f"Do not cut: {which} failed", "CANCEL"))
+    if unsewable:
+        names = _shown_names(_worst_first(unsewable), len(reports) > 1)
+        lines.append(VerdictLine(f"{names} cannot be sewn from this. Add seams there.", "ERROR"))
     if strained:
-        lines.append(_strained_line(sorted(strained, key=lambda entry: -aspect_ratio(entry[1])), len(reports) > 1))
+        lines.append(_strained_line(_worst_first(strained), len(reports) > 1))
     if not good:
         return lines
     which = f"{count}, {kept_text(reports)}" if len(good) == len(entries) else _others(good, len(reports) > 1)
@@ -54,14 +58,21 @@ def left_out_of(report: dict) -> list[str]:
     return [] if report.get("with_modifiers") else report.get("shaped_by", [])
 
 
+def _worst_first(entries: list[Entry]) -> list[Entry]:
+    return sorted(entries, key=lambda entry: -aspect_ratio(entry[1]))
+
+
 def _strained_line(strained: list[Entry], with_objects: bool) -> VerdictLine:
-    hidden = len(strained) - SHOWN_NAMES
-    more = f" and {hidden} more" if hidden > 0 else ""
     pieces = [piece for _, piece in strained]
     words = strain_words(*(max(largest(piece[name]) for piece in pieces) for name in ("stretch_max", "ease_max")))
-    named = _names(strained[:SHOWN_NAMES], with_objects)
     keep, remedy = ("keeps its", "a dart or seam") if len(strained) == 1 else ("keep their", "darts or seams")
-    return VerdictLine(f"{named}{more} {keep} lengths, but the cloth must {words}. Add {remedy} there.", "ERROR")
+    names = _shown_names(strained, with_objects)
+    return VerdictLine(f"{names} {keep} lengths, but the cloth must {words}. Add {remedy} there.", "ERROR")
+
+
+def _shown_names(entries: list[Entry], with_objects: bool) -> str:
+    hidden = len(entries) - SHOWN_NAMES
+    return _names(entries[:SHOWN_NAMES], with_objects) + (f" and {hidden} more" if hidden > 0 else "")
 
 
 def _others(good: list[Entry], with_objects: bool) -> str:

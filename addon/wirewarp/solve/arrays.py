@@ -53,6 +53,8 @@ class MeshArrays:
     grain_wire: int  # id of the wire that stands upright in its pieces; 0: none was chosen
     piece_ids: np.ndarray  # (f,) int32, of the pieces that the polygons were in when last flattened; 0 none
     regions: FaceRegions
+    materials: np.ndarray  # (f,) int32, the slot of each polygon
+    uv_maps: dict[str, np.ndarray]  # (l,2) float32 each, the model's own maps by name
     loose_marks: int  # edges without a face that are marked as wires: they are left out
     mirrored: bool
 

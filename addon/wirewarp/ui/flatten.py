@@ -4,6 +4,7 @@
 import bpy
 
 from ..blender.cache import stamp
+from ..blender.size import likely_units, strange_size, unit_text
 from ..flat.reports import last_report, pieces_report
 from ..issues import ObjectError
 from ..model.modifiers import shaped_by
@@ -38,6 +39,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
             draw_sentence(context, layout, "Select a mesh.", "INFO")
             return
         source = model_or_self(active)
+        _draw_size(context, layout, source)
         report = last_report(source)
         if report:
             _draw_state(context, layout, source, report)
@@ -58,6 +60,17 @@ def _draw_progress(row: bpy.types.UILayout, done: float) -> None:
         bar.enabled = False
         bar.operator("object.wirewarp_flatten", text=text)
     row.operator("object.wirewarp_cancel", text="", icon="X")
+
+
+def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
+    """A model that nobody could sew has mostly lost its unit on the way through a file."""
+    sentence = strange_size(source, context.scene)
+    if not sentence:
+        return
+    column = layout.column(align=True)
+    draw_sentence(context, column, sentence, "ERROR")
+    for unit in likely_units(source):
+        column.operator("scene.wirewarp_set_unit", text=unit_text(source, unit)).meters = unit
 
 
 def _draw_state(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object, report: dict) -> None:

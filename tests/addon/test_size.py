@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Models that nobody could sew in the size they have: told, with the units that would do."""
+
+import bpy
+import pytest
+from everything import draw_panels
+from surfaces import bump, flat_of, grid
+
+
+@pytest.fixture
+def sized(addon):
+    """A model so many Blender units wide; returns the sentence on its size and the units offered, in words."""
+
+    def make(width):
+        source = grid("Chair", lambda x, y: [width / 2 * value for value in bump(x, y)])
+        bpy.context.view_layer.update()
+        size = addon.blender.size
+        offered = [size.unit_text(source, unit) for unit in size.likely_units(source)]
+        return size.strange_size(source, bpy.context.scene), offered
+
+    return make
+
+
+def test_a_model_of_common_size_is_not_told(sized):
+    assert [sized(width)[0] for width in (0.03, 0.2, 2, 4.9)] == [""] * 4
+
+
+def test_units_that_give_a_size_to_sew_are_offered_the_likeliest_first(sized):
+    sentence, offered = sized(77)
+    assert sentence == '"Chair" is 77 m large. Was it made in another unit?'
+    assert offered == ["Centimeters: 77 cm", "Millimeters: 7.7 cm"]
+    assert sized(939)[1] == ["Millimeters: 93.9 cm"]
+    sentence, offered = sized(0.0017)
+    assert sentence.endswith("is 1.7 mm small. Was it made in another unit?")
+    assert offered == ["100 m: 17 cm", "1000 m: 170 cm"]
+
+
+def test_one_click_makes_the_pattern_as_large_as_the_model_was_meant(addon, sized):
+    sized(77)
+    buttons = []
+    assert "Was it made in another unit?" in draw_panels(addon, buttons)
+    assert "scene.wirewarp_set_unit" in buttons
+    before = bpy.context.scene.wirewarp.spacing
+    assert bpy.ops.scene.wirewarp_set_unit(meters=0.01) == {"FINISHED"}
+    assert "another unit" not in draw_panels(addon)
+    assert bpy.context.scene.wirewarp.spacing == pytest.approx(100 * before)
+    bpy.ops.object.wirewarp_flatten()
+    report = addon.flat.reports.last_report(bpy.data.objects["Chair"])
+    assert report["pieces"][0]["area_3d_m2"] == pytest.approx(1e-4 * report["pieces"][0]["area_3d"])
+    assert flat_of(bpy.data.objects["Chair"]).dimensions.x > 77
+
+
+def test_a_scene_without_units_gets_some(addon, sized):
+    bpy.context.scene.unit_settings.system = "NONE"
+    assert sized(150)[0]
+    bpy.ops.scene.wirewarp_set_unit(meters=0.01)
+    assert addon.blender.size.strange_size(bpy.data.objects["Chair"], bpy.context.scene) == ""
