@@ -7,6 +7,8 @@ Scripts and earlier files rely on these; what it is for stands beside it, and in
 # On the model's mesh, the truth: edges.
 WIRE = "wirewarp_wire"  # INT, random 31-bit id of the wire, 0 none
 TOLERANCE = "wirewarp_tolerance"  # FLOAT, 0 rigid, finite elastic, inf super-elastic
+ALLOWANCE = "wirewarp_allowance"  # FLOAT, Blender units: the seam allowance; below 0 none; 0 and NaN the default
+SIDE_ALLOWANCE = "wirewarp_side_allowance"  # on corners: the same for the side of the face whose corner begins the edge
 
 # On the model's mesh, written by a run.
 PIECE = "wirewarp_piece"  # face attribute INT, random 31-bit id of the piece, 0 none; on the flat mesh too

@@ -185,6 +185,17 @@ class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
         default=3.0,
         precision=2,
     )
+    allowance: FloatProperty(
+        name="Allowance",
+        description="Seam allowance in millimeters, around every piece but where another one is marked on the edges",
+        min=0.0,
+        soft_max=50.0,
+        max=1000.0,
+        default=10.0,
+        precision=1,
+        step=100,
+        update=_redraw,
+    )
     show_lines: BoolProperty(
         name="Lines",
         description="Draw outlines, seams, wires and what failed over models and flat pieces, and over "

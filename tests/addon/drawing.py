@@ -18,7 +18,9 @@ class Drawing:
         return next(group for group in self.pieces[piece].findall(f"{SVG}g") if group.get(LABEL) == label)
 
     def lines(self, piece, label):
-        return [points_of(path) for path in self.layer(piece, label).findall(f"{SVG}path")]
+        """None where the piece has no such layer."""
+        layers = [group for group in self.pieces[piece].findall(f"{SVG}g") if group.get(LABEL) == label]
+        return [points_of(path) for layer in layers for path in layer.findall(f"{SVG}path")]
 
     def outlines(self):
         return [line for piece in self.pieces for line in self.lines(piece, "Cut")]

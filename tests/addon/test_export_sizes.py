@@ -22,8 +22,9 @@ def source():
 
 
 def test_sizes_told_before_saving(source, addon):
-    pattern = addon.flat.pattern.read_pattern(bpy.context.scene, source, 100.0, False)
-    total, largest = addon.operators.export._size_sentences(pattern)
+    choices = addon.flat.pattern.PatternChoices(0.0, 100.0, "cut")
+    pattern = addon.flat.pattern.read_pattern(bpy.context.scene, source, choices, False)
+    total, largest = addon.operators.export.size_sentences(pattern, pattern.svg_size)
     assert re.fullmatch(r"2 pieces on \d+ × \d+ mm\.", total)
     wide, high = map(int, re.fullmatch(r"The largest, Top (?:Left|Right): (\d+) × (\d+) mm\.", largest).groups())
     assert 200 < max(wide, high) < 260
@@ -31,13 +32,13 @@ def test_sizes_told_before_saving(source, addon):
 
 
 def test_of_many_pieces_over_one_another_the_first_are_named(addon):
-    module, square = addon.pattern.pattern, np.array([(0, 0), (9, 0), (9, 9), (0, 9)], dtype=float)
-    told = addon.operators.export._crossing_sentence
+    module, square = addon.core.pattern, np.array([(0, 0), (9, 0), (9, 9), (0, 9)], dtype=float)
+    told = addon.operators.export.crossing_sentence
 
     def pattern(count):
-        text = module.PieceText((), np.zeros(2), 1.0, 0.0)
-        pieces = [module.PatternPiece(f"P{k}", [square + k], [], [], text, []) for k in range(count)]
-        return module.Pattern("Pile", pieces, module.METRIC)
+        outlines = [[module.Line("cut", square + k, closed=True)] for k in range(count)]
+        pieces = [module.PatternPiece(k, f"P{k}", outline, [], []) for k, outline in enumerate(outlines)]
+        return module.Pattern("Pile", pieces, "none", module.UnitSystem())
 
     assert told(pattern(1)) == ""
     assert "one another: P0, P1, P2, P3. Move" in told(pattern(4))

@@ -79,7 +79,7 @@ def test_both_sides_of_a_seam_have_its_number_and_wires_their_names(source, tmp_
         (outline,) = drawing.lines(piece, "Cut")
         (wire,) = drawing.lines(piece, "Rigid Wires")
         low, high = outline.min(axis=0), outline.max(axis=0)
-        for name, line, distance in (("Seam 1", outline, 8.0), ("Wire 1", wire, 3.0)):
+        for name, line, distance in (("Seam 1", outline, 3.0), ("Wire 1", wire, 3.0)):
             assert np.all((low < names[name]) & (names[name] < high))
             dense = np.concatenate([np.linspace(a, b, 50) for a, b in zip(line[:-1], line[1:], strict=True)])
             nearest = np.linalg.norm(dense - names[name], axis=1).min()

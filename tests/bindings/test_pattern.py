@@ -9,6 +9,7 @@ import shapely
 import wirewarp
 from patterns import SAMPLES, cut_polygon, flattened, line_string, quads, rectangle, sample, sew_polygon
 from wirewarp.pattern import Pattern
+from wirewarp.pattern.interior import innermost_point
 
 
 @pytest.mark.parametrize("name", SAMPLES)
@@ -274,7 +275,7 @@ def test_what_the_allowance_swallows_is_told():
         ({"allowances": [(0, 2, 5)]}, "Edge 0-2 has an allowance"),
         ({"allowances": [(0.5, 1, 5)]}, "no whole number"),
         ({"side_allowances": [(1, 0, 5)]}, "Edge 1-0 has an allowance"),
-        ({"notch_spacing": 0.5}, "notch_spacing is 0.5"),
+        ({"notch_spacing": 0.5}, "Notches every 0.5 mm cannot be cut"),
         ({"notch_spacing": -5}, "notch_spacing is -5"),
         ({"millimeters_per_unit": 0}, "millimeters_per_unit is 0"),
         ({"piece_names": ["a", "b"]}, "must be 1 texts"),
@@ -326,3 +327,17 @@ def test_a_crooked_fold_is_told():
     result = wirewarp.flatten(vertices, np.array([(0, 1, 4), (1, 2, 4), (2, 3, 4)]))
     (warning,) = Pattern.from_result(result, folds=[(0, 4), (4, 3)]).warnings
     assert "its fold is not straight but 3.0 mm off" in warning
+
+
+def test_room_for_text_is_found_in_a_ring_and_beside_its_wires():
+    turn = np.linspace(0, 2 * math.pi, 60, endpoint=False)
+    circle = np.column_stack([np.cos(turn), np.sin(turn)])
+    center, depth = innermost_point([100 * circle, 60 * circle + (20, 0)], [])
+    assert depth == pytest.approx(30, abs=2)  # left, where the ring is widest
+    assert np.linalg.norm(center + (70, 0)) < 20
+    square = 100 * np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
+    assert innermost_point([square], [])[1] == pytest.approx(50, abs=1)
+    middle = np.array([[0, 60.0], [100, 60]])
+    center, depth = innermost_point([square], [middle])
+    assert depth == pytest.approx(30, abs=1.5)
+    assert center[1] == pytest.approx(30, abs=1.5)

@@ -345,3 +345,26 @@ def test_500_pieces(tmp_path):
     assert (
         len([block for block in ezdxf.readfile(tmp_path / "x.dxf").blocks if block.name.startswith("PIECE")]) == count
     )
+
+
+@pytest.mark.parametrize("paper", ["a4", "letter", "a3", "a0", "24in", 700.0, "projector"])
+def test_the_pages_are_told_before_they_are_written(tmp_path, paper):
+    pattern = sample("Hat")
+    sizes = pattern.page_sizes(paper)
+    pattern.write(tmp_path / "pages.pdf", paper=paper)
+    pages = [page.get_size() for page in pypdfium2.PdfDocument(tmp_path / "pages.pdf")]
+    assert np.array(pages) * 25.4 / 72 == pytest.approx(np.array(sizes), abs=0.01)
+
+
+def test_what_is_left_out_is_in_no_file(tmp_path):
+    pattern = sample("Hat")
+    plain = pattern.with_only(["notches"])
+    plain.write(tmp_path / "plain.svg")
+    roles = {
+        path.get("data-role") for path in ElementTree.parse(tmp_path / "plain.svg").iter() if path.get("data-role")
+    }
+    assert roles <= {"cut", "inner_cut", "notch", "clip", "drill", "scale"} and {"cut", "notch"} <= roles
+    everything = pattern.with_only(["sew", "wires", "grain", "notches", "texts", "line names"])
+    assert [len(piece.lines) for piece in everything.pieces] == [len(piece.lines) for piece in pattern.pieces]
+    with pytest.raises(wirewarp.FlattenError, match="kinds has 'seams'"):
+        pattern.with_only(["seams"])

@@ -18,11 +18,11 @@ def packages() -> list[str]:
 
 
 def promised(package: str) -> set[str]:
-    """What the sentence of a package says it may import: "May import: model, blender, issues."."""
+    """What the sentence of a package says it may import: "May import: model, blender, issues.", or "nothing"."""
     sentence = ast.get_docstring(ast.parse((ADDON / package / "__init__.py").read_text())) or ""
     match = re.search(r"May import: ([\w,\s]+)\.", sentence)
     assert match, f"{package}/__init__.py does not say what the package may import"
-    return set(re.split(r",\s*", match[1]))
+    return set(re.split(r",\s*", match[1])) - {"nothing"}
 
 
 def imports_of(package: str) -> set[str]:

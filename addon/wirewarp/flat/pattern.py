@@ -1,25 +1,47 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The pattern of a model's flat pieces, as they lie in their object; only of pieces that may be cut."""
 
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
 import bpy
 import numpy as np
 
 from ..blender.cache import read_anew
-from ..blender.units import length_text, meters_per_blender_unit
+from ..blender.mesh import evaluated_mesh
+from ..blender.objects import linear_part
+from ..blender.units import meters_per_blender_unit
+from ..core import FlattenError, pattern
 from ..issues import changed_error, object_error
+from ..model.allowances import MarkedAllowances, read_allowances
 from ..model.owners import check_not_edited, find_flat_object, has_flat_object
 from ..model.state import has_changed, shows_modified
 from ..model.wire_names import names_of
 from ..names import PIECE_INDEX, SOURCE_VERTEX
-from ..pattern.make import PieceLabel, make_pattern
-from ..pattern.pattern import IMPERIAL, METRIC, Pattern
+from ..pattern.chains import chains_of_marks, edge_keys
+from ..pattern.outlines import FlatPieces, OutlineEdges, outline_of, piece_of_vertices
+from ..pattern.polygons import Segments, overlap
 from .object import is_true_size
 from .read import has_flat_attributes, has_kept_shape, read_flat_attribute, read_flat_pieces
 from .reports import pieces_report
 
+EDITED = "The flat pieces were edited by hand, and a seam of the model is missing on them. Flatten the model again."
 
-def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: float, failed_too: bool) -> Pattern:
-    """Of a model, in Object Mode. spacing: of notches along seams, in millimeters; failed_too: pieces with errors too.
+
+@dataclass(frozen=True)
+class PatternChoices:
+    """Lengths are in millimeters."""
+
+    allowance: float  # where none is marked
+    notch_spacing: float  # along seams, 0 for none
+    darts: str  # "close", "cut" or "slit", as the library has it
+
+
+def read_pattern(
+    scene: bpy.types.Scene, source: bpy.types.Object, choices: PatternChoices, failed_too: bool
+) -> pattern.Pattern:
+    """Of a model, in Object Mode; failed_too: pieces with errors too.
 
     Raises ObjectError where there are no pieces, or none that are true.
     """
@@ -31,18 +53,119 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object, spacing: floa
             f"Failed: {', '.join(failed)}. See the report for what is wrong, or choose Failed Pieces to export them "
             "anyway.",
         )
-    text, millimeters = length_text(scene), 1000 * meters_per_blender_unit(scene)
-    labels = {
-        piece["index"]: PieceLabel(piece["name"], (piece["name"], text.area(piece["area_2d"])))
-        for piece in report["pieces"]
-        if piece["has_layout"]
-    }
-    seams = [seam["edges"] for seam in report["seams"]]
+    if report.get("with_modifiers"):
+        with evaluated_mesh(source, bpy.context.evaluated_depsgraph_get()) as mesh:
+            marked = read_allowances(mesh)
+    else:
+        marked = read_allowances(source.data)
+    return make_pattern(scene, source, report, flat, marked, choices)
+
+
+def make_pattern(
+    scene: bpy.types.Scene,
+    source: bpy.types.Object,
+    report: dict,
+    flat: bpy.types.Object,
+    marked: MarkedAllowances,
+    choices: PatternChoices,
+) -> pattern.Pattern:
+    """Of pieces that are those of the report. Raises ObjectError for widths and pieces that make no pattern."""
+    millimeters = 1000 * meters_per_blender_unit(scene)
     pieces = read_flat_pieces(flat.data, millimeters)
     wire_ids = np.unique(pieces.marks.wire_ids[pieces.marks.rows]).tolist()
     names = names_of(source.data, wire_ids) | {wire["wire_id"]: wire["name"] for wire in report["wires"]}
-    ruler = IMPERIAL if scene.unit_settings.system == "IMPERIAL" else METRIC
-    return make_pattern(source.name, pieces, labels, names, seams, spacing, ruler)
+    is_mirrored = bool(np.linalg.det(linear_part(source)) < 0)
+    allowances = _allowances(report, marked, millimeters, is_mirrored)
+    try:
+        return pattern.Pattern.from_pieces(
+            _pieces(report, pieces, names),
+            [f"Seam {seam['index'] + 1}" for seam in report["seams"]],
+            title=source.name,
+            allowance=choices.allowance,
+            notch_spacing=choices.notch_spacing,
+            darts=choices.darts,
+            units="imperial" if scene.unit_settings.system == "IMPERIAL" else "metric",
+            allowances=allowances.both,
+            side_allowances=allowances.sides,
+            folds=allowances.folds,
+        )
+    except FlattenError as error:
+        raise object_error(str(error.code), error.message) from error
+
+
+def _pieces(report: dict, flat: FlatPieces, wire_names: Mapping[int, str]) -> list[pattern.FlatPiece]:
+    outline = outline_of(flat)
+    wires = _inner_wires(flat, outline, wire_names)
+    found = []
+    for piece in (piece for piece in report["pieces"] if piece["has_layout"]):
+        own = outline.edges[outline.piece == piece["index"]]
+        chains = [pattern.Chain(np.array(chain["vertices"]), chain["seam"]) for chain in piece["outline"]]
+        edges = set(map(tuple, flat.source_vertex[own].tolist()))
+        steps = [step for chain in chains for step in zip(chain.sources[:-1], chain.sources[1:], strict=True)]
+        if not edges.issuperset(steps):  # of a mirrored object faces run the other way round
+            own = own[:, ::-1]
+            if not edges.issuperset(step[::-1] for step in steps):
+                raise object_error("edited_pieces", EDITED)
+        name, inside = piece["name"], wires.get(piece["index"], [])
+        found.append(pattern.FlatPiece(name, flat.vertices, flat.source_vertex, own, chains, inside))
+    return found
+
+
+def _inner_wires(
+    flat: FlatPieces, outline: OutlineEdges, names: Mapping[int, str]
+) -> dict[int, list[pattern.FlatWire]]:
+    """By piece."""
+    count, marks = len(flat.vertices), flat.marks.take(flat.marks.rows)
+    edges = flat.edges[flat.marks.rows]
+    on_outline = np.isin(edge_keys(edges, count), edge_keys(outline.edges, count))
+    piece_of_vertex = piece_of_vertices(count, flat.loop_vertices, flat.face_sizes, flat.face_piece)
+    wires: dict[int, list[pattern.FlatWire]] = {}
+    for chain in chains_of_marks(edges, marks.without(on_outline), flat.vertices):
+        kind = "rigid" if chain.tolerance == 0 else "elastic" if np.isfinite(chain.tolerance) else "super_elastic"
+        wire = pattern.FlatWire(names[chain.wire_id], kind, np.array(chain.vertices))
+        wires.setdefault(int(piece_of_vertex[chain.vertices[0]]), []).append(wire)
+    return wires
+
+
+class _Allowances(NamedTuple):
+    """As Pattern.from_pieces takes them."""
+
+    both: list[tuple[int, int, float]]
+    sides: list[tuple[int, int, float]]
+    folds: list[tuple[int, int]]
+
+
+def _allowances(report: dict, marked: MarkedAllowances, millimeters: float, is_mirrored: bool) -> _Allowances:
+    """Marks inside of pieces do nothing."""
+    seams: dict[tuple[int, int], bool] = {}  # of each edge of an outline, in both directions: whether it is sewn
+    chains = [chain for piece in report["pieces"] if piece["has_layout"] for chain in piece["outline"]]
+    for chain in chains:
+        for a, b in zip(chain["vertices"][:-1], chain["vertices"][1:], strict=True):
+            seams[a, b] = seams[b, a] = chain["seam"] is not None
+    found = _Allowances([], [], [])
+    for (a, b), width in zip(marked.edges.tolist(), marked.widths.tolist(), strict=True):
+        if width < 0 and seams.get((a, b)) is False:
+            found.folds.append((a, b))
+        elif (a, b) in seams:
+            found.both.append((a, b, max(width, 0.0) * millimeters))
+    for (a, b), width in zip(marked.sides.tolist(), marked.side_widths.tolist(), strict=True):
+        if (a, b) in seams:
+            ends = (b, a) if is_mirrored else (a, b)
+            found.sides.append((*ends, max(width, 0.0) * millimeters))
+    return found
+
+
+def pieces_over_others(pieces: Sequence[pattern.PatternPiece]) -> list[str]:
+    """The names of the pieces that would be cut into one another, as they were put by hand."""
+    lines = [_segments([line.points for line in piece.of_role("cut", "inner_cut")]) for piece in pieces]
+    low, high = np.array([line.box for line in lines]).transpose(1, 0, 2)
+    meet = np.triu(np.all((low[:, None] < high) & (low < high[:, None]), axis=2), 1)
+    pairs = [(first, second) for first, second in np.argwhere(meet).tolist() if overlap(lines[first], lines[second])]
+    return [pieces[index].name for index in sorted({index for pair in pairs for index in pair})]
+
+
+def _segments(outlines: list[np.ndarray]) -> Segments:
+    return Segments(np.concatenate(outlines), np.concatenate([np.roll(outline, -1, axis=0) for outline in outlines]))
 
 
 def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The operators: thin, each over its work module.
 
-May import: ui, run, flat, model, blender, report, pattern, properties, core, issues, words.
+May import: ui, run, flat, model, blender, report, properties, core, issues, words.
 """
 
-from .export import OBJECT_OT_wirewarp_export_svg
+from .export import OBJECT_OT_wirewarp_export, OBJECT_OT_wirewarp_export_svg
 from .flatten import OBJECT_OT_wirewarp_cancel, OBJECT_OT_wirewarp_flatten
 from .mark import MESH_OT_wirewarp_clear, MESH_OT_wirewarp_mark, MESH_OT_wirewarp_seams_from_uv_islands
 from .mend import OBJECT_OT_wirewarp_mend
@@ -34,6 +34,7 @@ CLASSES = (
     OBJECT_OT_wirewarp_cancel,
     VIEW3D_OT_wirewarp_frame,
     OBJECT_OT_wirewarp_copy_report,
+    OBJECT_OT_wirewarp_export,
     OBJECT_OT_wirewarp_export_svg,
     SCENE_OT_wirewarp_set_unit,
     OBJECT_OT_wirewarp_update,

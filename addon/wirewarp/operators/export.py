@@ -1,41 +1,81 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""File > Export: the pattern as an SVG file."""
+"""File > Export: the pattern as a file to print, plot or cut."""
 
 from pathlib import Path
 
 import bpy
-from bpy.props import BoolProperty, FloatProperty, StringProperty
+import numpy as np
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
-from ..blender.files import OPTIONS, check_ending, file_name, given_file, replaced_file, unwritten
+from ..blender.files import OPTIONS, check_ending, check_file, file_name, given_file, unwritten
 from ..blender.modes import in_object_mode
-from ..flat.pattern import read_pattern
+from ..core import FlattenError, pattern
+from ..flat.pattern import PatternChoices, pieces_over_others, read_pattern
 from ..flat.reports import pieces_report
 from ..issues import ObjectError, object_error
 from ..model.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
-from ..pattern.pattern import IMPERIAL, INCH, Pattern, pieces_over_others
-from ..pattern.svg import page_size, write_svg
 from ..report.verdict import SHOWN_NAMES
 from ..ui.layout import draw_sentence
 from ..ui.settings import settings_sentence
 from ..words import counted
 
+INCH = 25.4
+FORMATS = [
+    ("PDF", "PDF, to print", "Sheets to tape together, a roll for a plotter, or one page for a projector"),
+    ("SVG", "SVG, to draw on and cut", "For Inkscape, LightBurn, Glowforge and Cricut"),
+    ("DXF", "DXF, for CAD", "For programs of the clothing industry, or for lasers and routers"),
+    ("PLT", "PLT, for plotters", "HPGL, which plotters and vinyl cutters read"),
+]
+PAPERS = {  # as the library knows them, and as makers do
+    "A4": ("a4", "A4"),
+    "LETTER": ("letter", "Letter"),
+    "A4_LETTER": ("a4-letter", "A4 or Letter"),
+    "A3": ("a3", "A3"),
+    "TABLOID": ("tabloid", "Tabloid"),
+    "A0": ("a0", "A0"),
+    "ROLL_36": ("36in", "Roll of 36 in"),
+    "ROLL_24": ("24in", "Roll of 24 in"),
+    "ROLL": ("", "Roll of another width"),
+    "PROJECTOR": ("projector", "Projector"),
+}
+ONE_PAGE = "PROJECTOR"
+PRESETS = [
+    ("PRINT", "To print or draw on", "Colors, dashes and texts"),
+    ("LASER", "Laser", "For LightBurn, Glowforge and the like: thin lines without dashes, no texts"),
+    ("CRICUT", "Cricut", "As for lasers, and in pixels, for programs that know no units"),
+]
+DIALECTS = [
+    ("ASTM", "Clothing: ASTM", "Layers by number, as AccuMark reads them"),
+    ("AAMA", "Clothing: AAMA", "Layers by number, as CLO and Optitex read them"),
+    ("PLAIN", "Lasers and drawing", "Outlines on named layers, in millimeters"),
+]
+DRAWN = [  # kinds of the library, upper case and with underscores
+    ("SEW", "Sew Lines", "Where to sew, inside the line to cut"),
+    ("WIRES", "Wires", "The wires inside of pieces"),
+    ("GRAIN", "Grain", "An arrow along the grain"),
+    ("NOTCHES", "Notches", "Notches, clips and holes to drill"),
+    ("TEXTS", "Texts", "Name, number and how often to cut the piece"),
+    ("LINE_NAMES", "Line Names", "Numbers of seams, which are the same on both sides, and names of wires"),
+]
+DARTS = [
+    ("CLOSE", "Closed", "Cut straight over their mouths, to be folded: notches at the legs, a hole before the tip"),
+    ("CUT", "Cut Out", "Cut out, with allowance on the legs"),
+    ("SLIT", "Slit", "Cut along the legs"),
+]
+ALL_DRAWN = {kind for kind, _, _ in DRAWN}
 
-class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
-    """Write the flat pieces of the active object to an SVG file in true size, with wires, notches and names"""
 
-    bl_idname = "object.wirewarp_export_svg"
-    bl_label = "Export Pattern"
+class PatternExport(ExportHelper):
+    """What both operators share; mixed into them. Each has `filename_ext`, and says what it writes."""
 
-    filename_ext = ".svg"
     # Skipped when settings are kept for the next time: the next model gets a name of its own.
     filepath: StringProperty(name="File Path", description="The file to write", subtype="FILE_PATH", options=OPTIONS)
-    filter_glob: StringProperty(description="The files shown", default="*.svg", options={"HIDDEN"})
     notch_spacing: FloatProperty(
         name="Notches Every",
         description="Distance in millimeters (25.4 to the inch) of notches along seams, from the same end on both "
-        "sides; shorter seams get one in their middle, from 15 mm on. Ends of wires always get one. At least 1 mm; 0: "
-        "no others",
+        "sides; shorter seams get one near their middle, from 15 mm on. Ends of wires always get one. At least 1 mm; "
+        "0: no others",
         min=0.0,
         soft_max=500.0,
         default=100.0,
@@ -57,53 +97,226 @@ class OBJECT_OT_wirewarp_export_svg(bpy.types.Operator, ExportHelper):
         return False
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        source = _source(context)
         if not self.filepath:
-            self.filepath = str(Path(bpy.data.filepath).parent / file_name(source.name, " Pattern.svg"))
+            name = file_name(_source(context).name, f" Pattern{self.filename_ext}")
+            self.filepath = str(Path(bpy.data.filepath).parent / name)
         try:
-            pattern = self._pattern(context, failed_too=True)
+            self._pattern(context, failed_too=True)
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self._sizes, self._crossing = _size_sentences(pattern), _crossing_sentence(pattern)
+        self._told: tuple[tuple, list[tuple[str, str]]] = ((), [])
         return super().invoke(context, event)
 
-    def draw(self, context: bpy.types.Context) -> None:
-        if self._crossing:
-            draw_sentence(context, self.layout, self._crossing, "ERROR")
-        for sentence in self._sizes:
-            draw_sentence(context, self.layout, sentence)
-        self.layout.prop(self, "notch_spacing", text="Notches Every (mm)")
-        if context.scene.unit_settings.system == "IMPERIAL":
-            self.layout.label(text=f"That is {self.notch_spacing / INCH:.2f} in")
-        self.layout.prop(self, "failed_pieces")
+    def draw_beforehand(self, context: bpy.types.Context) -> None:
+        """How large it gets with the present settings, or what is wrong with them."""
+        names = [each.identifier for each in self.bl_rna.properties if each.identifier not in {"rna_type", "filepath"}]
+        key = tuple(_comparable(getattr(self, name)) for name in names)
+        if self._told[0] != key:
+            self._told = key, self._sentences(context)
+        for sentence, icon in self._told[1]:
+            draw_sentence(context, self.layout, sentence, icon)
+
+    def _sentences(self, context: bpy.types.Context) -> list[tuple[str, str]]:
+        try:
+            made = self.made(context, failed_too=True)
+            crossing = crossing_sentence(made)
+            sizes = [(sentence, "NONE") for sentence in self.size_sentences(made)]
+        except (ObjectError, FlattenError) as error:
+            return [(str(error), "ERROR")]
+        warnings = [(sentence, "ERROR") for sentence in [crossing, *made.warnings] if sentence]
+        return warnings + sizes
+
+    def draw_lengths(self, context: bpy.types.Context, *names: str) -> None:
+        """Settings in millimeters."""
+        column = self.layout.column(align=True)
+        for name in names:
+            column.prop(self, name, text=f"{self.bl_rna.properties[name].name} (mm)")
+            if context.scene.unit_settings.system == "IMPERIAL":
+                column.label(text=f"That is {getattr(self, name) / INCH:.2f} in")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         try:
             path = given_file(self.filepath)
             check_ending(path, self.filename_ext)
-            pattern = self._pattern(context, self.failed_pieces)
-            with replaced_file(path) as unfinished:
-                write_svg(unfinished, pattern)
-        except ObjectError as error:
+            check_file(path)
+            made = self.made(context, self.failed_pieces)
+            written = made.write(path, **self.write_options())
+        except (ObjectError, FlattenError, RuntimeError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         except OSError as error:
             self.report({"ERROR"}, unwritten(self.filepath, error))
             return {"CANCELLED"}
-        only = f' Of the selected ones, "{pattern.title}" only.' if _has_others(context) else ""
-        said = f'"{path.name}": {" ".join(_size_sentences(pattern))} Print at 100%.{only}'
-        source, crossing = _source(context), _crossing_sentence(pattern)
+        only = f' Of the selected ones, "{made.title}" only.' if _has_others(context) else ""
+        sizes = " ".join(self.size_sentences(made))
+        said = f'"{path.name}": {sizes} Read again: {written.off:.2f} mm off. Print at 100%.{only}'
+        source, crossing = _source(context), crossing_sentence(made)
         settings = settings_sentence(source, pieces_report(source), context.scene.wirewarp)
-        self.report({"WARNING" if crossing else "INFO"}, "\n".join(filter(None, [crossing, said, settings])))
+        warnings = [sentence for sentence in [crossing, *written.warnings] if sentence]
+        self.report({"WARNING" if warnings else "INFO"}, "\n".join(filter(None, [*warnings, said, settings])))
         return {"FINISHED"}
 
-    def _pattern(self, context: bpy.types.Context, failed_too: bool) -> Pattern:
+    def _pattern(self, context: bpy.types.Context, failed_too: bool) -> pattern.Pattern:
         active, source = context.active_object, _source(context)
         if is_earlier(active):
             raise object_error("earlier_pieces", earlier_sentence(active))
         with in_object_mode(context):
-            return read_pattern(context.scene, source, self.notch_spacing, failed_too)
+            return read_pattern(context.scene, source, self.choices(), failed_too)
+
+
+class OBJECT_OT_wirewarp_export(PatternExport, bpy.types.Operator):
+    """Write the flat pieces of the active object in true size, with seam allowances: to print, to plot or to cut"""
+
+    bl_idname = "object.wirewarp_export"
+    bl_label = "Export Pattern"
+
+    filter_glob: StringProperty(
+        description="The files shown", default="*.pdf;*.svg;*.dxf;*.plt", options={"HIDDEN", "SKIP_SAVE"}
+    )
+    format: EnumProperty(
+        name="Format", description="What the pattern is for. Of scripts: by the name of the file", items=FORMATS
+    )
+    paper: EnumProperty(
+        name="Paper",
+        description="What is printed on",
+        items=[(key, name, "") for key, (_, name) in PAPERS.items()],
+        default="A4",
+    )
+    roll_width: FloatProperty(
+        name="Roll Width",
+        description="In millimeters, margins of 10 mm included",
+        min=100.0,
+        max=5000.0,
+        default=1500.0,
+        precision=0,
+    )
+    preset: EnumProperty(name="For", description="How the lines look", items=PRESETS, default="PRINT")
+    dialect: EnumProperty(name="For", description="Which programs read it", items=DIALECTS, default="ASTM")
+    control_square: BoolProperty(
+        name="Control Square",
+        description="A piece more, a square of 100 mm: whatever unit a program takes, it shows",
+        default=False,
+    )
+    drawn: EnumProperty(
+        name="Drawn", description="Besides lines to cut", items=DRAWN, options={"ENUM_FLAG"}, default=ALL_DRAWN
+    )
+    allowance: FloatProperty(
+        name="Allowance",
+        description="In millimeters, around every piece but where another one is marked on the edges",
+        min=0.0,
+        soft_max=50.0,
+        max=1000.0,
+        default=10.0,
+        precision=1,
+        step=100,
+    )
+    darts: EnumProperty(name="Darts", description="What is cut of them", items=DARTS, default="CLOSE")
+    keep_places: BoolProperty(
+        name="As They Lie",
+        description="Pieces stay beside each other as in the flat object. Off: in rows. Sheets and rolls have rows",
+        default=False,
+    )
+
+    @property
+    def filename_ext(self) -> str:
+        return f".{self.format.lower()}"
+
+    def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        if not self.properties.is_property_set("allowance"):
+            self.allowance = context.scene.wirewarp.allowance
+        return super().invoke(context, event)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        ending = Path(self.filepath).suffix[1:].upper()
+        if not self.properties.is_property_set("format") and ending in {key for key, _, _ in FORMATS}:
+            self.format = ending
+        return super().execute(context)
+
+    def draw(self, context: bpy.types.Context) -> None:
+        self.draw_beforehand(context)
+        layout = self.layout
+        layout.prop(self, "format")
+        if self.format == "PDF":
+            layout.prop(self, "paper")
+            if self.paper == "ROLL":
+                self.draw_lengths(context, "roll_width")
+        elif self.format == "SVG":
+            layout.prop(self, "preset")
+        elif self.format == "DXF":
+            layout.prop(self, "dialect")
+            if self.dialect != "PLAIN":
+                layout.prop(self, "control_square")
+        self.draw_lengths(context, "allowance", "notch_spacing")
+        layout.prop(self, "darts")
+        layout.column(align=True).prop(self, "drawn")
+        if self.format != "PDF" or self.paper == ONE_PAGE:
+            layout.prop(self, "keep_places")
+        layout.prop(self, "failed_pieces")
+
+    def choices(self) -> PatternChoices:
+        return PatternChoices(self.allowance, self.notch_spacing, self.darts.lower())
+
+    def made(self, context: bpy.types.Context, failed_too: bool) -> pattern.Pattern:
+        made = self._pattern(context, failed_too).with_only(kind.lower().replace("_", " ") for kind in self.drawn)
+        return made if self.keep_places else made.arranged()
+
+    def write_options(self) -> dict[str, object]:
+        if self.format == "PDF":
+            return {"paper": self._paper()}
+        if self.format == "SVG":
+            return {"preset": self.preset.lower()}
+        if self.format == "DXF":
+            has_square = self.control_square and self.dialect != "PLAIN"
+            return {"dialect": self.dialect.lower(), "control_square": has_square}
+        return {}
+
+    def _paper(self) -> str | float:
+        return self.roll_width if self.paper == "ROLL" else PAPERS[self.paper][0]
+
+    def size_sentences(self, made: pattern.Pattern) -> list[str]:
+        if self.format != "PDF":
+            return size_sentences(made, made.size if self.format != "SVG" else made.svg_size)
+        pages, count = made.page_sizes(self._paper()), counted(len(made.pieces), "piece")
+        if self.paper.startswith("ROLL"):
+            width, length = pages[0][0], sum(page[1] for page in pages)
+            return [f"{count} on {length / 1000:.2f} m of a roll of {width:.0f} mm, {counted(len(pages), 'page')}."]
+        if self.paper == ONE_PAGE:
+            return size_sentences(made, pages[0])
+        sheets = f"{counted(len(pages), 'sheet')} of {PAPERS[self.paper][1]}, one of them the map"
+        return [f"{count} on {sheets}.", largest_sentence(made)]
+
+
+class OBJECT_OT_wirewarp_export_svg(PatternExport, bpy.types.Operator):
+    """Write the flat pieces of the active object, as they lie, to an SVG file in true size"""
+
+    bl_idname = "object.wirewarp_export_svg"
+    bl_label = "Export Pattern as SVG"
+
+    filename_ext = ".svg"
+    filter_glob: StringProperty(description="The files shown", default="*.svg", options={"HIDDEN"})
+
+    def draw(self, context: bpy.types.Context) -> None:
+        self.draw_beforehand(context)
+        self.draw_lengths(context, "notch_spacing")
+        self.layout.prop(self, "failed_pieces")
+
+    def choices(self) -> PatternChoices:
+        """Allowances only where they are marked, and darts as they are."""
+        return PatternChoices(0.0, self.notch_spacing, "cut")
+
+    def made(self, context: bpy.types.Context, failed_too: bool) -> pattern.Pattern:
+        return self._pattern(context, failed_too)
+
+    def write_options(self) -> dict[str, object]:
+        return {}
+
+    def size_sentences(self, made: pattern.Pattern) -> list[str]:
+        return size_sentences(made, made.svg_size)
+
+
+def _comparable(value: object) -> object:
+    return frozenset(value) if isinstance(value, set) else value
 
 
 def _source(context: bpy.types.Context) -> bpy.types.Object:
@@ -116,9 +329,9 @@ def _has_others(context: bpy.types.Context) -> bool:
     return any(map(has_flat_object, sources))
 
 
-def _crossing_sentence(pattern: Pattern) -> str:
+def crossing_sentence(made: pattern.Pattern) -> str:
     """Empty where no pieces lie over one another."""
-    names = pieces_over_others(pattern)
+    names = pieces_over_others(made.pieces)
     if not names:
         return ""
     hidden = len(names) - SHOWN_NAMES
@@ -126,16 +339,17 @@ def _crossing_sentence(pattern: Pattern) -> str:
     return f"These pieces lie over one another: {shown}. Move them apart before you cut."
 
 
-def _size_sentences(pattern: Pattern) -> list[str]:
-    width, height = page_size(pattern)
-    count = counted(len(pattern.pieces), "piece")
-    return [
-        f"{count} on {_size_text(pattern, width, height)}.",
-        f"The largest, {pattern.largest.name}: {_size_text(pattern, *pattern.largest.size)}.",
-    ]
+def size_sentences(made: pattern.Pattern, size: np.ndarray) -> list[str]:
+    return [f"{counted(len(made.pieces), 'piece')} on {_size_text(made, *size)}.", largest_sentence(made)]
 
 
-def _size_text(pattern: Pattern, width: float, height: float) -> str:
+def largest_sentence(made: pattern.Pattern) -> str:
+    """By the area of its box: what a sheet must have room for."""
+    largest = max(made.pieces, key=lambda piece: float(piece.size.prod()))
+    return f"The largest, {largest.name}: {_size_text(made, *largest.size)}."
+
+
+def _size_text(made: pattern.Pattern, width: float, height: float) -> str:
     """Of millimeters, in inches too for those who measure in them."""
-    inches = f" ({width / INCH:.1f} × {height / INCH:.1f} in)" if pattern.ruler == IMPERIAL else ""
+    inches = f" ({width / INCH:.1f} × {height / INCH:.1f} in)" if made.units.name == "imperial" else ""
     return f"{width:.0f} × {height:.0f} mm{inches}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pattern on paper, and the plane geometry it is made with: chains of edges, outlines, notches, texts, SVG.
+"""Plane geometry: chains of edges, outlines of flat pieces, and which of these overlap.
 
-No Blender in here, no files. May import: issues.
+No Blender in here, no files. May import: nothing.
 """

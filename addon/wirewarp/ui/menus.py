@@ -14,7 +14,7 @@ class VIEW3D_MT_wirewarp(bpy.types.Menu):
         layout.operator("object.wirewarp_flatten")
         layout.operator("view3d.wirewarp_frame")
         layout.operator("object.wirewarp_copy_report", text="Copy Report as CSV")
-        layout.operator("object.wirewarp_export_svg")
+        layout.operator("object.wirewarp_export")
 
 
 class VIEW3D_MT_wirewarp_edges(bpy.types.Menu):
@@ -51,7 +51,7 @@ def draw_pieces_menu(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
 
 
 def draw_export_entry(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
-    _asking_layout(menu).operator("object.wirewarp_export_svg", text="WireWarp Pattern (.svg)")
+    _asking_layout(menu).operator("object.wirewarp_export", text="WireWarp Pattern (.pdf, .svg, .dxf, .plt)")
 
 
 def _asking_layout(menu: bpy.types.Menu) -> bpy.types.UILayout:

@@ -31,10 +31,11 @@ def marks(laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], spacing: fl
         length = float(sides[0].along[-1])
         places = _places(sides, wire_ends, spacing)
         if any(own.side.piece in at_back for own in sides):  # two beside each other
-            places = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
+            doubled = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
+            places = [place % length for place in doubled] if sides[0].side.is_closed else doubled
         for own in sides:
             index, share = own.side.piece, own.along[-1] / length  # of a side that is eased, at equal shares
-            for order, place in enumerate(place for place in places if 0 < place < length):
+            for order, place in enumerate(place for place in places if 0 <= place < length):
                 point = notch(own, place * share, rays[index], widths[id(own.side)], (number, order))
                 found[index] += [point] if point else []
     for piece in laid:
@@ -62,13 +63,14 @@ def _legs(laid: Sequence[Laid]) -> set[int]:
 
 
 def _places(sides: Sequence[SewnSide], wire_ends: Mapping[int, np.ndarray], spacing: float) -> list[float]:
-    """Lengths from the start of a seam at which all its sides have notches."""
+    """Lengths from the start of a seam at which all its sides have notches; a closed seam begins at one."""
     length = float(sides[0].along[-1])
     taken: list[float] = []
     for place in sorted(place for own in sides for place in _places_of(own, wire_ends[own.side.piece])):
         if APART < place < length - APART and (not taken or place > taken[-1] + APART):
             taken.append(place)
-    return sorted([*taken, *places_along(length, taken, spacing)])
+    begin = [0.0] if spacing and sides[0].side.is_closed else []
+    return sorted([*begin, *taken, *places_along(length, taken, spacing)])
 
 
 def _wire_ends(piece: Laid) -> np.ndarray:

@@ -31,16 +31,19 @@ DRILL_BACK = 13.0  # millimeters before the tip of the dart, where the seam cove
 DRILL = 3.0  # millimeters: diameter
 
 
-def check_spacing(spacing: float, sides: Sequence[Sequence[SewnSide]]) -> None:
+def check_spacing(spacing: float, seam_names: Sequence[str], sides: Sequence[Sequence[SewnSide]]) -> None:
     """Raises FlattenError where notches stand so close that they cannot be cut."""
     if not (spacing == 0 or spacing >= LEAST_SPACING) or spacing == math.inf:
-        raise problem(f"notch_spacing is {spacing:g}: give {LEAST_SPACING:g} mm or more, or 0 for none along seams.")
-    longest = max((own[0].along[-1] for own in sides if own), default=0.0)
-    if spacing and longest > MOST * spacing:
         raise problem(
-            f"A seam is {longest / 1000:,.0f} m long, too long for a notch every {spacing:g} mm: "
-            "see millimeters_per_unit."
+            f"Notches every {spacing:g} mm cannot be cut: choose {LEAST_SPACING:g} mm or more, or 0 for none."
         )
+    for name, own in zip(seam_names, sides, strict=True):
+        length = own[0].along[-1] if own else 0.0
+        if spacing and length > MOST * spacing:
+            raise problem(
+                f"{name} is {length / 1000:,.0f} m long, too long for a notch every {spacing:g} mm: see whether the "
+                "unit of the model is right, or choose 0 for none."
+            )
 
 
 def places_along(length: float, taken: Sequence[float], spacing: float) -> list[float]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +22,7 @@ from .model import PatternPiece
 from .notches import check_spacing
 from .outline import outlines_of
 from .pieces import finished, lay, warnings_of
+from .roles import KINDS
 from .seams import sewn_sides
 from .stretches import Rules, outline
 from .units import Units, UnitSystem, counted
@@ -56,7 +57,7 @@ class Pattern:
         hem: float | None = None,
         notch_spacing: float = 100.0,
         corner: str = "auto",
-        darts: Literal["close", "cut", "slit"] = "close",
+        darts: str = "close",
         material: str = "",
         units: Units = "metric",
     ) -> "Pattern":
@@ -113,7 +114,7 @@ class Pattern:
         hem: float | None = None,
         notch_spacing: float = 100.0,
         corner: str = "auto",
-        darts: Literal["close", "cut", "slit"] = "close",
+        darts: str = "close",
         material: str = "",
         units: Units = "metric",
     ) -> "Pattern":
@@ -129,7 +130,7 @@ class Pattern:
         outlines = [outlines_of(index, piece) for index, piece in enumerate(pieces)]
         loops = [loop for own in outlines for loop in own]
         rules, seams = Rules(loops, corner, darts), sewn_sides(loops, len(seam_names))
-        check_spacing(checked_length("notch_spacing", notch_spacing, 0, math.inf), seams)
+        check_spacing(checked_length("notch_spacing", notch_spacing, 0, math.inf), seam_names, seams)
         laid = [
             lay(index, piece, own, [outline(loop, widths, rules) for loop in own])
             for index, (piece, own) in enumerate(zip(pieces, outlines, strict=True))
@@ -201,6 +202,42 @@ class Pattern:
         lows, sizes = [piece.bounds[0] for piece in self.pieces], np.array([piece.size for piece in self.pieces])
         moved = [piece.moved(by) for piece, by in zip(self.pieces, offsets(lows, sizes, width), strict=True)]
         return replace(self, pieces=moved)
+
+    def with_only(self, kinds: Iterable[str]) -> "Pattern":
+        """With cut lines, folds, and of the other lines, marks and texts those of these kinds alone.
+
+        kinds: of "sew", "wires", "grain", "notches", "texts", "line names". Raises FlattenError for others.
+        """
+        wanted = set(kinds)
+        if not wanted <= set(KINDS):
+            raise problem(f"kinds has {min(wanted - set(KINDS))!r}: give {', '.join(map(repr, KINDS))}.")
+        kept = {"cut", "inner_cut", "fold", *(role for kind in wanted for role in KINDS[kind])}
+        pieces = [
+            replace(
+                piece,
+                lines=[line for line in piece.lines if line.role in kept],
+                points=[point for point in piece.points if point.role in kept],
+                texts=[text for text in piece.texts if text.role in kept],
+            )
+            for piece in self.pieces
+        ]
+        return replace(self, pieces=pieces)
+
+    def page_sizes(self, paper: str | float = "a4") -> list[np.ndarray]:
+        """Width and height of each page that a PDF for this paper would have, in millimeters.
+
+        Raises FlattenError for what does not fit on the paper.
+        """
+        from .pdf import page_sizes
+
+        return page_sizes(self, paper)
+
+    @property
+    def svg_size(self) -> np.ndarray:
+        """Width and height of an SVG file, the square to measure included."""
+        from .svg import page_size
+
+        return page_size(self)
 
     @property
     def size(self) -> np.ndarray:

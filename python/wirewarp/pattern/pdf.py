@@ -41,6 +41,17 @@ def write_pdf(path: Path, pattern: "Pattern", paper: str | float = "a4") -> tupl
     return pages, [f'"{line}" is left out of the PDF, whose letters are Latin.' for line in dict.fromkeys(left_out)]
 
 
+def page_sizes(pattern: "Pattern", paper: str | float = "a4") -> list[np.ndarray]:
+    """(2,) width and height in millimeters of each page that write_pdf would write. Raises FlattenError as it does."""
+    width = roll_width(paper)
+    if width is not None:
+        return [size for _, size in _roll_pages(_on_roll(pattern, width), width)]
+    if paper == PROJECTOR:
+        return [_page_size(pattern)]
+    plan = divided(pattern, str(paper))
+    return [np.array(SHEETS[str(paper)]), *[plan.paper] * len(plan.tiles)]
+
+
 def _document(pattern: "Pattern", *layers: str, hidden: tuple[str, ...] = ()) -> Document:
     return Document(pattern.title or "Pattern", [*LAYERS, *layers], hidden)
 
@@ -67,12 +78,7 @@ def _drawn(piece: PatternPiece, thinnest: float) -> Content:
 
 def _write_page(path: Path, pattern: "Pattern") -> tuple[int, list[str]]:
     """All on one page as large as it takes, with a grid that is hidden at first."""
-    size = np.maximum(pattern.size, (SIZE[0], 0)) + 2 * MARGIN + (0, SIZE[1])
-    if size.max() > LONGEST:
-        raise problem(
-            f"The pattern takes a page of {size[0] / 1000:.1f} x {size[1] / 1000:.1f} m, and readers show no more than "
-            f"{LONGEST / 1000:g} m: choose a roll or sheets."
-        )
+    size = _page_size(pattern)
     document = _document(pattern, GRID_LAYER, hidden=(GRID_LAYER,))
     left_out = _add_forms(document, pattern, PROJECTED)
     content = Content()
@@ -85,6 +91,16 @@ def _write_page(path: Path, pattern: "Pattern") -> tuple[int, list[str]]:
     return 1, left_out
 
 
+def _page_size(pattern: "Pattern") -> np.ndarray:
+    size: np.ndarray = np.maximum(pattern.size, (SIZE[0], 0)) + 2 * MARGIN + (0, SIZE[1])
+    if size.max() > LONGEST:
+        raise problem(
+            f"The pattern takes a page of {size[0] / 1000:.1f} x {size[1] / 1000:.1f} m, and readers show no more than "
+            f"{LONGEST / 1000:g} m: choose a roll or sheets."
+        )
+    return size
+
+
 def _grid(size: np.ndarray, step: float) -> Iterator[Stroke]:
     for x in np.arange(step, size[0], step):
         yield Stroke("scale", np.array([[x, 0.0], [x, size[1]]]))
@@ -93,7 +109,26 @@ def _grid(size: np.ndarray, step: float) -> Iterator[Stroke]:
 
 
 def _write_roll(path: Path, pattern: "Pattern", width: float) -> tuple[int, list[str]]:
-    """Pages as wide as the roll; pieces stay whole, and no page is too long for readers."""
+    """Pages as wide as the roll."""
+    arranged = _on_roll(pattern, width)
+    pages = _roll_pages(arranged, width)
+    document = _document(pattern)
+    left_out = _add_forms(document, arranged)
+    for number, (pieces, size) in enumerate(pages):
+        low = min(piece.bounds[0][1] for piece in pieces)
+        content = Content()
+        if number == 0:
+            _add_scale(content, pattern, np.array([MARGIN, MARGIN]))
+        for piece in pieces:
+            above = MARGIN + (SIZE[1] if number == 0 else 0.0)
+            content.add_form(f"P{piece.number}", np.array([MARGIN, above - low]))
+        document.add_page(size, content)
+    document.write(path)
+    return len(pages), left_out
+
+
+def _on_roll(pattern: "Pattern", width: float) -> "Pattern":
+    """With the pieces in rows across the roll. Raises FlattenError for a piece that is too large for it."""
     inner = width - 2 * MARGIN
     for piece in pattern.pieces:
         if piece.size[0] > inner or piece.size[1] > LONGEST - 2 * MARGIN - SIZE[1]:
@@ -106,22 +141,18 @@ def _write_roll(path: Path, pattern: "Pattern", width: float) -> tuple[int, list
         raise problem(
             f"A roll of {width:.0f} mm is too narrow for the square to measure: choose a wider one or sheets."
         )
-    arranged = pattern.arranged(inner)
-    document = _document(pattern)
-    left_out = _add_forms(document, arranged)
-    pages = _pages_of_rows(arranged)
-    for number, pieces in enumerate(pages):
+    return pattern.arranged(inner)
+
+
+def _roll_pages(arranged: "Pattern", width: float) -> list[tuple[list[PatternPiece], np.ndarray]]:
+    """Of each page its pieces, which stay whole, and its size, none too long for readers."""
+    pages = []
+    for number, pieces in enumerate(_pages_of_rows(arranged)):
         low = min(piece.bounds[0][1] for piece in pieces)
         high = max(piece.bounds[1][1] for piece in pieces)
-        block = SIZE[1] if number == 0 else 0.0
-        content = Content()
-        if number == 0:
-            _add_scale(content, pattern, np.array([MARGIN, MARGIN]))
-        for piece in pieces:
-            content.add_form(f"P{piece.number}", np.array([MARGIN, MARGIN + block - low]))
-        document.add_page(np.array([width, high - low + 2 * MARGIN + block]), content)
-    document.write(path)
-    return len(pages), left_out
+        block = SIZE[1] if number == 0 else 0.0  # what is to be measured
+        pages.append((pieces, np.array([width, high - low + 2 * MARGIN + block])))
+    return pages
 
 
 def _pages_of_rows(pattern: "Pattern") -> list[list[PatternPiece]]:
@@ -218,7 +249,7 @@ def _map_page(plan: Tiles, paper: np.ndarray) -> Content:
         return corner + scale * points
 
     outlines = [Stroke("scale", placed(line.points), True) for piece in pattern.pieces for line in piece.of_role("cut")]
-    numbers = [Text((str(piece.number),), placed(piece.texts[0].center), 3.0) for piece in pattern.pieces]
+    numbers = [Text((str(piece.number),), placed(piece.bounds[0] + piece.size / 2), 3.0) for piece in pattern.pieces]
     content.in_layer("Scale", outlines, numbers)
     frames = [Stroke("sheet", placed(tile.low + plan.shown * UNIT), True) for tile in plan.tiles]
     height = min(3.0, 0.12 * scale * float(plan.shown.min()))

@@ -33,4 +33,12 @@ LOOKS = {
 }
 SHEET = Look("Sheets", "#909090", 0.3, (), "8", 8, 3)  # frames and marks of the sheets of a PDF
 WIRES = {"rigid": "rigid wire", "elastic": "elastic wire", "super_elastic": "free wire"}  # by Line.kind
+KINDS = {  # what a maker may leave out of a file, by roles of lines, points and texts
+    "sew": ("sew",),
+    "wires": ("wire",),
+    "grain": ("grain",),
+    "notches": ("notch", "clip", "drill"),
+    "texts": ("card",),
+    "line names": ("line name",),
+}
 LAYERS = tuple(dict.fromkeys(look.layer for look in LOOKS.values()))

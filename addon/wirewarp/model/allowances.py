@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Seam allowances that were marked on edges of the model.
+
+wirewarp_allowance FLOAT, on edges, in Blender units: above 0 the width on all sides of the edge; below 0 nothing is
+added, for the cloth lies double there (a fold) or stays raw. 0 is what Blender gives to edges that are new or come from
+another mesh: as NaN and where there is no attribute, the pattern's default. wirewarp_side_allowance FLOAT, on corners
+of faces: the same for one side, that of the face whose corner begins the edge.
+"""
+
+from dataclasses import dataclass
+
+import bmesh
+import bpy
+import numpy as np
+
+from ..blender.attributes import check_attribute
+from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, read_attribute
+from ..names import ALLOWANCE, SIDE_ALLOWANCE
+
+NONE = -1.0  # what stands on edges without allowance
+
+
+@dataclass(frozen=True)
+class MarkedAllowances:
+    """Widths by vertex pairs, in Blender units; below 0 for none."""
+
+    edges: np.ndarray  # (e,2)
+    widths: np.ndarray  # (e,)
+    sides: np.ndarray  # (s,2) directed as in their face
+    side_widths: np.ndarray  # (s,)
+
+
+def check_allowances(mesh: bpy.types.Mesh) -> None:
+    """Raises ObjectError if an attribute of our name has another type or domain."""
+    check_attribute(mesh, ALLOWANCE, "FLOAT", "EDGE")
+    check_attribute(mesh, SIDE_ALLOWANCE, "FLOAT", "CORNER")
+
+
+def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
+    """In Edit Mode too. Raises ObjectError if an attribute of our name has another type or domain."""
+    if mesh.is_editmode:
+        return _read_edit(bmesh.from_edit_mesh(mesh))
+    check_allowances(mesh)
+    widths, sides = read_attribute(mesh, ALLOWANCE, "FLOAT", "EDGE"), np.empty((0, 2), dtype=np.int64)
+    side_widths = read_attribute(mesh, SIDE_ALLOWANCE, "FLOAT", "CORNER")
+    edges = edge_vertices(mesh)
+    if side_widths is not None:
+        starts = corner_vertices(mesh)
+        sides = np.column_stack([starts, edges[corner_edges(mesh)].sum(axis=1) - starts])
+    return _marked(edges, widths, sides, side_widths)
+
+
+def _read_edit(edit: bmesh.types.BMesh) -> MarkedAllowances:
+    edit.verts.index_update()
+    layer, side_layer = edit.edges.layers.float.get(ALLOWANCE), edit.loops.layers.float.get(SIDE_ALLOWANCE)
+    edges = [(edge.verts[0].index, edge.verts[1].index) for edge in edit.edges] if layer else []
+    widths = [edge[layer] for edge in edit.edges] if layer else []
+    loops = [loop for face in edit.faces for loop in face.loops] if side_layer else []
+    sides = [(loop.vert.index, loop.link_loop_next.vert.index) for loop in loops]
+    return _marked(np.array(edges), np.array(widths), np.array(sides), np.array([loop[side_layer] for loop in loops]))
+
+
+def _marked(
+    edges: np.ndarray, widths: np.ndarray | None, sides: np.ndarray, side_widths: np.ndarray | None
+) -> MarkedAllowances:
+    return MarkedAllowances(*_set_ones(edges, widths), *_set_ones(sides, side_widths))
+
+
+def _set_ones(pairs: np.ndarray, widths: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
+    if widths is None or len(widths) == 0:
+        return np.empty((0, 2), dtype=np.int64), np.empty(0)
+    is_set = np.isfinite(widths) & (widths != 0)
+    return pairs[is_set].astype(np.int64), widths[is_set].astype(np.float64)
