@@ -36,7 +36,7 @@ def test_the_name_of_the_file_says_its_format(source, tmp_path, capfd, name, beg
 
 
 def test_a_name_of_another_format_is_refused(source, tmp_path):
-    with pytest.raises(RuntimeError, match=r"does not end in \.svg"):
+    with pytest.raises(RuntimeError, match=r"must end in \.svg"):
         export(tmp_path, "a.pdf", format="SVG")
     assert not (tmp_path / "a.pdf").exists()
 

@@ -79,7 +79,7 @@ def make_pattern(
     try:
         return pattern.Pattern.from_pieces(
             _pieces(report, pieces, names),
-            [f"Seam {seam['index'] + 1}" for seam in report["seams"]],
+            [seam["name"] for seam in report["seams"]],
             title=source.name,
             allowance=choices.allowance,
             notch_spacing=choices.notch_spacing,

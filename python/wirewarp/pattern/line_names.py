@@ -2,6 +2,7 @@
 """Names along the lines: on paper, too, the sides that are sewn together have one number."""
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -11,6 +12,7 @@ from .outline import lengths_along
 from .room import Room, text_width
 
 HEIGHTS = (4.5, 3.5, 2.5)  # of the letters, in millimeters; where none fits, the line goes without a name
+NUMBERED = re.compile("^(Seam|Dart) (?=[0-9]+$)")  # goes without the word where there is little room
 BESIDE = 0.75  # from a line to the letters
 ALONG_SEAM = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # of its length, the best first
 ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # wires often cross in their middles
@@ -28,7 +30,7 @@ def _choices(line: Line) -> Iterator[Text]:
     along = lengths_along(points)
     is_seam = line.role == "sew"
     for height in HEIGHTS:
-        short = line.name.removeprefix("Seam ") if is_seam else line.name
+        short = NUMBERED.sub("", line.name) if is_seam else line.name
         text = line.name if text_width(line.name, height) <= along[-1] / 2 else short
         if text_width(text, height) > along[-1]:
             continue
