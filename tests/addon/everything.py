@@ -9,7 +9,7 @@ from surfaces import read, select_only
 from view_context import view_context
 
 EDGE = {"edge": 0}
-ATTRIBUTES = ("wirewarp_wire", "wirewarp_tolerance", "wirewarp_piece")
+ATTRIBUTES = ("wirewarp_wire", "wirewarp_tolerance", "wirewarp_allowance", "wirewarp_piece")
 KINDS = ("SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE", "HINT")
 COMMANDS = [  # what writes comes last
     ("object.wirewarp_copy_report", {}),
@@ -26,6 +26,7 @@ COMMANDS = [  # what writes comes last
     ("mesh.wirewarp_change_wire", EDGE | {"kind": "ELASTIC"}),
     ("mesh.wirewarp_mark", {"kind": "RIGID"}),
     ("mesh.wirewarp_clear", {}),
+    ("mesh.wirewarp_allowance", {"kind": "HEM"}),
     ("mesh.wirewarp_seams_from_uv_islands", {}),
     ("object.wirewarp_flatten", {}),
     ("object.wirewarp_flatten", {"use_modifiers": True}),

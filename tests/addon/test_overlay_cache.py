@@ -106,10 +106,10 @@ def test_batches_are_sent_once_until_marks_change(addon, source, monkeypatch):
         return len(gpu.sent)
 
     kinds = 5 + 2  # two of them with dashes
-    assert redraw() == 2 * kinds  # model and pieces
+    assert redraw() == 2 * kinds + 1  # model and pieces, around which is the line to cut
     drawn = gpu.drawn
     assert redraw() == 0
-    assert gpu.drawn == 2 * drawn == 4 * kinds
+    assert gpu.drawn == 2 * drawn == 2 * (2 * kinds + 1)
     mark(source, on_line(1, 0.25))
     bpy.context.view_layer.update()
     assert redraw() == 1  # the rigid wires of the model

@@ -2,7 +2,7 @@
 """The pattern of a model's flat pieces, as they lie in their object; only of pieces that may be cut."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import bpy
@@ -14,12 +14,12 @@ from ..blender.objects import linear_part
 from ..blender.units import meters_per_blender_unit
 from ..core import FlattenError, pattern
 from ..issues import changed_error, object_error
-from ..model.allowances import MarkedAllowances, read_allowances
+from ..model.allowances import read_allowances
 from ..model.owners import check_not_edited, find_flat_object, has_flat_object
 from ..model.state import has_changed, shows_modified
 from ..model.wire_names import names_of
 from ..names import PIECE_INDEX, SOURCE_VERTEX
-from ..pattern.chains import chains_of_marks, edge_keys
+from ..pattern.chains import EdgeMarks, chains_of_marks, edge_keys
 from ..pattern.outlines import FlatPieces, OutlineEdges, outline_of, piece_of_vertices
 from ..pattern.polygons import Segments, overlap
 from .object import is_true_size
@@ -53,29 +53,11 @@ def read_pattern(
             f"Failed: {', '.join(failed)}. See the report for what is wrong, or choose Failed Pieces to export them "
             "anyway.",
         )
-    if report.get("with_modifiers"):
-        with evaluated_mesh(source, bpy.context.evaluated_depsgraph_get()) as mesh:
-            marked = read_allowances(mesh)
-    else:
-        marked = read_allowances(source.data)
-    return make_pattern(scene, source, report, flat, marked, choices)
-
-
-def make_pattern(
-    scene: bpy.types.Scene,
-    source: bpy.types.Object,
-    report: dict,
-    flat: bpy.types.Object,
-    marked: MarkedAllowances,
-    choices: PatternChoices,
-) -> pattern.Pattern:
-    """Of pieces that are those of the report. Raises ObjectError for widths and pieces that make no pattern."""
     millimeters = 1000 * meters_per_blender_unit(scene)
     pieces = read_flat_pieces(flat.data, millimeters)
     wire_ids = np.unique(pieces.marks.wire_ids[pieces.marks.rows]).tolist()
     names = names_of(source.data, wire_ids) | {wire["wire_id"]: wire["name"] for wire in report["wires"]}
-    is_mirrored = bool(np.linalg.det(linear_part(source)) < 0)
-    allowances = _allowances(report, marked, millimeters, is_mirrored)
+    allowances = _allowances(source, report, millimeters, bpy.context.evaluated_depsgraph_get())
     try:
         return pattern.Pattern.from_pieces(
             _pieces(report, pieces, names),
@@ -91,6 +73,35 @@ def make_pattern(
         )
     except FlattenError as error:
         raise object_error(str(error.code), error.message) from error
+
+
+def read_cut_lines(
+    source: bpy.types.Object, flat: bpy.types.Object, meters: float, allowance: float, depsgraph: bpy.types.Depsgraph
+) -> list[np.ndarray]:
+    """(k,2) each, closed, in Blender units: where the pieces are cut, whatever was changed since they were made.
+
+    The model may be in Edit Mode. meters: in a Blender unit; allowance: where none is marked, in millimeters. Raises
+    ObjectError.
+    """
+    report, millimeters = pieces_report(source), 1000 * meters
+    if report is None or not has_flat_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):
+        return []
+    allowances = _allowances(source, report, millimeters, depsgraph)
+    if allowance == 0 and not any(allowances):
+        return []
+    pieces = read_flat_pieces(flat.data, millimeters)
+    without_wires = replace(pieces, marks=EdgeMarks.none(len(pieces.edges)))
+    try:
+        lines = pattern.cut_lines(
+            _pieces(report, without_wires, {}),
+            allowance=allowance,
+            allowances=allowances.both,
+            side_allowances=allowances.sides,
+            folds=allowances.folds,
+        )
+    except FlattenError as error:
+        raise object_error(str(error.code), error.message) from error
+    return [line / millimeters for line in lines]
 
 
 def _pieces(report: dict, flat: FlatPieces, wire_names: Mapping[int, str]) -> list[pattern.FlatPiece]:
@@ -135,8 +146,16 @@ class _Allowances(NamedTuple):
     folds: list[tuple[int, int]]
 
 
-def _allowances(report: dict, marked: MarkedAllowances, millimeters: float, is_mirrored: bool) -> _Allowances:
-    """Marks inside of pieces do nothing."""
+def _allowances(
+    source: bpy.types.Object, report: dict, millimeters: float, depsgraph: bpy.types.Depsgraph
+) -> _Allowances:
+    """What is marked on the mesh that was flattened. Marks inside of pieces do nothing."""
+    if report.get("with_modifiers"):
+        with evaluated_mesh(source, depsgraph) as mesh:
+            marked = read_allowances(mesh)
+    else:
+        marked = read_allowances(source.data)
+    is_mirrored = bool(np.linalg.det(linear_part(source)) < 0)
     seams: dict[tuple[int, int], bool] = {}  # of each edge of an outline, in both directions: whether it is sewn
     chains = [chain for piece in report["pieces"] if piece["has_layout"] for chain in piece["outline"]]
     for chain in chains:

@@ -7,6 +7,7 @@ another mesh: as NaN and where there is no attribute, the pattern's default. wir
 of faces: the same for one side, that of the face whose corner begins the edge.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import bmesh
@@ -34,6 +35,32 @@ def check_allowances(mesh: bpy.types.Mesh) -> None:
     """Raises ObjectError if an attribute of our name has another type or domain."""
     check_attribute(mesh, ALLOWANCE, "FLOAT", "EDGE")
     check_attribute(mesh, SIDE_ALLOWANCE, "FLOAT", "CORNER")
+
+
+def mark_selected(targets: Sequence[bpy.types.Object], width: float) -> tuple[int, int]:
+    """The selected edges of seams and outlines get this width: NONE for none, 0 for the default.
+
+    Of meshes in Edit Mode. Returns the numbers of edges that got it and of those that lie on no seam or outline. Raises
+    ObjectError as check_allowances does.
+    """
+    for target in targets:
+        check_allowances(target.data)
+    counts = [_mark(target.data, width) for target in targets]
+    return sum(marked for marked, _ in counts), sum(left_out for _, left_out in counts)
+
+
+def _mark(mesh: bpy.types.Mesh, width: float) -> tuple[int, int]:
+    edit = bmesh.from_edit_mesh(mesh)
+    if ALLOWANCE not in edit.edges.layers.float:
+        edit.edges.layers.float.new(ALLOWANCE)  # which makes references to edges invalid: they are taken afterwards
+    layer = edit.edges.layers.float[ALLOWANCE]
+    selected = [edge for edge in edit.edges if edge.select and not edge.hide]
+    marked = [edge for edge in selected if edge.link_faces and (edge.seam or len(edge.link_faces) != 2)]
+    for edge in marked:
+        edge[layer] = width
+    if marked:
+        bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
+    return len(marked), len(selected) - len(marked)
 
 
 def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:

@@ -6,7 +6,12 @@ May import: ui, run, flat, model, blender, report, properties, core, issues, wor
 
 from .export import OBJECT_OT_wirewarp_export, OBJECT_OT_wirewarp_export_svg
 from .flatten import OBJECT_OT_wirewarp_cancel, OBJECT_OT_wirewarp_flatten
-from .mark import MESH_OT_wirewarp_clear, MESH_OT_wirewarp_mark, MESH_OT_wirewarp_seams_from_uv_islands
+from .mark import (
+    MESH_OT_wirewarp_allowance,
+    MESH_OT_wirewarp_clear,
+    MESH_OT_wirewarp_mark,
+    MESH_OT_wirewarp_seams_from_uv_islands,
+)
 from .mend import OBJECT_OT_wirewarp_mend
 from .report import (
     MESH_OT_wirewarp_select_issues,
@@ -22,6 +27,7 @@ from .wire import MESH_OT_wirewarp_change_wire, MESH_OT_wirewarp_grain_wire, MES
 CLASSES = (
     MESH_OT_wirewarp_mark,
     MESH_OT_wirewarp_clear,
+    MESH_OT_wirewarp_allowance,
     MESH_OT_wirewarp_change_wire,
     MESH_OT_wirewarp_grain_wire,
     MESH_OT_wirewarp_select_wire,

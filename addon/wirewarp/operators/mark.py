@@ -7,7 +7,10 @@ import bpy
 from bpy.props import EnumProperty, FloatProperty
 
 from ..blender.modes import in_object_mode
+from ..blender.units import meters_per_blender_unit
 from ..issues import ObjectError
+from ..model.allowances import NONE
+from ..model.allowances import mark_selected as mark_allowance
 from ..model.mark import OUTLINES_ARE_RIGID, clear_selected, mark_selected
 from ..model.seams import seams_from_uv
 from ..words import counted, quoted
@@ -16,6 +19,12 @@ KINDS = [
     ("RIGID", "Rigid", "A rigid wire keeps exactly its length on the model"),
     ("ELASTIC", "Elastic", "An elastic wire may become longer or shorter, up to the tolerance"),
     ("SUPER_ELASTIC", "Free", "A free wire gets whatever length distorts the pieces least"),
+]
+ALLOWANCES = [
+    ("WIDTH", "Allowance", "Seam allowance of a width of its own, on all sides of the selected edges"),
+    ("HEM", "Hem", "What is turned up at the selected edges of the outline"),
+    ("FOLD", "Fold", "Nothing is added at the selected edges: the cloth lies double there, or its edge stays raw"),
+    ("DEFAULT", "Default", "The allowance that all edges have which are not marked"),
 ]
 DESCRIPTIONS = {identifier: description for identifier, _, description in KINDS}
 NEEDS_TOLERANCE = "An elastic wire needs a tolerance above 0: set one, or make the wire rigid."
@@ -127,6 +136,56 @@ class MESH_OT_wirewarp_clear(bpy.types.Operator):
             self.report({"WARNING"}, "No selected edge is a wire")
             return {"CANCELLED"}
         return {"FINISHED"}
+
+
+class MESH_OT_wirewarp_allowance(bpy.types.Operator):
+    """Set the seam allowance of the selected edges on seams and outlines"""
+
+    bl_idname = "mesh.wirewarp_allowance"
+    bl_label = "Mark Allowance"
+    bl_options = {"REGISTER", "UNDO"}
+
+    kind: EnumProperty(name="Kind", description="What is outside of the edges", items=ALLOWANCES, default="WIDTH")
+    width: FloatProperty(
+        name="Width (mm)", description="Of a seam allowance", min=0.1, soft_max=50.0, max=1000.0, default=10.0, step=100
+    )
+    hem: FloatProperty(
+        name="Hem (mm)", description="What is turned up", min=0.1, soft_max=100.0, max=1000.0, default=30.0, step=100
+    )
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        return next(description for kind, _, description in ALLOWANCES if kind == properties.kind)
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return context.mode == "EDIT_MESH"
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        millimeters = 1000 * meters_per_blender_unit(context.scene)
+        widths = {"WIDTH": self.width / millimeters, "HEM": self.hem / millimeters, "FOLD": NONE, "DEFAULT": 0.0}
+        try:
+            count, left_out = mark_allowance(context.objects_in_mode_unique_data, widths[self.kind])
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        if count == 0:
+            self.report({"ERROR"}, "Nothing to mark: select edges on a seam or outline first.")
+            return {"CANCELLED"}
+        if left_out:
+            lie = counted(left_out, "selected edge lies", "selected edges lie")
+            self.report(
+                {"WARNING"}, f"{counted(count, 'edge')} marked; {lie} inside of a piece, where nothing is added."
+            )
+        else:
+            self.report({"INFO"}, f"{counted(count, 'edge')} marked")
+        return {"FINISHED"}
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        self.layout.use_property_split = True
+        self.layout.prop(self, "kind")
+        if self.kind in {"WIDTH", "HEM"}:
+            self.layout.prop(self, self.kind.lower())
 
 
 class MESH_OT_wirewarp_seams_from_uv_islands(bpy.types.Operator):

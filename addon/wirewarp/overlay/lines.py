@@ -43,6 +43,7 @@ RIM, RIM_ALPHA = 1.5, 0.6  # of the rim: pixels wider than the line
 STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
     "proposed": LineStyle("Proposed seam", _hex("#890089"), 6.0),
+    "cut": LineStyle("Line to cut", _hex("#99bb77"), 2.0),
     "outline": LineStyle("Outline", _hex("#786068"), 2.5),
     "seam": LineStyle("Seam", _hex("#101018"), 4.5),
     "free": LineStyle("Free wire", _hex("#4fc3f7"), 3.5, dash=(4, 8)),

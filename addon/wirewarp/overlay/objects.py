@@ -8,9 +8,11 @@ import bpy
 import numpy as np
 
 from ..blender.mesh import read, read_attribute, read_numbers
+from ..flat.pattern import read_cut_lines
 from ..flat.pieces import piece_names
 from ..flat.read import has_flat_attributes, read_flat_attribute
 from ..flat.reports import last_report, pieces_report
+from ..issues import ObjectError
 from ..model.owners import find_flat_object, model_of, model_or_self
 from ..model.state import has_changed
 from ..model.wire_names import chain_names
@@ -43,6 +45,19 @@ def lines_of(target: bpy.types.Object, edges: LineEdges) -> Lines:
     if report:
         names += seam_line_names(edges, _seam_of_edge(report))
     return Lines(lines_by_kind(edges), dashes_by_kind(edges, runs), names)
+
+
+def cut_lines(
+    source: bpy.types.Object, flat: bpy.types.Object, meters: float, allowance: float, depsgraph: bpy.types.Depsgraph
+) -> np.ndarray:
+    """(2k,3) float32 around flat pieces that are not in Edit Mode; empty where they make no pattern: Export says why."""
+    try:
+        lines = read_cut_lines(source, flat, meters, allowance, depsgraph)
+    except ObjectError:
+        lines = []
+    ends = [np.stack([line, np.roll(line, -1, axis=0)], axis=1).reshape(-1, 2) for line in lines]
+    places = np.concatenate([np.empty((0, 2)), *ends])
+    return np.column_stack([places, np.zeros(len(places))]).astype(np.float32)
 
 
 def _wire_names(target: bpy.types.Object, wire_ids: list[int], report: dict | None) -> list[str]:

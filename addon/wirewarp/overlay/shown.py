@@ -2,13 +2,15 @@
 """Which objects are drawn, in 3D views and in UV editors."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import bpy
+import numpy as np
 
 from ..blender.cache import stamp
 from ..blender.index import find_objects
+from ..blender.units import meters_per_blender_unit
 from ..flat.pieces import piece_names
 from ..flat.reports import last_report
 from ..issues import ObjectError
@@ -18,7 +20,7 @@ from ..solve.maps import COLOR_MAPS, ColorMap
 from .cache import Same, kept_drawing
 from .failures import Failures, failures, uv_failures
 from .gather import gather_uv_lines, shows_our_map
-from .objects import Lines, colored_surface, lines_of, marked_lines
+from .objects import Lines, colored_surface, cut_lines, lines_of, marked_lines
 from .surfaces import ColoredTriangles, Extremes
 
 MODES = {"OBJECT", "EDIT"}
@@ -76,7 +78,17 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
     made_of = stamp(target), stamp(target.data), target.data.is_editmode, report, source.name_full, names
     depsgraph = context.view_layer.depsgraph
     if context.scene.wirewarp.show_lines:
-        lines = kept_drawing(target, "lines", made_of, lambda: _lines(target, depsgraph))
+        if target == source or target.data.is_editmode:
+            lines = kept_drawing(target, "lines", made_of, lambda: _lines(target, depsgraph))
+        else:  # allowances are the model's
+            meters, allowance = meters_per_blender_unit(context.scene), context.scene.wirewarp.allowance
+            of_model = stamp(source), stamp(source.data), source.data.is_editmode, meters, allowance
+            lines = kept_drawing(
+                target,
+                "lines",
+                (*made_of, *of_model),
+                lambda: _with_cut(_lines(target, depsgraph), cut_lines(source, target, meters, allowance, depsgraph)),
+            )
         if not target.data.is_editmode:
             failed = kept_drawing(target, "failures", made_of, lambda: failures(target))
     if color_map and not target.data.is_editmode:
@@ -91,6 +103,10 @@ def _lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
         return marked_lines(target, depsgraph)
     except ObjectError:
         return Lines({}, {}, [])  # an attribute of our name is another's; the list of wires says so
+
+
+def _with_cut(lines: Lines, cut: np.ndarray) -> Lines:
+    return replace(lines, places=lines.places | {"cut": cut}) if len(cut) else lines
 
 
 @dataclass(frozen=True)

@@ -28,6 +28,10 @@ class VIEW3D_MT_wirewarp_edges(bpy.types.Menu):
         layout.operator("mesh.wirewarp_mark", text="Mark Elastic Wire").kind = "ELASTIC"
         layout.operator("mesh.wirewarp_mark", text="Mark Free Wire").kind = "SUPER_ELASTIC"
         layout.operator("mesh.wirewarp_clear")
+        layout.operator("mesh.wirewarp_allowance", text="Mark Allowance").kind = "WIDTH"
+        layout.operator("mesh.wirewarp_allowance", text="Mark Hem").kind = "HEM"
+        layout.operator("mesh.wirewarp_allowance", text="Mark Fold").kind = "FOLD"
+        layout.operator("mesh.wirewarp_allowance", text="Default Allowance").kind = "DEFAULT"
         layout.operator("mesh.wirewarp_select_wire").edge = -1
         layout.operator("mesh.wirewarp_seams_from_uv_islands")
 

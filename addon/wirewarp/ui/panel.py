@@ -46,6 +46,15 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         column.operator("mesh.wirewarp_mark", text="Free").kind = "SUPER_ELASTIC"
         column.operator("mesh.wirewarp_clear", text="Clear Wire")
 
+        layout.label(text="Allowance outside of seams")
+        column = layout.column(align=True)
+        row = column.row(align=True)
+        row.operator("mesh.wirewarp_allowance", text="Allowance").kind = "WIDTH"
+        row.operator("mesh.wirewarp_allowance", text="Hem").kind = "HEM"
+        row = column.row(align=True)
+        row.operator("mesh.wirewarp_allowance", text="Fold").kind = "FOLD"
+        row.operator("mesh.wirewarp_allowance", text="Default").kind = "DEFAULT"
+
 
 class VIEW3D_PT_wirewarp_overlay(SidebarPanel, bpy.types.Panel):
     bl_label = "Overlay"

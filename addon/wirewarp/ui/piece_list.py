@@ -86,6 +86,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         if context.scene.wirewarp.keep_places:
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
             button.keep_places, button.only_active = False, True
+        self.layout.prop(context.scene.wirewarp, "allowance", text="Allowance (mm)")
         self.layout.operator("object.wirewarp_export", icon="EXPORT")
 
 

@@ -6,7 +6,7 @@ Everything is in millimeters, y upwards. Needs pyclipper, and pydyf for PDF.
 
 from .flat_piece import Chain, FlatPiece, FlatWire
 from .model import Line, PatternPiece, Point, Text
-from .pattern import Pattern, Written
+from .pattern import Pattern, Written, cut_lines
 from .units import UnitSystem
 
 __all__ = [
@@ -20,4 +20,5 @@ __all__ = [
     "Text",
     "UnitSystem",
     "Written",
+    "cut_lines",
 ]

@@ -39,9 +39,11 @@ def lengths_along(points: np.ndarray) -> np.ndarray:
 def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:
     """The closed outlines of a piece, each as its chains in order; the outer one has positive area.
 
-    index: of the piece. Raises FlattenError for a chain that is not on the outline.
+    index: of the piece. Raises FlattenError for a chain that is not on the outline, and for points that are no numbers.
     """
     points, ends = piece.vertices, _outline_edges(piece)
+    if not np.isfinite(points[piece.outline]).all():
+        raise problem(f'"{piece.name}" has points that are nowhere.')
     chains = []
     for chain in piece.chains:
         sources = chain.sources

@@ -10,9 +10,10 @@ from .allowance import CutLines, cut_lines, signed_area
 from .flat_piece import FlatPiece
 from .interior import innermost_point
 from .model import Line, PatternPiece, Point
-from .outline import Side
+from .outline import Side, outlines_of
 from .rays import Rays
-from .stretches import Outline
+from .stretches import Outline, Rules, outline
+from .widths import Widths
 
 GRAIN = 0.7  # of the way across the piece
 STRAIGHT = 0.5  # millimeters: a fold that is less off is straight, for cloth gives so much
@@ -45,7 +46,19 @@ def _off_straight(points: np.ndarray) -> float:
     return float(np.abs(to[:, 0] * along[1] - to[:, 1] * along[0]).max())
 
 
-def lay(index: int, piece: FlatPiece, loops: list[list[Side]], outlines: list[Outline]) -> Laid:
+def lay_all(pieces: Sequence[FlatPiece], widths: Widths, corner: str, darts: str) -> list[Laid]:
+    """All pieces of a pattern; how allowances end depends on what is sewn to what. Raises FlattenError."""
+    outlines = [outlines_of(index, piece) for index, piece in enumerate(pieces)]
+    rules = Rules([loop for own in outlines for loop in own], corner, darts)
+    laid = [
+        _lay(index, piece, own, [outline(loop, widths, rules) for loop in own])
+        for index, (piece, own) in enumerate(zip(pieces, outlines, strict=True))
+    ]
+    widths.check_all_used()
+    return laid
+
+
+def _lay(index: int, piece: FlatPiece, loops: list[list[Side]], outlines: list[Outline]) -> Laid:
     """With the cut lines and the wires inside of the piece."""
     cut = cut_lines([outline.stretches for outline in outlines if outline.stretches])
     wires = [Line("wire", piece.vertices[wire.vertices], name=wire.name, kind=wire.kind) for wire in piece.wires]
@@ -73,11 +86,11 @@ def warnings_of(laid: Laid) -> list[str]:
 def lines_of(laid: Laid, seam_names: Sequence[str]) -> list[Line]:
     lines = [Line("cut", points, closed=True) for points in laid.cut.outer]
     lines += [Line("inner_cut", points, closed=True) for points in laid.cut.holes]
-    for outline in laid.outlines:
-        lines += [Line("inner_cut", slit) for slit in outline.slits]
-        for run in outline.runs:
+    for own in laid.outlines:
+        lines += [Line("inner_cut", slit) for slit in own.slits]
+        for run in own.runs:
             seam = run.side.seam
-            is_whole = len(outline.runs) == 1 and run.side.is_closed
+            is_whole = len(own.runs) == 1 and run.side.is_closed
             points = run.points[:-1] if is_whole else run.points
             if run.is_fold:
                 lines.append(Line("fold", points))

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Allowances marked on edges: they reach the pattern, are drawn at once, and survive what wires survive."""
+
+import bpy
+import numpy as np
+import pytest
+from drawing import Drawing
+from surfaces import bump, edge_vertices, flat_of, grid, mark_seam, on_line, read, select_edges, select_only
+
+SEAM, HEM = on_line(0, 0.0), on_line(1, -1.0)
+
+
+@pytest.fixture
+def source():
+    """Two pieces; a Blender unit is 100 mm."""
+    bpy.context.scene.unit_settings.scale_length = 0.1
+    target = grid("Bump", bump)
+    mark_seam(target, SEAM)
+    return target
+
+
+def mark_allowance(target, line, **settings):
+    select_edges(target, line)
+    assert bpy.ops.mesh.wirewarp_allowance(**settings) == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def distances(tmp_path, source, line):
+    """Of the middles of edges of the model on the line: how far they are from the cut line, in each piece."""
+    path = tmp_path / "pattern.svg"
+    bpy.ops.object.wirewarp_export(filepath=str(path), allowance=10.0, keep_places=True)
+    drawing, flat = Drawing(path), flat_of(source).data
+    places = 100 * read(flat.vertices, "co", np.float32, 3)[:, :2]
+    model = read(source.data.vertices, "co", np.float32, 3)[
+        read(flat.attributes["source_vertex"].data, "value", np.int32)
+    ]
+    sew = np.concatenate(
+        [line for piece in drawing.pieces for layer in ("Sew", "Fold") for line in drawing.lines(piece, layer)]
+    )
+    offset = (sew * (1, -1)).min(axis=0) - places.min(axis=0)
+    edges = [(a, b) for a, b in edge_vertices(flat) if line(model[a], model[b])]
+    middles = np.array([(places[a] + places[b]) / 2 for a, b in edges]) + offset
+    cuts = [outline * (1, -1) for outline in drawing.outlines()]
+    a, along = np.concatenate([cut[:-1] for cut in cuts]), np.concatenate([np.diff(cut, axis=0) for cut in cuts])
+    share = np.clip(((middles[:, None] - a) * along).sum(axis=2) / (along**2).sum(axis=1), 0, 1)
+    return np.linalg.norm(a + share[..., None] * along - middles[:, None], axis=2).min(axis=1)
+
+
+def test_marked_widths_are_those_of_the_pattern(source, tmp_path):
+    mark_allowance(source, SEAM, kind="WIDTH", width=6.0)
+    mark_allowance(source, HEM, kind="HEM", hem=25.0)
+    mark_allowance(source, on_line(0, 1.0), kind="FOLD")
+    select_only(source)
+    bpy.ops.object.wirewarp_flatten(gap=50.0)
+    for line, width in ((SEAM, 6.0), (HEM, 25.0), (on_line(0, 1.0), 0.0), (on_line(0, -1.0), 10.0)):
+        assert np.max(distances(tmp_path, source, line)) == pytest.approx(width, abs=0.02)
+
+
+def test_a_mark_goes_back_to_the_default(source, tmp_path):
+    bpy.ops.object.wirewarp_flatten(gap=50.0)
+    mark_allowance(source, SEAM, kind="WIDTH", width=6.0)
+    mark_allowance(source, SEAM, kind="DEFAULT")
+    assert np.max(distances(tmp_path, source, SEAM)) == pytest.approx(10.0, abs=0.02)
+
+
+def test_edges_that_come_from_elsewhere_have_the_default(source, tmp_path):
+    """Blender gives them 0, which is no width."""
+    mark_allowance(source, SEAM, kind="WIDTH", width=6.0)
+    other = grid("Other", lambda x, y: (x + 3, y, 0))
+    select_only(source, other)
+    bpy.context.view_layer.objects.active = source
+    bpy.ops.object.join()
+    bpy.ops.object.wirewarp_flatten(gap=50.0)
+    assert np.max(distances(tmp_path, source, SEAM)) == pytest.approx(6.0, abs=0.02)
+    assert np.max(distances(tmp_path, source, on_line(0, 4.0))) == pytest.approx(10.0, abs=0.02)
+
+
+def test_edges_inside_of_a_piece_get_none(source):
+    select_edges(source, on_line(1, 0.0))
+    with pytest.raises(RuntimeError, match="Nothing to mark: select edges on a seam or outline first"):
+        bpy.ops.mesh.wirewarp_allowance(kind="WIDTH")
+
+
+def test_another_attribute_of_the_name_is_a_sentence(source):
+    source.data.attributes.new("wirewarp_allowance", "INT", "FACE")
+    select_edges(source, SEAM)
+    with pytest.raises(RuntimeError, match='"wirewarp_allowance" of mesh "Bump" is not of type FLOAT on edges'):
+        bpy.ops.mesh.wirewarp_allowance(kind="WIDTH")
+
+
+def drawn(addon, source, allowance=10.0):
+    """The size of the line to cut, as it is drawn, in Blender units."""
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    lines = addon.overlay.objects.cut_lines(source, flat_of(source), 0.1, allowance, depsgraph)
+    return np.ptp(lines.reshape(-1, 3), axis=0) if len(lines) else np.zeros(3)
+
+
+def test_it_is_drawn_as_soon_as_it_is_marked_and_in_edit_mode(source, addon):
+    bpy.ops.object.wirewarp_flatten()
+    flat = np.ptp(read(flat_of(source).data.vertices, "co", np.float32, 3), axis=0)
+    assert drawn(addon, source, 0.0).max() == 0
+    plain = drawn(addon, source)
+    assert plain[:2] == pytest.approx(flat[:2] + 0.2, abs=0.04)
+    select_edges(source, on_line(0, -1.0), on_line(0, 1.0), on_line(1, -1.0), on_line(1, 1.0))
+    bpy.ops.mesh.wirewarp_allowance(kind="HEM", hem=30.0)
+    assert source.mode == "EDIT"
+    assert (drawn(addon, source) - plain).max() == pytest.approx(2 * 0.2, abs=0.05)
+    assert drawn(addon, source, 0.0).max() > 0
