@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -25,7 +26,6 @@ constexpr double kFineStep = 1e-3, kStep = 5e-3;  // of what is proposed: 0.1 %,
 constexpr double kLargest = 0.5;
 constexpr double kFree = std::numeric_limits<double>::infinity();
 constexpr int kMaxFreeFactorizations = 4 * kStartFactorizations;  // those of a coarser or a sewn chart count
-constexpr double kSpare = 1.1;                                    // of tolerances that a free shape needs
 constexpr int kMostTrials = 30;  // of fewer wires, and of smaller tolerances: hundredths of a second each
 constexpr std::size_t kFewWires =
     8;  // get a tolerance each; more of them the same, which is quicker to find and to type
@@ -38,16 +38,16 @@ using Tolerances = std::map<int, double>;  // by wire
 
 bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
 
-/// Wires that give way in the loose shape, with what they need beyond their tolerance.
-Tolerances find_needs(const Chart& chart, const RelaxedShape& loose, double kept) {
-  Tolerances needs;
+/// Wires that give way in the loose shape, freed.
+Tolerances giving_way(const Chart& chart, const RelaxedShape& loose, double kept) {
+  Tolerances wires;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     const WirePart& part = chart.wire_parts[i];
     const auto p = static_cast<Eigen::Index>(i);
-    const double need = loose.strain_rms[p] > kUneven ? kFree : loose.tolerance_violation[p];
-    if (is_held(part) && need > kept) needs[part.wire_index] = std::max(needs[part.wire_index], need);
+    const bool gives_way = loose.strain_rms[p] > kUneven || loose.tolerance_violation[p] > kept;
+    if (is_held(part) && gives_way) wires[part.wire_index] = kFree;
   }
-  return needs;
+  return wires;
 }
 
 double rounded_up(double tolerance) {
@@ -55,14 +55,8 @@ double rounded_up(double tolerance) {
   return tolerance > kLargest ? kFree : std::ceil(tolerance / step - 1e-9) * step;
 }
 
-/// The wires' own tolerances and so many times their needs.
-Tolerances widened(const Chart& chart, const Tolerances& needs, double times) {
-  Tolerances tolerances;
-  for (const WirePart& part : chart.wire_parts) {
-    const auto need = needs.find(part.wire_index);
-    if (need == needs.end() || !is_held(part)) continue;
-    tolerances[part.wire_index] = rounded_up(part.tolerance + times * need->second);
-  }
+Tolerances doubled(Tolerances tolerances) {
+  for (auto& [wire, tolerance] : tolerances) tolerance = rounded_up(2 * tolerance);
   return tolerances;
 }
 
@@ -76,25 +70,25 @@ Chart with_tolerances(Chart chart, const Tolerances& tolerances) {
   return chart;
 }
 
-Tolerances all_free(Tolerances tolerances) {
-  for (auto& [wire, tolerance] : tolerances) tolerance = kFree;
+/// The wires that leave their tolerances by the lowest rung of the ladder or more when they are free, freed.
+Tolerances free_wires_that_change(const Chart& chart, const RefinedShape& free) {
+  Tolerances tolerances;
+  for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
+    const WirePart& part = chart.wire_parts[i];
+    const bool changes = std::abs(free.variation[static_cast<Eigen::Index>(i)]) > part.tolerance + kLadder[0];
+    if (is_held(part) && changes) tolerances[part.wire_index] = kFree;
+  }
   return tolerances;
 }
 
-/// One tolerance for all wires that leave their own when they are free, as far as they do.
-Tolerances shared(const Chart& chart, const RefinedShape& free) {
-  std::set<int> wires;
-  double most = 0;
-  for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
-    const WirePart& part = chart.wire_parts[i];
-    const double needed = std::abs(free.variation[static_cast<Eigen::Index>(i)]);
-    if (!is_held(part) || needed <= part.tolerance) continue;
-    wires.insert(part.wire_index);
-    most = std::max(most, needed);
-  }
-  Tolerances tolerances;
-  for (const int wire : wires) tolerances[wire] = rounded_up(kSpare * most);
-  return tolerances;
+bool is_any_free(const Tolerances& tolerances) {
+  return std::any_of(tolerances.begin(), tolerances.end(), [](const auto& wire) { return std::isinf(wire.second); });
+}
+
+/// A tolerance shared by more wires is worth naming them where it is less than half.
+bool is_far_lower(const Tolerances& shared, const Tolerances& other) {
+  if (shared.empty() || other.empty()) return other.empty();
+  return shared.begin()->second < other.begin()->second / 2;
 }
 
 Tolerances free_wires(const Chart& chart) {
@@ -127,26 +121,43 @@ class ToleranceSearch {
     });
   }
 
-  /// Of tolerances that serve: on as few wires as do, as small as do. A few wires that give way more are better than
-  /// many that do a little, but not if one has to be freed.
-  Tolerances least(const Tolerances& tolerances) {
-    Tolerances on_few = reduced(all_free(tolerances));
-    const bool is_any_free =
-        std::any_of(on_few.begin(), on_few.end(), [](const auto& wire) { return std::isinf(wire.second); });
-    return on_few.size() <= kFewWires && !is_any_free ? on_few : reduced(tolerances);
-  }
-
- private:
-  Tolerances reduced(Tolerances tolerances) {
+  /// Of wires that serve when they are free: as few as do, with tolerances as small as do.
+  Tolerances on_few_wires(Tolerances tolerances) {
     num_trials_ = 0;
     drop_wires(tolerances);
+    if (tolerances.size() > kFewWires) return tolerances;
     num_trials_ = 0;
     lower(tolerances, wires_of(tolerances));
-    if (tolerances.size() > kFewWires) return tolerances;
     for (const int wire : wires_of(tolerances)) lower(tolerances, {wire});
     return tolerances;
   }
 
+  /// The same wires under the lowest rung of the ladder as the tolerance of all under which they are good, by
+  /// bisection. None where not even the highest serves.
+  Tolerances lowest_shared(const Tolerances& wires, const std::function<bool(const Tolerances&)>& are_good) const {
+    Tolerances lowest;
+    const auto all_have = [&](double tolerance) {
+      Tolerances shared = wires;
+      for (auto& [wire, own] : shared) own = tolerance;
+      return shared;
+    };
+    const double* low = std::begin(kLadder);
+    const double* high = std::end(kLadder);
+    if (wires.empty() || !serve(all_have(*(high - 1)))) return lowest;
+    while (low < high) {
+      const double* middle = low + (high - low) / 2;
+      Tolerances shared = all_have(*middle);
+      if (is_looser(shared) && are_good(shared)) {
+        lowest = std::move(shared);
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+    return lowest;
+  }
+
+ private:
   static std::vector<int> wires_of(const Tolerances& tolerances) {
     std::vector<int> wires;
     for (const auto& [wire, tolerance] : tolerances) wires.push_back(wire);
@@ -162,10 +173,9 @@ class ToleranceSearch {
     return true;
   }
 
-  /// Half of the wires at once, then a quarter, ..., then one by one; those that need least first.
+  /// Half of the wires at once, then a quarter, ..., then one by one.
   void drop_wires(Tolerances& tolerances) {
     std::vector<int> wires = wires_of(tolerances);
-    std::stable_sort(wires.begin(), wires.end(), [&](int a, int b) { return tolerances.at(a) < tolerances.at(b); });
     for (std::size_t size = wires.size() / 2; size > 0; size /= 2) {
       for (std::size_t begin = 0; begin + size <= wires.size() && wires.size() > 1;) {
         Tolerances fewer = tolerances;
@@ -234,27 +244,29 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
           ? *refined.relaxed
           : relax_lengths(chart, build_held_network(chart), options.fairness,
                           free_boundary_arap(chart, kFreeSteps, {}, stop).uv, relax_budget, stop);
-  const Tolerances plain = find_needs(chart, relaxed, kKept);
-  const Tolerances possible = find_needs(chart, relaxed, kPerhapsKept);
-  const Tolerances candidates[] = {widened(chart, plain, 1),    widened(chart, plain, 2), widened(chart, possible, 1),
-                                   widened(chart, possible, 2), all_free(plain),          shared(chart, free),
-                                   all_free(possible)};
   ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.uv}, stop);
   const auto lie_flat = [&](const Tolerances& tolerances) {
     stop.check();
-    return lies_flat(with_tolerances(chart, tolerances), options, stop);
+    return !tolerances.empty() && lies_flat(with_tolerances(chart, tolerances), options, stop);
   };
-  std::set<Tolerances> tried{{}, all};
-  for (const Tolerances& tolerances : candidates) {
-    stop.check();
-    if (!tried.insert(tolerances).second || !search.serve(tolerances)) continue;
-    const Tolerances least = search.least(tolerances);
-    for (const Tolerances& looser : {least, widened(chart, least, 2), tolerances}) {
-      if (lie_flat(looser)) return listed(looser);
-    }
-    break;
+  const auto first_flat = [&](const std::vector<Tolerances>& choice) {
+    const auto found = std::find_if(choice.begin(), choice.end(), lie_flat);
+    return found == choice.end() ? Tolerances() : *found;
+  };
+  Tolerances freed = giving_way(chart, relaxed, kKept);
+  if (!search.serve(freed)) freed = giving_way(chart, relaxed, kPerhapsKept);
+  if (!search.serve(freed)) freed.clear();
+  const Tolerances few = search.on_few_wires(freed);
+  const bool are_few_elastic = few.size() <= kFewWires && !is_any_free(few);
+  Tolerances proposed;
+  if (are_few_elastic) proposed = first_flat({few, doubled(few)});
+  if (proposed.empty()) {
+    const Tolerances of_freed = search.lowest_shared(freed, lie_flat);
+    const Tolerances of_many = search.lowest_shared(free_wires_that_change(chart, free), lie_flat);
+    proposed = is_far_lower(of_many, of_freed) ? of_many : of_freed;
   }
-  return lie_flat(all) ? listed(all) : std::vector<ProposedTolerance>();
+  if (proposed.empty()) proposed = first_flat({few, doubled(few), freed, all});
+  return listed(proposed);
 }
 
 }  // namespace wirewarp
