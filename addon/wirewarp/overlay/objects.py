@@ -50,7 +50,7 @@ def lines_of(target: bpy.types.Object, edges: LineEdges) -> Lines:
 def cut_lines(
     source: bpy.types.Object, flat: bpy.types.Object, meters: float, allowance: float, depsgraph: bpy.types.Depsgraph
 ) -> np.ndarray:
-    """(2k,3) float32 around flat pieces that are not in Edit Mode; empty where they make no pattern: Export says why."""
+    """(2k,3) float32 around flat pieces outside Edit Mode; empty where they make no pattern: Export says why."""
     try:
         lines = read_cut_lines(source, flat, meters, allowance, depsgraph)
     except ObjectError:

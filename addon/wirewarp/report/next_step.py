@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 from ..words import counted
 from .cloth import is_strained
-from .verdict import left_out_of
 
 MEND = "object.wirewarp_mend"
 SHOW = "mesh.wirewarp_select_result"

@@ -28,7 +28,8 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
             draw_sentence(context, layout, f"Method: {report['method_name']}")
         if report["issues"]:
             box = layout.box()
-            box.active = not has_changed_since(source, report)  # gray, but the next proposal can be taken without a run between
+            # Gray, but the next proposal can be taken without a run between.
+            box.active = not has_changed_since(source, report)
             draw_issues(context, box, report)
         if report["hints"]:
             draw_hints(context, layout, report)
