@@ -76,9 +76,7 @@ def _updated_depsgraph(context: bpy.types.Context, settings: RunSettings) -> bpy
     return context.evaluated_depsgraph_get() if settings.use_modifiers else None
 
 
-def _read(
-    source: bpy.types.Object, depsgraph: bpy.types.Depsgraph, units: LengthText, settings: RunSettings
-) -> Model:
+def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph, units: LengthText, settings: RunSettings) -> Model:
     use_modifiers = settings.use_modifiers
     names = {"object": source.name, "mesh": source.data.name, "with_modifiers": use_modifiers}
     names["shaped_by"] = shaped_by(source, depsgraph)
