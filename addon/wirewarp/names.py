@@ -35,6 +35,7 @@ FLAT_AREAS = "wirewarp_flat_areas"  # custom property: signed area of each piece
 LAYOUT = "wirewarp_layout"  # the options that lay out otherwise when they change, JSON
 UP = "wirewarp_up"  # direction in the model's own space that was up
 AWAY = "wirewarp_away"  # places of pieces that have no shape just now, see solve.places.NONE_AWAY
+GRAIN = "wirewarp_grain_axes"  # which way the grain of each piece runs, see flat.grain
 FACE_COUNT = "wirewarp_source_faces"  # faces of the mesh that was flattened
 RANGE = "wirewarp_range_"  # before the name of each map: its smallest and its largest value
 

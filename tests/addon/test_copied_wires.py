@@ -22,7 +22,7 @@ def test_a_copy_of_a_wire_is_called_as_its_original_everywhere(addon, tmp_path, 
     assert [wire["name"] for wire in addon.flat.reports.last_report(source)["wires"]] == both
     select_only(flat_of(source))
     drawn = addon.overlay.objects.marked_lines(flat_of(source), bpy.context.evaluated_depsgraph_get())
-    assert sorted(name.text for name in drawn.names) == ["Half", *both]
+    assert sorted(name.texts[-1] for name in drawn.names) == ["Half", *both]
     path = tmp_path / "pattern.svg"
     bpy.ops.object.wirewarp_export_svg(filepath=str(path))
     titles = [each.text for each in ElementTree.parse(path).iter() if each.tag.endswith("title")]

@@ -105,11 +105,11 @@ def test_batches_are_sent_once_until_marks_change(addon, source, monkeypatch):
             batches.draw_lines(drawing.target, "", drawing.lines, drawing.failures, 1.0, batches.Layer.LINES)
         return len(gpu.sent)
 
-    kinds = 5 + 2  # two of them with dashes
-    assert redraw() == 2 * kinds + 1  # model and pieces, around which is the line to cut
+    sent = 2 * (5 + 2) + 2  # two of five kinds with dashes, on the model and on its pieces; arrows and lines to cut
+    assert redraw() == sent
     drawn = gpu.drawn
     assert redraw() == 0
-    assert gpu.drawn == 2 * drawn == 2 * (2 * kinds + 1)
+    assert gpu.drawn == 2 * drawn == 2 * sent
     mark(source, on_line(1, 0.25))
     bpy.context.view_layer.update()
     assert redraw() == 1  # the rigid wires of the model

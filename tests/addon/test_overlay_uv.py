@@ -58,7 +58,7 @@ def lengths(places):
 def test_lines_are_named_in_every_piece(addon, source, mode):
     select_only(source)
     bpy.ops.object.mode_set(mode=mode)
-    names = [name.text for name in shown(addon)[0].lines.names]
+    names = [name.texts[-1] for name in shown(addon)[0].lines.names]
     assert sorted(names) == sorted(2 * ["Seam 1", "Waist", "Wire 2 ±5%"])
 
 

@@ -278,7 +278,7 @@ def test_names_in_the_report_and_the_overlay_follow_a_renaming_at_once(source, a
     (row,) = addon.report.rows.seam_rows(report)
     assert sorted(side.label for side in row.sides) == ["Sleeve", "Top Right"]
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    drawn = [name.text for name in addon.overlay.objects.marked_lines(flat_of(source), depsgraph).names]
+    drawn = [name.texts[-1] for name in addon.overlay.objects.marked_lines(flat_of(source), depsgraph).names]
     assert {"Sleeve", "Top Right"} <= set(drawn)
 
 

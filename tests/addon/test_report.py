@@ -376,7 +376,7 @@ def test_the_report_follows_the_names_of_wires(addon):
     assert "Hip \\1" in words and "Wire 1" not in words
     select_only(flat_of(source))
     drawn = addon.overlay.objects.marked_lines(flat_of(source), bpy.context.evaluated_depsgraph_get())
-    assert sorted(name.text for name in drawn.names) == ["Bump", "Hip \\1 ±0.2%", "Wire 2 ±0.1%"]
+    assert sorted(name.texts[-1] for name in drawn.names) == ["Bump", "Hip \\1 ±0.2%", "Wire 2 ±0.1%"]
 
 
 def test_two_wires_renamed_alike_stay_apart(addon, source):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marked lines as they are drawn: their looks, their runs cut into dashes, and the places of their names."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +10,8 @@ from ..pattern.chains import EdgeMarks, chains_of_marks
 from ..words import tolerance_text
 
 ALONG = (0.25, 0.5, 0.75)  # of the edges of a line, nearest to its middle first: where else its name may stand
+HEAD = 0.25  # of half an arrow's length: its head
+_TURNS = [np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) for a in np.radians(range(0, 90, 15))]
 VIEW_SIZE = 800  # pixels that an object is wide or high in a usual view: in it dashes have the length of their style
 
 
@@ -44,6 +46,8 @@ STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
     "proposed": LineStyle("Proposed seam", _hex("#890089"), 6.0),
     "cut": LineStyle("Line to cut", _hex("#99bb77"), 2.0),
+    "grain": LineStyle("Grain", _hex("#0a8f7a"), 3.0),
+    "default grain": LineStyle("Grain, not chosen", _hex("#7fc4b5"), 1.2),
     "outline": LineStyle("Outline", _hex("#786068"), 2.5),
     "seam": LineStyle("Seam", _hex("#101018"), 4.5),
     "free": LineStyle("Free wire", _hex("#4fc3f7"), 3.5, dash=(4, 8)),
@@ -127,10 +131,16 @@ class LineEdges:
 class Name:
     """A text at a point of the surface."""
 
-    text: str
+    texts: tuple[str, ...]  # of which one is written: the first that fits
     places: np.ndarray  # (c,3) where it may stand, the best first
     normals: np.ndarray  # (c,3)
     reach: float  # distance from the best place to the farthest end of what it names
+    piece: int = 0  # whose room it takes
+    room: float = np.inf  # the root of the area of that piece; on models, any
+    around: np.ndarray | None = (
+        None  # (4,3) corners around the piece, beside which it stands if it does not fit into it
+    )
+    is_selected: bool = False  # then it is written in any case
 
 
 def lines_by_kind(lines: LineEdges) -> dict[str, np.ndarray]:
@@ -169,27 +179,80 @@ def _members(lines: LineEdges) -> dict[str, np.ndarray]:
     }
 
 
-def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[str]) -> list[Name]:
+Rooms = Mapping[int, float]  # by piece, the root of its area; empty on models
+
+
+def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[str], rooms: Rooms) -> list[Name]:
     """Of each wire in each piece, in the middle of it; elastic ones with their tolerance. names: one for each run."""
     named = []
     for run, name in zip(runs, names, strict=True):
         text = f"{name} {tolerance_text(run.tolerance)}" if 0 < run.tolerance < np.inf else name
         for piece in np.unique(lines.pieces[run.rows]).tolist():
-            named.append(_name_on_line(text, lines, run.rows[lines.pieces[run.rows] == piece]))
+            named.append(_name_on_line((text,), lines, run.rows[lines.pieces[run.rows] == piece], rooms))
     return named
 
 
-def seam_line_names(lines: LineEdges, seam_of_edge: Mapping[tuple[int, int], int]) -> list[Name]:
-    """The number of each seam, in all its pieces. seam_of_edge: index of the seam by an edge's vertices, ascending."""
+def seam_line_names(
+    lines: LineEdges,
+    seam_of_edge: Mapping[tuple[int, int], int],
+    texts: Callable[[int, int], tuple[str, ...]],
+    rooms: Rooms,
+) -> list[Name]:
+    """Of each seam, in all its pieces. seam_of_edge: index of the seam by an edge's vertices, ascending.
+
+    texts: of a seam in a piece, see Name.
+    """
     pairs = np.sort(lines.vertices, axis=1).tolist()
     numbers = np.array([1 + seam_of_edge.get((a, b), -1) for a, b in pairs], dtype=np.int32)
     rows: dict[tuple[int, int], list[int]] = {}
     for row in np.flatnonzero(numbers).tolist():
         rows.setdefault((int(numbers[row]), int(lines.pieces[row])), []).append(row)
-    return [_name_on_line(f"Seam {number}", lines, np.array(own)) for (number, _), own in rows.items()]
+    return [
+        _name_on_line(texts(number - 1, piece), lines, np.array(own), rooms) for (number, piece), own in rows.items()
+    ]
 
 
-def _name_on_line(text: str, lines: LineEdges, rows: np.ndarray) -> Name:
+def piece_rooms(lines: LineEdges) -> Rooms:
+    """Of pieces in a plane, by the smallest box around each, level or turned."""
+    rooms = {}
+    for piece in np.unique(lines.pieces).tolist():
+        points = lines.ends[lines.pieces == piece].reshape(-1, 3)[:, :2]
+        areas = [float(np.prod(np.ptp(points @ turn, axis=0))) for turn in _TURNS]
+        rooms[piece] = min(areas) ** 0.5
+    return rooms
+
+
+def arrow(lines: LineEdges, piece: int, middle: np.ndarray, direction: np.ndarray, length: float) -> np.ndarray | None:
+    """The ends (6,3) of an arrow of at most this length, beside the middle (2,) of a flat piece where its name stands.
+
+    direction (2,), a unit vector. None where there is no room.
+    """
+    a, b = (
+        lines.ends[(lines.pieces == piece) & (lines.seams | lines.outlines)][:, :, :2].astype(np.float64).swapaxes(0, 1)
+    )
+    aside = np.array([direction[1], -direction[0]])
+    center = middle + aside * min(_reach(middle, aside, a, b) / 2, length)
+    half = min(length / 2, *(0.8 * _reach(center, way, a, b) for way in (direction, -direction)))
+    if not 0 < half < np.inf:
+        return None
+    tip, tail = center + half * direction, center - half * direction
+    heads = [tip + HEAD * half * (side * aside * 0.5 - direction) for side in (-1, 1)]
+    corners = np.zeros((6, 3), dtype=np.float32)
+    corners[:, :2] = [tail, tip, tip, heads[0], tip, heads[1]]
+    return corners
+
+
+def _reach(point: np.ndarray, way: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
+    """How far from a point (2,) along the unit vector `way` the first of the segments from a (k,2) to b lies."""
+    along, to = b - a, a - point
+    with np.errstate(divide="ignore", invalid="ignore"):  # of segments in this direction, which nothing meets
+        slope = way[0] * along[:, 1] - way[1] * along[:, 0]
+        distance = (to[:, 0] * along[:, 1] - to[:, 1] * along[:, 0]) / slope
+        share = (to[:, 0] * way[1] - to[:, 1] * way[0]) / slope
+    return float(distance[(share >= 0) & (share <= 1) & (distance > 0)].min(initial=np.inf))
+
+
+def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, rooms: Rooms) -> Name:
     """At the edge nearest to the mean of all, so that it is on the line, however that bends; or farther along it."""
     middles = lines.ends[rows].mean(axis=1)
     place = middles[np.argmin(np.linalg.norm(middles - middles.mean(axis=0), axis=1))]
@@ -197,4 +260,13 @@ def _name_on_line(text: str, lines: LineEdges, rows: np.ndarray) -> Name:
     first = (np.array([0, *ALONG]) * len(rows)).astype(int)
     best = by_distance[np.unique(np.concatenate([first, first[1:] + 1]).clip(max=len(rows) - 1))]  # one to either side
     reach = float(np.linalg.norm(lines.ends[rows] - place, axis=2).max())
-    return Name(text, middles[best], lines.normals[rows[best]], reach)
+    piece = int(lines.pieces[rows[0]])
+    return Name(
+        texts,
+        middles[best],
+        lines.normals[rows[best]],
+        reach,
+        piece,
+        rooms.get(piece, np.inf),
+        is_selected=bool(lines.selected[rows].any()),
+    )

@@ -3,11 +3,13 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import bpy
 import numpy as np
 
-from ..blender.mesh import read, read_attribute, read_numbers
+from ..blender.mesh import corner_vertices, face_sizes, read, read_attribute, read_numbers
+from ..flat.grain import grain_directions, has_grain_wire
 from ..flat.pattern import read_cut_lines
 from ..flat.pieces import piece_names
 from ..flat.read import has_flat_attributes, read_flat_attribute
@@ -16,11 +18,24 @@ from ..issues import ObjectError
 from ..model.owners import find_flat_object, model_of, model_or_self
 from ..model.state import has_changed
 from ..model.wire_names import chain_names
-from ..names import PIECE, RANGE, SOURCE_CORNER
+from ..names import PIECE, PIECE_INDEX, RANGE, SOURCE_CORNER
+from ..report.names import joined_pieces
 from ..solve.maps import ColorMap
 from .gather import gather_lines, gather_triangles, shown_mesh
-from .lines import LineEdges, Name, dashes_by_kind, lines_by_kind, seam_line_names, wire_line_names, wire_runs
+from .lines import (
+    LineEdges,
+    Name,
+    arrow,
+    dashes_by_kind,
+    lines_by_kind,
+    piece_rooms,
+    seam_line_names,
+    wire_line_names,
+    wire_runs,
+)
 from .surfaces import ColoredTriangles, Extremes, colored, on_model
+
+ARROW = 0.4  # length of a grain arrow by the size of its piece
 
 
 @dataclass(frozen=True)
@@ -32,18 +47,25 @@ class Lines:
 
 def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
     """Seams and wires of a model or of flat pieces. Raises ObjectError as gather_lines does."""
-    lines = lines_of(target, gather_lines(target, depsgraph))
-    if model_of(target) and not target.data.is_editmode and has_flat_attributes(target.data, PIECE):
-        lines.names[:0] = _piece_names(target)
+    edges = gather_lines(target, depsgraph)
+    is_flat = model_of(target) is not None
+    lines = lines_of(target, edges, is_flat)
+    if is_flat and not target.data.is_editmode and has_flat_attributes(target.data, PIECE, PIECE_INDEX):
+        middles = _middles(target.data)
+        lines.names[:0] = _piece_names(target, middles, piece_rooms(edges))
+        lines.places.update(_grain_arrows(target, edges, middles))
     return lines
 
 
-def lines_of(target: bpy.types.Object, edges: LineEdges) -> Lines:
-    """The marked edges of this object, wherever they are drawn."""
+def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Lines:
+    """The marked edges of this object, wherever they are drawn; in_plane: as flat pieces."""
+    rooms = piece_rooms(edges) if in_plane else {}
     runs, report = wire_runs(edges.vertices, edges.ends, edges.marks), current_report(target)
-    names = wire_line_names(edges, runs, _wire_names(target, [run.wire_id for run in runs], report))
+    names = wire_line_names(edges, runs, _wire_names(target, [run.wire_id for run in runs], report), rooms)
     if report:
-        names += seam_line_names(edges, _seam_of_edge(report))
+        texts = partial(_seam_texts, report, model_of(target) is not None)
+        names += seam_line_names(edges, _seam_of_edge(report), texts, rooms)
+    names.sort(key=lambda name: not name.is_selected)
     return Lines(lines_by_kind(edges), dashes_by_kind(edges, runs), names)
 
 
@@ -87,19 +109,73 @@ def _seam_of_edge(report: dict) -> Mapping[tuple[int, int], int]:
     return {(min(edge), max(edge)): seam["index"] for seam in report["seams"] for edge in seam["edges"]}
 
 
-def _piece_names(flat: bpy.types.Object) -> list[Name]:
-    """At the face nearest to each piece's middle."""
-    mesh, text_of = flat.data, piece_names(model_of(flat))
-    pieces = read_flat_attribute(mesh, PIECE)
-    centers = read(mesh.polygons, "center", np.float32, 3)
-    names = []
+def _seam_texts(report: dict, on_flat: bool, index: int, piece: int) -> tuple[str, ...]:
+    """With what it joins: on a flat piece, to what that is joined."""
+    seam = report["seams"][index]
+    others = {**seam, "pieces": [each for each in seam["pieces"] if each != piece]} if on_flat else seam
+    joined = joined_pieces(report, others)
+    return (f"{seam['name']}: {joined}", seam["name"]) if joined and len(set(seam["pieces"])) > 1 else (seam["name"],)
+
+
+@dataclass(frozen=True)
+class _Middle:
+    """Of a flat piece."""
+
+    piece_id: int
+    place: np.ndarray  # (3,) the face nearest to its middle
+    reach: float  # to its farthest face
+    around: np.ndarray  # (4,3) corners of the box around it
+
+
+def _middles(mesh: bpy.types.Mesh) -> dict[int, _Middle]:
+    """By index of the piece in the report."""
+    pieces, ids = read_flat_attribute(mesh, PIECE_INDEX), read_flat_attribute(mesh, PIECE)
+    centers, corners = read(mesh.polygons, "center", np.float32, 3), corner_vertices(mesh)
+    piece_of_corner, places = np.repeat(pieces, face_sizes(mesh)), read(mesh.vertices, "co", np.float32, 3)
+    found = {}
     for piece in np.unique(pieces).tolist():
-        own = centers[pieces == piece]
+        faces = np.flatnonzero(pieces == piece)
+        own = centers[faces]
         middle = (own.min(axis=0) + own.max(axis=0)) / 2
         place = own[np.argmin(np.linalg.norm(own - middle, axis=1))]
+        vertices = places[corners[piece_of_corner == piece], :2]
+        (left, bottom), (right, top) = vertices.min(axis=0), vertices.max(axis=0)
+        around = np.array([(x, y, 0.0) for x in (left, right) for y in (bottom, top)])
         reach = float(np.linalg.norm(own - place, axis=1).max())
-        names.append(Name(text_of.get(piece, ""), place[None], np.array([[0.0, 0.0, 1.0]]), reach))
-    return names
+        found[piece] = _Middle(int(ids[faces[0]]), place, reach, around)
+    return found
+
+
+def _piece_names(flat: bpy.types.Object, middles: Mapping[int, _Middle], rooms: Mapping[int, float]) -> list[Name]:
+    """In the middle of each piece, or beside it."""
+    text_of, up = piece_names(model_of(flat)), np.array([[0.0, 0.0, 1.0]])
+    return [
+        Name(
+            (text_of.get(own.piece_id, ""),),
+            own.place[None],
+            up,
+            own.reach,
+            piece,
+            rooms.get(piece, np.inf),
+            around=own.around,
+        )
+        for piece, own in middles.items()
+    ]
+
+
+def _grain_arrows(flat: bpy.types.Object, edges: LineEdges, middles: Mapping[int, _Middle]) -> dict[str, np.ndarray]:
+    """The ends (2k,3) of the arrows, by kind of line: lighter where no grain was chosen."""
+    report, rooms = pieces_report(model_of(flat)), piece_rooms(edges)
+    directions = grain_directions(flat.data, read(flat.data.vertices, "co", np.float32, 3)[:, :2])
+    arrows: dict[str, list[np.ndarray]] = {}
+    for piece, direction in directions.items():
+        if report is None or piece >= len(report["pieces"]) or piece not in middles or piece not in rooms:
+            continue
+        ends = arrow(edges, piece, middles[piece].place[:2], direction, ARROW * rooms[piece])
+        if ends is not None:
+            kind = "grain" if has_grain_wire(report, piece) else "default grain"
+            arrows.setdefault(kind, []).append(ends)
+    return {kind: np.concatenate(parts) for kind, parts in arrows.items()}
 
 
 def colored_surface(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes names and the legend over a view."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import blf
@@ -20,18 +20,25 @@ from .surfaces import Extremes
 FONT, FONT_SIZE, MARGIN = 0, 12, 16
 MAX_NAMES = 150
 NAME_TO_LINE = 1.3  # a name is at most so many times as long as its line
+COVERED = 0.25  # of the area of a piece, the most that its labels may hide
+LONG_COVERED = 0.03  # of that area, the most that one label may hide to say more than its short text
 LABEL, NAME_COLOR, LEGEND_COLOR = (0.08, 0.08, 0.08, 0.65), (1.0, 1.0, 1.0), (0.9, 0.9, 0.9)
-TEXT_MARGIN = 0.3  # around each text, in its heights
+TEXT_MARGIN = LABEL_MARGIN = 0.3  # around each text, in its heights
 ABOVE, BELOW = 0.5, -1.5  # its lower edge from the point where it stands, in its heights
 Corner = tuple[float, float]
+Size = tuple[float, float]  # width and height
 
 
 class PlacedName(NamedTuple):
     """In pixels of the region."""
 
-    text: str
+    texts: tuple[str, ...]  # of which one is written: the first that fits
     points: np.ndarray  # (c,2) where it may stand, the best first
     reach: float  # of the line that is named
+    owner: tuple[str, int]  # object and piece, whose room it takes
+    room: float  # root of the area of that piece
+    box: np.ndarray | None  # (2,2) around the piece, beside which it stands if it does not fit into it
+    is_selected: bool  # then it is written in any case
 
 
 def write_over(
@@ -52,17 +59,55 @@ def write_over(
 
 
 def write_names(names: Iterable[PlacedName], unit: float) -> None:
-    """As many as fit, and none much longer than what it names. unit: see draw_lines."""
+    """unit: see draw_lines."""
     blf.size(FONT, FONT_SIZE * unit)
-    found = [name for name in names if blf.dimensions(FONT, name.text)[0] < NAME_TO_LINE * 2 * name.reach][:MAX_NAMES]
-    sizes = [blf.dimensions(FONT, name.text) for name in found]
-    texts, boxes = [], []
-    for name, size, corner in zip(found, sizes, spread([name.points for name in found], sizes), strict=True):
-        if corner is not None:
-            texts.append(Text(name.text, *corner))
-            boxes.append(_label(texts[-1], size))
-    _fill(boxes)
+
+    def size_of(text: str) -> Size:
+        return blf.dimensions(FONT, text)
+
+    texts = arrange(names, size_of)
+    _fill([_label(text, size_of(text.text)) for text in texts])
     _write(texts, NAME_COLOR)
+
+
+def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size]) -> list[Text]:
+    """As many as fit: none much longer than what it names, none over another, and none that hides its piece."""
+    wanted = list(names)
+    boxes = [name.box.ravel() for name in wanted if name.box is not None]
+    placed: list[Text] = []
+    taken, covered = Taken(np.array(boxes).reshape(-1, 4)), dict[tuple[str, int], float]()
+    for name in wanted:
+        for text in _that_fit(name, covered.get(name.owner, 0.0), size_of):
+            corner = taken.place(name.points, size_of(text))
+            if corner is not None:
+                placed.append(Text(text, *corner))
+                covered[name.owner] = covered.get(name.owner, 0.0) + _area(size_of(text))
+                break
+        else:
+            corner = None if name.box is None else taken.place_beside(name.box, size_of(name.texts[-1]))
+            if corner is not None:
+                placed.append(Text(name.texts[-1], *corner))
+        if len(placed) == MAX_NAMES:
+            break
+    return placed
+
+
+def _that_fit(name: PlacedName, covered: float, size_of: Callable[[str], Size]) -> Iterator[str]:
+    """The texts that may be written on what they name. covered: of the piece, in square pixels."""
+    for text in name.texts:
+        size = size_of(text)
+        is_last = text == name.texts[-1]
+        fits_line = size[0] < NAME_TO_LINE * 2 * name.reach
+        fits_piece = covered + _area(size) <= COVERED * name.room**2 and (
+            is_last or _area(size) <= LONG_COVERED * name.room**2
+        )
+        if name.is_selected or (fits_line and fits_piece):
+            yield text
+
+
+def _area(size: Size) -> float:
+    """Of a label."""
+    return (size[0] + 2 * LABEL_MARGIN * size[1]) * (1 + 2 * LABEL_MARGIN) * size[1]
 
 
 def write_legend(
@@ -97,7 +142,7 @@ def _corner(context: bpy.types.Context, unit: float) -> tuple[float, float]:
 
 def _label(text: Text, size: tuple[float, float]) -> Box:
     """Dark ground, on which a name can be read whatever is below."""
-    (width, height), aside = size, 0.3 * size[1]
+    (width, height), aside = size, LABEL_MARGIN * size[1]
     return Box(text.left - aside, text.base - aside, text.left + width + aside, text.base + height + aside, LABEL)
 
 
@@ -120,23 +165,43 @@ def _write(texts: list[Text], color: tuple[float, float, float]) -> None:
         blf.draw(FONT, text.text)
 
 
-def spread(points: Sequence[np.ndarray], sizes: Sequence[tuple[float, float]]) -> list[Corner | None]:
-    """The lower left corner of each text, earlier ones before later ones; None where there is no room for it.
+class Taken:
+    """Where texts stand already."""
 
-    points: for each text those (c,2) above or below the middle of which it may stand, the best first; sizes: the
-    widths and heights.
-    """
-    corners: list[Corner | None] = []
-    taken = np.empty((0, 4))  # left, bottom, right, top
-    for own, (width, height) in zip(points, sizes, strict=True):
-        room = TEXT_MARGIN * height
-        left, bottom = own[:, 0].repeat(2) - width / 2, (own[:, 1:] + [ABOVE * height, BELOW * height]).ravel()
-        boxes = np.column_stack([left - room, bottom - room, left + width + room, bottom + height + room])
-        overlap = (boxes[:, None, :2] < taken[:, 2:]) & (taken[:, :2] < boxes[:, None, 2:])
+    def __init__(self, pieces: np.ndarray) -> None:
+        """pieces (p,4): boxes around flat pieces, which names beside others leave free: left, bottom, right, top."""
+        self._pieces, self._texts = pieces, np.empty((0, 4))
+
+    def place(self, points: np.ndarray, size: Size) -> Corner | None:
+        """The lower left corner of a text, and from now on its place is taken; None where there is no room for it.
+
+        points (c,2): above or below the middle of which it may stand, the best first.
+        """
+        width, height = size
+        left, bottom = points[:, 0].repeat(2) - width / 2, (points[:, 1:] + [ABOVE * height, BELOW * height]).ravel()
+        return self._take(np.column_stack([left, bottom]), size, self._texts)
+
+    def place_beside(self, box: np.ndarray, size: Size) -> Corner | None:
+        """Below, above, right or left of the box (2,2) around a piece, and over no other piece."""
+        (width, height), room = size, TEXT_MARGIN * size[1]
+        low, high = box
+        middle = (low + high) / 2 - (width / 2, height / 2)
+        corners = [
+            (middle[0], low[1] - height - room),
+            (middle[0], high[1] + room),
+            (high[0] + room, middle[1]),
+            (low[0] - width - room, middle[1]),
+        ]
+        return self._take(np.array(corners), size, np.concatenate([self._texts, self._pieces]))
+
+    def _take(self, corners: np.ndarray, size: Size, others: np.ndarray) -> Corner | None:
+        """The first of the lower left corners (c,2) where the text is clear of the others (k,4)."""
+        room = TEXT_MARGIN * size[1] * (1 - 1e-9)  # so that what stands right beside a piece is clear of it
+        boxes = np.column_stack([corners - room, corners + size + room])
+        overlap = (boxes[:, None, :2] < others[:, 2:]) & (others[:, :2] < boxes[:, None, 2:])
         free = np.flatnonzero(~np.any(np.all(overlap, axis=2), axis=1))
-        if len(free):
-            taken = np.vstack([taken, boxes[free[0]]])
-            corners.append((float(left[free[0]]), float(bottom[free[0]])))
-        else:
-            corners.append(None)
-    return corners
+        if not len(free):
+            return None
+        self._texts = np.vstack([self._texts, boxes[free[0]]])
+        left, bottom = corners[free[0]].tolist()
+        return left, bottom

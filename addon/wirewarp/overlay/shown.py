@@ -13,6 +13,7 @@ from ..blender.index import find_objects
 from ..blender.units import meters_per_blender_unit
 from ..flat.pieces import piece_names
 from ..flat.reports import last_report
+from ..flat.seams import seam_names
 from ..issues import ObjectError
 from ..model.owners import find_flat_object, model_of, model_or_self
 from ..names import WIRE
@@ -73,7 +74,8 @@ def _concerns_us(target: bpy.types.Object) -> bool:
 def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: ColorMap | None) -> Drawing:
     lines = failed = surface = None
     source = model_or_self(target)
-    names = [(entry.wire_id, entry.name) for entry in source.data.wirewarp_names], piece_names(source)
+    wires = [(entry.wire_id, entry.name) for entry in source.data.wirewarp_names]
+    names = wires, piece_names(source), seam_names(source)
     report = Same(last_report(source))
     made_of = stamp(target), stamp(target.data), target.data.is_editmode, report, source.name_full, names
     depsgraph = context.view_layer.depsgraph
@@ -141,6 +143,6 @@ def _targets(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 def _uv_lines(target: bpy.types.Object) -> Lines:
     try:
-        return lines_of(target, gather_uv_lines(target.data))
+        return lines_of(target, gather_uv_lines(target.data), in_plane=True)
     except ObjectError:
         return Lines({}, {}, [])  # an attribute of our name is another's; the list of wires says so

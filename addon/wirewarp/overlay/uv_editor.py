@@ -44,4 +44,6 @@ def _names_in_view(context: bpy.types.Context, drawing: UvDrawing) -> Iterator[P
         points = origin + name.places[:, :2] * pixels
         seen = np.all((points >= 0) & (points <= (region.width, region.height)), axis=1)
         if seen.any():
-            yield PlacedName(name.text, points[seen], name.reach * pixels[0])
+            room = name.room * pixels[0]
+            owner = drawing.target.name_full, name.piece
+            yield PlacedName(name.texts, points[seen], name.reach * pixels[0], owner, room, None, name.is_selected)

@@ -93,8 +93,16 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[Pla
     reaches = np.linalg.norm(_in_region(context, places + eye[:3, 0] * reach)[0] - points, axis=1)
     parts = (np.split(each, np.cumsum(counts)[:-1]) for each in (points, seen, reaches))
     for name, own, own_seen, own_reaches in zip(names, *parts, strict=True):
-        if own_seen.any():
-            yield PlacedName(name.text, own[own_seen], own_reaches[own_seen][0])
+        if not own_seen.any():
+            continue
+        reach = float(own_reaches[own_seen][0])
+        room = name.room * reach / name.reach if name.reach else np.inf
+        box = None
+        if name.around is not None:
+            corners, _ = _in_region(context, name.around @ np.array(linear).T + np.array(matrix.translation))
+            box = np.array([corners.min(axis=0), corners.max(axis=0)])
+        owner = drawing.target.name_full, name.piece
+        yield PlacedName(name.texts, own[own_seen], reach, owner, room, box, name.is_selected)
 
 
 def _in_region(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

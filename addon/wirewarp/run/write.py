@@ -5,6 +5,7 @@ import bpy
 import numpy as np
 
 from ..blender.objects import show_where_shown
+from ..flat.grain import remember_grain
 from ..flat.leftovers import remove_leftovers, remove_model_maps
 from ..flat.object import follow_name, show_flat_object, write_flat_object
 from ..flat.pieces import with_new_names, write_pieces
@@ -65,6 +66,7 @@ def _write_pieces(
     away = places_of_absent(outcome.pieces, earlier, outcome.identities)
     flat = write_flat_object(context.scene, source, pieces, arrays, models)
     remember_layout(flat.data, outcome.report["options"], up, away)
+    remember_grain(flat.data, outcome.pieces)
     follow_name(source, outcome.model.known.model_name)
     if source.data.library is None:
         update_names(source.data, wires_on(source.data))

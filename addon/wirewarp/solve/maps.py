@@ -38,7 +38,7 @@ class ColorMap:
 
 
 ASPECT_RATIO = ColorMap("aspect_ratio_color", "Worst direction, as a factor", 1.0, 1.5)
-STRETCH = ColorMap("stretch_color", "Stretch of the cloth", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
+STRETCH = ColorMap("stretch_color", "Stretch, mean of all directions", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
 LENGTH_VARIATION = ColorMap("length_variation_color", "Change of length", 0.0, 0.1, is_percent=True)
 ARAP_ENERGY = ColorMap("arap_energy_color", "Distortion", 0.0, 0.1)
 COLOR_MAPS = (ASPECT_RATIO, STRETCH, LENGTH_VARIATION, ARAP_ENERGY)

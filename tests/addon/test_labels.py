@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is written on flat pieces leaves them to be seen, says what seams join, and shows which way the grain runs."""
+
+import math
+
+import bpy
+import numpy as np
+import pytest
+from mathutils import Matrix
+from surfaces import bump, flat_of, flatten, grid, mark, mark_seam, on_line, read, select_only
+
+HEIGHT, LETTER = 10.0, 6.0  # pixels
+
+
+def size_of(text):
+    return LETTER * len(text), HEIGHT
+
+
+def label(addon, *texts, at=(100, 100), room=200.0, piece=1, box=None, selected=False):
+    points = np.array([at], dtype=float)
+    around = None if box is None else np.array(box, dtype=float)
+    return addon.overlay.screen.PlacedName(texts, points, 100.0, ("Flat", piece), room, around, selected)
+
+
+def written(addon, *names):
+    return [text.text for text in addon.overlay.screen.arrange(names, size_of)]
+
+
+def test_labels_hide_at_most_a_quarter_of_a_piece(addon):
+    def names(room):
+        return [label(addon, f"Seam {k}", at=(100, 30 * k), room=room) for k in range(1, 10)]
+
+    assert len(written(addon, *names(200.0))) == 9
+    few = written(addon, *names(80.0))
+    area = (6 * LETTER + 2 * 3) * (HEIGHT + 2 * 3)
+    assert len(few) == int(0.25 * 80**2 / area) == 2
+    assert written(addon, *names(10.0)) == []
+    other = [label(addon, "Seam 20", at=(400, 100), room=80.0, piece=2)]  # has room of its own
+    assert written(addon, *names(80.0), *other) == [*few, "Seam 20"]
+
+
+def test_the_name_of_a_piece_too_small_for_it_stands_beside_it_and_on_no_other(addon):
+    arrange, box = addon.overlay.screen.arrange, [(90, 90), (110, 110)]
+    (inside,) = arrange([label(addon, "Front", box=box)], size_of)
+    assert inside.base > 100
+    front = label(addon, "Front", room=20.0, box=box)
+    (below,) = arrange([front], size_of)
+    assert below.base + HEIGHT < 90
+    assert below.left + size_of("Front")[0] / 2 == 100
+    back = label(addon, "Back", at=(100, 60), piece=2, box=[(0, 0), (200, 88)])  # where that would be
+    above, _ = arrange([front, back], size_of)
+    assert above.base > 110
+
+
+def test_what_is_selected_is_written_on_the_smallest_piece(addon):
+    assert written(addon, label(addon, "Seam 4", room=1.0)) == []
+    assert written(addon, label(addon, "Seam 4", room=1.0, selected=True)) == ["Seam 4"]
+
+
+def test_a_seam_says_what_it_joins_where_there_is_room(addon):
+    texts = ("Seam 4: Left sleeve", "Seam 4")
+    assert written(addon, label(addon, *texts, room=400.0)) == [texts[0]]
+    assert written(addon, label(addon, *texts, room=120.0)) == [texts[1]]
+
+
+@pytest.fixture
+def source():
+    target = grid("Bump", bump)
+    mark_seam(target, on_line(0, 0.0))
+    mark(target, on_line(1, 0.0))
+    flatten(target)
+    return target
+
+
+def drawn(addon, target):
+    return addon.overlay.objects.marked_lines(target, bpy.context.evaluated_depsgraph_get())
+
+
+def test_on_the_model_a_seam_names_both_pieces_and_on_each_piece_the_other(addon, source):
+    names = [piece["name"] for piece in addon.flat.reports.last_report(source)["pieces"]]
+    on_model = {name.texts[0] for name in drawn(addon, source).names}
+    assert f"Seam 1: {names[0]} – {names[1]}" in on_model
+    on_flat = {name.texts[0] for name in drawn(addon, flat_of(source)).names}
+    assert {f"Seam 1: {name}" for name in names} < on_flat
+
+
+def arrows(addon, source, kind):
+    """(k,2) from the tail of each arrow to its tip."""
+    corners = drawn(addon, flat_of(source)).places.get(kind, np.empty((0, 3))).reshape(-1, 6, 3)
+    return corners[:, 1, :2] - corners[:, 0, :2]
+
+
+def test_a_grain_arrow_stands_upright_on_every_piece(addon, source):
+    found = arrows(addon, source, "default grain")
+    assert len(found) == 2
+    assert np.allclose(found[:, 0], 0, atol=1e-5) and np.all(found[:, 1] > 0.1)
+
+
+def test_arrows_lie_inside_their_pieces(addon, source):
+    lines = drawn(addon, flat_of(source)).places
+    outline = np.concatenate([lines["seam"], lines["outline"]])
+    for corners in lines["default grain"].reshape(2, -1, 3):
+        assert np.linalg.norm(outline[:, None] - corners, axis=2).min() > 0.05
+        level = outline[np.abs(outline[:, 1] - corners[1, 1]) < 0.3]  # beside the tip
+        assert level[:, 0].min() < corners[1, 0] < level[:, 0].max()
+
+
+def test_arrows_are_bold_where_the_grain_wire_runs(addon, source):
+    mark(source, lambda a, b: on_line(1, 0.5)(a, b) and max(a[0], b[0]) < 0.1)
+    source.data.wirewarp_grain = source.data.wirewarp_names[-1].wire_id
+    flatten(source)
+    assert (len(arrows(addon, source, "grain")), len(arrows(addon, source, "default grain"))) == (1, 1)
+
+
+def test_arrows_turn_with_their_pieces(addon, source):
+    flat = flat_of(source)
+    flat.data.transform(Matrix.Rotation(math.radians(30), 4, "Z"))
+    bpy.context.view_layer.update()
+    for arrow in arrows(addon, source, "default grain"):
+        assert math.degrees(math.atan2(arrow[1], arrow[0])) == pytest.approx(120, abs=0.1)
+    flatten(source)  # pieces stay turned, and so does their grain
+    for arrow in arrows(addon, source, "default grain"):
+        assert math.degrees(math.atan2(arrow[1], arrow[0])) == pytest.approx(120, abs=0.1)
+
+
+def test_pieces_of_an_earlier_version_have_no_arrows(addon, source):
+    del flat_of(source).data["wirewarp_grain_axes"]
+    assert len(arrows(addon, source, "default grain")) == 0
+
+
+def test_arrows_survive_vertices_that_are_gone(addon, source):
+    flat = flat_of(source)
+    select_only(flat)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.delete(type="VERT")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert len(read(flat.data.vertices, "co", np.float32, 3)) == 0
+    assert len(arrows(addon, source, "default grain")) == 0
