@@ -123,6 +123,17 @@ def test_arrows_turn_with_their_pieces(addon, source):
         assert math.degrees(math.atan2(arrow[1], arrow[0])) == pytest.approx(120, abs=0.1)
 
 
+def test_on_paper_the_grain_turns_with_the_piece_too(addon, source):
+    flat = flat_of(source)
+    flat.data.transform(Matrix.Rotation(math.radians(30), 4, "Z"))
+    bpy.context.view_layer.update()
+    choices = addon.flat.pattern.PatternChoices(10.0, 100.0, "close")
+    for piece in addon.flat.pattern.read_pattern(bpy.context.scene, source, choices, False).pieces:
+        (line,) = piece.of_role("grain")
+        way = line.points[1] - line.points[0]
+        assert math.degrees(math.atan2(way[1], way[0])) == pytest.approx(120, abs=0.1)
+
+
 def test_pieces_of_an_earlier_version_have_no_arrows(addon, source):
     del flat_of(source).data["wirewarp_grain_axes"]
     assert len(arrows(addon, source, "default grain")) == 0

@@ -22,6 +22,7 @@ from ..names import PIECE_INDEX, SOURCE_VERTEX
 from ..pattern.chains import EdgeMarks, chains_of_marks, edge_keys
 from ..pattern.outlines import FlatPieces, OutlineEdges, outline_of, piece_of_vertices
 from ..pattern.polygons import Segments, overlap
+from .grain import UP, grain_directions
 from .object import is_true_size
 from .read import has_flat_attributes, has_kept_shape, read_flat_attribute, read_flat_pieces
 from .reports import pieces_report
@@ -60,7 +61,7 @@ def read_pattern(
     allowances = _allowances(source, report, millimeters, bpy.context.evaluated_depsgraph_get())
     try:
         return pattern.Pattern.from_pieces(
-            _pieces(report, pieces, names),
+            _pieces(report, pieces, names, grain_directions(flat.data, pieces.vertices)),
             [seam["name"] for seam in report["seams"]],
             title=source.name,
             allowance=choices.allowance,
@@ -93,7 +94,7 @@ def read_cut_lines(
     without_wires = replace(pieces, marks=EdgeMarks.none(len(pieces.edges)))
     try:
         lines = pattern.cut_lines(
-            _pieces(report, without_wires, {}),
+            _pieces(report, without_wires, {}, {}),
             allowance=allowance,
             allowances=allowances.both,
             side_allowances=allowances.sides,
@@ -104,7 +105,10 @@ def read_cut_lines(
     return [line / millimeters for line in lines]
 
 
-def _pieces(report: dict, flat: FlatPieces, wire_names: Mapping[int, str]) -> list[pattern.FlatPiece]:
+def _pieces(
+    report: dict, flat: FlatPieces, wire_names: Mapping[int, str], grains: Mapping[int, np.ndarray]
+) -> list[pattern.FlatPiece]:
+    """grains: by index of the piece; upright where there is none."""
     outline = outline_of(flat)
     wires = _inner_wires(flat, outline, wire_names)
     found = []
@@ -118,7 +122,8 @@ def _pieces(report: dict, flat: FlatPieces, wire_names: Mapping[int, str]) -> li
             if not edges.issuperset(step[::-1] for step in steps):
                 raise object_error("edited_pieces", EDITED)
         name, inside = piece["name"], wires.get(piece["index"], [])
-        found.append(pattern.FlatPiece(name, flat.vertices, flat.source_vertex, own, chains, inside))
+        grain = grains.get(piece["index"], UP)
+        found.append(pattern.FlatPiece(name, flat.vertices, flat.source_vertex, own, chains, inside, grain))
     return found
 
 

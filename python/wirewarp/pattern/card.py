@@ -7,11 +7,11 @@ import numpy as np
 
 from .interior import place_text
 from .line_names import line_names
-from .model import PatternPiece
+from .model import PatternPiece, Text
 from .room import Room
 from .units import UnitSystem
 
-TEXT_HEIGHT = 8.0  # millimeters, at most
+TEXT_HEIGHT, LEAST_HEIGHT = 8.0, 2.5  # millimeters; smaller letters cannot be read on cloth, and are left out
 
 
 def with_card(
@@ -26,10 +26,16 @@ def with_card(
     lines = (title, place, piece.name, how_to_cut(piece), piece.material, includes, units.area_text(piece.area))
     drawn = [line.points for line in piece.of_role("wire", "grain", "sew")]
     outlines = [line.points for line in piece.of_role("cut", "inner_cut")]
-    text = place_text(tuple(line for line in lines if line.strip()), outlines, drawn, TEXT_HEIGHT)
+    text = _card([tuple(line for line in lines if line.strip()), (piece.name,), (place,)], outlines, drawn)
     notches = [point.stroke for point in piece.points]
-    room = Room([np.concatenate([line, line[:1]]) for line in outlines], [*drawn, *notches], [text])
-    return replace(piece, number=number, texts=[text, *line_names(piece.lines, room)])
+    room = Room([np.concatenate([line, line[:1]]) for line in outlines], [*drawn, *notches], text)
+    return replace(piece, number=number, texts=[*text, *line_names(piece.lines, room)])
+
+
+def _card(cards: list[tuple[str, ...]], outlines: list[np.ndarray], drawn: list[np.ndarray]) -> list[Text]:
+    """The first of the cards, from the fullest to the shortest, that can be read; none in a piece too small for any."""
+    texts = (place_text(card, outlines, drawn, TEXT_HEIGHT) for card in cards)
+    return next(([text] for text in texts if text.height >= LEAST_HEIGHT), [])
 
 
 def how_to_cut(piece: PatternPiece) -> str:

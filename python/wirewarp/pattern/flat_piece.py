@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flat pieces as a pattern is made of them, wherever they come from."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -35,6 +35,7 @@ class FlatPiece:
     outline: np.ndarray  # (b,2) vertices of the piece at both ends of each edge that one face has, as that face runs
     chains: list[Chain]  # which run as these edges do
     wires: list[FlatWire]
+    grain: np.ndarray = field(default_factory=lambda: np.array([0.0, 1.0]))  # (2,) unit vector; upright, as laid out
 
 
 def flat_piece(piece: "Piece", name: str, scale: float) -> FlatPiece:

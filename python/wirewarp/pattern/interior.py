@@ -12,7 +12,7 @@ from .outline import lengths_along
 WIDE = 3.0  # room for text is sought this much wider than high
 LETTER, LINE = 0.62, 1.35  # width of a letter and distance of lines, by the height of the text
 NEARLY = 0.6  # as high as upright: level text is easier to read
-SMALL = 0.25  # of the largest height: rather than smaller, text is written over lines
+SMALL = 0.3125  # of the largest height, 2.5 of 8 mm: rather than smaller, text is written over lines
 STEPS, ROUNDS = 8, 3
 SAMPLES = 100  # points on the outline from which distances are measured: text need not fit to the last
 

@@ -31,7 +31,8 @@ def _choices(line: Line) -> Iterator[Text]:
     is_seam = line.role == "sew"
     for height in HEIGHTS:
         short = NUMBERED.sub("", line.name) if is_seam else line.name
-        text = line.name if text_width(line.name, height) <= along[-1] / 2 else short
+        texts = [f"{line.name}: {line.joins}", line.name] if line.joins else [line.name]
+        text = next((each for each in texts if text_width(each, height) <= along[-1] / 2), short)
         if text_width(text, height) > along[-1]:
             continue
         for share in ALONG_SEAM if is_seam else ALONG_WIRE:

@@ -19,6 +19,7 @@ class Line:
     name: str = ""  # "Seam 3", or the name of the wire
     width: float | None = None  # of sew lines: the allowance outside of it
     seam: int | None = None  # of sew lines: index into the result's seams; None where nothing is sewn to it
+    joins: str = ""  # of sew lines: the names of the other pieces that are sewn to it
     kind: str = ""  # of wires: "rigid", "elastic" or "super_elastic"
 
     def moved(self, offset: np.ndarray) -> "Line":

@@ -20,7 +20,7 @@ from .marks import marks
 from .mirror import fold_of, mirror_between
 from .model import PatternPiece
 from .notches import check_spacing
-from .pieces import finished, lay_all, warnings_of
+from .pieces import finished, joined_by, lay_all, warnings_of
 from .roles import KINDS
 from .seams import sewn_sides
 from .units import Units, UnitSystem, counted
@@ -130,7 +130,8 @@ class Pattern:
         system = UnitSystem(units)
         text = system.range_of([run.width for piece in laid for own in piece.outlines for run in own.runs if run.width])
         points = marks(laid, seams, notch_spacing)
-        done = [finished(own, points[own.index], seam_names, material) for own in laid]
+        joined = joined_by(laid)
+        done = [finished(own, points[own.index], seam_names, joined, material) for own in laid]
         warnings = [warning for own in laid for warning in warnings_of(own)]
         low = np.min([piece.bounds[0] for piece in done], axis=0)
         return cls(title, [piece.moved(-low) for piece in done], text, system, warnings)._with_cards()

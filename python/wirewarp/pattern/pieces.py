@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From the outlines of flat pieces to pieces of a pattern: cut lines, sew lines, wires, marks and texts."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,6 +29,7 @@ class Laid:
     outlines: list[Outline]
     cut: CutLines
     wires: list[Line]
+    grain: np.ndarray  # (2,) unit vector
 
     @property
     def rays(self) -> Rays:
@@ -62,7 +63,7 @@ def _lay(index: int, piece: FlatPiece, loops: list[list[Side]], outlines: list[O
     """With the cut lines and the wires inside of the piece."""
     cut = cut_lines([outline.stretches for outline in outlines if outline.stretches])
     wires = [Line("wire", piece.vertices[wire.vertices], name=wire.name, kind=wire.kind) for wire in piece.wires]
-    return Laid(index, piece.name, loops, outlines, cut, wires)
+    return Laid(index, piece.name, loops, outlines, cut, wires, piece.grain)
 
 
 def warnings_of(laid: Laid) -> list[str]:
@@ -83,7 +84,18 @@ def warnings_of(laid: Laid) -> list[str]:
     return found
 
 
-def lines_of(laid: Laid, seam_names: Sequence[str]) -> list[Line]:
+def joined_by(pieces: Sequence[Laid]) -> dict[int, list[str]]:
+    """By index of the seam, the names of the pieces that it joins, one for each side."""
+    names: dict[int, list[str]] = {}
+    for laid in pieces:
+        for side in (side for loop in laid.loops for side in loop):
+            if side.seam is not None:
+                names.setdefault(side.seam, []).append(laid.name)
+    return names
+
+
+def lines_of(laid: Laid, seam_names: Sequence[str], joined: Mapping[int, list[str]]) -> list[Line]:
+    """joined: see joined_by."""
     lines = [Line("cut", points, closed=True) for points in laid.cut.outer]
     lines += [Line("inner_cut", points, closed=True) for points in laid.cut.holes]
     for own in laid.outlines:
@@ -95,21 +107,26 @@ def lines_of(laid: Laid, seam_names: Sequence[str]) -> list[Line]:
             if run.is_fold:
                 lines.append(Line("fold", points))
             else:
-                lines.append(Line("sew", points, is_whole, "" if seam is None else seam_names[seam], run.width, seam))
+                name = "" if seam is None else seam_names[seam]
+                others = [] if seam is None else [other for other in joined[seam] if other != laid.name]
+                joins = " – ".join(dict.fromkeys(others))
+                lines.append(Line("sew", points, is_whole, name, run.width, seam, joins=joins))
     return [*lines, *laid.wires]
 
 
 def grain_line(laid: Laid) -> Line:
-    """Upright, where there is most room beside wires."""
+    """Where there is most room beside wires."""
     center, _ = innermost_point(laid.sew_loops, [wire.points for wire in laid.wires])
     rays = Rays(laid.sew_loops)
-    up, down = (GRAIN * rays.to_cut(center, np.array([0.0, sign])) for sign in (1, -1))
-    return Line("grain", center + np.array([[0.0, -down], [0.0, up]]))
+    up, down = (GRAIN * rays.to_cut(center, sign * laid.grain) for sign in (1, -1))
+    return Line("grain", center + np.array([-down * laid.grain, up * laid.grain]))
 
 
-def finished(laid: Laid, points: Sequence[Point], seam_names: Sequence[str], material: str) -> PatternPiece:
-    """The piece, still without a text."""
-    lines = [*lines_of(laid, seam_names), grain_line(laid)]
+def finished(
+    laid: Laid, points: Sequence[Point], seam_names: Sequence[str], joined: Mapping[int, list[str]], material: str
+) -> PatternPiece:
+    """The piece, still without a text. joined: see joined_by."""
+    lines = [*lines_of(laid, seam_names, joined), grain_line(laid)]
     area = abs(sum(map(signed_area, laid.sew_loops)))
     on_fold = any(run.is_fold for outline in laid.outlines for run in outline.runs)
     return PatternPiece(laid.index + 1, laid.name, lines, list(points), [], (1, 0), material, on_fold, area)
