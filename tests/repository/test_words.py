@@ -10,6 +10,23 @@ READ = ("README.md", "CHANGELOG.md", "docs/*.md", "addon/**/*.py", "python/**/*.
 APART = re.compile(r"[0-9}] %(?! ?[\w(])")
 
 
+LINK = re.compile(r"\]\((?!https?:)([^)#]+)")
+
+
+def test_links_of_documents_lead_somewhere():
+    documents = [file for pattern in ("*.md", "docs/*.md", "addon/*.md", "native/*.md") for file in ROOT.glob(pattern)]
+    links = [(file, link) for file in documents for link in LINK.findall(file.read_text())]
+    assert len(links) > 20
+    assert [(file.name, link) for file, link in links if not (file.parent / link).exists()] == []
+
+
+def test_the_readme_opens_with_what_it_is_and_the_two_commands():
+    lines = (ROOT / "README.md").read_text().splitlines()
+    first_screen = "\n".join(lines[:25])
+    assert "./dev demo" in first_screen and "./dev test" in first_screen
+    assert first_screen.index("![") < first_screen.index("./dev demo")  # a maker sees the picture first
+
+
 def test_percent_stands_at_its_number():
     files = [file for pattern in READ for file in ROOT.glob(pattern)]
     assert len(files) > 100
