@@ -165,6 +165,32 @@ def test_a_build_is_not_repeated_at_once(addon, source, timers, monkeypatch):
     assert drawing(4) == 4  # but what changes with every redraw is built all the same
 
 
+def test_what_is_slow_to_build_waits_in_edit_mode_until_the_user_rests(addon, source, timers, monkeypatch):
+    cache = addon.overlay.cache
+    clock = SimpleNamespace(now=100.0)
+    monkeypatch.setattr(cache, "time", SimpleNamespace(monotonic=lambda: clock.now))
+    built = []
+
+    def build(version):
+        clock.now += 0.25  # seconds
+        built.append(version)
+        return version
+
+    def drawing(version):
+        return cache.kept_drawing(source, "test", (version,), lambda: build(version))
+
+    assert drawing(0) == 0
+    clock.now += 10
+    select_edges(source, RIGID)
+    for version in range(1, 100):  # as while vertices are dragged
+        assert drawing(version) == 0
+        clock.now += 0.05
+    assert built == [0]
+    clock.now += 0.16
+    assert drawing(99) == 99
+    assert built == [0, 99]
+
+
 def handlers_of(addon):
     """How many of Blender's handlers of each kind are ours."""
     kinds = {name: getattr(bpy.app.handlers, name) for name in dir(bpy.app.handlers)}

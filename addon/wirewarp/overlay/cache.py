@@ -16,6 +16,7 @@ IDLE_SHARE = 9  # after a build there is none for so many times as long: buildin
 MAX_IDLE = 1.0  # more where it is slow, for after so many seconds what is seen would be old
 FELT = 0.03  # seconds: what took longer to build is seen one redraw later, so that the screen moves with the hand
 SOON = 0.01  # seconds until that redraw
+REST = 0.2  # seconds without a change until it is built in Edit Mode, where the user may be dragging
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,8 @@ class _Entry:
     value: Any
     rests_until: float  # seconds of the monotonic clock
     is_slow: bool
-    has_waited: bool = False
+    awaited: tuple | None = None  # what it was to be made of when that was put off
+    since: float = 0.0  # when
 
 
 _entries: dict[tuple[str, str], _Entry] = {}
@@ -49,9 +51,13 @@ def kept_drawing(owner: bpy.types.Object, what: str, made_of: tuple, build: Call
     if entry and entry.made_of == made_of:
         return entry.value
     if entry:
-        wait = entry.rests_until - now if now < entry.rests_until else SOON * (entry.is_slow and not entry.has_waited)
+        is_edited = owner.mode == "EDIT"
+        if entry.awaited is None or (is_edited and entry.awaited != made_of):
+            entry = replace(entry, awaited=made_of, since=now)
+        pause = (REST if is_edited else SOON) if entry.is_slow else 0.0
+        wait = max(entry.rests_until, entry.since + pause) - now
         if wait > 0:
-            _entries[key] = replace(entry, has_waited=True)
+            _entries[key] = entry
             _redraw_in(wait)
             return entry.value
     value = build()
