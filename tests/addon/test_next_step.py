@@ -112,7 +112,7 @@ def test_what_only_can_be_looked_at_is_shown(addon):
     assert bpy.ops.mesh.wirewarp_select_result(**step.settings) == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")
     source.data.vertices[6].co.z = float("nan")
-    flatten_fails("")
+    flatten_fails(".")
     assert step_of(addon, source).text == "Show Failed Place"
 
 

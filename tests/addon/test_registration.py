@@ -166,3 +166,7 @@ def test_menu_entries_take_the_settings_of_the_scene_and_stand_under_the_add_on_
         layout = MenuLayout()
         cls.draw(SimpleNamespace(layout=layout), None)
         assert set(layout.contexts) == {"INVOKE_DEFAULT"}
+
+
+def test_new_pieces_are_shown_unless_the_user_says_otherwise(addon):
+    assert addon.properties.preferences(bpy.context).moves_view

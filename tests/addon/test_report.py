@@ -151,11 +151,11 @@ def strain_sentence(pieces, percent):
 
 def test_pieces_that_cloth_cannot_follow_are_not_ready_to_cut(addon):
     verdict = addon.report.verdict.verdict
-    assert verdict(report_of_pieces(1.65)) == [(strain_sentence("Piece 1", 65), "ERROR")]
+    assert verdict(report_of_pieces(1.65)) == [(strain_sentence("Piece 1", 65), "AMBER")]
     assert verdict(report_of_pieces(1.65, None, 1.1, 14.0)) == [
         ("Do not cut: 1 of 4 pieces failed", "CANCEL"),
-        ("Piece 4 cannot be sewn from this. Add seams there.", "ERROR"),
-        (strain_sentence("Piece 1", 65), "ERROR"),
+        ("Piece 4 cannot be sewn from this. Add seams there.", "AMBER"),
+        (strain_sentence("Piece 1", 65), "AMBER"),
         ("Ready to cut, from cloth that stretches 10%: Piece 3", "TICK"),
     ]
     (line,) = verdict(report_of_pieces(1.3, 1.4, 1.5, 1.6, 1.7, 1.8))
@@ -163,7 +163,7 @@ def test_pieces_that_cloth_cannot_follow_are_not_ready_to_cut(addon):
     report = report_of_pieces(1.0)
     report["pieces"][0] |= {"aspect_ratio_max": None, "stretch_max": None}  # "inf": a face squeezed to a line
     (line,) = verdict(report)
-    assert line == ("Piece 1 cannot be sewn from this. Add seams there.", "ERROR")
+    assert line == ("Piece 1 cannot be sewn from this. Add seams there.", "AMBER")
 
 
 def test_many_good_pieces_are_counted(addon):
@@ -213,7 +213,7 @@ def test_a_half_sphere_keeps_its_lengths_but_is_not_ready_to_cut(addon, tmp_path
     # No rim of length 2 pi encloses more than pi, half the area: some face is squeezed by sqrt(2) one way at least.
     assert report["pieces"][0]["aspect_ratio_max"] > 1.4
     (line,) = addon.report.verdict.verdict(report)
-    assert line.icon == "ERROR"
+    assert line.icon == "AMBER"
     assert line.text.startswith("Half Sphere keeps its lengths, but the cloth must stretch up to")
 
 

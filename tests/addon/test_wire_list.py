@@ -6,7 +6,7 @@ import math
 import bpy
 import numpy as np
 import pytest
-from everything import draw_panels
+from everything import draw_panels, sidebar
 from surfaces import bump, grid, mark, mark_seam, on_line, read, select_edges, select_only, wire_marks
 
 EAST_WEST, NORTH_SOUTH = on_line(1, 0.0), on_line(0, 0.0)
@@ -193,10 +193,12 @@ class Rows:
         self.words.append(getattr(entry, name))
 
 
-def row_of(addon, target, entry):
+def row_of(addon, target, entry, width=600):
     select_only(target)
     rows = Rows()
-    addon.ui.wire_list.WIREWARP_UL_wires.draw_item(None, bpy.context, rows, target.data, entry, 0, target.data, "", 0)
+    addon.ui.wire_list.WIREWARP_UL_wires.draw_item(
+        None, sidebar(width), rows, target.data, entry, 0, target.data, "", 0
+    )
     return rows.words
 
 
@@ -205,6 +207,7 @@ def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source)
     row = row_of(addon, source, source.data.wirewarp_names[1])
     length = sum(wire.length(np.eye(3)) for name, wire in addon.model.wires.listed_wires(source) if name == "Middle")
     assert row == ["Middle", f"±5%  {100 * length:.3f} cm"]
+    assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle", f"{100 * length:.3f} cm"]
 
 
 def test_what_has_no_row_of_its_own_stands_below_and_what_is_gone_nowhere(addon, source):

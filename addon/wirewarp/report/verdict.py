@@ -16,7 +16,7 @@ Entry = tuple[dict, dict]  # a report and one of its pieces
 
 class VerdictLine(NamedTuple):
     text: str
-    icon: str
+    icon: str  # CANCEL: do not cut; AMBER: not before you have looked; TICK: cut
 
 
 def verdict(*reports: dict) -> list[VerdictLine]:
@@ -35,7 +35,7 @@ def verdict(*reports: dict) -> list[VerdictLine]:
         lines.append(VerdictLine(f"Do not cut: {which} failed", "CANCEL"))
     if unsewable:
         names = _shown_names(_worst_first(unsewable), len(reports) > 1)
-        lines.append(VerdictLine(f"{names} cannot be sewn from this. Add seams there.", "ERROR"))
+        lines.append(VerdictLine(f"{names} cannot be sewn from this. Add seams there.", "AMBER"))
     if strained:
         lines.append(_strained_line(_worst_first(strained), len(reports) > 1))
     if not good:
@@ -50,7 +50,7 @@ def as_seen(lines: list[VerdictLine], makers: Iterable[str]) -> list[VerdictLine
     if not makers:
         return lines
     text = f"{' and '.join(makers).capitalize()} were ignored, so sizes differ from what you see"
-    return [line for line in lines if line.icon != "TICK"] + [VerdictLine(text, "ERROR")]
+    return [line for line in lines if line.icon != "TICK"] + [VerdictLine(text, "AMBER")]
 
 
 def left_out_of(report: dict) -> list[str]:
@@ -67,7 +67,7 @@ def _strained_line(strained: list[Entry], with_objects: bool) -> VerdictLine:
     words = strain_words(*(max(largest(piece[name]) for piece in pieces) for name in ("stretch_max", "ease_max")))
     keep, remedy = ("keeps its", "a dart or seam") if len(strained) == 1 else ("keep their", "darts or seams")
     names = _shown_names(strained, with_objects)
-    return VerdictLine(f"{names} {keep} lengths, but the cloth must {words}. Add {remedy} there.", "ERROR")
+    return VerdictLine(f"{names} {keep} lengths, but the cloth must {words}. Add {remedy} there.", "AMBER")
 
 
 def _shown_names(entries: list[Entry], with_objects: bool) -> str:

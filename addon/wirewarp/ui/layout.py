@@ -2,6 +2,7 @@
 """Sentences, tables and marks in a narrow sidebar."""
 
 from functools import lru_cache
+from itertools import pairwise
 
 import blf
 import bpy
@@ -11,9 +12,20 @@ import numpy as np
 WIDE = 330  # in Blender's own pixels; the sidebar starts at half of it
 BESIDE_TEXT = 90  # of the region's width: icon, margins and the tabs
 FONT = 0  # of the user interface
-SIZE, THICKNESS = 64, 0.11  # pixels; half the width of the stroke as a share of them
-STROKE = np.array([[0.16, 0.50], [0.40, 0.25], [0.86, 0.76]])  # from the left; y up
-GREEN = (0.30, 0.78, 0.33)
+SIZE, THICKNESS = 64, 0.08  # pixels; half the width of the stroke as a share of them
+Stroke = list[tuple[float, float]]  # y up
+# Marks that Blender has in gray only: their strokes and their color.
+MARKS: dict[str, tuple[list[Stroke], tuple[float, float, float]]] = {
+    "TICK": ([[(0.16, 0.50), (0.40, 0.25), (0.86, 0.76)]], (0.30, 0.78, 0.33)),
+    "AMBER": (
+        [
+            [(0.13, 0.15), (0.5, 0.85), (0.87, 0.15), (0.13, 0.15)],
+            [(0.5, 0.58), (0.5, 0.42)],
+            [(0.5, 0.27), (0.5, 0.26)],
+        ],
+        (1.0, 0.65, 0.10),
+    ),
+}
 _previews: bpy.utils.previews.ImagePreviewCollection | None = None
 
 
@@ -71,35 +83,36 @@ def draw_sentence(
 ) -> None:
     """Blender cuts long labels off, so the sentence is broken into lines that fit the region less spare pixels.
 
-    icon is a name of Blender's, or "TICK", which is green.
+    icon is a name of Blender's, or one of MARKS.
     """
     column = layout.column(align=True)
     column.scale_y = 0.8
     for number, line in enumerate(broken(context, text, spare)):
-        if number == 0 and icon == "TICK":
-            column.label(text=line, icon_value=green_tick())
+        if number == 0 and icon in MARKS:
+            column.label(text=line, icon_value=mark_icon(icon))
         else:
             column.label(text=line, icon=icon if number == 0 or icon == "NONE" else "BLANK1")
 
 
-def green_tick() -> int:
+def mark_icon(name: str) -> int:
     """Its icon_value; 0, no icon, while the add-on is not registered and where Blender has no window."""
-    return _previews["tick"].icon_id if _previews else 0
+    return _previews[name].icon_id if _previews else 0
 
 
 def mark_of(ok: bool, is_strained: bool = False) -> dict:
     """The arguments of a label: a cross for what failed, a warning for cloth that can hardly follow, or the tick."""
     if not ok:
         return {"icon": "CANCEL"}
-    return {"icon": "ERROR"} if is_strained else {"icon_value": green_tick()}
+    return {"icon_value": mark_icon("AMBER" if is_strained else "TICK")}
 
 
 def attach() -> None:
     global _previews
     _previews = bpy.utils.previews.new()
-    tick = _previews.new("tick")
-    tick.icon_size = (SIZE, SIZE)
-    tick.icon_pixels_float = _pixels().ravel().tolist()
+    for name, (strokes, color) in MARKS.items():
+        mark = _previews.new(name)
+        mark.icon_size = (SIZE, SIZE)
+        mark.icon_pixels_float = _pixels(strokes, color).ravel().tolist()
 
 
 def detach() -> None:
@@ -108,13 +121,14 @@ def detach() -> None:
     _previews = None
 
 
-def _pixels() -> np.ndarray:
+def _pixels(strokes: list[Stroke], color: tuple[float, float, float]) -> np.ndarray:
     """(SIZE, SIZE, 4) RGBA with the colors times alpha, as Blender draws icons; the lowest row first."""
     x, y = np.meshgrid(*2 * [(np.arange(SIZE) + 0.5) / SIZE])
     points = np.stack([x, y], axis=-1)
-    distance = np.min([_distance(points, a, b) for a, b in zip(STROKE[:-1], STROKE[1:], strict=True)], axis=0)
+    lines = [np.array(line) for stroke in strokes for line in pairwise(stroke)]
+    distance = np.min([_distance(points, a, b) for a, b in lines], axis=0)
     alpha = np.clip((THICKNESS - distance) * SIZE + 0.5, 0, 1)
-    return alpha[..., None] * np.array([*GREEN, 1.0])
+    return alpha[..., None] * np.array([*color, 1.0])
 
 
 def _distance(points: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:

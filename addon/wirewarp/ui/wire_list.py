@@ -11,7 +11,7 @@ from ..model.owners import model_of
 from ..model.wires import WireSummary, editable_name, listed_wires
 from ..overlay.cache import kept_drawing
 from ..words import counted, tolerance_text
-from .layout import SidebarPanel, draw_sentence
+from .layout import SidebarPanel, draw_sentence, is_wide
 
 ROWS = 5  # of the list, however many wires there are: what stands below stays where it is
 SHOWN_UNLISTED = 3
@@ -42,11 +42,12 @@ class WIREWARP_UL_wires(bpy.types.UIList):
         if wire is None:
             line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
             return
-        icon = "EMPTY_SINGLE_ARROW" if mesh.wirewarp_grain == entry.wire_id else "BLANK1"
-        line.prop(entry, "name", text="", emboss=False, icon=icon)
-        figures = line.row()
+        icon = "EMPTY_SINGLE_ARROW" if mesh.wirewarp_grain == entry.wire_id else "NONE"
+        columns = line.split(factor=0.5)
+        columns.prop(entry, "name", text="", emboss=False, icon=icon)
+        figures = columns.row()
         figures.alignment = "RIGHT"
-        figures.label(text=_figures(context, wire))
+        figures.label(text=_figures(context, wire) if is_wide(context) else _length(context, wire))
 
     def filter_items(
         self, context: bpy.types.Context, mesh: bpy.types.Mesh, entries_name: str
@@ -70,8 +71,12 @@ def _wire_of(target: bpy.types.Object, entry: bpy.types.PropertyGroup) -> WireSu
 
 
 def _figures(context: bpy.types.Context, wire: WireSummary) -> str:
+    return f"{tolerance_text(wire.tolerance)}  {_length(context, wire)}"
+
+
+def _length(context: bpy.types.Context, wire: WireSummary) -> str:
     linear = np.array(context.active_object.matrix_world, dtype=np.float64)[:3, :3]
-    return f"{tolerance_text(wire.tolerance)}  {length_text(context.scene)(wire.length(linear))}"
+    return length_text(context.scene)(wire.length(linear))
 
 
 class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
@@ -106,7 +111,7 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
 def _draw_buttons(layout: bpy.types.UILayout, mesh: bpy.types.Mesh, wire: WireSummary) -> None:
     row = layout.row(align=True)
     row.operator("mesh.wirewarp_select_wire", text="Select", icon="RESTRICT_SELECT_OFF").edge = wire.edges[0]
-    row.operator("mesh.wirewarp_change_wire", text="Change").edge = wire.edges[0]
+    row.operator("mesh.wirewarp_change_wire", text=tolerance_text(wire.tolerance)).edge = wire.edges[0]
     grain = row.row(align=True)
     is_grain = mesh.wirewarp_grain == wire.wire_id
     grain.operator(
