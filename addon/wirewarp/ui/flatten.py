@@ -68,7 +68,7 @@ def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: b
     if not sentence:
         return
     column = layout.column(align=True)
-    draw_sentence(context, column, sentence, "ERROR")
+    draw_sentence(context, column, sentence, "AMBER")
     for unit in likely_units(source):
         column.operator("scene.wirewarp_set_unit", text=unit_text(source, unit)).meters = unit
 
