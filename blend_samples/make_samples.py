@@ -16,12 +16,11 @@ import bpy
 import numpy as np
 
 FOLDER = Path(__file__).resolve().parent
-sys.path[:0] = [str(FOLDER), str(FOLDER.parent / "addon" / "wirewarp")]
+sys.path[:0] = [str(FOLDER), str(FOLDER.parent / "addon" / "wirewarp" / "blender")]
 
-from framing import Projection, fit  # noqa: E402 (the folder must be on the path first)
 from shapes import Shape, all_shapes  # noqa: E402 (the folder must be on the path first)
+from views import Projection, fit  # noqa: E402 (the folder must be on the path first)
 
-PACKED = 0.33  # share of their square that the pieces cover at least
 COTANGENTS = (1.7, 2.6)  # of half the angles of Blender's usual view, the sidebar and the toolbar taken off
 
 
@@ -81,16 +80,6 @@ def file_name(shape: Shape) -> str:
     return f"{shape.name.lower().replace(' ', '_')}.blend"
 
 
-def room_for_pieces(shape: Shape) -> np.ndarray:
-    """Corners (4,3) of a square on the floor beside the model, about where Flatten will put the pieces."""
-    low, high = shape.vertices.min(axis=0), shape.vertices.max(axis=0)
-    a, b, c = shape.vertices[shape.triangles()].transpose(1, 0, 2)
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
-    side = np.sqrt(area / PACKED)
-    corner = np.array([high[0] + 0.1 * (high - low).max(), low[1], low[2]])
-    return corner + side * np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]])
-
-
 def show_all(points: np.ndarray) -> None:
     """In every 3D view of the file, with the sidebar open."""
     for screen in bpy.data.screens:
@@ -112,7 +101,7 @@ def write_sample(shape: Shape) -> Path:
     bpy.context.scene.collection.objects.link(model)
     bpy.context.view_layer.objects.active = model
     model.select_set(True)
-    show_all(np.vstack([shape.vertices, room_for_pieces(shape)]))
+    show_all(shape.vertices)  # the first Flatten brings the pieces into view
     path = FOLDER / file_name(shape)
     bpy.ops.wm.save_as_mainfile(filepath=str(path), compress=True, check_existing=False)
     return path
