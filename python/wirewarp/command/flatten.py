@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flattens models one by one or several at a time, and prints what became of each."""
+
+import hashlib
+import json
+import multiprocessing
+import time
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from .. import FlattenError, __version__, flatten
+from ..pattern import Pattern
+from ..pattern.replace_file import replaced_file
+from .arguments import MILLIMETERS, Arguments, Request
+from .input_error import InputError
+from .lines import FROM_MODEL, seams_of, wires_of
+from .model import read_model
+
+READY, FAILED, REFUSED = "ready to cut", "not ready to cut", "refused"
+EXIT_CODES = {READY: 0, FAILED: 1, REFUSED: 2}
+Line = dict[str, Any]
+
+
+def flatten_models(arguments: Arguments) -> int:
+    """Prints one line of JSON for each model; returns the exit code, that of the worst."""
+    worst = 0
+    for line in _all(arguments):
+        print(json.dumps(line, ensure_ascii=False), flush=True)
+        worst = max(worst, EXIT_CODES[line["verdict"]])
+    return worst
+
+
+def _all(arguments: Arguments) -> Iterator[Line]:
+    if arguments.jobs == 1:
+        yield from map(flatten_model, arguments.requests)
+        return
+    fresh = multiprocessing.get_context("spawn")  # the threads of the library are not for children of a fork
+    with ProcessPoolExecutor(arguments.jobs, mp_context=fresh) as pool:
+        yield from pool.map(flatten_model, arguments.requests)
+
+
+def flatten_model(request: Request) -> Line:
+    """Never raises for what is wrong with the model or the folder: the line says it."""
+    begin = time.monotonic()
+    try:
+        line = _done_before(request) or _flattened(request)
+    except (InputError, FlattenError) as error:
+        line = {"verdict": REFUSED, "problems": [str(error)]}
+    except OSError as error:
+        line = {"verdict": REFUSED, "problems": [f"{error.filename or request.folder}: {error.strerror or error}"]}
+    return {"model": str(request.model), **line, "seconds": round(time.monotonic() - begin, 3)}
+
+
+def _report_path(request: Request) -> Path:
+    return request.folder / f"{request.model.stem}.json"
+
+
+def _done_before(request: Request) -> Line | None:
+    """The line of the last time, if nothing has changed since and all that was written is there."""
+    path = _report_path(request)
+    if not request.resume or not path.is_file():
+        return None
+    try:
+        line: Line = json.loads(path.read_text(encoding="utf-8"))["line"]
+        is_same = line["made_of"] == _made_of(request)
+    except (ValueError, KeyError, TypeError):
+        return None  # no report of ours: it is written anew
+    return {**line, "skipped": True} if is_same and all(Path(file).is_file() for file in line["files"]) else None
+
+
+def _made_of(request: Request) -> str:
+    """A digest of the version, the settings and the files."""
+    settings = {key: str(value) for key, value in asdict(request).items() if key not in ("folder", "resume")}
+    digest = hashlib.blake2b(json.dumps([__version__, settings], sort_keys=True).encode(), digest_size=16)
+    files = [request.model, *(Path(name) for name in (request.seams, request.wires) if name not in ("", *FROM_MODEL))]
+    for file in files:
+        if not file.is_file():
+            raise InputError(f'There is no file "{file}".')
+        digest.update(hashlib.blake2b(file.read_bytes()).digest())
+    return digest.hexdigest()
+
+
+def _flattened(request: Request) -> Line:
+    model, wires, made_of = read_model(request.model), wires_of(request.wires), _made_of(request)
+    request.folder.mkdir(parents=True, exist_ok=True)
+    result = flatten(model.vertices, model.faces, seams=seams_of(model, request.seams), wires=wires)
+    problems = [f"Piece {n}: {piece.error.message}" for n, piece in enumerate(result.pieces, start=1) if piece.error]
+    line: Line = {
+        "verdict": FAILED if problems else READY,
+        "pieces": len(result.pieces),
+        "problems": problems,
+        "warnings": [],
+        "files": [str(_report_path(request))],
+        "made_of": made_of,
+    }
+    if not problems:
+        pattern = Pattern.from_result(
+            result,
+            title=request.model.stem,
+            millimeters_per_unit=MILLIMETERS[request.unit],
+            allowance=request.allowance,
+            hem=request.hem,
+        )
+        for kind in request.formats:
+            options = {"paper": request.page} if kind == "pdf" else {}
+            written = pattern.write(request.folder / f"{request.model.stem}.{kind}", **options)
+            line["files"].append(str(written.path))
+            line["warnings"] += [warning for warning in written.warnings if warning not in line["warnings"]]
+    report = {"line": line, "unit": request.unit, **result.to_dict()}
+    with replaced_file(_report_path(request)) as unfinished:
+        unfinished.write_text(json.dumps(report, ensure_ascii=False), encoding="utf-8")
+    return line

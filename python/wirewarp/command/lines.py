@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Seams and wires of a model: from its UV map, from its sharp edges, or from JSON files."""
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .. import FlattenError, Wire
+from .arguments import FROM_MODEL
+from .input_error import InputError
+from .model import Model
+
+SHARP = math.radians(30)  # as in Blender's Select Sharp Edges
+SAME_UV = 1e-6  # of the unit square: files have about as many decimals
+
+
+def seams_of(model: Model, wanted: str) -> np.ndarray:
+    """(k,2) vertices. wanted: "uv", "sharp", a path, or "". Raises InputError."""
+    if not wanted:
+        return np.empty((0, 2), dtype=np.int64)
+    if wanted == "uv":
+        if model.corner_uv is None:
+            raise InputError("The model has no UV map, so there are no islands to cut along.")
+        return _island_borders(model, model.corner_uv)
+    if wanted == "sharp":
+        return _sharp_edges(model)
+    chains = _read(Path(wanted))
+    if not isinstance(chains, list) or not all(_is_chain(chain) for chain in chains):
+        raise InputError(f'"{wanted}" must be a JSON list of lines of vertices, as [[0, 1, 2], [5, 6]].')
+    pairs = [pair for chain in chains for pair in zip(chain[:-1], chain[1:], strict=True)]
+    return np.array(pairs, dtype=np.int64).reshape(-1, 2)
+
+
+def wires_of(path: str) -> list[Wire]:
+    """Raises InputError."""
+    if not path:
+        return []
+    entries = _read(Path(path))
+    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
+        raise InputError(f'"{path}" must be a JSON list of wires, as [{{"vertices": [0, 1], "tolerance": 0.03}}].')
+    wires = []
+    for number, entry in enumerate(entries, start=1):
+        unknown = set(entry) - {"vertices", "tolerance", "name"}
+        if unknown or not _is_chain(entry.get("vertices")):
+            what = f"has {min(unknown)!r}" if unknown else "has no list of vertices"
+            raise InputError(f'Wire {number} of "{path}" {what}: give vertices, tolerance, name.')
+        tolerance = entry.get("tolerance", 0.0)
+        try:
+            wire = Wire(entry["vertices"], math.inf if tolerance == "inf" else tolerance, entry.get("name", ""))
+        except (FlattenError, TypeError) as error:
+            raise InputError(f'Wire {number} of "{path}": {error}') from error
+        wires.append(wire)
+    return wires
+
+
+def _read(path: Path) -> Any:  # noqa: ANN401
+    if not path.is_file():
+        raise InputError(f'There is no file "{path}" ("{FROM_MODEL[0]}" and "{FROM_MODEL[1]}" are no files).')
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise InputError(f'"{path}" is no JSON: {error}') from error
+
+
+def _is_chain(value: object) -> bool:
+    return isinstance(value, list) and len(value) > 1 and all(type(vertex) is int for vertex in value)
+
+
+def _sides_at_edges(faces: np.ndarray) -> np.ndarray:
+    """(k,2,2) corners (numbers in the ravelled faces): of each two sides of faces that lie on one edge, their two ends,
+    in the same order.
+    """
+    starts = np.arange(faces.size)
+    ends = starts - starts % 3 + (starts + 1) % 3
+    corners, vertices = np.column_stack([starts, ends]), faces.ravel()
+    ascending = np.where((vertices[starts] < vertices[ends])[:, None], corners, corners[:, ::-1])
+    keys = vertices[ascending] @ np.array([vertices.max() + 1, 1])
+    order = np.argsort(keys, kind="stable")
+    same = keys[order][1:] == keys[order][:-1]
+    return np.stack([ascending[order[:-1][same]], ascending[order[1:][same]]], axis=1)
+
+
+def _island_borders(model: Model, corner_uv: np.ndarray) -> np.ndarray:
+    """(k,2) vertices of the edges whose ends have other places on the map in one face than in the other."""
+    sides = _sides_at_edges(model.faces)
+    places = corner_uv.reshape(-1, 2)[sides]
+    apart = np.abs(places[:, 0] - places[:, 1]).max(axis=(1, 2)) > SAME_UV
+    return np.unique(model.faces.ravel()[sides[apart, 0]], axis=0)
+
+
+def _sharp_edges(model: Model) -> np.ndarray:
+    """(k,2) vertices."""
+    sides = _sides_at_edges(model.faces)
+    a, b, c = model.vertices[model.faces].transpose(1, 0, 2)
+    normals = np.cross(b - a, c - a)
+    first, second = (normals[sides[:, side, 0] // 3] for side in (0, 1))
+    turns = np.arctan2(np.linalg.norm(np.cross(first, second), axis=1), (first * second).sum(axis=1))
+    return np.unique(model.faces.ravel()[sides[turns > SHARP, 0]], axis=0)

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""python -m wirewarp: models from files, the same result as through Python, a sentence for whatever is wrong."""
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pypdfium2
+import pytest
+from patterns import SAMPLES, flattened
+
+trimesh = pytest.importorskip("trimesh")
+# A square of 100 mm with one corner lifted, cut in the middle; by the map in two islands.
+FOLDED = """v 0 0 0\nv .05 0 0\nv .1 0 0\nv 0 .1 0\nv .05 .1 0\nv .1 .1 .04
+vt 0 0\nvt .4 0\nvt .4 1\nvt 0 1\nvt .6 0\nvt 1 0\nvt 1 1\nvt .6 1
+f 1/1 2/2 5/3 4/4\nf 2/5 3/6 6/7 5/8\n"""
+
+
+def run(*words, code=0):
+    """The lines that are printed, and what is said besides."""
+    command = [sys.executable, "-m", "wirewarp", "flatten", *map(str, words)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == code, done.stderr
+    return [json.loads(line) for line in done.stdout.splitlines()], done.stderr
+
+
+@pytest.fixture
+def model(tmp_path):
+    path = tmp_path / "Folded.obj"
+    path.write_text(FOLDED)
+    return path
+
+
+def write_sample(name, path):
+    """In Blender's order, quads as quads."""
+    shape = SAMPLES[name]
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in np.asarray(shape.vertices, dtype=float).tolist()]
+    lines += ["f " + " ".join(str(corner + 1) for corner in face) for face in shape.faces]
+    path.write_text("\n".join(lines) + "\n")
+    (path.parent / "seams.json").write_text(json.dumps(np.asarray(shape.seams).tolist()))
+    wires = [{"vertices": list(wire.vertices), "tolerance": wire.tolerance, "name": wire.name} for wire in shape.wires]
+    for wire in wires:
+        wire["tolerance"] = "inf" if wire["tolerance"] == float("inf") else wire["tolerance"]
+    (path.parent / "wires.json").write_text(json.dumps(wires))
+    return "--seams", path.parent / "seams.json", "--wires", path.parent / "wires.json"
+
+
+def lengths(result):
+    """Of all outlines and wires, flat; result: as a dict."""
+    chains = [chain for piece in result["pieces"] for chain in (*piece["boundaries"], *piece["wires"])]
+    return sorted(chain["length_2d"] for chain in chains)
+
+
+@pytest.mark.parametrize("name", ["Hat", "Fitted top", "Carnival mask"])
+def test_the_same_result_as_through_python(tmp_path, name):
+    lines = write_sample(name, tmp_path / "model.obj")
+    ((line,), _) = run(tmp_path / "model.obj", "--out", tmp_path / "out", *lines)
+    assert line["verdict"] == "ready to cut"
+    report = json.loads((tmp_path / "out" / "model.json").read_text())
+    expected = flattened(name).to_dict()
+    assert lengths(report) == pytest.approx(lengths(expected), rel=1e-12)
+    energies = ([piece["metrics"]["arap_energy"] for piece in each["pieces"]] for each in (report, expected))
+    assert next(energies) == pytest.approx(next(energies), rel=1e-6)
+
+
+def test_islands_of_the_map_are_pieces_and_the_files_are_read_back(model, tmp_path):
+    ((line,), _) = run(model, "--out", tmp_path / "out", "--seams", "uv", "--page", "letter", "--allowance", "3/8in")
+    assert line["pieces"] == 2 and line["problems"] == []
+    names = {path.name for path in (tmp_path / "out").iterdir()}
+    assert names == {"Folded.json", "Folded.pdf", "Folded.svg"} == {file.rsplit("/", 1)[1] for file in line["files"]}
+    page = pypdfium2.PdfDocument(tmp_path / "out" / "Folded.pdf")[0]
+    assert np.array(page.get_size()) / 72 == pytest.approx([8.5, 11])
+    assert "9.525 mm" in page.get_textpage().get_text_range()
+
+
+def test_sharp_edges_are_seams(tmp_path):
+    trimesh.creation.box((0.1, 0.1, 0.1)).export(tmp_path / "box.stl")
+    ((line,), _) = run(tmp_path / "box.stl", "--out", tmp_path, "--seams", "sharp", "--format", "dxf")
+    assert (line["verdict"], line["pieces"]) == ("ready to cut", 6)
+
+
+@pytest.mark.parametrize("suffix", ["obj", "ply", "stl", "glb"])
+def test_every_kind_of_model_is_read(model, tmp_path, suffix):
+    path = tmp_path / f"other.{suffix}"
+    trimesh.load_mesh(model, process=False).export(path)
+    ((line,), _) = run(path, "--out", tmp_path, "--format", "svg")
+    report = json.loads((tmp_path / "other.json").read_text())
+    assert line["pieces"] == 1
+    outline = [0.05, 0.05, 0.1, 0.05, np.hypot(0.05, 0.04), np.hypot(0.1, 0.04)]
+    assert lengths(report) == pytest.approx([sum(outline)], rel=1e-6)  # files have single precision
+
+
+def test_what_was_done_before_is_left_out_until_something_changes(model, tmp_path):
+    words = (model, "--out", tmp_path / "out", "--seams", "uv", "--resume")
+    assert "skipped" not in run(*words)[0][0]
+    before = (tmp_path / "out" / "Folded.pdf").stat().st_mtime_ns
+    again = run(*words)[0][0]
+    assert again["skipped"] and again["verdict"] == "ready to cut"
+    assert (tmp_path / "out" / "Folded.pdf").stat().st_mtime_ns == before
+    assert "skipped" not in run(*words, "--allowance", "5mm")[0][0]
+    assert "skipped" not in run(*words)[0][0]  # the report is of the other allowance now
+    (tmp_path / "out" / "Folded.svg").unlink()
+    assert "skipped" not in run(*words)[0][0]
+    model.write_text(FOLDED.replace(".04", ".03"))
+    assert "skipped" not in run(*words)[0][0]
+
+
+def test_several_at_a_time_and_the_worst_counts(model, tmp_path):
+    (tmp_path / "empty.ply").write_text("")
+    trimesh.creation.icosphere(2, 0.1).export(tmp_path / "ball.ply")
+    words = (model, tmp_path / "ball.ply", tmp_path / "empty.ply", "--out", tmp_path / "out", "--jobs", 2)
+    lines, _ = run(*words, code=2)
+    assert [line["verdict"] for line in lines] == ["ready to cut", "not ready to cut", "refused"]
+    assert run(*words[:2], *words[3:], code=1)
+    assert "closed" in lines[1]["problems"][0] and not (tmp_path / "out" / "ball.pdf").exists()
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "words", "said"),
+    [
+        ("a.fbx", "", (), '"a.fbx" ends in none of .obj'),
+        ("a.obj", "hello", (), '"a.obj" has no faces'),
+        ("a.ply", "hello", (), '"a.ply" cannot be read'),
+        ("a.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", (), "points that are nowhere"),
+        ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n", (), "cannot be read"),
+        ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ("--seams", "uv"), "no UV map"),
+        ("a.obj", FOLDED, ("--seams", "none.json"), 'There is no file "none.json"'),
+        ("a.obj", FOLDED, ("--seams", "a.obj"), "is no JSON"),
+        ("a.obj", FOLDED, ("--seams", "lines.json"), "must be a JSON list of lines of vertices"),
+        ("a.obj", FOLDED, ("--wires", "lines.json"), "must be a JSON list of wires"),
+        ("a.obj", FOLDED, ("--wires", "wire.json"), "Wire 1 of"),
+        ("a.obj", FOLDED, ("--page", "120mm", "--format", "pdf"), "too large for a roll of 120 mm"),
+    ],
+)
+def test_bad_input_is_one_sentence(tmp_path, monkeypatch, name, content, words, said):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / name).write_text(content)
+    (tmp_path / "lines.json").write_text("[1, 2]")
+    (tmp_path / "wire.json").write_text('[{"vertices": [0, 1], "tolerence": 1}]')
+    ((line,), errors) = run(name, "--out", "out", *words, code=2)
+    (problem,) = line["problems"]
+    assert line["verdict"] == "refused" and said in problem and errors == ""
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--allowance", "10"), "'10' is no length: give 10mm"),
+        (("--page", "a9"), "paper is 'a9'"),
+        (("--format", "png"), "'png' is no format"),
+        (("--jobs", "0"), "give 1 or more"),
+        (("Folded.stl",), '2 models are called "Folded"'),
+    ],
+)
+def test_bad_words_are_one_sentence(model, tmp_path, words, said):
+    assert said in run(model, *words, "--out", tmp_path, code=2)[1].splitlines()[-1]
