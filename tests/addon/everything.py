@@ -19,6 +19,7 @@ COMMANDS = [  # what writes comes last
     ("mesh.wirewarp_select_wire", EDGE),
     ("object.wirewarp_export_svg", {}),
     ("object.wirewarp_export", {}),
+    ("object.wirewarp_sewing", {}),
     ("mesh.wirewarp_take_proposal", {"what": "SEAMS", "issue": 0}),
     ("mesh.wirewarp_take_proposal", {"what": "TOLERANCES", "issue": 0}),
     *(("object.wirewarp_mend", {"what": what}) for what in ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE")),

@@ -46,7 +46,7 @@ def read_pattern(
 
     Raises ObjectError where there are no pieces, or none that are true.
     """
-    report, flat = _current_pieces(source)
+    report, flat = current_pieces(source)
     failed = [piece["name"] for piece in report["pieces"] if not piece["ok"]]
     if failed and not failed_too:
         raise object_error(
@@ -192,7 +192,8 @@ def _segments(outlines: list[np.ndarray]) -> Segments:
     return Segments(np.concatenate(outlines), np.concatenate([np.roll(outline, -1, axis=0) for outline in outlines]))
 
 
-def _current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
+def current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
+    """The report and the flat object of a model in Object Mode. Raises ObjectError where they are not true any more."""
     report, flat = pieces_report(source), find_flat_object(source)
     if report is None or not has_flat_object(source) or "flat_object" not in report:
         raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')

@@ -19,6 +19,7 @@ from .report import (
     MESH_OT_wirewarp_take_proposal,
     OBJECT_OT_wirewarp_copy_report,
 )
+from .sewing import OBJECT_OT_wirewarp_sewing
 from .unit import SCENE_OT_wirewarp_set_unit
 from .update import OBJECT_OT_wirewarp_update, WM_OT_wirewarp_watch
 from .view import VIEW3D_OT_wirewarp_frame
@@ -42,6 +43,7 @@ CLASSES = (
     OBJECT_OT_wirewarp_copy_report,
     OBJECT_OT_wirewarp_export,
     OBJECT_OT_wirewarp_export_svg,
+    OBJECT_OT_wirewarp_sewing,
     SCENE_OT_wirewarp_set_unit,
     OBJECT_OT_wirewarp_update,
     WM_OT_wirewarp_watch,

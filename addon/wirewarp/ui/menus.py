@@ -15,6 +15,7 @@ class VIEW3D_MT_wirewarp(bpy.types.Menu):
         layout.operator("view3d.wirewarp_frame")
         layout.operator("object.wirewarp_copy_report", text="Copy Report as CSV")
         layout.operator("object.wirewarp_export")
+        layout.operator("object.wirewarp_sewing")
 
 
 class VIEW3D_MT_wirewarp_edges(bpy.types.Menu):

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A copy of the flat pieces for cloth simulation: loose edges between the sides of seams, and shapes flat and worn."""
+
+from collections.abc import Iterable, Iterator
+
+import bpy
+import numpy as np
+
+from ..blender.mesh import edge_vertices, evaluated_mesh, read
+from ..blender.objects import remove_object
+from ..issues import object_error
+from ..names import (
+    FLAT_LENGTH,
+    PIECE,
+    PIECE_INDEX,
+    SEAM,
+    SOURCE_CORNER,
+    SOURCE_FACE,
+    SOURCE_VERTEX,
+    TOLERANCE,
+    WIRE,
+)
+from ..pattern.outlines import FlatPieces, outline_of
+from .pattern import EDITED, current_pieces
+from .read import read_flat_pieces
+
+FLAT, WORN = "Flat", "On the Model"  # shape keys
+OURS = (FLAT_LENGTH, PIECE, PIECE_INDEX, SEAM, SOURCE_CORNER, SOURCE_FACE, SOURCE_VERTEX, TOLERANCE, WIRE)
+
+
+def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
+    """A new object, where the flat pieces are, of a model in Object Mode. Raises ObjectError as current_pieces does."""
+    report, flat = current_pieces(source)
+    pieces = read_flat_pieces(flat.data)
+    sewn = sewing_edges(pieces, [seam["edges"] for seam in report["seams"]])
+    worn = _worn(source, flat, pieces, bool(report.get("with_modifiers")))
+    mesh = flat.data.copy()
+    target = bpy.data.objects.new(f"{source.name} Sewing", mesh)
+    try:
+        _forget_origin(mesh)
+        _add_edges(mesh, sewn)
+        target.matrix_world = flat.matrix_world
+        target.shape_key_add(name=FLAT, from_mix=False)
+        key = target.shape_key_add(name=WORN, from_mix=False)
+        key.data.foreach_set("co", worn.astype(np.float32).ravel())
+        key.value = 0.0  # Blender 5 begins with 1
+        for collection in flat.users_collection:
+            collection.objects.link(target)
+    except BaseException:
+        remove_object(target)
+        raise
+    return target
+
+
+def sewing_edges(pieces: FlatPieces, seams: Iterable[list]) -> np.ndarray:
+    """(k,2) pairs of vertices of the pieces that are one on the model; seams: edges as vertex pairs of the model.
+
+    Where several sides meet, each is joined to the next. Raises ObjectError if a seam is not found on the pieces.
+    """
+    outline = outline_of(pieces)
+    sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
+    for ends in outline.edges.tolist():
+        a, b = sorted(ends, key=lambda vertex: int(pieces.source_vertex[vertex]))
+        sides.setdefault((int(pieces.source_vertex[a]), int(pieces.source_vertex[b])), []).append((a, b))
+    found = {pair for seam in seams for edge in seam for pair in _joining(sides, (min(edge), max(edge)))}
+    return np.array(sorted(found), dtype=np.int32).reshape(-1, 2)
+
+
+def _joining(sides: dict[tuple[int, int], list[tuple[int, int]]], edge: tuple[int, int]) -> Iterator[tuple[int, int]]:
+    if edge not in sides:
+        raise object_error("edited_pieces", EDITED)
+    own = sides[edge]
+    for first, second in zip(own[:-1], own[1:], strict=True):
+        for a, b in zip(first, second, strict=True):
+            if a != b:  # the tip of a dart
+                yield min(a, b), max(a, b)
+
+
+def _worn(source: bpy.types.Object, flat: bpy.types.Object, pieces: FlatPieces, with_modifiers: bool) -> np.ndarray:
+    """(n,3) where the vertices of the pieces are on the model, in the space of the flat object."""
+    if with_modifiers:
+        with evaluated_mesh(source, bpy.context.evaluated_depsgraph_get()) as mesh:
+            places = read(mesh.vertices, "co", np.float32, 3)
+    else:
+        places = read(source.data.vertices, "co", np.float32, 3)
+    matrix = np.array(flat.matrix_world.inverted() @ source.matrix_world)
+    return places[pieces.source_vertex].astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3]
+
+
+def _forget_origin(mesh: bpy.types.Mesh) -> None:
+    """Of a copy of the flat mesh: or it would be taken for flat pieces itself."""
+    for name in OURS:
+        if name in mesh.attributes:
+            mesh.attributes.remove(mesh.attributes[name])
+    for name in [name for name in mesh.keys() if name.startswith("wirewarp_")]:  # noqa: SIM118
+        del mesh[name]
+    mesh.wirewarp_names.clear()
+
+
+def _add_edges(mesh: bpy.types.Mesh, added: np.ndarray) -> None:
+    edges = np.concatenate([edge_vertices(mesh), added]).astype(np.int32)
+    mesh.edges.add(len(added))
+    mesh.edges.foreach_set("vertices", edges.ravel())
+    mesh.update(calc_edges_loose=True)

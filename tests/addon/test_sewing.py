@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sewing edges join what is one on the model; the shape key folds the pieces onto it; a cloth simulation sews them."""
+
+import bpy
+import numpy as np
+import pytest
+from surfaces import bump, edge_vertices, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_only
+
+SEAM = on_line(0, 0.0)
+
+
+def sewing_of(source):
+    assert bpy.ops.object.wirewarp_sewing() == {"FINISHED"}
+    return bpy.data.objects[f"{source.name} Sewing"]
+
+
+@pytest.fixture
+def source():
+    """Two pieces, the right one with a dart."""
+    target = grid("Bump", bump)
+    mark_seam(target, SEAM)
+    mark_seam(target, lambda a, b: on_line(1, 0.0)(a, b) and a.x + b.x > 0 and max(a.x, b.x) < 0.8)
+    mark(target, on_line(1, 0.5))
+    target.rotation_euler, target.location, target.scale = (0.3, 0.2, 0.1), (1, 2, 3), (2, 2, 2)
+    bpy.context.view_layer.update()
+    select_only(target)
+    bpy.ops.object.wirewarp_flatten()
+    return target
+
+
+def loose_edges(target):
+    edges = edge_vertices(target.data)
+    of_faces = {tuple(sorted(key)) for polygon in target.data.polygons for key in polygon.edge_keys}
+    return np.array([edge for edge in edges.tolist() if tuple(sorted(edge)) not in of_faces])
+
+
+def worn(target):
+    """(n,3) of the world, with the shape key on."""
+    target.data.shape_keys.key_blocks["On the Model"].value = 1.0
+    bpy.context.view_layer.update()
+    evaluated = target.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    return np.array([evaluated.matrix_world @ vertex.co for vertex in evaluated.data.vertices])
+
+
+def test_sewing_edges_join_the_vertices_that_are_one_on_the_model(source):
+    numbers = read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32)
+    target = sewing_of(source)
+    joined = loose_edges(target)
+    assert np.array_equal(numbers[joined[:, 0]], numbers[joined[:, 1]])
+    copies = np.bincount(numbers)
+    assert set(numbers[joined[:, 0]].tolist()) == set(np.flatnonzero(copies > 1).tolist())
+    assert (
+        len(joined) == (copies[copies > 1] - 1).sum() + 1
+    )  # where the dart opens there are three, each joined to each
+    assert len(edge_vertices(target.data)) == len(edge_vertices(flat_of(source).data)) + len(joined)
+
+
+def test_the_shape_key_folds_the_pieces_onto_the_model(source):
+    numbers = read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32)
+    target = sewing_of(source)
+    places = np.array([source.matrix_world @ vertex.co for vertex in source.data.vertices])
+    assert worn(target) == pytest.approx(places[numbers], abs=1e-5)
+
+
+def test_it_is_no_flat_object_and_can_be_flattened_itself(source):
+    target = sewing_of(source)
+    names = [attribute.name for attribute in target.data.attributes]
+    assert [name for name in names if "wirewarp" in name or name.startswith("source")] == []
+    select_only(flat_of(source))
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}  # the pieces are as they were
+
+
+def test_without_pieces_it_is_a_sentence():
+    source = grid("Bump", bump)
+    with pytest.raises(RuntimeError, match='"Bump" has no flat pieces'):
+        bpy.ops.object.wirewarp_sewing()
+    assert "Bump Sewing" not in bpy.data.objects and source.name == "Bump"
+
+
+def test_cloth_is_sewn_along_them():
+    """Two squares, 1 m apart when they are flat, close up."""
+    vertices = [(x / 4, y / 4, 0) for y in range(5) for x in range(9)]
+    faces = [[9 * y + x, 9 * y + x + 1, 9 * y + x + 10, 9 * y + x + 9] for y in range(4) for x in range(8)]
+    source = make_object("Squares", vertices, faces)
+    mark_seam(source, on_line(0, 1.0))
+    bpy.ops.object.wirewarp_flatten(spacing=0.5)
+    target = sewing_of(source)
+    joined = loose_edges(target)
+    cloth = target.modifiers.new("Cloth", "CLOTH")
+    cloth.settings.use_sewing_springs = True
+    cloth.settings.effector_weights.gravity = 0.0
+
+    def gaps(frame):
+        bpy.context.scene.frame_set(frame)
+        evaluated = target.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        places = np.array([vertex.co[:] for vertex in evaluated.data.vertices])
+        return np.linalg.norm(places[joined[:, 0]] - places[joined[:, 1]], axis=1)
+
+    first = gaps(1).max()
+    for frame in range(2, 40):
+        last = gaps(frame).max()
+    assert last < 0.2 * first
