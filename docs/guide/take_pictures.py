@@ -224,4 +224,4 @@ def export() -> drive.Tour:
     yield from flatten()
     folder = os.environ["WIREWARP_PICTURES"]
     with drive.in_view():
-        bpy.ops.object.wirewarp_export_svg(filepath=str(Path(folder) / "pattern.svg"))
+        bpy.ops.object.wirewarp_export(filepath=str(Path(folder) / "pattern.svg"))
