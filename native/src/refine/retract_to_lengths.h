@@ -6,8 +6,7 @@
 namespace wirewarp {
 
 /// Moves uv to exact lengths by chord steps with the factor at hand, each the least change in its metric, for as long
-/// as they halve the error. False where lengths are not kept by then: uv, left as it was, is too far from the
-/// linearization.
+/// as the error falls. False where lengths are not kept by then: uv, left as it was, is too far from the linearization.
 bool retract_to_lengths(const LengthConstraints& constraints, const NewtonSystem& system,
                         const Eigen::VectorXd& variation, Positions2& uv);
 
