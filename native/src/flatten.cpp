@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cache/cache_session.h"
 #include "chart_errors.h"
 #include "charts/cut_into_charts.h"
 #include "charts_progress.h"
@@ -25,7 +26,6 @@
 #include "progress_report.h"
 #include "refine/infeasible_wires.h"
 #include "refine/lies_flat.h"
-#include "reuse/reuse.h"
 #include "stop_token.h"
 #include "topology/process_topology.h"
 #include "topology/unjoined_wires.h"
@@ -56,54 +56,54 @@ FlattenError explain_infeasible(const Chart& chart, const Run& run, const Refine
 }
 
 /// WireWarping and WireWarping++: the wires first, the surface follows (II).
-void flatten_by_warping(const Chart& chart, const Run& run, const StopToken& stop, Layout& layout) {
-  std::map<std::string, double>& seconds = layout.report.seconds;
+void flatten_by_warping(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved) {
+  std::map<std::string, double>& seconds = solved.report.seconds;
   stop.in("wires").check();
-  std::optional<Chart> refined;
+  std::optional<Chart> split;
   WireNetwork network;
   {
     const StageTimer timer(seconds, "wires");
-    refined = process_topology(chart);  // III
-    network = build_wire_network(refined ? *refined : chart);
-    layout.network = refined ? build_wire_network(chart) : network;
+    split = process_topology(chart);  // III
+    network = build_wire_network(split ? *split : chart);
+    solved.network = split ? build_wire_network(chart) : network;
   }
-  const Chart& prepared = refined ? *refined : chart;
+  const Chart& prepared = split ? *split : chart;
   stop.in("interior").check();
   const StopToken at_lengths = stop.in("lengths");
   std::optional<Warp> warp;  // ψ (II-A)
   {
     const StageTimer timer(seconds, "interior");
     warp.emplace(prepared, network, run.options.node_weight, run.options.inner, at_lengths);
-    layout.report.factorizations = warp->interior_factorizations();
+    solved.report.factorizations = warp->interior_factorizations();
   }
   const StageTimer timer(seconds, "lengths");
   const VariationBounds bounds = variation_bounds(prepared, run.options);
   OuterSolution solution = choose_variation(prepared, *warp, bounds);  // II-B, Algorithm 1
-  report_solution(solution, layout.report);
+  report_solution(solution, solved.report);
   if (!solution.shape.inner.is_feasible) {
     const StopToken in_no_other_stage([&](const char*) { return at_lengths.may_go_on(); });
-    const RefineResult refined_shape = refine_chart(chart, run.options, in_no_other_stage);
+    const RefineResult refined = refine_chart(chart, run.options, in_no_other_stage);
     if (stop.is_stopped()) throw Stopped();
-    if (refined_shape.shape.is_exact) throw needs_refinement(chart);
-    throw explain_infeasible(chart, run, refined_shape, in_no_other_stage);
+    if (refined.shape.is_exact) throw needs_refinement(chart);
+    throw explain_infeasible(chart, run, refined, in_no_other_stage);
   }
-  layout.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
-  layout.variation.assign(solution.variation.begin(),
+  solved.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
+  solved.variation.assign(solution.variation.begin(),
                           solution.variation.begin() + static_cast<std::ptrdiff_t>(chart.wire_parts.size()));
-  layout.uv = std::move(solution.shape.uv);
+  solved.uv = std::move(solution.shape.uv);
 }
 
 /// The refined method: wires and surface at once, under the same exact lengths. Once those are reached, cancelling
 /// leaves the piece at the best shape so far.
-void flatten_by_refining(const Chart& chart, const Run& run, const StopToken& stop, Layout& layout) {
+void flatten_by_refining(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved) {
   stop.in("start").check();
-  const StageTimer timer(layout.report.seconds, "shape");
-  layout.network = build_wire_network(chart);
+  const StageTimer timer(solved.report.seconds, "shape");
+  solved.network = build_wire_network(chart);
   RefineResult refined = refine_chart(chart, run.options, stop);
-  report_refinement(refined, stop.is_stopped(), layout.report);
+  report_refinement(refined, stop.is_stopped(), solved.report);
   if (!refined.shape.is_exact) throw explain_infeasible(chart, run, refined, stop.in("shape"));
-  layout.variation.assign(refined.shape.variation.begin(), refined.shape.variation.end());
-  layout.uv = std::move(refined.shape.uv);
+  solved.variation.assign(refined.shape.variation.begin(), refined.shape.variation.end());
+  solved.uv = std::move(refined.shape.uv);
 }
 
 const char* name_of(Method method) {
@@ -118,39 +118,40 @@ const char* name_of(Method method) {
   throw std::logic_error("not a Method");
 }
 
-Layout cancelled_layout() {
-  Layout layout;
-  layout.error = cancelled();
-  layout.report.termination = Termination::cancelled;
-  return layout;
+SolvedChart cancelled_chart() {
+  SolvedChart solved;
+  solved.error = cancelled();
+  solved.report.termination = Termination::cancelled;
+  return solved;
 }
 
 /// What mends a layout that is turned over or covers itself. Nothing where another method does.
-std::vector<VertexPair> seams_for(const Layout& layout, const Chart& chart, const Run& run, const StopToken& stop) {
-  if (find_folded_faces(chart.mesh, layout.uv).empty()) return {};
+std::vector<VertexPair> seams_for(const SolvedChart& solved, const Chart& chart, const Run& run,
+                                  const StopToken& stop) {
+  if (find_folded_faces(chart.mesh, solved.uv).empty()) return {};
   const bool can_refine = run.options.method != Method::refined && lies_flat(chart, run.options, stop);
   return can_refine ? std::vector<VertexPair>() : propose_seams(chart, run, stop);
 }
 
 /// The layout of a chart with a mesh, or why it has none.
-Layout solve_chart(const Chart& chart, const Run& run, const StopToken& stop) {
-  Layout layout;
+SolvedChart solve_chart(const Chart& chart, const Run& run, const StopToken& stop) {
+  SolvedChart solved;
   try {
     if (chart.error) throw with_proposed_seams(*chart.error, propose_seams(chart, run, stop));
     if (is_outline_too_short(chart)) throw outline_too_short(chart, propose_seams(chart, run, stop));
-    (run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, run, stop, layout);
-    layout.proposed_seams = seams_for(layout, chart, run, stop);
+    (run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, run, stop, solved);
+    solved.proposed_seams = seams_for(solved, chart, run, stop);
   } catch (const FlattenError& error) {
-    layout.error = error;
+    solved.error = error;
   } catch (const Stopped&) {
-    layout.error = cancelled();
-    layout.report.termination = Termination::cancelled;
+    solved.error = cancelled();
+    solved.report.termination = Termination::cancelled;
   } catch (const UnjoinedWires&) {
-    layout.error = not_joined(chart);
+    solved.error = not_joined(chart);
   } catch (const FactorizationFailed&) {
-    layout.error = not_solvable(chart);
+    solved.error = not_solvable(chart);
   }
-  return layout;
+  return solved;
 }
 
 /// The largest first, so that no core waits long for the last.
@@ -164,9 +165,9 @@ std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
 }
 
 /// All charts, on all cores; each has the layout that it has alone.
-std::vector<Layout> flatten_charts(const std::vector<Chart>& charts, const Run& run, ProgressReport& report,
-                                   Reuse& reuse) {
-  std::vector<Layout> layouts(charts.size());
+std::vector<SolvedChart> flatten_charts(const std::vector<Chart>& charts, const Run& run, ProgressReport& report,
+                                        CacheSession& session) {
+  std::vector<SolvedChart> solved_charts(charts.size());
   ChartsProgress progress(report, charts);
   const std::vector<std::size_t> order = largest_first(charts);
   const auto flatten_chart = [&](std::size_t i) {
@@ -174,10 +175,10 @@ std::vector<Layout> flatten_charts(const std::vector<Chart>& charts, const Run& 
     const Chart& chart = charts[c];
     const StopToken stop([&](const char* stage) { return progress.go_on(c, stage); });
     if (chart.mesh.n_faces() == 0 || (chart.error && report.is_cancelled())) {
-      layouts[c].error = chart.error;
+      solved_charts[c].error = chart.error;
     } else {
-      layouts[c] = reuse.layout_of(
-          chart, [&] { return report.is_cancelled() ? cancelled_layout() : solve_chart(chart, run, stop); });
+      solved_charts[c] = session.solved(
+          chart, [&] { return report.is_cancelled() ? cancelled_chart() : solve_chart(chart, run, stop); });
     }
     progress.finish(c);
   };
@@ -190,20 +191,21 @@ std::vector<Layout> flatten_charts(const std::vector<Chart>& charts, const Run& 
     }
   };
   run_in_threads(charts.size(), num_cores(), flatten_or_stop_all, [&] { progress.tell(); });
-  return layouts;
+  return solved_charts;
 }
 
-void pack(const Charts& charts, const Options& options, const StopToken& stop, std::vector<Layout>& layouts) {
+void pack(const Charts& charts, const Options& options, const StopToken& stop,
+          std::vector<SolvedChart>& solved_charts) {
   std::vector<Positions2> shapes;
-  for (Layout& layout : layouts) shapes.push_back(std::move(layout.uv));
+  for (SolvedChart& solved : solved_charts) shapes.push_back(std::move(solved.uv));
   shapes = pack_pieces(charts.charts, std::move(shapes), options, stop);
-  for (std::size_t c = 0; c < layouts.size(); ++c) layouts[c].uv = std::move(shapes[c]);
+  for (std::size_t c = 0; c < solved_charts.size(); ++c) solved_charts[c].uv = std::move(shapes[c]);
 }
 
 /// Of a run that was stopped before or after all charts: no piece has a layout.
 FlattenResult cancelled_result(const FlattenInput& input, const EdgeTable& edges) {
   const Charts charts = list_charts(input, edges, cancelled());
-  return assemble_result(input, charts, std::vector<Layout>(charts.charts.size(), cancelled_layout()), false);
+  return assemble_result(input, charts, std::vector<SolvedChart>(charts.charts.size(), cancelled_chart()), false);
 }
 
 /// Pieces that are flat when the caller cancels are measured if that takes no more questions than these of a WorkMeter:
@@ -220,9 +222,9 @@ FlattenResult flatten_surface(const Run& run, const EdgeTable& edges, ProgressRe
     const StopToken stop([&](const char* stage) { return report.go_on(stage, 0); });
     charts = cut_into_charts(run.input, edges, stop.in("charts"));
   }
-  Reuse reuse(cache, run.input, run.options);
-  std::vector<Layout> layouts = flatten_charts(charts.charts, run, report, reuse);
-  reuse.finish();
+  CacheSession session(cache, run.input, run.options);
+  std::vector<SolvedChart> solved_charts = flatten_charts(charts.charts, run, report, session);
+  session.finish();
   const bool was_cancelled = report.is_cancelled();
   if (!was_cancelled) report.go_on("measure", 0.9);
   int questions_left = was_cancelled ? kQuestionsAfterCancel : 0;
@@ -231,11 +233,11 @@ FlattenResult flatten_surface(const Run& run, const EdgeTable& edges, ProgressRe
   const StopToken stop = may_measure.in("measure");
   {
     const StageTimer timer(seconds, "packing");
-    pack(charts, run.options, stop, layouts);
+    pack(charts, run.options, stop, solved_charts);
   }
   const StageTimer timer(seconds, "measure");
-  FlattenResult result = assemble_result(run.input, charts, std::move(layouts), run.options.mirror, stop);
-  result.reused_pieces = reuse.num_reused();
+  FlattenResult result = assemble_result(run.input, charts, std::move(solved_charts), run.options.mirror, stop);
+  result.reused_pieces = session.num_reused();
   return result;
 }
 

@@ -83,19 +83,19 @@ Positions2 gather_corners(const Chart& chart, const CornerUv& corner_uv) {
   return uv;
 }
 
-Layout read_layout(const Chart& chart, const CornerUv& corner_uv) {
-  Layout layout;
-  layout.report.termination = Termination::measured;
-  layout.error = chart.error;
-  if (chart.error) return layout;
+SolvedChart read_chart(const Chart& chart, const CornerUv& corner_uv) {
+  SolvedChart solved;
+  solved.report.termination = Termination::measured;
+  solved.error = chart.error;
+  if (chart.error) return solved;
   try {
-    layout.uv = gather_corners(chart, corner_uv);
-    layout.variation = fit_variation(chart, layout.uv);
-    layout.network = build_wire_network(chart);
+    solved.uv = gather_corners(chart, corner_uv);
+    solved.variation = fit_variation(chart, solved.uv);
+    solved.network = build_wire_network(chart);
   } catch (const FlattenError& error) {
-    layout.error = error;
+    solved.error = error;
   }
-  return layout;
+  return solved;
 }
 
 void check_corners(const FlattenInput& input, const CornerUv& corner_uv) {
@@ -123,9 +123,9 @@ FlattenResult measure(const FlattenInput& input, const CornerUv& corner_uv) {
       charts = cut_into_charts(input, edges);
     }
     const StageTimer timer(seconds, "measure");
-    std::vector<Layout> layouts;
-    for (const Chart& chart : charts.charts) layouts.push_back(read_layout(chart, corner_uv));
-    result = assemble_result(input, charts, std::move(layouts), false);
+    std::vector<SolvedChart> solved_charts;
+    for (const Chart& chart : charts.charts) solved_charts.push_back(read_chart(chart, corner_uv));
+    result = assemble_result(input, charts, std::move(solved_charts), false);
   }
   result.corner_uv = corner_uv;
   result.seconds = std::move(seconds);

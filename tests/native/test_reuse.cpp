@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "planar.h"
-#include "reuse/chart_key.h"
+#include "cache/chart_key.h"
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
 

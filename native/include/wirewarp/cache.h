@@ -7,7 +7,7 @@
 
 namespace wirewarp {
 
-struct SolvedCharts;
+struct CachedCharts;
 
 /// Handed to flatten() again and again, it holds the charts of the last run: a chart whose geometry, order of vertices
 /// and faces, outline, wires, tolerances and solver options are the same bit for bit takes its shape from there. The
@@ -26,13 +26,13 @@ class Cache {
   void clear();
 
  private:
-  friend class Reuse;
+  friend class CacheSession;
 
-  std::shared_ptr<const SolvedCharts> solved() const;
-  void hold(std::shared_ptr<const SolvedCharts> solved);
+  std::shared_ptr<const CachedCharts> solved() const;
+  void hold(std::shared_ptr<const CachedCharts> solved);
 
   mutable std::mutex mutex_;
-  std::shared_ptr<const SolvedCharts> solved_;  // never null
+  std::shared_ptr<const CachedCharts> solved_;  // never null
 };
 
 }  // namespace wirewarp

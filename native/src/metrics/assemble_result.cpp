@@ -45,7 +45,7 @@ Metrics unknown_metrics(const FlattenInput& input, const std::vector<int>& faces
   return metrics;
 }
 
-Piece assemble_piece(const FlattenInput& input, const Chart& chart, Layout& layout, bool mirror,
+Piece assemble_piece(const FlattenInput& input, const Chart& chart, SolvedChart& solved, bool mirror,
                      const StopToken& stop) {
   Piece piece;
   piece.source_face = chart.source_face;
@@ -55,24 +55,24 @@ Piece assemble_piece(const FlattenInput& input, const Chart& chart, Layout& layo
   } else {
     take_input_faces(input, chart, piece);
   }
-  piece.report = std::move(layout.report);
-  piece.error = std::move(layout.error);
-  if (layout.uv.rows() == 0) {
+  piece.report = std::move(solved.report);
+  piece.error = std::move(solved.error);
+  if (solved.uv.rows() == 0) {
     piece.vertices.setConstant(static_cast<Eigen::Index>(piece.source_vertex.size()), 2, kNaN);
     piece.metrics = unknown_metrics(input, piece.source_face);
     if (piece.report.termination != Termination::cancelled) piece.report.termination = Termination::failed;
   } else {
-    piece.helper_wires = place_helper_wires(std::move(layout.helper_wires), layout.uv);
-    layout.uv.conservativeResize(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
-    const Positions2 seen_from_outside = mirror ? mirror_image(layout.uv) : layout.uv;
-    piece.metrics = measure_metrics(chart, *layout.network, seen_from_outside, stop);
-    piece.wires = measure_wire_parts(chart, input.wires, layout.uv, layout.variation);
-    piece.boundaries = measure_boundaries(chart, layout.uv);
+    piece.helper_wires = place_helper_wires(std::move(solved.helper_wires), solved.uv);
+    solved.uv.conservativeResize(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
+    const Positions2 seen_from_outside = mirror ? mirror_image(solved.uv) : solved.uv;
+    piece.metrics = measure_metrics(chart, *solved.network, seen_from_outside, stop);
+    piece.wires = measure_wire_parts(chart, input.wires, solved.uv, solved.variation);
+    piece.boundaries = measure_boundaries(chart, solved.uv);
     if (!piece.error) {
-      piece.error = check_guarantee(chart, *layout.network, input.wires, layout.uv, layout.variation, piece.metrics,
-                                    layout.proposed_seams);
+      piece.error = check_guarantee(chart, *solved.network, input.wires, solved.uv, solved.variation, piece.metrics,
+                                    solved.proposed_seams);
     }
-    piece.vertices = std::move(layout.uv);
+    piece.vertices = std::move(solved.uv);
   }
   piece.report.message = piece.error ? piece.error->what() : "Every promise is kept: lengths, no flips, no overlap.";
   return piece;
@@ -89,14 +89,14 @@ void write_corners(const Piece& piece, CornerUv& corner_uv) {
 
 }  // namespace
 
-FlattenResult assemble_result(const FlattenInput& input, const Charts& charts, std::vector<Layout> layouts, bool mirror,
-                              const StopToken& stop) {
+FlattenResult assemble_result(const FlattenInput& input, const Charts& charts, std::vector<SolvedChart> solved_charts,
+                              bool mirror, const StopToken& stop) {
   WorkMeter work(stop);
   FlattenResult result;
   result.corner_uv.setConstant(input.faces.rows(), 6, kNaN);
   for (std::size_t c = 0; c < charts.charts.size(); ++c) {
     work.did(charts.charts[c].source_face.size());
-    result.pieces.push_back(assemble_piece(input, charts.charts[c], layouts[c], mirror, stop));
+    result.pieces.push_back(assemble_piece(input, charts.charts[c], solved_charts[c], mirror, stop));
     write_corners(result.pieces.back(), result.corner_uv);
   }
   result.seams = measure_seams(charts, result.pieces, input.vertices);

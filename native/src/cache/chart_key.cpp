@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reuse/chart_key.h"
+#include "cache/chart_key.h"
 
 #include <type_traits>
 

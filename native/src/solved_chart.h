@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "metrics/helper_wires.h"
+#include "network/wire_network.h"
+
+namespace wirewarp {
+
+/// A chart's planar shape and how it came about.
+struct SolvedChart {
+  std::optional<WireNetwork> network;  // set where uv is
+  Positions2 uv;  // one row per chart vertex, then those that helper wires need; scene units; no rows: no layout
+  std::vector<double> variation;  // h, one per wire part of the chart
+  std::vector<PlacedHelperWire> helper_wires;
+  PieceReport report;
+  std::vector<VertexPair> proposed_seams;  // of a layout that is turned over or covers itself
+  std::optional<FlattenError> error;       // why there is no layout
+};
+
+}  // namespace wirewarp
