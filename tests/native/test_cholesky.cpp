@@ -210,8 +210,8 @@ TEST(MultifrontalCholesky, PartialSolvesEqualTheFullOne) {
 
   const auto to_line = cholesky.fronts_reaching(line), to_block = cholesky.fronts_reaching(block);
   const auto off_block = cholesky.others(to_block);
-  const auto num_visited = [](const MultifrontalCholesky::FrontSet& branches) {
-    return branches.shares[0].size() + branches.shares[1].size() + branches.last.size();
+  const auto num_visited = [](const FrontSet& fronts) {
+    return fronts.subtrees[0].size() + fronts.subtrees[1].size() + fronts.ancestors.size();
   };
   EXPECT_EQ(num_visited(to_block) + num_visited(off_block), num_visited(cholesky.all()));
   EXPECT_LT(num_visited(to_block), num_visited(off_block) / 3);

@@ -6,7 +6,6 @@
 
 #include "cholesky/front_kernels.h"
 #include "cholesky/front_layout.h"
-#include "in_threads.h"
 
 namespace wirewarp {
 
@@ -24,9 +23,9 @@ bool eliminate_fronts(const FrontLayout& layout, bool in_threads, const Eliminat
       if (is_good && !eliminate(f)) is_good = false;
     }
   };
-  run_in_threads(layout.shares.size(), in_threads ? layout.shares.size() : 1,
-                 [&](std::size_t share) { eliminate_all(layout.shares[share]); });
-  eliminate_all(layout.last_fronts);
+  layout.all_fronts.visit_subtrees(in_threads,
+                                   [&](std::size_t, const std::vector<int>& fronts) { eliminate_all(fronts); });
+  eliminate_all(layout.all_fronts.ancestors);
   return is_good;
 }
 

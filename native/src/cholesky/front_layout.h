@@ -4,11 +4,11 @@
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "cholesky/front_set.h"
 #include "cholesky/nested_dissection.h"
 
 namespace wirewarp {
@@ -19,7 +19,7 @@ struct Front {
   int first_vertex;       // in FrontLayout::vertices
   int num_pivots;         // vertices
   int num_rows;           // vertices
-  int num_own_rows;       // vertices; the first rows, pivots in the same share
+  int num_own_rows;       // vertices; the first rows, pivots in the same share of subtrees
   int pivot_tiles;        // m
   int row_tiles;          // r
   int first_entry;        // in FrontLayout::entries; the next front's are the end
@@ -49,12 +49,8 @@ struct FrontLayout {
   std::size_t schur_tiles = 0;
   int largest_front = 0;  // tiles, pivots and rows
 
-  /// Fronts of independent subtrees, ascending, about the same work in both shares; then those that come after both.
-  /// However many threads there are, so that sums are the same.
-  static constexpr std::size_t num_shares = 2;
-  std::array<std::vector<int>, num_shares> shares;
-  std::vector<int> last_fronts;
-  std::vector<int> shared_vertices;  // pivots of the last fronts
+  FrontSet all_fronts;
+  std::vector<int> shared_vertices;  // pivots of the ancestors of all_fronts
 
   /// Row of the first unknown of a front's vertex, of the padded rows of the front.
   int row_of(const Front& front, int place) const {

@@ -40,15 +40,14 @@ class MultifrontalCholesky {
   /// b := A⁻¹ b, right-hand sides in columns, four at a time. Throws std::logic_error without a factor.
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const;
 
-  /// Supernodes that substitution visits.
-  using FrontSet = Substitution::FrontSet;
+  /// Fronts that substitution visits.
   FrontSet fronts_reaching(const std::vector<int>& vertices) const { return substitution_.fronts_reaching(vertices); }
-  FrontSet others(const FrontSet& branches) const { return substitution_.others(branches); }
+  FrontSet others(const FrontSet& fronts) const { return substitution_.others(fronts); }
   const FrontSet& all() const { return substitution_.all(); }
 
-  /// The two halves of a solution, for parts of b and x. b := L⁻¹ b, where b is zero but at vertices in the branches.
+  /// The two halves of a solution, for parts of b and x. b := L⁻¹ b, where b is zero but at pivots of some fronts.
   void substitute_forward(Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& nonzero) const;
-  /// b := L⁻ᵀ b at vertices in the branches. Ancestors are among the branches or have been before.
+  /// b := L⁻ᵀ b at pivots of the wanted fronts, whose ancestors are among them or have been visited before.
   void substitute_back(Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& wanted) const;
 
  private:

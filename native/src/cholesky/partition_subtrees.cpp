@@ -2,6 +2,7 @@
 #include "cholesky/partition_subtrees.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "cholesky/front_kernels.h"
@@ -39,15 +40,15 @@ std::vector<Subtree> subtrees(const FrontLayout& layout) {
 }
 
 struct Shares {
-  std::array<std::vector<int>, FrontLayout::num_shares> roots;  // of each share's subtrees
-  double largest;                                               // work of the larger share
+  std::array<std::vector<int>, FrontSet::num_shares> roots;  // of each share's subtrees
+  double largest;                                            // work of the larger share
 };
 
 /// Each subtree, the largest first, to the share that has the least to do.
 Shares share(std::vector<int> roots, const std::vector<Subtree>& trees) {
   std::sort(roots.begin(), roots.end(), [&](int a, int b) { return trees[a].work > trees[b].work; });
   Shares shares{};
-  std::array<double, FrontLayout::num_shares> load{};
+  std::array<double, FrontSet::num_shares> load{};
   for (int root : roots) {
     const std::size_t least = (std::min_element(load.begin(), load.end()) - load.begin());
     shares.roots[least].push_back(root);
@@ -81,13 +82,13 @@ void partition_subtrees(FrontLayout& layout) {
     if (time_of_last + shares.largest >= best_time) continue;
     best_time = time_of_last + shares.largest;
     best = std::move(shares);
-    layout.last_fronts = last;
+    layout.all_fronts.ancestors = last;
   }
-  std::sort(layout.last_fronts.begin(), layout.last_fronts.end());
+  std::sort(layout.all_fronts.ancestors.begin(), layout.all_fronts.ancestors.end());
   for (std::size_t i = 0; i < best.roots.size(); ++i) {
     std::sort(best.roots[i].begin(), best.roots[i].end());
     for (int root : best.roots[i]) {
-      for (int f = trees[root].first; f <= root; ++f) layout.shares[i].push_back(f);
+      for (int f = trees[root].first; f <= root; ++f) layout.all_fronts.subtrees[i].push_back(f);
     }
   }
 }
@@ -133,14 +134,14 @@ void place_schur_complements(FrontLayout& layout) {
     if (const int parent = layout.fronts[f].parent; parent != -1) depth[f] = depth[parent] + 1;
   }
   SchurStacks stacks(layout, depth);
-  for (const std::vector<int>& fronts : layout.shares) stacks.place(fronts);
-  stacks.place(layout.last_fronts);
+  for (const std::vector<int>& fronts : layout.all_fronts.subtrees) stacks.place(fronts);
+  stacks.place(layout.all_fronts.ancestors);
 }
 
 /// The ancestors of a share's subtree come last, so the rows that they eliminate are the last ones.
 void list_shared_vertices(FrontLayout& layout) {
   std::vector<int> place(layout.front_of_vertex.size(), -1);
-  for (int f : layout.last_fronts) {
+  for (int f : layout.all_fronts.ancestors) {
     const Front& front = layout.fronts[f];
     for (int i = 0; i < front.num_pivots; ++i) {
       const int v = layout.vertices[front.first_vertex + i];
@@ -148,7 +149,7 @@ void list_shared_vertices(FrontLayout& layout) {
       layout.shared_vertices.push_back(v);
     }
   }
-  for (const std::vector<int>& fronts : layout.shares) {
+  for (const std::vector<int>& fronts : layout.all_fronts.subtrees) {
     for (int f : fronts) {
       Front& front = layout.fronts[f];
       const auto rows = layout.vertices.begin() + front.first_vertex + front.num_pivots;

@@ -5,11 +5,10 @@
 
 namespace wirewarp {
 
-/// Fills shares and last_fronts: subtrees of about equal work, split further at the top as long as that makes the whole
-/// faster.
+/// Fills all_fronts: subtrees of about equal work, split further at the top as long as that makes the whole faster.
 void partition_subtrees(FrontLayout& layout);
 
-/// Fills Front::schur and schur_tiles. Each share has stacks of its own, and those that come last too: a Schur
+/// Fills Front::schur and schur_tiles. Each share of subtrees has stacks of its own, and so have the ancestors: a Schur
 /// complement lies on one stack while its children's are taken off the other.
 void place_schur_complements(FrontLayout& layout);
 

@@ -2,10 +2,9 @@
 #include "cholesky/substitution.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <stdexcept>
-
-#include "in_threads.h"
 
 namespace wirewarp {
 namespace {
@@ -102,17 +101,17 @@ void Substitution::forward_4(const Tile* factor, Columns b, const FrontSet& nonz
   };
   const auto num_shared = static_cast<Eigen::Index>(layout_.shared_vertices.size());
   const int k = layout_.unknowns_per_vertex;
-  std::array<Eigen::MatrixXd, FrontLayout::num_shares> sums;
-  run_in_threads(sums.size(), num_threads(nonzero), [&](std::size_t share) {
+  std::array<Eigen::MatrixXd, FrontSet::num_shares> sums;
+  nonzero.visit_subtrees(in_threads_, [&](std::size_t share, const std::vector<int>& fronts) {
     sums[share].setZero(k * num_shared, b.cols());
-    visit(nonzero.shares[share], sums[share]);
+    visit(fronts, sums[share]);
   });
   for (const Eigen::MatrixXd& sum : sums) {
     for (Eigen::Index i = 0; i < num_shared; ++i) {
       b.middleRows(k * layout_.shared_vertices[static_cast<std::size_t>(i)], k) += sum.middleRows(k * i, k);
     }
   }
-  visit(nonzero.last, b);
+  visit(nonzero.ancestors, b);
 }
 
 template <int kColumns>
@@ -132,18 +131,17 @@ void Substitution::back_4(const Tile* factor, Columns b, const FrontSet& wanted)
       rows.scatter_pivots(front, own);
     }
   };
-  visit(wanted.last, b);
+  visit(wanted.ancestors, b);
   const auto num_shared = static_cast<Eigen::Index>(layout_.shared_vertices.size());
   const int k = layout_.unknowns_per_vertex;
   Eigen::MatrixXd shared(k * num_shared, b.cols());
   for (Eigen::Index i = 0; i < num_shared; ++i) {
     shared.middleRows(k * i, k) = b.middleRows(k * layout_.shared_vertices[static_cast<std::size_t>(i)], k);
   }
-  run_in_threads(wanted.shares.size(), num_threads(wanted),
-                 [&](std::size_t share) { visit(wanted.shares[share], shared); });
+  wanted.visit_subtrees(in_threads_, [&](std::size_t, const std::vector<int>& fronts) { visit(fronts, shared); });
 }
 
-Substitution::FrontSet Substitution::fronts_reaching(const std::vector<int>& vertices) const {
+FrontSet Substitution::fronts_reaching(const std::vector<int>& vertices) const {
   std::vector<char> is_visited(layout_.fronts.size(), 0);
   for (int v : vertices) {
     for (int f = layout_.front_of_vertex.at(v); f != -1 && !is_visited[f]; f = layout_.fronts[f].parent) {
@@ -153,32 +151,31 @@ Substitution::FrontSet Substitution::fronts_reaching(const std::vector<int>& ver
   return fronts_where(is_visited);
 }
 
-Substitution::FrontSet Substitution::others(const FrontSet& branches) const {
+FrontSet Substitution::others(const FrontSet& fronts) const {
   std::vector<char> is_other(layout_.fronts.size(), 1);
-  for (const std::vector<int>& share : branches.shares) {
-    for (int f : share) is_other[f] = 0;
+  for (const std::vector<int>* part : {&fronts.subtrees[0], &fronts.subtrees[1], &fronts.ancestors}) {
+    for (int f : *part) is_other[f] = 0;
   }
-  for (int f : branches.last) is_other[f] = 0;
   return fronts_where(is_other);
 }
 
-Substitution::FrontSet Substitution::fronts_where(const std::vector<char>& is_visited) const {
-  FrontSet branches{};
+FrontSet Substitution::fronts_where(const std::vector<char>& is_visited) const {
+  FrontSet visited;
   std::size_t tiles = 0;
-  const auto add = [&](const std::vector<int>& fronts, std::vector<int>& visited) {
+  const auto add = [&](const std::vector<int>& fronts, std::vector<int>& kept) {
     for (int f : fronts) {
       if (!is_visited[f]) continue;
       const Front& front = layout_.fronts[f];
-      visited.push_back(f);
+      kept.push_back(f);
       tiles += panel_row(front.pivot_tiles + front.row_tiles, front.pivot_tiles);
     }
   };
-  for (std::size_t share = 0; share < branches.shares.size(); ++share) {
-    add(layout_.shares[share], branches.shares[share]);
+  for (std::size_t share = 0; share < FrontSet::num_shares; ++share) {
+    add(layout_.all_fronts.subtrees[share], visited.subtrees[share]);
   }
-  branches.are_worth_threads = tiles > kTilesWorthThreads;
-  add(layout_.last_fronts, branches.last);
-  return branches;
+  visited.are_worth_threads = tiles > kTilesWorthThreads;
+  add(layout_.all_fronts.ancestors, visited.ancestors);
+  return visited;
 }
 
 }  // namespace wirewarp

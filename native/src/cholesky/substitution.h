@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Solutions with a factor, front by front: L⁻¹ b from the leaves up, then L⁻ᵀ of that from the roots down. What the
-// shares add to the rows of the last fronts is summed apart and then in a fixed order, so that it does not matter how
-// many threads there are.
+// two shares of subtrees add to the rows of their ancestors is summed apart and then in a fixed order, so that it does
+// not matter how many threads there are.
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
 #include "cholesky/front_kernels.h"
@@ -18,27 +17,18 @@ class Substitution {
   /// layout, kernels: must outlive this.
   Substitution(const FrontLayout& layout, bool in_threads, const FrontKernels& kernels);
 
-  /// Supernodes to visit.
-  struct FrontSet {
-    std::array<std::vector<int>, FrontLayout::num_shares> shares;
-    std::vector<int> last;
-    bool are_worth_threads;
-  };
-  /// Those that hold some vertices, and all their ancestors; and all that are not among them.
+  /// The fronts that hold some vertices, and all their ancestors; and all that are not among some.
   FrontSet fronts_reaching(const std::vector<int>& vertices) const;
-  FrontSet others(const FrontSet& branches) const;
+  FrontSet others(const FrontSet& fronts) const;
   const FrontSet& all() const { return all_; }
 
-  /// b := L⁻¹ b, where b is zero but at vertices in the branches. factor: the panels of all fronts.
+  /// b := L⁻¹ b, where b is zero but at pivots of some fronts. factor: the panels of all fronts.
   void forward(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& nonzero) const;
-  /// b := L⁻ᵀ b at vertices in the branches. Ancestors are among the branches or have been before.
+  /// b := L⁻ᵀ b at pivots of the wanted fronts, whose ancestors are among them or have been visited before.
   void back(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& wanted) const;
 
  private:
   FrontSet fronts_where(const std::vector<char>& is_visited) const;
-  std::size_t num_threads(const FrontSet& branches) const {
-    return in_threads_ && branches.are_worth_threads ? FrontLayout::num_shares : 1;
-  }
   template <int kColumns>
   void forward_4(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& nonzero) const;
   template <int kColumns>

@@ -103,7 +103,7 @@ class NewtonSystem {
   Eigen::VectorXd stiffness_;  // ρ
   Positions2 directions_;      // d̂
   std::optional<MultifrontalCholesky> cholesky_;  // of A
-  MultifrontalCholesky::FrontSet on_wires_, off_wires_;
+  FrontSet on_wires_, off_wires_;
   int num_factorizations_ = 0;
 };
 
