@@ -117,11 +117,17 @@ def test_selected_edges_are_seen_on_their_lines(addon, source):
     assert "selected" not in lines_of(addon, source).places
 
 
-def test_seams_of_a_model_that_has_changed_are_not_numbered(addon, source):
+def test_seams_of_a_model_that_has_changed_keep_their_names_and_do_not_say_what_they_join(addon, source):
     source.data.vertices[40].co.z += 0.1
     source.data.update()
     bpy.context.view_layer.update()
-    assert "Seam 1" not in [name.texts[-1] for name in lines_of(addon, source).names]
+    for mode in ("OBJECT", "EDIT"):
+        select_only(source)
+        bpy.ops.object.mode_set(mode=mode)
+        assert ("Seam 1",) in [name.texts for name in lines_of(addon, source).names]
+    bpy.ops.object.mode_set(mode="OBJECT")
+    source.data.edges.foreach_set("use_seam", np.zeros(len(source.data.edges), dtype=bool))
+    assert ("Seam 1",) not in [name.texts for name in lines_of(addon, source).names]
     assert "Seam 1" in [name.texts[-1] for name in lines_of(addon, flat_of(source)).names]
 
 

@@ -17,6 +17,7 @@ from ..blender.mesh import (
     faces_at_edges,
     next_loops,
     read,
+    read_attribute,
     read_seams,
     triangle_corners,
     triangle_faces,
@@ -24,7 +25,7 @@ from ..blender.mesh import (
 )
 from ..flat.read import has_flat_attributes, read_flat_attribute
 from ..model.attributes import read_edit_marks, read_marks, read_piece_ids
-from ..names import PIECE, PIECE_INDEX, SOURCE_VERTEX, UV_LAYER, WIRE
+from ..names import PIECE, PIECE_INDEX, SEAM, SOURCE_VERTEX, UV_LAYER, WIRE
 from .lines import LineEdges
 from .surfaces import Triangles
 
@@ -62,17 +63,24 @@ def _lines(mesh: bpy.types.Mesh) -> LineEdges:
         vertices=source,
         pieces=pieces,
         seams=seams[rows],
+        seam_ids=_seam_ids(mesh)[rows],
         outlines=outlines[rows],
         marks=marks.take(rows),
         selected=np.zeros(len(rows), dtype=bool),
     )
 
 
+def _seam_ids(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(e,) int32"""
+    ids = read_attribute(mesh, SEAM, "INT", "EDGE")
+    return np.zeros(len(mesh.edges), dtype=np.int32) if ids is None else ids
+
+
 def _lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineEdges:
     """In Edit Mode attributes can be read edge by edge only."""
     edit = bmesh.from_edit_mesh(mesh)
     edit.verts.index_update()
-    wire = edit.edges.layers.int.get(WIRE)
+    wire, seam = edit.edges.layers.int.get(WIRE), edit.edges.layers.int.get(SEAM)
     source, piece = edit.verts.layers.int.get(SOURCE_VERTEX), edit.faces.layers.int.get(PIECE_INDEX)
     marked = [edge for edge in edit.edges if not edge.hide and (edge.seam or edge.is_boundary or (wire and edge[wire]))]
     vertices = [[vertex[source] if source else vertex.index for vertex in edge.verts] for edge in marked]
@@ -82,6 +90,7 @@ def _lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineEdges:
         vertices=np.array(vertices, dtype=np.int32).reshape(-1, 2),
         pieces=np.array([_piece_in_edit_mode(edge, piece) for edge in marked], dtype=np.int32),
         seams=np.array([edge.seam for edge in marked], dtype=bool),
+        seam_ids=np.array([edge[seam] if seam else 0 for edge in marked], dtype=np.int32),
         outlines=np.array([edge.is_boundary for edge in marked], dtype=bool),
         marks=read_edit_marks(edit, marked),
         selected=np.array([edge.select for edge in marked], dtype=bool),
@@ -140,6 +149,7 @@ def _uv_lines(mesh: bpy.types.Mesh) -> LineEdges:
         vertices=corner_vertices(mesh)[corners],
         pieces=np.repeat(read_piece_ids(mesh), sizes)[loops],
         seams=seams[rows],
+        seam_ids=_seam_ids(mesh)[rows],
         outlines=outlines[rows],
         marks=marks.take(rows),
         selected=np.zeros(len(rows), dtype=bool),
@@ -149,7 +159,7 @@ def _uv_lines(mesh: bpy.types.Mesh) -> LineEdges:
 def _uv_lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineEdges:
     edit = bmesh.from_edit_mesh(mesh)
     edit.verts.index_update()
-    wire = edit.edges.layers.int.get(WIRE)
+    wire, seam = edit.edges.layers.int.get(WIRE), edit.edges.layers.int.get(SEAM)
     piece, uv = edit.faces.layers.int.get(PIECE), edit.loops.layers.uv[UV_LAYER]
     marked = [
         (edge, loop)
@@ -165,6 +175,7 @@ def _uv_lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineEdges:
         vertices=np.array([[loop.vert.index for loop in side] for side in sides], np.int32).reshape(-1, 2),
         pieces=np.array([loop.face[piece] if piece else 0 for _, loop in marked], dtype=np.int32),
         seams=np.array([edge.seam for edge, _ in marked], dtype=bool),
+        seam_ids=np.array([edge[seam] if seam else 0 for edge, _ in marked], dtype=np.int32),
         outlines=np.array([edge.is_boundary for edge, _ in marked], dtype=bool),
         marks=read_edit_marks(edit, [edge for edge, _ in marked]),
         selected=np.zeros(len(marked), dtype=bool),  # the map has a selection of its own

@@ -122,6 +122,7 @@ class LineEdges:
     vertices: np.ndarray  # (k,2) int32, of the model
     pieces: np.ndarray  # (k,) int32, on the flat pieces; 0 on the model
     seams: np.ndarray  # (k,) bool
+    seam_ids: np.ndarray  # (k,) int32, of the seams that edges were in when last flattened; 0 none
     outlines: np.ndarray  # (k,) bool, has one face only
     marks: EdgeMarks  # (k,)
     selected: np.ndarray  # (k,) bool, in Edit Mode
@@ -193,23 +194,16 @@ def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[s
 
 
 def seam_line_names(
-    lines: LineEdges,
-    seam_of_edge: Mapping[tuple[int, int], int],
-    texts: Callable[[int, int], tuple[str, ...]],
-    rooms: Rooms,
+    lines: LineEdges, numbers: np.ndarray, texts: Callable[[int, int], tuple[str, ...]], rooms: Rooms
 ) -> list[Name]:
-    """Of each seam, in all its pieces. seam_of_edge: index of the seam by an edge's vertices, ascending.
+    """Of each seam, in all its pieces. numbers (k,): by which seams are told apart, 0 for edges without a name.
 
-    texts: of a seam in a piece, see Name.
+    texts: of the seam with this number in a piece, see Name.
     """
-    pairs = np.sort(lines.vertices, axis=1).tolist()
-    numbers = np.array([1 + seam_of_edge.get((a, b), -1) for a, b in pairs], dtype=np.int32)
     rows: dict[tuple[int, int], list[int]] = {}
     for row in np.flatnonzero(numbers).tolist():
         rows.setdefault((int(numbers[row]), int(lines.pieces[row])), []).append(row)
-    return [
-        _name_on_line(texts(number - 1, piece), lines, np.array(own), rooms) for (number, piece), own in rows.items()
-    ]
+    return [_name_on_line(texts(number, piece), lines, np.array(own), rooms) for (number, piece), own in rows.items()]
 
 
 def piece_rooms(lines: LineEdges) -> Rooms:

@@ -14,6 +14,7 @@ from ..flat.pattern import read_cut_lines
 from ..flat.pieces import piece_names
 from ..flat.read import has_flat_attributes, read_flat_attribute
 from ..flat.reports import last_report, pieces_report
+from ..flat.seams import seam_names
 from ..issues import ObjectError
 from ..model.owners import find_flat_object, model_of, model_or_self
 from ..model.state import has_changed
@@ -64,7 +65,11 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
     names = wire_line_names(edges, runs, _wire_names(target, [run.wire_id for run in runs], report), rooms)
     if report:
         texts = partial(_seam_texts, report, model_of(target) is not None)
-        names += seam_line_names(edges, _seam_of_edge(report), texts, rooms)
+        names += seam_line_names(edges, _seams_of_report(edges, report), texts, rooms)
+    else:  # the model has changed: what it joins may have, too, but its seams keep their names
+        given = seam_names(model_or_self(target))
+        numbers = np.where(edges.seams & np.isin(edges.seam_ids, list(given)), edges.seam_ids, 0)
+        names += seam_line_names(edges, numbers, lambda seam_id, _: (given[seam_id],), rooms)
     names.sort(key=lambda name: not name.is_selected)
     return Lines(lines_by_kind(edges), dashes_by_kind(edges, runs), names)
 
@@ -105,13 +110,16 @@ def _is_modified(source: bpy.types.Object) -> bool:
     return not source.data.is_editmode and any(modifier.show_viewport for modifier in source.modifiers)
 
 
-def _seam_of_edge(report: dict) -> Mapping[tuple[int, int], int]:
-    return {(min(edge), max(edge)): seam["index"] for seam in report["seams"] for edge in seam["edges"]}
+def _seams_of_report(edges: LineEdges, report: dict) -> np.ndarray:
+    """(k,) numbers of the seams from 1; 0 for edges of none."""
+    numbers = {(min(edge), max(edge)): seam["index"] + 1 for seam in report["seams"] for edge in seam["edges"]}
+    pairs = np.sort(edges.vertices, axis=1).tolist()
+    return np.array([numbers.get((a, b), 0) for a, b in pairs], dtype=np.int32)
 
 
-def _seam_texts(report: dict, on_flat: bool, index: int, piece: int) -> tuple[str, ...]:
-    """With what it joins: on a flat piece, to what that is joined."""
-    seam = report["seams"][index]
+def _seam_texts(report: dict, on_flat: bool, number: int, piece: int) -> tuple[str, ...]:
+    """With what it joins: on a flat piece, to what that is joined. number: from 1."""
+    seam = report["seams"][number - 1]
     others = {**seam, "pieces": [each for each in seam["pieces"] if each != piece]} if on_flat else seam
     joined = joined_pieces(report, others)
     return (f"{seam['name']}: {joined}", seam["name"]) if joined and len(set(seam["pieces"])) > 1 else (seam["name"],)
