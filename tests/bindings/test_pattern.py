@@ -341,3 +341,11 @@ def test_room_for_text_is_found_in_a_ring_and_beside_its_wires():
     center, depth = innermost_point([square], [middle])
     assert depth == pytest.approx(30, abs=1.5)
     assert center[1] == pytest.approx(30, abs=1.5)
+
+
+def test_the_date_stands_on_every_piece():
+    pattern = Pattern.from_result(flattened("Hat"), title="Hat", date="22 November 2026")
+    assert all(piece.texts[0].lines[0] == "Hat, 22 November 2026" for piece in pattern.pieces)
+    assert Pattern.from_result(rectangle(100, 60), date="2026").pieces[0].texts[0].lines[0] == "2026"
+    with pytest.raises(wirewarp.FlattenError, match="title, material and date must be texts"):
+        Pattern.from_result(rectangle(100, 60), date=2026)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The pattern of a model's flat pieces, as they lie in their object; only of pieces that may be cut."""
 
+import datetime
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
@@ -64,6 +65,7 @@ def read_pattern(
             _pieces(report, pieces, names, grain_directions(flat.data, pieces.vertices)),
             [seam["name"] for seam in report["seams"]],
             title=source.name,
+            date=datetime.date.today().isoformat(),
             allowance=choices.allowance,
             notch_spacing=choices.notch_spacing,
             darts=choices.darts,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flattens models one by one or several at a time, and prints what became of each."""
 
+import datetime
 import hashlib
 import json
 import multiprocessing
@@ -100,6 +101,7 @@ def _flattened(request: Request) -> Line:
         pattern = Pattern.from_result(
             result,
             title=request.model.stem,
+            date=datetime.date.today().isoformat(),
             millimeters_per_unit=MILLIMETERS[request.unit],
             allowance=request.allowance,
             hem=request.hem,

@@ -15,15 +15,15 @@ TEXT_HEIGHT, LEAST_HEIGHT = 8.0, 2.5  # millimeters; smaller letters cannot be r
 
 
 def with_card(
-    piece: PatternPiece, number: int, count: int, title: str, allowance: str, units: UnitSystem
+    piece: PatternPiece, number: int, count: int, heading: str, allowance: str, units: UnitSystem
 ) -> PatternPiece:
     """With its number and texts: a card of what a maker must know, and names along its lines.
 
-    The card: style, number of how many, name, how often to cut it, material, allowance, area without that.
+    The card: heading (style and date), number of how many, name, how often to cut it, material, allowance, area.
     """
     includes = "No seam allowance" if allowance == "none" else f"Includes {allowance} allowance"
     place = f"{number} of {count}"
-    lines = (title, place, piece.name, how_to_cut(piece), piece.material, includes, units.area_text(piece.area))
+    lines = (heading, place, piece.name, how_to_cut(piece), piece.material, includes, units.area_text(piece.area))
     drawn = [line.points for line in piece.of_role("wire", "grain", "sew")]
     outlines = [line.points for line in piece.of_role("cut", "inner_cut")]
     text = _card([tuple(line for line in lines if line.strip()), (piece.name,), (place,)], outlines, drawn)

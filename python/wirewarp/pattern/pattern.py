@@ -39,6 +39,7 @@ class Pattern:
     allowance_text: str  # what is included: "10 mm", "10 to 30 mm" or "none"
     units: UnitSystem
     warnings: list[str] = field(default_factory=list)
+    date: str = ""  # as it stands on the pieces
 
     @classmethod
     def from_result(
@@ -57,6 +58,7 @@ class Pattern:
         corner: str = "auto",
         darts: str = "close",
         material: str = "",
+        date: str = "",
         units: Units = "metric",
     ) -> "Pattern":
         """The pattern of a flattening whose pieces all keep their promises.
@@ -72,7 +74,8 @@ class Pattern:
         "round" for all corners.
         darts: "close" cuts straight over their mouths; "cut" cuts them out, with allowance on the legs; "slit" along
         the legs.
-        material: as it stands on the pieces. units: "metric" or "imperial", of texts and of the square to measure.
+        material, date: as they stand on the pieces.
+        units: "metric" or "imperial", of texts and of the square to measure.
 
         Raises FlattenError for bad input, and for a piece with an error.
         """
@@ -95,6 +98,7 @@ class Pattern:
             corner=corner,
             darts=darts,
             material=material,
+            date=date,
             units=units,
         ).arranged()
 
@@ -114,6 +118,7 @@ class Pattern:
         corner: str = "auto",
         darts: str = "close",
         material: str = "",
+        date: str = "",
         units: Units = "metric",
     ) -> "Pattern":
         """As from_result, of flat pieces from elsewhere, which stay as they lie; seam_names by index of the seam.
@@ -122,8 +127,8 @@ class Pattern:
         """
         if units not in get_args(Units):
             raise problem(f"units is {units!r}: give 'metric' or 'imperial'.")
-        if not isinstance(title, str) or not isinstance(material, str):
-            raise problem("title and material must be texts.")
+        if not all(isinstance(text, str) for text in (title, material, date)):
+            raise problem("title, material and date must be texts.")
         laid = lay_all(pieces, Widths(allowance, hem, allowances, side_allowances, folds), corner, darts)
         seams = sewn_sides([loop for piece in laid for loop in piece.loops], len(seam_names))
         check_spacing(checked_length("notch_spacing", notch_spacing, 0, math.inf), seam_names, seams)
@@ -134,13 +139,14 @@ class Pattern:
         done = [finished(own, points[own.index], seam_names, joined, material) for own in laid]
         warnings = [warning for own in laid for warning in warnings_of(own)]
         low = np.min([piece.bounds[0] for piece in done], axis=0)
-        return cls(title, [piece.moved(-low) for piece in done], text, system, warnings)._with_cards()
+        return cls(title, [piece.moved(-low) for piece in done], text, system, warnings, date)._with_cards()
 
     def _with_cards(self) -> "Pattern":
         """The pieces numbered anew, with texts."""
+        heading = ", ".join(filter(None, [self.title.strip(), self.date.strip()]))
         count = len(self.pieces)
         pieces = [
-            with_card(piece, number, count, self.title, self.allowance_text, self.units)
+            with_card(piece, number, count, heading, self.allowance_text, self.units)
             for number, piece in enumerate(self.pieces, start=1)
         ]
         return replace(self, pieces=pieces)
