@@ -191,6 +191,11 @@ class OBJECT_OT_wirewarp_export(PatternExport, bpy.types.Operator):
         default=1500.0,
         precision=0,
     )
+    proof_sheet: BoolProperty(
+        name="Proof Sheet",
+        description="Last comes a table of all pieces, and of all seams with the lengths of both sides",
+        default=False,
+    )
     preset: EnumProperty(name="For", description="How the lines look", items=PRESETS, default="PRINT")
     dialect: EnumProperty(name="For", description="Which programs read it", items=DIALECTS, default="ASTM")
     control_square: BoolProperty(
@@ -241,6 +246,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, bpy.types.Operator):
             layout.prop(self, "paper")
             if self.paper == "ROLL":
                 self.draw_lengths(context, "roll_width")
+            layout.prop(self, "proof_sheet")
         elif self.format == "SVG":
             layout.prop(self, "preset")
         elif self.format == "DXF":
@@ -263,7 +269,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, bpy.types.Operator):
 
     def write_options(self) -> dict[str, object]:
         if self.format == "PDF":
-            return {"paper": self._paper()}
+            return {"paper": self._paper(), "proof": self.proof_sheet}
         if self.format == "SVG":
             return {"preset": self.preset.lower()}
         if self.format == "DXF":
@@ -283,7 +289,8 @@ class OBJECT_OT_wirewarp_export(PatternExport, bpy.types.Operator):
             return [f"{count} on {length / 1000:.2f} m of a roll of {width:.0f} mm, {counted(len(pages), 'page')}."]
         if self.paper == ONE_PAGE:
             return size_sentences(made, pages[0])
-        sheets = f"{counted(len(pages), 'sheet')} of {PAPERS[self.paper][1]}, one of them the map"
+        proofs = " and a proof sheet" if self.proof_sheet else ""
+        sheets = f"{counted(len(pages), 'sheet')} of {PAPERS[self.paper][1]}, one of them the map{proofs}"
         return [f"{count} on {sheets}.", largest_sentence(made)]
 
 

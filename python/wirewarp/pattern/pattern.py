@@ -31,6 +31,15 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
+class SeamWalk:
+    """The sides of a seam, as one walks them with a tape."""
+
+    name: str
+    pieces: tuple[str, ...]  # of each side the piece
+    lengths: tuple[float, ...]  # millimeters along the sew line
+
+
+@dataclass(frozen=True)
 class Pattern:
     """Pieces with sew lines, that are exactly what was flattened, and cut lines, that are derived from these."""
 
@@ -40,6 +49,7 @@ class Pattern:
     units: UnitSystem
     warnings: list[str] = field(default_factory=list)
     date: str = ""  # as it stands on the pieces
+    walks: list[SeamWalk] = field(default_factory=list)  # by index of the seam
 
     @classmethod
     def from_result(
@@ -138,18 +148,30 @@ class Pattern:
         joined = joined_by(laid)
         done = [finished(own, points[own.index], seam_names, joined, material) for own in laid]
         warnings = [warning for own in laid for warning in warnings_of(own)]
+        walks = [
+            SeamWalk(
+                name,
+                tuple(pieces[own.side.piece].name for own in sides),
+                tuple(float(own.along[-1]) for own in sides),
+            )
+            for name, sides in zip(seam_names, seams, strict=True)
+        ]
         low = np.min([piece.bounds[0] for piece in done], axis=0)
-        return cls(title, [piece.moved(-low) for piece in done], text, system, warnings, date)._with_cards()
+        return cls(title, [piece.moved(-low) for piece in done], text, system, warnings, date, walks)._with_cards()
 
     def _with_cards(self) -> "Pattern":
         """The pieces numbered anew, with texts."""
-        heading = ", ".join(filter(None, [self.title.strip(), self.date.strip()]))
         count = len(self.pieces)
         pieces = [
-            with_card(piece, number, count, heading, self.allowance_text, self.units)
+            with_card(piece, number, count, self.heading, self.allowance_text, self.units)
             for number, piece in enumerate(self.pieces, start=1)
         ]
         return replace(self, pieces=pieces)
+
+    @property
+    def heading(self) -> str:
+        """Title and date."""
+        return ", ".join(filter(None, [self.title.strip(), self.date.strip()]))
 
     def twins(self) -> list[tuple[int, int]]:
         """The numbers of pieces that are mirror images of each other, found by their outlines; each piece once.
@@ -221,14 +243,14 @@ class Pattern:
         ]
         return replace(self, pieces=pieces)
 
-    def page_sizes(self, paper: str | float = "a4") -> list[np.ndarray]:
+    def page_sizes(self, paper: str | float = "a4", proof: bool = False) -> list[np.ndarray]:
         """Width and height of each page that a PDF for this paper would have, in millimeters.
 
         Raises FlattenError for what does not fit on the paper.
         """
         from .pdf import page_sizes
 
-        return page_sizes(self, paper)
+        return page_sizes(self, paper, proof)
 
     @property
     def svg_size(self) -> np.ndarray:
@@ -247,7 +269,8 @@ class Pattern:
     def write(self, path: str | Path, **options: Any) -> "Written":  # noqa: ANN401
         """Writes the file whose kind the suffix of the path says, and reads it again before it takes its place.
 
-        Options: of .pdf `paper`, of .svg `preset`, of .dxf `dialect` and `control_square`; see docs/pattern.md.
+        Options: of .pdf `paper` and `proof`, of .svg `preset`, of .dxf `dialect` and `control_square`; docs/pattern.md
+        tells of them.
         A failure leaves a file that was there before as it was. Raises FlattenError for options and for what does not
         fit on the paper, OSError for paths, RuntimeError if what was read again is not the pattern.
         """

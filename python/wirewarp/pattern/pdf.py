@@ -12,6 +12,7 @@ from .drawing import Stroke, strokes_of
 from .model import PatternPiece, Text
 from .papers import LONGEST, MARGIN, OVERLAP, PROJECTOR, SHEETS, Tiles, divided, roll_width, tile_name
 from .pdf_document import Content, Document
+from .proof import proof_pages
 from .roles import LAYERS, LOOKS
 from .scale_block import SIZE, UNIT, scale_block
 from .units import counted
@@ -25,24 +26,40 @@ SHEET_LAYER, GRID_LAYER = "Sheets", "Grid"
 GRID_STEP = {"metric": 50.0, "imperial": 2 * 25.4}
 
 
-def write_pdf(path: Path, pattern: "Pattern", paper: str | float = "a4") -> tuple[int, list[str]]:
+def write_pdf(path: Path, pattern: "Pattern", paper: str | float = "a4", proof: bool = False) -> tuple[int, list[str]]:
     """Writes the file; returns the number of pages, and sentences on what could not be drawn.
 
     paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
-    a roll in millimeters.
+    a roll in millimeters. proof: last come pages with every piece and both sides of every seam, to check beforehand.
     """
     width = roll_width(paper)
     if width is not None:
-        pages, left_out = _write_roll(path, pattern, width)
+        document, left_out = _roll(pattern, width)
     elif paper == PROJECTOR:
-        pages, left_out = _write_page(path, pattern)
+        document, left_out = _one_page(pattern)
     else:
-        pages, left_out = _write_tiles(path, pattern, str(paper))
-    return pages, [f'"{line}" is left out of the PDF, whose letters are Latin.' for line in dict.fromkeys(left_out)]
+        document, left_out = _tiles(pattern, str(paper))
+    for content in proof_pages(pattern, _proof_size(paper)) if proof else []:
+        document.add_page(_proof_size(paper), content)
+        left_out += content.left_out
+    document.write(path)
+    return document.page_count, [
+        f'"{line}" is left out of the PDF, whose letters are Latin.' for line in dict.fromkeys(left_out)
+    ]
 
 
-def page_sizes(pattern: "Pattern", paper: str | float = "a4") -> list[np.ndarray]:
+def page_sizes(pattern: "Pattern", paper: str | float = "a4", proof: bool = False) -> list[np.ndarray]:
     """(2,) width and height in millimeters of each page that write_pdf would write. Raises FlattenError as it does."""
+    size = _proof_size(paper)
+    return _pattern_sizes(pattern, paper) + ([size] * len(proof_pages(pattern, size)) if proof else [])
+
+
+def _proof_size(paper: str | float) -> np.ndarray:
+    """The sheet, if it is printed at home; else A4."""
+    return np.array(SHEETS[paper if isinstance(paper, str) and paper in SHEETS else "a4"])
+
+
+def _pattern_sizes(pattern: "Pattern", paper: str | float) -> list[np.ndarray]:
     width = roll_width(paper)
     if width is not None:
         return [size for _, size in _roll_pages(_on_roll(pattern, width), width)]
@@ -76,7 +93,7 @@ def _drawn(piece: PatternPiece, thinnest: float) -> Content:
     return content
 
 
-def _write_page(path: Path, pattern: "Pattern") -> tuple[int, list[str]]:
+def _one_page(pattern: "Pattern") -> tuple[Document, list[str]]:
     """All on one page as large as it takes, with a grid that is hidden at first."""
     size = _page_size(pattern)
     document = _document(pattern, GRID_LAYER, hidden=(GRID_LAYER,))
@@ -87,8 +104,7 @@ def _write_page(path: Path, pattern: "Pattern") -> tuple[int, list[str]]:
     for piece in pattern.pieces:
         content.add_form(f"P{piece.number}", np.array([MARGIN, MARGIN + SIZE[1]]))
     document.add_page(size, content)
-    document.write(path)
-    return 1, left_out
+    return document, left_out
 
 
 def _page_size(pattern: "Pattern") -> np.ndarray:
@@ -108,7 +124,7 @@ def _grid(size: np.ndarray, step: float) -> Iterator[Stroke]:
         yield Stroke("scale", np.array([[0.0, y], [size[0], y]]))
 
 
-def _write_roll(path: Path, pattern: "Pattern", width: float) -> tuple[int, list[str]]:
+def _roll(pattern: "Pattern", width: float) -> tuple[Document, list[str]]:
     """Pages as wide as the roll."""
     arranged = _on_roll(pattern, width)
     pages = _roll_pages(arranged, width)
@@ -123,8 +139,7 @@ def _write_roll(path: Path, pattern: "Pattern", width: float) -> tuple[int, list
             above = MARGIN + (SIZE[1] if number == 0 else 0.0)
             content.add_form(f"P{piece.number}", np.array([MARGIN, above - low]))
         document.add_page(size, content)
-    document.write(path)
-    return len(pages), left_out
+    return document, left_out
 
 
 def _on_roll(pattern: "Pattern", width: float) -> "Pattern":
@@ -175,7 +190,7 @@ def _add_scale(content: Content, pattern: "Pattern", corner: np.ndarray) -> None
     content.in_layer("Scale", strokes, [*texts, Text((included,), corner + (62.0, 116.0), 4.0)])
 
 
-def _write_tiles(path: Path, pattern: "Pattern", paper: str) -> tuple[int, list[str]]:
+def _tiles(pattern: "Pattern", paper: str) -> tuple[Document, list[str]]:
     """A first page with a map and what is to be measured, then the sheets."""
     plan = divided(pattern, paper)
     document = _document(pattern, SHEET_LAYER)
@@ -193,8 +208,7 @@ def _write_tiles(path: Path, pattern: "Pattern", paper: str) -> tuple[int, list[
         content.unclip()
         content.in_layer(SHEET_LAYER, *_sheet_marks(plan, tile.row, tile.column))
         document.add_page(plan.paper, content)
-    document.write(path)
-    return 1 + len(plan.tiles), left_out + cover.left_out
+    return document, left_out + cover.left_out
 
 
 def _sheet_marks(plan: Tiles, row: int, column: int) -> tuple[list[Stroke], list[Text]]:

@@ -67,6 +67,7 @@ class Content:
 class Document:
     def __init__(self, title: str, layers: Sequence[str], hidden: Sequence[str] = ()) -> None:
         """hidden: those of the layers that a reader shows only when asked to."""
+        self.page_count = 0
         self._pdf = pydyf.PDF()
         self._pdf.info["Title"] = pydyf.String(title)
         self._pdf.info["Creator"] = pydyf.String("WireWarp")
@@ -115,6 +116,7 @@ class Document:
             "Resources": pydyf.Dictionary(resources),
         }
         self._pdf.add_page(pydyf.Dictionary(page))
+        self.page_count += 1
 
     def write(self, path: Path) -> None:
         with path.open("wb") as file:

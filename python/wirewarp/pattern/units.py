@@ -31,6 +31,10 @@ class UnitSystem:
             + " in"
         )
 
+    def measured(self, millimeters: float) -> str:
+        """ "430.2 mm" or "16.94 in", to compare with others."""
+        return f"{millimeters:.1f} mm" if self.name == "metric" else f"{millimeters / INCH:.2f} in"
+
     def area_text(self, square_millimeters: float) -> str:
         """ "182.3 cm²" or "28.26 in²"."""
         if self.name == "imperial":

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pages to check before cutting: every piece with its size, every seam with the lengths of its sides."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from . import helvetica
+from .card import how_to_cut
+from .model import Text
+from .papers import MARGIN
+from .pdf_document import Content
+
+if TYPE_CHECKING:
+    from .pattern import Pattern
+
+HEIGHT, LINE = 3.2, 5.0  # millimeters: of letters and between the base lines of rows
+COLUMNS = (0.0, 0.32, 0.55, 0.77, 0.89)  # where they begin, as shares of the width
+CLOTHS = (900.0, 1400.0, 1500.0)  # millimeters: usual widths
+SHORTENED = "..."
+Row = Sequence[str]
+
+
+def proof_pages(pattern: "Pattern", paper: np.ndarray) -> list[Content]:
+    """On as many pages of this size (2,) as it takes."""
+    rows = [*_piece_rows(pattern), (), *_seam_rows(pattern)]
+    at_once = max(int((paper[1] - 2 * MARGIN) / LINE), 1)
+    return [_page(rows[start : start + at_once], paper) for start in range(0, len(rows), at_once)]
+
+
+def _piece_rows(pattern: "Pattern") -> list[Row]:
+    units = pattern.units
+    rows: list[Row] = [(pattern.heading or "Pattern",), (), ("Piece", "Cut", "Size to cut", "Area sewn")]
+    for piece in pattern.pieces:
+        size = " x ".join(units.measured(float(side)) for side in piece.size)
+        rows.append((f"{piece.number}  {piece.name}", how_to_cut(piece), size, units.area_text(piece.area)))
+    for width in CLOTHS:
+        if max(piece.size[0] for piece in pattern.pieces) <= width:
+            length = units.text(float(pattern.arranged(width).size[1]))
+            rows.append((f"In rows, none turned, on cloth {units.text(width)} wide: {length}",))
+    return rows
+
+
+def _seam_rows(pattern: "Pattern") -> list[Row]:
+    """The sides of each seam, one a row, and how far the longest is from the shortest."""
+    rows: list[Row] = [("Seam", "Side", "Sewn length", "Allowance", "Difference")]
+    widths: dict[tuple[int, str], list[float]] = {}
+    for piece in pattern.pieces:
+        for line in piece.of_role("sew"):
+            if line.seam is not None and line.width is not None:
+                widths.setdefault((line.seam, piece.name), []).append(line.width)
+    for number, walk in enumerate(pattern.walks):
+        if not walk.lengths:  # of pieces without a layout
+            continue
+        difference = max(walk.lengths) - min(walk.lengths)
+        for side, (name, length) in enumerate(zip(walk.pieces, walk.lengths, strict=True)):
+            allowance = pattern.units.range_of(widths.get((number, name), []))
+            told = f"{difference:.3f} mm" if side == 0 else ""
+            rows.append((walk.name if side == 0 else "", name, pattern.units.measured(length), allowance, told))
+    return rows
+
+
+def _page(rows: Sequence[Row], paper: np.ndarray) -> Content:
+    content, texts = Content(), []
+    width = float(paper[0]) - 2 * MARGIN
+    for number, row in enumerate(rows):
+        ends = [*COLUMNS[1 : len(row)], 1.0]
+        for words, begin, end in zip(row, COLUMNS, ends, strict=False):
+            if words:
+                shown = _fitted(words, (end - begin) * width)
+                middle = MARGIN + begin * width + _width(shown) / 2
+                texts.append(Text((shown,), np.array([middle, paper[1] - MARGIN - LINE * (number + 0.5)]), HEIGHT))
+    content.in_layer("Text", (), texts)
+    return content
+
+
+def _fitted(words: str, room: float) -> str:
+    """Cut off where it would run into the next column."""
+    shown = words
+    while _width(shown) > room and len(shown) > len(SHORTENED):
+        shown = shown.removesuffix(SHORTENED)[:-1] + SHORTENED
+    return shown
+
+
+def _width(words: str) -> float:
+    return helvetica.width(helvetica.encoded(words) or b"", HEIGHT)
