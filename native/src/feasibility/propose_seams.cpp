@@ -19,12 +19,14 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kMostDepth = 3;   // cuts of pieces of pieces: eight of them, as many as a garment has
-constexpr int kMostTrials = 3;  // in full, of the cuts of one chart
+constexpr int kMostDepth = 3;  // cuts of pieces of pieces: eight of them, as many as a garment has
+constexpr int kMostTrials =
+    3;  // in full, of the cuts of one chart: with 2 garments fall into more pieces, 5 are no better
 
 /// What distortion costs, in cut length over the square root of the area: a cushion is cut around its edge (2.8,
 /// distortion 0.02) and not open along one line (1.2, distortion 0.3), a skirt open along one (0.7, 0.014) and not
-/// into two (1.3, 0.01).
+/// into two (1.3, 0.01). On 43 garments, shoes, cushions and toys all lie flat in the end whatever it is; with 3, 10,
+/// 30, 100 the cuts sum up to 86, 97, 100, 103 and the distortions to 3.5, 0.9, 0.6, 0.5.
 constexpr double kPriceOfDistortion = 10;
 
 /// How a chart lies when no length is held.
