@@ -315,6 +315,25 @@ TEST(ProposedSeamsOfABand, MendWhatTheOutlinesCouldHold) {
   }
 }
 
+TEST(ProposedSeamsOfARing, LeadToPiecesThatLieFlat) {
+  // Cuffs, waist bands and collars: level, flared and bulging, of oval section, with wires around and upright.
+  const int around = 24, rows = 3;
+  for (int i = 0; i < 12; ++i) {
+    const double flare = 0.15 * (i % 5 - 2), bulge = 0.1 * (i % 3), tall = 0.15 + 0.1 * (i % 4);
+    FlattenInput input = test::make_tube(around, rows, [&](double s, double t) {
+      const double radius = 1 + flare * t + 4 * bulge * t * (1 - t);
+      return Eigen::Vector3d(radius * std::cos(2 * kPi * s), 0.7 * radius * std::sin(2 * kPi * s), tall * t);
+    });
+    if (i % 2 == 1) test::add_wire(input, test::tube_ring(around, 1));
+    for (int line = 0; line < 4 && i % 4 > 1; ++line) {
+      test::add_wire(input, test::tube_line(around, rows, 6 * line), i % 3 == 0 ? 0 : 0.03);
+    }
+    FlattenResult result;
+    EXPECT_LE(follow_proposals(input, result), 3) << i;
+    EXPECT_EQ(codes_of(result), std::vector<ErrorCode>{}) << i;
+  }
+}
+
 TEST(CutToDisk, CutsEachHandleTwiceAndJoinsTheLoops) {
   FlattenInput two_handles = cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; });
   for (const int dropped_faces : {1, 3}) {  // one loop; two: the first and the last triangle lie apart
