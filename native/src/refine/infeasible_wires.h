@@ -7,9 +7,9 @@
 namespace wirewarp {
 
 /// Tolerances by rising wire under which the refined method finds a good flat shape of the chart, proven by a run: all
-/// lengths kept, nothing turned over, no overlap. Those wires that give way at the least price, without those that need
-/// not; else all that change when free. Round and as small as serves: one for each of a few wires, the same for many;
-/// infinity for a wire that no tolerance up to a half helps. Empty if no good shape is found even with all wires free.
+/// lengths kept, nothing turned over, no overlap. Round and as small as serves: one for each of a few wires that give
+/// way; else the same for all that give way, or for all that change when free if that is far lower; else infinity for
+/// those that no tolerance up to a half helps. Empty if no good shape is found even with all wires free.
 /// options.max_factorizations does not count here. refined: of the chart, not exact. Throws Stopped.
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const InternalOptions& options,
                                                   const RefineResult& refined, const StopToken& stop);
