@@ -8,13 +8,13 @@ from tools.package import venv_with_core
 
 HYPOTHESIS = "hypothesis==6.170.15"
 READERS = ("dxfgrabber==1.0.1", "ezdxf==1.4.5", "pypdfium2==5.15.2", "shapely==2.2.0")  # of its files, in tests alone
-MODELS = "trimesh==5.2.0"  # what python -m wirewarp reads them with
+MODELS = ("trimesh==5.2.0", "pillow==13.0.0")  # what python -m wirewarp reads them with
 
 
 def bindings_tests(version: str, *options: str) -> None:
     """options: of pytest."""
     python = venv_with_core(
-        f"bindings-{version}", version, PYTEST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, MODELS
+        f"bindings-{version}", version, PYTEST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, *MODELS
     )
     run([python, "-m", "pytest", "-q", *options, "tests/bindings"])
 

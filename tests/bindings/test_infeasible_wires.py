@@ -15,7 +15,7 @@ def test_the_proposed_tolerances_can_be_taken_as_they_are():
     proposed = dict(piece.error.proposed_tolerances)
     named = {tuple(sorted(wires[index].vertices.tolist())) for index in proposed}
     assert {tuple(sorted(edge)) for edge in piece.error.edges} == named
-    assert len(proposed) < len(wires)
+    assert max(proposed.values()) <= 0.03  # what elastic cloth gives without a thought
 
     looser = [Wire(wire.vertices, proposed.get(i, 0)) for i, wire in enumerate(wires)]
     result = flatten(vertices, faces, wires=looser)
