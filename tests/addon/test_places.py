@@ -9,7 +9,6 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from mathutils import Vector
 from surfaces import (
     bump,
     edge_lengths,
@@ -381,28 +380,6 @@ def test_lengths_are_true_again_after_the_flat_object_was_edited(source, change)
     assert_true(source)
 
 
-def test_models_flattened_together_have_their_pieces_at_one_height_and_under_none_of_them():
-    """A small model, a tall one right of it, and one that hovers where the pieces of the first would lie."""
-    models = [grid(name, bump) for name in ("Left", "Tall", "Hovering")]
-    for model, place in zip(models, [(0, 0, 0), (7, 0, -1), (3.5, 0, 4)], strict=True):
-        model.location = place
-    models[1].scale = (1, 1, 3)
-    select_only(*models)
-    bpy.ops.object.wirewarp_flatten()
-    bpy.context.view_layer.update()
-    flats = [flat_of(model) for model in models]
-    assert len({round(flat.location.z, 5) for flat in flats}) == 1
-    boxes = [world_box(each) for each in (*models, *flats)]
-    for flat in boxes[3:]:
-        assert not any(np.all((flat[0] < other[1]) & (other[0] < flat[1])) for other in boxes if other is not flat)
-
-
-def world_box(target):
-    """(2,2) from above."""
-    corners = np.array([(target.matrix_world @ Vector(corner))[:2] for corner in target.bound_box])
-    return np.array([corners.min(axis=0), corners.max(axis=0)])
-
-
 def test_the_list_opens_at_the_worst_piece_and_then_stays_where_the_user_is(addon, source):
     report = addon.flat.reports.last_report(source)
     worst = max(report["pieces"], key=lambda piece: piece["aspect_ratio_max"])["index"]
@@ -410,19 +387,3 @@ def test_the_list_opens_at_the_worst_piece_and_then_stays_where_the_user_is(addo
     source.wirewarp_active_piece = 1 - worst
     bpy.ops.object.wirewarp_flatten()
     assert source.wirewarp_active_piece == 1 - worst
-
-
-@pytest.mark.parametrize("size", [0.5, 4.0])
-def test_the_gap_is_a_length_whatever_the_size_of_the_pieces(size):
-    source = grid("Plane", lambda x, y: (size * x, size * y, 0))
-    mark_seam(source, SEAM)
-    flatten(source, spacing=0.05)
-    mesh = flat_of(source).data
-    boxes = []
-    for piece in (0, 1):
-        faces = [face for face in mesh.polygons if mesh.attributes["piece"].data[face.index].value == piece]
-        places = np.array([mesh.vertices[vertex].co[:2] for face in faces for vertex in face.vertices])
-        boxes.append((places.min(axis=0), places.max(axis=0)))
-    (low, high), (other_low, other_high) = boxes
-    apart = np.maximum(other_low - high, low - other_high).max()
-    assert apart == pytest.approx(0.05, abs=1e-5)

@@ -6,8 +6,8 @@
 #include <thread>
 #include <vector>
 
-#include "planar.h"
 #include "cache/chart_key.h"
+#include "planar.h"
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
 

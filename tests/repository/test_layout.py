@@ -29,7 +29,7 @@ LAYERS = [
     "refine",
     "packing",
     "metrics",
-    "reuse",
+    "cache",
 ]
 
 
