@@ -65,11 +65,15 @@ double ShapeError::energy_and_gradient(const Positions2& uv, Positions2& gradien
     sum += t.area * map.squared_distance_from_rotation();
 
     // ∂E/∂J = 2A (J - L) = A (2z, 2w less 2ẑ), entry by entry.
-    const double tolerance_violation = map.norm_z > 0 ? 1 - 2 / map.norm_z : 1;
-    add_to_corners(t, t.area * tolerance_violation * map.z1, t.area * tolerance_violation * map.z2, t.area * map.w1,
-                   t.area * map.w2, gradient);
+    const double stretch = map.norm_z > 0 ? 1 - 2 / map.norm_z : 1;
+    add_to_corners(t, t.area * stretch * map.z1, t.area * stretch * map.z2, t.area * map.w1, t.area * map.w2, gradient);
   }
   return sum;
+}
+
+int ShapeError::count_flips(const Positions2& uv) const {
+  return static_cast<int>(std::count_if(triangles_.begin(), triangles_.end(),
+                                        [&](const Triangle& t) { return map_of(t, uv).determinant() <= 0; }));
 }
 
 /// E is A/2 [(|z| - 2)² + |w|²] with the doubled z and w.

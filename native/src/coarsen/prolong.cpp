@@ -49,9 +49,11 @@ double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.arr
 
 /// Local/global steps of the shape error E over all vertices that no wire holds. The local step finds the rotations,
 /// and with them the gradient. The global step lowers a quadratic that is nowhere below E: a few steps of conjugate
-/// gradients, for what is wrong has short waves.
+/// gradients, for what is wrong has short waves. Only where triangles have turned over: elsewhere the Newton steps take
+/// as few factorizations without.
 void smooth(const Chart& chart, const WireNetwork& network, Positions2& uv) {
   const ShapeError shape_error(chart);
+  if (shape_error.count_flips(uv) == 0) return;
   const Eigen::SparseMatrix<double> hessian = shape_error.fixed_rotation_hessian();
   Eigen::VectorXd preconditioner = hessian.diagonal().cwiseInverse();
   for (const WireEdge& edge : network.edges) {  // where it is 0 nothing moves

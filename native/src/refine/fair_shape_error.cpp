@@ -100,14 +100,6 @@ double FairShapeError::value_of_rounding(double error) const {
   return error * error * sum + bending_.value_of_rounding(error);
 }
 
-int FairShapeError::count_flips(const Positions2& uv) const {
-  int flips = 0;
-  for (const ShapeError::Triangle& t : shape_error_.triangles()) {
-    flips += ShapeError::map_of(t, uv).determinant() <= 0 ? 1 : 0;
-  }
-  return flips;
-}
-
 /// Each area is a quadratic function a + bt + ct² of the share t, positive at 0.
 double FairShapeError::longest_step(const Positions2& uv, const Positions2& d) const {
   if (injectivity_ == Injectivity::none) return 1;

@@ -56,7 +56,7 @@ class FairShapeError {
   double value_of_rounding(double error) const;
 
   /// Triangles turned over or without area.
-  int count_flips(const Positions2& uv) const;
+  int count_flips(const Positions2& uv) const { return shape_error_.count_flips(uv); }
 
   /// The share of the step d from uv, at most 1, after which the injectivity is first lost.
   double longest_step(const Positions2& uv, const Positions2& d) const;

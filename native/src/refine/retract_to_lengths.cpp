@@ -6,7 +6,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kMaxSteps = 60;         // a few substitutions each; ordinary pieces take three to five
+constexpr int kMaxSteps = 60;         // a few substitutions each; ordinary pieces take three to five, slow ones arrive
 constexpr double kSlowestFall = 0.9;  // of the error by a step: with half of it, 5 % more factorizations
 
 }  // namespace
