@@ -45,13 +45,6 @@ def open_sample(*opened: str) -> drive.Tour:
     yield from look_at_model()
 
 
-def close_top_panel() -> drive.Tour:
-    """The key A over its header."""
-    sidebar = drive.region("UI")
-    yield from drive.press("A", (sidebar.x + 60, sidebar.y + sidebar.height - 20))
-    yield from drive.ticks(10)
-
-
 def look_at_model() -> drive.Tour:
     look(Euler((1.25, 0.0, 0.42)))
     view = drive.view_area().spaces.active.region_3d
@@ -145,8 +138,7 @@ def flat() -> drive.Tour:
 
 
 def report() -> drive.Tour:
-    yield from open_sample("mark", "report", "report_seams", "report_outlines")
-    yield from close_top_panel()
+    yield from open_sample("flatten", "report", "report_seams", "report_outlines")
     yield from flatten()
     bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
     yield from look_at_both()
@@ -155,9 +147,8 @@ def report() -> drive.Tour:
 
 def tube() -> drive.Tour:
     """A sleeve whose seam has been forgotten."""
-    yield from open_sample("mark", "report")
+    yield from open_sample("flatten", "report")
     clear_sleeve_seam(bpy.context.object.data)
-    yield from close_top_panel()
     yield from flatten()
     hide_others()  # the view from below looks through them
     look(Euler((2.0, 0.0, -0.4)))
@@ -186,7 +177,7 @@ def seams_at(vertex: bmesh.types.BMVert) -> list[bmesh.types.BMEdge]:
 
 def contradiction() -> drive.Tour:
     """All mesh lines of one breast rigid, with the diagonals of its faces."""
-    yield from open_sample("mark", "report")
+    yield from open_sample("flatten", "report")
     vertices = bpy.context.object.data.vertices
     peak = min((v.co.copy() for v in vertices if v.co.x > 0), key=lambda place: place.y)
     select_edges(lambda a, b: max((a - peak).length, (b - peak).length) < 0.045)
@@ -194,7 +185,6 @@ def contradiction() -> drive.Tour:
         bpy.ops.mesh.quads_convert_to_tris()
         bpy.ops.mesh.wirewarp_mark("INVOKE_DEFAULT", kind="RIGID")
         bpy.ops.object.mode_set(mode="OBJECT")
-    yield from close_top_panel()
     yield from flatten()
     hide_others()
     yield from drive.ticks(10)
@@ -202,8 +192,7 @@ def contradiction() -> drive.Tour:
 
 
 def pieces() -> drive.Tour:
-    yield from open_sample("mark", "pieces", "report", "report_wires")
-    yield from close_top_panel()
+    yield from open_sample("flatten", "pieces", "report", "report_wires")
     yield from flatten()
     source = bpy.context.object
     flat_pieces = bpy.data.objects["Fitted top Flat"]
