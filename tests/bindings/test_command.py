@@ -147,6 +147,7 @@ def test_bad_input_is_one_sentence(tmp_path, monkeypatch, name, content, words, 
     ("words", "said"),
     [
         (("--allowance", "10"), "'10' is no length: give 10mm"),
+        (("--allowance", "3/00in"), "'3/00in' is no length: give 10mm"),
         (("--page", "a9"), "paper is 'a9'"),
         (("--format", "png"), "'png' is no format"),
         (("--jobs", "0"), "give 1 or more"),

@@ -90,7 +90,7 @@ def parsed(words: Sequence[str]) -> Arguments:
 
 def _length(text: str) -> float:
     match = LENGTH.fullmatch(text.strip())
-    if not match or match[2] == "0":
+    if not match or (match[2] and not int(match[2])):
         raise argparse.ArgumentTypeError(f"{text!r} is no length: give 10mm, 1cm or 3/8in")
     return float(match[1]) / float(match[2] or 1) * MILLIMETERS[match[3]]
 
