@@ -2,6 +2,7 @@
 """python -m wirewarp: models from files, the same result as through Python, a sentence for whatever is wrong."""
 
 import json
+import os
 import subprocess
 import sys
 
@@ -17,10 +18,10 @@ vt 0 0\nvt .4 0\nvt .4 1\nvt 0 1\nvt .6 0\nvt 1 0\nvt 1 1\nvt .6 1
 f 1/1 2/2 5/3 4/4\nf 2/5 3/6 6/7 5/8\n"""
 
 
-def run(*words, code=0):
-    """The lines that are printed, and what is said besides."""
+def run(*words, code=0, **variables):
+    """The lines that are printed, and what is said besides. variables: of the environment."""
     command = [sys.executable, "-m", "wirewarp", "flatten", *map(str, words)]
-    done = subprocess.run(command, capture_output=True, text=True)
+    done = subprocess.run(command, capture_output=True, text=True, env=os.environ | variables)
     assert done.returncode == code, done.stderr
     return [json.loads(line) for line in done.stdout.splitlines()], done.stderr
 
@@ -104,6 +105,12 @@ def test_what_was_done_before_is_left_out_until_something_changes(model, tmp_pat
     assert "skipped" not in run(*words)[0][0]
     model.write_text(FOLDED.replace(".04", ".03"))
     assert "skipped" not in run(*words)[0][0]
+
+
+def test_any_name_can_be_printed_on_any_console(model, tmp_path):
+    named = model.rename(tmp_path / "Ärmel.obj")
+    ((line,), _) = run(named, "--out", tmp_path, "--format", "svg", PYTHONIOENCODING="ascii")
+    assert line["model"] == str(named)
 
 
 def test_several_at_a_time_and_the_worst_counts(model, tmp_path):

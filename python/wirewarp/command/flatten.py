@@ -29,7 +29,7 @@ def flatten_models(arguments: Arguments) -> int:
     """Prints one line of JSON for each model; returns the exit code, that of the worst."""
     worst = 0
     for line in _all(arguments):
-        print(json.dumps(line, ensure_ascii=False), flush=True)
+        print(json.dumps(line), flush=True)  # ASCII: every console can show it
         worst = max(worst, EXIT_CODES[line["verdict"]])
     return worst
 
