@@ -163,3 +163,14 @@ def test_bad_input_is_one_sentence(tmp_path, monkeypatch, name, content, words, 
 )
 def test_bad_words_are_one_sentence(model, tmp_path, words, said):
     assert said in run(model, *words, "--out", tmp_path, code=2)[1].splitlines()[-1]
+
+
+@pytest.mark.parametrize("option", ["--seams", "--wires"])
+def test_what_is_read_is_never_overwritten_by_the_report(model, tmp_path, option):
+    lines = tmp_path / "Folded.json"
+    lines.write_text("[]")
+    (tmp_path / "other").mkdir()
+    out = tmp_path / "other" / ".."
+    said = run(model, option, lines, "--out", out, code=2)[1]
+    assert f'would overwrite "{lines}"' in said and lines.read_text() == "[]"
+    assert run(model, option, lines, "--out", tmp_path / "other", "--format", "svg")

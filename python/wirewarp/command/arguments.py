@@ -32,6 +32,15 @@ class Request:
     unit: str
     resume: bool
 
+    @property
+    def report_path(self) -> Path:
+        return self.folder / f"{self.model.stem}.json"
+
+    @property
+    def line_files(self) -> list[Path]:
+        """The files that seams and wires are read from."""
+        return [Path(name) for name in (self.seams, self.wires) if name not in ("", *FROM_MODEL)]
+
 
 @dataclass(frozen=True)
 class Arguments:
@@ -85,6 +94,10 @@ def parsed(words: Sequence[str]) -> Arguments:
         )
         for model in given.models
     ]
+    for request in requests:
+        for file in request.line_files:
+            if file.resolve() == request.report_path.resolve():
+                command.error(f'the report of "{request.model}" would overwrite "{file}": give another --out')
     return Arguments(requests, given.jobs)
 
 

@@ -17,7 +17,7 @@ from ..pattern import Pattern
 from ..pattern.replace_file import replaced_file
 from .arguments import MILLIMETERS, Arguments, Request
 from .input_error import InputError
-from .lines import FROM_MODEL, seams_of, wires_of
+from .lines import seams_of, wires_of
 from .model import read_model
 
 READY, FAILED, REFUSED = "ready to cut", "not ready to cut", "refused"
@@ -55,13 +55,9 @@ def flatten_model(request: Request) -> Line:
     return {"model": str(request.model), **line, "seconds": round(time.monotonic() - begin, 3)}
 
 
-def _report_path(request: Request) -> Path:
-    return request.folder / f"{request.model.stem}.json"
-
-
 def _done_before(request: Request) -> Line | None:
     """The line of the last time, if nothing has changed since and all that was written is there."""
-    path = _report_path(request)
+    path = request.report_path
     if not request.resume or not path.is_file():
         return None
     try:
@@ -76,8 +72,7 @@ def _made_of(request: Request) -> str:
     """A digest of the version, the settings and the files."""
     settings = {key: str(value) for key, value in asdict(request).items() if key not in ("folder", "resume")}
     digest = hashlib.blake2b(json.dumps([__version__, settings], sort_keys=True).encode(), digest_size=16)
-    files = [request.model, *(Path(name) for name in (request.seams, request.wires) if name not in ("", *FROM_MODEL))]
-    for file in files:
+    for file in [request.model, *request.line_files]:
         if not file.is_file():
             raise InputError(f'There is no file "{file}".')
         digest.update(hashlib.blake2b(file.read_bytes()).digest())
@@ -94,7 +89,7 @@ def _flattened(request: Request) -> Line:
         "pieces": len(result.pieces),
         "problems": problems,
         "warnings": [],
-        "files": [str(_report_path(request))],
+        "files": [str(request.report_path)],
         "made_of": made_of,
     }
     if not problems:
@@ -112,6 +107,6 @@ def _flattened(request: Request) -> Line:
             line["files"].append(str(written.path))
             line["warnings"] += [warning for warning in written.warnings if warning not in line["warnings"]]
     report = {"line": line, "unit": request.unit, **result.to_dict()}
-    with replaced_file(_report_path(request)) as unfinished:
+    with replaced_file(request.report_path) as unfinished:
         unfinished.write_text(json.dumps(report, ensure_ascii=False), encoding="utf-8")
     return line
