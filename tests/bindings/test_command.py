@@ -69,7 +69,7 @@ def test_islands_of_the_map_are_pieces_and_the_files_are_read_back(model, tmp_pa
     ((line,), _) = run(model, "--out", tmp_path / "out", "--seams", "uv", "--page", "letter", "--allowance", "3/8in")
     assert line["pieces"] == 2 and line["problems"] == []
     names = {path.name for path in (tmp_path / "out").iterdir()}
-    assert names == {"Folded.json", "Folded.pdf", "Folded.svg"} == {file.rsplit("/", 1)[1] for file in line["files"]}
+    assert names == {"Folded.json", "Folded.pdf", "Folded.svg"} == set(line["files"])
     page = pypdfium2.PdfDocument(tmp_path / "out" / "Folded.pdf")[0]
     assert np.array(page.get_size()) / 72 == pytest.approx([8.5, 11])
     assert "9.525 mm" in page.get_textpage().get_text_range()
@@ -105,6 +105,37 @@ def test_what_was_done_before_is_left_out_until_something_changes(model, tmp_pat
     assert "skipped" not in run(*words)[0][0]
     model.write_text(FOLDED.replace(".04", ".03"))
     assert "skipped" not in run(*words)[0][0]
+
+
+def test_a_model_of_several_files_has_changed_when_one_of_them_has(tmp_path):
+    def write(height):
+        mesh = trimesh.Trimesh([(0, 0, 0), (0.1, 0, 0), (0, 0.1, height)], [(0, 1, 2)])
+        for name, content in trimesh.exchange.gltf.export_gltf(trimesh.Scene(mesh)).items():
+            (tmp_path / name).write_bytes(content)
+        (tmp_path / "model.gltf").rename(path)
+
+    path = tmp_path / "sheet.gltf"
+    write(0.01)
+    words, text = (path, "--out", tmp_path / "out", "--format", "svg", "--resume"), path.read_text()
+    assert "skipped" not in run(*words)[0][0]
+    write(0.02)
+    path.write_text(text)  # with the geometry in other files
+    assert "skipped" not in run(*words)[0][0]
+    assert run(*words)[0][0]["skipped"]
+
+
+def test_what_is_left_of_two_runs_is_made_anew(model, tmp_path):
+    words = (model, "--out", tmp_path / "out", "--format", "svg,pdf")
+    run(*words)
+    run(*words, "--page", "120mm", "--allowance", "5mm", code=2)  # the SVG is of 5 mm, the PDF still of 10 mm
+    assert "skipped" not in run(*words, "--resume")[0][0]
+
+
+def test_what_was_done_before_is_found_from_any_folder(model, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    run(model, "--out", "out")
+    monkeypatch.chdir(tmp_path / "out")
+    assert run(model, "--out", ".", "--resume")[0][0]["skipped"]
 
 
 def test_any_name_can_be_printed_on_any_console(model, tmp_path):

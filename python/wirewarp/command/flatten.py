@@ -9,16 +9,15 @@ import time
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict
-from pathlib import Path
 from typing import Any
 
 from .. import FlattenError, __version__, flatten
 from ..pattern import Pattern
 from ..pattern.replace_file import replaced_file
-from .arguments import MILLIMETERS, Arguments, Request
+from .arguments import FROM_MODEL, MILLIMETERS, Arguments, Request
 from .input_error import InputError
 from .lines import seams_of, wires_of
-from .model import read_model
+from .model import Model, read_model
 
 READY, FAILED, REFUSED = "ready to cut", "not ready to cut", "refused"
 EXIT_CODES = {READY: 0, FAILED: 1, REFUSED: 2}
@@ -47,7 +46,7 @@ def flatten_model(request: Request) -> Line:
     """Never raises for what is wrong with the model or the folder: the line says it."""
     begin = time.monotonic()
     try:
-        line = _done_before(request) or _flattened(request)
+        line = _line(request)
     except (InputError, FlattenError) as error:
         line = {"verdict": REFUSED, "problems": [str(error)]}
     except OSError as error:
@@ -55,41 +54,50 @@ def flatten_model(request: Request) -> Line:
     return {"model": str(request.model), **line, "seconds": round(time.monotonic() - begin, 3)}
 
 
-def _done_before(request: Request) -> Line | None:
+def _line(request: Request) -> Line:
+    model = read_model(request.model)
+    made_of = _made_of(request, model)
+    return _done_before(request, made_of) or _flattened(request, model, made_of)
+
+
+def _done_before(request: Request, made_of: str) -> Line | None:
     """The line of the last time, if nothing has changed since and all that was written is there."""
     path = request.report_path
     if not request.resume or not path.is_file():
         return None
     try:
         line: Line = json.loads(path.read_text(encoding="utf-8"))["line"]
-        is_same = line["made_of"] == _made_of(request)
+        is_same = line["made_of"] == made_of and all((request.folder / name).is_file() for name in line["files"])
     except (ValueError, KeyError, TypeError):
         return None  # no report of ours: it is written anew
-    return {**line, "skipped": True} if is_same and all(Path(file).is_file() for file in line["files"]) else None
+    return {**line, "skipped": True} if is_same else None
 
 
-def _made_of(request: Request) -> str:
-    """A digest of the version, the settings and the files."""
+def _made_of(request: Request, model: Model) -> str:
+    """A digest of the version, the settings, what was read of the model (it may have several files), and the lines."""
     settings = {key: str(value) for key, value in asdict(request).items() if key not in ("folder", "resume")}
     digest = hashlib.blake2b(json.dumps([__version__, settings], sort_keys=True).encode(), digest_size=16)
-    for file in [request.model, *request.line_files]:
+    for array in (model.vertices, model.faces, model.corner_uv):
+        digest.update(hashlib.blake2b(b"" if array is None else array.tobytes()).digest())
+    for file in request.line_files:
         if not file.is_file():
-            raise InputError(f'There is no file "{file}".')
+            raise InputError(f'There is no file "{file}" ("{FROM_MODEL[0]}" and "{FROM_MODEL[1]}" are no files).')
         digest.update(hashlib.blake2b(file.read_bytes()).digest())
     return digest.hexdigest()
 
 
-def _flattened(request: Request) -> Line:
-    model, wires, made_of = read_model(request.model), wires_of(request.wires), _made_of(request)
+def _flattened(request: Request, model: Model, made_of: str) -> Line:
+    seams, wires = seams_of(model, request.seams), wires_of(request.wires)
     request.folder.mkdir(parents=True, exist_ok=True)
-    result = flatten(model.vertices, model.faces, seams=seams_of(model, request.seams), wires=wires)
+    request.report_path.unlink(missing_ok=True)  # there is none of patterns of which some are new and some are old
+    result = flatten(model.vertices, model.faces, seams=seams, wires=wires)
     problems = [f"Piece {n}: {piece.error.message}" for n, piece in enumerate(result.pieces, start=1) if piece.error]
     line: Line = {
         "verdict": FAILED if problems else READY,
         "pieces": len(result.pieces),
         "problems": problems,
         "warnings": [],
-        "files": [str(request.report_path)],
+        "files": [request.report_path.name],
         "made_of": made_of,
     }
     if not problems:
@@ -104,7 +112,7 @@ def _flattened(request: Request) -> Line:
         for kind in request.formats:
             options = {"paper": request.page} if kind == "pdf" else {}
             written = pattern.write(request.folder / f"{request.model.stem}.{kind}", **options)
-            line["files"].append(str(written.path))
+            line["files"].append(written.path.name)
             line["warnings"] += [warning for warning in written.warnings if warning not in line["warnings"]]
     report = {"line": line, "unit": request.unit, **result.to_dict()}
     with replaced_file(request.report_path) as unfinished:

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from .. import FlattenError, Wire
-from .arguments import FROM_MODEL
 from .input_error import InputError
 from .model import Model
 
@@ -57,8 +56,6 @@ def wires_of(path: str) -> list[Wire]:
 
 
 def _read(path: Path) -> Any:  # noqa: ANN401
-    if not path.is_file():
-        raise InputError(f'There is no file "{path}" ("{FROM_MODEL[0]}" and "{FROM_MODEL[1]}" are no files).')
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except ValueError as error:
