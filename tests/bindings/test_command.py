@@ -144,6 +144,17 @@ def test_any_name_can_be_printed_on_any_console(model, tmp_path):
     assert line["model"] == str(named)
 
 
+def test_no_old_pattern_stays_of_a_model_that_is_not_ready_to_cut(tmp_path):
+    path, words = tmp_path / "ball.ply", ("--out", tmp_path / "out", "--format", "svg")
+    ball = trimesh.creation.icosphere(2, 0.1)
+    ball.submesh([np.flatnonzero(ball.triangles_center[:, 2] > 0)], append=True).export(path)
+    run(path, *words)
+    assert (tmp_path / "out" / "ball.svg").is_file()
+    ball.export(path)
+    run(path, *words, code=1)
+    assert [file.name for file in (tmp_path / "out").iterdir()] == ["ball.json"]
+
+
 def test_several_at_a_time_and_the_worst_counts(model, tmp_path):
     (tmp_path / "empty.ply").write_text("")
     trimesh.creation.icosphere(2, 0.1).export(tmp_path / "ball.ply")

@@ -36,6 +36,9 @@ class Request:
     def report_path(self) -> Path:
         return self.folder / f"{self.model.stem}.json"
 
+    def pattern_path(self, kind: str) -> Path:
+        return self.folder / f"{self.model.stem}.{kind}"
+
     @property
     def line_files(self) -> list[Path]:
         """The files that seams and wires are read from."""

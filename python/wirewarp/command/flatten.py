@@ -100,7 +100,10 @@ def _flattened(request: Request, model: Model, made_of: str) -> Line:
         "files": [request.report_path.name],
         "made_of": made_of,
     }
-    if not problems:
+    if problems:
+        for kind in request.formats:
+            request.pattern_path(kind).unlink(missing_ok=True)  # of an earlier run: nobody is to cut it
+    else:
         pattern = Pattern.from_result(
             result,
             title=request.model.stem,
@@ -111,7 +114,7 @@ def _flattened(request: Request, model: Model, made_of: str) -> Line:
         )
         for kind in request.formats:
             options = {"paper": request.page} if kind == "pdf" else {}
-            written = pattern.write(request.folder / f"{request.model.stem}.{kind}", **options)
+            written = pattern.write(request.pattern_path(kind), **options)
             line["files"].append(written.path.name)
             line["warnings"] += [warning for warning in written.warnings if warning not in line["warnings"]]
     report = {"line": line, "unit": request.unit, **result.to_dict()}
