@@ -10,6 +10,8 @@ import numpy as np
 import pypdfium2
 import pytest
 from patterns import SAMPLES, flattened
+from wirewarp.command.arguments import parsed
+from wirewarp.command.flatten import flatten_model
 
 trimesh = pytest.importorskip("trimesh")
 # A square of 100 mm with one corner lifted, cut in the middle; by the map in two islands.
@@ -153,6 +155,14 @@ def test_no_old_pattern_stays_of_a_model_that_is_not_ready_to_cut(tmp_path):
     ball.export(path)
     run(path, *words, code=1)
     assert [file.name for file in (tmp_path / "out").iterdir()] == ["ball.json"]
+
+
+def test_a_file_that_is_off_when_read_again_is_refused_and_does_not_end_the_batch(model, tmp_path, monkeypatch):
+    monkeypatch.setattr("wirewarp.pattern.read_back.WORST", -1.0)
+    (request,) = parsed(["flatten", str(model), "--out", str(tmp_path / "out")]).requests
+    line = flatten_model(request)
+    assert line["verdict"] == "refused" and "read again" in line["problems"][0]
+    assert list((tmp_path / "out").iterdir()) == []
 
 
 def test_several_at_a_time_and_the_worst_counts(model, tmp_path):

@@ -43,11 +43,11 @@ def _all(arguments: Arguments) -> Iterator[Line]:
 
 
 def flatten_model(request: Request) -> Line:
-    """Never raises for what is wrong with the model or the folder: the line says it."""
+    """Never raises for what is wrong with the model, the folder or a file that was read again: the line says it."""
     begin = time.monotonic()
     try:
         line = _line(request)
-    except (InputError, FlattenError) as error:
+    except (InputError, FlattenError, RuntimeError) as error:
         line = {"verdict": REFUSED, "problems": [str(error)]}
     except OSError as error:
         line = {"verdict": REFUSED, "problems": [f"{error.filename or request.folder}: {error.strerror or error}"]}
