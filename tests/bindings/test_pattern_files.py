@@ -368,32 +368,3 @@ def test_what_is_left_out_is_in_no_file(tmp_path):
     assert [len(piece.lines) for piece in everything.pieces] == [len(piece.lines) for piece in pattern.pieces]
     with pytest.raises(wirewarp.FlattenError, match="kinds has 'seams'"):
         pattern.with_only(["seams"])
-
-
-@pytest.mark.parametrize("paper", ["letter", 700.0])
-def test_the_proof_names_every_piece_and_both_sides_of_every_seam(tmp_path, paper):
-    pattern = sample("Fitted top", date="2026-11-22")
-    pattern.write(tmp_path / "top.pdf", paper=paper, proof=True)
-    document = pypdfium2.PdfDocument(tmp_path / "top.pdf")
-    assert len(document) == len(pattern.page_sizes(paper, proof=True)) == len(pattern.page_sizes(paper)) + 1
-    lines = document[len(document) - 1].get_textpage().get_text_range().replace("\r", "").split("\n")
-    text = " ".join(lines)
-    assert "Fitted top, 2026-11-22" in text
-    assert all(piece.name in text for piece in pattern.pieces)
-    for walk in pattern.walks:
-        assert len(walk.lengths) == 2 and max(walk.lengths) - min(walk.lengths) < 0.001
-        assert text.count(f"{walk.lengths[0]:.1f} mm") >= 2
-    result = flattened("Fitted top")
-    assert [walk.lengths[0] for walk in pattern.walks] == pytest.approx([1000 * s.length_2d[0] for s in result.seams])
-
-
-def test_a_long_proof_has_several_pages_and_long_names_are_cut_off(tmp_path):
-    strip = [(20 * x, 100 * y) for y in range(2) for x in range(101)]
-    corners = [(x, x + 1, x + 102, x + 101) for x in range(100)]
-    result = quads(strip, corners, seams=[(x, x + 101) for x in range(1, 100)])
-    pattern = Pattern.from_result(result, piece_names=["A very long name of a piece " * 4] * 100)
-    pattern.write(tmp_path / "strips.pdf", proof=True)
-    pages = pattern.page_sizes("a4", proof=True)[len(pattern.page_sizes("a4")) :]
-    assert len(pages) == -(-(3 + 100 + 3 + 1 + 1 + 2 * 99) // 55)
-    document = pypdfium2.PdfDocument(tmp_path / "strips.pdf")
-    assert "..." in document[len(document) - 1].get_textpage().get_text_range()

@@ -37,6 +37,7 @@ class SeamWalk:
     name: str
     pieces: tuple[str, ...]  # of each side the piece
     lengths: tuple[float, ...]  # millimeters along the sew line
+    allowances: tuple[tuple[float, ...], ...]  # of each side the widths, millimeters
 
 
 @dataclass(frozen=True)
@@ -153,6 +154,7 @@ class Pattern:
                 name,
                 tuple(pieces[own.side.piece].name for own in sides),
                 tuple(float(own.along[-1]) for own in sides),
+                tuple(laid[own.side.piece].allowances(own.side) for own in sides),
             )
             for name, sides in zip(seam_names, seams, strict=True)
         ]

@@ -39,6 +39,11 @@ class Laid:
     def sew_loops(self) -> list[np.ndarray]:
         return [np.concatenate([side.points[:-1] for side in loop]) for loop in self.loops]
 
+    def allowances(self, side: Side) -> tuple[float, ...]:
+        """The widths along a side of this piece, in millimeters; none of a leg of a closed dart."""
+        runs = [run for own in self.outlines for run in own.runs if run.side is side]
+        return tuple(run.width for run in runs if run.width is not None)
+
 
 def _off_straight(points: np.ndarray) -> float:
     """How far the points (k,2) lie at most from the line through the first and the last of them."""

@@ -45,17 +45,13 @@ def _piece_rows(pattern: "Pattern") -> list[Row]:
 def _seam_rows(pattern: "Pattern") -> list[Row]:
     """The sides of each seam, one a row, and how far the longest is from the shortest."""
     rows: list[Row] = [("Seam", "Side", "Sewn length", "Allowance", "Difference")]
-    widths: dict[tuple[int, str], list[float]] = {}
-    for piece in pattern.pieces:
-        for line in piece.of_role("sew"):
-            if line.seam is not None and line.width is not None:
-                widths.setdefault((line.seam, piece.name), []).append(line.width)
-    for number, walk in enumerate(pattern.walks):
+    for walk in pattern.walks:
         if not walk.lengths:  # of pieces without a layout
             continue
         difference = max(walk.lengths) - min(walk.lengths)
-        for side, (name, length) in enumerate(zip(walk.pieces, walk.lengths, strict=True)):
-            allowance = pattern.units.range_of(widths.get((number, name), []))
+        sides = zip(walk.pieces, walk.lengths, walk.allowances, strict=True)
+        for side, (name, length, widths) in enumerate(sides):
+            allowance = pattern.units.range_of(widths)
             told = f"{difference:.3f} mm" if side == 0 else ""
             rows.append((walk.name if side == 0 else "", name, pattern.units.measured(length), allowance, told))
     return rows

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The proof sheet says of every piece and every side of a seam what is cut."""
+
+import pypdfium2
+import pytest
+from patterns import flattened, quads, sample
+from wirewarp.pattern import Pattern
+
+
+def proof_lines(pattern, path, paper="a4"):
+    """Of the last page."""
+    pattern.write(path, paper=paper, proof=True)
+    document = pypdfium2.PdfDocument(path)
+    return document[len(document) - 1].get_textpage().get_text_range().replace("\r", "").split("\n")
+
+
+@pytest.mark.parametrize("paper", ["letter", 700.0])
+def test_the_proof_names_every_piece_and_both_sides_of_every_seam(tmp_path, paper):
+    pattern = sample("Fitted top", date="2026-11-22")
+    pattern.write(tmp_path / "top.pdf", paper=paper, proof=True)
+    document = pypdfium2.PdfDocument(tmp_path / "top.pdf")
+    assert len(document) == len(pattern.page_sizes(paper, proof=True)) == len(pattern.page_sizes(paper)) + 1
+    lines = document[len(document) - 1].get_textpage().get_text_range().replace("\r", "").split("\n")
+    text = " ".join(lines)
+    assert "Fitted top, 2026-11-22" in text
+    assert all(piece.name in text for piece in pattern.pieces)
+    for walk in pattern.walks:
+        assert len(walk.lengths) == 2 and max(walk.lengths) - min(walk.lengths) < 0.001
+        assert text.count(f"{walk.lengths[0]:.1f} mm") >= 2
+    result = flattened("Fitted top")
+    assert [walk.lengths[0] for walk in pattern.walks] == pytest.approx([1000 * s.length_2d[0] for s in result.seams])
+
+
+def test_a_long_proof_has_several_pages_and_long_names_are_cut_off(tmp_path):
+    strip = [(20 * x, 100 * y) for y in range(2) for x in range(101)]
+    corners = [(x, x + 1, x + 102, x + 101) for x in range(100)]
+    result = quads(strip, corners, seams=[(x, x + 101) for x in range(1, 100)])
+    pattern = Pattern.from_result(result, piece_names=["A very long name of a piece " * 4] * 100)
+    pattern.write(tmp_path / "strips.pdf", proof=True)
+    pages = pattern.page_sizes("a4", proof=True)[len(pattern.page_sizes("a4")) :]
+    assert len(pages) == -(-(3 + 100 + 3 + 1 + 1 + 2 * 99) // 55)
+    document = pypdfium2.PdfDocument(tmp_path / "strips.pdf")
+    assert "..." in document[len(document) - 1].get_textpage().get_text_range()
+
+
+def two_squares(**options):
+    """Of 200 mm, sewn to each other; the second is the left one of the edge from 1 to 4."""
+    points = [(200 * x, 200 * y) for y in range(2) for x in range(3)]
+    return Pattern.from_result(quads(points, [(0, 1, 4, 3), (1, 2, 5, 4)], seams=[(1, 4)]), **options)
+
+
+def test_allowances_are_told_where_no_sew_lines_are_drawn(tmp_path):
+    assert "10 mm" in " ".join(proof_lines(two_squares().with_only(["notches"]), tmp_path / "a.pdf"))
+
+
+def test_sides_of_pieces_with_one_name_have_their_own_allowances(tmp_path):
+    pattern = two_squares(piece_names=["Cuff", "Cuff"], side_allowances=[(1, 4, 5.0)])
+    text = " ".join(proof_lines(pattern, tmp_path / "a.pdf"))
+    assert text.count("200.0 mm 10 mm") == text.count("200.0 mm 5 mm") == 1
