@@ -97,6 +97,16 @@ def test_sheets_and_sizes_are_told_before_anything_is_written(source, tmp_path, 
     assert re.fullmatch(r"The largest, Top (?:Left|Right): \d+ × \d+ mm\.", largest)
 
 
+@pytest.mark.parametrize(
+    ("system", "roll"),
+    [("METRIC", "[0-9.]+ m?m of a roll of 914.4 mm"), ("IMPERIAL", "[0-9/ ]+ in of a roll of 36 in")],
+)
+def test_the_length_on_a_roll_is_in_the_units_of_the_scene(source, addon, system, roll):
+    bpy.context.scene.unit_settings.system = system
+    (sentence,) = told(addon, format="PDF", paper="ROLL_36")
+    assert re.fullmatch(rf"2 pieces on {roll}, 1 page\.", sentence)
+
+
 def test_a_piece_too_large_for_the_roll_is_told_and_leaves_the_file_as_it_was(source, tmp_path, addon):
     path = export(tmp_path, "a.pdf", paper="ROLL_36")
     before = path.read_bytes()

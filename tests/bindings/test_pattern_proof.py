@@ -57,3 +57,8 @@ def test_sides_of_pieces_with_one_name_have_their_own_allowances(tmp_path):
     pattern = two_squares(piece_names=["Cuff", "Cuff"], side_allowances=[(1, 4, 5.0)])
     text = " ".join(proof_lines(pattern, tmp_path / "a.pdf"))
     assert text.count("200.0 mm 10 mm") == text.count("200.0 mm 5 mm") == 1
+
+
+def test_who_measures_in_inches_reads_no_millimeters(tmp_path):
+    text = " ".join(proof_lines(two_squares(units="imperial"), tmp_path / "a.pdf"))
+    assert "7.87 in 3/8 in 0.0000 in" in text and " mm" not in text

@@ -285,8 +285,8 @@ class OBJECT_OT_wirewarp_export(PatternExport, bpy.types.Operator):
             return size_sentences(made, made.size if self.format != "SVG" else made.svg_size)
         pages, count = made.page_sizes(self._paper()), counted(len(made.pieces), "piece")
         if self.paper.startswith("ROLL"):
-            width, length = pages[0][0], sum(page[1] for page in pages)
-            return [f"{count} on {length / 1000:.2f} m of a roll of {width:.0f} mm, {counted(len(pages), 'page')}."]
+            width, length = map(made.units.text, (pages[0][0], sum(page[1] for page in pages)))
+            return [f"{count} on {length} of a roll of {width}, {counted(len(pages), 'page')}."]
         if self.paper == ONE_PAGE:
             return size_sentences(made, pages[0])
         proofs = " and a proof sheet" if self.proof_sheet else ""

@@ -52,7 +52,7 @@ def _seam_rows(pattern: "Pattern") -> list[Row]:
         sides = zip(walk.pieces, walk.lengths, walk.allowances, strict=True)
         for side, (name, length, widths) in enumerate(sides):
             allowance = pattern.units.range_of(widths)
-            told = f"{difference:.3f} mm" if side == 0 else ""
+            told = pattern.units.difference_text(difference) if side == 0 else ""
             rows.append((walk.name if side == 0 else "", name, pattern.units.measured(length), allowance, told))
     return rows
 

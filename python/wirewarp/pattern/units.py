@@ -35,6 +35,10 @@ class UnitSystem:
         """ "430.2 mm" or "16.94 in", to compare with others."""
         return f"{millimeters:.1f} mm" if self.name == "metric" else f"{millimeters / INCH:.2f} in"
 
+    def difference_text(self, millimeters: float) -> str:
+        """ "0.012 mm" or "0.0005 in", of lengths that should be one."""
+        return f"{millimeters:.3f} mm" if self.name == "metric" else f"{millimeters / INCH:.4f} in"
+
     def area_text(self, square_millimeters: float) -> str:
         """ "182.3 cm²" or "28.26 in²"."""
         if self.name == "imperial":
