@@ -56,6 +56,22 @@ def test_marked_widths_are_those_of_the_pattern(source, tmp_path):
         assert np.max(distances(tmp_path, source, line)) == pytest.approx(width, abs=0.02)
 
 
+@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
+def test_marked_widths_stay_when_the_unit_is_set(addon, source, mode):
+    mark_allowance(source, SEAM, kind="WIDTH", width=6.0)
+    mark_allowance(source, HEM, kind="FOLD")
+    twin = bpy.data.objects.new("Twin", source.data)  # of the same mesh
+    bpy.context.scene.collection.objects.link(twin)
+    sides = source.data.attributes.new("wirewarp_side_allowance", "FLOAT", "CORNER")
+    sides.data[0].value = 0.5
+    bpy.ops.object.mode_set(mode=mode)
+    assert bpy.ops.scene.wirewarp_set_unit(meters=0.01) == {"FINISHED"}
+    assert source.mode == mode
+    marked = addon.model.allowances.read_allowances(source.data)
+    assert np.unique(marked.widths) == pytest.approx([-1.0, 0.6])  # cm
+    assert marked.side_widths == pytest.approx([5.0])
+
+
 def test_a_mark_goes_back_to_the_default(source, tmp_path):
     bpy.ops.object.wirewarp_flatten(spacing=0.5)
     mark_allowance(source, SEAM, kind="WIDTH", width=6.0)

@@ -4,8 +4,11 @@
 import bpy
 from bpy.props import FloatProperty
 
-from ..blender.modes import hold_whole_file
+from ..blender.modes import hold_whole_file, in_object_mode
 from ..blender.units import meters_per_blender_unit
+from ..issues import ObjectError
+from ..model.allowances import scale_allowances
+from ..model.owners import check_not_edited
 
 
 class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
@@ -18,11 +21,26 @@ class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
     meters: FloatProperty(name="Unit", description="Meters in one Blender unit", min=1e-6, max=1e6, default=0.01)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        scene = context.scene
-        before, settings = meters_per_blender_unit(scene), scene.unit_settings
+        scene, settings = context.scene, context.scene.unit_settings
+        before = meters_per_blender_unit(scene)
+        try:
+            with in_object_mode(context):
+                _keep_allowances(scene, before / self.meters)
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
         if settings.system == "NONE":
             settings.system = "METRIC"
         settings.scale_length = self.meters
         scene.wirewarp.spacing *= before / self.meters  # as long as it was
         hold_whole_file()
         return {"FINISHED"}
+
+
+def _keep_allowances(scene: bpy.types.Scene, factor: float) -> None:
+    """What is marked on the models stays as wide, in Blender units so many times. Raises ObjectError before any is."""
+    models = [each for each in scene.objects if each.type == "MESH" and each.data.library is None]
+    for model in models:
+        check_not_edited(model)
+    for mesh in {model.data for model in models}:
+        scale_allowances(mesh, factor)
