@@ -183,3 +183,13 @@ def test_another_grain_wire_is_due_once(addon, source):
     assert taken(addon) == ["Bump"]
     bpy.ops.object.wirewarp_flatten()
     assert taken(addon) == []
+
+
+def test_a_model_that_cannot_be_read_is_tried_once_whatever_its_grain_wire(addon, source):
+    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.model.wires.find_wires(source.data)[0].edges[0])
+    bpy.ops.object.wirewarp_flatten()
+    source.scale.x = 0.0
+    assert taken(addon) == ["Bump"]
+    with pytest.raises(RuntimeError, match="scaled to zero"):
+        bpy.ops.object.wirewarp_flatten()
+    assert taken(addon) == []

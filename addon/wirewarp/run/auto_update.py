@@ -73,7 +73,7 @@ def _has_changed(source: bpy.types.Object) -> bool:
 def _is_regrained(source: bpy.types.Object, report: dict) -> bool:
     """Whether another wire is to stand upright than in the last run."""
     options = report.get("options") if report else None
-    return options is not None and options["grain_wire"] != source.data.wirewarp_grain
+    return options is not None and options.get("grain_wire") != source.data.wirewarp_grain
 
 
 def note_update(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:

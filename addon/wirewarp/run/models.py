@@ -84,8 +84,9 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
         outcome = Outcome(model, failed_report(model, error.issue))
     else:
         outcome = _outcome(model, result, meters)
-    used = used_choices(choices, model.arrays) if model.arrays else choices
-    outcome.report["options"] = asdict(used) | {"grain_wire": model.arrays.grain_wire if model.arrays else 0}
+    if model.arrays:  # of what could not be read nobody knows the grain wire
+        used = used_choices(choices, model.arrays)
+        outcome.report["options"] = asdict(used) | {"grain_wire": model.arrays.grain_wire}
     outcome.report["notes"] += model.notes
     if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored, they are as seen from outside
         outcome.report["notes"].append(warning(INWARD))
