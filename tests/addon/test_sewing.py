@@ -100,3 +100,34 @@ def test_cloth_is_sewn_along_them():
     for frame in range(2, 40):
         last = gaps(frame).max()
     assert last < 0.2 * first
+
+
+def hide_collection(flat):
+    bpy.context.view_layer.layer_collection.children[flat.users_collection[0].name].exclude = True
+
+
+def move_to_another_scene(flat):
+    for collection in flat.users_collection:
+        collection.objects.unlink(flat)
+    bpy.data.scenes.new("Other").collection.objects.link(flat)
+
+
+@pytest.mark.parametrize("put_away", [hide_collection, move_to_another_scene])
+def test_it_is_to_be_seen_where_the_pieces_are_not(source, put_away):
+    select_only(source)
+    put_away(flat_of(source))
+    target = sewing_of(source)
+    assert bpy.context.view_layer.objects.active == target and target.visible_get()
+
+
+def test_a_seam_of_a_piece_that_has_no_layout_is_left_out():
+    """A ring beside the others that is cut once: a tube, which cannot lie flat."""
+    source = grid("Bump", bump)
+    bpy.ops.mesh.primitive_torus_add(location=(4, 0, 0), major_segments=12, minor_segments=8)
+    select_only(source, bpy.context.object)
+    bpy.ops.object.join()
+    mark_seam(source, SEAM)
+    mark_seam(source, lambda a, b: on_line(1, 0.0)(a, b) and min(a.x, b.x) > 4)
+    with pytest.raises(RuntimeError, match="mark a seam"):
+        bpy.ops.object.wirewarp_flatten()
+    assert len(loose_edges(sewing_of(source))) == 9  # along the other seam

@@ -32,6 +32,8 @@ class OBJECT_OT_wirewarp_sewing(bpy.types.Operator):
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
+        if target.name not in context.view_layer.objects:  # as its flat pieces, whose collection is not shown here
+            context.scene.collection.objects.link(target)
         for each in context.selected_objects:
             each.select_set(False)
         target.select_set(True)
