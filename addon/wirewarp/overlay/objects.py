@@ -63,10 +63,10 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
     rooms = piece_rooms(edges) if in_plane else {}
     runs, report = wire_runs(edges.vertices, edges.ends, edges.marks), current_report(target)
     names = wire_line_names(edges, runs, _wire_names(target, [run.wire_id for run in runs], report), rooms)
-    if report:
+    if report and report["pieces"]:
         texts = partial(_seam_texts, report, model_of(target) is not None)
         names += seam_line_names(edges, _seams_of_report(edges, report), texts, rooms)
-    else:  # the model has changed: what it joins may have, too, but its seams keep their names
+    else:  # the model has changed or was refused: what a seam joins is not known, but it keeps its name
         given = seam_names(model_or_self(target))
         numbers = np.where(edges.seams & np.isin(edges.seam_ids, list(given)), edges.seam_ids, 0)
         names += seam_line_names(edges, numbers, lambda seam_id, _: (given[seam_id],), rooms)
