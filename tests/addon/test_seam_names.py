@@ -136,3 +136,17 @@ def test_a_report_from_before_seams_had_names_is_read(addon, source):
     source.wirewarp_seams.clear()
     assert [seam["name"] for seam in addon.flat.reports.last_report(source)["seams"]] == ["Seam 1"]
     assert "Seam 1" in draw_panels(addon)
+
+
+def test_a_seam_whose_name_was_cleared_gets_one_again(addon, source):
+    source.wirewarp_seams[0].name = ""
+    flatten(source)
+    assert list(seams(addon, source)) == ["Seam 2"]  # 1 is not given again
+
+
+def test_names_stay_in_view_when_a_run_is_refused(addon, source):
+    source.scale.x = 0.0
+    with pytest.raises(RuntimeError, match="scaled to zero"):
+        flatten(source)
+    lines = addon.overlay.objects.marked_lines(source, bpy.context.evaluated_depsgraph_get())
+    assert [name.texts for name in lines.names] == [("Seam 1",)]

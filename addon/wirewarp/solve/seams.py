@@ -45,7 +45,7 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
     for seam_id, seam in zip(ids, result.seams, strict=True):
         is_dart = _is_dart(seam, ends)
         kind, given = "Dart" if is_dart else "Seam", GIVEN.fullmatch(names.get(seam_id, ""))
-        if seam_id not in names:
+        if not names.get(seam_id):  # new, or the user has cleared its name
             number += 1
             names[seam_id] = f"{kind} {number}"
         elif given:
