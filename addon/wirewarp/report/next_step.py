@@ -67,9 +67,9 @@ def is_shown(report: dict, entry: dict) -> bool:
 
 def _reason(issues: list[dict], what: str) -> str:
     if what == "SEAMS":
-        count = sum(len(issue["proposed_seams"]) for issue in issues)
-        return f"{counted(count, 'edge')} proposed as seam."
+        edges = {(min(edge), max(edge)) for issue in issues for edge in issue["proposed_seams"]}  # twins share theirs
+        return f"{counted(len(edges), 'edge')} proposed as seam."
     if what == "TOLERANCES":
-        count = sum(len(issue["proposed_tolerances"]) for issue in issues)
-        return f"{counted(count, 'wire')} proposed to be looser."
+        wires = {wire["name"] for issue in issues for wire in issue["proposed_tolerances"]}
+        return f"{counted(len(wires), 'wire')} proposed to be looser."
     return ""
