@@ -5,8 +5,10 @@ from collections.abc import Callable
 
 import bmesh
 import bpy
+import numpy as np
 
 CLOSE = 1e-5  # of the model's size; files write coordinates to five or six digits
+ROUNDED = 5e-7  # of the largest coordinate: two roundings to single precision on either side
 
 
 def dissolve_faces_without_area(mesh: bpy.types.Mesh) -> int:
@@ -23,9 +25,17 @@ def _mend(mesh: bpy.types.Mesh, act: Callable[[bmesh.types.BMesh, float], object
     try:
         edit.from_mesh(mesh)
         before = len(edit.verts) + len(edit.faces)
-        act(edit, CLOSE * max((max(abs(x) for x in vertex.co) for vertex in edit.verts), default=0.0))
+        act(edit, _close_distance(edit))
         edit.to_mesh(mesh)
         mesh.update()
         return before - len(edit.verts) - len(edit.faces)
     finally:
         edit.free()
+
+
+def _close_distance(edit: bmesh.types.BMesh) -> float:
+    """By the size of the model, wherever it lies, but no less than coordinates so large can tell apart."""
+    places = np.array([vertex.co for vertex in edit.verts]).reshape(-1, 3)
+    if not len(places):
+        return 0.0
+    return max(CLOSE * float(np.ptp(places, axis=0).max()), ROUNDED * float(np.abs(places).max()))
