@@ -123,8 +123,10 @@ def test_nothing_to_mend_is_said(addon):
     bpy.ops.object.wirewarp_flatten()
     with pytest.raises(RuntimeError, match="proposes no seam"):
         MEND(what="SEAMS")
-    with pytest.raises(RuntimeError, match="Nothing to mend"):
+    with pytest.raises(RuntimeError, match='no face of "Bump" is without area'):
         MEND(what="DISSOLVE")
+    with pytest.raises(RuntimeError, match='No two vertices lie in one place: the faces of "Bump" are apart'):
+        MEND(what="MERGE")
     assert len(seams_of(source)) == 0
 
 
@@ -139,3 +141,32 @@ def test_flat_pieces_stand_for_their_model(addon):
     bpy.ops.object.mode_set(mode="EDIT")
     assert bpy.ops.object.wirewarp_flatten(only_active=True, keep_places=False) == {"FINISHED"}
     assert flat_of(source).mode == "EDIT"
+
+
+def test_edges_proposed_for_twins_are_counted_once(addon):
+    """Sleeves of which each issue proposes the seams of both."""
+    source, other = tube(place=-2.0), tube("Other", place=2.0)
+    select_only(source, other)
+    bpy.ops.object.join()
+    flatten_fails()
+    issues = addon.flat.reports.last_report(source)["issues"]
+    assert sum(len(issue["proposed_seams"]) for issue in issues) == 2 * 2 * 6  # each of both, of six rows
+    assert step_of(addon, source).sentence == "12 edges proposed as seam."
+
+
+def test_what_flatten_refuses_is_refused(addon):
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    source.hide_set(True)
+    with pytest.raises(RuntimeError, match='"Bump" is hidden'):
+        MEND(what="MODIFIERS")
+    assert not bpy.context.scene.wirewarp.use_modifiers
+
+
+@pytest.mark.parametrize(("shift", "apart", "merged"), [(1000.0, 0.005, 0), (1000.0, 0.00012, 2), (0.0, 1e-5, 2)])
+def test_vertices_are_merged_by_the_size_of_the_model_wherever_it_lies(addon, shift, apart, merged):
+    """Two squares of side 1, with a gap between them, which ends on two vertices on either side."""
+    corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    left, right = ([(shift + x + dx, y, 0.0) for x, y in corners] for dx in (0.0, 1.0 + apart))
+    source = make_object("Squares", left + right, [(0, 1, 2, 3), (4, 5, 6, 7)])
+    assert addon.model.mend.merge_close_vertices(source.data) == merged

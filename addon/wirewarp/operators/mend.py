@@ -12,10 +12,17 @@ from ..model.mend import dissolve_faces_without_area, merge_close_vertices
 from ..model.owners import check_not_edited, model_or_self
 from ..properties import take_settings
 from ..run import window_run
+from ..run.targets import active_target, nothing_to_flatten
 from ..ui.settings import draw_advanced, draw_settings
 from .flatten_steps import FlattenSteps
 from .report import take_proposals
 
+NOTHING = {  # by kind
+    "SEAMS": "Already marked. Flatten again.",
+    "TOLERANCES": "Already as loose, or no wires any more. Flatten again.",
+    "DISSOLVE": 'Nothing to dissolve: no face of "{}" is without area.',
+    "MERGE": 'No two vertices lie in one place: the faces of "{}" are apart.',
+}
 CLEAN_UP = {"DISSOLVE": dissolve_faces_without_area, "MERGE": merge_close_vertices}
 
 
@@ -72,6 +79,10 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
 
     def _mend(self, context: bpy.types.Context) -> bool:
         """Whether it was; says why not."""
+        refusal = nothing_to_flatten(context, active_target(context))
+        if refusal:
+            self.report({"ERROR"}, refusal)
+            return False
         source = self._model(context)
         try:
             if self.what == "MODIFIERS":
@@ -85,7 +96,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             self.report({"ERROR"}, str(error))
             return False
         if count == 0:
-            self.report({"ERROR"}, f'Nothing to mend: "{source.name}" has nothing of this kind any more.')
+            self.report({"ERROR"}, NOTHING[self.what].format(source.name))
         return count > 0
 
     def _change(self, source: bpy.types.Object) -> int:
