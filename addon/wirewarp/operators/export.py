@@ -301,7 +301,7 @@ class OBJECT_OT_wirewarp_export_svg(PatternExport, bpy.types.Operator):
     bl_label = "Export Pattern as SVG"
 
     filename_ext = ".svg"
-    filter_glob: StringProperty(description="The files shown", default="*.svg", options={"HIDDEN"})
+    filter_glob: StringProperty(description="The files shown", default="*.svg", options={"HIDDEN", "SKIP_SAVE"})
 
     def draw(self, context: bpy.types.Context) -> None:
         self.draw_beforehand(context)

@@ -52,7 +52,7 @@ def draw_more(context: bpy.types.Context, layout: bpy.types.UILayout, count: int
 def draw_heading(
     context: bpy.types.Context, layout: bpy.types.UILayout, name: str, mark: dict, what: str | None, index: int
 ) -> None:
-    """A name with its mark (see tick.py) and, where there is something to select, the button for it."""
+    """A name with its mark (see mark_of) and, where there is something to select, the button for it."""
     row = layout.row(align=True)
     text = row.column(align=True)
     lines = broken(context, name, spare=22 if what else 0)
