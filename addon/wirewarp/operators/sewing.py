@@ -32,6 +32,7 @@ class OBJECT_OT_wirewarp_sewing(bpy.types.Operator):
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
+        context.view_layer.update()  # which does not know the new object yet
         if target.name not in context.view_layer.objects:  # as its flat pieces, whose collection is not shown here
             context.scene.collection.objects.link(target)
         for each in context.selected_objects:
