@@ -103,14 +103,12 @@ class FlattenSettings:
     )
     spacing: FloatProperty(
         name="Gap",
-        description="Space between the pieces as they are laid out: at least twice the seam allowance",
-        subtype="DISTANCE",
-        unit="LENGTH",
+        description="Space in millimeters between the pieces as they are laid out: at least twice the seam allowance",
         min=0.0,
-        soft_max=0.2,
-        default=0.02,  # two allowances of 10 mm
-        precision=4,
-        step=1,
+        soft_max=200.0,
+        default=20.0,  # two allowances of 10 mm
+        precision=1,
+        step=100,
     )
     keep_places: BoolProperty(
         name="Keep Places",
@@ -132,15 +130,15 @@ class FlattenSettings:
     )
 
 
-def choices_of(settings: FlattenSettings) -> FlattenChoices:
-    """Of the scene's settings, or of an operator's."""
+def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
+    """Of the scene's settings, or of an operator's. meters: in a Blender unit."""
     return FlattenChoices(
         method=LIBRARY_METHODS[settings.method],
         fairness=settings.fairness,
         node_weight=settings.node_weight.lower(),
         layout=settings.layout_kind.lower(),
         orientation=settings.orientation.lower(),
-        spacing=settings.spacing,
+        spacing=settings.spacing / (1000 * meters),
         mirror=settings.mirror,
     )
 

@@ -51,7 +51,7 @@ def test_marked_widths_are_those_of_the_pattern(source, tmp_path):
     mark_allowance(source, HEM, kind="HEM", hem=25.0)
     mark_allowance(source, on_line(0, 1.0), kind="FOLD")
     select_only(source)
-    bpy.ops.object.wirewarp_flatten(spacing=0.5)
+    bpy.ops.object.wirewarp_flatten(spacing=50.0)
     for line, width in ((SEAM, 6.0), (HEM, 25.0), (on_line(0, 1.0), 0.0), (on_line(0, -1.0), 10.0)):
         assert np.max(distances(tmp_path, source, line)) == pytest.approx(width, abs=0.02)
 
@@ -73,7 +73,7 @@ def test_marked_widths_stay_when_the_unit_is_set(addon, source, mode):
 
 
 def test_a_mark_goes_back_to_the_default(source, tmp_path):
-    bpy.ops.object.wirewarp_flatten(spacing=0.5)
+    bpy.ops.object.wirewarp_flatten(spacing=50.0)
     mark_allowance(source, SEAM, kind="WIDTH", width=6.0)
     mark_allowance(source, SEAM, kind="DEFAULT")
     assert np.max(distances(tmp_path, source, SEAM)) == pytest.approx(10.0, abs=0.02)
@@ -86,7 +86,7 @@ def test_edges_that_come_from_elsewhere_have_the_default(source, tmp_path):
     select_only(source, other)
     bpy.context.view_layer.objects.active = source
     bpy.ops.object.join()
-    bpy.ops.object.wirewarp_flatten(spacing=0.5)
+    bpy.ops.object.wirewarp_flatten(spacing=50.0)
     assert np.max(distances(tmp_path, source, SEAM)) == pytest.approx(6.0, abs=0.02)
     assert np.max(distances(tmp_path, source, on_line(0, 4.0))) == pytest.approx(10.0, abs=0.02)
 

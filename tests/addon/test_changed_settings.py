@@ -45,7 +45,7 @@ def give(addon, source, **settings):
     [
         ({"mirror": True}, "Mirrored"),
         ({"method": "WIREWARPING"}, "Method"),
-        ({"fairness": 0.2, "spacing": 0.1}, "Smooth Outlines, Gap"),
+        ({"fairness": 0.2, "spacing": 100.0}, "Smooth Outlines, Gap"),
         ({"layout_kind": "ROW", "orientation": "BOUNDARY"}, "Layout, Upright"),
     ],
 )

@@ -280,7 +280,7 @@ def test_a_model_that_is_turned_leaves_its_pieces_as_they_stand_and_that_is_said
     assert notes_of(addon, source) == []
 
 
-@pytest.mark.parametrize("settings", [{"keep_places": False}, {"spacing": 0.16}, {"mirror": True}])
+@pytest.mark.parametrize("settings", [{"keep_places": False}, {"spacing": 160.0}, {"mirror": True}])
 def test_laid_out_anew_where_that_is_wanted(source, settings):
     flatten(source, **settings)
     laid_out = places_of(source)
@@ -293,15 +293,15 @@ def test_laid_out_anew_where_that_is_wanted(source, settings):
 
 
 def test_laid_out_anew_with_another_gap_after_a_run_that_failed(source):
-    flatten(source, spacing=0.16, keep_places=False)
+    flatten(source, spacing=160.0, keep_places=False)
     laid_out = places_of(source)
-    flatten(source, spacing=0.06)
+    flatten(source, spacing=60.0)
     height = source.data.vertices[40].co.z
     source.data.vertices[40].co.z = math.nan
     with pytest.raises(RuntimeError):
-        flatten(source, spacing=0.16)
+        flatten(source, spacing=160.0)
     source.data.vertices[40].co.z = height
-    flatten(source, spacing=0.16)
+    flatten(source, spacing=160.0)
     assert_same_places(places_of(source), laid_out)
 
 

@@ -30,11 +30,12 @@ def world_box(target):
     return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
-@pytest.mark.parametrize("size", [0.5, 4.0])
-def test_the_gap_is_a_length_whatever_the_size_of_the_pieces(size):
+@pytest.mark.parametrize(("size", "meters"), [(0.5, 1.0), (4.0, 1.0), (500.0, 0.001)])
+def test_the_gap_is_a_length_whatever_the_size_of_the_pieces_and_the_unit(size, meters):
+    bpy.context.scene.unit_settings.scale_length = meters
     source = grid("Plane", lambda x, y: (size * x, size * y, 0))
     mark_seam(source, on_line(0, 0.0))
-    flatten(source, spacing=0.05)
+    flatten(source, spacing=50.0)
     mesh = flat_of(source).data
     boxes = []
     for piece in (0, 1):
@@ -43,4 +44,4 @@ def test_the_gap_is_a_length_whatever_the_size_of_the_pieces(size):
         boxes.append((places.min(axis=0), places.max(axis=0)))
     (low, high), (other_low, other_high) = boxes
     apart = np.maximum(other_low - high, low - other_high).max()
-    assert apart == pytest.approx(0.05, abs=1e-5)
+    assert apart * meters == pytest.approx(0.05, abs=1e-5)

@@ -15,7 +15,7 @@ def read_models(addon, *sources):
 
 
 def solver(addon, models):
-    choices = addon.properties.choices_of(bpy.context.scene.wirewarp)
+    choices = addon.properties.choices_of(bpy.context.scene.wirewarp, 1.0)
     return lambda progress: addon.run.models.solve_models(addon.core.library(), models, choices, 1.0, progress)
 
 

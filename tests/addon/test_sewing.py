@@ -64,6 +64,7 @@ def test_the_shape_key_folds_the_pieces_onto_the_model(source):
 
 def test_it_is_no_flat_object_and_can_be_flattened_itself(source):
     target = sewing_of(source)
+    assert target.users_collection == flat_of(source).users_collection
     names = [attribute.name for attribute in target.data.attributes]
     assert [name for name in names if "wirewarp" in name or name.startswith("source")] == []
     select_only(flat_of(source))
@@ -83,7 +84,7 @@ def test_cloth_is_sewn_along_them():
     faces = [[9 * y + x, 9 * y + x + 1, 9 * y + x + 10, 9 * y + x + 9] for y in range(4) for x in range(8)]
     source = make_object("Squares", vertices, faces)
     mark_seam(source, on_line(0, 1.0))
-    bpy.ops.object.wirewarp_flatten(spacing=0.5)
+    bpy.ops.object.wirewarp_flatten(spacing=500.0)
     target = sewing_of(source)
     joined = loose_edges(target)
     cloth = target.modifiers.new("Cloth", "CLOTH")

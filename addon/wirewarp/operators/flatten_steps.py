@@ -99,7 +99,7 @@ class FlattenSteps(FlattenSettings):
 
     def _solver(self, context: bpy.types.Context, models: list[Model]) -> Solver:
         meters = meters_per_blender_unit(context.scene)
-        return partial(solve_models, core.library(), models, choices_of(self), meters)
+        return partial(solve_models, core.library(), models, choices_of(self, meters), meters)
 
     def _finish_run(self, context: bpy.types.Context) -> set[str]:
         try:

@@ -32,7 +32,6 @@ class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
         if settings.system == "NONE":
             settings.system = "METRIC"
         settings.scale_length = self.meters
-        scene.wirewarp.spacing *= before / self.meters  # as long as it was
         hold_whole_file()
         return {"FINISHED"}
 

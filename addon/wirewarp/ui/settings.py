@@ -5,12 +5,14 @@ from dataclasses import asdict
 
 import bpy
 
+from ..blender.units import meters_per_blender_unit
 from ..properties import FlattenSettings, WIREWARP_PG_settings, choices_of
 
 LINES_FIRST = {"WIREWARP_PLUS_PLUS", "WIREWARPING"}
 WHOLE_WIDTH = {"fairness"}  # its name does not fit half a narrow sidebar
 ADVANCED = {"method", "node_weight"}  # the paper's methods, for comparison
 ONLY_FOR = {"fairness": {"REFINED"}, "node_weight": LINES_FIRST}
+TEXTS = {"spacing": {"text": "Gap (mm)"}}
 NAMES = {  # of the choices in a report, as the panel calls them
     "method": "Method",
     "fairness": "Smooth Outlines",
@@ -39,7 +41,7 @@ def _draw(layout: bpy.types.UILayout, settings: FlattenSettings, names: list[str
         row.use_property_split = name not in WHOLE_WIDTH
         row.use_property_decorate = False
         row.enabled = settings.method in ONLY_FOR.get(name, {settings.method})
-        row.prop(settings, name)
+        row.prop(settings, name, **TEXTS.get(name, {}))
 
 
 def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> str:
@@ -55,7 +57,9 @@ def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_setti
     choices = (settings.method, settings.node_weight, settings.layout_kind, settings.orientation)
     if "options" not in report or "" in choices:  # which this version does not know: see take_settings
         return []
-    now = asdict(choices_of(settings)) | {"grain_wire": source.data.wirewarp_grain}
+    now = asdict(choices_of(settings, meters_per_blender_unit(settings.id_data))) | {
+        "grain_wire": source.data.wirewarp_grain
+    }
     then = now | report["options"]
     unused = OF_OTHERS if now["method"] == "refined" else OF_REFINED
     had_grain = then["grain_wire"] in {wire["wire_id"] for wire in report["wires"]}
