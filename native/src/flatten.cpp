@@ -39,10 +39,14 @@ struct Run {
   const InternalOptions& options;
 };
 
-/// Seams along which a chart lies flat that has no good shape without. None where the user stops the run.
+/// Seams along which a chart lies flat that has no good shape without. Throws Stopped: what was found by then is not what
+/// a whole search finds.
 std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop) {
-  return propose_seams(chart, {[&](const Chart& piece) { return lies_flat(piece, run.options, stop); },
-                               [stop = stop.in("shape")] { return stop.may_go_on(); }});
+  std::vector<VertexPair> seams =
+      propose_seams(chart, {[&](const Chart& piece) { return lies_flat(piece, run.options, stop); },
+                            [stop = stop.in("shape")] { return stop.may_go_on(); }});
+  if (stop.is_stopped()) throw Stopped();
+  return seams;
 }
 
 /// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
@@ -144,8 +148,7 @@ SolvedChart solve_chart(const Chart& chart, const Run& run, const StopToken& sto
   } catch (const FlattenError& error) {
     solved.error = error;
   } catch (const Stopped&) {
-    solved.error = cancelled();
-    solved.report.termination = Termination::cancelled;
+    solved = cancelled_chart();
   } catch (const UnjoinedWires&) {
     solved.error = not_joined(chart);
   } catch (const FactorizationFailed&) {

@@ -23,7 +23,9 @@ TEST(Bugs, NoSeamIsProposedAlongASlitOfOneEdge) {
     test::add_seam(slit, {below, above});
     const FlattenResult result = flatten(slit);
     ASSERT_TRUE(result.pieces.at(0).error) << row;
-    for (const VertexPair& seam : result.pieces[0].error->elements.proposed_seams) {
+    const std::vector<VertexPair>& proposed = result.pieces[0].error->elements.proposed_seams;
+    EXPECT_FALSE(proposed.empty()) << row;
+    for (const VertexPair& seam : proposed) {
       EXPECT_NE((std::set<int>{seam[0], seam[1]}), (std::set<int>{below, above})) << row;
     }
   }

@@ -42,6 +42,13 @@ std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const 
   std::map<int, PlanarTriangle> placed;                              // by face, corners in order
   std::priority_queue<std::pair<double, std::array<int, 2>>> front;  // length, side
   double size = 0;
+  const auto longest_side = [&](int face) {
+    double longest = 0;
+    for (int k = 0; k < 3; ++k) {
+      longest = std::max(longest, judged.length_3d(edge_of(judged.vertex(face, k), judged.vertex(face, k + 1))));
+    }
+    return longest;
+  };
   const auto place = [&](const Side& side, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     PlanarTriangle& triangle = placed[side.face];
     triangle[side.corner] = a;
@@ -70,7 +77,8 @@ std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const 
       const double off =
           std::max((known->second[other.corner] - b).norm(), (known->second[(other.corner + 1) % 3] - a).norm());
       const double side_length = (b - a).norm();
-      if (!(off <= std::min(kCloses * size, kStrain * side_length * side_length / size))) return std::nullopt;
+      const double longest = std::max(longest_side(face), longest_side(other.face));
+      if (!(off <= std::min(kCloses * size, kStrain * side_length * side_length / longest))) return std::nullopt;
     }
   }
   return placed;

@@ -245,5 +245,17 @@ TEST_F(NewtonSystemOnASaddle, LengthsAreRestoredFromNearbyAndNotFromFarAway) {
   EXPECT_FALSE(retract_to_lengths(constraints, system, h, far));
 }
 
+TEST_F(NewtonSystemOnASaddle, TheWayBackToLengthsEndsWhereTheCallerStops) {
+  ASSERT_TRUE(system.factorize(uv, Eigen::VectorXd::Zero(constraints.size()), Convexity{Curvature::none, false}));
+  const Eigen::Vector2d h(0.01, -0.02);
+  const Positions2 begin = uv + 0.02 * as_positions(random_vector(num_unknowns, 3));
+  Positions2 slow = begin;
+  int questions = 0;
+  EXPECT_FALSE(retract_to_lengths(constraints, system, h, slow, StopToken([&](const char*) { return ++questions < 1; })));
+  EXPECT_EQ(questions, 1);
+  EXPECT_EQ(slow, begin);
+  EXPECT_TRUE(retract_to_lengths(constraints, system, h, slow));
+}
+
 }  // namespace
 }  // namespace wirewarp

@@ -25,6 +25,13 @@ FlattenInput two_domes() {
   return input;
 }
 
+/// A tube, for which seams are searched, with a wire around it.
+FlattenInput tube() {
+  FlattenInput input = test::cylinder_tube(16, 8, 1, 6);
+  test::add_wire(input, test::tube_ring(16, 4));
+  return input;
+}
+
 std::string key_of(const FlattenInput& input, std::size_t chart) {
   return solution_key(test::charts_of(input).charts.at(chart), {});
 }
@@ -79,6 +86,22 @@ TEST(Cache, IsLeftAloneByInputThatIsRefused) {
   EXPECT_EQ(cache.size(), 2);
   cache.clear();
   EXPECT_EQ(cache.size(), 0);
+}
+
+TEST(Cache, KeepsNothingOfASearchThatWasStopped) {
+  const FlattenInput input = tube();
+  int questions = 0;
+  const FlattenResult whole = flatten(input, {}, [&](const std::string&, double) { return ++questions > 0; });
+  ASSERT_TRUE(whole.pieces.at(0).error);
+  ASSERT_FALSE(whole.pieces[0].error->elements.proposed_seams.empty());
+  for (int last = 0; last < questions; ++last) {
+    Cache cache;
+    int asked = 0;
+    flatten(input, {}, [&](const std::string&, double) { return asked++ < last; }, &cache);
+    const FlattenResult again = flatten(input, {}, {}, &cache);
+    ASSERT_TRUE(again.pieces.at(0).error) << last;
+    EXPECT_EQ(again.pieces[0].error->elements.proposed_seams, whole.pieces[0].error->elements.proposed_seams) << last;
+  }
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
   stop_.check();
   const Eigen::VectorXd weight = laplacian.diagonal();
   const double mean_diagonal = weight.mean();
-  Eigen::VectorXd closure_scale = Eigen::VectorXd::Zero(num_closures_);  // of J W⁻¹ Jᵀ
+  // Of J W⁻¹ Jᵀ, one for x and y of a loop: of a slit along an axis one of the two is no more than rounding.
+  Eigen::VectorXd loop_scale = Eigen::VectorXd::Zero(num_closures_ / 2);
   const Eigen::VectorXi& position = order_.indices();
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<std::size_t>(laplacian.nonZeros() + jacobian.nonZeros() + num_closures_));
@@ -44,7 +45,7 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
     // A closure comes after its edges.
     for (Iterator it(jacobian, e); it; ++it) {
       entries.emplace_back(column, position[num_edges_ + static_cast<int>(it.row())], it.value());
-      closure_scale[it.row()] += it.value() * it.value() / weight[e];
+      loop_scale[it.row() / 2] += it.value() * it.value() / weight[e];
     }
   }
   for (int i = 0; i < num_closures_; ++i) entries.emplace_back(position[num_edges_ + i], position[num_edges_ + i], 0.0);
@@ -53,7 +54,7 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
 
   Eigen::SparseMatrix<double> regularized = matrix_;
   for (int i = 0; i < num_closures_; ++i) {
-    regularized.coeffRef(position[num_edges_ + i], position[num_edges_ + i]) = -kRegularization * closure_scale[i];
+    regularized.coeffRef(position[num_edges_ + i], position[num_edges_ + i]) = -kRegularization * loop_scale[i / 2];
   }
   if (num_factorizations_ == 0) factor_.analyzePattern(regularized);
   factor_.factorize(regularized);

@@ -6,11 +6,9 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "arap/free_boundary_arap.h"
 #include "factorization_failed.h"
-#include "feasibility/folded_faces.h"
 #include "refine/lies_flat.h"
 #include "refine/project_to_lengths.h"
 #include "refine/relax_lengths.h"
@@ -26,11 +24,11 @@ constexpr double kFineStep = 1e-3, kStep = 5e-3;  // of what is proposed: 0.1 %,
 constexpr double kLargest = 0.5;
 constexpr double kFree = std::numeric_limits<double>::infinity();
 constexpr int kMaxFreeFactorizations = 4 * kStartFactorizations;  // those of a coarser or a sewn chart count
-constexpr int kMostTrials = 30;  // of fewer wires, and of smaller tolerances: hundredths of a second each
+constexpr int kMostTrials = 30;  // of fewer wires, and again of smaller tolerances: project_to_lengths each
 constexpr std::size_t kFewWires =
     8;  // get a tolerance each; more of them the same, which is quicker to find and to type
 
-/// Tolerances that are tried, 0.1 % to 50 %: each a half larger than the one before, or twice as large.
+/// Tolerances that are tried, 0.1 % to 50 %: each a third larger than the one before to twice as large.
 constexpr double kLadder[] = {0.001, 0.002, 0.003, 0.005, 0.01, 0.015, 0.02, 0.03,
                               0.05,  0.075, 0.1,   0.15,  0.2,  0.3,   0.5};
 
@@ -85,12 +83,6 @@ bool is_any_free(const Tolerances& tolerances) {
   return std::any_of(tolerances.begin(), tolerances.end(), [](const auto& wire) { return std::isinf(wire.second); });
 }
 
-/// A tolerance shared by more wires is worth naming them where it is less than half.
-bool is_far_lower(const Tolerances& shared, const Tolerances& other) {
-  if (shared.empty() || other.empty()) return other.empty();
-  return shared.begin()->second < other.begin()->second / 2;
-}
-
 Tolerances free_wires(const Chart& chart) {
   Tolerances tolerances;
   for (const WirePart& part : chart.wire_parts) {
@@ -132,9 +124,10 @@ class ToleranceSearch {
     return tolerances;
   }
 
-  /// The same wires under the lowest rung of the ladder as the tolerance of all under which they are good, by
-  /// bisection. None where not even the highest serves.
-  Tolerances lowest_shared(const Tolerances& wires, const std::function<bool(const Tolerances&)>& are_good) const {
+  /// The same wires under the lowest rung of the ladder below a limit as the tolerance of all under which they are good,
+  /// by bisection. None where not even the highest of these serves.
+  Tolerances lowest_shared(const Tolerances& wires, double below,
+                           const std::function<bool(const Tolerances&)>& are_good) const {
     Tolerances lowest;
     const auto all_have = [&](double tolerance) {
       Tolerances shared = wires;
@@ -142,8 +135,8 @@ class ToleranceSearch {
       return shared;
     };
     const double* low = std::begin(kLadder);
-    const double* high = std::end(kLadder);
-    if (wires.empty() || !serve(all_have(*(high - 1)))) return lowest;
+    const double* high = std::lower_bound(std::begin(kLadder), std::end(kLadder), below);
+    if (wires.empty() || low == high || !serve(all_have(*(high - 1)))) return lowest;
     while (low < high) {
       const double* middle = low + (high - low) / 2;
       Tolerances shared = all_have(*middle);
@@ -254,18 +247,23 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
     return found == choice.end() ? Tolerances() : *found;
   };
   Tolerances freed = giving_way(chart, relaxed, kKept);
-  if (!search.serve(freed)) freed = giving_way(chart, relaxed, kPerhapsKept);
-  if (!search.serve(freed)) freed.clear();
+  if (!search.serve(freed)) {
+    freed = giving_way(chart, relaxed, kPerhapsKept);
+    if (!search.serve(freed)) freed.clear();
+  }
   const Tolerances few = search.on_few_wires(freed);
   const bool are_few_elastic = few.size() <= kFewWires && !is_any_free(few);
   Tolerances proposed;
   if (are_few_elastic) proposed = first_flat({few, doubled(few)});
   if (proposed.empty()) {
-    const Tolerances of_freed = search.lowest_shared(freed, lie_flat);
-    const Tolerances of_many = search.lowest_shared(free_wires_that_change(chart, free), lie_flat);
-    proposed = is_far_lower(of_many, of_freed) ? of_many : of_freed;
+    proposed = search.lowest_shared(freed, kFree, lie_flat);
+    // More wires are worth naming where that more than halves their tolerance.
+    const double below = proposed.empty() ? kFree : proposed.begin()->second / 2;
+    const Tolerances of_many = search.lowest_shared(free_wires_that_change(chart, free), below, lie_flat);
+    if (!of_many.empty()) proposed = of_many;
   }
-  if (proposed.empty()) proposed = first_flat({few, doubled(few), freed, all});
+  if (proposed.empty() && !are_few_elastic) proposed = first_flat({few, doubled(few)});
+  if (proposed.empty()) proposed = first_flat({freed, all});
   return listed(proposed);
 }
 

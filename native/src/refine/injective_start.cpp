@@ -163,7 +163,7 @@ bool MultiplierMethod::retract() {
   system_->set_stiffness(holding_stiffness_);
   if (!factorize(multipliers_)) return false;
   Positions2 exact = now_.uv;
-  if (!retract_to_lengths(constraints_, *system_, now_.variation, exact)) return false;
+  if (!retract_to_lengths(constraints_, *system_, now_.variation, exact, limits_.stop)) return false;
   if (objective_->longest_step(now_.uv, exact - now_.uv) < 1) return false;
   now_.uv = std::move(exact);
   return true;

@@ -227,10 +227,10 @@ void NewtonSystem::solve_on_wires(const Eigen::MatrixXd& r2, Solution& solution)
   improve(r2, kMultiplierSteps, kAccuracy, solution);
 }
 
-Eigen::MatrixXd NewtonSystem::dlambda_dh() const {
+Eigen::MatrixXd NewtonSystem::dlambda_dh(const StopToken& stop) const {
   const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
-  Eigen::MatrixXd multipliers(lengths.rows(), lengths.cols());
-  for (Eigen::Index first = 0; first < lengths.cols(); first += kColumnsAtOnce) {
+  Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(lengths.rows(), lengths.cols());
+  for (Eigen::Index first = 0; first < lengths.cols() && stop.may_go_on(); first += kColumnsAtOnce) {
     const Eigen::Index columns = std::min<Eigen::Index>(kColumnsAtOnce, lengths.cols() - first);
     const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(lengths.rows(), columns);
     Solution solution{Eigen::MatrixXd::Zero(matrix_.lower().rows(), columns), none, none};

@@ -18,6 +18,7 @@
 #include "cholesky/multifrontal_cholesky.h"
 #include "refine/fair_shape_error.h"
 #include "refine/length_constraints.h"
+#include "stop_token.h"
 
 namespace wirewarp {
 
@@ -66,8 +67,9 @@ class NewtonSystem {
   /// Goes on to another r₂, the multipliers being a guess.
   void solve_on_wires(const Eigen::MatrixXd& r2, Solution& solution) const;
 
-  /// ∂λ/∂h for all elastic parts, J d being T h, to about five digits. #edges by #elastic.
-  Eigen::MatrixXd dlambda_dh() const;
+  /// ∂λ/∂h for all elastic parts, J d being T h, to about five digits. #edges by #elastic; zero in the
+  /// columns that are left where the caller stops.
+  Eigen::MatrixXd dlambda_dh(const StopToken& stop = {}) const;
 
   /// Tᵀ (ρ − ρ J A⁻¹ Jᵀ ρ) T: how the springs ρ of the edges resist Δh, where d follows them. #elastic by #elastic.
   Eigen::MatrixXd stiffness_by_variation() const;

@@ -18,13 +18,13 @@ RefineState::RefineState(const Chart& chart, const WireNetwork& held_network, do
 bool RefineState::factorize(const Convexity& convexity) {
   limits.budget.spend(1);
   if (!system.factorize(now.uv, multipliers, convexity)) return false;
-  if (problem.constraints().num_elastic() > 0) dlambda_dh = system.dlambda_dh();
-  return true;
+  if (problem.constraints().num_elastic() > 0) dlambda_dh = system.dlambda_dh(limits.stop);
+  return !limits.stop.is_stopped();
 }
 
 bool RefineState::evaluate(RefineIterate& trial) const {
   trial.variation = trial.variation.cwiseMax(-problem.tolerance()).cwiseMin(problem.tolerance());
-  if (!retract_to_lengths(problem.constraints(), system, trial.variation, trial.uv)) return false;
+  if (!retract_to_lengths(problem.constraints(), system, trial.variation, trial.uv, limits.stop)) return false;
   if (problem.objective().longest_step(now.uv, trial.uv - now.uv) < 1) return false;
   trial.value = problem.objective().value(trial.uv);
   return true;

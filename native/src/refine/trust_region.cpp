@@ -2,6 +2,7 @@
 #include "refine/trust_region.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -59,6 +60,8 @@ StepOutcome TrustRegion::take_step(RefineState& state) {
   if (!is_stationary) return search(state, space, [&](double radius) { return model.step(radius); });
   const LanczosTrustRegion off_saddle = model_for(forces_across_symmetry(state));
   if (off_saddle.lowest_curvature() > -RefineConstants::flat_curvature) return StepOutcome::converged;
+  // The gradient, which has all but vanished, says nothing of how far to go: at least as far as is worthwhile.
+  radius_ = std::max(radius_, std::sqrt(2 * state.worthwhile_decrease() / -off_saddle.lowest_curvature()));
   return search(state, space, [&](double radius) { return off_saddle.step_along_lowest_curvature(radius); });
 }
 
@@ -67,7 +70,7 @@ StepOutcome TrustRegion::search(RefineState& state, const TangentSpace& space,
                                 const std::function<ModelStep(double radius)>& step_of) {
   std::optional<RefineIterate> best;
   double best_radius = 0;
-  for (int i = 0; i < RefineConstants::max_radii; ++i) {
+  for (int i = 0; i < RefineConstants::max_radii && (i == 0 || state.limits.stop.may_go_on()); ++i) {
     const ModelStep step = step_of(radius_);
     RefineIterate trial = state.now;
     trial.uv += Eigen::Map<const Positions2>(step.d.data(), trial.uv.rows(), 2);
