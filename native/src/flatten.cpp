@@ -39,8 +39,8 @@ struct Run {
   const InternalOptions& options;
 };
 
-/// Seams along which a chart lies flat that has no good shape without. Throws Stopped: what was found by then is not what
-/// a whole search finds.
+/// Seams along which a chart lies flat that has no good shape without. Throws Stopped: what was found by then is not
+/// what a whole search finds.
 std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop) {
   std::vector<VertexPair> seams =
       propose_seams(chart, {[&](const Chart& piece) { return lies_flat(piece, run.options, stop); },

@@ -251,7 +251,8 @@ TEST_F(NewtonSystemOnASaddle, TheWayBackToLengthsEndsWhereTheCallerStops) {
   const Positions2 begin = uv + 0.02 * as_positions(random_vector(num_unknowns, 3));
   Positions2 slow = begin;
   int questions = 0;
-  EXPECT_FALSE(retract_to_lengths(constraints, system, h, slow, StopToken([&](const char*) { return ++questions < 1; })));
+  EXPECT_FALSE(
+      retract_to_lengths(constraints, system, h, slow, StopToken([&](const char*) { return ++questions < 1; })));
   EXPECT_EQ(questions, 1);
   EXPECT_EQ(slow, begin);
   EXPECT_TRUE(retract_to_lengths(constraints, system, h, slow));

@@ -97,7 +97,8 @@ TEST(Cache, KeepsNothingOfASearchThatWasStopped) {
   for (int last = 0; last < questions; ++last) {
     Cache cache;
     int asked = 0;
-    flatten(input, {}, [&](const std::string&, double) { return asked++ < last; }, &cache);
+    flatten(
+        input, {}, [&](const std::string&, double) { return asked++ < last; }, &cache);
     const FlattenResult again = flatten(input, {}, {}, &cache);
     ASSERT_TRUE(again.pieces.at(0).error) << last;
     EXPECT_EQ(again.pieces[0].error->elements.proposed_seams, whole.pieces[0].error->elements.proposed_seams) << last;

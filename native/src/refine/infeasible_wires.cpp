@@ -124,8 +124,8 @@ class ToleranceSearch {
     return tolerances;
   }
 
-  /// The same wires under the lowest rung of the ladder below a limit as the tolerance of all under which they are good,
-  /// by bisection. None where not even the highest of these serves.
+  /// The same wires under the lowest rung of the ladder below a limit as the tolerance of all under which they are
+  /// good, by bisection. None where not even the highest of these serves.
   Tolerances lowest_shared(const Tolerances& wires, double below,
                            const std::function<bool(const Tolerances&)>& are_good) const {
     Tolerances lowest;

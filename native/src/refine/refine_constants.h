@@ -39,7 +39,8 @@ struct RefineConstants {
   static constexpr double grow_ratio = 0.5;
   /// What the radius is divided by after a bad step.
   static constexpr double shrink = 3;
-  /// Radii that are tried, shorter or longer: 30 change no shape on 300 random cases, where a step 3¹⁰ times shorter gains nothing.
+  /// Radii that are tried, shorter or longer: 30 change no shape on 300 random cases, where a step 3¹⁰ times shorter
+  /// gains nothing.
   static constexpr int max_radii = 10;
   /// Vectors of the Krylov space, a few substitutions each: on 300 random cases 8 take 4 % more factorizations, 30 no
   /// fewer.

@@ -21,7 +21,9 @@ bool stays_flipped(const RefineState& state) {
 RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double fairness, const RefinementStart& start,
                           const RefinementLimits& limits) {
   RefineState state(chart, network, fairness, start, limits);
-  const auto is_isometric = [&] { return state.problem.is_isometric(state.now); };  // f is at least 0: nothing is left to gain
+  const auto is_isometric = [&] {
+    return state.problem.is_isometric(state.now);
+  };  // f is at least 0: nothing is left to gain
 
   // 1. Exact lengths, which all steps keep from here on.
   const bool is_exact = reach_exact_lengths(state, start.multipliers.size() > 0);
