@@ -21,6 +21,14 @@ TEST(Isoperimetric, TheLeastShapeErrorIsThatOfUniformShrinking) {
   EXPECT_EQ(least_shape_error(3), 0);
 }
 
+TEST(Isoperimetric, TheLeastShapeErrorIsConvex) {  // so that triangles of different shares cannot have less
+  const double step = 1. / 64;
+  for (double share = step; share < 1.5; share += step) {
+    const double chord = (least_shape_error(share - step) + least_shape_error(share + step)) / 2;
+    EXPECT_LE(least_shape_error(share), chord + 1e-15) << share;
+  }
+}
+
 TEST(InfeasibleOutline, NamesTheSeamThatItProposes) {
   const Charts charts = test::charts_of(test::cylinder_tube(16, 8, 1, 4));
   const FlattenError error = infeasible_outline(charts.charts[0], Options{}, {{0, 16}}, false);
