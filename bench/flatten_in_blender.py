@@ -18,9 +18,9 @@ import bpy
 import numpy as np
 from wirewarp_addon import core
 from wirewarp_addon.properties import choices_of
-from wirewarp_addon.read_models import read_models
-from wirewarp_addon.solve_models import solve_models
-from wirewarp_addon.write_results import write_results
+from wirewarp_addon.run.models import solve_models
+from wirewarp_addon.run.read import read_models
+from wirewarp_addon.run.write import write_results
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
@@ -66,7 +66,7 @@ def seconds_of_steps(sheet: bpy.types.Object) -> dict[str, float]:
     marks = [time.perf_counter()]
     models = read_models(context, [sheet], settings)
     marks.append(time.perf_counter())
-    outcomes = solve_models(core.library(), models, choices_of(settings), 1.0, lambda _stage, _fraction: True)
+    outcomes = solve_models(core.library(), models, choices_of(settings, 1.0), 1.0, lambda _stage, _fraction: True)
     marks.append(time.perf_counter())
     write_results(context, outcomes, settings)
     marks.append(time.perf_counter())

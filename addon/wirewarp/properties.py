@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Settings kept with the scene, names of wires with the mesh, of pieces with the object, and how objects are linked."""
 
+from collections.abc import Callable
+
 import bpy
 from bpy.props import (
     BoolProperty,
@@ -164,6 +166,21 @@ def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Con
         note_change(settings.id_data.name_full)
 
 
+def allowance_property(**more: Callable) -> object:
+    """The seam allowance, of the panel and of exports."""
+    return FloatProperty(
+        name="Allowance",
+        description="Seam allowance in millimeters, around every piece but where another one is marked on the edges",
+        min=0.0,
+        soft_max=50.0,
+        max=1000.0,
+        default=10.0,
+        precision=1,
+        step=100,
+        **more,
+    )
+
+
 class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
     auto_update: BoolProperty(
         name="Auto",
@@ -183,17 +200,7 @@ class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
         default=3.0,
         precision=2,
     )
-    allowance: FloatProperty(
-        name="Allowance",
-        description="Seam allowance in millimeters, around every piece but where another one is marked on the edges",
-        min=0.0,
-        soft_max=50.0,
-        max=1000.0,
-        default=10.0,
-        precision=1,
-        step=100,
-        update=_redraw,
-    )
+    allowance: allowance_property(update=_redraw)
     show_lines: BoolProperty(
         name="Lines",
         description="Draw outlines, seams, wires and what failed over models and flat pieces, and over "

@@ -67,7 +67,8 @@ def test_marked_widths_stay_when_the_unit_is_set(addon, source, mode):
     bpy.ops.object.mode_set(mode=mode)
     assert bpy.ops.scene.wirewarp_set_unit(meters=0.01) == {"FINISHED"}
     assert source.mode == mode
-    marked = addon.model.allowances.read_allowances(source.data)
+    with addon.blender.mesh.current_mesh(source) as mesh:
+        marked = addon.model.allowances.read_allowances(mesh)
     assert np.unique(marked.widths) == pytest.approx([-1.0, 0.6])  # cm
     assert marked.side_widths == pytest.approx([5.0])
 

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is read from a mesh the fast way is what Blender says element by element."""
 
+import bmesh
 import bpy
 import numpy as np
 import pytest
-from surfaces import grid, mark_seam, on_line, read, round_bump
+from surfaces import grid, mark, mark_seam, on_line, read, round_bump, select_edges
 
 READERS = {
     "edge_vertices": ("edges", "vertices", 2),
@@ -19,20 +20,27 @@ READERS = {
 
 
 @pytest.fixture(params=["OBJECT", "EDIT", "no faces", "nothing"])
-def mesh(request):
+def mesh(addon, request):
+    """As it is now: in Edit Mode with what Blender has not written to the mesh yet."""
     target = grid("Bump", round_bump, faces="ngons")
     mark_seam(target, on_line(0, 0.0))
     if request.param == "EDIT":
-        bpy.ops.object.mode_set(mode="EDIT")
-        target.update_from_editmode()
+        select_edges(target, on_line(1, 0.0))
+        bpy.ops.mesh.mark_seam()
+        bpy.ops.mesh.hide()
+        select_edges(target, on_line(1, 0.25))
+        edit = bmesh.from_edit_mesh(target.data)
+        edit.verts.ensure_lookup_table()
+        edit.verts[3].co.z = 7.0
     elif request.param == "no faces":
         target.data.clear_geometry()
         target.data.from_pydata([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [(0, 1), (1, 2)], [])
         target.data.edges[1].use_seam = True
     elif request.param == "nothing":
         target.data.clear_geometry()
-    target.data.calc_loop_triangles()
-    return target.data
+    with addon.blender.mesh.current_mesh(target) as current:
+        current.calc_loop_triangles()
+        yield current
 
 
 @pytest.mark.parametrize("name", READERS)
@@ -44,5 +52,51 @@ def test_indices(addon, mesh, name):
     assert np.array_equal(found, expected)
 
 
-def test_seams(addon, mesh):
-    assert np.array_equal(addon.blender.mesh.read_seams(mesh), [edge.use_seam for edge in mesh.edges])
+def test_places(addon, mesh):
+    places = addon.blender.mesh.vertex_places(mesh)
+    assert places.dtype == np.float32
+    assert places.tolist() == [list(vertex.co) for vertex in mesh.vertices]
+
+
+@pytest.mark.parametrize(
+    ("name", "field"),
+    [("read_seams", "use_seam"), ("read_selected_edges", "select"), ("read_hidden_edges", "hide")],
+)
+def test_edge_flags(addon, mesh, name, field):
+    found = getattr(addon.blender.mesh, name)(mesh)
+    assert found.tolist() == [getattr(edge, field) for edge in mesh.edges]
+
+
+def test_in_edit_mode_the_mesh_is_as_it_is_edited(addon):
+    target = grid("Bump", round_bump)
+    mark(target, on_line(0, 0.0))
+    select_edges(target, on_line(1, 0.0))
+    bpy.ops.mesh.mark_seam()
+    bpy.ops.mesh.wirewarp_mark()
+    edit = bmesh.from_edit_mesh(target.data)
+    edit.verts.ensure_lookup_table()
+    edit.verts[3].co.z = 7.0
+    with addon.blender.mesh.current_mesh(target) as mesh:
+        assert mesh.vertices[3].co.z == 7.0
+        seams, marks = addon.blender.mesh.read_seams(mesh), addon.model.attributes.read_marks(mesh)
+    assert seams.tolist() == [edge.seam for edge in edit.edges]
+    assert seams.sum() == 8
+    assert marks.are_wires.sum() == 16
+    assert not target.data.attributes["wirewarp_wire"].data  # which is why
+
+
+def test_shape_keys_outlive_reading_in_edit_mode(addon):
+    """What the copy is made of they share with it."""
+    target = grid("Bump", round_bump)
+    target.shape_key_add(name="Basis")
+    target.shape_key_add(name="Taller").data[40].co.z += 1
+    expected = target.data.shape_keys.key_blocks["Taller"].data[40].co.z + 0.5
+    bpy.ops.object.mode_set(mode="EDIT")
+    edit = bmesh.from_edit_mesh(target.data)
+    edit.verts.ensure_lookup_table()
+    for step in (1.0, -0.5):
+        edit.verts[40].co.z += step
+        with addon.blender.mesh.current_mesh(target) as mesh:
+            assert mesh.vertices[40].co.z == edit.verts[40].co.z
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert target.data.shape_keys.key_blocks["Taller"].data[40].co.z == pytest.approx(expected)

@@ -179,14 +179,14 @@ def test_what_goes_wrong_while_the_pieces_are_made_leaves_the_file_as_it_was(add
 
 def test_another_grain_wire_is_due_once(addon, source):
     assert taken(addon) == []
-    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.model.wires.find_wires(source.data)[0].edges[0])
+    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.model.wires.find_wires(source)[0].edges[0])
     assert taken(addon) == ["Bump"]
     bpy.ops.object.wirewarp_flatten()
     assert taken(addon) == []
 
 
 def test_a_model_that_cannot_be_read_is_tried_once_whatever_its_grain_wire(addon, source):
-    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.model.wires.find_wires(source.data)[0].edges[0])
+    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.model.wires.find_wires(source)[0].edges[0])
     bpy.ops.object.wirewarp_flatten()
     source.scale.x = 0.0
     assert taken(addon) == ["Bump"]

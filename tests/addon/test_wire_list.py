@@ -168,7 +168,7 @@ def test_a_whole_wire_is_selected(addon, source, by):
 
 
 def test_wires_of_one_id_each_get_one_of_their_own(addon):
-    own_ids, last = addon.model.attributes.own_ids, addon.model.attributes.MAX_ID
+    own_ids, last = addon.model.attributes.own_ids, addon.solve.identity.MAX_ID
     assert own_ids([5, 9, 5, 5, 6]) == [5, 9, 7, 8, 6]
     assert own_ids([last, last]) == [last, 1]
 

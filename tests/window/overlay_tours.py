@@ -94,7 +94,7 @@ def marks_are_undone() -> drive.Tour:
     source = marked()
     bpy.ops.object.wirewarp_flatten()
     source.data.edges.foreach_set("use_seam", [False] * len(source.data.edges))
-    edge = wirewarp_addon.model.wires.find_wires(source.data)[0].edges[0]
+    edge = wirewarp_addon.model.wires.find_wires(source)[0].edges[0]
     select_edges(source, on_line(1, 0.25))
     with drive.in_view():
         bpy.ops.ed.undo_push(message="Selected")

@@ -4,6 +4,7 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+import bmesh
 import bpy
 import numpy as np
 
@@ -46,6 +47,13 @@ def read_numbers(owner: bpy.types.ID, name: str) -> np.ndarray | None:
     return np.array(stored) if is_list else None
 
 
+def vertex_places(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(n,3) float32"""
+    if not HAS_ATTRIBUTES or not len(mesh.vertices):
+        return read(mesh.vertices, "co", np.float32, 3)
+    return read(mesh.attributes["position"].data, "vector", np.float32, 3)
+
+
 def edge_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
     """(e,2) int32"""
     return _indices(mesh.edges, "vertices", 2)
@@ -68,7 +76,9 @@ def face_starts(mesh: bpy.types.Mesh) -> np.ndarray:
 
 def face_sizes(mesh: bpy.types.Mesh) -> np.ndarray:
     """(f,) int32"""
-    return _indices(mesh.polygons, "loop_total")
+    if not HAS_ATTRIBUTES:
+        return _indices(mesh.polygons, "loop_total")
+    return np.diff(face_starts(mesh), append=np.int32(len(mesh.loops)))
 
 
 def triangle_corners(mesh: bpy.types.Mesh) -> np.ndarray:
@@ -88,10 +98,25 @@ def triangle_faces(mesh: bpy.types.Mesh) -> np.ndarray:
 
 def read_seams(mesh: bpy.types.Mesh) -> np.ndarray:
     """(e,) bool"""
-    if mesh.is_editmode or not HAS_ATTRIBUTES:
-        return read(mesh.edges, "use_seam", bool)
-    seams = read_attribute(mesh, SEAM, "BOOLEAN", "EDGE")
-    return np.zeros(len(mesh.edges), dtype=bool) if seams is None else seams
+    return _edge_flags(mesh, SEAM, "use_seam")
+
+
+def read_selected_edges(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(e,) bool"""
+    return _edge_flags(mesh, ".select_edge", "select")
+
+
+def read_hidden_edges(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(e,) bool"""
+    return _edge_flags(mesh, ".hide_edge", "hide")
+
+
+def _edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str) -> np.ndarray:
+    """By the attribute, which is absent where no edge has the flag, or by the slower property of each edge."""
+    if not HAS_ATTRIBUTES:
+        return read(mesh.edges, name, bool)
+    flags = read_attribute(mesh, attribute, "BOOLEAN", "EDGE")
+    return np.zeros(len(mesh.edges), dtype=bool) if flags is None else flags
 
 
 def read_uv(layer: bpy.types.MeshUVLoopLayer) -> np.ndarray:
@@ -122,13 +147,22 @@ def write_faces(mesh: bpy.types.Mesh, starts: np.ndarray, sizes: np.ndarray) -> 
         mesh.polygons.foreach_set("loop_total", sizes.view(np.uint32))
 
 
+def write_seams(mesh: bpy.types.Mesh, seams: np.ndarray) -> None:
+    """(e,) bool"""
+    _write_edge_flags(mesh, SEAM, "use_seam", seams)
+
+
 def write_sharp_edges(mesh: bpy.types.Mesh, sharp: np.ndarray) -> None:
     """(e,) bool"""
+    _write_edge_flags(mesh, "sharp_edge", "use_edge_sharp", sharp)
+
+
+def _write_edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str, flags: np.ndarray) -> None:
     if HAS_ATTRIBUTES:
-        found = mesh.attributes.get("sharp_edge") or mesh.attributes.new("sharp_edge", "BOOLEAN", "EDGE")
-        found.data.foreach_set("value", sharp)
+        found = mesh.attributes.get(attribute) or mesh.attributes.new(attribute, "BOOLEAN", "EDGE")
+        found.data.foreach_set("value", flags)
     else:
-        mesh.edges.foreach_set("use_edge_sharp", sharp)
+        mesh.edges.foreach_set(name, flags)
 
 
 def _indices(collection: bpy.types.bpy_prop_collection, name: str, columns: int = 1) -> np.ndarray:
@@ -136,7 +170,7 @@ def _indices(collection: bpy.types.bpy_prop_collection, name: str, columns: int 
 
 
 def _of_corners(mesh: bpy.types.Mesh, attribute: str, name: str) -> np.ndarray:
-    if mesh.is_editmode or not HAS_ATTRIBUTES or not len(mesh.loops):
+    if not HAS_ATTRIBUTES or not len(mesh.loops):
         return _indices(mesh.loops, name)
     return read(mesh.attributes[attribute].data, "value", np.int32)
 
@@ -157,6 +191,24 @@ def next_loops(mesh: bpy.types.Mesh) -> np.ndarray:
 def element_counts(mesh: bpy.types.Mesh) -> dict[str, int]:
     """By which a report sees that its mesh has changed since."""
     return {"vertices": len(mesh.vertices), "edges": len(mesh.edges), "faces": len(mesh.polygons)}
+
+
+@contextmanager
+def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
+    """The object's own mesh as it is now, for reading. In Edit Mode a copy, for the mesh itself has no attributes then.
+
+    Shape keys are brought up to date with it, as Blender does before each undo step.
+    """
+    mesh = target.data
+    if not mesh.is_editmode:
+        yield mesh
+        return
+    try:
+        copy = target.to_mesh()
+        bmesh.from_edit_mesh(mesh).to_mesh(copy)
+        yield copy
+    finally:
+        target.to_mesh_clear()
 
 
 @contextmanager

@@ -31,12 +31,6 @@ def _select_only(context: bpy.types.Context, objects: list[bpy.types.Object]) ->
         other.select_set(other in objects)
 
 
-def update_mesh(target: bpy.types.Object) -> None:
-    """Brings vertices, edges, faces and their selection up to date; attributes cannot be read in Edit Mode."""
-    if target.data.is_editmode:
-        target.update_from_editmode()
-
-
 def hold_whole_file() -> None:
     """Makes the operator's undo step one of the whole file. To be called while it writes.
 

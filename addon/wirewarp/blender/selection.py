@@ -8,8 +8,7 @@ import numpy as np
 
 from ..issues import changed_error, object_error
 from ..pattern.chains import edge_keys
-from .mesh import corner_edges, edge_vertices, face_sizes, read
-from .modes import update_mesh
+from .mesh import corner_edges, current_mesh, edge_vertices, face_sizes, read
 from .objects import check_local
 from .views import work_area
 
@@ -31,11 +30,11 @@ def select_elements(
     changed, if the object cannot be shown or edited, or has no such elements.
     """
     check_local(target, target.data)
-    update_mesh(target)
+    with current_mesh(target) as current:
+        edge_mask, loose_vertices = _find_edges(current, edges)
+        face_mask = _mask(target, current.polygons, faces)
+        vertex_mask = _mask(target, current.vertices, [*vertices, *loose_vertices])
     mesh = target.data
-    edge_mask, loose_vertices = _find_edges(mesh, edges)
-    face_mask = _mask(target, mesh.polygons, faces)
-    vertex_mask = _mask(target, mesh.vertices, [*vertices, *loose_vertices])
     _show(context, target)
     if context.mode == "EDIT_MESH":
         bpy.ops.object.mode_set(mode="OBJECT")

@@ -18,11 +18,10 @@ UP = np.array([0.0, 1.0])
 def remember_grain(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
     """On the flat mesh. flat: the pieces as laid out, upright, wherever they were put since."""
     rows = []
-    vertex_piece = np.zeros(len(flat.vertices), dtype=np.int64)
-    vertex_piece[flat.loop_vertices] = np.repeat(flat.face_piece, flat.face_sizes)
-    for piece in np.unique(flat.face_piece).tolist():
-        own = np.flatnonzero(vertex_piece == piece)
-        first, last = (own[pick(flat.vertices[own].sum(axis=1))] for pick in (np.argmin, np.argmax))
+    sums, begins = flat.vertices.sum(axis=1), np.flatnonzero(np.diff(flat.vertex_piece, prepend=-1))
+    for begin, end in zip(begins.tolist(), [*begins[1:].tolist(), len(sums)], strict=True):
+        piece, own = int(flat.vertex_piece[begin]), sums[begin:end]
+        first, last = (begin + int(pick(own)) for pick in (np.argmin, np.argmax))
         along = _unit(flat.vertices[last] - flat.vertices[first])
         rows += [piece, first, last, along @ UP, along[0] * UP[1] - along[1] * UP[0]]
     mesh[GRAIN] = [float(number) for number in rows]

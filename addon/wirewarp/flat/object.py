@@ -8,11 +8,18 @@ from contextlib import contextmanager
 import bpy
 import numpy as np
 
-from ..blender.mesh import corner_edges, edge_vertices, write_corner_vertices, write_faces, write_sharp_edges
+from ..blender.mesh import (
+    corner_edges,
+    edge_vertices,
+    write_corner_vertices,
+    write_faces,
+    write_seams,
+    write_sharp_edges,
+)
 from ..blender.objects import remove_object
 from ..blender.selection import deselect_all
 from ..issues import note, warning
-from ..model.attributes import write_marks, write_seam_ids
+from ..model.attributes import write_ids, write_marks
 from ..model.owners import find_flat_object, flat_name, model_of
 from ..model.wire_names import write_names
 from ..names import (
@@ -21,13 +28,13 @@ from ..names import (
     FAILED_MATERIAL,
     PIECE,
     PIECE_INDEX,
+    SEAM,
     SOURCE_CORNER,
     SOURCE_FACE,
     SOURCE_VERTEX,
 )
-from ..pattern.outlines import FlatPieces
 from ..solve.arrays import MeshArrays
-from ..solve.flat_mesh import FlatMarks, FlatMesh, edge_length_variation, flat_marks
+from ..solve.flat_mesh import FlatMarks, FlatMesh, edge_length_variation, edge_lengths, flat_marks
 from .maps import write_maps
 from .places import free_place
 from .read import add_flat_attribute, remember_shape
@@ -129,23 +136,13 @@ def _write_mesh(target: bpy.types.Object, source: bpy.types.Object, flat: FlatMe
     target.vertex_groups.clear()
     _write_faces(mesh, flat)
     deselect_all(mesh)  # in Edit Mode L is to take one piece, not one more
-    edges = edge_vertices(mesh)
-    marks = flat_marks(flat, edges, arrays)
-    pieces = FlatPieces(
-        vertices=flat.vertices,
-        source_vertex=flat.source_vertex,
-        loop_vertices=flat.loop_vertices,
-        loop_edges=corner_edges(mesh),
-        face_sizes=flat.face_sizes,
-        face_piece=flat.face_piece,
-        piece_id=flat.piece_id,
-        source_face=flat.source_face,
-        edges=edges,
-        marks=marks.wires,
-    )
-    _write_attributes(mesh, flat, arrays, edges)
-    _write_marks(mesh, marks)
-    remember_shape(mesh, pieces)
+    edges, source_edges = edge_vertices(mesh), np.empty(len(mesh.edges), dtype=np.int32)
+    source_edges[corner_edges(mesh)] = flat.source_edge
+    lengths = edge_lengths(flat.vertices, edges)
+    _write_attributes(mesh, flat, arrays)
+    write_maps(mesh, flat, edges, edge_length_variation(lengths, source_edges, arrays))
+    _write_marks(mesh, flat_marks(source_edges, arrays))
+    remember_shape(mesh, lengths, flat.piece_areas)
     write_names(mesh, {wire.chain.wire_id: wire.name for wire in arrays.wires})
     write_flat_maps(mesh, flat, arrays)
     _write_materials(mesh, source, flat, arrays)
@@ -165,22 +162,22 @@ def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
     mesh.update(calc_edges=True)
 
 
-def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays, edges: np.ndarray) -> None:
+def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
     add_flat_attribute(mesh, SOURCE_VERTEX, flat.source_vertex)
     add_flat_attribute(mesh, SOURCE_CORNER, flat.source_corner)
     add_flat_attribute(mesh, SOURCE_FACE, flat.source_face)
     add_flat_attribute(mesh, PIECE_INDEX, flat.face_piece)
     add_flat_attribute(mesh, PIECE, flat.piece_id)
     mesh[FACE_COUNT] = len(arrays.polygon_starts)
-    write_maps(mesh, flat, edges, edge_length_variation(flat, edges, arrays))
 
 
 def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
     """Seams are red in Edit Mode as on the model, and wires, for which Blender has no color, blue as sharp edges."""
-    mesh.edges.foreach_set("use_seam", marks.seams)
+    if marks.seams.any():
+        write_seams(mesh, marks.seams)
     write_sharp_edges(mesh, marks.wires.are_wires)
     write_marks(mesh, marks.wires)
-    write_seam_ids(mesh, marks.seam_ids)
+    write_ids(mesh, SEAM, marks.seam_ids)
 
 
 def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
@@ -205,7 +202,9 @@ def _write_materials(mesh: bpy.types.Mesh, source: bpy.types.Object, flat: FlatM
     mesh.materials.clear()
     for material in shown:
         mesh.materials.append(material)
-    mesh.polygons.foreach_set("material_index", slots.astype(np.int32))
+    if slots.any():  # new faces have the first
+        indices = mesh.attributes.get("material_index") or mesh.attributes.new("material_index", "INT", "FACE")
+        indices.data.foreach_set("value", slots.astype(np.int32))
 
 
 def _new_material() -> bpy.types.Material:

@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 
 from ..blender.cache import read_anew
-from ..blender.mesh import evaluated_mesh
+from ..blender.mesh import current_mesh, evaluated_mesh
 from ..blender.objects import linear_part
 from ..blender.units import meters_per_blender_unit
 from ..core import FlattenError, pattern
@@ -157,11 +157,9 @@ def _allowances(
     source: bpy.types.Object, report: dict, millimeters: float, depsgraph: bpy.types.Depsgraph
 ) -> _Allowances:
     """What is marked on the mesh that was flattened. Marks inside of pieces do nothing."""
-    if report.get("with_modifiers"):
-        with evaluated_mesh(source, depsgraph) as mesh:
-            marked = read_allowances(mesh)
-    else:
-        marked = read_allowances(source.data)
+    flattened = evaluated_mesh(source, depsgraph) if report.get("with_modifiers") else current_mesh(source)
+    with flattened as mesh:
+        marked = read_allowances(mesh)
     is_mirrored = bool(np.linalg.det(linear_part(source)) < 0)
     seams: dict[tuple[int, int], bool] = {}  # of each edge of an outline, in both directions: whether it is sewn
     chains = [chain for piece in report["pieces"] if piece["has_layout"] for chain in piece["outline"]]

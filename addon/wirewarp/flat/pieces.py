@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 
 from ..core import FlattenResult
-from ..model.attributes import write_piece_ids
+from ..model.attributes import write_ids
 from ..names import FACE_COUNT, PIECE, SOURCE_FACE
 from ..solve.arrays import MeshArrays
 from ..solve.identity import KnownPieces, PieceIdentity, ids_by_face
@@ -62,4 +62,4 @@ def write_pieces(
         entry = source.wirewarp_pieces.add()
         entry.piece_id, entry.name = identity.piece_id, identity.name
     if on_model:
-        write_piece_ids(source.data, ids_by_face(result, arrays, identities))
+        write_ids(source.data, PIECE, ids_by_face(result, arrays, identities))

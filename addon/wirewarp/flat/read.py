@@ -4,7 +4,15 @@
 import bpy
 import numpy as np
 
-from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, face_sizes, read, read_attribute, read_numbers
+from ..blender.mesh import (
+    corner_edges,
+    corner_vertices,
+    edge_vertices,
+    face_sizes,
+    read_attribute,
+    read_numbers,
+    vertex_places,
+)
 from ..issues import object_error
 from ..model.attributes import read_marks
 from ..model.owners import find_flat_object, has_flat_object
@@ -33,14 +41,15 @@ def has_flat_attributes(mesh: bpy.types.Mesh, *names: str) -> bool:
 
 def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
     """Whether it holds flat pieces and nothing else, whatever became of their model. Of one not in Edit Mode."""
-    is_level = not read(mesh.vertices, "co", np.float32, 3)[:, 2].any()
-    return len(mesh.polygons) > 0 and is_level and has_flat_attributes(mesh, *DOMAINS)
+    if not len(mesh.polygons) or not has_flat_attributes(mesh, *DOMAINS):
+        return False
+    return not vertex_places(mesh)[:, 2].any()
 
 
 def read_flat_pieces(mesh: bpy.types.Mesh, scale: float = 1.0) -> FlatPieces:
     """In Blender units times `scale`. Of a mesh in Object Mode; what is gone is None. Raises ObjectError."""
     return FlatPieces(
-        vertices=read(mesh.vertices, "co", np.float32, 3)[:, :2].astype(np.float64) * scale,
+        vertices=vertex_places(mesh)[:, :2].astype(np.float64) * scale,
         source_vertex=read_flat_attribute(mesh, SOURCE_VERTEX),
         loop_vertices=corner_vertices(mesh),
         loop_edges=corner_edges(mesh),
@@ -69,12 +78,11 @@ def pieces_of_report(source: bpy.types.Object, report: dict) -> tuple[bpy.types.
     return flat, read_flat_pieces(flat.data)
 
 
-def remember_shape(mesh: bpy.types.Mesh, pieces: FlatPieces) -> None:
-    """Of a flat mesh as it was laid out; pieces: all of it."""
-    lengths = mesh.attributes.new(FLAT_LENGTH, "FLOAT", "EDGE")
-    lengths.data.foreach_set("value", edge_lengths(pieces.vertices, pieces.edges).astype(np.float32))
+def remember_shape(mesh: bpy.types.Mesh, lengths: np.ndarray, areas: np.ndarray) -> None:
+    """Of a flat mesh as it was laid out: lengths of the edges (e,), signed areas of the pieces (n,)."""
+    mesh.attributes.new(FLAT_LENGTH, "FLOAT", "EDGE").data.foreach_set("value", lengths.astype(np.float32))
     mesh[FLAT_COUNTS] = _counts(mesh)
-    mesh[FLAT_AREAS] = _areas(pieces).tolist()
+    mesh[FLAT_AREAS] = areas.tolist()
 
 
 def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
@@ -86,7 +94,7 @@ def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
     if laid_out is None or then is None or not np.array_equal(read_numbers(mesh, FLAT_COUNTS), _counts(mesh)):
         return False
     pieces = read_flat_pieces(mesh)
-    now = _areas(pieces)
+    now = signed_areas(pieces.vertices, outline_of(pieces))
     size = float(np.abs(pieces.vertices).max(initial=0))
     if len(now) != len(then) or np.any(np.abs(now - then) > np.abs(then) + PLACE_ERROR * size**2):
         return False  # mirrored, the difference is twice the area
@@ -96,8 +104,3 @@ def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
 
 def _counts(mesh: bpy.types.Mesh) -> list[int]:
     return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons)]
-
-
-def _areas(pieces: FlatPieces) -> np.ndarray:
-    """By piece."""
-    return signed_areas(pieces.vertices, outline_of(pieces))

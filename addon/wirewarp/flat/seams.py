@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 
 from ..blender.mesh import edge_vertices, read_attribute
-from ..model.attributes import read_seam_ids, write_seam_ids
+from ..model.attributes import read_ids, write_ids
 from ..names import FACE_COUNT, SEAM, SOURCE_VERTEX
 from ..pattern.chains import edge_keys
 from ..solve.arrays import MeshArrays
@@ -57,8 +57,6 @@ def write_seams(
         if not entry.name or GIVEN.fullmatch(entry.name):
             entry.seam_id, entry.name = identity.seam_id, identity.name
     if on_model:
-        ids, count = read_seam_ids(source.data), len(arrays.vertices)
-        own, edges = edge_keys(arrays.seams, count), edge_keys(arrays.edges, count)
-        order = np.argsort(edges)
-        ids[order[np.searchsorted(edges[order], own)]] = arrays.seam_ids
-        write_seam_ids(source.data, ids)
+        ids = read_ids(source.data, SEAM)
+        ids[arrays.seam_edges] = arrays.seam_ids
+        write_ids(source.data, SEAM, ids)

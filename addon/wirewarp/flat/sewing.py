@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 import bpy
 import numpy as np
 
-from ..blender.mesh import edge_vertices, evaluated_mesh, read
+from ..blender.mesh import edge_vertices, evaluated_mesh, vertex_places
 from ..blender.objects import remove_object
 from ..issues import object_error
 from ..names import (
@@ -82,9 +82,9 @@ def _worn(source: bpy.types.Object, flat: bpy.types.Object, pieces: FlatPieces, 
     """(n,3) where the vertices of the pieces are on the model, in the space of the flat object."""
     if with_modifiers:
         with evaluated_mesh(source, bpy.context.evaluated_depsgraph_get()) as mesh:
-            places = read(mesh.vertices, "co", np.float32, 3)
+            places = vertex_places(mesh)
     else:
-        places = read(source.data.vertices, "co", np.float32, 3)
+        places = vertex_places(source.data)
     matrix = np.array(flat.matrix_world.inverted() @ source.matrix_world)
     return places[pieces.source_vertex].astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3]
 

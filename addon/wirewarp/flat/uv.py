@@ -10,7 +10,6 @@ from ..issues import object_error
 from ..names import UV_LAYER, UV_SCALE
 from ..solve.arrays import MeshArrays
 from ..solve.flat_mesh import FlatMesh
-from ..solve.flatten import has_layout
 
 MAX_UV_LAYERS = 8
 
@@ -29,43 +28,41 @@ def check_uv_room(target: bpy.types.Object) -> None:
         )
 
 
-def write_uv(mesh: bpy.types.Mesh, corner_uv: np.ndarray, arrays: MeshArrays) -> float:
-    """Writes corner_uv (m,3,2) in Blender units into the unit square. Faces without a layout go to (0,0).
+def write_uv(mesh: bpy.types.Mesh, flat: FlatMesh, corner_count: int) -> float:
+    """Writes the pieces as they were packed into the unit square. Faces without a layout go to (0,0).
 
     Returns the scale, Blender units in one UV unit; it is kept on the mesh, too.
     """
-    loop_uv, scale = _loop_coordinates(corner_uv, arrays)
+    places, scale = _in_unit_square(flat.vertices)
     layer = mesh.uv_layers.get(UV_LAYER) or mesh.uv_layers.new(name=UV_LAYER, do_init=False)
-    write_layer(layer, loop_uv)
+    of_corners = np.zeros((corner_count, 2), dtype=np.float32)
+    _pairs(of_corners)[flat.source_corner] = _pairs(places)[flat.loop_vertices]
+    write_layer(layer, of_corners)
     mesh.uv_layers.active = layer
     mesh[UV_SCALE] = scale
     return scale
 
 
-def _loop_coordinates(corner_uv: np.ndarray, arrays: MeshArrays) -> tuple[np.ndarray, float]:
-    """UVs (l,2) float32 of all loops in the unit square, and the side of the square that became that."""
-    placed = has_layout(corner_uv)
-    uv = corner_uv if placed.all() else corner_uv[placed]
-    low = np.array([uv[..., 0].min(), uv[..., 1].min()])
-    scale = float(max(uv[..., 0].max() - low[0], uv[..., 1].max() - low[1]))
-    uv = uv - low
-    uv /= scale  # in its own place, for new memory is what takes the time
-    np.clip(uv, 0, 1, out=uv)
-    loops = arrays.triangle_loops if placed.all() else arrays.triangle_loops[placed]
-    loop_uv = np.zeros((len(arrays.loop_vertices), 2), dtype=np.float32)
-    # The corners that triangles of one quad share lie in one piece, so they write the same numbers. A pair of float32
-    # has the size of one complex number: to put these is faster than to put rows.
-    pairs = uv.reshape(-1, 2).astype(np.float32)
-    loop_uv.view(np.complex64)[loops.ravel(), 0] = pairs.view(np.complex64)[:, 0]
-    return loop_uv, scale
+def _in_unit_square(vertices: np.ndarray) -> tuple[np.ndarray, float]:
+    """float32 of vertices (p,2), and the side of the square that became the unit."""
+    from_corner = vertices - vertices.min(axis=0)
+    scale = float(from_corner.max()) or 1.0
+    return (from_corner / scale).astype(np.float32), scale
+
+
+def _pairs(places: np.ndarray) -> np.ndarray:
+    """(k,) of rows (k,2) of float32: one complex number each, for these are far faster to take than rows."""
+    return places.view(np.complex64)[:, 0]
 
 
 def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
     """On a flat mesh without maps: the source's own, by which a print is checked, and the pieces as they lie."""
     for name, places in list(arrays.uv_maps.items())[: MAX_UV_LAYERS - 1]:
-        write_layer(mesh.uv_layers.new(name=name, do_init=False), places[flat.source_corner])
-    low = flat.vertices.min(axis=0)
-    places = ((flat.vertices - low) / max(float((flat.vertices - low).max()), 1e-300)).astype(np.float32)
-    own = mesh.uv_layers.new(name=UV_LAYER, do_init=False)
-    write_layer(own, places[flat.loop_vertices])
+        _write_new(mesh, name, _pairs(places)[flat.source_corner])
+    places, _ = _in_unit_square(flat.vertices)
+    _write_new(mesh, UV_LAYER, _pairs(places)[flat.loop_vertices])
     mesh.uv_layers.active = mesh.uv_layers[0]  # the source's first, where it has one
+
+
+def _write_new(mesh: bpy.types.Mesh, name: str, pairs: np.ndarray) -> None:
+    write_layer(mesh.uv_layers.new(name=name, do_init=False), pairs.view(np.float32).reshape(-1, 2))

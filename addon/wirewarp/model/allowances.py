@@ -73,37 +73,17 @@ def scale_allowances(mesh: bpy.types.Mesh, factor: float) -> None:
 
 
 def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
-    """In Edit Mode too. Raises ObjectError if an attribute of our name has another type or domain."""
-    if mesh.is_editmode:
-        return _read_edit(bmesh.from_edit_mesh(mesh))
+    """Of a mesh that is not in Edit Mode. Raises ObjectError if an attribute of our name is another's."""
     check_allowances(mesh)
-    widths, sides = read_attribute(mesh, ALLOWANCE, "FLOAT", "EDGE"), np.empty((0, 2), dtype=np.int64)
+    edges, starts = edge_vertices(mesh), corner_vertices(mesh)
+    sides = np.column_stack([starts, edges[corner_edges(mesh)].sum(axis=1) - starts])
+    widths = read_attribute(mesh, ALLOWANCE, "FLOAT", "EDGE")
     side_widths = read_attribute(mesh, SIDE_ALLOWANCE, "FLOAT", "CORNER")
-    edges = edge_vertices(mesh)
-    if side_widths is not None:
-        starts = corner_vertices(mesh)
-        sides = np.column_stack([starts, edges[corner_edges(mesh)].sum(axis=1) - starts])
-    return _marked(edges, widths, sides, side_widths)
-
-
-def _read_edit(edit: bmesh.types.BMesh) -> MarkedAllowances:
-    edit.verts.index_update()
-    layer, side_layer = edit.edges.layers.float.get(ALLOWANCE), edit.loops.layers.float.get(SIDE_ALLOWANCE)
-    edges = [(edge.verts[0].index, edge.verts[1].index) for edge in edit.edges] if layer else []
-    widths = [edge[layer] for edge in edit.edges] if layer else []
-    loops = [loop for face in edit.faces for loop in face.loops] if side_layer else []
-    sides = [(loop.vert.index, loop.link_loop_next.vert.index) for loop in loops]
-    return _marked(np.array(edges), np.array(widths), np.array(sides), np.array([loop[side_layer] for loop in loops]))
-
-
-def _marked(
-    edges: np.ndarray, widths: np.ndarray | None, sides: np.ndarray, side_widths: np.ndarray | None
-) -> MarkedAllowances:
     return MarkedAllowances(*_set_ones(edges, widths), *_set_ones(sides, side_widths))
 
 
 def _set_ones(pairs: np.ndarray, widths: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
-    if widths is None or len(widths) == 0:
+    if widths is None:
         return np.empty((0, 2), dtype=np.int64), np.empty(0)
     is_set = np.isfinite(widths) & (widths != 0)
     return pairs[is_set].astype(np.int64), widths[is_set].astype(np.float64)

@@ -8,7 +8,6 @@ when they are subdivided, duplicated or joined, so that a piece keeps its name a
 edges: the same of seams.
 """
 
-import random
 from collections.abc import Sequence
 
 import bmesh
@@ -16,16 +15,13 @@ import bpy
 import numpy as np
 
 from ..blender.attributes import check_attribute, check_room
+from ..blender.mesh import read_attribute
 from ..names import PIECE, SEAM, TOLERANCE, WIRE
 from ..pattern.chains import EdgeMarks
+from ..solve.identity import MAX_ID
 
 _EXPECTED = {WIRE: "INT", TOLERANCE: "FLOAT"}
-MAX_ID = 2**31 - 1
-
-
-def new_wire_id() -> int:
-    """Random, so that joined and appended meshes keep their wires apart."""
-    return random.randint(1, MAX_ID)
+_ID_DOMAINS = {PIECE: "FACE", SEAM: "EDGE"}
 
 
 def check_attributes(mesh: bpy.types.Mesh) -> None:
@@ -66,16 +62,6 @@ def wires_on(mesh: bpy.types.Mesh) -> list[int]:
     return list(dict.fromkeys(marks.wire_ids[marks.rows].tolist()))
 
 
-def read_edit_marks(edit: bmesh.types.BMesh, edges: Sequence[bmesh.types.BMEdge] | None = None) -> EdgeMarks:
-    """Of these edges of a mesh in Edit Mode, or of all; where attributes can be read edge by edge only."""
-    wire, tolerance = edit.edges.layers.int.get(WIRE), edit.edges.layers.float.get(TOLERANCE)
-    chosen = edit.edges if edges is None else edges
-    if wire is None:
-        return EdgeMarks.none(len(chosen))
-    tolerances = [edge[tolerance] for edge in chosen] if tolerance else [0.0] * len(chosen)
-    return EdgeMarks(np.array([edge[wire] for edge in chosen], np.int32), np.array(tolerances, np.float32))
-
-
 def edit_layers(mesh: bpy.types.Mesh) -> tuple:
     """(bmesh, wire layer, tolerance layer) of a mesh in Edit Mode; missing layers are made.
 
@@ -106,35 +92,19 @@ def own_ids(wire_ids: Sequence[int]) -> list[int]:
 
 def check_id_room(target: bpy.types.Object) -> None:
     """Raises ObjectError where the ids of pieces and seams cannot be written to the object's mesh."""
-    check_room(target, PIECE, "INT", "FACE", "what tells pieces apart")
-    check_room(target, SEAM, "INT", "EDGE", "what tells seams apart")
+    check_room(target, PIECE, "INT", _ID_DOMAINS[PIECE], "what tells pieces apart")
+    check_room(target, SEAM, "INT", _ID_DOMAINS[SEAM], "what tells seams apart")
 
 
-def read_piece_ids(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(f,) int32 of a mesh that is not in Edit Mode."""
-    check_attribute(mesh, PIECE, "INT", "FACE")
-    ids = np.zeros(len(mesh.polygons), dtype=np.int32)
-    if PIECE in mesh.attributes:
-        mesh.attributes[PIECE].data.foreach_get("value", ids)
-    return ids
+def read_ids(mesh: bpy.types.Mesh, name: str) -> np.ndarray:
+    """name PIECE: (f,), SEAM: (e,) int32, 0 none, of a mesh that is not in Edit Mode. Raises ObjectError."""
+    domain = _ID_DOMAINS[name]
+    check_attribute(mesh, name, "INT", domain)
+    ids = read_attribute(mesh, name, "INT", domain)
+    return np.zeros(len(mesh.edges if domain == "EDGE" else mesh.polygons), dtype=np.int32) if ids is None else ids
 
 
-def write_piece_ids(mesh: bpy.types.Mesh, ids: np.ndarray) -> None:
-    """ids (f,) int32."""
-    attribute = mesh.attributes.get(PIECE) or mesh.attributes.new(PIECE, "INT", "FACE")
-    attribute.data.foreach_set("value", ids)
-
-
-def read_seam_ids(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(e,) int32 of a mesh that is not in Edit Mode."""
-    check_attribute(mesh, SEAM, "INT", "EDGE")
-    ids = np.zeros(len(mesh.edges), dtype=np.int32)
-    if SEAM in mesh.attributes:
-        mesh.attributes[SEAM].data.foreach_get("value", ids)
-    return ids
-
-
-def write_seam_ids(mesh: bpy.types.Mesh, ids: np.ndarray) -> None:
-    """ids (e,) int32."""
-    attribute = mesh.attributes.get(SEAM) or mesh.attributes.new(SEAM, "INT", "EDGE")
+def write_ids(mesh: bpy.types.Mesh, name: str, ids: np.ndarray) -> None:
+    """As read_ids; to a mesh that is not in Edit Mode."""
+    attribute = mesh.attributes.get(name) or mesh.attributes.new(name, "INT", _ID_DOMAINS[name])
     attribute.data.foreach_set("value", ids)

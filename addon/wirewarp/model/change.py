@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 
-from ..blender.mesh import edge_vertices, faces_at_edges, read_seams
+from ..blender.mesh import edge_vertices, faces_at_edges, read_seams, write_seams
 from ..issues import object_error
 from ..pattern.chains import EdgeMarks, edge_keys
 from .attributes import read_marks, write_marks
@@ -15,7 +15,7 @@ from .wires import WireSummary, find_wires, repair_names
 
 def wire_at(target: bpy.types.Object, edge: int) -> WireSummary:
     """The wire that this edge of the mesh belongs to. Raises ObjectError if it is none's."""
-    for wire in find_wires(target.data):
+    for wire in find_wires(target):
         if edge in wire.edges:
             return wire
     sentence = f'Edge {edge} of "{target.name}" is not part of a wire. Choose one in the list, or mark it first.'
@@ -39,7 +39,7 @@ def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float
     marks = read_marks(mesh)
     marks.tolerances[rows[~outline]] = tolerance
     write_marks(mesh, marks)
-    marks = _repair(mesh)
+    marks = _repair(target)
     if name:
         find_name(mesh, int(marks.wire_ids[rows[~outline][0]])).name = name
     return int(outline.sum())
@@ -49,16 +49,16 @@ def change_grain(target: bpy.types.Object, edge: int) -> None:
     """Makes the wire that this edge belongs to the grain wire, or none if it is. Raises ObjectError as wire_at does."""
     mesh = target.data
     wire_at(target, edge)
-    wire_id = int(_repair(mesh).wire_ids[edge])
+    wire_id = int(_repair(target).wire_ids[edge])
     mesh.wirewarp_grain = 0 if mesh.wirewarp_grain == wire_id else wire_id
 
 
-def _repair(mesh: bpy.types.Mesh) -> EdgeMarks:
+def _repair(target: bpy.types.Object) -> EdgeMarks:
     """Gives each wire an id of its own; returns the marks as they are then."""
-    marks = read_marks(mesh)
-    for row, wire_id in repair_names(mesh).items():
+    marks = read_marks(target.data)
+    for row, wire_id in repair_names(target).items():
         marks.wire_ids[row] = wire_id
-    write_marks(mesh, marks)
+    write_marks(target.data, marks)
     return marks
 
 
@@ -70,7 +70,7 @@ def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:
     """Marks edges, given as vertex pairs, as seams. Returns how many were none before."""
     before = read_seams(mesh)
     wanted = _mask(mesh, edges)
-    mesh.edges.foreach_set("use_seam", before | wanted)
+    write_seams(mesh, before | wanted)
     mesh.update()
     return int(np.count_nonzero(wanted & ~before))
 

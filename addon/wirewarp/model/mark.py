@@ -12,8 +12,9 @@ import numpy as np
 from ..issues import Issue, ObjectError
 from ..names import WIRE
 from ..pattern.chains import split_into_chains
+from ..solve.identity import new_id
 from ..words import counted
-from .attributes import check_attributes, edit_layers, new_wire_id
+from .attributes import check_attributes, edit_layers
 from .wires import repair_names
 
 OUTLINES_ARE_RIGID = "Outlines are rigid, or the two sides of a seam would not match"
@@ -40,18 +41,18 @@ def _mark_object(target: bpy.types.Object, tolerance: float) -> int:
         return 0
     edit, wire_layer, tolerance_layer = edit_layers(target.data)
     selected = _edges_to_mark(edit, tolerance)
-    _repair(target.data, edit, wire_layer)
+    _repair(target, edit, wire_layer)
     edit.verts.index_update()
     edges = np.array([[vertex.index for vertex in edge.verts] for edge in selected])
     present = np.array([edge[wire_layer] for edge in selected])
     counts = Counter(edge[wire_layer] for edge in edit.edges)
     planned = plan_wires(edges, present, counts, _positions(target, edit))
     for wire in planned:
-        wire_id = wire.kept_id or new_wire_id()
+        wire_id = wire.kept_id or new_id()
         for row in wire.rows:
             selected[row][wire_layer] = wire_id
             selected[row][tolerance_layer] = tolerance
-    _finish(target.data, edit, wire_layer)
+    _finish(target, edit, wire_layer)
     return len(planned)
 
 
@@ -74,7 +75,7 @@ def _clear_object(target: bpy.types.Object) -> int:
     for edge in cleared:
         edge[wire_layer] = 0
         edge[tolerance_layer] = 0.0
-    _finish(target.data, edit, wire_layer)
+    _finish(target, edit, wire_layer)
     return len(cleared)
 
 
@@ -126,14 +127,14 @@ def _positions(target: bpy.types.Object, edit: bmesh.types.BMesh) -> np.ndarray:
     return np.array([vertex.co[:] for vertex in edit.verts]) @ np.array(target.matrix_world)[:3, :3].T
 
 
-def _finish(mesh: bpy.types.Mesh, edit: bmesh.types.BMesh, wire_layer: bmesh.types.BMLayerItem) -> None:
-    _repair(mesh, edit, wire_layer)
-    bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
+def _finish(target: bpy.types.Object, edit: bmesh.types.BMesh, wire_layer: bmesh.types.BMLayerItem) -> None:
+    _repair(target, edit, wire_layer)
+    bmesh.update_edit_mesh(target.data, loop_triangles=False, destructive=False)
 
 
-def _repair(mesh: bpy.types.Mesh, edit: bmesh.types.BMesh, wire_layer: bmesh.types.BMLayerItem) -> None:
+def _repair(target: bpy.types.Object, edit: bmesh.types.BMesh, wire_layer: bmesh.types.BMLayerItem) -> None:
     edit.edges.ensure_lookup_table()
-    for row, wire_id in repair_names(mesh).items():
+    for row, wire_id in repair_names(target).items():
         edit.edges[row][wire_layer] = wire_id
 
 

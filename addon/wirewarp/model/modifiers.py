@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 
-from ..blender.mesh import read
+from ..blender.mesh import vertex_places
 from ..issues import note, warning
 from ..names import UV_LAYER
 from ..solve.arrays import MeshArrays
@@ -40,7 +40,7 @@ def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:
     """Where a modifier splits edges, the same places are there several times."""
     if len(base.polygons) != len(seen.polygons):
         return False
-    places, seen_places = (read(mesh.vertices, "co", np.float32, 3) for mesh in (base, seen))
+    places, seen_places = (vertex_places(mesh) for mesh in (base, seen))
     if len(places) != len(seen_places):
         return np.array_equal(np.unique(places, axis=0), np.unique(seen_places, axis=0))
     size = float(np.abs(places).max(initial=0))

@@ -7,24 +7,24 @@ import bpy
 import numpy as np
 
 from ..blender.mesh import (
+    corner_edges,
     corner_vertices,
     edge_vertices,
     evaluated_mesh,
     face_sizes,
     face_starts,
-    faces_at_edges,
-    read,
     read_attribute,
     read_seams,
     read_uv,
     triangle_corners,
+    vertex_places,
 )
 from ..blender.objects import linear_part
 from ..issues import object_error
-from ..names import UV_LAYER
+from ..names import PIECE, SEAM, UV_LAYER
 from ..pattern.chains import WireChain, chains_of_marks
 from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region
-from .attributes import own_ids, read_marks, read_piece_ids, read_seam_ids
+from .attributes import own_ids, read_ids, read_marks
 from .wire_names import chain_names
 
 LARGEST = 1e18  # Blender units
@@ -57,15 +57,15 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
     loops = triangle_corners(mesh)
     if mirrored:
         loops = np.ascontiguousarray(loops[:, ::-1])
-    loop_vertices = corner_vertices(mesh)
-    vertices = read(mesh.vertices, "co", np.float32, 3).astype(np.float64) @ linear.T
+    loop_vertices, loop_edges = corner_vertices(mesh), corner_edges(mesh)
+    vertices = vertex_places(mesh).astype(np.float64) @ linear.T
     _check_size(source, vertices)
     edges = edge_vertices(mesh)
     sizes = face_sizes(mesh)
-    face_count = faces_at_edges(mesh)
+    face_count = np.bincount(loop_edges, minlength=len(edges))
     in_face = face_count > 0
     marks = read_marks(mesh)
-    seams = read_seams(mesh) & in_face  # a loose edge cuts nothing
+    seams = np.flatnonzero(read_seams(mesh) & in_face)  # a loose edge cuts nothing
     return MeshArrays(
         vertices=vertices,
         triangles=loop_vertices[loops],
@@ -73,15 +73,17 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
         # Blender keeps the triangles in the order of their polygons: n - 2 of each.
         triangle_polygons=np.repeat(np.arange(len(sizes), dtype=np.int32), sizes - 2),
         loop_vertices=loop_vertices,
+        loop_edges=loop_edges,
         polygon_starts=face_starts(mesh),
         polygon_sizes=sizes,
         edges=edges,
+        seam_edges=seams,
         seams=edges[seams],
-        seam_ids=read_seam_ids(mesh)[seams],
+        seam_ids=read_ids(mesh, SEAM)[seams],
         outline=edges[face_count == 1],
         wires=_name_wires(source.data, chains_of_marks(edges, marks.without(~in_face), vertices)),
         grain_wire=source.data.wirewarp_grain,
-        piece_ids=read_piece_ids(mesh),
+        piece_ids=read_ids(mesh, PIECE),
         regions=face_regions(source, mesh),
         materials=_slots(mesh),
         uv_maps={layer.name: read_uv(layer) for layer in mesh.uv_layers if layer.name != UV_LAYER},

@@ -3,15 +3,13 @@
 
 from dataclasses import dataclass
 
-import bmesh
 import bpy
 import numpy as np
 
 from ..blender.cache import kept
-from ..blender.mesh import edge_vertices, read
-from ..names import WIRE
-from ..pattern.chains import EdgeMarks, chains_of_marks
-from .attributes import own_ids, read_edit_marks, read_marks
+from ..blender.mesh import current_mesh, edge_vertices, vertex_places
+from ..pattern.chains import chains_of_marks
+from .attributes import own_ids, read_marks
 from .wire_names import chain_names, find_name, list_places, write_names
 
 
@@ -32,7 +30,7 @@ class WireSummary:
 
 def wires_of(target: bpy.types.Object) -> list[WireSummary]:
     """In the order of the mesh. Raises ObjectError if an attribute is not ours."""
-    return kept(target.data, "wires", find_wires)
+    return kept(target.data, "wires", lambda _: find_wires(target))
 
 
 def listed_wires(target: bpy.types.Object) -> list[tuple[str, WireSummary]]:
@@ -48,54 +46,23 @@ def editable_name(mesh: bpy.types.Mesh, wire: WireSummary) -> bpy.types.Property
     return None if wire.shares_id else find_name(mesh, wire.wire_id)
 
 
-@dataclass(frozen=True)
-class _Marked:
-    """The marked edges."""
-
-    rows: np.ndarray  # (k,) of the mesh's edges
-    vertices: np.ndarray  # (k,2) of the mesh
-    ends: np.ndarray  # (k,2,3)
-    marks: EdgeMarks  # (k,)
-
-
-def find_wires(mesh: bpy.types.Mesh) -> list[WireSummary]:
+def find_wires(target: bpy.types.Object) -> list[WireSummary]:
     """As wires_of, read anew."""
-    marked = (_gather_edit if mesh.is_editmode else _gather)(mesh)
-    numbers, edges = np.unique(marked.vertices, return_inverse=True)
-    edges, positions = edges.reshape(-1, 2), np.empty((len(numbers), 3))
-    positions[edges] = marked.ends
-    vectors, seen, wires = marked.ends[:, 1] - marked.ends[:, 0], set(), []
-    for chain in chains_of_marks(edges, marked.marks, positions):
-        rows, shares_id = marked.rows[chain.edges].tolist(), chain.wire_id in seen
-        wires.append(WireSummary(chain.wire_id, chain.tolerance, rows, vectors[chain.edges], shares_id))
+    with current_mesh(target) as mesh:
+        marks, places = read_marks(mesh), vertex_places(mesh).astype(np.float64)
+        edges = edge_vertices(mesh)
+    seen, wires = set(), []
+    for chain in chains_of_marks(edges, marks, places):
+        ends = places[edges[chain.edges]]
+        vectors, shares_id = ends[:, 1] - ends[:, 0], chain.wire_id in seen
+        wires.append(WireSummary(chain.wire_id, chain.tolerance, chain.edges, vectors, shares_id))
         seen.add(chain.wire_id)
     return wires
 
 
-def _gather(mesh: bpy.types.Mesh) -> _Marked:
-    marks = read_marks(mesh)
-    rows = marks.rows
-    vertices = edge_vertices(mesh)[rows]
-    ends = read(mesh.vertices, "co", np.float32, 3).astype(np.float64)[vertices]
-    return _Marked(rows, vertices, ends, marks.take(rows))
-
-
-def _gather_edit(mesh: bpy.types.Mesh) -> _Marked:
-    edit = bmesh.from_edit_mesh(mesh)
-    wire = edit.edges.layers.int.get(WIRE)
-    marked = [(row, edge) for row, edge in enumerate(edit.edges) if edge[wire]] if wire else []
-    edit.verts.index_update()
-    return _Marked(
-        rows=np.array([row for row, _ in marked], dtype=np.int32),
-        vertices=np.array([[v.index for v in edge.verts] for _, edge in marked], np.int32).reshape(-1, 2),
-        ends=np.array([[v.co[:] for v in edge.verts] for _, edge in marked], np.float64).reshape(-1, 2, 3),
-        marks=read_edit_marks(edit, [edge for _, edge in marked]),
-    )
-
-
-def repair_names(mesh: bpy.types.Mesh) -> dict[int, int]:
+def repair_names(target: bpy.types.Object) -> dict[int, int]:
     """Writes the names, and returns the ids that are still to be written, by edge. In either mode."""
-    wires = find_wires(mesh)
+    wires, mesh = find_wires(target), target.data
     ids = [wire.wire_id for wire in wires]
     own = own_ids(ids)
     write_names(mesh, dict(zip(own, chain_names(mesh, ids), strict=True)))

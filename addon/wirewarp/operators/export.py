@@ -15,6 +15,7 @@ from ..flat.pattern import PatternChoices, pieces_over_others, read_pattern
 from ..flat.reports import pieces_report
 from ..issues import ObjectError, object_error
 from ..model.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
+from ..properties import allowance_property
 from ..report.verdict import SHOWN_NAMES
 from ..ui.layout import draw_sentence
 from ..ui.settings import settings_sentence
@@ -206,16 +207,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, bpy.types.Operator):
     drawn: EnumProperty(
         name="Drawn", description="Besides lines to cut", items=DRAWN, options={"ENUM_FLAG"}, default=ALL_DRAWN
     )
-    allowance: FloatProperty(
-        name="Allowance",
-        description="In millimeters, around every piece but where another one is marked on the edges",
-        min=0.0,
-        soft_max=50.0,
-        max=1000.0,
-        default=10.0,
-        precision=1,
-        step=100,
-    )
+    allowance: allowance_property()
     darts: EnumProperty(name="Darts", description="What is cut of them", items=DARTS, default="CLOSE")
     keep_places: BoolProperty(
         name="As They Lie",

@@ -15,7 +15,7 @@ from ..run import window_run
 from ..run.targets import active_target, nothing_to_flatten
 from ..ui.settings import draw_advanced, draw_settings
 from .flatten_steps import FlattenSteps
-from .report import take_proposals
+from .report import PROPOSALS, take_proposals
 
 NOTHING = {  # by kind
     "SEAMS": "Already marked. Flatten again.",
@@ -37,18 +37,18 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
         name="What",
         description="What to do before flattening again",
         items=[
-            ("SEAMS", "Mark", "Mark all proposed edges as seams, and flatten again"),
-            ("TOLERANCES", "Loosen", "Give the wires that contradict one another the proposed tolerances, and flatten"),
-            ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model, and flatten again"),
-            ("MERGE", "Merge", "Merge vertices of the model that lie in one place, and flatten again"),
-            ("MODIFIERS", "Modifiers", "Flatten the mesh as modifiers and shape keys leave it, from now on"),
+            *PROPOSALS,
+            ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
+            ("MERGE", "Merge", "Merge vertices of the model that lie in one place"),
+            ("MODIFIERS", "Modifiers", "Take the mesh as modifiers and shape keys leave it, from now on"),
         ],
         options={"HIDDEN"},
     )
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
-        return properties.rna_type.properties["what"].enum_items[properties.what].description
+        what = properties.rna_type.properties["what"].enum_items[properties.what]
+        return f"{what.description}, and flatten again"
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

@@ -4,8 +4,8 @@
 import bpy
 from bpy.props import EnumProperty, IntProperty
 
-from ..blender.mesh import element_counts
-from ..blender.modes import in_object_mode, update_mesh
+from ..blender.mesh import current_mesh, element_counts
+from ..blender.modes import in_object_mode
 from ..blender.objects import check_local
 from ..blender.selection import select_elements
 from ..blender.units import length_text
@@ -20,6 +20,11 @@ from ..report.csv_table import report_csv
 from ..report.elements import Elements, elements_of, faces_of_piece, on_flat
 from ..words import counted
 
+PROPOSALS = [
+    ("SEAMS", "Mark as Seam", "Mark the proposed edges as seams on the model"),
+    ("TOLERANCES", "Loosen Wires", "Give the named wires the proposed tolerances"),
+]
+
 
 def check_indices(target: bpy.types.Object, report: dict) -> None:
     """Raises ObjectError if the report's elements are not, or no longer, those of the object's own mesh."""
@@ -29,8 +34,9 @@ def check_indices(target: bpy.types.Object, report: dict) -> None:
             "with_modifiers",
             "This report is about the mesh after its modifiers. To mark the model itself, flatten without Modifiers.",
         )
-    update_mesh(target)
-    if "counts" in report and report["counts"] != element_counts(target.data):
+    with current_mesh(target) as mesh:
+        counts = element_counts(mesh)
+    if report.get("counts", counts) != counts:
         raise changed_error(target.name)
 
 
@@ -189,10 +195,7 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
     what: EnumProperty(
         name="What",
         description="What to take from the report",
-        items=[
-            ("SEAMS", "Mark as Seam", "Mark the proposed edges as seams on the model. Then flatten again"),
-            ("TOLERANCES", "Loosen Wires", "Give the named wires the proposed tolerances. Then flatten again"),
-        ],
+        items=PROPOSALS,
         options={"HIDDEN"},
     )
     issue: IntProperty(name="Issue", description="Its place in the report, from 0", min=0, options={"HIDDEN"})

@@ -6,8 +6,8 @@ import math
 import bpy
 from bpy.props import IntProperty, StringProperty
 
-from ..blender.mesh import edge_vertices, read
-from ..blender.modes import hold_whole_file, in_object_mode, update_mesh
+from ..blender.mesh import current_mesh, edge_vertices, read_selected_edges
+from ..blender.modes import hold_whole_file, in_object_mode
 from ..blender.objects import check_local
 from ..blender.selection import select_elements
 from ..issues import ObjectError, object_error
@@ -134,18 +134,20 @@ class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         target = context.active_object
-        update_mesh(target)
         try:
             rows = wire_at(target, self.edge).edges if self.edge >= 0 else self._rows_of_selected(target)
-            select_elements(context, target, edges=edge_vertices(target.data)[rows])
+            with current_mesh(target) as mesh:
+                edges = edge_vertices(mesh)[rows]
+            select_elements(context, target, edges=edges)
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         return {"FINISHED"}
 
     def _rows_of_selected(self, target: bpy.types.Object) -> list[int]:
-        selected = read(target.data.edges, "select", bool)
-        found = [wire.edges for wire in find_wires(target.data) if selected[wire.edges].any()]
+        with current_mesh(target) as mesh:
+            selected = read_selected_edges(mesh)
+        found = [wire.edges for wire in find_wires(target) if selected[wire.edges].any()]
         if not found:
             raise object_error("no_wire", "No selected edge is a wire. Select an edge of the wire first.")
         return [row for rows in found for row in rows]

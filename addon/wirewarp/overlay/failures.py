@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from ..blender.mesh import corner_edges, edge_vertices, face_sizes, next_loops, read
+from ..blender.mesh import corner_edges, edge_vertices, face_sizes, next_loops, vertex_places
 from ..flat.read import has_flat_attributes, read_flat_attribute
 from ..model.owners import model_of
 from ..names import SOURCE_FACE, SOURCE_VERTEX
@@ -40,7 +40,7 @@ def failures(target: bpy.types.Object) -> Failures | None:
     if found is None:
         return None
     mesh = target.data
-    places, edges = read(mesh.vertices, "co", np.float32, 3), edge_vertices(mesh)
+    places, edges = vertex_places(mesh), edge_vertices(mesh)
     triangles = gather_triangles(mesh)
     failed = triangles.vertices[np.isin(triangles.polygons, found.faces)]
     lines = {kind: places[edges[mask].ravel()] for kind, mask in found.edges.items()}

@@ -1,104 +1,70 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the overlay shows of an object, as arrays: read from its mesh as it is seen, or in the plane of its map."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 
-import bmesh
 import bpy
 import numpy as np
 
 from ..blender.mesh import (
     corner_edges,
     corner_vertices,
+    current_mesh,
     edge_vertices,
     evaluated_mesh,
     face_sizes,
     faces_at_edges,
     next_loops,
     read,
-    read_attribute,
+    read_hidden_edges,
     read_seams,
+    read_selected_edges,
     triangle_corners,
     triangle_faces,
     triangle_vertices,
+    vertex_places,
 )
 from ..flat.read import has_flat_attributes, read_flat_attribute
-from ..model.attributes import read_edit_marks, read_marks, read_piece_ids
-from ..names import PIECE, PIECE_INDEX, SEAM, SOURCE_VERTEX, UV_LAYER, WIRE
+from ..model.attributes import read_ids, read_marks
+from ..names import PIECE, PIECE_INDEX, SEAM, SOURCE_VERTEX, UV_LAYER
 from .lines import LineEdges
 from .surfaces import Triangles
 
 
 def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> LineEdges:
     """Raises ObjectError if an attribute of our name is not ours."""
-    if target.data.is_editmode:  # by another object of the same mesh, too
-        return _lines_in_edit_mode(target.data)
     with shown_mesh(target, depsgraph) as mesh:
-        return _lines(mesh)
+        return _lines(mesh, target.data.is_editmode)
 
 
-@contextmanager
-def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[bpy.types.Mesh]:
-    """The mesh as modifiers and shape keys leave it. Of an object in Object Mode."""
-    if target.modifiers or target.data.shape_keys:
-        with evaluated_mesh(target, depsgraph) as mesh:
-            yield mesh
-    else:
-        yield target.data
+def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> AbstractContextManager[bpy.types.Mesh]:
+    """As modifiers and shape keys leave it; in Edit Mode, be it by another object of the same mesh, as it is edited."""
+    is_modified = not target.data.is_editmode and (target.modifiers or target.data.shape_keys)
+    return evaluated_mesh(target, depsgraph) if is_modified else current_mesh(target)
 
 
-def _lines(mesh: bpy.types.Mesh) -> LineEdges:
+def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
+    """is_edited: it is seen in Edit Mode, which shows what is selected and hides what is hidden."""
     marks, seams = read_marks(mesh), read_seams(mesh)
     outlines = faces_at_edges(mesh) == 1
-    rows = np.flatnonzero(seams | outlines | marks.are_wires)
+    is_shown = ~read_hidden_edges(mesh) if is_edited else True
+    rows = np.flatnonzero((seams | outlines | marks.are_wires) & is_shown)
     vertices = edge_vertices(mesh)[rows]
     source, pieces = vertices, np.zeros(len(rows), dtype=np.int32)
     if has_flat_attributes(mesh, SOURCE_VERTEX, PIECE_INDEX):
         source = read_flat_attribute(mesh, SOURCE_VERTEX)[vertices]
         pieces = _piece_of_edge(mesh)[rows]
     return LineEdges(
-        ends=read(mesh.vertices, "co", np.float32, 3)[vertices],
+        ends=vertex_places(mesh)[vertices],
         normals=read(mesh.vertices, "normal", np.float32, 3)[vertices[:, 0]],
         vertices=source,
         pieces=pieces,
         seams=seams[rows],
-        seam_ids=_seam_ids(mesh)[rows],
+        seam_ids=read_ids(mesh, SEAM)[rows],
         outlines=outlines[rows],
         marks=marks.take(rows),
-        selected=np.zeros(len(rows), dtype=bool),
+        selected=read_selected_edges(mesh)[rows] if is_edited else np.zeros(len(rows), dtype=bool),
     )
-
-
-def _seam_ids(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(e,) int32"""
-    ids = read_attribute(mesh, SEAM, "INT", "EDGE")
-    return np.zeros(len(mesh.edges), dtype=np.int32) if ids is None else ids
-
-
-def _lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineEdges:
-    """In Edit Mode attributes can be read edge by edge only."""
-    edit = bmesh.from_edit_mesh(mesh)
-    edit.verts.index_update()
-    wire, seam = edit.edges.layers.int.get(WIRE), edit.edges.layers.int.get(SEAM)
-    source, piece = edit.verts.layers.int.get(SOURCE_VERTEX), edit.faces.layers.int.get(PIECE_INDEX)
-    marked = [edge for edge in edit.edges if not edge.hide and (edge.seam or edge.is_boundary or (wire and edge[wire]))]
-    vertices = [[vertex[source] if source else vertex.index for vertex in edge.verts] for edge in marked]
-    return LineEdges(
-        ends=np.array([[vertex.co[:] for vertex in edge.verts] for edge in marked], np.float32).reshape(-1, 2, 3),
-        normals=np.array([edge.verts[0].normal[:] for edge in marked], np.float32).reshape(-1, 3),
-        vertices=np.array(vertices, dtype=np.int32).reshape(-1, 2),
-        pieces=np.array([_piece_in_edit_mode(edge, piece) for edge in marked], dtype=np.int32),
-        seams=np.array([edge.seam for edge in marked], dtype=bool),
-        seam_ids=np.array([edge[seam] if seam else 0 for edge in marked], dtype=np.int32),
-        outlines=np.array([edge.is_boundary for edge in marked], dtype=bool),
-        marks=read_edit_marks(edit, marked),
-        selected=np.array([edge.select for edge in marked], dtype=bool),
-    )
-
-
-def _piece_in_edit_mode(edge: bmesh.types.BMEdge, layer: bmesh.types.BMLayerItem | None) -> int:
-    return edge.link_faces[0][layer] if layer and edge.link_faces else 0
 
 
 def _piece_of_edge(mesh: bpy.types.Mesh) -> np.ndarray:
@@ -112,7 +78,7 @@ def gather_triangles(mesh: bpy.types.Mesh) -> Triangles:
     """Of a mesh that is not in Edit Mode."""
     mesh.calc_loop_triangles()
     return Triangles(
-        positions=read(mesh.vertices, "co", np.float32, 3),
+        positions=vertex_places(mesh),
         vertices=triangle_vertices(mesh),
         corners=triangle_corners(mesh),
         polygons=triangle_faces(mesh),
@@ -124,9 +90,10 @@ def shows_our_map(mesh: bpy.types.Mesh) -> bool:
     return mesh.uv_layers.active is not None and mesh.uv_layers.active.name == UV_LAYER
 
 
-def gather_uv_lines(mesh: bpy.types.Mesh) -> LineEdges:
+def gather_uv_lines(target: bpy.types.Object) -> LineEdges:
     """Marked edges as each of their faces has them in the map. Raises ObjectError if an attribute is not ours."""
-    return _uv_lines_in_edit_mode(mesh) if mesh.is_editmode else _uv_lines(mesh)
+    with current_mesh(target) as mesh:
+        return _uv_lines(mesh, target.data.is_editmode)
 
 
 def uv_places(mesh: bpy.types.Mesh) -> np.ndarray:
@@ -136,47 +103,22 @@ def uv_places(mesh: bpy.types.Mesh) -> np.ndarray:
     return places
 
 
-def _uv_lines(mesh: bpy.types.Mesh) -> LineEdges:
+def _uv_lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
     marks, seams, outlines = read_marks(mesh), read_seams(mesh), faces_at_edges(mesh) == 1
     edge_of_loop, following, places = corner_edges(mesh), next_loops(mesh), uv_places(mesh)
     sizes = face_sizes(mesh)
-    loops = np.flatnonzero((seams | outlines | marks.are_wires)[edge_of_loop])
+    is_shown = ~np.repeat(read(mesh.polygons, "hide", bool), sizes) if is_edited else True
+    loops = np.flatnonzero((seams | outlines | marks.are_wires)[edge_of_loop] & is_shown)
     rows = edge_of_loop[loops]
     corners = np.column_stack([loops, following[loops]])
     return LineEdges(
         ends=places[corners],
         normals=np.tile(np.array([0, 0, 1], dtype=np.float32), (len(loops), 1)),
         vertices=corner_vertices(mesh)[corners],
-        pieces=np.repeat(read_piece_ids(mesh), sizes)[loops],
+        pieces=np.repeat(read_ids(mesh, PIECE), sizes)[loops],
         seams=seams[rows],
-        seam_ids=_seam_ids(mesh)[rows],
+        seam_ids=read_ids(mesh, SEAM)[rows],
         outlines=outlines[rows],
         marks=marks.take(rows),
-        selected=np.zeros(len(rows), dtype=bool),
-    )
-
-
-def _uv_lines_in_edit_mode(mesh: bpy.types.Mesh) -> LineEdges:
-    edit = bmesh.from_edit_mesh(mesh)
-    edit.verts.index_update()
-    wire, seam = edit.edges.layers.int.get(WIRE), edit.edges.layers.int.get(SEAM)
-    piece, uv = edit.faces.layers.int.get(PIECE), edit.loops.layers.uv[UV_LAYER]
-    marked = [
-        (edge, loop)
-        for edge in edit.edges
-        if edge.seam or edge.is_boundary or (wire and edge[wire])
-        for loop in edge.link_loops
-        if not loop.face.hide
-    ]
-    sides = [(loop, loop.link_loop_next) for _, loop in marked]
-    return LineEdges(
-        ends=np.array([[(*loop[uv].uv, 0.0) for loop in side] for side in sides], np.float32).reshape(-1, 2, 3),
-        normals=np.tile(np.array([0, 0, 1], dtype=np.float32), (len(marked), 1)),
-        vertices=np.array([[loop.vert.index for loop in side] for side in sides], np.int32).reshape(-1, 2),
-        pieces=np.array([loop.face[piece] if piece else 0 for _, loop in marked], dtype=np.int32),
-        seams=np.array([edge.seam for edge, _ in marked], dtype=bool),
-        seam_ids=np.array([edge[seam] if seam else 0 for edge, _ in marked], dtype=np.int32),
-        outlines=np.array([edge.is_boundary for edge, _ in marked], dtype=bool),
-        marks=read_edit_marks(edit, [edge for edge, _ in marked]),
-        selected=np.zeros(len(marked), dtype=bool),  # the map has a selection of its own
+        selected=np.zeros(len(rows), dtype=bool),  # the map has a selection of its own
     )

@@ -8,7 +8,7 @@ from functools import partial
 import bpy
 import numpy as np
 
-from ..blender.mesh import corner_vertices, face_sizes, read, read_attribute, read_numbers
+from ..blender.mesh import corner_vertices, face_sizes, read, read_attribute, read_numbers, vertex_places
 from ..flat.grain import grain_directions, has_grain_wire
 from ..flat.pattern import read_cut_lines
 from ..flat.pieces import piece_names
@@ -139,7 +139,7 @@ def _middles(mesh: bpy.types.Mesh) -> dict[int, _Middle]:
     """By index of the piece in the report."""
     pieces, ids = read_flat_attribute(mesh, PIECE_INDEX), read_flat_attribute(mesh, PIECE)
     centers, corners = read(mesh.polygons, "center", np.float32, 3), corner_vertices(mesh)
-    piece_of_corner, places = np.repeat(pieces, face_sizes(mesh)), read(mesh.vertices, "co", np.float32, 3)
+    piece_of_corner, places = np.repeat(pieces, face_sizes(mesh)), vertex_places(mesh)
     found = {}
     for piece in np.unique(pieces).tolist():
         faces = np.flatnonzero(pieces == piece)
@@ -174,7 +174,7 @@ def _piece_names(flat: bpy.types.Object, middles: Mapping[int, _Middle], rooms: 
 def _grain_arrows(flat: bpy.types.Object, edges: LineEdges, middles: Mapping[int, _Middle]) -> dict[str, np.ndarray]:
     """The ends (2k,3) of the arrows, by kind of line: lighter where no grain was chosen."""
     report, rooms = pieces_report(model_of(flat)), piece_rooms(edges)
-    directions = grain_directions(flat.data, read(flat.data.vertices, "co", np.float32, 3)[:, :2])
+    directions = grain_directions(flat.data, vertex_places(flat.data)[:, :2])
     arrows: dict[str, list[np.ndarray]] = {}
     for piece, direction in directions.items():
         if report is None or piece >= len(report["pieces"]) or piece not in middles or piece not in rooms:

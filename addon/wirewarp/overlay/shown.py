@@ -143,6 +143,6 @@ def _targets(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 def _uv_lines(target: bpy.types.Object) -> Lines:
     try:
-        return lines_of(target, gather_uv_lines(target.data), in_plane=True)
+        return lines_of(target, gather_uv_lines(target), in_plane=True)
     except ObjectError:
         return Lines({}, {}, [])  # an attribute of our name is another's; the list of wires says so

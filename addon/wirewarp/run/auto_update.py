@@ -7,13 +7,17 @@ such a tool crashes Blender, and before 4.2 Python cannot ask whether there is o
 runs the update, with an undo step like any other operator, and the update ends by the same rule.
 """
 
+import bmesh
 import bpy
 
+from ..blender.cache import kept
 from ..flat.reports import last_report
+from ..issues import ObjectError
 from ..model.owners import model_of
-from ..model.state import has_changed, present_state
+from ..model.state import has_changed, model_state
 
 WATCH = "wm.wirewarp_watch"
+EDIT_LIMIT = 20_000  # vertices; larger models wait for the end of Edit Mode, for to leave it and come back is felt
 _due: set[str] = set()  # scenes
 _undone = False
 _tried: dict[str, dict | None] = {}  # by object: the state in which it was left as it is
@@ -44,9 +48,16 @@ def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
     forget_change(context.scene.name_full)
     changed = [source for source in _flattened(context) if _has_changed(source)]
     for source in changed:
-        with_modifiers = last_report(source).get("with_modifiers", False)
-        _tried[source.name_full] = present_state(source, with_modifiers)
+        _tried[source.name_full] = _present_state(source)
     return [] if undone else changed
+
+
+def _present_state(source: bpy.types.Object) -> dict | None:
+    """None if an attribute of our name is another's."""
+    try:
+        return model_state(source, last_report(source).get("with_modifiers", False), kept)
+    except ObjectError:
+        return None
 
 
 def put_back(names: list[str], scene: str) -> None:
@@ -64,6 +75,8 @@ def _flattened(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 
 def _has_changed(source: bpy.types.Object) -> bool:
+    if source.data.is_editmode and len(bmesh.from_edit_mesh(source.data).verts) > EDIT_LIMIT:
+        return False
     report, tried = last_report(source), _tried.get(source.name_full)
     if tried is not None and not has_changed(source, {"model_state": tried}) and not _is_regrained(source, report):
         return False

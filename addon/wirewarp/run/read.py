@@ -4,7 +4,6 @@
 from typing import Protocol
 
 import bpy
-import numpy as np
 
 from .. import core
 from ..blender.cache import read_anew
@@ -46,8 +45,8 @@ def find_source(model: Model) -> bpy.types.Object | None:
 
 def check_current(context: bpy.types.Context, models: list[Model], settings: RunSettings) -> None:
     """Raises ObjectError if an object is no longer as it was read, or may not be written any more, in Object Mode."""
-    depsgraph = _updated_depsgraph(context, settings)
-    changed = [model.facts["object"] for model in models if not _is_current(model, depsgraph)]
+    context.view_layer.update()
+    changed = [model.facts["object"] for model in models if not _is_current(model)]
     if changed:
         sentence = f"{quoted(changed)} changed during the run, so nothing was written. Flatten again."
         raise object_error("changed", sentence)
@@ -60,20 +59,9 @@ def _check(source: bpy.types.Object, settings: RunSettings) -> None:
     check_target(source, writes_model=not settings.use_modifiers)
 
 
-def _is_current(model: Model, depsgraph: bpy.types.Depsgraph | None) -> bool:
-    source = find_source(model)
-    if source is None or source.type != "MESH" or has_changed(source, {"model_state": model.state}, read_anew):
-        return False
-    if depsgraph is None or model.arrays is None:
-        return True
-    arrays = object_to_arrays(source, depsgraph)
-    return np.array_equal(arrays.vertices, model.arrays.vertices) and np.array_equal(arrays.edges, model.arrays.edges)
-
-
-def _updated_depsgraph(context: bpy.types.Context, settings: RunSettings) -> bpy.types.Depsgraph | None:
-    """None where modifiers do not matter."""
-    context.view_layer.update()
-    return context.evaluated_depsgraph_get() if settings.use_modifiers else None
+def _is_current(model: Model) -> bool:
+    source, report = find_source(model), {"model_state": model.state}
+    return source is not None and source.type == "MESH" and not has_changed(source, report, read_anew)
 
 
 def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph, units: LengthText, settings: RunSettings) -> Model:
@@ -91,7 +79,7 @@ def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph, units: Lengt
         flat = find_flat_object(source) if asks_flat_pieces else None
         known = known_pieces(source, arrays, flat, flattened_name(source))
         seams = known_seams(source, arrays, flat)
-        state = model_state(source, None if use_modifiers else arrays)
+        state = model_state(source, use_modifiers)
         solved = solved_pieces(source)
     except ObjectError as error:
         issue = error.issue

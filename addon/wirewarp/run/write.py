@@ -78,7 +78,7 @@ def _write_pieces(
         source.wirewarp_active_piece = piece_rows(outcome.report)[0].index
     if not settings.use_modifiers:
         remove_model_maps(source.data)
-        uv_scale = write_uv(source.data, outcome.result.corner_uv, arrays)
+        uv_scale = write_uv(source.data, outcome.pieces, len(arrays.loop_vertices))
         outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": uv_scale}
     remove_leftovers(source, flat)
     context.view_layer.update()

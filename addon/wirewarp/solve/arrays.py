@@ -43,10 +43,12 @@ class MeshArrays:
     triangle_loops: np.ndarray  # (m,3) int32, the loop at each corner
     triangle_polygons: np.ndarray  # (m,) int32, ascending
     loop_vertices: np.ndarray  # (l,) int32
+    loop_edges: np.ndarray  # (l,) int32, the edge from each corner to the next of its polygon
     polygon_starts: np.ndarray  # (f,) int32, first loop of each polygon
     polygon_sizes: np.ndarray  # (f,) int32
     edges: np.ndarray  # (e,2) int32
-    seams: np.ndarray  # (k,2) int32
+    seam_edges: np.ndarray  # (k,) int32
+    seams: np.ndarray  # (k,2) int32, the vertices of these
     seam_ids: np.ndarray  # (k,) int32, of the seams that these edges were in when last flattened; 0 none
     outline: np.ndarray  # (k,2) int32, edges of one face
     wires: list[NamedWire]

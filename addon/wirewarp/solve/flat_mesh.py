@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core import FlattenResult
-from ..pattern.chains import EdgeMarks, edge_keys
+from ..pattern.chains import EdgeMarks
 from .arrays import MeshArrays, triangle_areas
 from .flatten import has_layout
 from .identity import PieceIdentity
@@ -23,10 +23,12 @@ class FlatMesh:
 
     vertices: np.ndarray  # (p,2) float64, Blender units
     source_vertex: np.ndarray  # (p,) int32
+    vertex_piece: np.ndarray  # (p,) int32, index of the piece, ascending
     loop_vertices: np.ndarray  # (l,) int32
     face_starts: np.ndarray  # (f,) int32
     face_sizes: np.ndarray  # (f,) int32
     source_corner: np.ndarray  # (l,) int32, corner (loop) of the source
+    source_edge: np.ndarray  # (l,) int32, edge of the source that the side from this corner to the next is
     source_face: np.ndarray  # (f,) int32, face of the source
     face_piece: np.ndarray  # (f,) int32, index of the piece
     piece_id: np.ndarray  # (f,) int32, by which the piece is known again in the next run
@@ -35,11 +37,14 @@ class FlatMesh:
     energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
     aspect_ratio: np.ndarray  # (f,) float32
     stretch: np.ndarray  # (f,) float32: 0.1 is cloth that the model stretches by 10%, in the mean of all directions
+    piece_areas: np.ndarray  # (n,) by index of the piece; below 0 where it lies upside down
 
 
 def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[PieceIdentity]) -> FlatMesh:
     """The pieces of a FlattenResult side by side, as packed."""
-    vertices, source_vertex, flat_triangles, piece_of_triangle, energy, ratio = _join_pieces(result, arrays)
+    vertices, source_vertex, vertex_piece, flat_triangles, piece_of_triangle, energy, ratio = _join_pieces(
+        result, arrays
+    )
     placed = has_layout(result.corner_uv)
     polygon_count = len(arrays.polygon_starts)
     kept = np.zeros(polygon_count, dtype=bool)
@@ -55,14 +60,17 @@ def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[Pi
     source_corner = _loops_of(arrays, kept)
     face_energy = np.add.reduceat(energy, first_triangle)[kept]
     face_area = np.add.reduceat(triangle_areas(arrays.vertices, arrays.triangles), first_triangle)[kept]
-    flat_area = np.add.reduceat(triangle_areas(_in_space(vertices), flat_triangles), first_triangle)[kept]
+    signed_areas = _signed_areas(vertices, flat_triangles)
+    flat_area = np.add.reduceat(np.abs(signed_areas), first_triangle)[kept]
     return FlatMesh(
         vertices=vertices,
         source_vertex=source_vertex,
+        vertex_piece=vertex_piece,
         loop_vertices=vertex_of_loop[source_corner],
         face_starts=(np.cumsum(sizes) - sizes).astype(np.int32),
         face_sizes=sizes,
         source_corner=source_corner.astype(np.int32),
+        source_edge=_edges_from(source_corner, sizes, arrays),
         source_face=np.flatnonzero(kept).astype(np.int32),
         face_piece=piece,
         piece_id=np.array([identity.piece_id for identity in identities], dtype=np.int32)[piece],
@@ -71,14 +79,14 @@ def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[Pi
         energy_density=(face_energy / face_area).astype(np.float32),
         aspect_ratio=np.maximum.reduceat(ratio, first_triangle)[kept].astype(np.float32),
         stretch=(np.sqrt(face_area / np.maximum(flat_area, 1e-12 * face_area)) - 1).astype(np.float32),
+        piece_areas=np.bincount(piece_of_triangle[placed], signed_areas[placed]),
     )
 
 
-def edge_length_variation(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """|l2 - l3| / l3 (Eq. 5) of each flat edge (k,2), float32."""
-    flat_length = edge_lengths(flat.vertices, flat_edges)
-    length = edge_lengths(arrays.vertices, flat.source_vertex[flat_edges])
-    return (np.abs(flat_length - length) / length).astype(np.float32)
+def edge_length_variation(lengths: np.ndarray, source_edges: np.ndarray, arrays: MeshArrays) -> np.ndarray:
+    """|l2 - l3| / l3 (Eq. 5) of flat edges, float32, by their lengths (e,) and the edges (e,) of the source."""
+    spatial = edge_lengths(arrays.vertices, arrays.edges)[source_edges]
+    return (np.abs(lengths - spatial) / spatial).astype(np.float32)
 
 
 def edge_lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
@@ -95,6 +103,7 @@ def _join_pieces(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray,
     piece_of_triangle = np.zeros(count, dtype=np.int32)
     energy, ratio = np.zeros(count), np.ones(count)
     vertices, source_vertex, offset = [np.empty((0, 2))], [np.empty(0, dtype=np.int32)], 0
+    vertex_piece = [np.empty(0, dtype=np.int32)]
     for index, piece in enumerate(result.pieces):
         piece_of_triangle[piece.source_face] = index
         if len(piece.vertices) == 0 or not np.isfinite(piece.vertices).all():
@@ -104,10 +113,12 @@ def _join_pieces(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray,
         ratio[piece.source_face] = piece.metrics.face_aspect_ratio
         vertices.append(piece.vertices)
         source_vertex.append(piece.source_vertex)
+        vertex_piece.append(np.full(len(piece.vertices), index, dtype=np.int32))
         offset += len(piece.vertices)
     return (
         np.concatenate(vertices),
         np.concatenate(source_vertex).astype(np.int32),
+        np.concatenate(vertex_piece),
         flat_triangles,
         piece_of_triangle,
         energy,
@@ -123,8 +134,19 @@ def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
     return starts + (np.repeat(sizes, sizes) - 1 - step if arrays.mirrored else step)
 
 
-def _in_space(points: np.ndarray) -> np.ndarray:
-    return np.column_stack([points, np.zeros(len(points))])
+def _edges_from(source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays) -> np.ndarray:
+    """(l,) int32 of the corners of faces of these sizes, one face after the other."""
+    if not arrays.mirrored:
+        return arrays.loop_edges[source_corner]
+    following, starts = np.roll(source_corner, -1), np.cumsum(sizes) - sizes
+    following[starts + sizes - 1] = source_corner[starts]
+    return arrays.loop_edges[following]  # run through backwards, a side begins where it ends on the model
+
+
+def _signed_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """(m,) of vertices (p,2)"""
+    x, y = (np.ascontiguousarray(column)[triangles] for column in vertices.T)
+    return ((x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])) / 2
 
 
 @dataclass(frozen=True)
@@ -136,35 +158,11 @@ class FlatMarks:
     wires: EdgeMarks
 
 
-def flat_marks(flat: FlatMesh, flat_edges: np.ndarray, arrays: MeshArrays) -> FlatMarks:
-    """flat_edges (e,2)"""
-    count = len(arrays.vertices)
-    keys = edge_keys(flat.source_vertex[flat_edges], count)
-    return FlatMarks(*_seams_at(keys, arrays), _wires_at(keys, arrays))
-
-
-def _seams_at(keys: np.ndarray, arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
-    if not len(arrays.seams):
-        return np.zeros(len(keys), dtype=bool), np.zeros(len(keys), dtype=np.int32)
-    own = edge_keys(arrays.seams, len(arrays.vertices))
-    order = np.argsort(own)
-    place = order[np.searchsorted(own[order], keys).clip(max=len(own) - 1)]
-    is_seam = own[place] == keys
-    return is_seam, np.where(is_seam, arrays.seam_ids[place], 0).astype(np.int32)
-
-
-def _wires_at(keys: np.ndarray, arrays: MeshArrays) -> EdgeMarks:
-    marks, count = EdgeMarks.none(len(keys)), len(arrays.vertices)
-    if not arrays.wires:
-        return marks
-
-    chains = [wire.chain for wire in arrays.wires]
-    wire_keys = np.concatenate([edge_keys(np.column_stack([c.vertices[:-1], c.vertices[1:]]), count) for c in chains])
-    wire_of_key = np.repeat(np.arange(len(chains)), [len(chain.vertices) - 1 for chain in chains])
-    order = np.argsort(wire_keys)
-    place = np.searchsorted(wire_keys[order], keys).clip(max=len(order) - 1)
-    on_wire = wire_keys[order[place]] == keys
-    wire = wire_of_key[order[place[on_wire]]]
-    marks.wire_ids[on_wire] = np.array([chain.wire_id for chain in chains], dtype=np.int32)[wire]
-    marks.tolerances[on_wire] = np.array([chain.tolerance for chain in chains], dtype=np.float32)[wire]
-    return marks
+def flat_marks(source_edges: np.ndarray, arrays: MeshArrays) -> FlatMarks:
+    """source_edges (e,): of the flat edges."""
+    seams, seam_ids = np.zeros(len(arrays.edges), dtype=bool), np.zeros(len(arrays.edges), dtype=np.int32)
+    seams[arrays.seam_edges], seam_ids[arrays.seam_edges] = True, arrays.seam_ids
+    marks = EdgeMarks.none(len(arrays.edges))
+    for wire in arrays.wires:
+        marks.wire_ids[wire.chain.edges], marks.tolerances[wire.chain.edges] = wire.chain.wire_id, wire.chain.tolerance
+    return FlatMarks(seams[source_edges], seam_ids[source_edges], marks.take(source_edges))

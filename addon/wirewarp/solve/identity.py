@@ -5,7 +5,7 @@ A piece is known again by the ids on the faces of the model, whatever its number
 """
 
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +13,8 @@ import numpy as np
 from ..core import FlattenResult
 from .arrays import MeshArrays, area_vectors, faces_inward
 from .piece_names import numbered, region_names, side_names
+
+MAX_ID = 2**31 - 1  # of an INT attribute
 
 
 @dataclass(frozen=True)
@@ -83,7 +85,7 @@ def _assign_ids(piece_of_triangle: np.ndarray, triangle_ids: np.ndarray, shape: 
     for piece in np.argsort(-shape.areas, kind="stable").tolist():
         piece_id = int(carried[piece])
         if piece_id == 0 or piece_id in given:
-            piece_id = _new_id(taken)
+            piece_id = new_id(taken)
             taken.add(piece_id)
         given.add(piece_id)
         ids[piece] = piece_id
@@ -101,12 +103,12 @@ def _carried_ids(piece_of_triangle: np.ndarray, triangle_ids: np.ndarray, shape:
     return carried
 
 
-def _new_id(taken: set[int]) -> int:
-    """Random, so that joined and appended meshes keep their pieces apart."""
+def new_id(taken: Collection[int] = ()) -> int:
+    """Of a piece, a seam or a wire: random, so that joined and appended meshes keep theirs apart."""
     while True:
-        piece_id = random.randint(1, 2**31 - 1)
-        if piece_id not in taken:
-            return piece_id
+        number = random.randint(1, MAX_ID)
+        if number not in taken:
+            return number
 
 
 def _measure(piece_of_triangle: np.ndarray, count: int, arrays: MeshArrays) -> _Shape:

@@ -5,7 +5,6 @@ A seam is numbered once. It is known again by the ids on the edges of the model,
 become, and a number that was given is never given again.
 """
 
-import random
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -16,6 +15,7 @@ from ..core import FlattenResult, SeamReport
 from ..pattern.chains import edge_keys
 from .arrays import MeshArrays
 from .flat_mesh import edge_lengths
+from .identity import new_id
 
 GIVEN = re.compile(r"(?:Seam|Dart) (\d+)")  # a name of ours, that the user has not changed
 
@@ -92,19 +92,11 @@ def _assign_ids(seams: Sequence[SeamReport], arrays: MeshArrays, known: KnownSea
     for seam in np.argsort(-total, kind="stable").tolist():
         seam_id = max(carried[seam], key=carried[seam].__getitem__, default=0)
         if seam_id == 0 or seam_id in given:
-            seam_id = _new_id(taken)
+            seam_id = new_id(taken)
             taken.add(seam_id)
         given.add(seam_id)
         ids[seam] = seam_id
     return ids
-
-
-def _new_id(taken: set[int]) -> int:
-    """Random, so that joined and appended meshes keep their seams apart."""
-    while True:
-        seam_id = random.randint(1, 2**31 - 1)
-        if seam_id not in taken:
-            return seam_id
 
 
 def _ends_at(arrays: MeshArrays) -> np.ndarray:
