@@ -270,7 +270,7 @@ TEST(Prolong, FollowsQuadraticMaps) {
 }
 
 /// From the coarse shape to the same minimum as from scratch, in few factorizations.
-void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int max_factorizations = 3) {
+void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int max_factorizations = 2) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
   const WireNetwork network = build_held_network(chart);
@@ -297,7 +297,7 @@ TEST(CoarseStart, ReachesTheSameMinimumWithElasticWires) {
 }
 
 /// Far from developable: 13 factorizations from scratch.
-TEST(CoarseStart, ReachesTheSameMinimumOnAQuarterSphere) { expect_same_minimum(test::quarter_sphere(64), 0.1, 4); }
+TEST(CoarseStart, ReachesTheSameMinimumOnAQuarterSphere) { expect_same_minimum(test::quarter_sphere(64), 0.1, 3); }
 
 TEST(CoarseStart, ReachesTheSameMinimumWithJaggedWires) {
   expect_same_minimum(with_cross(jittered_grid(64, 0.25, dome), 64, 0.05));
@@ -311,14 +311,14 @@ TEST(CoarseStart, ReachesTheSameMinimumOfAPlateWithHoles) {
   expect_same_minimum(plate);
 }
 
-TEST(CoarseStart, LargeChartsTakeThreeFactorizationsAtMost) {
+TEST(CoarseStart, LargeChartsTakeOneFactorization) {
   const int n = 104;  // 21,632 faces
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
   int asked = 0;
   const RefineResult refined =
       refine_chart(charts.charts.at(0), Options{}, StopToken([&](const char*) { return ++asked > 0; }));
   EXPECT_TRUE(refined.shape.converged);
-  EXPECT_LE(refined.shape.factorizations, 3);
+  EXPECT_EQ(refined.shape.factorizations, 1);
   EXPECT_GE(asked, refined.shape.factorizations);
 }
 

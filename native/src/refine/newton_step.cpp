@@ -14,7 +14,7 @@ struct NewtonStep {
   Positions2 d;
   Eigen::VectorXd variation;    // Δh
   Eigen::VectorXd multipliers;  // λ at its end
-  double slope;                 // of f along the step
+  double slope;                 // of f + λᵀc along the step: that of f but for the change of lengths
 };
 
 /// The quadratic program min g·d + ½ d·H d, J d - T Δh = -c, h + Δh in its bounds. With d eliminated a dense one in Δh
@@ -25,7 +25,7 @@ NewtonStep newton_step(const RefineState& state) {
   const Eigen::VectorXd residual = constraints.residual(state.now.uv, state.now.variation);
   Positions2 force = state.gradient;
   constraints.add_transposed(constraints.directions(state.now.uv), state.multipliers, force);
-  NewtonSystem::Solution solution = state.system.solve_on_wires(-force, -residual);
+  NewtonSystem::Solution solution = state.system.solve_roughly(-force, -residual);
   const Eigen::SparseMatrix<double>& lengths = constraints.elastic_lengths();
   Eigen::VectorXd variation = Eigen::VectorXd::Zero(constraints.num_elastic());
   if (constraints.num_elastic() > 0) {
@@ -34,11 +34,11 @@ NewtonStep newton_step(const RefineState& state) {
                                           make_positive(hessian_h(lengths, state.dlambda_dh)),
                                           -tolerance - state.now.variation, tolerance - state.now.variation);
     solution.multipliers += state.dlambda_dh * variation;
-    state.system.solve_on_wires(lengths * variation - residual, solution);
   }
+  state.system.improve(lengths * variation - residual, solution);
   NewtonStep step{state.system.finish(solution.d), std::move(variation),
                   state.multipliers + solution.multipliers.col(0), 0};
-  step.slope = force.cwiseProduct(step.d).sum() - state.multipliers.dot(lengths * step.variation - residual);
+  step.slope = force.cwiseProduct(step.d).sum() - state.multipliers.dot(lengths * step.variation);
   return step;
 }
 
@@ -60,44 +60,60 @@ bool factorize_for_exact_lengths(RefineState& state, bool is_near_minimum) {
   return try_to_factorize(kExactHessian) || try_to_factorize(kConvexHessian);
 }
 
+void move_along(const NewtonStep& step, RefineState& state) {
+  state.now = end_of(step, state.now);
+  state.multipliers = step.multipliers;
+  ++state.iterations;
+}
+
 /// Newton steps with the factor from before a step with the given slope, as long as each leaves little to the next.
-StepOutcome take_steps_with_factor(RefineState& state, double slope) {
-  while (state.limits.stop.may_go_on()) {
+/// Lengths are corrected by the next step only. Whether what is left is not worthwhile.
+bool take_steps_with_factor(RefineState& state, double slope) {
+  for (bool is_first = true; state.limits.stop.may_go_on(); is_first = false) {
     state.update_gradient();
-    NewtonStep step = newton_step(state);
-    if (std::abs(step.slope) > RefineConstants::falls_fast * std::abs(slope)) break;
-    const bool is_last = std::abs(step.slope) < state.worthwhile_decrease();
-    RefineIterate trial = end_of(step, state.now);
-    const bool is_better = state.evaluate(trial) && goes_down(trial, state.now, step.slope);
-    if (is_better) {
-      ++state.iterations;
-      state.now = std::move(trial);
-      state.multipliers = std::move(step.multipliers);
-    }
-    if (is_last) return StepOutcome::converged;
-    if (!is_better) break;
+    const NewtonStep step = newton_step(state);
+    const double fall = std::abs(step.slope / slope);
+    if (!(fall < RefineConstants::falls_fast)) break;
     slope = step.slope;
+    const double left = is_first ? std::abs(slope) : fall * std::abs(slope);  // after this step, at most
+    const bool is_last = left < state.worthwhile_decrease();
+    move_along(step, state);
+    if (is_last) return true;
   }
-  return StepOutcome::accepted;
+  return false;
+}
+
+/// The same from exact lengths to exact lengths, downhill.
+StepOutcome go_on_with_factor(RefineState& state, double slope) {
+  const RefineIterate begin = state.now;
+  const Eigen::VectorXd multipliers = state.multipliers;
+  const bool is_last = take_steps_with_factor(state, slope);
+  RefineIterate end = std::exchange(state.now, begin);
+  if (state.evaluate(end) && end.value < begin.value) {
+    state.now = std::move(end);
+  } else {
+    state.multipliers = multipliers;
+  }
+  return is_last ? StepOutcome::converged : StepOutcome::accepted;
 }
 
 }  // namespace
 
-bool reach_exact_lengths(RefineState& state, bool is_near_minimum) {
-  const auto is_kept = [&] { return state.problem.length_error(state.now) <= LengthConstraints::kept; };
-  bool is_exact = is_kept();
-  state.update_gradient();
-  for (int i = 0; i < (is_near_minimum ? 2 : 1) && !is_exact; ++i) {
+StepOutcome reach_exact_lengths(RefineState& state, bool is_near_minimum) {
+  if (state.problem.length_error(state.now) <= LengthConstraints::kept) return StepOutcome::accepted;
+  for (int i = 0; i < (is_near_minimum ? 2 : 1); ++i) {
+    state.update_gradient();
     if (!factorize_for_exact_lengths(state, is_near_minimum)) break;
-    NewtonStep step = newton_step(state);
-    RefineIterate trial = end_of(step, state.now);
-    is_exact = state.evaluate(trial);
-    state.now = std::move(trial);
-    state.multipliers = std::move(step.multipliers);
-    if (!is_exact) state.update_gradient();
-    ++state.iterations;
+    const NewtonStep step = newton_step(state);
+    const RefineIterate begin = state.now;
+    move_along(step, state);
+    const bool is_last = is_near_minimum && take_steps_with_factor(state, step.slope);
+    RefineIterate end = std::exchange(state.now, begin);
+    const bool is_exact = state.evaluate(end);
+    state.now = std::move(end);
+    if (is_exact) return is_last ? StepOutcome::converged : StepOutcome::accepted;
   }
-  return is_exact;
+  return StepOutcome::rejected;
 }
 
 StepOutcome take_newton_step(RefineState& state) {
@@ -111,7 +127,7 @@ StepOutcome take_newton_step(RefineState& state) {
     state.now = std::move(trial);
     state.multipliers += t * (step.multipliers - state.multipliers);
     if (is_last) return StepOutcome::converged;
-    return is_near ? take_steps_with_factor(state, step.slope) : StepOutcome::accepted;
+    return is_near ? go_on_with_factor(state, step.slope) : StepOutcome::accepted;
   }
   return is_last ? StepOutcome::converged : StepOutcome::rejected;
 }

@@ -8,8 +8,9 @@ namespace wirewarp {
 
 /// Moves the start to exact lengths: one Newton step and the way back from its end, with the Laplacian as Hessian. Near
 /// the minimum with the exact Hessian, or its convex part where that is not positive; and a second step where the first
-/// one is too long. False where lengths are not exact by then. Throws Stopped.
-bool reach_exact_lengths(RefineState& state, bool is_near_minimum);
+/// one is too long; from there on steps with the factor at hand, as far as they lead. Rejected where lengths are not
+/// exact by then. Throws Stopped.
+StepOutcome reach_exact_lengths(RefineState& state, bool is_near_minimum);
 
 /// From exact lengths to exact lengths, downhill, with the exact Hessian; near the minimum several steps with one
 /// factor. Rejected where the Hessian is not positive, or neither the step nor half of it serves.

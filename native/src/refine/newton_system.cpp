@@ -199,8 +199,8 @@ double NewtonSystem::relative_motion(const Eigen::MatrixXd& d) const {
 
 /// (H + Jᵀ ρ J) d = r₁ + Jᵀ (ρ r₂ − λ), then λ += ρ (J d − r₂): the first row holds after every step, the second is
 /// better by a factor of about ρ over the stiffness of the surface.
-void NewtonSystem::improve(const Eigen::MatrixXd& r2, int max_steps, double accuracy, Solution& solution) const {
-  for (int i = 0; i < max_steps; ++i) {
+void NewtonSystem::improve(const Eigen::MatrixXd& r2, double accuracy, Solution& solution) const {
+  for (int i = 0; i < kMultiplierSteps; ++i) {
     Eigen::MatrixXd tensions = stiffness_.asDiagonal() * r2 - solution.multipliers;
     solution.d += response(tensions - solution.tensions);
     solution.tensions = std::move(tensions);
@@ -210,7 +210,7 @@ void NewtonSystem::improve(const Eigen::MatrixXd& r2, int max_steps, double accu
   }
 }
 
-NewtonSystem::Solution NewtonSystem::solve_on_wires(const Positions2& r1, const Eigen::VectorXd& r2) const {
+NewtonSystem::Solution NewtonSystem::solve_roughly(const Positions2& r1, const Eigen::VectorXd& r2) const {
   Solution solution;
   solution.tensions = stiffness_.cwiseProduct(r2);
   Positions2 b = r1;
@@ -219,12 +219,15 @@ NewtonSystem::Solution NewtonSystem::solve_on_wires(const Positions2& r1, const 
   cholesky_->substitute_forward(solution.d, cholesky_->all());
   cholesky_->substitute_back(solution.d, on_wires_);
   solution.multipliers = stiffness_.asDiagonal() * (changes_of_length(solution.d) - r2);
-  improve(r2, kMultiplierSteps - 1, kAccuracy, solution);
   return solution;
 }
 
-void NewtonSystem::solve_on_wires(const Eigen::MatrixXd& r2, Solution& solution) const {
-  improve(r2, kMultiplierSteps, kAccuracy, solution);
+void NewtonSystem::improve(const Eigen::MatrixXd& r2, Solution& solution) const { improve(r2, kAccuracy, solution); }
+
+NewtonSystem::Solution NewtonSystem::solve_on_wires(const Positions2& r1, const Eigen::VectorXd& r2) const {
+  Solution solution = solve_roughly(r1, r2);
+  improve(r2, solution);
+  return solution;
 }
 
 Eigen::MatrixXd NewtonSystem::dlambda_dh(const StopToken& stop) const {
@@ -234,7 +237,7 @@ Eigen::MatrixXd NewtonSystem::dlambda_dh(const StopToken& stop) const {
     const Eigen::Index columns = std::min<Eigen::Index>(kColumnsAtOnce, lengths.cols() - first);
     const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(lengths.rows(), columns);
     Solution solution{Eigen::MatrixXd::Zero(matrix_.lower().rows(), columns), none, none};
-    improve(lengths.middleCols(first, columns).toDense(), kMultiplierSteps, kRough, solution);
+    improve(lengths.middleCols(first, columns).toDense(), kRough, solution);
     multipliers.middleCols(first, columns) = solution.multipliers;
   }
   return multipliers;

@@ -61,11 +61,14 @@ class NewtonSystem {
     Eigen::MatrixXd multipliers;  // λ
   };
 
-  /// Solves for d on the wires and λ. r1: one row per chart vertex; r2: #edges.
-  Solution solve_on_wires(const Positions2& r1, const Eigen::VectorXd& r2) const;
+  /// d on the wires and λ by one solve, to about five digits. r1: one row per chart vertex; r2: #edges.
+  Solution solve_roughly(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
-  /// Goes on to another r₂, the multipliers being a guess.
-  void solve_on_wires(const Eigen::MatrixXd& r2, Solution& solution) const;
+  /// Goes on to nine digits, or to another r₂, the multipliers being a guess.
+  void improve(const Eigen::MatrixXd& r2, Solution& solution) const;
+
+  /// Both: d on the wires and λ.
+  Solution solve_on_wires(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
   /// ∂λ/∂h for all elastic parts, J d being T h, to about five digits. #edges by #elastic; zero in the
   /// columns that are left where the caller stops.
@@ -94,7 +97,7 @@ class NewtonSystem {
   Eigen::MatrixXd response(const Eigen::MatrixXd& tensions) const;
   Eigen::MatrixXd changes_of_length(const Eigen::MatrixXd& d) const;
   double relative_motion(const Eigen::MatrixXd& d) const;
-  void improve(const Eigen::MatrixXd& r2, int max_steps, double accuracy, Solution& solution) const;
+  void improve(const Eigen::MatrixXd& r2, double accuracy, Solution& solution) const;
 
   FairShapeError& objective_;
   const LengthConstraints& constraints_;

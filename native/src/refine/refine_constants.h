@@ -26,8 +26,8 @@ struct RefineConstants {
   /// of it takes 1 % more factorizations.
   static constexpr double near_minimum = 1e-2;
   /// Slope of a step with an old factor over that of the step before. Where it falls less, a new factor is the cheaper
-  /// way: it costs as much as about five substitutions (cholesky/README.md), a step with the old one a few.
-  static constexpr double falls_fast = 1e-2;
+  /// way: it costs as much as about four steps with the old one.
+  static constexpr double falls_fast = 0.1;
 
   // Steps in the trust region.
 

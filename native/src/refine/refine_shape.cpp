@@ -26,8 +26,8 @@ RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double
   };  // f is at least 0: nothing is left to gain
 
   // 1. Exact lengths, which all steps keep from here on.
-  const bool is_exact = reach_exact_lengths(state, start.multipliers.size() > 0);
-  StepOutcome outcome = is_exact ? StepOutcome::accepted : StepOutcome::rejected;
+  StepOutcome outcome = reach_exact_lengths(state, start.multipliers.size() > 0);
+  const bool is_exact = outcome != StepOutcome::rejected;
 
   TrustRegion trust_region;
   bool try_newton = true;

@@ -36,7 +36,7 @@ struct Start {
 /// The chart unfolded, if it is folded from a plane (refine/unfold.h): mostly nothing is left to do.
 std::optional<RefinementStart> unfolded(StartProblem& problem);
 
-/// The shape of a coarser chart, for one of options.large_chart faces or more (refine/coarse_start.h): two or three
+/// The shape of a coarser chart, for one of options.large_chart faces or more (refine/coarse_start.h): one to three
 /// factorizations from the end.
 std::optional<RefinementStart> coarse_shape(StartProblem& problem);
 

@@ -20,15 +20,15 @@ Eigen::VectorXd TangentSpace::solve(Eigen::VectorXd& force) const {
   const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
   const Positions2 on_vertices = Eigen::Map<const Positions2>(force.data(), size / 2, 2);
   Eigen::VectorXd result(force.size());
-  NewtonSystem::Solution solution = system_.solve_on_wires(on_vertices, Eigen::VectorXd::Zero(constraints_.size()));
+  NewtonSystem::Solution solution = system_.solve_roughly(on_vertices, Eigen::VectorXd::Zero(constraints_.size()));
+  Eigen::VectorXd variation = Eigen::VectorXd::Zero(constraints_.num_elastic());
   if (num_free > 0) {
     const Eigen::VectorXd pull = lengths.transpose() * solution.multipliers.col(0);
     result.tail(num_free) = factor_h_.solve(force.tail(num_free) + pull(free_));
     solution.multipliers += dlambda_dh_ * result.tail(num_free);
-    Eigen::VectorXd variation = Eigen::VectorXd::Zero(constraints_.num_elastic());
     variation(free_) = result.tail(num_free);
-    system_.solve_on_wires(lengths * variation, solution);
   }
+  system_.improve(lengths * variation, solution);
   const Positions2 d = system_.finish(solution.d);
   result.head(size) = Eigen::Map<const Eigen::VectorXd>(d.data(), size);
 
