@@ -46,8 +46,8 @@ class Decimation {
   bool try_remove(VertexHandle v);
   void lay_out(HalfedgeHandle first, VertexHandle last, double turn, Fan& fan) const;
   bool lay_out_fans(VertexHandle v);
-  double worst_quality(const Fan& fan, std::size_t apex) const;
-  double worst_quality_towards(VertexHandle w) const;
+  double worst_quality(const Fan& fan, std::size_t apex, double least) const;
+  double worst_quality_towards(VertexHandle w, double least) const;
   HalfedgeHandle choose_collapse(VertexHandle v);
   void move_points(const Fan& fan, VertexHandle v, VertexHandle w);
 
@@ -155,8 +155,8 @@ bool Decimation::lay_out_fans(VertexHandle v) {
 }
 
 /// The least 4√3 · area over the sum of squared sides, of the faces that the fan has when its vertex moves to
-/// rim[apex]; 0 where one is turned over or has a side that is too long.
-double Decimation::worst_quality(const Fan& fan, std::size_t apex) const {
+/// rim[apex]; 0 where one is turned over, has a side that is too long or is worse than the least that serves.
+double Decimation::worst_quality(const Fan& fan, std::size_t apex, double least) const {
   double worst = 1;
   const auto& a = fan.positions[apex];
   const auto p = mesh_.point(fan.rim[apex]);
@@ -168,16 +168,17 @@ double Decimation::worst_quality(const Fan& fan, std::size_t apex) const {
     if (std::max(first, second) > longest_edge_ * longest_edge_) return 0;
     const double sides = first + second + (to_second - to_first).sqrnorm();
     worst = std::min(worst, 2 * std::sqrt(3.0) * (to_first % to_second).norm() / sides);
+    if (worst < least) return 0;
   }
   return worst;
 }
 
-double Decimation::worst_quality_towards(VertexHandle w) const {
+double Decimation::worst_quality_towards(VertexHandle w, double least) const {
   double worst = 1;
   for (std::size_t f = 0; f < num_fans_; ++f) {
     const auto& rim = fans_[f].rim;
     const auto apex = std::find(rim.begin(), rim.end(), w) - rim.begin();
-    worst = std::min(worst, worst_quality(fans_[f], static_cast<std::size_t>(apex)));
+    worst = std::min(worst, worst_quality(fans_[f], static_cast<std::size_t>(apex), least));
   }
   return worst;
 }
@@ -187,7 +188,7 @@ HalfedgeHandle Decimation::choose_collapse(VertexHandle v) {
   VertexHandle best;
   double best_quality = kWorstQuality;
   const auto consider = [&](VertexHandle w) {
-    const double quality = worst_quality_towards(w);
+    const double quality = worst_quality_towards(w, best_quality);
     if (quality > kClearly * best_quality) best = w, best_quality = quality;
   };
   if (is_free(v.idx())) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "refine/injective_shape.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "arap/free_boundary_arap.h"
@@ -9,22 +8,26 @@
 #include "factorization_failed.h"
 #include "mesh/geometry.h"
 #include "mesh/overlap.h"
+#include "planar.h"
 #include "refine/injective_start.h"
 
 namespace wirewarp {
 namespace {
 
-bool has_flips(const Chart& chart, const Positions2& uv) {
-  const ShapeError shape_error(chart);
-  return std::any_of(shape_error.triangles().begin(), shape_error.triangles().end(),
-                     [&](const ShapeError::Triangle& t) { return !(ShapeError::map_of(t, uv).determinant() > 0); });
+bool has_flips(const Triangles& triangles, const Positions2& uv) {
+  for (const auto& t : triangles.rowwise()) {
+    const Eigen::Vector2d a = uv.row(t[0]), b = uv.row(t[1]), c = uv.row(t[2]);
+    if (!(cross(b - a, c - a) > 0)) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 Injectivity injectivity_of(const Chart& chart, const Positions2& uv) {
-  if (has_flips(chart, uv)) return Injectivity::none;
-  const bool overlaps = !find_overlapping_faces(triangles_of(chart.mesh), faces_on_boundary(chart.mesh), uv).empty();
+  const Triangles triangles = triangles_of(chart.mesh);
+  if (has_flips(triangles, uv)) return Injectivity::none;
+  const bool overlaps = !find_overlapping_faces(triangles, faces_on_boundary(chart.mesh), uv).empty();
   return overlaps ? Injectivity::local : Injectivity::global;
 }
 
@@ -63,16 +66,19 @@ RefinedShape refine_injectively(const Chart& chart, const WireNetwork& network, 
 
 bool make_injective(const Chart& chart, const WireNetwork& network, double fairness, const RefinementLimits& limits,
                     RefinedShape& shape) {
+  if (!shape.is_exact) return false;
   bool is_other = false;
+  Injectivity reached = injectivity_of(chart, shape.uv);
   for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {
     const bool is_disk = chart.boundary_loops.size() == 1;  // a ring that overlaps had best be cut open
     if (injectivity == Injectivity::global && !is_disk) continue;
-    if (limits.stop.is_stopped() || !shape.is_exact || injectivity_of(chart, shape.uv) >= injectivity) continue;
+    if (limits.stop.is_stopped() || reached >= injectivity) continue;
     try {
       RefinedShape injective = refine_injectively(chart, network, fairness, {limits.budget, limits.stop, injectivity});
       if (!injective.is_exact) continue;
       shape = std::move(injective);
       is_other = true;
+      reached = injectivity_of(chart, shape.uv);
     } catch (const Stopped&) {  // the shape at hand has exact lengths
       break;
     } catch (const FactorizationFailed&) {
