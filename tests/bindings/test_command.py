@@ -12,6 +12,7 @@ import pytest
 from patterns import SAMPLES, flattened
 from wirewarp.command.arguments import parsed
 from wirewarp.command.flatten import flatten_model
+from wirewarp.pattern import Marker
 
 trimesh = pytest.importorskip("trimesh")
 # A square of 100 mm with one corner lifted, cut in the middle; by the map in two islands.
@@ -92,6 +93,22 @@ def test_every_kind_of_model_is_read(model, tmp_path, suffix):
     assert line["pieces"] == 1
     outline = [0.05, 0.05, 0.1, 0.05, np.hypot(0.05, 0.04), np.hypot(0.1, 0.04)]
     assert lengths(report) == pytest.approx([sum(outline)], rel=1e-6)  # files have single precision
+
+
+def test_a_marker_is_one_more_file_of_each_kind_and_is_kept(model, tmp_path):
+    words = (model, "--out", tmp_path / "out", "--seams", "uv", "--format", "pdf,plt")
+    marker = ("--marker", "20cm", "--gap", "2mm", "--grain", "both-ways", "--times", 3, "--seconds", 0)
+    ((line,), _) = run(*words, *marker)
+    assert line["files"] == ["Folded.json", "Folded.pdf", "Folded.plt", "Folded-marker.pdf", "Folded-marker.plt"]
+    assert line["marker"].startswith("6 pieces on ") and " of cloth 200 mm wide" in line["marker"]
+    kept = Marker.from_dict(json.loads((tmp_path / "out" / "Folded.json").read_text())["marker"])
+    assert (kept.width, kept.gap, len(kept.placements)) == (200.0, 2.0, 6)
+    page = pypdfium2.PdfDocument(tmp_path / "out" / "Folded-marker.pdf")[0]
+    assert page.get_size()[0] / 72 * 25.4 == pytest.approx(200 + 20)
+    ((line,), _) = run(*words, "--marker", "10x12in", "--seconds", 0, "--imperial")
+    assert line["marker"].startswith("2 pieces on 1 sheet of 10 in x 12 in, ")
+    ((line,), _) = run(*words)
+    assert "marker" not in line and not (tmp_path / "out" / "Folded-marker.pdf").exists()
 
 
 def test_what_was_done_before_is_left_out_until_something_changes(model, tmp_path):
@@ -189,6 +206,7 @@ def test_several_at_a_time_and_the_worst_counts(model, tmp_path):
         ("a.obj", FOLDED, ("--seams", "lines.json"), "must be a JSON list of lines of vertices"),
         ("a.obj", FOLDED, ("--wires", "lines.json"), "must be a JSON list of wires"),
         ("a.obj", FOLDED, ("--wires", "wire.json"), "Wire 1 of"),
+        ("a.obj", FOLDED, ("--marker", "1in", "--imperial"), "too large for a roll of 1 in"),
         ("a.obj", FOLDED, ("--page", "120mm", "--format", "pdf"), "too large for a roll of 120 mm"),
     ],
 )
@@ -210,6 +228,10 @@ def test_bad_input_is_one_sentence(tmp_path, monkeypatch, name, content, words, 
         (("--page", "a9"), "paper is 'a9'"),
         (("--format", "png"), "'png' is no format"),
         (("--jobs", "0"), "give 1 or more"),
+        (("--times", "-1"), "give 1 or more"),
+        (("--marker", "wide"), "'wide' is no length"),
+        (("--marker", "60x"), "'60x' is no length"),
+        (("--seconds", "nan"), "'nan' is no number of seconds"),
         (("Folded.stl",), '2 models are called "Folded"'),
     ],
 )

@@ -9,12 +9,31 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from .._errors import FlattenError
+from ..pattern.nest_items import Grain
 from ..pattern.papers import roll_width
 from ..pattern.write import WRITERS
 
 MILLIMETERS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
 LENGTH = re.compile(r"(\d+(?:\.\d*)?)(?:/(\d+))?\s*(mm|cm|m|in)")
+SHEET = re.compile(r"(\d+(?:\.\d*)?)x(\d+(?:\.\d*)?)\s*(mm|cm|m|in)")
+GRAINS: dict[str, Grain] = {
+    "one-way": "one way",
+    "both-ways": "both ways",
+    "free": "free",
+}  # as Pattern.nested knows them
 FROM_MODEL = ("uv", "sharp")
+
+
+@dataclass(frozen=True)
+class MarkerRequest:
+    """What the pieces are cut from, in millimeters, and how; see Pattern.nested."""
+
+    width: float
+    length: float | None
+    gap: float
+    grain: Grain
+    times: int
+    seconds: float
 
 
 @dataclass(frozen=True)
@@ -30,6 +49,8 @@ class Request:
     allowance: float
     hem: float | None
     unit: str
+    imperial: bool
+    marker: MarkerRequest | None
     resume: bool
 
     @property
@@ -38,6 +59,9 @@ class Request:
 
     def pattern_path(self, kind: str) -> Path:
         return self.folder / f"{self.model.stem}.{kind}"
+
+    def marker_path(self, kind: str) -> Path:
+        return self.folder / f"{self.model.stem}-marker.{kind}"
 
     @property
     def line_files(self) -> list[Path]:
@@ -76,12 +100,24 @@ def parsed(words: Sequence[str]) -> Arguments:
     command.add_argument("--allowance", default="10mm", type=_length, help="outside of seams: 10mm, 1cm, 3/8in (10mm)")
     command.add_argument("--hem", type=_length, help="outside of edges that are not sewn (as --allowance)")
     command.add_argument("--unit", choices=MILLIMETERS, default="m", help="what a model has its coordinates in (m)")
-    command.add_argument("--jobs", type=_jobs, default=1, metavar="N", help="models at a time (1)")
+    command.add_argument("--imperial", action="store_true", help="inches in texts and squares to measure")
+    command.add_argument(
+        "--marker", type=_cloth, metavar="WIDTH|WxL", help="pieces nested on a roll, 1400mm, or on sheets, 60x90cm"
+    )
+    command.add_argument("--gap", type=_length, default="5mm", help="between the pieces of a marker (5mm)")
+    command.add_argument("--grain", choices=GRAINS, default="one-way", help="how pieces of a marker may lie (one-way)")
+    command.add_argument("--times", type=_count, default=1, metavar="N", help="how often a marker has the pattern (1)")
+    command.add_argument("--seconds", type=_seconds, default=10.0, metavar="S", help="of search for a marker (10)")
+    command.add_argument("--jobs", type=_count, default=1, metavar="N", help="models at a time (1)")
     command.add_argument("--resume", action="store_true", help="leave out what was done before and has not changed")
     given = parser.parse_args(words)
     for name, count in Counter(model.stem for model in given.models).items():
         if count > 1:
             command.error(f'{count} models are called "{name}", and would write the same files: give them one by one')
+    marker = None
+    if given.marker:
+        width, length = given.marker
+        marker = MarkerRequest(width, length, given.gap, GRAINS[given.grain], given.times, given.seconds)
     requests = [
         Request(
             model=model,
@@ -93,6 +129,8 @@ def parsed(words: Sequence[str]) -> Arguments:
             allowance=given.allowance,
             hem=given.hem,
             unit=given.unit,
+            imperial=given.imperial,
+            marker=marker,
             resume=given.resume,
         )
         for model in given.models
@@ -129,7 +167,21 @@ def _formats(text: str) -> tuple[str, ...]:
     return formats
 
 
-def _jobs(text: str) -> int:
+def _cloth(text: str) -> tuple[float, float | None]:
+    """Width, and length of sheets."""
+    match = SHEET.fullmatch(text.strip())
+    if match:
+        return _length(f"{match[1]}{match[3]}"), _length(f"{match[2]}{match[3]}")
+    return _length(text), None
+
+
+def _count(text: str) -> int:
     if not text.isdecimal() or int(text) == 0:
-        raise argparse.ArgumentTypeError(f"{text!r} is no number of models: give 1 or more")
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of them: give 1 or more")
     return int(text)
+
+
+def _seconds(text: str) -> float:
+    if not re.fullmatch(r"\d+(\.\d*)?", text):
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of seconds: give 0 or more")
+    return float(text)

@@ -12,9 +12,9 @@ from dataclasses import asdict
 from typing import Any
 
 from .. import FlattenError, __version__, flatten
-from ..pattern import Pattern
+from ..pattern import Marker, Pattern, Written
 from ..pattern.replace_file import replaced_file
-from .arguments import FROM_MODEL, MILLIMETERS, Arguments, Request
+from .arguments import FROM_MODEL, MILLIMETERS, Arguments, MarkerRequest, Request
 from .input_error import InputError
 from .lines import seams_of, wires_of
 from .model import Model, read_model
@@ -100,9 +100,11 @@ def _flattened(request: Request, model: Model, made_of: str) -> Line:
         "files": [request.report_path.name],
         "made_of": made_of,
     }
+    placed: dict[str, Any] = {}
     if problems:
         for kind in request.formats:
-            request.pattern_path(kind).unlink(missing_ok=True)  # of an earlier run: nobody is to cut it
+            for path in (request.pattern_path(kind), request.marker_path(kind)):
+                path.unlink(missing_ok=True)  # of an earlier run: nobody is to cut it
     else:
         pattern = Pattern.from_result(
             result,
@@ -111,13 +113,33 @@ def _flattened(request: Request, model: Model, made_of: str) -> Line:
             millimeters_per_unit=MILLIMETERS[request.unit],
             allowance=request.allowance,
             hem=request.hem,
+            units="imperial" if request.imperial else "metric",
         )
         for kind in request.formats:
             options = {"paper": request.page} if kind == "pdf" else {}
-            written = pattern.write(request.pattern_path(kind), **options)
-            line["files"].append(written.path.name)
-            line["warnings"] += [warning for warning in written.warnings if warning not in line["warnings"]]
-    report = {"line": line, "unit": request.unit, **result.to_dict()}
+            _note(pattern.write(request.pattern_path(kind), **options), line)
+        for kind in request.formats:
+            request.marker_path(kind).unlink(missing_ok=True)  # of an earlier run: it may be of other pieces
+        if request.marker:
+            marker = _write_marker(request, request.marker, pattern, line)
+            line["marker"], placed = marker.sentence(pattern.units), {"marker": marker.to_dict()}
+    report = {"line": line, "unit": request.unit, **placed, **result.to_dict()}
     with replaced_file(request.report_path) as unfinished:
         unfinished.write_text(json.dumps(report, ensure_ascii=False), encoding="utf-8")
     return line
+
+
+def _note(written: Written, line: Line) -> None:
+    line["files"].append(written.path.name)
+    line["warnings"] += [warning for warning in written.warnings if warning not in line["warnings"]]
+
+
+def _write_marker(request: Request, wanted: MarkerRequest, pattern: Pattern, line: Line) -> Marker:
+    """In every format; PDF on a roll as wide as it needs."""
+    marker = pattern.nested(
+        wanted.width, wanted.length, gap=wanted.gap, grain=wanted.grain, times=wanted.times, seconds=wanted.seconds
+    )
+    laid = pattern.laid_on(marker)
+    for kind in request.formats:
+        _note(laid.write(request.marker_path(kind)), line)
+    return marker

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From flat pieces to the cutting table: allowances, notches, and files to print, plot and cut.
 
-Everything is in millimeters, y upwards. Needs pyclipper, and pydyf for PDF.
+Everything is in millimeters, y upwards. Needs pyclipper, and pydyf for PDF; markers
+are shorter where spyrrow is installed.
 """
 
 from .flat_piece import Chain, FlatPiece, FlatWire
+from .marker import Marker, Placement
 from .model import Line, PatternPiece, Point, Text
 from .pattern import Pattern, Written, cut_lines
 from .units import UnitSystem
@@ -14,8 +16,10 @@ __all__ = [
     "FlatPiece",
     "FlatWire",
     "Line",
+    "Marker",
     "Pattern",
     "PatternPiece",
+    "Placement",
     "Point",
     "Text",
     "UnitSystem",

@@ -5,7 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from .checks import problem
 from .model import Line, PatternPiece
+from .motion import Motion
 
 ON_FOLD = 0.05  # millimeters: what lies so near to the fold is on it
 
@@ -46,3 +48,46 @@ def _kept(line: Line, origin: np.ndarray, outward: np.ndarray) -> list[tuple[np.
         parts[0] = parts.pop() + parts[0][1:]
     kept = [np.array(part) for part in parts if len(part) > 1]
     return [(part, False) for part in kept if ((part - origin) @ outward).max() > ON_FOLD]
+
+
+def unfolded(piece: PatternPiece) -> PatternPiece:
+    """The whole of a piece that is cut on the fold. Raises FlattenError if it has several folds.
+
+    The fold is taken to be straight from end to end; texts stay where they are, and the fold itself is left out.
+    """
+    folds = piece.of_role("fold")
+    if len(folds) != 1:
+        raise problem(f'"{piece.name}" has {len(folds)} folds, and only a piece with one can be opened.')
+    start, end = folds[0].points[0], folds[0].points[-1]
+    along = (end - start) / np.linalg.norm(end - start)
+    outward = np.array([along[1], -along[0]])
+    (cut,) = piece.of_role("cut")
+    if (cut.points.mean(axis=0) - start) @ outward < 0:
+        outward = -outward
+    # Mirrored in the y axis, turned, and moved so that the fold stays where it is.
+    turn = Motion(np.zeros(2), float(np.degrees(2 * np.arctan2(outward[1], outward[0]))), mirrored=True)
+    image = Motion(start - turn.points(start), turn.angle, mirrored=True)
+    half = cut.points
+    if cut.closed:
+        crooked = float(np.abs((folds[0].points - start) @ outward).max())
+        half = _without_fold(cut.points, np.abs((cut.points - start) @ outward) <= crooked + ON_FOLD)
+    whole = np.concatenate([half, image.points(half)[-2:0:-1]])
+    lines = [replace(cut, points=whole, closed=True)]
+    for line in piece.lines:
+        if line.role == "grain":
+            lines.append(line)
+        elif line.role not in ("cut", "fold"):
+            is_on_fold = np.abs((line.points - start) @ outward).max() <= ON_FOLD
+            lines += [line] if is_on_fold else [line, line.placed(image)]
+    points = []
+    for point in piece.points:
+        is_on_fold = abs((point.at - start) @ outward) <= ON_FOLD
+        points += [point] if is_on_fold else [point, point.placed(image)]
+    return replace(piece, lines=lines, points=points, on_fold=False)
+
+
+def _without_fold(outline: np.ndarray, is_on_fold: np.ndarray) -> np.ndarray:
+    """The open line that is left of a closed one (k,2) without its one part along the fold."""
+    first = int(np.flatnonzero(is_on_fold & ~np.roll(is_on_fold, -1))[0])  # where the outline leaves the fold
+    turned, is_on_fold = np.roll(outline, -first, axis=0), np.roll(is_on_fold, -first)
+    return turned[: int(np.flatnonzero(is_on_fold[1:])[0]) + 2]

@@ -6,6 +6,8 @@ from typing import Literal
 
 import numpy as np
 
+from .motion import Motion
+
 LineRole = Literal["cut", "inner_cut", "sew", "wire", "grain", "fold"]
 PointRole = Literal["notch", "drill", "clip"]
 TextRole = Literal["card", "line name"]
@@ -22,8 +24,8 @@ class Line:
     joins: str = ""  # of sew lines: the names of the other pieces that are sewn to it
     kind: str = ""  # of wires: "rigid", "elastic" or "super_elastic"
 
-    def moved(self, offset: np.ndarray) -> "Line":
-        return replace(self, points=self.points + offset)
+    def placed(self, motion: Motion) -> "Line":
+        return replace(self, points=motion.points(self.points))
 
 
 @dataclass(frozen=True)
@@ -36,8 +38,8 @@ class Point:
     depth: float = 0.0  # of notches and clips; of holes the diameter
     pair: tuple[int, int] | None = None  # seam, and number along it: notches of one pair are sewn onto each other
 
-    def moved(self, offset: np.ndarray) -> "Point":
-        return replace(self, at=self.at + offset)
+    def placed(self, motion: Motion) -> "Point":
+        return replace(self, at=motion.points(self.at), direction=motion.directions(self.direction))
 
     @property
     def stroke(self) -> np.ndarray:
@@ -53,8 +55,8 @@ class Text:
     angle: float = 0.0  # degrees counterclockwise
     role: TextRole = "card"
 
-    def moved(self, offset: np.ndarray) -> "Text":
-        return replace(self, center=self.center + offset)
+    def placed(self, motion: Motion) -> "Text":
+        return replace(self, center=motion.points(self.center), angle=motion.text_angle(self.angle))
 
 
 @dataclass(frozen=True)
@@ -85,9 +87,12 @@ class PatternPiece:
         return high - low
 
     def moved(self, offset: np.ndarray) -> "PatternPiece":
+        return self.placed(Motion(offset))
+
+    def placed(self, motion: Motion) -> "PatternPiece":
         return replace(
             self,
-            lines=[line.moved(offset) for line in self.lines],
-            points=[point.moved(offset) for point in self.points],
-            texts=[text.moved(offset) for text in self.texts],
+            lines=[line.placed(motion) for line in self.lines],
+            points=[point.placed(motion) for point in self.points],
+            texts=[text.placed(motion) for text in self.texts],
         )

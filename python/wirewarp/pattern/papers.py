@@ -81,7 +81,15 @@ def roll_width(paper: str | float) -> float | None:
 
 
 def divided(pattern: "Pattern", paper: str) -> Tiles:
-    """On the fewest sheets, upright or on their side; if it takes no more, with every piece on one sheet."""
+    """On the fewest sheets, upright or on their side; if it takes no more, with every piece on one sheet.
+
+    A marker stays as it is. Raises FlattenError if the sheets are too many.
+    """
+    if pattern.marker:
+        low, _ = pattern.bounds
+        at_origin = replace(pattern, pieces=[piece.moved(-low) for piece in pattern.pieces])
+        plans = [_with_tiles(at_origin, np.array(upright)) for upright in (SHEETS[paper], SHEETS[paper][::-1])]
+        return min(plans, key=lambda plan: len(plan.tiles))
     taped = _taped(pattern, paper)
     whole = [plan for upright in (SHEETS[paper], SHEETS[paper][::-1]) if (plan := _whole(pattern, np.array(upright)))]
     fewest = min(whole, key=lambda plan: len(plan.tiles), default=None)
@@ -127,9 +135,6 @@ def _taped(pattern: "Pattern", paper: str) -> Tiles:
                 break
     assert best is not None
     count, width, sheet = best
-    if count > MOST_SHEETS:
-        size = " x ".join(f"{side / 1000:.1f} m" for side in pattern.size)
-        raise problem(f"The pattern is {size}: more than {MOST_SHEETS} sheets of {paper}; see millimeters_per_unit.")
     return _with_tiles(pattern.arranged(width), sheet)
 
 
@@ -143,6 +148,9 @@ def _with_tiles(pattern: "Pattern", sheet: np.ndarray) -> Tiles:
     shown = sheet - 2 * MARGIN
     step, top = shown - OVERLAP, pattern.size[1] + INSET
     columns, rows = _counts(pattern.size, step).tolist()
+    if columns * rows > MOST_SHEETS:
+        size = " x ".join(pattern.units.text(float(side)) for side in pattern.size)
+        raise problem(f"The pattern is {size}: more than {MOST_SHEETS} sheets of paper; see millimeters_per_unit.")
     shapes = [([line.points for line in piece.of_role("cut")], piece.bounds) for piece in pattern.pieces]
     tiles = []
     for row in range(rows):

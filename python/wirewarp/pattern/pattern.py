@@ -2,7 +2,7 @@
 """A pattern, ready to be written."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 from pathlib import Path
@@ -15,10 +15,13 @@ from .arrange import offsets
 from .card import with_card
 from .checks import checked_length, problem
 from .flat_piece import FlatPiece, flat_piece
-from .fold import folded
+from .fold import folded, unfolded
+from .marker import Marker
 from .marks import marks
 from .mirror import fold_of, mirror_between
 from .model import PatternPiece
+from .nest_items import Grain
+from .nesting import Cloth, Preview, Progress, nested
 from .notches import check_spacing
 from .pieces import finished, joined_by, lay_all, warnings_of
 from .roles import KINDS
@@ -28,6 +31,8 @@ from .widths import Widths
 
 if TYPE_CHECKING:
     from .._wirewarp import FlattenResult
+
+SAME_SIZE = 0.1  # millimeters: by which pieces may differ from those that a marker was made of
 
 
 @dataclass(frozen=True)
@@ -51,6 +56,7 @@ class Pattern:
     warnings: list[str] = field(default_factory=list)
     date: str = ""  # as it stands on the pieces
     walks: list[SeamWalk] = field(default_factory=list)  # by index of the seam
+    marker: Marker | None = None  # of which this is the drawing: every copy of a piece is a piece of its own
 
     @classmethod
     def from_result(
@@ -219,6 +225,77 @@ class Pattern:
             raise problem(f"There is no piece {min(unknown)}: there are {len(self.pieces)}.")
         return replace(self, pieces=pieces)._with_cards().arranged()
 
+    def with_quantities(self, quantities: Mapping[int, tuple[int, int]]) -> "Pattern":
+        """With so many copies of pieces, by their numbers: as drawn, and mirrored.
+
+        Raises FlattenError for numbers of no piece and for what are no counts.
+        """
+        unknown = set(quantities) - {piece.number for piece in self.pieces}
+        if unknown:
+            raise problem(f"There is no piece {min(unknown)}: there are {len(self.pieces)}.")
+        for number, counts in quantities.items():
+            if len(counts) != 2 or any(type(count) is not int or count < 0 for count in counts) or not any(counts):
+                raise problem(f"The quantity of piece {number} is {counts!r}: give two whole numbers, not both 0.")
+        pieces = [replace(piece, quantity=quantities.get(piece.number, piece.quantity)) for piece in self.pieces]
+        return replace(self, pieces=pieces)._with_cards()
+
+    def nested(
+        self,
+        width: float,
+        length: float | None = None,
+        *,
+        gap: float = 5.0,
+        grain: Grain = "one way",
+        times: int = 1,
+        seconds: float = 10.0,
+        preview: Preview | None = None,
+        progress: Progress | None = None,
+    ) -> Marker:
+        """Where the pieces lie on cloth so that it takes the least; by spyrrow on rolls, where that is installed.
+
+        Every piece is cut as often as its quantity says, mirrored copies included, from one layer; those on the fold
+        are opened. Lengths are in millimeters.
+
+        width: of the cloth, as far as it can be used. length: of a sheet; None for a roll, whose length is found.
+        gap: at least, between pieces.
+        grain: "one way" keeps all pieces upright, "both ways" may turn them by 180 degrees, "free" anyhow.
+        times: how often the whole pattern is cut.
+        seconds: how long is sought; 0 takes the first marker that is found.
+        preview: called with each marker that is better than the one before.
+        progress: called as progress("nesting", fraction), at least five times a second; False ends the search, and the
+        best marker so far is returned.
+
+        Both are called in the calling thread. What is returned depends on how far the search came: keep it. Raises
+        FlattenError for bad input, and for a piece that is too large for the cloth.
+        """
+        whole = [unfolded(piece) if piece.on_fold else piece for piece in self.pieces]
+        return nested(whole, Cloth(width, length, gap, grain), times, seconds, self.units, preview, progress)
+
+    def laid_on(self, marker: Marker) -> "Pattern":
+        """The drawing of a marker, to be written: of every copy a piece, where it is cut.
+
+        Raises FlattenError if the marker was made of other pieces.
+        """
+        if self.marker:
+            raise problem("The pattern lies on a marker already.")
+        whole = [self._opened(piece) if piece.on_fold else piece for piece in self.pieces]
+        sizes = [(piece.number, float(piece.size[0]), float(piece.size[1])) for piece in whole]
+        if len(sizes) != len(marker.sizes) or not np.allclose(sizes, marker.sizes, rtol=0, atol=SAME_SIZE):
+            raise problem("The pieces have changed since the marker was made: nest them again.")
+        by_number = {piece.number: piece for piece in whole}
+        laid = [
+            replace(by_number[placement.piece], quantity=(1, 0)).placed(marker.motion(placement))
+            for placement in marker.placements
+        ]
+        return replace(self, pieces=laid, marker=marker, warnings=[*self.warnings, *marker.warnings])
+
+    def _opened(self, piece: PatternPiece) -> PatternPiece:
+        """The whole of a piece on the fold, with texts that say so if it had texts."""
+        whole, count = unfolded(piece), len(self.pieces)
+        if not piece.texts:
+            return whole
+        return with_card(whole, piece.number, count, self.heading, self.allowance_text, self.units)
+
     def arranged(self, width: float = math.inf) -> "Pattern":
         """The pieces in rows on a sheet of this width, about square without one; the lower left corner is at 0, 0."""
         lows, sizes = [piece.bounds[0] for piece in self.pieces], np.array([piece.size for piece in self.pieces])
@@ -245,8 +322,8 @@ class Pattern:
         ]
         return replace(self, pieces=pieces)
 
-    def page_sizes(self, paper: str | float = "a4", proof: bool = False) -> list[np.ndarray]:
-        """Width and height of each page that a PDF for this paper would have, in millimeters.
+    def page_sizes(self, paper: str | float | None = None, proof: bool = False) -> list[np.ndarray]:
+        """Width and height of each page that a PDF for this paper would have, in millimeters; None: as write does.
 
         Raises FlattenError for what does not fit on the paper.
         """
@@ -264,9 +341,14 @@ class Pattern:
     @property
     def size(self) -> np.ndarray:
         """Width and height of all pieces as they lie."""
-        return np.max([piece.bounds[1] for piece in self.pieces], axis=0) - np.min(
-            [piece.bounds[0] for piece in self.pieces], axis=0
-        )
+        low, high = self.bounds
+        return high - low
+
+    @property
+    def bounds(self) -> tuple[np.ndarray, np.ndarray]:
+        """The lowest and the highest corner of all pieces as they lie."""
+        boxes = np.array([piece.bounds for piece in self.pieces])
+        return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
 
     def write(self, path: str | Path, **options: Any) -> "Written":  # noqa: ANN401
         """Writes the file whose kind the suffix of the path says, and reads it again before it takes its place.

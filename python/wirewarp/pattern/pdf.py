@@ -9,6 +9,8 @@ import numpy as np
 
 from .checks import problem
 from .drawing import Stroke, strokes_of
+from .marker import Marker
+from .marker_pages import Part, page_width, parts_of
 from .model import PatternPiece, Text
 from .papers import LONGEST, MARGIN, OVERLAP, PROJECTOR, SHEETS, Tiles, divided, roll_width, tile_name
 from .pdf_document import Content, Document
@@ -24,17 +26,22 @@ PROJECTED = 0.5  # millimeters: thinner lines look dotted under a projector
 BORDER = 5.0  # millimeters round a piece's box: notches and letters may reach over it
 SHEET_LAYER, GRID_LAYER = "Sheets", "Grid"
 GRID_STEP = {"metric": 50.0, "imperial": 2 * 25.4}
+Numbered = tuple[int, PatternPiece]  # with its index in the pattern
 
 
-def write_pdf(path: Path, pattern: "Pattern", paper: str | float = "a4", proof: bool = False) -> tuple[int, list[str]]:
+def write_pdf(
+    path: Path, pattern: "Pattern", paper: str | float | None = None, proof: bool = False
+) -> tuple[int, list[str]]:
     """Writes the file; returns the number of pages, and sentences on what could not be drawn.
 
     paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
-    a roll in millimeters. proof: last come pages with every piece and both sides of every seam, to check beforehand.
+    a roll in millimeters; None takes A4, and for a marker a roll that is as wide as it needs.
+    proof: last come pages with every piece and both sides of every seam, to check beforehand.
     """
+    paper = _paper(pattern, paper)
     width = roll_width(paper)
     if width is not None:
-        document, left_out = _roll(pattern, width)
+        document, left_out = _marker(pattern, pattern.marker, width) if pattern.marker else _roll(pattern, width)
     elif paper == PROJECTOR:
         document, left_out = _one_page(pattern)
     else:
@@ -48,10 +55,17 @@ def write_pdf(path: Path, pattern: "Pattern", paper: str | float = "a4", proof: 
     ]
 
 
-def page_sizes(pattern: "Pattern", paper: str | float = "a4", proof: bool = False) -> list[np.ndarray]:
+def page_sizes(pattern: "Pattern", paper: str | float | None = None, proof: bool = False) -> list[np.ndarray]:
     """(2,) width and height in millimeters of each page that write_pdf would write. Raises FlattenError as it does."""
+    paper = _paper(pattern, paper)
     size = _proof_size(paper)
     return _pattern_sizes(pattern, paper) + ([size] * len(proof_pages(pattern, size)) if proof else [])
+
+
+def _paper(pattern: "Pattern", paper: str | float | None) -> str | float:
+    if paper is not None:
+        return paper
+    return page_width(pattern.marker, None, pattern.units) if pattern.marker else "a4"
 
 
 def _proof_size(paper: str | float) -> np.ndarray:
@@ -61,6 +75,9 @@ def _proof_size(paper: str | float) -> np.ndarray:
 
 def _pattern_sizes(pattern: "Pattern", paper: str | float) -> list[np.ndarray]:
     width = roll_width(paper)
+    if width is not None and pattern.marker:
+        page_width(pattern.marker, width, pattern.units)
+        return [_marker_page(width, number, part) for number, part in enumerate(parts_of(pattern.marker))]
     if width is not None:
         return [size for _, size in _roll_pages(_on_roll(pattern, width), width)]
     if paper == PROJECTOR:
@@ -74,14 +91,18 @@ def _document(pattern: "Pattern", *layers: str, hidden: tuple[str, ...] = ()) ->
 
 
 def _add_forms(document: Document, pattern: "Pattern", thinnest: float = 0.0) -> list[str]:
-    """One form per piece, P1, P2, ...; returns the texts that could not be drawn."""
+    """One form per piece; returns the texts that could not be drawn."""
     left_out = []
-    for piece in pattern.pieces:
+    for index, piece in enumerate(pattern.pieces):
         content = _drawn(piece, thinnest)
         low, high = piece.bounds
-        document.add_form(f"P{piece.number}", content, low - BORDER, high + BORDER)
+        document.add_form(_form(index), content, low - BORDER, high + BORDER)
         left_out += content.left_out
     return left_out
+
+
+def _form(index: int) -> str:
+    return f"P{index}"
 
 
 def _drawn(piece: PatternPiece, thinnest: float) -> Content:
@@ -95,14 +116,14 @@ def _drawn(piece: PatternPiece, thinnest: float) -> Content:
 
 def _one_page(pattern: "Pattern") -> tuple[Document, list[str]]:
     """All on one page as large as it takes, with a grid that is hidden at first."""
-    size = _page_size(pattern)
+    size, low = _page_size(pattern), pattern.bounds[0]
     document = _document(pattern, GRID_LAYER, hidden=(GRID_LAYER,))
     left_out = _add_forms(document, pattern, PROJECTED)
     content = Content()
     content.in_layer(GRID_LAYER, _grid(size, GRID_STEP[pattern.units.name]))
     _add_scale(content, pattern, np.array([MARGIN, MARGIN]))
-    for piece in pattern.pieces:
-        content.add_form(f"P{piece.number}", np.array([MARGIN, MARGIN + SIZE[1]]))
+    for index in range(len(pattern.pieces)):
+        content.add_form(_form(index), np.array([MARGIN, MARGIN + SIZE[1]]) - low)
     document.add_page(size, content)
     return document, left_out
 
@@ -110,9 +131,10 @@ def _one_page(pattern: "Pattern") -> tuple[Document, list[str]]:
 def _page_size(pattern: "Pattern") -> np.ndarray:
     size: np.ndarray = np.maximum(pattern.size, (SIZE[0], 0)) + 2 * MARGIN + (0, SIZE[1])
     if size.max() > LONGEST:
+        width, height, most = (pattern.units.text(float(side)) for side in (*size, LONGEST))
         raise problem(
-            f"The pattern takes a page of {size[0] / 1000:.1f} x {size[1] / 1000:.1f} m, and readers show no more than "
-            f"{LONGEST / 1000:g} m: choose a roll or sheets."
+            f"The pattern takes a page of {width} x {height}, and readers show no more than {most}: choose a roll or "
+            "sheets."
         )
     return size
 
@@ -131,56 +153,92 @@ def _roll(pattern: "Pattern", width: float) -> tuple[Document, list[str]]:
     document = _document(pattern)
     left_out = _add_forms(document, arranged)
     for number, (pieces, size) in enumerate(pages):
-        low = min(piece.bounds[0][1] for piece in pieces)
+        low = min(piece.bounds[0][1] for _, piece in pieces)
         content = Content()
         if number == 0:
             _add_scale(content, pattern, np.array([MARGIN, MARGIN]))
-        for piece in pieces:
+        for index, _ in pieces:
             above = MARGIN + (SIZE[1] if number == 0 else 0.0)
-            content.add_form(f"P{piece.number}", np.array([MARGIN, above - low]))
+            content.add_form(_form(index), np.array([MARGIN, above - low]))
         document.add_page(size, content)
     return document, left_out
 
 
+def _marker(pattern: "Pattern", marker: Marker, width: float) -> tuple[Document, list[str]]:
+    """The cloth with its edges, on pages as wide as the roll of paper."""
+    page_width(marker, width, pattern.units)
+    document = _document(pattern, SHEET_LAYER)
+    left_out = _add_forms(document, pattern)
+    boxes = [piece.bounds for piece in pattern.pieces]
+    parts = parts_of(marker)
+    for number, part in enumerate(parts):
+        content = Content()
+        corner = np.array([MARGIN, MARGIN])
+        if number == 0:
+            _add_scale(content, pattern, corner)
+            content.in_layer("Scale", (), [Text((marker.sentence(pattern.units),), corner + (85.0, 122.0), 4.0)])
+            corner = corner + (0, SIZE[1])
+        content.clip(corner, corner + part.size)
+        for index, (low, high) in enumerate(boxes):
+            if np.all(low - BORDER < part.low + part.size) and np.all(high + BORDER > part.low):
+                content.add_form(_form(index), corner - part.low)
+        content.unclip()
+        texts = [
+            Text((f"{what} page {number + step}",), corner + (marker.width / 2, y), 4.0)
+            for is_joined, what, step, y in (
+                (not part.is_first, "Lay on", 0, OVERLAP / 2),
+                (not part.is_last, "Goes on on", 2, part.size[1] - OVERLAP / 2),
+            )
+            if is_joined
+        ]
+        content.in_layer(SHEET_LAYER, [Stroke("sheet", corner + part.size * UNIT, True)], texts)
+        document.add_page(_marker_page(width, number, part), content)
+    return document, left_out
+
+
+def _marker_page(width: float, number: int, part: Part) -> np.ndarray:
+    return np.array([width, part.size[1] + 2 * MARGIN + (SIZE[1] if number == 0 else 0.0)])
+
+
 def _on_roll(pattern: "Pattern", width: float) -> "Pattern":
     """With the pieces in rows across the roll. Raises FlattenError for a piece that is too large for it."""
-    inner = width - 2 * MARGIN
+    inner, units = width - 2 * MARGIN, pattern.units
     for piece in pattern.pieces:
         if piece.size[0] > inner or piece.size[1] > LONGEST - 2 * MARGIN - SIZE[1]:
-            across, along = piece.size
+            size = " x ".join(units.measured(float(side)) for side in piece.size)
             raise problem(
-                f'"{piece.name}" is {across:.0f} x {along:.0f} mm: too large for a roll of {width:.0f} mm, of which '
-                f"{inner:.0f} mm can be printed, and for pages of {LONGEST / 1000:g} m."
+                f'"{piece.name}" is {size}: too large for a roll of {units.text(width)}, of which '
+                f"{units.text(inner)} can be printed, and for pages of {units.text(LONGEST)}."
             )
     if inner < SIZE[0]:
         raise problem(
-            f"A roll of {width:.0f} mm is too narrow for the square to measure: choose a wider one or sheets."
+            f"A roll of {units.text(width)} is too narrow for the square to measure: choose a wider one or sheets."
         )
     return pattern.arranged(inner)
 
 
-def _roll_pages(arranged: "Pattern", width: float) -> list[tuple[list[PatternPiece], np.ndarray]]:
+def _roll_pages(arranged: "Pattern", width: float) -> list[tuple[list[Numbered], np.ndarray]]:
     """Of each page its pieces, which stay whole, and its size, none too long for readers."""
     pages = []
     for number, pieces in enumerate(_pages_of_rows(arranged)):
-        low = min(piece.bounds[0][1] for piece in pieces)
-        high = max(piece.bounds[1][1] for piece in pieces)
+        low = min(piece.bounds[0][1] for _, piece in pieces)
+        high = max(piece.bounds[1][1] for _, piece in pieces)
         block = SIZE[1] if number == 0 else 0.0  # what is to be measured
         pages.append((pieces, np.array([width, high - low + 2 * MARGIN + block])))
     return pages
 
 
-def _pages_of_rows(pattern: "Pattern") -> list[list[PatternPiece]]:
+def _pages_of_rows(pattern: "Pattern") -> list[list[Numbered]]:
     """The pieces of each page, none longer than readers show."""
-    pages: list[list[PatternPiece]] = []
+    pages: list[list[Numbered]] = []
     low = 0.0
     room = LONGEST - 2 * MARGIN - SIZE[1]
-    for piece in sorted(pattern.pieces, key=lambda piece: float(piece.bounds[0][1])):
+    for index, piece in sorted(enumerate(pattern.pieces), key=lambda each: float(each[1].bounds[0][1])):
         bottom, top = float(piece.bounds[0][1]), float(piece.bounds[1][1])
         if not pages or top - low > room:
             pages.append([])
             low = bottom
-        pages[-1].append(piece)
+        pages[-1].append((index, piece))
     return pages
 
 
@@ -202,9 +260,9 @@ def _tiles(pattern: "Pattern", paper: str) -> tuple[Document, list[str]]:
     for tile in plan.tiles:
         content = Content()
         content.clip(margin, margin + plan.shown)
-        for piece, (low, high) in zip(plan.pattern.pieces, boxes, strict=True):
+        for index, (low, high) in enumerate(boxes):
             if np.all(low - BORDER < tile.low + plan.shown) and np.all(high + BORDER > tile.low):
-                content.add_form(f"P{piece.number}", margin - tile.low)
+                content.add_form(_form(index), margin - tile.low)
         content.unclip()
         content.in_layer(SHEET_LAYER, *_sheet_marks(plan, tile.row, tile.column))
         document.add_page(plan.paper, content)

@@ -26,7 +26,8 @@ def plain_dxf(pattern: "Pattern") -> str:
             entities.line(layer, stroke.points)
         else:
             entities.polyline(layer, stroke.points, stroke.closed)
-    low, high = np.minimum(square.min(axis=0), 0), np.maximum(pattern.size, side)
+    lowest, highest = pattern.bounds
+    low, high = np.minimum(square.min(axis=0), lowest), np.maximum(square.max(axis=0), highest)
     parts = [section("HEADER", [_header(low, high)]), section("TABLES", [_layers()]), section("ENTITIES", [entities])]
     return "".join(part.data() for part in parts) + "  0\nEOF\n"
 

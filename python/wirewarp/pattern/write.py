@@ -2,13 +2,18 @@
 """Which writer writes which kind of file."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from inspect import signature
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from .checks import problem
 from .dxf import write_dxf
 from .hpgl import write_plt
+from .marker import Marker
+from .motion import Motion
 from .pattern import Written
 from .pdf import write_pdf
 from .read_back import check
@@ -38,8 +43,15 @@ def write(pattern: "Pattern", path: Path, options: Mapping[str, Any]) -> Written
         if name not in known_options:
             has = " and ".join(known_options) or "none"
             raise problem(f"{path.suffix} files have no option {name!r}; they have {has}.")
+    drawn = _along_the_roll(pattern, pattern.marker) if kind == ".plt" and pattern.marker else pattern
     with replaced_file(path) as unfinished:
-        sheets, warnings = writer(unfinished, pattern, **options)
-        outlines = [line.points for piece in pattern.pieces for line in piece.of_role("cut", "inner_cut")]
+        sheets, warnings = writer(unfinished, drawn, **options)
+        outlines = [line.points for piece in drawn.pieces for line in piece.of_role("cut", "inner_cut")]
         off = check(unfinished, kind, outlines)
     return Written(path, sheets, len(pattern.pieces), off, [*pattern.warnings, *warnings])
+
+
+def _along_the_roll(pattern: "Pattern", marker: Marker) -> "Pattern":
+    """With x along the cloth, as plotters have it."""
+    motion = Motion(np.array([0.0, marker.width]), -90.0)
+    return replace(pattern, pieces=[piece.placed(motion) for piece in pattern.pieces])

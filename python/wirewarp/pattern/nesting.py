@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Finds a marker: the shortest piece of cloth, or the fewest sheets, that the pieces of a pattern can be cut from."""
+
+import math
+import time
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import get_args
+
+import numpy as np
+
+from .checks import checked_length, problem
+from .marker import Marker, Placement
+from .model import PatternPiece
+from .motion import Motion
+from .nest_items import Grain, Item, items_of, room_at_edges
+from .slide_packing import Place, SlidePacking
+from .spyrrow_nesting import SpyrrowError, is_installed, searched
+from .units import UnitSystem
+
+WIDEST = 100_000.0  # millimeters: what is larger was given in another unit
+MOST_GAP = 100.0
+MOST_PIECES = 10_000  # to be cut in all
+LONGEST = 3600.0  # seconds
+
+Preview = Callable[[Marker], object]
+Progress = Callable[[str, float], bool | None]
+
+
+@dataclass(frozen=True)
+class Cloth:
+    """What the pieces are cut from, and how. Lengths are in millimeters."""
+
+    width: float
+    length: float | None  # of a sheet; None of a roll
+    gap: float
+    grain: Grain
+
+    def __post_init__(self) -> None:
+        """Raises FlattenError."""
+        checked_length("width", self.width, 1.0, WIDEST)
+        if self.length is not None:
+            checked_length("length", self.length, 1.0, WIDEST)
+        checked_length("gap", self.gap, 0.0, MOST_GAP)
+        if self.grain not in get_args(Grain):
+            raise problem(f"grain is {self.grain!r}: give {', '.join(map(repr, get_args(Grain)))}.")
+
+
+def nested(
+    pieces: Sequence[PatternPiece],
+    cloth: Cloth,
+    times: int,
+    seconds: float,
+    units: UnitSystem,
+    preview: Preview | None,
+    progress: Progress | None,
+) -> Marker:
+    """As Pattern.nested; pieces: none of them half, on the fold."""
+    count = sum(sum(piece.quantity) for piece in pieces)
+    if type(times) is not int or not 1 <= times * count <= MOST_PIECES:
+        raise problem(f"times is {times!r}: give a whole number from 1, for at most {MOST_PIECES} pieces in all.")
+    if not 0 <= seconds <= LONGEST:
+        raise problem(f"seconds is {seconds!r}: give a number from 0 to {LONGEST:g}.")
+    search = _Search(pieces, cloth, times, units)
+    best: Marker | None = None
+    begin = time.monotonic()
+    for marker in search.markers(seconds):
+        if marker and (best is None or _extent(marker) < _extent(best)):
+            best = marker
+            if preview:
+                preview(marker)
+        elapsed = time.monotonic() - begin
+        if elapsed >= seconds or (progress and progress("nesting", elapsed / seconds) is False):
+            break
+    assert best is not None
+    return replace(best, warnings=tuple(search.warnings))
+
+
+def _extent(marker: Marker) -> tuple[int, float]:
+    return marker.sheets, marker.length
+
+
+class _Search:
+    def __init__(self, pieces: Sequence[PatternPiece], cloth: Cloth, times: int, units: UnitSystem) -> None:
+        """Raises FlattenError if a piece is larger than the cloth."""
+        self.warnings: list[str] = []
+        self._cloth, self._room = cloth, room_at_edges(cloth.gap, cloth.grain)
+        self._cut = {piece.number: np.concatenate([line.points for line in piece.of_role("cut")]) for piece in pieces}
+        self._sizes = tuple((piece.number, float(piece.size[0]), float(piece.size[1])) for piece in pieces)
+        self._items: list[Item] = items_of(pieces, cloth.gap, times)
+        self._width = cloth.width + 2 * self._room
+        length = math.inf if cloth.length is None else cloth.length + 2 * self._room
+        try:
+            self._packing = SlidePacking(self._items, cloth.grain, self._width, length)
+        except ValueError as error:
+            number = self._items[error.args[0]].piece
+            (piece,) = (piece for piece in pieces if piece.number == number)
+            raise problem(_too_large(piece, cloth, units)) from error
+
+    def markers(self, seconds: float) -> Iterator[Marker | None]:
+        """Without end, at first one; None where there is nothing new after a short time."""
+        trials = self._packing.trials()
+        yield self._marker(next(trials), "slides")
+        if self._cloth.length is None and seconds > 0 and is_installed():
+            try:
+                for places in searched(self._items, self._cloth.grain, self._width, seconds):
+                    yield self._marker(places, "spyrrow") if places else None
+                return
+            except SpyrrowError as error:
+                self.warnings.append(f"spyrrow failed, so pieces were packed without it: {error}.")
+        for places in trials:
+            yield self._marker(places, "slides")
+
+    def _marker(self, places: Sequence[Place], by: str) -> Marker:
+        placements, length = [], 0.0
+        sheets = 1 + max(place.sheet for place in places)
+        for place in places:
+            item, (x, y) = self._items[place.item], (place.at - self._room).tolist()
+            placements.append(Placement(item.piece, x, y, place.angle, item.mirrored, place.sheet))
+            if place.sheet == sheets - 1:
+                motion = Motion(np.array([x, y]), place.angle, item.mirrored)
+                length = max(length, float(motion.points(self._cut[item.piece])[:, 1].max()))
+        cloth = self._cloth
+        taken = length if cloth.length is None else sheets * cloth.length
+        area = sum(self._items[place.item].area for place in places)
+        efficiency = area / (cloth.width * taken)
+        return Marker(cloth.width, length, cloth.length, cloth.gap, tuple(placements), efficiency, by, self._sizes)
+
+
+def _too_large(piece: PatternPiece, cloth: Cloth, units: UnitSystem) -> str:
+    size = " x ".join(units.measured(float(side)) for side in piece.size)
+    if cloth.length is None:
+        where = f"a roll of {units.text(cloth.width)}"
+    else:
+        where = f"sheets of {units.text(cloth.width)} x {units.text(cloth.length)}"
+    turned = "however it is turned" if cloth.grain == "free" else "as its grain runs"
+    return f'"{piece.name}" is {size}: too large for {where}, {turned}.'

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A program, not a module: runs spyrrow, and prints each better solution as a line of JSON.
+
+In a process of its own, because spyrrow cannot be stopped, and because what it stumbles over ends its process.
+"""
+
+import json
+import sys
+import threading
+import time
+from typing import Any
+
+OFTEN = 0.1  # seconds between looks for better solutions
+
+
+def main() -> None:
+    task = json.load(sys.stdin)
+    sys.path.insert(0, task["library"])
+    import spyrrow
+
+    items = [
+        spyrrow.Item(str(number), [tuple(point) for point in each["outline"]], each["count"], each["angles"])
+        for number, each in enumerate(task["items"])
+    ]
+    instance = spyrrow.StripPackingInstance("", task["width"], items)
+    # One seed, for the sake of it: the time limit makes every search another one.
+    config = spyrrow.StripPackingConfig(total_computation_time=task["seconds"], seed=1)
+    reports = spyrrow.ProgressQueue()
+    failures: list[BaseException] = []
+    search = threading.Thread(target=_solve, args=(instance, config, reports, failures), daemon=True)
+    search.start()
+    best = float("inf")
+    while True:
+        is_over, better = not search.is_alive(), None
+        for kind, solution in reports.drain():
+            is_feasible = kind in (spyrrow.ReportType.ExplFeas, spyrrow.ReportType.CmprFeas, spyrrow.ReportType.Final)
+            if is_feasible and solution.width < best:
+                best, better = solution.width, solution
+        if better:
+            placed = [[int(each.id), each.rotation, *each.translation] for each in better.placed_items]
+            print(json.dumps(placed), flush=True)
+        if failures:
+            sys.exit(f"{type(failures[0]).__name__}: {failures[0]}")
+        if is_over:
+            return
+        time.sleep(OFTEN)
+
+
+def _solve(instance: Any, config: object, reports: object, failures: list[BaseException]) -> None:  # noqa: ANN401
+    try:
+        instance.solve(config, reports)
+    except BaseException as error:  # a panic of Rust is no Exception
+        failures.append(error)
+
+
+if __name__ == "__main__":
+    main()

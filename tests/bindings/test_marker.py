@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Markers: pieces lie on the cloth, apart, along the grain, as often as they are cut; shapely measures them."""
+
+import json
+import math
+import time
+from dataclasses import replace
+
+import numpy as np
+import pypdfium2
+import pytest
+import shapely
+import wirewarp
+from patterns import cut_polygon, quads, rectangle, sample
+from wirewarp.pattern import Marker, Pattern
+from wirewarp.pattern.motion import Motion
+from wirewarp.pattern.nest_items import simplified
+
+ENGINES = ["slides", "spyrrow"]
+
+
+@pytest.fixture(params=ENGINES)
+def engine(request, monkeypatch):
+    """Both find markers; the test that has it runs with each."""
+    if request.param == "spyrrow":
+        pytest.importorskip("spyrrow")
+    else:
+        monkeypatch.setattr("wirewarp.pattern.nesting.is_installed", lambda: False)
+    return request.param
+
+
+def check_lies_on_cloth(pattern: Pattern, marker: Marker) -> None:
+    cuts = [cut_polygon(piece) for piece in pattern.laid_on(marker).pieces]
+    for index, cut in enumerate(cuts):
+        assert all(cut.distance(other) > marker.gap - 1e-6 for other in cuts[:index])
+        left, low, right, high = cut.bounds
+        assert left > -0.02 and low > -0.02 and right < marker.width + 0.02
+        assert high < (marker.sheets * 1e4 if marker.sheet_length else marker.length + 1e-6)
+
+
+@pytest.mark.parametrize("grain", ["one way", "both ways", "free"])
+@pytest.mark.parametrize("name", ["Fitted top", "Jeans", "Toy"])
+def test_pieces_lie_apart_on_the_cloth_along_the_grain(name, grain, engine):
+    pattern = sample(name)
+    width = max(float(piece.size[0]) for piece in pattern.pieces)  # the widest piece fits exactly
+    marker = pattern.nested(width + (1 if grain == "free" else 0), gap=3.0, grain=grain, seconds=1)
+    check_lies_on_cloth(pattern, marker)
+    allowed = {"one way": {0}, "both ways": {0, 180}}.get(grain)
+    assert allowed is None or {round(abs(placement.angle)) % 360 for placement in marker.placements} <= allowed
+    area = sum(cut_polygon(piece).area for piece in pattern.pieces)
+    assert marker.efficiency == pytest.approx(area / (marker.width * marker.length), rel=1e-6)
+
+
+def test_squares_fill_the_cloth():
+    # 4 x 3 squares of 100 mm with 10 mm between them, and 0.4 mm for outlines with fewer points.
+    pattern = Pattern.from_result(rectangle(100, 100), allowance=0).with_quantities({1: (12, 0)})
+    marker = pattern.nested(435, gap=10.0, seconds=0)
+    assert marker.length == pytest.approx(3 * 100 + 2 * 10.4, abs=0.1)
+    assert marker.efficiency == pytest.approx(12 * 100**2 / (435 * marker.length))
+
+
+def test_every_copy_is_there_mirrored_ones_too(engine):
+    pattern = sample("Fitted top")
+    paired = pattern.cut_as_pairs(pattern.twins()).with_quantities({1: (2, 1)})
+    marker = paired.nested(1400, times=2, seconds=1)
+    counts = {(p, m): 0 for p in (1, 2, 3) for m in (False, True)}
+    for placement in marker.placements:
+        counts[placement.piece, placement.mirrored] += 1
+    assert counts == {(1, False): 4, (1, True): 2, (2, False): 2, (2, True): 0, (3, False): 2, (3, True): 2}
+    check_lies_on_cloth(paired, marker)
+    # The mirrored copy of a sleeve is the other sleeve.
+    sleeves = [sew.points for sew in pattern.pieces[3].of_role("cut")]
+    laid = next(
+        piece
+        for piece, placement in zip(paired.laid_on(marker).pieces, marker.placements, strict=True)
+        if placement.piece == 3 and placement.mirrored
+    )
+    turn = next(placement.angle for placement in marker.placements if placement.piece == 3 and placement.mirrored)
+    other = shapely.affinity.rotate(shapely.Polygon(sleeves[0]), turn)
+    own = cut_polygon(laid)
+    other = shapely.affinity.translate(other, own.centroid.x - other.centroid.x, own.centroid.y - other.centroid.y)
+    assert own.symmetric_difference(other).area < 0.01 * own.area
+
+
+def test_a_piece_on_the_fold_is_opened():
+    pattern = sample("Fitted top")
+    folded = pattern.cut_on_fold([1, 2])
+    marker = folded.nested(1400, seconds=0)
+    check_lies_on_cloth(folded, marker)
+    opened = {
+        placement.piece: piece
+        for placement, piece in zip(marker.placements, folded.laid_on(marker).pieces, strict=True)
+    }
+    for number in (1, 2):
+        whole = cut_polygon(pattern.pieces[number - 1])
+        assert cut_polygon(opened[number]).area == pytest.approx(whole.area, rel=1e-4)
+        assert not opened[number].of_role("fold") and "Cut 1" in opened[number].texts[0].lines
+    marked = Pattern.from_result(rectangle(100, 60), folds=[(0, 3)])
+    laid = marked.laid_on(marked.nested(400, seconds=0))
+    assert cut_polygon(laid.pieces[0]).area == pytest.approx((2 * 100 + 20) * (60 + 20))
+    two = Pattern.from_result(rectangle(100, 60), folds=[(0, 3), (1, 2)])
+    with pytest.raises(wirewarp.FlattenError, match="has 2 folds"):
+        two.nested(400, seconds=0)
+
+
+def test_the_grain_runs_along_the_cloth():
+    pattern = sample("Fitted top")
+    turned = [piece.placed(Motion(np.zeros(2), 30.0 * n)) for n, piece in enumerate(pattern.pieces)]
+    crooked = replace(pattern, pieces=turned)
+    laid = crooked.laid_on(crooked.nested(1400, grain="both ways", seconds=0))
+    for piece in laid.pieces:
+        (line,) = piece.of_role("grain")
+        assert abs(line.points[0, 0] - line.points[1, 0]) < 1e-6
+
+
+def test_sheets_are_filled_one_after_the_other(tmp_path):
+    pattern = Pattern.from_result(rectangle(100, 100), allowance=0).with_quantities({1: (10, 0)})
+    marker = pattern.nested(210, 210, gap=5.0, seconds=0)
+    assert [placement.sheet for placement in marker.placements] == [0] * 4 + [1] * 4 + [2] * 2
+    assert marker.efficiency == pytest.approx(10 * 100**2 / (3 * 210**2))
+    check_lies_on_cloth(pattern, marker)
+    laid = pattern.laid_on(marker)
+    assert laid.write(tmp_path / "sheets.pdf").sheets == len(laid.page_sizes()) == 3
+    assert marker.sentence(pattern.units) == "10 pieces on 3 sheets of 210 mm x 210 mm, 76 % of it used"
+
+
+def test_a_marker_is_kept_as_json_and_fits_no_other_pieces():
+    pattern = sample("Hat")
+    marker = pattern.nested(1400, seconds=0)
+    again = Marker.from_dict(json.loads(json.dumps(marker.to_dict())))
+    assert again == marker
+    with pytest.raises(wirewarp.FlattenError, match="have changed since the marker was made"):
+        sample("Hat", allowance=12.0).laid_on(again)
+    with pytest.raises(wirewarp.FlattenError, match="on a marker already"):
+        pattern.laid_on(again).laid_on(again)
+
+
+def test_better_markers_are_shown_and_a_stop_keeps_the_best(engine):
+    shown, asked = [], []
+    pattern = sample("Toy")
+
+    def progress(stage, fraction):
+        asked.append(time.monotonic())
+        return fraction < 0.02
+
+    begin = time.monotonic()
+    marker = pattern.nested(1000, seconds=100, preview=shown.append, progress=progress)
+    assert time.monotonic() - begin < 20  # of 100
+    assert marker.placements == shown[-1].placements
+    lengths = [each.length for each in shown]
+    assert lengths == sorted(lengths, reverse=True) and len(set(lengths)) == len(lengths)
+    assert len(asked) >= 4 and max(np.diff(asked)) < 1
+
+
+def test_what_spyrrow_stumbles_over_is_told_and_pieces_are_packed_all_the_same(monkeypatch):
+    pytest.importorskip("spyrrow")
+    bow_tie = [[0.0, 0.0], [50.0, 50.0], [50.0, 0.0], [0.0, 50.0]]
+    described = wirewarp.pattern.spyrrow_nesting._described
+    monkeypatch.setattr(
+        "wirewarp.pattern.spyrrow_nesting._described", lambda item, grain: described(item, grain) | {"outline": bow_tie}
+    )
+    marker = sample("Hat").nested(1400, seconds=0.5)
+    assert marker.by == "slides"
+    (warning,) = marker.warnings
+    assert warning.startswith("spyrrow failed, so pieces were packed without it: ")
+    assert sample("Hat").laid_on(marker).warnings[-1] == warning
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"width": 0}, "width is 0"),
+        ({"width": math.nan}, "width is nan"),
+        ({"width": "wide"}, "width is 'wide'"),
+        ({"width": 1e9}, "width is 1e"),
+        ({"width": 600, "length": -5}, "length is -5"),
+        ({"width": 600, "gap": -1}, "gap is -1"),
+        ({"width": 600, "gap": math.inf}, "gap is inf"),
+        ({"width": 600, "grain": "sideways"}, "grain is 'sideways'"),
+        ({"width": 600, "times": 0}, "times is 0"),
+        ({"width": 600, "times": 1.5}, "times is 1.5"),
+        ({"width": 600, "times": 10**9}, "at most 10000 pieces"),
+        ({"width": 600, "seconds": math.nan}, "seconds is nan"),
+        ({"width": 200}, '"Piece 1" is 220.0 mm x 320.0 mm: too large for a roll of 200 mm, as its grain runs'),
+        ({"width": 600, "length": 300}, "too large for sheets of 600 mm x 300 mm"),
+    ],
+)
+def test_bad_input_is_one_sentence(options, words):
+    pattern = Pattern.from_result(rectangle(300, 200))  # upright, so it is 220 mm wide
+    with pytest.raises(wirewarp.FlattenError, match=words) as raised:
+        pattern.nested(**options)
+    assert str(raised.value).count(". ") == 0
+
+
+def test_who_measures_in_inches_is_told_in_inches(tmp_path):
+    pattern = Pattern.from_result(rectangle(254, 254), allowance=0, units="imperial")
+    with pytest.raises(wirewarp.FlattenError, match=r"is 10.00 in x 10.00 in: too large for a roll of 9 in"):
+        pattern.nested(9 * 25.4)
+    with pytest.raises(wirewarp.FlattenError, match=r"is 10.00 in x 10.00 in: too large for a roll of 9 in"):
+        pattern.write(tmp_path / "x.pdf", paper=9 * 25.4)
+    marker = pattern.nested(12 * 25.4, seconds=0)
+    assert marker.sentence(pattern.units) == "1 piece on 10 in of cloth 12 in wide, 83 % of it used"
+
+
+@pytest.mark.parametrize("quantities", [{2: (1, 0)}, {1: (0, 0)}, {1: (1, -1)}, {1: (1.5, 0)}, {1: (1, 2, 3)}])
+def test_quantities_that_cannot_be_are_one_sentence(quantities):
+    with pytest.raises(wirewarp.FlattenError, match=r"There is no piece 2|The quantity of piece 1"):
+        Pattern.from_result(rectangle(100, 100)).with_quantities(quantities)
+
+
+@pytest.mark.parametrize("ending", ["svg", "pdf", "dxf", "plt"])
+def test_every_format_has_every_copy(tmp_path, ending):
+    pattern = sample("Fitted top")
+    laid = pattern.laid_on(pattern.nested(1400, times=2, seconds=0))
+    written = laid.write(tmp_path / f"marker.{ending}")
+    assert str(written) == f"8 pieces on 1 sheet, read again: {written.off:.2f} mm off"
+
+
+def test_plotters_have_x_along_the_cloth(tmp_path):
+    pattern = Pattern.from_result(rectangle(100, 100), allowance=0).with_quantities({1: (3, 0)})
+    pattern.laid_on(pattern.nested(100, gap=0, seconds=0)).write(tmp_path / "marker.plt")
+    commands = (tmp_path / "marker.plt").read_text().replace("\n", "").split(";")
+    numbers = [number for c in commands if c.startswith(("PU", "PD")) and "," in c for number in c[2:].split(",")]
+    places = np.array(numbers, dtype=float).reshape(-1, 2) / 40
+    assert places.min(axis=0) == pytest.approx([0, 0], abs=0.05)
+    assert places.max(axis=0) == pytest.approx([301, 100], abs=1)
+
+
+def test_a_long_marker_has_several_pages_that_overlap(tmp_path):
+    pattern = Pattern.from_result(rectangle(900, 900), allowance=0).with_quantities({1: (10, 0)})
+    laid = pattern.laid_on(pattern.nested(900, gap=10.0, seconds=0))
+    length = laid.marker.length
+    sizes = laid.page_sizes()
+    laid.write(tmp_path / "long.pdf")
+    pages = [page.get_size() for page in pypdfium2.PdfDocument(tmp_path / "long.pdf")]
+    assert np.array(pages) * 25.4 / 72 == pytest.approx(np.array(sizes), abs=0.01)
+    assert len(sizes) == 2 and max(size.max() for size in sizes) <= 5000
+    # Margins of 10 mm around each page, the block to measure on the first, 10 mm of overlap.
+    assert sum(size[1] for size in sizes) == pytest.approx(length + 2 * 20 + 158 + 10)
+    with pytest.raises(wirewarp.FlattenError, match=r"needs a roll of 920 mm, not 910 mm"):
+        laid.page_sizes(910.0)
+    assert len(laid.page_sizes(950.0)) == 2 and laid.page_sizes(950.0)[0][0] == 950
+
+
+def test_a_marker_on_sheets_of_paper_stays_as_it_is(tmp_path):
+    pattern = sample("Hat")
+    laid = pattern.laid_on(pattern.nested(1000, seconds=0))
+    written = laid.write(tmp_path / "marker.pdf", paper="a3")
+    assert written.sheets == len(laid.page_sizes("a3")) > 3
+
+
+def test_simplified_outlines_are_as_near_as_asked():
+    turn = np.linspace(0, 2 * math.pi, 400, endpoint=False)
+    circle = 100 * np.column_stack([np.cos(turn), np.sin(turn)])
+    found = simplified(circle, 0.2, [0, 100, 200, 300])
+    assert len(found) < 70
+    assert shapely.Polygon(found).exterior.hausdorff_distance(shapely.LinearRing(circle)) <= 0.2
+
+
+def test_500_pieces():
+    side, count = 30.0, 500
+    points = [(x + 40 * n, y) for n in range(count) for x, y in ((0, 0), (side, 0), (side, side), (0, side))]
+    pattern = Pattern.from_result(quads(points, np.arange(4 * count).reshape(-1, 4).tolist()), allowance=0)
+    marker = pattern.nested(870, gap=5.0, seconds=0)
+    assert len(marker.placements) == count
+    # Each takes 35.4 mm, and with the rows that the cloth is divided into 37.2 mm: 23 side by side.
+    assert marker.length == pytest.approx(22 * 30 + 21 * 5.4, abs=0.1)
