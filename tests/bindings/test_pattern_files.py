@@ -298,7 +298,7 @@ def test_a_failure_leaves_the_old_file_as_it_was(tmp_path, monkeypatch):
     pattern = sample("Hat")
     with pytest.raises(wirewarp.FlattenError, match="no option 'paper'"):
         pattern.write(path, paper="a4")
-    monkeypatch.setattr("wirewarp.pattern.svg._document", lambda pattern, preset: 1 / 0)
+    monkeypatch.setattr("wirewarp.pattern.svg._document", lambda pattern, watch, preset: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         pattern.write(path)
     assert path.read_text() == "old" and list(tmp_path.iterdir()) == [path]
@@ -321,6 +321,32 @@ def test_a_file_that_came_out_wrong_takes_no_place(tmp_path, monkeypatch, ending
     with pytest.raises(RuntimeError, match="mm off"):
         pattern.write(tmp_path / f"hat.{ending}", **({"dialect": "plain"} if ending == "dxf" else {}))
     assert (tmp_path / f"hat.{ending}").read_bytes() == old and len(list(tmp_path.iterdir())) == 1
+
+
+@pytest.mark.parametrize("ending", ["svg", "pdf", "dxf", "plt"])
+def test_a_stop_at_any_moment_leaves_the_old_file(tmp_path, monkeypatch, ending):
+    monkeypatch.setattr("wirewarp.pattern.progress.OFTEN", 0.0)
+    path, pattern = tmp_path / f"hat.{ending}", sample("Hat")
+    asked: list[tuple[str, float]] = []
+    pattern.write(path, progress=lambda *told: asked.append(told))
+    assert asked[-1][0] == "reading again" and all(0 <= fraction < 1 for _, fraction in asked)
+    old = path.read_bytes()
+    for count in range(len(asked)):
+        left = iter([True] * count + [False])
+        with pytest.raises(wirewarp.FlattenError, match="Stopped") as stopped:
+            pattern.write(path, progress=lambda *_, left=left: next(left))
+        assert stopped.value.code == "cancelled"
+        assert path.read_bytes() == old and list(tmp_path.iterdir()) == [path]
+
+
+def test_a_pattern_can_be_stopped_while_it_is_made(monkeypatch):
+    monkeypatch.setattr("wirewarp.pattern.progress.OFTEN", 0.0)
+    asked: list[str] = []
+    Pattern.from_result(flattened("Hat"), progress=lambda stage, _: asked.append(stage))
+    assert list(dict.fromkeys(asked)) == ["allowance", "marks and lines", "texts"]
+    for stage in dict.fromkeys(asked):
+        with pytest.raises(wirewarp.FlattenError, match="Stopped"):
+            Pattern.from_result(flattened("Hat"), progress=lambda now, _, stage=stage: now != stage)
 
 
 def test_paths_that_cannot_be_written(tmp_path):

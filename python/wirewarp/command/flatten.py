@@ -116,7 +116,7 @@ def _flattened(request: Request, model: Model, made_of: str) -> Line:
             units="imperial" if request.imperial else "metric",
         )
         for kind in request.formats:
-            options = {"paper": request.page} if kind == "pdf" else {}
+            options: dict[str, Any] = {"paper": request.page} if kind == "pdf" else {}
             _note(pattern.write(request.pattern_path(kind), **options), line)
         for kind in request.formats:
             request.marker_path(kind).unlink(missing_ok=True)  # of an earlier run: it may be of other pieces

@@ -14,6 +14,7 @@ from .dxf_tags import Tags, section
 from .interior import LINE
 from .model import PatternPiece
 from .plain_names import block_names, plain_text
+from .progress import Watch
 from .roles import LOOKS, WIRES
 from .units import INCH
 
@@ -28,11 +29,14 @@ TEXT_HEIGHT = 5.0
 CONTROL = 100.0  # millimeters: side of the square that tells what the unit is
 
 
-def apparel_dxf(pattern: "Pattern", dialect: Literal["astm", "aama"], control_square: bool) -> tuple[str, list[str]]:
+def apparel_dxf(
+    pattern: "Pattern", watch: Watch, dialect: Literal["astm", "aama"], control_square: bool
+) -> tuple[str, list[str]]:
     """The file, and sentences on names that could not be kept."""
     writer = _Writer(pattern, dialect)
     names = block_names([piece.name for piece in pattern.pieces], LONGEST_NAME)
-    blocks = [writer.block(name, piece) for name, piece in zip(names, pattern.pieces, strict=True)]
+    pieces = watch.each(list(zip(names, pattern.pieces, strict=True)), "writing")
+    blocks = [writer.block(name, piece) for name, piece in pieces]
     entities = [writer.style()]
     if control_square:
         names, blocks = [*names, "CONTROL_100MM"], [*blocks, writer.control()]

@@ -7,13 +7,18 @@ from typing import TYPE_CHECKING, Literal
 from .apparel_dxf import apparel_dxf
 from .checks import problem
 from .plain_dxf import plain_dxf
+from .progress import Watch
 
 if TYPE_CHECKING:
     from .pattern import Pattern
 
 
 def write_dxf(
-    path: Path, pattern: "Pattern", dialect: Literal["astm", "aama", "plain"] = "astm", control_square: bool = False
+    path: Path,
+    pattern: "Pattern",
+    watch: Watch,
+    dialect: Literal["astm", "aama", "plain"] = "astm",
+    control_square: bool = False,
 ) -> tuple[int, list[str]]:
     """Writes the file; returns 1, and sentences on what could not be kept.
 
@@ -22,9 +27,9 @@ def write_dxf(
     """
     changed: list[str] = []
     if dialect == "plain":
-        text = plain_dxf(pattern)
+        text = plain_dxf(pattern, watch)
     elif dialect in ("astm", "aama"):
-        text, changed = apparel_dxf(pattern, dialect, control_square)
+        text, changed = apparel_dxf(pattern, watch, dialect, control_square)
     else:
         raise problem(f"dialect is {dialect!r}: give 'astm', 'aama' or 'plain'.")
     path.write_text(text, encoding="ascii", newline="\r\n")

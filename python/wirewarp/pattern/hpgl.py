@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .drawing import strokes_of
+from .progress import Watch
 
 if TYPE_CHECKING:
     from .pattern import Pattern
@@ -16,9 +17,9 @@ AT_ONCE = 100  # points in one command: plotters hold short lines only
 CUT_PEN = 1
 
 
-def write_plt(path: Path, pattern: "Pattern") -> tuple[int, list[str]]:
+def write_plt(path: Path, pattern: "Pattern", watch: Watch) -> tuple[int, list[str]]:
     """Strokes by pen, cut lines last; texts are left out, for HPGL's letters are the plotter's own."""
-    strokes = [stroke for piece in pattern.pieces for stroke in strokes_of(piece)]
+    strokes = [stroke for piece in watch.each(pattern.pieces, "writing") for stroke in strokes_of(piece)]
     pens = sorted({stroke.look.pen for stroke in strokes}, key=lambda pen: (pen == CUT_PEN, pen))
     commands = ["IN", "PA"]
     for pen in pens:

@@ -9,12 +9,14 @@ from typing import get_args
 
 import numpy as np
 
+from .._errors import FlattenError
 from .checks import checked_length, problem
 from .marker import Marker, Placement
 from .model import PatternPiece
 from .motion import Motion
 from .nest_items import Grain, Item, items_of, room_at_edges
-from .slide_packing import Place, SlidePacking
+from .progress import Progress, Watch
+from .slide_packing import STAGE, Place, SlidePacking
 from .spyrrow_nesting import SpyrrowError, is_installed, searched
 from .units import UnitSystem
 
@@ -24,7 +26,6 @@ MOST_PIECES = 10_000  # to be cut in all
 LONGEST = 3600.0  # seconds
 
 Preview = Callable[[Marker], object]
-Progress = Callable[[str, float], bool | None]
 
 
 @dataclass(frozen=True)
@@ -61,17 +62,26 @@ def nested(
         raise problem(f"times is {times!r}: give a whole number from 1, for at most {MOST_PIECES} pieces in all.")
     if not 0 <= seconds <= LONGEST:
         raise problem(f"seconds is {seconds!r}: give a number from 0 to {LONGEST:g}.")
-    search = _Search(pieces, cloth, times, units)
-    best: Marker | None = None
     begin = time.monotonic()
-    for marker in search.markers(seconds):
-        if marker and (best is None or _extent(marker) < _extent(best)):
-            best = marker
-            if preview:
-                preview(marker)
-        elapsed = time.monotonic() - begin
-        if elapsed >= seconds or (progress and progress("nesting", elapsed / seconds) is False):
-            break
+
+    def share() -> float:
+        return min((time.monotonic() - begin) / seconds, 1.0) if seconds else 1.0
+
+    watch = Watch(progress and (lambda stage, _: progress(stage, share())))
+    search = _Search(pieces, cloth, times, units, watch)
+    best: Marker | None = None
+    try:
+        for marker in search.markers(seconds):
+            if marker and (best is None or _extent(marker) < _extent(best)):
+                best = marker
+                if preview:
+                    preview(marker)
+            if share() == 1.0:
+                break
+            watch.ask(STAGE, share())
+    except FlattenError as error:
+        if error.code != "cancelled" or best is None:
+            raise
     assert best is not None
     return replace(best, warnings=tuple(search.warnings))
 
@@ -81,7 +91,9 @@ def _extent(marker: Marker) -> tuple[int, float]:
 
 
 class _Search:
-    def __init__(self, pieces: Sequence[PatternPiece], cloth: Cloth, times: int, units: UnitSystem) -> None:
+    def __init__(
+        self, pieces: Sequence[PatternPiece], cloth: Cloth, times: int, units: UnitSystem, watch: Watch
+    ) -> None:
         """Raises FlattenError if a piece is larger than the cloth."""
         self.warnings: list[str] = []
         self._cloth, self._room = cloth, room_at_edges(cloth.gap, cloth.grain)
@@ -91,7 +103,7 @@ class _Search:
         self._width = cloth.width + 2 * self._room
         length = math.inf if cloth.length is None else cloth.length + 2 * self._room
         try:
-            self._packing = SlidePacking(self._items, cloth.grain, self._width, length)
+            self._packing = SlidePacking(self._items, cloth.grain, self._width, length, watch)
         except ValueError as error:
             number = self._items[error.args[0]].piece
             (piece,) = (piece for piece in pieces if piece.number == number)

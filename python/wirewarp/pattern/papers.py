@@ -135,6 +135,7 @@ def _taped(pattern: "Pattern", paper: str) -> Tiles:
                 break
     assert best is not None
     count, width, sheet = best
+    _check_count(count, pattern)
     return _with_tiles(pattern.arranged(width), sheet)
 
 
@@ -144,13 +145,18 @@ def _counts(size: np.ndarray, step: np.ndarray) -> np.ndarray:
     return counts
 
 
+def _check_count(count: int, pattern: "Pattern") -> None:
+    """Raises FlattenError if these are too many sheets."""
+    if count > MOST_SHEETS:
+        size = " x ".join(pattern.units.text(float(side)) for side in pattern.size)
+        raise problem(f"The pattern is {size}: more than {MOST_SHEETS} sheets; see millimeters_per_unit.")
+
+
 def _with_tiles(pattern: "Pattern", sheet: np.ndarray) -> Tiles:
     shown = sheet - 2 * MARGIN
     step, top = shown - OVERLAP, pattern.size[1] + INSET
     columns, rows = _counts(pattern.size, step).tolist()
-    if columns * rows > MOST_SHEETS:
-        size = " x ".join(pattern.units.text(float(side)) for side in pattern.size)
-        raise problem(f"The pattern is {size}: more than {MOST_SHEETS} sheets of paper; see millimeters_per_unit.")
+    _check_count(columns * rows, pattern)
     shapes = [([line.points for line in piece.of_role("cut")], piece.bounds) for piece in pattern.pieces]
     tiles = []
     for row in range(rows):

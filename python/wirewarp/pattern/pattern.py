@@ -21,9 +21,10 @@ from .marks import marks
 from .mirror import fold_of, mirror_between
 from .model import PatternPiece
 from .nest_items import Grain
-from .nesting import Cloth, Preview, Progress, nested
+from .nesting import Cloth, Preview, nested
 from .notches import check_spacing
 from .pieces import finished, joined_by, lay_all, warnings_of
+from .progress import Progress, Watch
 from .roles import KINDS
 from .seams import sewn_sides
 from .units import Units, UnitSystem, counted
@@ -77,6 +78,7 @@ class Pattern:
         material: str = "",
         date: str = "",
         units: Units = "metric",
+        progress: Progress | None = None,
     ) -> "Pattern":
         """The pattern of a flattening whose pieces all keep their promises.
 
@@ -93,8 +95,9 @@ class Pattern:
         the legs.
         material, date: as they stand on the pieces.
         units: "metric" or "imperial", of texts and of the square to measure.
+        progress: called as progress(stage, fraction) about ten times a second; False stops.
 
-        Raises FlattenError for bad input, and for a piece with an error.
+        Raises FlattenError for bad input, for a piece with an error, and ("cancelled") where it is stopped.
         """
         scale = checked_length("millimeters_per_unit", millimeters_per_unit, 1e-9, 1e9)
         names = _names(piece_names, len(result.pieces))
@@ -117,6 +120,7 @@ class Pattern:
             material=material,
             date=date,
             units=units,
+            progress=progress,
         ).arranged()
 
     @classmethod
@@ -137,6 +141,7 @@ class Pattern:
         material: str = "",
         date: str = "",
         units: Units = "metric",
+        progress: Progress | None = None,
     ) -> "Pattern":
         """As from_result, of flat pieces from elsewhere, which stay as they lie; seam_names by index of the seam.
 
@@ -146,14 +151,18 @@ class Pattern:
             raise problem(f"units is {units!r}: give 'metric' or 'imperial'.")
         if not all(isinstance(text, str) for text in (title, material, date)):
             raise problem("title, material and date must be texts.")
-        laid = lay_all(pieces, Widths(allowance, hem, allowances, side_allowances, folds), corner, darts)
+        watch = Watch(progress)
+        laid = lay_all(pieces, Widths(allowance, hem, allowances, side_allowances, folds), corner, darts, watch)
         seams = sewn_sides([loop for piece in laid for loop in piece.loops], len(seam_names))
         check_spacing(checked_length("notch_spacing", notch_spacing, 0, math.inf), seam_names, seams)
         system = UnitSystem(units)
         text = system.range_of([run.width for piece in laid for own in piece.outlines for run in own.runs if run.width])
         points = marks(laid, seams, notch_spacing)
         joined = joined_by(laid)
-        done = [finished(own, points[own.index], seam_names, joined, material) for own in laid]
+        done = [
+            finished(own, points[own.index], seam_names, joined, material)
+            for own in watch.each(laid, "marks and lines")
+        ]
         warnings = [warning for own in laid for warning in warnings_of(own)]
         walks = [
             SeamWalk(
@@ -165,14 +174,15 @@ class Pattern:
             for name, sides in zip(seam_names, seams, strict=True)
         ]
         low = np.min([piece.bounds[0] for piece in done], axis=0)
-        return cls(title, [piece.moved(-low) for piece in done], text, system, warnings, date, walks)._with_cards()
+        moved = [piece.moved(-low) for piece in done]
+        return cls(title, moved, text, system, warnings, date, walks)._with_cards(watch)
 
-    def _with_cards(self) -> "Pattern":
+    def _with_cards(self, watch: Watch | None = None) -> "Pattern":
         """The pieces numbered anew, with texts."""
         count = len(self.pieces)
         pieces = [
             with_card(piece, number, count, self.heading, self.allowance_text, self.units)
-            for number, piece in enumerate(self.pieces, start=1)
+            for number, piece in (watch or Watch()).each(list(enumerate(self.pieces, start=1)), "texts")
         ]
         return replace(self, pieces=pieces)
 
@@ -262,11 +272,12 @@ class Pattern:
         times: how often the whole pattern is cut.
         seconds: how long is sought; 0 takes the first marker that is found.
         preview: called with each marker that is better than the one before.
-        progress: called as progress("nesting", fraction), at least five times a second; False ends the search, and the
-        best marker so far is returned.
+        progress: called as progress("nesting", fraction) about ten times a second; False ends the search, and the best
+        marker so far is returned.
 
         Both are called in the calling thread. What is returned depends on how far the search came: keep it. Raises
-        FlattenError for bad input, and for a piece that is too large for the cloth.
+        FlattenError for bad input, for a piece that is too large for the cloth, and ("cancelled") where it is stopped
+        before there is a marker.
         """
         whole = [unfolded(piece) if piece.on_fold else piece for piece in self.pieces]
         return nested(whole, Cloth(width, length, gap, grain), times, seconds, self.units, preview, progress)
@@ -350,17 +361,25 @@ class Pattern:
         boxes = np.array([piece.bounds for piece in self.pieces])
         return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
 
-    def write(self, path: str | Path, **options: Any) -> "Written":  # noqa: ANN401
+    def write(
+        self,
+        path: str | Path,
+        *,
+        progress: Progress | None = None,
+        **options: Any,  # noqa: ANN401
+    ) -> "Written":
         """Writes the file whose kind the suffix of the path says, and reads it again before it takes its place.
 
         Options: of .pdf `paper` and `proof`, of .svg `preset`, of .dxf `dialect` and `control_square`; docs/pattern.md
         tells of them.
-        A failure leaves a file that was there before as it was. Raises FlattenError for options and for what does not
-        fit on the paper, OSError for paths, RuntimeError if what was read again is not the pattern.
+        progress: called as progress(stage, fraction) about ten times a second; False stops.
+        A failure or a stop leaves a file that was there before as it was. Raises FlattenError for options, for what
+        does not fit on the paper, and ("cancelled") where it is stopped; OSError for paths; RuntimeError if what was
+        read again is not the pattern.
         """
         from .write import write
 
-        return write(self, Path(path), options)
+        return write(self, Path(path), Watch(progress), options)
 
 
 def cut_lines(
@@ -370,9 +389,11 @@ def cut_lines(
     allowances: npt.ArrayLike | None = None,
     side_allowances: npt.ArrayLike | None = None,
     folds: npt.ArrayLike | None = None,
+    progress: Progress | None = None,
 ) -> list[np.ndarray]:
     """(k,2) each: the closed lines along which pieces are cut where they lie, as of Pattern.from_pieces but quicker."""
-    laid = lay_all(pieces, Widths(allowance, None, allowances, side_allowances, folds), "auto", "close")
+    widths = Widths(allowance, None, allowances, side_allowances, folds)
+    laid = lay_all(pieces, widths, "auto", "close", Watch(progress))
     return [line for piece in laid for line in (*piece.cut.outer, *piece.cut.holes)]
 
 

@@ -14,6 +14,7 @@ from .marker_pages import Part, page_width, parts_of
 from .model import PatternPiece, Text
 from .papers import LONGEST, MARGIN, OVERLAP, PROJECTOR, SHEETS, Tiles, divided, roll_width, tile_name
 from .pdf_document import Content, Document
+from .progress import Watch
 from .proof import proof_pages
 from .roles import LAYERS, LOOKS
 from .scale_block import SIZE, UNIT, scale_block
@@ -30,7 +31,7 @@ Numbered = tuple[int, PatternPiece]  # with its index in the pattern
 
 
 def write_pdf(
-    path: Path, pattern: "Pattern", paper: str | float | None = None, proof: bool = False
+    path: Path, pattern: "Pattern", watch: Watch, paper: str | float | None = None, proof: bool = False
 ) -> tuple[int, list[str]]:
     """Writes the file; returns the number of pages, and sentences on what could not be drawn.
 
@@ -41,11 +42,13 @@ def write_pdf(
     paper = _paper(pattern, paper)
     width = roll_width(paper)
     if width is not None:
-        document, left_out = _marker(pattern, pattern.marker, width) if pattern.marker else _roll(pattern, width)
+        document, left_out = (
+            _marker(pattern, watch, pattern.marker, width) if pattern.marker else _roll(pattern, watch, width)
+        )
     elif paper == PROJECTOR:
-        document, left_out = _one_page(pattern)
+        document, left_out = _one_page(pattern, watch)
     else:
-        document, left_out = _tiles(pattern, str(paper))
+        document, left_out = _tiles(pattern, watch, str(paper))
     for content in proof_pages(pattern, _proof_size(paper)) if proof else []:
         document.add_page(_proof_size(paper), content)
         left_out += content.left_out
@@ -90,10 +93,10 @@ def _document(pattern: "Pattern", *layers: str, hidden: tuple[str, ...] = ()) ->
     return Document(pattern.title or "Pattern", [*LAYERS, *layers], hidden)
 
 
-def _add_forms(document: Document, pattern: "Pattern", thinnest: float = 0.0) -> list[str]:
+def _add_forms(document: Document, pattern: "Pattern", watch: Watch, thinnest: float = 0.0) -> list[str]:
     """One form per piece; returns the texts that could not be drawn."""
     left_out = []
-    for index, piece in enumerate(pattern.pieces):
+    for index, piece in watch.each(list(enumerate(pattern.pieces)), "writing"):
         content = _drawn(piece, thinnest)
         low, high = piece.bounds
         document.add_form(_form(index), content, low - BORDER, high + BORDER)
@@ -114,11 +117,11 @@ def _drawn(piece: PatternPiece, thinnest: float) -> Content:
     return content
 
 
-def _one_page(pattern: "Pattern") -> tuple[Document, list[str]]:
+def _one_page(pattern: "Pattern", watch: Watch) -> tuple[Document, list[str]]:
     """All on one page as large as it takes, with a grid that is hidden at first."""
     size, low = _page_size(pattern), pattern.bounds[0]
     document = _document(pattern, GRID_LAYER, hidden=(GRID_LAYER,))
-    left_out = _add_forms(document, pattern, PROJECTED)
+    left_out = _add_forms(document, pattern, watch, PROJECTED)
     content = Content()
     content.in_layer(GRID_LAYER, _grid(size, GRID_STEP[pattern.units.name]))
     _add_scale(content, pattern, np.array([MARGIN, MARGIN]))
@@ -146,12 +149,12 @@ def _grid(size: np.ndarray, step: float) -> Iterator[Stroke]:
         yield Stroke("scale", np.array([[0.0, y], [size[0], y]]))
 
 
-def _roll(pattern: "Pattern", width: float) -> tuple[Document, list[str]]:
+def _roll(pattern: "Pattern", watch: Watch, width: float) -> tuple[Document, list[str]]:
     """Pages as wide as the roll."""
     arranged = _on_roll(pattern, width)
     pages = _roll_pages(arranged, width)
     document = _document(pattern)
-    left_out = _add_forms(document, arranged)
+    left_out = _add_forms(document, arranged, watch)
     for number, (pieces, size) in enumerate(pages):
         low = min(piece.bounds[0][1] for _, piece in pieces)
         content = Content()
@@ -164,11 +167,11 @@ def _roll(pattern: "Pattern", width: float) -> tuple[Document, list[str]]:
     return document, left_out
 
 
-def _marker(pattern: "Pattern", marker: Marker, width: float) -> tuple[Document, list[str]]:
+def _marker(pattern: "Pattern", watch: Watch, marker: Marker, width: float) -> tuple[Document, list[str]]:
     """The cloth with its edges, on pages as wide as the roll of paper."""
     page_width(marker, width, pattern.units)
     document = _document(pattern, SHEET_LAYER)
-    left_out = _add_forms(document, pattern)
+    left_out = _add_forms(document, pattern, watch)
     boxes = [piece.bounds for piece in pattern.pieces]
     parts = parts_of(marker)
     for number, part in enumerate(parts):
@@ -248,16 +251,16 @@ def _add_scale(content: Content, pattern: "Pattern", corner: np.ndarray) -> None
     content.in_layer("Scale", strokes, [*texts, Text((included,), corner + (62.0, 116.0), 4.0)])
 
 
-def _tiles(pattern: "Pattern", paper: str) -> tuple[Document, list[str]]:
+def _tiles(pattern: "Pattern", watch: Watch, paper: str) -> tuple[Document, list[str]]:
     """A first page with a map and what is to be measured, then the sheets."""
     plan = divided(pattern, paper)
     document = _document(pattern, SHEET_LAYER)
-    left_out = _add_forms(document, plan.pattern)
+    left_out = _add_forms(document, plan.pattern, watch)
     cover = _map_page(plan, np.array(SHEETS[paper]))
     document.add_page(np.array(SHEETS[paper]), cover)
     margin = np.array([MARGIN, MARGIN])
     boxes = [piece.bounds for piece in plan.pattern.pieces]
-    for tile in plan.tiles:
+    for tile in watch.each(plan.tiles, "sheets"):
         content = Content()
         content.clip(margin, margin + plan.shown)
         for index, (low, high) in enumerate(boxes):

@@ -7,6 +7,7 @@ import numpy as np
 
 from .drawing import Stroke, strokes_of
 from .dxf_tags import Tags, section
+from .progress import Watch
 from .roles import LOOKS
 
 if TYPE_CHECKING:
@@ -15,11 +16,11 @@ if TYPE_CHECKING:
 DECIMALS = 4
 
 
-def plain_dxf(pattern: "Pattern") -> str:
+def plain_dxf(pattern: "Pattern", watch: Watch) -> str:
     entities = Tags(DECIMALS)
     side, _ = pattern.units.square
     square = side * np.array([[0, 0], [1, 0], [1, 1], [0, 1]]) - (side + 10, 0)
-    strokes = [stroke for piece in pattern.pieces for stroke in strokes_of(piece)]
+    strokes = [stroke for piece in watch.each(pattern.pieces, "writing") for stroke in strokes_of(piece)]
     for stroke in [Stroke("scale", square, True), *strokes]:
         layer = stroke.look.layer.upper()
         if len(stroke.points) == 2 and stroke.look.layer != LOOKS["cut"].layer:

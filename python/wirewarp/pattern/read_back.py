@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reads the outlines to cut back from a file, as a plotter's program would, and compares them with the pattern.
 
-Nothing here is shared with what writes the files.
+Nothing of what writes the files is shared here.
 """
 
 import math
@@ -13,19 +13,21 @@ from pathlib import Path
 
 import numpy as np
 
+from .progress import Watch
+
 INCH = 25.4
 NUMBER = r"-?[\d.]+"
 WORST = 0.02  # millimeters: half a unit of HPGL is 0.0125 each way, all others are finer
 
 
-def check(path: Path, kind: str, outlines: Sequence[np.ndarray]) -> float:
+def check(path: Path, kind: str, outlines: Sequence[np.ndarray], watch: Watch) -> float:
     """How far, in millimeters, the worst point in the file lies from the outlines (k,2); kind: as ".svg".
 
     Where outlines lie on the sheet is not compared. Raises RuntimeError if the file has others, or lies farther off.
     """
     waiting = [_normalized(outline) for outline in outlines]
     worst, count = 0.0, 0
-    for found in map(_normalized, READERS[kind](path)):
+    for found in watch.each([_normalized(found) for found in READERS[kind](path)], "reading again"):
         off, place = _nearest(found, waiting)
         if off > WORST:
             raise RuntimeError(f"The file was read again, and an outline is {off:.3f} mm off.")

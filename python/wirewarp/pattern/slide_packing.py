@@ -12,8 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from .nest_items import Grain, Item, angles
+from .progress import Watch
 
 ROWS = 400  # of a cloth of 1.5 m each is 4 mm wide
+STAGE = "nesting"
 FREE_STEP = 30.0  # degrees between the turns that are tried where all are allowed
 
 
@@ -42,9 +44,9 @@ class _Profile:
 
 
 class SlidePacking:
-    def __init__(self, items: Sequence[Item], grain: Grain, width: float, length: float) -> None:
+    def __init__(self, items: Sequence[Item], grain: Grain, width: float, length: float, watch: Watch) -> None:
         """length: of a sheet; infinite of a roll. Raises ValueError with the item's index if one does not fit."""
-        self._items, self._length = items, length
+        self._items, self._length, self._watch = items, length, watch
         self._row = width / ROWS
         self._profiles = []
         for index, item in enumerate(items):
@@ -74,7 +76,7 @@ class SlidePacking:
         """With the number of sheets and the length that is used of the last one."""
         fronts: list[np.ndarray] = []
         places = []
-        for index in order:
+        for index in self._watch.each(order, STAGE):
             sheet, found = -1, None
             while found is None:
                 sheet += 1

@@ -16,6 +16,7 @@ from .marker import Marker
 from .motion import Motion
 from .pattern import Written
 from .pdf import write_pdf
+from .progress import Watch
 from .read_back import check
 from .replace_file import replaced_file
 from .svg import write_svg
@@ -32,22 +33,22 @@ WRITERS: dict[str, Callable[..., tuple[int, list[str]]]] = {
 }
 
 
-def write(pattern: "Pattern", path: Path, options: Mapping[str, Any]) -> Written:
+def write(pattern: "Pattern", path: Path, watch: Watch, options: Mapping[str, Any]) -> Written:
     kind = path.suffix.lower()
     writer = WRITERS.get(kind)
     if writer is None:
         known = ", ".join(WRITERS)
         raise problem(f'"{path.name}" ends in none of {known}: no other kind of file can be written.')
-    known_options = list(signature(writer).parameters)[2:]
+    known_options = list(signature(writer).parameters)[3:]
     for name in options:
         if name not in known_options:
             has = " and ".join(known_options) or "none"
             raise problem(f"{path.suffix} files have no option {name!r}; they have {has}.")
     drawn = _along_the_roll(pattern, pattern.marker) if kind == ".plt" and pattern.marker else pattern
     with replaced_file(path) as unfinished:
-        sheets, warnings = writer(unfinished, drawn, **options)
+        sheets, warnings = writer(unfinished, drawn, watch, **options)
         outlines = [line.points for piece in drawn.pieces for line in piece.of_role("cut", "inner_cut")]
-        off = check(unfinished, kind, outlines)
+        off = check(unfinished, kind, outlines, watch)
     return Written(path, sheets, len(pattern.pieces), off, [*pattern.warnings, *warnings])
 
 
