@@ -12,8 +12,10 @@ import pyclipper
 from .allowance import GRID, signed_area
 from .model import PatternPiece
 from .motion import Motion
+from .progress import Watch
 
 Grain = Literal["one way", "both ways", "free"]
+STAGE = "nesting"
 NEAR = 0.2  # millimeters: outlines are simplified by so much, outwards, for searches are quicker with fewer points
 ROUND = 0.01  # millimeters: by which an arc of straight lines is off
 
@@ -50,9 +52,9 @@ def room_at_edges(gap: float, grain: Grain) -> float:
     return room(gap) - (NEAR if grain == "free" else 0.0)
 
 
-def items_of(pieces: Sequence[PatternPiece], gap: float, times: int) -> list[Item]:
+def items_of(pieces: Sequence[PatternPiece], gap: float, times: int, watch: Watch) -> list[Item]:
     found = []
-    for piece in pieces:
+    for piece in watch.each(pieces, STAGE):
         upright = _upright(piece)
         outline = _outline(piece, gap, upright)
         area = sum(abs(signed_area(line.points)) for line in piece.of_role("cut"))

@@ -14,9 +14,9 @@ from .checks import checked_length, problem
 from .marker import Marker, Placement
 from .model import PatternPiece
 from .motion import Motion
-from .nest_items import Grain, Item, items_of, room_at_edges
+from .nest_items import STAGE, Grain, Item, items_of, room_at_edges
 from .progress import Progress, Watch
-from .slide_packing import STAGE, Place, SlidePacking
+from .slide_packing import Place, SlidePacking
 from .spyrrow_nesting import SpyrrowError, is_installed, searched
 from .units import UnitSystem
 
@@ -99,7 +99,7 @@ class _Search:
         self._cloth, self._room = cloth, room_at_edges(cloth.gap, cloth.grain)
         self._cut = {piece.number: np.concatenate([line.points for line in piece.of_role("cut")]) for piece in pieces}
         self._sizes = tuple((piece.number, float(piece.size[0]), float(piece.size[1])) for piece in pieces)
-        self._items: list[Item] = items_of(pieces, cloth.gap, times)
+        self._items: list[Item] = items_of(pieces, cloth.gap, times, watch)
         self._width = cloth.width + 2 * self._room
         length = math.inf if cloth.length is None else cloth.length + 2 * self._room
         try:

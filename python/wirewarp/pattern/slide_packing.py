@@ -11,11 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .nest_items import Grain, Item, angles
+from .nest_items import STAGE, Grain, Item, angles
 from .progress import Watch
 
 ROWS = 400  # of a cloth of 1.5 m each is 4 mm wide
-STAGE = "nesting"
 FREE_STEP = 30.0  # degrees between the turns that are tried where all are allowed
 
 
@@ -49,7 +48,7 @@ class SlidePacking:
         self._items, self._length, self._watch = items, length, watch
         self._row = width / ROWS
         self._profiles = []
-        for index, item in enumerate(items):
+        for index, item in watch.each(list(enumerate(items)), STAGE):
             turned = (_profile(item, angle, self._row) for angle in angles(item, grain, FREE_STEP))
             fitting = [each for each in turned if len(each.low) <= ROWS and each.height <= length + 1e-9]
             if not fitting:
