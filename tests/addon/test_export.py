@@ -82,12 +82,13 @@ def test_pieces_lie_in_rows_or_as_in_blender(source, tmp_path):
 
 def told(addon, **settings):
     """What the dialog says beforehand with these settings, all others as they are at first."""
-    module, properties = addon.operators.export, bpy.ops.object.wirewarp_export.get_rna_type().properties
+    module, properties = addon.operators, bpy.ops.object.wirewarp_export.get_rna_type().properties
     defaults = {each.identifier: each.default for each in properties if hasattr(each, "default")}
-    defaults["drawn"] = module.ALL_DRAWN
-    bases = vars(module.PatternExport) | vars(module.OBJECT_OT_wirewarp_export)
+    defaults["drawn"] = module.export.ALL_DRAWN
+    bases = vars(module.export_steps.PatternExport) | vars(module.export.OBJECT_OT_wirewarp_export)
     dialog = type("Dialog", (), {**bases, **defaults, **settings})
-    return [sentence for sentence, _ in dialog()._sentences(bpy.context)]
+    parts = addon.flat.pattern.read_pattern(bpy.context.scene, bpy.context.active_object)
+    return [sentence for sentence, _ in dialog().beforehand(parts)]
 
 
 def test_sheets_and_sizes_are_told_before_anything_is_written(source, tmp_path, addon):

@@ -85,7 +85,7 @@ def test_flat_pieces_that_are_edited_in_another_scene(source, addon):
     with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
         addon.run.targets.check_target(source, writes_model=True)
     with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
-        addon.flat.pattern.read_pattern(bpy.context.scene, source, 0.0, False)
+        addon.flat.pattern.read_pattern(bpy.context.scene, source)
 
 
 def test_no_file_of_ours_takes_the_place_of_a_blender_file(source, tmp_path):

@@ -30,7 +30,7 @@ def test_a_thread_gives_what_the_solver_gives_and_tells_how_far_it_is(addon):
 
         return solver(addon, models)(report)
 
-    thread = addon.run.models.SolveThread(solve)
+    thread = addon.run.thread.WorkThread(solve)
     outcomes = thread.result()
     assert thread.is_done()
     assert [outcome.report["object"] for outcome in outcomes] == ["First", "Second"]
@@ -50,16 +50,16 @@ def test_a_cancelled_thread_has_no_result(addon):
         goes_on.wait()
         return solver(addon, models)(progress)
 
-    thread = addon.run.models.SolveThread(solve)
+    thread = addon.run.thread.WorkThread(solve)
     begun.wait()
     thread.cancel()
     goes_on.set()
-    with pytest.raises(addon.run.models.CancelledError):
+    with pytest.raises(addon.run.thread.CancelledError):
         thread.result()
-    done = addon.run.models.SolveThread(lambda _progress: [])
+    done = addon.run.thread.WorkThread(lambda _progress: [])
     done.join()
     done.cancel()
-    with pytest.raises(addon.run.models.CancelledError):
+    with pytest.raises(addon.run.thread.CancelledError):
         done.result()
 
 
@@ -67,7 +67,7 @@ def test_what_the_solver_raises_is_raised_where_the_result_is_asked_for(addon):
     def solve(_progress):
         raise MemoryError("no room")
 
-    thread = addon.run.models.SolveThread(solve)
+    thread = addon.run.thread.WorkThread(solve)
     with pytest.raises(MemoryError, match="no room"):
         thread.result()
 
@@ -76,7 +76,7 @@ def test_a_cancelled_model_ends_the_whole_run(addon):
     """The core would hand back the best shape it has; the others would be solved."""
     models = read_models(addon, grid("First", bump), grid("Second", bump))
     seen = []
-    with pytest.raises(addon.run.models.CancelledError):
+    with pytest.raises(addon.run.thread.CancelledError):
         solver(addon, models)(lambda stage, fraction: bool(seen.append(fraction)) or stage != "shape")
     assert max(seen) < 0.5
 

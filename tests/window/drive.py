@@ -132,7 +132,7 @@ def window_manager() -> bpy.types.WindowManager:
 def screenshot(name: str) -> None:
     """The whole window as NAME.png among the pictures."""
     window = window_manager().windows[0]
-    with bpy.context.temp_override(window=window, area=view_area()):
+    with bpy.context.temp_override(window=window, area=window.screen.areas[0]):
         bpy.ops.screen.screenshot(filepath=str(Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.png"))
 
 

@@ -141,7 +141,7 @@ def cancel_button() -> drive.Tour:
     before, messages = contents(source), collect_messages()
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
     begin_held_run()
-    yield lambda: window_run.shown_progress() == 0.4
+    yield lambda: window_run.shown_progress(window_run.FLATTEN) == 0.4
     yield from drive.ticks(20)
     drive.screenshot("cancel_button")
     yield from drive.click_button("bpy.ops.object.wirewarp_cancel(", share=0.75)

@@ -51,6 +51,10 @@ TOURS = {
         "marks_are_undone",
         "frame_button",
     ],
+    "export_tours": [
+        "the_dialog_says_the_size_and_follows_its_settings",
+        "escape_leaves_the_file_as_it_was",
+    ],
     "view_tours": [
         "pieces_are_seen_in_local_view",
         "the_first_pieces_are_brought_into_view",

@@ -3,8 +3,7 @@
 
 import datetime
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import NamedTuple
+from dataclasses import replace
 
 import bpy
 import numpy as np
@@ -23,6 +22,7 @@ from ..names import PIECE_INDEX, SOURCE_VERTEX
 from ..pattern.chains import EdgeMarks, chains_of_marks, edge_keys
 from ..pattern.outlines import FlatPieces, OutlineEdges, outline_of, piece_of_vertices
 from ..pattern.polygons import Segments, overlap
+from ..solve.pattern_parts import Allowances, PatternParts
 from .grain import UP, grain_directions
 from .object import is_true_size
 from .read import has_flat_attributes, has_kept_shape, read_flat_attribute, read_flat_pieces
@@ -31,51 +31,25 @@ from .reports import pieces_report
 EDITED = "The flat pieces were edited by hand, and a seam of the model is missing on them. Flatten the model again."
 
 
-@dataclass(frozen=True)
-class PatternChoices:
-    """Lengths are in millimeters."""
-
-    allowance: float  # where none is marked
-    notch_spacing: float  # along seams, 0 for none
-    darts: str  # "close", "cut" or "slit", as the library has it
-
-
-def read_pattern(
-    scene: bpy.types.Scene, source: bpy.types.Object, choices: PatternChoices, failed_too: bool
-) -> pattern.Pattern:
-    """Of a model, in Object Mode; failed_too: pieces with errors too.
+def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternParts:
+    """What the pattern of a model is made of, in Object Mode.
 
     Raises ObjectError where there are no pieces, or none that are true.
     """
     report, flat = current_pieces(source)
-    failed = [piece["name"] for piece in report["pieces"] if not piece["ok"]]
-    if failed and not failed_too:
-        raise object_error(
-            "failed_pieces",
-            f"Failed: {', '.join(failed)}. See the report for what is wrong, or choose Failed Pieces to export them "
-            "anyway.",
-        )
     millimeters = 1000 * meters_per_blender_unit(scene)
     pieces = read_flat_pieces(flat.data, millimeters)
     wire_ids = np.unique(pieces.marks.wire_ids[pieces.marks.rows]).tolist()
     names = names_of(source.data, wire_ids) | {wire["wire_id"]: wire["name"] for wire in report["wires"]}
-    allowances = _allowances(source, report, millimeters, bpy.context.evaluated_depsgraph_get())
-    try:
-        return pattern.Pattern.from_pieces(
-            _pieces(report, pieces, names, grain_directions(flat.data, pieces.vertices)),
-            [seam["name"] for seam in report["seams"]],
-            title=source.name,
-            date=datetime.date.today().isoformat(),
-            allowance=choices.allowance,
-            notch_spacing=choices.notch_spacing,
-            darts=choices.darts,
-            units="imperial" if scene.unit_settings.system == "IMPERIAL" else "metric",
-            allowances=allowances.both,
-            side_allowances=allowances.sides,
-            folds=allowances.folds,
-        )
-    except FlattenError as error:
-        raise object_error(str(error.code), error.message) from error
+    return PatternParts(
+        title=source.name,
+        pieces=_pieces(report, pieces, names, grain_directions(flat.data, pieces.vertices)),
+        failed=[piece["name"] for piece in report["pieces"] if not piece["ok"]],
+        seam_names=[seam["name"] for seam in report["seams"]],
+        allowances=_allowances(source, report, millimeters, bpy.context.evaluated_depsgraph_get()),
+        units="imperial" if scene.unit_settings.system == "IMPERIAL" else "metric",
+        date=datetime.date.today().isoformat(),
+    )
 
 
 def read_cut_lines(
@@ -145,17 +119,9 @@ def _inner_wires(
     return wires
 
 
-class _Allowances(NamedTuple):
-    """As Pattern.from_pieces takes them."""
-
-    both: list[tuple[int, int, float]]
-    sides: list[tuple[int, int, float]]
-    folds: list[tuple[int, int]]
-
-
 def _allowances(
     source: bpy.types.Object, report: dict, millimeters: float, depsgraph: bpy.types.Depsgraph
-) -> _Allowances:
+) -> Allowances:
     """What is marked on the mesh that was flattened. Marks inside of pieces do nothing."""
     flattened = evaluated_mesh(source, depsgraph) if report.get("with_modifiers") else current_mesh(source)
     with flattened as mesh:
@@ -166,7 +132,7 @@ def _allowances(
     for chain in chains:
         for a, b in zip(chain["vertices"][:-1], chain["vertices"][1:], strict=True):
             seams[a, b] = seams[b, a] = chain["seam"] is not None
-    found = _Allowances([], [], [])
+    found = Allowances([], [], [])
     for (a, b), width in zip(marked.edges.tolist(), marked.widths.tolist(), strict=True):
         if width < 0 and seams.get((a, b)) is False:
             found.folds.append((a, b))

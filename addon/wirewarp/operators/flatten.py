@@ -69,10 +69,8 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     def _is_refused(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> bool:
         """Whether nothing can be done at all; says why."""
-        refusal = nothing_to_flatten(context, sources)
-        if window_run.is_running():
-            refusal = "Flatten is still running. Wait, or press Esc."
-        elif not refusal and self.report_path:
+        refusal = window_run.busy_sentence() or nothing_to_flatten(context, sources)
+        if not refusal and self.report_path:
             refusal = self._file_refusal()
         if refusal:
             self.report({"ERROR"}, refusal)
@@ -91,7 +89,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
 
 class OBJECT_OT_wirewarp_cancel(bpy.types.Operator):
-    """Stop flattening; nothing is written"""
+    """Stop; nothing is written"""
 
     bl_idname = "object.wirewarp_cancel"
     bl_label = "Cancel"

@@ -3,6 +3,7 @@
 
 import json
 import traceback
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -18,9 +19,11 @@ from ..model.owners import find_flat_object
 from ..properties import FlattenSettings, choices_of, preferences
 from ..report.verdict import run_message, run_report
 from ..run import window_run
-from ..run.models import CancelledError, Model, Outcome, Solver, failed_report, solve_models
+from ..run.models import Model, Outcome, failed_report, solve_models
 from ..run.read import check_current, find_source, read_models
+from ..run.thread import CancelledError, Progress
 from ..run.write import write_results
+from .window_steps import WindowSteps
 
 # What a user may do during a run: look around.
 HARMLESS = {"MIDDLEMOUSE", "MOUSEMOVE", "INBETWEEN_MOUSEMOVE", "HOME", "NUMPAD_PERIOD"} | {
@@ -35,10 +38,8 @@ def write_json(path: Path, report: dict) -> None:
         unfinished.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
-class FlattenSteps(FlattenSettings):
-    """Mixed into operators. modal() belongs to what begin_run() has begun."""
-
-    ends_on = "TIMER"  # the event upon which a run that is done is written
+class FlattenSteps(WindowSteps, FlattenSettings):
+    """Mixed into operators."""
 
     @property
     def report_file(self) -> Path | None:
@@ -51,32 +52,19 @@ class FlattenSteps(FlattenSettings):
             self._models = read_models(context, sources, self)
         self._scene, self._view_layer = _place(context)
         what = sources[0].name if len(sources) == 1 else f"{len(sources)} objects"
-        self._run = window_run.begin(context, what, self._solver(context, self._models))
-        context.window_manager.modal_handler_add(self)
-        return {"RUNNING_MODAL"}
-
-    def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        if event.type == "ESC" and event.value == "PRESS":
-            self._run.cancel()
-        if self._run.is_done() and event.type == self.ends_on:
-            return self._finish_run(context)
-        return {"PASS_THROUGH" if self.lets_pass(event) else "RUNNING_MODAL"}
+        return self.begin(context, window_run.FLATTEN, what, self._solver(context, self._models))
 
     def lets_pass(self, event: bpy.types.Event) -> bool:
-        """Whether the user may do this during the run: all else would be lost or make its result untrue."""
+        """All else would be lost or make the result untrue."""
         if event.type == "LEFTMOUSE":
             return is_over_sidebar(event)  # where Cancel is
         return event.type in HARMLESS or event.type.startswith(HARMLESS_KINDS)
-
-    def cancel(self, _context: bpy.types.Context) -> None:
-        """Blender ends the run: its window closes or another file is opened."""
-        window_run.stop()
 
     def flatten_now(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
         """All at once; Blender waits."""
         with in_object_mode(context):
             models = read_models(context, sources, self)
-            outcomes = self._solve_waiting(context, models)
+            outcomes = self.wait_for(context, self._solver(context, models))
             self._write(context, outcomes)
         return self._tell(context, outcomes)
 
@@ -84,24 +72,11 @@ class FlattenSteps(FlattenSettings):
         """What became of it, to the user; level: INFO, WARNING or ERROR."""
         self.report({level}, text)
 
-    def _solve_waiting(self, context: bpy.types.Context, models: list[Model]) -> list[Outcome]:
-        manager = context.window_manager
-
-        def progress(_stage: str, fraction: float) -> bool:
-            manager.progress_update(fraction)
-            return True
-
-        manager.progress_begin(0.0, 1.0)
-        try:
-            return self._solver(context, models)(progress)
-        finally:
-            manager.progress_end()
-
-    def _solver(self, context: bpy.types.Context, models: list[Model]) -> Solver:
+    def _solver(self, context: bpy.types.Context, models: list[Model]) -> Callable[[Progress], list[Outcome]]:
         meters = meters_per_blender_unit(context.scene)
         return partial(solve_models, core.library(), models, choices_of(self, meters), meters)
 
-    def _finish_run(self, context: bpy.types.Context) -> set[str]:
+    def finish_run(self, context: bpy.types.Context) -> set[str]:
         try:
             outcomes = self._run.result()
         except CancelledError:

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From models as read to results as they will be written. No Blender in here, so that it may run in a thread."""
 
-import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from types import ModuleType
 
@@ -17,10 +16,7 @@ from ..solve.identity import KnownPieces, PieceIdentity, identify_pieces
 from ..solve.seams import KnownSeams, SeamIdentity, identify_seams, ids_by_edge
 from ..solve.sentences import plain_sentence
 from ..words import LengthText
-
-
-class CancelledError(Exception):
-    """The user wants no result."""
+from .thread import CancelledError
 
 
 @dataclass(frozen=True)
@@ -51,9 +47,6 @@ class Outcome:
     arrays: MeshArrays | None = None  # the model's, with the ids that its seams have now
     pieces: FlatMesh | None = None  # None: there is no layout to write
     is_elsewhere: bool = False  # written: some pieces lie where the user has not seen any yet
-
-
-Solver = Callable[[Progress], list[Outcome]]
 
 
 def solve_models(
@@ -118,50 +111,4 @@ class _Share:
     def __call__(self, stage: str, fraction: float) -> bool:
         if not self._progress(stage, (self._index + fraction) / self._count):
             self.cancelled = True
-        return not self.cancelled
-
-
-class SolveThread:
-    """Begins at once. Whoever makes one must wait for its end, by join() or result()."""
-
-    def __init__(self, solve: Solver) -> None:
-        self.fraction = 0.0  # of the whole, from 0 to 1
-        self._solve = solve
-        self._cancelled = threading.Event()
-        self._outcomes: list[Outcome] = []
-        self._error: BaseException | None = None
-        self._thread = threading.Thread(target=self._work, name="WireWarp")
-        self._thread.start()
-
-    @property
-    def cancelled(self) -> bool:
-        return self._cancelled.is_set()
-
-    def cancel(self) -> None:
-        """Takes effect the next time the core tells of its progress."""
-        self._cancelled.set()
-
-    def is_done(self) -> bool:
-        return not self._thread.is_alive()
-
-    def join(self) -> None:
-        self._thread.join()
-
-    def result(self) -> list[Outcome]:
-        """Raises CancelledError after cancel(), even if all was done by then, and what the solver raised."""
-        self.join()
-        if self.cancelled:
-            raise CancelledError
-        if self._error is not None:
-            raise self._error
-        return self._outcomes
-
-    def _work(self) -> None:
-        try:
-            self._outcomes = self._solve(self._progress)
-        except BaseException as error:  # noqa: BLE001  result() raises it where somebody hears it
-            self._error = error
-
-    def _progress(self, _stage: str, fraction: float) -> bool:
-        self.fraction = fraction
         return not self.cancelled

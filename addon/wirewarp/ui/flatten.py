@@ -14,8 +14,9 @@ from ..overlay.cache import kept_drawing
 from ..report.next_step import next_step
 from ..report.rows import tables_of
 from ..report.verdict import as_seen, left_out_of
-from ..run.window_run import is_cancelled, shown_progress
+from ..run.window_run import FLATTEN
 from .layout import SidebarPanel, draw_sentence
+from .progress import draw_progress
 from .settings import draw_advanced, draw_settings, settings_sentence
 from .shown import untrue_sentence
 from .wire_list import shown_wires
@@ -28,9 +29,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         layout, settings = self.layout, context.scene.wirewarp
         row = layout.row(align=True)
         row.scale_y = 1.5
-        done = shown_progress()
-        if done is not None:
-            _draw_progress(row, done)
+        if draw_progress(row, FLATTEN, "object.wirewarp_flatten"):
             return
         row.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
         row.prop(settings, "auto_update", text="", icon="FILE_REFRESH")
@@ -47,19 +46,6 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
             layout.operator("view3d.wirewarp_frame", icon="VIEWZOOM")
         if settings.method == "WIREWARPING" and _has_loose_wires(active):
             draw_sentence(context, layout, "This method keeps elastic and free wires rigid too.", "INFO")
-
-
-def _draw_progress(row: bpy.types.UILayout, done: float) -> None:
-    """The button as a bar, and beside it what stops the run. Before Blender 4.0 there is no bar."""
-    going_on = f"Flattening {100 * done:.0f}%" if done < 1 else "Measuring..."
-    text = "Stopping..." if is_cancelled() else going_on
-    if hasattr(row, "progress"):
-        row.progress(factor=done, text=text)
-    else:
-        bar = row.row(align=True)
-        bar.enabled = False
-        bar.operator("object.wirewarp_flatten", text=text)
-    row.operator("object.wirewarp_cancel", text="", icon="X")
 
 
 def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:

@@ -7,7 +7,9 @@ from ..blender.units import length_text
 from ..flat.reports import pieces_report
 from ..report.cloth import percent_text
 from ..report.rows import PieceRow, tables_of
+from ..run.window_run import EXPORT
 from .layout import SidebarPanel, draw_cells, draw_sentence, mark_of
+from .progress import draw_progress
 from .report_table import draw_select
 from .shown import shown_source
 
@@ -87,7 +89,9 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
             button.keep_places, button.only_active = False, True
         self.layout.prop(context.scene.wirewarp, "allowance", text="Allowance (mm)")
-        self.layout.operator("object.wirewarp_export", icon="EXPORT")
+        row = self.layout.row(align=True)
+        if not draw_progress(row, EXPORT, "object.wirewarp_export"):
+            row.operator("object.wirewarp_export", icon="EXPORT")
 
 
 def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: PieceRow) -> None:

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is said of a pattern before it is written and afterwards."""
+
+import numpy as np
+
+from ..core import pattern
+from ..flat.pattern import pieces_over_others
+from ..report.verdict import SHOWN_NAMES
+from ..words import counted
+
+INCH = 25.4
+
+
+def crossing_sentence(made: pattern.Pattern) -> str:
+    """Empty where no pieces lie over one another."""
+    names = pieces_over_others(made.pieces)
+    if not names:
+        return ""
+    hidden = len(names) - SHOWN_NAMES
+    shown = ", ".join(names[:SHOWN_NAMES]) + (f" and {hidden} more" if hidden > 0 else "")
+    return f"These pieces lie over one another: {shown}. Move them apart before you cut."
+
+
+def size_sentences(made: pattern.Pattern, size: np.ndarray) -> list[str]:
+    return [f"{counted(len(made.pieces), 'piece')} on {_size_text(made, *size)}.", largest_sentence(made)]
+
+
+def largest_sentence(made: pattern.Pattern) -> str:
+    """By the area of its box: what a sheet must have room for."""
+    largest = max(made.pieces, key=lambda piece: float(piece.size.prod()))
+    return f"The largest, {largest.name}: {_size_text(made, *largest.size)}."
+
+
+def _size_text(made: pattern.Pattern, width: float, height: float) -> str:
+    """Of millimeters, in inches too for those who measure in them."""
+    inches = f" ({width / INCH:.1f} × {height / INCH:.1f} in)" if made.units.name == "imperial" else ""
+    return f"{width:.0f} × {height:.0f} mm{inches}"

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What exporting operators have in common: a dialog that says the sizes beforehand, and a run that writes the file."""
+
+from functools import partial
+from pathlib import Path
+
+import bpy
+from bpy.props import BoolProperty, FloatProperty, StringProperty
+from bpy_extras.io_utils import ExportHelper
+
+from ..blender.files import OPTIONS, check_ending, check_file, file_name, given_file, unwritten
+from ..blender.modes import in_object_mode
+from ..core import FlattenError, pattern
+from ..flat.pattern import read_pattern
+from ..flat.reports import pieces_report
+from ..issues import ObjectError, object_error
+from ..model.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
+from ..run import window_run
+from ..run.export import ExportChoices, Exported, PatternParts, export, made_pattern
+from ..run.thread import CancelledError
+from ..ui.layout import draw_sentence
+from ..ui.settings import settings_sentence
+from .export_sentences import INCH, crossing_sentence
+from .window_steps import WindowSteps
+
+FAULTS = (ObjectError, FlattenError, OSError, RuntimeError)  # with a sentence for the user
+
+
+class PatternExport(WindowSteps, ExportHelper):
+    """Mixed into operators. Each has `filename_ext`, and says what it writes."""
+
+    # Skipped when settings are kept for the next time: the next model gets a name of its own.
+    filepath: StringProperty(name="File Path", description="The file to write", subtype="FILE_PATH", options=OPTIONS)
+    notch_spacing: FloatProperty(
+        name="Notches Every",
+        description="Distance in millimeters (25.4 to the inch) of notches along seams, from the same end on both "
+        "sides; shorter seams get one near their middle, from 15 mm on. Ends of wires always get one. At least 1 mm; "
+        "0: no others",
+        min=0.0,
+        soft_max=500.0,
+        default=100.0,
+        precision=1,
+        step=1000,
+    )
+    failed_pieces: BoolProperty(
+        name="Failed Pieces",
+        description="Also export failed pieces, for inspection only",
+        default=False,
+    )
+    _parts: PatternParts | None = None  # as read when the dialog was opened; None in a script
+    _beforehand: tuple[tuple, list[tuple[str, str]]] = ((), [])  # what it says, and with which settings
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}:
+            return True
+        cls.poll_message_set("Select a model that has been flattened, or its flat pieces")
+        return False
+
+    def choices(self) -> ExportChoices:
+        raise NotImplementedError
+
+    def size_sentences(self, made: pattern.Pattern) -> list[str]:
+        raise NotImplementedError
+
+    def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        if not self.filepath:
+            name = file_name(_source(context).name, f" Pattern{self.filename_ext}")
+            self.filepath = str(Path(bpy.data.filepath).parent / name)
+        try:
+            self._parts = _read(context)
+        except ObjectError as error:
+            return self._failed(error)
+        self._look_ahead()
+        return super().invoke(context, event)
+
+    def check(self, context: bpy.types.Context) -> bool:
+        """Blender calls it whenever a setting in the dialog has changed."""
+        super().check(context)
+        self._look_ahead()
+        return True
+
+    def _look_ahead(self) -> None:
+        key = self.choices(), self.filename_ext, self.failed_pieces
+        if key != self._beforehand[0]:
+            self._beforehand = key, self.beforehand(self._parts)
+
+    def beforehand(self, parts: PatternParts) -> list[tuple[str, str]]:
+        """How large it gets with the present settings, and what is wrong with them: sentences with their icons."""
+        try:
+            made = made_pattern(parts, self.choices())
+            sizes = [(sentence, "NONE") for sentence in self.size_sentences(made)]
+        except (ObjectError, FlattenError) as error:
+            return [(str(error), "ERROR")]
+        refusal = "" if self.failed_pieces else parts.refusal
+        return [
+            (sentence, "ERROR") for sentence in (refusal, crossing_sentence(made), *made.warnings) if sentence
+        ] + sizes
+
+    def draw_beforehand(self, context: bpy.types.Context) -> None:
+        for sentence, icon in self._beforehand[1]:
+            draw_sentence(context, self.layout, sentence, icon)
+
+    def draw_lengths(self, context: bpy.types.Context, *names: str) -> None:
+        """Settings in millimeters."""
+        column, properties = self.layout.column(align=True), self.properties.bl_rna.properties
+        for name in names:
+            column.prop(self, name, text=f"{properties[name].name} (mm)")
+            if context.scene.unit_settings.system == "IMPERIAL":
+                column.label(text=f"That is {getattr(self, name) / INCH:.2f} in")
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        """Reads anew, for behind the dialog the user may have gone on. In a script it waits for the end."""
+        if window_run.is_running():
+            self.report({"ERROR"}, window_run.busy_sentence())
+            return {"CANCELLED"}
+        try:
+            path = given_file(self.filepath)
+            check_ending(path, self.filename_ext)
+            check_file(path)
+            parts = _read(context)
+            if parts.refusal and not self.failed_pieces:
+                raise object_error("failed_pieces", parts.refusal)
+            source = _source(context)
+            self._notes = [
+                f'Of the selected ones, "{parts.title}" only.' if _has_others(context) else "",
+                settings_sentence(source, pieces_report(source), context.scene.wirewarp),
+            ]
+            work = partial(export, parts, self.choices(), path)
+            if self._parts is not None:
+                return self.begin(context, window_run.EXPORT, parts.title, work)
+            return self._tell(self.wait_for(context, work))
+        except FAULTS as error:
+            return self._failed(error)
+
+    def lets_pass(self, event: bpy.types.Event) -> bool:
+        """All but what stops it: everything it needs has been read."""
+        return event.type != "ESC"
+
+    def finish_run(self, context: bpy.types.Context) -> set[str]:
+        try:
+            return self._tell(self._run.result())
+        except CancelledError:
+            self.report({"WARNING"}, "Export was cancelled. Nothing was written.")
+            return {"CANCELLED"}
+        except FAULTS as error:
+            return self._failed(error)
+
+    def _failed(self, error: Exception) -> set[str]:
+        self.report({"ERROR"}, unwritten(self.filepath, error) if isinstance(error, OSError) else str(error))
+        return {"CANCELLED"}
+
+    def _tell(self, exported: Exported) -> set[str]:
+        made, written = exported.made, exported.written
+        only, settings = self._notes
+        sizes = " ".join(self.size_sentences(made))
+        said = f'"{written.path.name}": {sizes} Read again: {written.off:.2f} mm off. Print at 100%.'
+        warnings = [sentence for sentence in [crossing_sentence(made), *written.warnings] if sentence]
+        lines = [*warnings, f"{said} {only}".rstrip(), settings]
+        self.report({"WARNING" if warnings else "INFO"}, "\n".join(filter(None, lines)))
+        return {"FINISHED"}
+
+
+def _read(context: bpy.types.Context) -> PatternParts:
+    """Raises ObjectError."""
+    active = context.active_object
+    if is_earlier(active):
+        raise object_error("earlier_pieces", earlier_sentence(active))
+    with in_object_mode(context):
+        return read_pattern(context.scene, _source(context))
+
+
+def _source(context: bpy.types.Context) -> bpy.types.Object:
+    return model_or_self(context.active_object)
+
+
+def _has_others(context: bpy.types.Context) -> bool:
+    """Whether pieces of other models are selected, too: each has a file of its own."""
+    sources = {model_or_self(each) for each in context.selected_objects} - {_source(context)}
+    return any(map(has_flat_object, sources))

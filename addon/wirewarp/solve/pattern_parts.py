@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a pattern is made of, as it was read from a model and its flat pieces."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+from ..core import FlattenError, pattern
+from ..issues import object_error
+
+
+@dataclass(frozen=True)
+class PatternChoices:
+    """Lengths are in millimeters."""
+
+    allowance: float  # where none is marked
+    notch_spacing: float  # along seams, 0 for none
+    darts: str  # "close", "cut" or "slit", as the library has it
+
+
+class Allowances(NamedTuple):
+    """Where they are marked, as Pattern.from_pieces takes them."""
+
+    both: list[tuple[int, int, float]]
+    sides: list[tuple[int, int, float]]
+    folds: list[tuple[int, int]]
+
+
+@dataclass(frozen=True)
+class PatternParts:
+    title: str
+    pieces: Sequence[pattern.FlatPiece]
+    failed: Sequence[str]  # names of those that broke a promise
+    seam_names: Sequence[str]
+    allowances: Allowances
+    units: Literal["metric", "imperial"]
+    date: str
+
+    @property
+    def refusal(self) -> str:
+        """Why the pieces should not be cut; empty where they may be."""
+        if not self.failed:
+            return ""
+        return (
+            f"Failed: {', '.join(self.failed)}. See the report for what is wrong, or choose Failed Pieces to export "
+            "them anyway."
+        )
+
+    def pattern(self, choices: PatternChoices) -> pattern.Pattern:
+        """Raises ObjectError where they make none."""
+        try:
+            return pattern.Pattern.from_pieces(
+                self.pieces,
+                self.seam_names,
+                title=self.title,
+                date=self.date,
+                allowance=choices.allowance,
+                notch_spacing=choices.notch_spacing,
+                darts=choices.darts,
+                units=self.units,
+                allowances=self.allowances.both,
+                side_allowances=self.allowances.sides,
+                folds=self.allowances.folds,
+            )
+        except FlattenError as error:
+            raise object_error(str(error.code), error.message) from error

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tours through the export: its dialog, its run, and what is left when it is cancelled."""
+
+import threading
+import time
+from pathlib import Path
+
+import bpy
+import drive
+import wirewarp_addon
+from stage import flatten, marked_bump, window_run
+from surfaces import select_only
+
+export = wirewarp_addon.run.export
+
+
+def open_dialog(path: Path) -> drive.Tour:
+    """Of the export, with this name, in the window of the other editors: no event reaches another window."""
+    bpy.context.preferences.view.filebrowser_display_type = "SCREEN"
+    with drive.in_view():
+        bpy.ops.object.wirewarp_export("INVOKE_DEFAULT", filepath=str(path))
+    yield lambda: browser() is not None and browser().spaces.active.active_operator is not None
+    yield from drive.ticks(20)
+
+
+def browser() -> bpy.types.Area | None:
+    screen = bpy.context.window_manager.windows[0].screen
+    return next((area for area in screen.areas if area.type == "FILE_BROWSER"), None)
+
+
+def told(operator: bpy.types.Operator) -> str:
+    """What the dialog says above the settings."""
+    return " ".join(sentence for sentence, _ in operator._beforehand[1])
+
+
+def region(kind: str) -> bpy.types.Region:
+    """Of the dialog: TOOL_PROPS (the settings), EXECUTE (the button)."""
+    return next(each for each in browser().regions if each.type == kind)
+
+
+def press_export() -> drive.Tour:
+    bar = region("EXECUTE")
+    yield from drive.press("LEFTMOUSE", (bar.x + bar.width - 60, bar.y + bar.height // 2))
+
+
+def tick_failed_pieces() -> drive.Tour:
+    """The lowest of the settings."""
+    settings, operator = region("TOOL_PROPS"), browser().spaces.active.active_operator
+    for y in range(settings.y + 20, settings.y + settings.height, 10):
+        yield from drive.press("LEFTMOUSE", (settings.x + 20, y))
+        if operator.failed_pieces:
+            return
+    raise AssertionError("no button is below all others")
+
+
+def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
+    """And leaves Edit Mode to the user, however often it is drawn."""
+    source = marked_bump()
+    yield from flatten()
+    select_only(source)
+    bpy.ops.object.mode_set(mode="EDIT")
+    path = Path(bpy.app.tempdir) / "pattern.pdf"
+    yield from open_dialog(path)
+    operator = browser().spaces.active.active_operator
+    assert "sheets of A4, one of them the map." in told(operator)
+    operator.paper = "A0"  # of which Blender tells the dialog no sooner than of what the user does
+    assert "sheets of A4" in told(operator)
+    yield from tick_failed_pieces()
+    assert operator.failed_pieces and "sheets of A0" in told(operator)
+    assert source.mode == "EDIT"
+    drive.screenshot("dialog")
+    yield from press_export()
+    yield lambda: browser() is None and not window_run.is_running()
+    assert path.read_bytes().startswith(b"%PDF")
+    assert source.mode == "EDIT"
+
+
+def escape_leaves_the_file_as_it_was() -> drive.Tour:
+    """Also while the pattern is made; the view goes on, and so does the next export."""
+    source = marked_bump()
+    yield from flatten()
+    select_only(source)
+    folder = Path(bpy.app.tempdir) / "patterns"
+    folder.mkdir()
+    path = folder / "pattern.pdf"
+    path.write_bytes(b"of an earlier export")
+    goes_on, made_pattern = threading.Event(), export.made_pattern
+
+    def wait_and_make(*choices: object) -> object:
+        while threading.current_thread() is not threading.main_thread() and not goes_on.is_set():
+            time.sleep(0.01)
+        return made_pattern(*choices)
+
+    export.made_pattern = wait_and_make
+    yield from open_dialog(path)
+    yield from press_export()
+    yield lambda: browser() is None and window_run.is_running(window_run.EXPORT)
+    try:
+        bpy.ops.object.wirewarp_flatten()
+    except RuntimeError as error:
+        assert "Export is still running" in str(error)
+    else:
+        raise AssertionError("a second run was begun")
+    yield from drive.press("ESC")
+    goes_on.set()
+    yield lambda: not window_run.is_running()
+    assert path.read_bytes() == b"of an earlier export"
+    assert [each.name for each in folder.iterdir()] == ["pattern.pdf"]
+    yield from open_dialog(path)
+    yield from press_export()
+    yield lambda: browser() is None and not window_run.is_running()
+    assert path.read_bytes().startswith(b"%PDF")
