@@ -92,6 +92,112 @@ def test_edges_that_come_from_elsewhere_have_the_default(source, tmp_path):
     assert np.max(distances(tmp_path, source, on_line(0, 4.0))) == pytest.approx(10.0, abs=0.02)
 
 
+def mark_side(source, side, **settings):
+    """Selects the seam on the piece that lies left (-1) or right (1) of it on the model."""
+    flat = flat_of(source)
+    model = read(source.data.vertices, "co", np.float32, 3)
+    sources = read(flat.data.attributes["source_vertex"].data, "value", np.int32)
+    faces = read(flat.data.attributes["source_face"].data, "value", np.int32)
+    centers = np.array([model[list(source.data.polygons[face].vertices)].mean(axis=0) for face in faces])
+    select_only(flat)
+    wanted = {
+        key
+        for polygon, center in zip(flat.data.polygons, centers, strict=True)
+        if center[0] * side > 0
+        for key in polygon.edge_keys
+    }
+    for vertex in flat.data.vertices:
+        vertex.select = False
+    for polygon in flat.data.polygons:
+        polygon.select = False
+    for edge in flat.data.edges:
+        edge.select = tuple(sorted(edge.vertices)) in wanted and bool(SEAM(*model[sources[list(edge.vertices)]]))
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.context.tool_settings.mesh_select_mode = (False, True, False)
+    assert bpy.ops.mesh.wirewarp_allowance(**settings) == {"FINISHED"}
+    assert flat.mode == "EDIT"
+    bpy.ops.object.mode_set(mode="OBJECT")
+    select_only(source)
+
+
+def widths_at_seam(tmp_path, source):
+    """Of its sides, the smallest first."""
+    found = np.sort(distances(tmp_path, source, SEAM))
+    half = len(found) // 2
+    return [float(np.median(found[:half])), float(np.median(found[half:]))]
+
+
+def test_each_side_of_a_seam_can_have_its_own_width(source, tmp_path):
+    bpy.ops.object.wirewarp_flatten(spacing=50.0)
+    mark_side(source, -1, kind="WIDTH", width=15.0)
+    assert widths_at_seam(tmp_path, source) == pytest.approx([10.0, 15.0], abs=0.02)
+    mark_side(source, 1, kind="WIDTH", width=6.0)
+    assert widths_at_seam(tmp_path, source) == pytest.approx([6.0, 15.0], abs=0.02)
+    mark_side(source, -1, kind="DEFAULT")
+    assert widths_at_seam(tmp_path, source) == pytest.approx([6.0, 10.0], abs=0.02)
+    mark_side(source, -1, kind="FOLD")
+    assert widths_at_seam(tmp_path, source) == pytest.approx([0.0, 6.0], abs=0.02)
+    mark_allowance(source, SEAM, kind="WIDTH", width=12.0)
+    select_only(source)
+    assert widths_at_seam(tmp_path, source) == pytest.approx([12.0, 12.0], abs=0.02)
+
+
+def test_the_width_of_a_side_survives_what_wires_survive(source, tmp_path):
+    """Splitting edges, turning faces over, joining, another unit, a mirrored object and modifiers."""
+    bpy.ops.object.wirewarp_flatten(spacing=50.0)
+    mark_side(source, -1, kind="WIDTH", width=15.0)
+    mark_side(source, 1, kind="WIDTH", width=6.0)
+    other = grid("Other", lambda x, y: (x + 3, y, 0))
+    select_only(source, other)
+    bpy.context.view_layer.objects.active = source
+    bpy.ops.object.join()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.subdivide(number_cuts=2)
+    bpy.ops.mesh.flip_normals()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.ops.scene.wirewarp_set_unit(meters=0.1)
+    source.scale.x = -1
+    bpy.ops.object.wirewarp_flatten(spacing=50.0)
+    assert widths_at_seam(tmp_path, source) == pytest.approx([6.0, 15.0], abs=0.02)
+
+
+def test_scripts_may_write_the_width_of_a_side_on_corners(source, tmp_path):
+    sides = source.data.attributes.new("wirewarp_side_allowance", "FLOAT", "CORNER")
+    places = read(source.data.vertices, "co", np.float32, 3)
+    for polygon in source.data.polygons:
+        for corner, vertex, following in zip(
+            polygon.loop_indices, polygon.vertices, [*polygon.vertices[1:], polygon.vertices[0]], strict=True
+        ):
+            if SEAM(places[vertex], places[following]) and polygon.center.x < 0:
+                sides.data[corner].value = 0.15
+    bpy.ops.object.wirewarp_flatten(spacing=50.0)
+    assert widths_at_seam(tmp_path, source) == pytest.approx([10.0, 15.0], abs=0.02)
+    mark_side(source, 1, kind="WIDTH", width=6.0)
+    assert widths_at_seam(tmp_path, source) == pytest.approx([6.0, 15.0], abs=0.02)
+
+
+def test_one_side_of_pieces_made_with_modifiers_is_refused(source):
+    source.modifiers.new("Subdivision", "SUBSURF").levels = 1
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    select_only(flat_of(source))
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    with pytest.raises(RuntimeError, match='The pieces of "Bump" were made with Modifiers'):
+        bpy.ops.mesh.wirewarp_allowance(kind="WIDTH")
+
+
+def test_the_width_of_a_side_goes_through_modifiers(source, addon):
+    bpy.ops.object.wirewarp_flatten(spacing=50.0)
+    mark_side(source, -1, kind="WIDTH", width=15.0)
+    source.modifiers.new("Subdivision", "SUBSURF").levels = 2
+    bpy.ops.object.wirewarp_flatten(spacing=50.0, use_modifiers=True)
+    choices = addon.solve.pattern_parts.PatternChoices(10.0, 100.0, "close")
+    pieces = addon.flat.pattern.read_pattern(bpy.context.scene, source).pattern(choices).pieces
+    sewn = [[line.width for line in piece.of_role("sew") if line.seam is not None] for piece in pieces]
+    assert sorted(sewn) == [pytest.approx([10.0]), pytest.approx([15.0])]
+
+
 def test_edges_inside_of_a_piece_get_none(source):
     select_edges(source, on_line(1, 0.0))
     with pytest.raises(RuntimeError, match="Nothing to mark: select edges on a seam or outline first"):

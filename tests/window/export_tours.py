@@ -30,7 +30,7 @@ def browser() -> bpy.types.Area | None:
 
 def told(operator: bpy.types.Operator) -> str:
     """What the dialog says above the settings."""
-    return " ".join(sentence for sentence, _ in operator._beforehand[1])
+    return " ".join(sentence for sentence, _ in operator._beforehand.sentences)
 
 
 def region(kind: str) -> bpy.types.Region:

@@ -3,8 +3,7 @@
 
 wirewarp_allowance FLOAT, on edges, in Blender units: above 0 the width on all sides of the edge; below 0 nothing is
 added, for the cloth lies double there (a fold) or stays raw. 0 is what Blender gives to edges that are new or come from
-another mesh: as NaN and where there is no attribute, the pattern's default. wirewarp_side_allowance FLOAT, on corners
-of faces: the same for one side, that of the face whose corner begins the edge.
+another mesh: as NaN and where there is no attribute, the pattern's default. Of a single side: see side_allowances.
 """
 
 from collections.abc import Sequence
@@ -14,9 +13,9 @@ import bmesh
 import bpy
 import numpy as np
 
-from ..blender.attributes import check_attribute
 from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, read_attribute
-from ..names import ALLOWANCE, SIDE_ALLOWANCE
+from ..names import ALLOWANCE, SIDE_ALLOWANCE, SIDE_WIDTH
+from .side_allowances import check_allowances, clear_sides, side_widths_of
 
 NONE = -1.0  # what stands on edges without allowance
 
@@ -29,12 +28,6 @@ class MarkedAllowances:
     widths: np.ndarray  # (e,)
     sides: np.ndarray  # (s,2) directed as in their face
     side_widths: np.ndarray  # (s,)
-
-
-def check_allowances(mesh: bpy.types.Mesh) -> None:
-    """Raises ObjectError if an attribute of our name has another type or domain."""
-    check_attribute(mesh, ALLOWANCE, "FLOAT", "EDGE")
-    check_attribute(mesh, SIDE_ALLOWANCE, "FLOAT", "CORNER")
 
 
 def mark_selected(targets: Sequence[bpy.types.Object], width: float) -> tuple[int, int]:
@@ -58,6 +51,7 @@ def _mark(mesh: bpy.types.Mesh, width: float) -> tuple[int, int]:
     marked = [edge for edge in selected if edge.link_faces and (edge.seam or len(edge.link_faces) != 2)]
     for edge in marked:
         edge[layer] = width
+    clear_sides(edit, marked)
     if marked:
         bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
     return len(marked), len(selected) - len(marked)
@@ -65,7 +59,7 @@ def _mark(mesh: bpy.types.Mesh, width: float) -> tuple[int, int]:
 
 def scale_allowances(mesh: bpy.types.Mesh, factor: float) -> None:
     """The marked widths become so many times as wide; none and the default stay. Of a mesh in Object Mode."""
-    for name, domain in ((ALLOWANCE, "EDGE"), (SIDE_ALLOWANCE, "CORNER")):
+    for name, domain in ((ALLOWANCE, "EDGE"), (SIDE_WIDTH, "EDGE"), (SIDE_ALLOWANCE, "CORNER")):
         widths = read_attribute(mesh, name, "FLOAT", domain)
         if widths is not None:
             scaled = np.where(widths > 0, widths * factor, widths)
@@ -78,7 +72,7 @@ def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
     edges, starts = edge_vertices(mesh), corner_vertices(mesh)
     sides = np.column_stack([starts, edges[corner_edges(mesh)].sum(axis=1) - starts])
     widths = read_attribute(mesh, ALLOWANCE, "FLOAT", "EDGE")
-    side_widths = read_attribute(mesh, SIDE_ALLOWANCE, "FLOAT", "CORNER")
+    side_widths = side_widths_of(mesh)
     return MarkedAllowances(*_set_ones(edges, widths), *_set_ones(sides, side_widths))
 
 

@@ -3,6 +3,7 @@
 
 from functools import partial
 from pathlib import Path
+from typing import NamedTuple
 
 import bpy
 from bpy.props import BoolProperty, FloatProperty, StringProperty
@@ -26,6 +27,13 @@ from .window_steps import WindowSteps
 FAULTS = (ObjectError, FlattenError, OSError, RuntimeError)  # with a sentence for the user
 
 
+class _Beforehand(NamedTuple):
+    """What the dialog says, and with which settings."""
+
+    settings: tuple
+    sentences: list[tuple[str, str]]  # with their icons
+
+
 class PatternExport(WindowSteps, ExportHelper):
     """Mixed into operators. Each has `filename_ext`, and says what it writes."""
 
@@ -47,8 +55,7 @@ class PatternExport(WindowSteps, ExportHelper):
         description="Also export failed pieces, for inspection only",
         default=False,
     )
-    _parts: PatternParts | None = None  # as read when the dialog was opened; None in a script
-    _beforehand: tuple[tuple, list[tuple[str, str]]] = ((), [])  # what it says, and with which settings
+    _has_dialog = False  # in a script there is none
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -69,9 +76,10 @@ class PatternExport(WindowSteps, ExportHelper):
             name = file_name(_source(context).name, f" Pattern{self.filename_ext}")
             self.filepath = str(Path(bpy.data.filepath).parent / name)
         try:
-            self._parts = _read(context)
+            self._parts: PatternParts = _read(context)
         except ObjectError as error:
             return self._failed(error)
+        self._has_dialog, self._beforehand = True, _Beforehand((), [])
         self._look_ahead()
         return super().invoke(context, event)
 
@@ -83,8 +91,8 @@ class PatternExport(WindowSteps, ExportHelper):
 
     def _look_ahead(self) -> None:
         key = self.choices(), self.filename_ext, self.failed_pieces
-        if key != self._beforehand[0]:
-            self._beforehand = key, self.beforehand(self._parts)
+        if key != self._beforehand.settings:
+            self._beforehand = _Beforehand(key, self.beforehand(self._parts))
 
     def beforehand(self, parts: PatternParts) -> list[tuple[str, str]]:
         """How large it gets with the present settings, and what is wrong with them: sentences with their icons."""
@@ -99,7 +107,7 @@ class PatternExport(WindowSteps, ExportHelper):
         ] + sizes
 
     def draw_beforehand(self, context: bpy.types.Context) -> None:
-        for sentence, icon in self._beforehand[1]:
+        for sentence, icon in self._beforehand.sentences:
             draw_sentence(context, self.layout, sentence, icon)
 
     def draw_lengths(self, context: bpy.types.Context, *names: str) -> None:
@@ -128,7 +136,7 @@ class PatternExport(WindowSteps, ExportHelper):
                 settings_sentence(source, pieces_report(source), context.scene.wirewarp),
             ]
             work = partial(export, parts, self.choices(), path)
-            if self._parts is not None:
+            if self._has_dialog:
                 return self.begin(context, window_run.EXPORT, parts.title, work)
             return self._tell(self.wait_for(context, work))
         except FAULTS as error:

@@ -6,12 +6,14 @@ import math
 import bpy
 from bpy.props import EnumProperty, FloatProperty
 
-from ..blender.modes import in_object_mode
+from ..blender.modes import hold_whole_file, in_object_mode
 from ..blender.units import meters_per_blender_unit
-from ..issues import ObjectError
+from ..flat.side_allowances import mark_selected_sides
+from ..issues import ObjectError, object_error
 from ..model.allowances import NONE
 from ..model.allowances import mark_selected as mark_allowance
 from ..model.mark import OUTLINES_ARE_RIGID, clear_selected, mark_selected
+from ..model.owners import model_of
 from ..model.seams import seams_from_uv
 from ..words import counted, quoted
 
@@ -139,7 +141,7 @@ class MESH_OT_wirewarp_clear(bpy.types.Operator):
 
 
 class MESH_OT_wirewarp_allowance(bpy.types.Operator):
-    """Set the seam allowance of the selected edges on seams and outlines"""
+    """Set the seam allowance of the selected edges on seams and outlines; on flat pieces that of their side alone"""
 
     bl_idname = "mesh.wirewarp_allowance"
     bl_label = "Mark Allowance"
@@ -165,7 +167,7 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
         millimeters = 1000 * meters_per_blender_unit(context.scene)
         widths = {"WIDTH": self.width / millimeters, "HEM": self.hem / millimeters, "FOLD": NONE, "DEFAULT": 0.0}
         try:
-            count, left_out = mark_allowance(context.objects_in_mode_unique_data, widths[self.kind])
+            count, left_out = _mark_allowance(context, widths[self.kind])
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -186,6 +188,20 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
         self.layout.prop(self, "kind")
         if self.kind in {"WIDTH", "HEM"}:
             self.layout.prop(self, self.kind.lower())
+
+
+def _mark_allowance(context: bpy.types.Context, width: float) -> tuple[int, int]:
+    """On models all sides, on flat pieces theirs; returns the numbers of edges marked and left out."""
+    targets = list(context.objects_in_mode_unique_data)
+    pieces = [target for target in targets if model_of(target)]
+    if not pieces:
+        return mark_allowance(targets, width)
+    if len(pieces) < len(targets):
+        raise object_error("both", "Leave Edit Mode of the model or of the flat pieces first, and mark on one of them.")
+    with in_object_mode(context):
+        counts = [mark_selected_sides(each, width) for each in pieces]
+    hold_whole_file()
+    return sum(marked for marked, _ in counts), sum(left_out for _, left_out in counts)
 
 
 class MESH_OT_wirewarp_seams_from_uv_islands(bpy.types.Operator):

@@ -12,14 +12,13 @@ from ..run.thread import Progress, T
 class WindowSteps:
     """Mixed into operators. modal() belongs to what begin() has begun."""
 
-    _run: window_run.WindowRun
     ends_on = "TIMER"  # the event upon which a run that is done is finished
 
     def begin(
         self, context: bpy.types.Context, task: window_run.Task, what: str, work: Callable[[Progress], object]
     ) -> set[str]:
         """Works in a thread, while modal() waits for it; what: on which object or objects."""
-        self._run = window_run.begin(context, task, what, work)
+        self._run: window_run.WindowRun = window_run.begin(context, task, what, work)
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
 

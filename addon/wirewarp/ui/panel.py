@@ -24,6 +24,8 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
                 draw_sentence(context, layout, f"These are flat pieces. {DELETED.format(model.name)}", "ERROR")
             else:
                 draw_sentence(context, layout, sentence, "INFO")
+                if context.mode == "EDIT_MESH":
+                    _draw_allowances(layout, "Allowance on this side of seams")
             return
         if context.mode != "EDIT_MESH":
             layout.operator("object.mode_set", text="Mark in Edit Mode", icon="EDITMODE_HLT").mode = "EDIT"
@@ -46,14 +48,18 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         column.operator("mesh.wirewarp_mark", text="Free").kind = "SUPER_ELASTIC"
         column.operator("mesh.wirewarp_clear", text="Clear Wire")
 
-        layout.label(text="Allowance outside of seams")
-        column = layout.column(align=True)
-        row = column.row(align=True)
-        row.operator("mesh.wirewarp_allowance", text="Allowance").kind = "WIDTH"
-        row.operator("mesh.wirewarp_allowance", text="Hem").kind = "HEM"
-        row = column.row(align=True)
-        row.operator("mesh.wirewarp_allowance", text="Fold").kind = "FOLD"
-        row.operator("mesh.wirewarp_allowance", text="Default").kind = "DEFAULT"
+        _draw_allowances(layout, "Allowance outside of seams")
+
+
+def _draw_allowances(layout: bpy.types.UILayout, title: str) -> None:
+    layout.label(text=title)
+    column = layout.column(align=True)
+    row = column.row(align=True)
+    row.operator("mesh.wirewarp_allowance", text="Allowance").kind = "WIDTH"
+    row.operator("mesh.wirewarp_allowance", text="Hem").kind = "HEM"
+    row = column.row(align=True)
+    row.operator("mesh.wirewarp_allowance", text="Fold").kind = "FOLD"
+    row.operator("mesh.wirewarp_allowance", text="Default").kind = "DEFAULT"
 
 
 class VIEW3D_PT_wirewarp_overlay(SidebarPanel, bpy.types.Panel):
