@@ -13,7 +13,8 @@ namespace {
 struct RunningCalls {
   std::mutex mutex;
   std::condition_variable one_ended;
-  int count = 0;  // changed with the GIL
+  int count = 0;
+  int num_forks = 0;
   std::atomic<bool> python_is_ending{false};
   std::thread::id ending_thread;  // set with the GIL, before python_is_ending
 };
@@ -33,6 +34,29 @@ void wait_for_running_calls() {
   calls.one_ended.wait(lock, [&] { return calls.count == 0; });
 }
 
+void begin_work() {
+  RunningCalls& calls = running_calls();
+  const std::lock_guard lock(calls.mutex);
+  ++calls.count;
+}
+
+void end_work() {
+  RunningCalls& calls = running_calls();
+  {
+    const std::lock_guard lock(calls.mutex);
+    --calls.count;
+  }
+  calls.one_ended.notify_all();
+}
+
+/// Only the thread that forks goes on in the child.
+void forget_threads_of_parent() {
+  RunningCalls& calls = running_calls();
+  calls.count = 0;
+  ++calls.num_forks;
+  calls.mutex.unlock();
+}
+
 /// Sleeps until the process ends where Python is ending, as Python 3.14 lets its daemon threads do.
 void stay_if_python_is_ending() {
   if (!python_is_ending()) return;
@@ -42,20 +66,17 @@ void stay_if_python_is_ending() {
 
 }  // namespace
 
+RunningWork::RunningWork() { begin_work(); }
+
+RunningWork::~RunningWork() { end_work(); }
+
 RunningCall::RunningCall() {
   stay_if_python_is_ending();
-  RunningCalls& calls = running_calls();
-  const std::lock_guard lock(calls.mutex);
-  ++calls.count;
+  begin_work();
 }
 
 RunningCall::~RunningCall() {
-  RunningCalls& calls = running_calls();
-  {
-    const std::lock_guard lock(calls.mutex);
-    --calls.count;
-  }
-  calls.one_ended.notify_all();
+  end_work();
   stay_if_python_is_ending();
 }
 
@@ -64,12 +85,15 @@ bool python_is_ending() {
   return calls.python_is_ending && calls.ending_thread != std::this_thread::get_id();
 }
 
+int num_forks() { return running_calls().num_forks; }
+
 void bind_running_calls() {
   py::module_::import("atexit").attr("register")(py::cpp_function(&wait_for_running_calls));
   const py::module_ os = py::module_::import("os");
   if (!py::hasattr(os, "register_at_fork")) return;
-  // Only the thread that forks goes on in the child.
-  os.attr("register_at_fork")(py::arg("after_in_child") = py::cpp_function([] { running_calls().count = 0; }));
+  os.attr("register_at_fork")(py::arg("before") = py::cpp_function([] { running_calls().mutex.lock(); }),
+                              py::arg("after_in_parent") = py::cpp_function([] { running_calls().mutex.unlock(); }),
+                              py::arg("after_in_child") = py::cpp_function(&forget_threads_of_parent));
 }
 
 }  // namespace wirewarp::bindings

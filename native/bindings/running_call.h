@@ -10,6 +10,15 @@ namespace wirewarp::bindings {
 
 namespace py = pybind11;
 
+/// Work that the end of Python cancels and waits for, in a thread that does not need the GIL.
+class RunningWork {
+ public:
+  RunningWork();
+  ~RunningWork();
+  RunningWork(const RunningWork&) = delete;
+  RunningWork& operator=(const RunningWork&) = delete;
+};
+
 /// A call that lets go of the GIL, from before until it holds it again. Made and ended with the GIL.
 class RunningCall {
  public:
@@ -23,6 +32,9 @@ class RunningCall {
 
 /// Another thread ends Python and waits for the calls of this one: they are to end, without the GIL where they can.
 bool python_is_ending();
+
+/// How many forks lie between the process that loaded the module and this one. Threads are not forked.
+int num_forks();
 
 /// Lets the end of Python wait for the running calls.
 void bind_running_calls();

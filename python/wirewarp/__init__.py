@@ -7,6 +7,7 @@ from ._wirewarp import (
     Cache,
     FlattenResult,
     HelperWire,
+    Job,
     Metrics,
     Options,
     Piece,
@@ -17,6 +18,7 @@ from ._wirewarp import (
     __version__,
     flatten,
     measure,
+    start,
 )
 
 __all__ = [
@@ -26,6 +28,7 @@ __all__ = [
     "FlattenError",
     "FlattenResult",
     "HelperWire",
+    "Job",
     "Metrics",
     "Options",
     "Piece",
@@ -36,4 +39,5 @@ __all__ = [
     "__version__",
     "flatten",
     "measure",
+    "start",
 ]

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The arguments that flatten(), start() and measure() share. Each throws FlattenError with invalid_type for another
+// type, and what the core says of values.
+#pragma once
+
+#include "bind.h"
+#include "wirewarp/cache.h"
+#include "wirewarp/flatten.h"
+
+namespace wirewarp::bindings {
+
+FlattenInput read_input(py::handle vertices, py::handle faces, py::handle seams, py::handle wires);
+
+/// None: the defaults.
+Options read_options(py::handle value);
+
+/// None: null.
+Cache* read_cache(py::handle value);
+
+}  // namespace wirewarp::bindings

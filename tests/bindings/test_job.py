@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""wirewarp.start: flatten() beside Python."""
+
+import copy
+import gc
+import multiprocessing
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import wirewarp
+from surfaces import half_cylinder, spherical_patch
+
+
+def test_a_job_ends_with_what_flatten_returns():
+    vertices, faces = spherical_patch(20, 20)
+    wires = [wirewarp.Wire([0, 1, 2], name="edge")]
+    options = wirewarp.Options(fairness=0.2)
+    job = wirewarp.start(vertices, faces, wires=wires, options=options)
+    result = job.result()
+    assert job.is_done()
+    assert job.progress() == ("measure", 1.0)
+    assert job.result() is result
+    assert np.array_equal(result.corner_uv, wirewarp.flatten(vertices, faces, wires=wires, options=options).corner_uv)
+
+
+def test_the_caller_may_change_the_arrays():
+    vertices, faces = spherical_patch(20, 20)
+    expected = wirewarp.flatten(vertices, faces).corner_uv
+    job = wirewarp.start(vertices, faces)
+    vertices[:], faces[:] = 0, 0
+    assert np.array_equal(job.result().corner_uv, expected)
+
+
+def test_a_job_fills_its_cache():
+    cache = wirewarp.Cache()
+    wirewarp.start(*half_cylinder(), cache=cache).result()
+    assert wirewarp.start(*half_cylinder(), cache=cache).result().report["reused_pieces"] == 1
+
+
+def test_a_cancelled_job_says_so():
+    job = wirewarp.start(*spherical_patch(300, 300))
+    job.cancel()
+    assert [piece.error.code for piece in job.result().pieces] == [wirewarp.ErrorCode.cancelled]
+
+
+def test_bad_input_is_raised_by_result():
+    vertices, faces = half_cylinder()
+    job = wirewarp.start(vertices, [[0, 1, 10_000_000]])
+    for _ in range(2):
+        with pytest.raises(wirewarp.FlattenError) as caught:
+            job.result()
+        assert caught.value.code == wirewarp.ErrorCode.vertex_out_of_range
+
+
+def test_arguments_of_a_wrong_type_are_raised_at_once():
+    with pytest.raises(wirewarp.FlattenError):
+        wirewarp.start(*half_cylinder(), options=3)
+    with pytest.raises(wirewarp.FlattenError):
+        wirewarp.start(*half_cylinder(), cache={})
+
+
+def test_several_jobs_run_at_once():
+    meshes = [half_cylinder(20, 20), spherical_patch(20, 20)] * 3
+    jobs = [wirewarp.start(*mesh) for mesh in meshes]
+    for mesh, job in zip(meshes, jobs, strict=True):
+        assert np.array_equal(job.result().corner_uv, wirewarp.flatten(*mesh).corner_uv)
+
+
+def test_a_job_that_nobody_holds_is_cancelled():
+    job = wirewarp.start(*spherical_patch(300, 300))
+    del job
+    gc.collect()  # returns when its thread has ended
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="this system sends no signals to threads")
+def test_ctrl_c_while_waiting_cancels():
+    waits, has_ended = False, threading.Event()
+
+    def press(_signal, _frame):
+        if waits:
+            raise KeyboardInterrupt
+
+    def press_again_and_again(main=threading.main_thread().ident):
+        while not has_ended.wait(0.01):
+            signal.pthread_kill(main, signal.SIGINT)
+
+    handler = signal.signal(signal.SIGINT, press)
+    presser = threading.Thread(target=press_again_and_again)
+    presser.start()
+    try:
+        job = wirewarp.start(*spherical_patch(300, 300))
+        with pytest.raises(KeyboardInterrupt):
+            waits = True
+            job.result()
+        waits = False
+        assert [piece.error.code for piece in job.result().pieces] == [wirewarp.ErrorCode.cancelled]
+    finally:
+        waits = False
+        has_ended.set()
+        presser.join()
+        signal.signal(signal.SIGINT, handler)
+
+
+def test_a_job_is_neither_copied_nor_pickled_nor_made_without_start():
+    job = wirewarp.start(*half_cylinder())
+    with pytest.raises(TypeError, match="cannot be copied or pickled"):
+        copy.copy(job)
+    with pytest.raises(TypeError, match="cannot be copied or pickled"):
+        pickle.dumps(job)
+    with pytest.raises(TypeError):
+        wirewarp.Job()
+    with pytest.raises(TypeError):
+        wirewarp.Job.__new__(wirewarp.Job).progress()
+
+
+ENDS_WITH_A_JOB = """
+import sys, wirewarp
+sys.path.insert(0, {folder!r})
+from surfaces import spherical_patch
+job = wirewarp.start(*spherical_patch(300, 300))
+print("the end")
+"""
+
+
+def test_python_ends_while_a_job_runs():
+    code = ENDS_WITH_A_JOB.format(folder=str(Path(__file__).parent))
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "the end\n", "")
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system does not fork")
+def test_a_job_is_not_in_a_forked_process():
+    job = wirewarp.start(*spherical_patch(100, 100))
+
+    def ask(answers):
+        for method in (job.result, job.progress, job.is_done):
+            try:
+                method()
+            except RuntimeError as error:
+                answers.put(str(error))
+
+    context = multiprocessing.get_context("fork")
+    answers = context.SimpleQueue()
+    child = context.Process(target=ask, args=(answers,))
+    child.start()
+    child.join(60)
+    assert child.exitcode == 0
+    for _ in range(3):
+        assert "not in one forked from it" in answers.get()
+    assert not job.result().pieces[0].error
+
+
+def test_progress_goes_up_to_the_end():
+    job = wirewarp.start(*spherical_patch(200, 200))
+    fractions = [job.progress()[1]]
+    while not job.is_done():
+        fractions.append(job.progress()[1])
+        time.sleep(0.001)
+    assert fractions == sorted(fractions)
