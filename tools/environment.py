@@ -18,6 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build"
 DEBIAN_PYTHON = Path("/usr/bin/python3.11")
 CORES = len(os.sched_getaffinity(0))
+TIME_STAMP = "315532800"  # of files in archives: 1980, the first a zip can hold
 SYSTEM_PATH = "/usr/local/sbin:/usr/sbin:/sbin:/usr/bin:/bin"  # dpkg needs the sbin folders
 CALLERS_PATH = os.environ.get("PATH", "")
 

@@ -10,6 +10,7 @@ from tools.environment import BUILD, fingerprint, is_current, run_quietly, set_c
 PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0")  # none needs another package
 PIP_PLATFORMS = {  # pip's word for the oldest system that Blender runs on, by Blender's word
     "linux-x64": "manylinux2014_x86_64",
+    "linux-arm64": "manylinux_2_28_aarch64",
     "windows-x64": "win_amd64",
     "macos-arm64": "macosx_11_0_arm64",
     "macos-x64": "macosx_11_0_x86_64",

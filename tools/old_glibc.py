@@ -22,8 +22,8 @@ from tools.environment import (
     set_current,
     venv,
 )
+from tools.zig import ZIG, cache_variables, zig
 
-ZIG = "ziglang==0.17.1"
 OPENMESH = "openmesh==1.2.1"  # its C++ source is that of OpenMesh 9.1
 GLIBC = "2.28"  # that of the systems blender.org builds for
 POLICY = f"manylinux_{GLIBC.replace('.', '_')}_x86_64"
@@ -70,10 +70,8 @@ def write_stubs(folder: Path) -> None:
     """libc.so and its like, of the old glibc: zig writes them into its cache when it links anything."""
     cache = folder / "zig"
     (folder / "empty.c").write_text("")
-    python = venv("zig", DEBIAN_PYTHON, ZIG)
     link = ("cc", "-target", f"x86_64-linux-gnu.{GLIBC}", "-shared", "-o", folder / "empty.so", folder / "empty.c")
-    caches = {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache)}
-    run_quietly(f"writing the symbols of glibc {GLIBC}", [python, "-m", "ziglang", *link], **caches)
+    run_quietly(f"writing the symbols of glibc {GLIBC}", [zig(), *link], **cache_variables(cache))
     (libc,) = cache.glob("o/*/libc.so.6")
     for library in libc.parent.glob("lib*.so.*"):
         shutil.copy(library, folder)

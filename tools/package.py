@@ -10,13 +10,16 @@ Both zips hold pyclipper and pydyf, too, which wirewarp.pattern needs.
 
 import fcntl
 import shutil
+from collections.abc import Collection
 from pathlib import Path
 
-from tools import old_glibc, zips
+from tools import cross, old_glibc, zips
+from tools.cross import SYSTEMS, System
 from tools.environment import (
     BUILD,
     DEBIAN_PYTHON,
     ROOT,
+    TIME_STAMP,
     clean_environment,
     find_python,
     fingerprint,
@@ -30,12 +33,12 @@ from tools.environment import (
     venv,
 )
 from tools.libraries import library_wheels
+from tools.zig import ZIG
 from tools.zips import LEGACY_TAG, VERSION
 
 DIST = ROOT / "dist"
 PYTHONS = ("3.11", "3.13")  # Blender 3.4 to 5.0; Blender 5.1 and later
 LEGACY_PYTHON = "3.11"
-TIME_STAMP = "315532800"  # of files in archives: 1980, the first a zip can hold
 PLATFORM = "linux-x64"  # Blender's word for what is built here
 BUILD_APT = (
     "build-essential",
@@ -60,19 +63,42 @@ CORE_SOURCES = (
     "pyproject.toml",
     "python",
     "tools/old_glibc.py",
+    "tools/zig.py",
 )
 
 
 def package() -> dict[str, Path]:
-    """Builds all; returns the wheel of each Python version there is."""
+    """Builds what this system runs; returns the wheel of each Python version there is."""
     require_apt(*BUILD_APT)
     found = {version: find_python(version) for version in PYTHONS}
     wheels = {version: build_wheel(version, python) for version, python in found.items() if python}
-    for old in set(DIST.glob("wirewarp-*.whl")) - set(wheels.values()):
+    keep_in_dist(wheels.values())
+    return wheels
+
+
+def package_for_all_systems() -> None:
+    wheels = package()
+    others = [cross_wheel(system, version, wheel) for version, wheel in wheels.items() for system in SYSTEMS]
+    keep_in_dist([*wheels.values(), *others])
+
+
+def cross_wheel(system: System, version: str, wheel: Path) -> Path:
+    """The wheel for another system, beside the one made here; from the last build if nothing it is made of changed."""
+    made = wheel.with_name("-".join([*wheel.stem.split("-")[:-1], system.wheel_tag]) + ".whl")
+    key = fingerprint([*(ROOT / source for source in CORE_SOURCES), ROOT / "tools" / "cross.py"], cross.WHEEL, ZIG)
+    if not (made.is_file() and is_current(f"wheel-{made.stem}", key)):
+        made.unlink(missing_ok=True)
+        cross.build_wheel(system, version, venv_for_wheels(version, require_python(version)), wheel, made)
+        set_current(f"wheel-{made.stem}", key)
+    return made
+
+
+def keep_in_dist(wheels: Collection[Path]) -> None:
+    """Writes the zips of these wheels, and removes all others."""
+    for old in set(DIST.glob("wirewarp-*.whl")) - set(wheels):
         old.unlink()
     for old in set(DIST.glob("wirewarp-*.zip")) - set(zips.write_zips(DIST)):
         old.unlink()
-    return wheels
 
 
 def package_legacy() -> Path:
@@ -120,6 +146,10 @@ def build_wheel(version: str, python: Path) -> Path:
         return build_wheel_alone(version, python)
 
 
+def venv_for_wheels(version: str, python: Path) -> Path:
+    return venv(f"build-{version}", python, *WHEEL_TOOLS)
+
+
 def build_wheel_alone(version: str, python: Path) -> Path:
     tag = "cp" + version.replace(".", "")
     key = fingerprint([ROOT / source for source in CORE_SOURCES], str(python), *WHEEL_TOOLS)
@@ -129,7 +159,7 @@ def build_wheel_alone(version: str, python: Path) -> Path:
     for old in found:
         old.unlink()
     DIST.mkdir(exist_ok=True)
-    interpreter = venv(f"build-{version}", python, *WHEEL_TOOLS)
+    interpreter = venv_for_wheels(version, python)
     raw = BUILD / "wheels" / tag
     shutil.rmtree(raw, ignore_errors=True)
     settings = {

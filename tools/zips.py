@@ -28,6 +28,7 @@ NEWEST_TAG = "cp313"
 FIRST_BLENDER_ON_NEWEST = "5.1.0"
 PLATFORMS = {  # how the tag of a wheel looks: Blender's word for it
     r"manylinux_\d+_\d+_x86_64": "linux-x64",
+    r"manylinux_\d+_\d+_aarch64": "linux-arm64",
     r"win_amd64": "windows-x64",
     r"macosx_\d+_\d+_arm64": "macos-arm64",
     r"macosx_\d+_\d+_x86_64": "macos-x64",

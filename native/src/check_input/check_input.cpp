@@ -9,7 +9,7 @@
 namespace wirewarp {
 namespace {
 
-void check_vertices_in_range(const std::vector<int>& vertices, long num_vertices, const std::string& owner) {
+void check_vertices_in_range(const std::vector<int>& vertices, Eigen::Index num_vertices, const std::string& owner) {
   std::set<int> found;
   for (int v : vertices) {
     if (v < 0 || v >= num_vertices) found.insert(v);
