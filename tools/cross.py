@@ -25,7 +25,7 @@ from tools.environment import (
     venv,
 )
 from tools.old_glibc import GLIBC, openmesh_source
-from tools.zig import ZIG, cache_variables, zig
+from tools.zig import cache_variables, zig
 
 WHEEL = "wheel==0.48.0"
 OLDEST_MACOS = "11.0"  # the oldest that Blender 4.2 runs on

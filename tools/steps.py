@@ -9,6 +9,7 @@ import time
 import traceback
 from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass
+from enum import IntEnum
 from multiprocessing.connection import wait
 from multiprocessing.context import ForkProcess
 
@@ -21,12 +22,20 @@ AT_ONCE = 2  # so that a step that uses one core leaves none idle
 PROCESSES = multiprocessing.get_context("fork")
 
 
+class When(IntEnum):
+    """Which runs a step is part of, besides those that name it."""
+
+    ALWAYS = 0
+    ALL = 1  # ./dev test --all
+    NAMED = 2  # no others
+
+
 @dataclass(frozen=True)
 class Step:
     name: str
     work: Callable[[], None]  # raises StepError or NotTestedError
     after: str = ""  # the step whose builds this one takes over
-    is_extra: bool = False  # of ./dev test --all and by name alone
+    when: When = When.ALWAYS
 
 
 @dataclass(frozen=True)

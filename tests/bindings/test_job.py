@@ -88,9 +88,9 @@ def test_ctrl_c_while_waiting_cancels():
         if waits:
             raise KeyboardInterrupt
 
-    def press_again_and_again(main=threading.main_thread().ident):
+    def press_again_and_again():
         while not has_ended.wait(0.01):
-            signal.pthread_kill(main, signal.SIGINT)
+            signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
 
     handler = signal.signal(signal.SIGINT, press)
     presser = threading.Thread(target=press_again_and_again)

@@ -14,9 +14,12 @@ import pytest
 
 from tools import environment, steps
 from tools.environment import NotTestedError, StepError
-from tools.steps import Outcome, Step, run_in_order, run_side_by_side, show
+from tools.steps import Outcome, Step, When, run_in_order, run_side_by_side, show
 
 ROOT = Path(__file__).resolve().parents[2]
+
+
+WHEN = {"extra": When.ALL, "seldom": When.NAMED}
 
 
 @pytest.fixture(scope="module")
@@ -34,7 +37,7 @@ def main(dev, monkeypatch):
     monkeypatch.setattr(dev, "require_apt", lambda *names: None)
 
     def run(names: list[str], *words: str) -> int:
-        every = [Step(name, work_named(name), is_extra=name.startswith("extra")) for name in names]
+        every = [Step(name, work_named(name), when=WHEN.get(name, When.ALWAYS)) for name in names]
         monkeypatch.setattr(dev, "test_steps", lambda: every)
         monkeypatch.setattr(sys, "argv", ["dev", "test", *words])
         return dev.main()
@@ -64,8 +67,8 @@ def test_steps_are_chosen_by_how_their_names_begin(main, capfd):
 
 
 def test_an_unknown_step_names_the_known_ones(main, capfd):
-    assert main(["lint", "window"], "windows") == 1
-    assert "no step begins with windows; there are: lint, window" in capfd.readouterr().out
+    assert main(["lint", "window"], "macos") == 1
+    assert "no step begins with macos; there are: lint, window" in capfd.readouterr().out
 
 
 def test_a_failed_step_is_told_and_the_others_run_all_the_same(main, capfd):
@@ -88,23 +91,28 @@ def test_all_steps_run_side_by_side_and_end_the_same(main, capfd, tmp_path, monk
     assert table(capfd.readouterr().out) == [("good", "passed"), ("bad", "FAILED"), ("lacking", "NOT TESTED")]
 
 
-def test_without_all_or_a_name_extra_steps_are_left_out(main, capfd, tmp_path, monkeypatch):
+def test_steps_run_when_they_are_wanted(main, capfd, tmp_path, monkeypatch):
     monkeypatch.setattr(steps, "LOGS", tmp_path)
     chosen = {}
-    for words in ((), ("--all",), ("extra",)):
-        assert main(["extra", "good"], *words) == 0
+    for words in ((), ("--all",), ("extra",), ("seldom",)):
+        assert main(["seldom", "extra", "good"], *words) == 0
         chosen[words] = [name for name, _ in table(capfd.readouterr().out)]
-    assert chosen == {(): ["good"], ("--all",): ["extra", "good"], ("extra",): ["extra"]}
+    assert chosen == {(): ["good"], ("--all",): ["extra", "good"], ("extra",): ["extra"], ("seldom",): ["seldom"]}
 
 
-def test_no_step_of_every_run_waits_for_an_extra_one(dev):
-    is_extra = {step.name: step.is_extra for step in dev.test_steps()}
-    assert [step.name for step in dev.test_steps() if step.after and is_extra[step.after] > step.is_extra] == []
+def test_no_step_waits_for_one_that_runs_more_seldom(dev):
+    when = {step.name: step.when for step in dev.test_steps()}
+    assert [step.name for step in dev.test_steps() if step.after and when[step.after] > step.when] == []
 
 
-def test_no_name_of_a_step_begins_as_another(dev):
+def test_the_name_of_one_step_chooses_no_other(main, capfd):
+    assert main(["window", "windows-3.11", "windows-3.13"], "window") == 0
+    assert [name for name, _ in table(capfd.readouterr().out)] == ["window"]
+
+
+def test_every_step_has_a_name_of_its_own(dev):
     names = [step.name for step in dev.test_steps()]
-    assert [(a, b) for a in names for b in names if a != b and a.startswith(b)] == []
+    assert len(set(names)) == len(names)
 
 
 def test_a_step_comes_after_the_one_it_builds_on(dev):
