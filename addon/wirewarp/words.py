@@ -21,6 +21,11 @@ def quoted(names: Iterable[str]) -> str:
     return ", ".join(f'"{name}"' for name in names)
 
 
+def paragraph(sentences: Iterable[str]) -> str:
+    """In one line, each sentence with its end: Blender's status bar drops line breaks."""
+    return " ".join(each if each.endswith((".", "?", ":")) else f"{each}." for each in sentences)
+
+
 def tolerance_text(tolerance: float) -> str:
     """A rigid, an elastic or a free (super-elastic) wire: "rigid", "±3%", "free"."""
     if tolerance == 0:

@@ -11,6 +11,7 @@ from view_context import view_context
 EDGE = {"edge": 0}
 ATTRIBUTES = ("wirewarp_wire", "wirewarp_tolerance", "wirewarp_allowance", "wirewarp_piece")
 KINDS = ("SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE", "HINT")
+MENDS = ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE", "NORMALS")
 COMMANDS = [  # what writes comes last
     ("object.wirewarp_copy_report", {}),
     ("mesh.wirewarp_select_issues", {}),
@@ -22,7 +23,7 @@ COMMANDS = [  # what writes comes last
     ("object.wirewarp_sewing", {}),
     ("mesh.wirewarp_take_proposal", {"what": "SEAMS", "issue": 0}),
     ("mesh.wirewarp_take_proposal", {"what": "TOLERANCES", "issue": 0}),
-    *(("object.wirewarp_mend", {"what": what}) for what in ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE")),
+    *(("object.wirewarp_mend", {"what": what}) for what in MENDS),
     ("mesh.wirewarp_grain_wire", EDGE),
     ("mesh.wirewarp_change_wire", EDGE | {"kind": "ELASTIC"}),
     ("mesh.wirewarp_mark", {"kind": "RIGID"}),

@@ -170,3 +170,32 @@ def test_vertices_are_merged_by_the_size_of_the_model_wherever_it_lies(addon, sh
     left, right = ([(shift + x + dx, y, 0.0) for x, y in corners] for dx in (0.0, 1.0 + apart))
     source = make_object("Squares", left + right, [(0, 1, 2, 3), (4, 5, 6, 7)])
     assert addon.model.mend.merge_close_vertices(source.data) == merged
+
+
+def test_faces_that_look_to_opposite_sides_are_turned_and_flattened(addon):
+    source = grid("Bump", bump, size=4)
+    source.data.polygons[5].flip()
+    flatten_fails("look to opposite sides")
+    step = step_of(addon, source)
+    assert step.text == "Recalculate Normals and Flatten"
+    assert MEND(**step.settings) == {"FINISHED"}
+    assert ready(addon, source)
+    with pytest.raises(RuntimeError, match="cannot all look to one side"):
+        MEND(**step.settings)
+
+
+def test_the_strained_place_is_the_largest_of_the_worst_piece(addon):
+    """Not a wire that would go further if it could, and no single face."""
+
+    def entry(code, piece, faces, edges=()):
+        return {"code": code, "piece": piece, "vertices": [], "edges": list(edges), "faces": list(range(faces))}
+
+    report = {"issues": [], "pieces": [{"ok": True, "aspect_ratio_max": 3.0}] * 2}
+    report["hints"] = [
+        entry("wire_at_limit", None, 0, [(0, 1)]),
+        entry("strained", 1, 1),
+        entry("strained", 0, 50),
+        entry("strained", 1, 20),
+    ]
+    step = addon.report.next_step.next_step(report, [])
+    assert (step.text, step.settings) == ("Show Strained Place", {"what": "HINT", "index": 3})

@@ -154,7 +154,7 @@ def test_pieces_that_cloth_cannot_follow_are_not_ready_to_cut(addon):
     assert verdict(report_of_pieces(1.65)) == [(strain_sentence("Piece 1", 65), "AMBER")]
     assert verdict(report_of_pieces(1.65, None, 1.1, 14.0)) == [
         ("Do not cut: 1 of 4 pieces failed", "CANCEL"),
-        ("Piece 4 cannot be sewn from this. Add seams there.", "AMBER"),
+        ("Piece 4: no cloth stretches that far. Add seams.", "AMBER"),
         (strain_sentence("Piece 1", 65), "AMBER"),
         ("Ready to cut, from cloth that stretches 10%: Piece 3", "TICK"),
     ]
@@ -163,7 +163,7 @@ def test_pieces_that_cloth_cannot_follow_are_not_ready_to_cut(addon):
     report = report_of_pieces(1.0)
     report["pieces"][0] |= {"aspect_ratio_max": None, "stretch_max": None}  # "inf": a face squeezed to a line
     (line,) = verdict(report)
-    assert line == ("Piece 1 cannot be sewn from this. Add seams there.", "AMBER")
+    assert line == ("Piece 1: no cloth stretches that far. Add seams.", "AMBER")
 
 
 def test_many_good_pieces_are_counted(addon):
@@ -176,12 +176,12 @@ def test_the_message_of_a_run_is_the_verdict_on_all_its_models(addon):
         return addon.report.verdict.run_message([report | {"notes": [], "hints": []} for report in reports])
 
     fine = report_of_pieces(1.0, 1.05)
-    assert message(fine) == ("INFO", "Ready to cut: 2 pieces, every length kept")
+    assert message(fine) == ("INFO", "Ready to cut: 2 pieces, every length kept.")
     giving = "Ready to cut, from cloth that stretches 20%: 3 pieces, every length kept"
-    assert message(fine, report_of_pieces(1.2)) == ("INFO", giving)
+    assert message(fine, report_of_pieces(1.2)) == ("INFO", f"{giving}.")
     assert message(report_of_pieces(1.3, name="A"), report_of_pieces(1.0, 1.65, name="B")) == (
         "WARNING",
-        f"{strain_sentence('B, Piece 2; A, Piece 1', 65)}\nReady to cut: B, Piece 1",
+        f"{strain_sentence('B, Piece 2; A, Piece 1', 65)} Ready to cut: B, Piece 1.",
     )
 
 

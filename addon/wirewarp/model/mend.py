@@ -20,6 +20,20 @@ def merge_close_vertices(mesh: bpy.types.Mesh) -> int:
     return _mend(mesh, lambda edit, close: bmesh.ops.remove_doubles(edit, verts=edit.verts, dist=close))
 
 
+def recalculate_normals(mesh: bpy.types.Mesh) -> int:
+    """Turns faces so that all look to one side, outward if they enclose something. Returns how many were turned."""
+    edit = bmesh.new()
+    try:
+        edit.from_mesh(mesh)
+        before = [face.normal.copy() for face in edit.faces]
+        bmesh.ops.recalc_face_normals(edit, faces=edit.faces)
+        edit.to_mesh(mesh)
+        mesh.update()
+        return sum(face.normal.dot(normal) < 0 for face, normal in zip(edit.faces, before, strict=True))
+    finally:
+        edit.free()
+
+
 def _mend(mesh: bpy.types.Mesh, act: Callable[[bmesh.types.BMesh, float], object]) -> int:
     edit = bmesh.new()
     try:

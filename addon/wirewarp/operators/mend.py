@@ -8,7 +8,7 @@ from ..blender.modes import WORKING_MODES, in_object_mode
 from ..blender.objects import check_local
 from ..flat.reports import last_report
 from ..issues import ObjectError, object_error
-from ..model.mend import dissolve_faces_without_area, merge_close_vertices
+from ..model.mend import dissolve_faces_without_area, merge_close_vertices, recalculate_normals
 from ..model.owners import check_not_edited, model_or_self
 from ..properties import take_settings
 from ..run import window_run
@@ -22,8 +22,9 @@ NOTHING = {  # by kind
     "TOLERANCES": "Already as loose, or no wires any more. Flatten again.",
     "DISSOLVE": 'Nothing to dissolve: no face of "{}" is without area.',
     "MERGE": 'No two vertices lie in one place: the faces of "{}" are apart.',
+    "NORMALS": 'The faces of "{}" cannot all look to one side: mark a seam where they change.',
 }
-CLEAN_UP = {"DISSOLVE": dissolve_faces_without_area, "MERGE": merge_close_vertices}
+CLEAN_UP = {"DISSOLVE": dissolve_faces_without_area, "MERGE": merge_close_vertices, "NORMALS": recalculate_normals}
 
 
 class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
@@ -40,6 +41,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             *PROPOSALS,
             ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
             ("MERGE", "Merge", "Merge vertices of the model that lie in one place"),
+            ("NORMALS", "Normals", "Turn faces of the model so that all look to one side"),
             ("MODIFIERS", "Modifiers", "Take the mesh as modifiers and shape keys leave it, from now on"),
         ],
         options={"HIDDEN"},

@@ -18,7 +18,7 @@ from .cloth import STRAIN_LIMIT, PieceStrain, connected_regions, strain_figures,
 LARGEST_SHARE = 0.25  # of the area of a piece: where more is strained, only the worst of it is a place to point at
 MOST_REGIONS = 4  # of all pieces
 LEAST_AMOUNT = 0.1  # of the greatest: the others are single faces, or not worth words
-TORN = "torn"
+TORN, STRAINED = "torn", "strained"
 ADVICE = (
     "Some edges overlap but are not joined. If they should be, select them, use Mesh > Merge > By Distance (or Merge "
     "in the Mirror modifier), and flatten again"
@@ -66,7 +66,7 @@ def _worth_words(regions: list[Region]) -> list[Region]:
 def _strain_hint(piece: int, figures: str, alike: list[Region], arrays: MeshArrays) -> Hint:
     words = strain_words(max(region.stretch for region in alike), max(region.ease for region in alike))
     return Hint(
-        "strained",
+        STRAINED,
         f"{words[0].upper()}{words[1:]} near here. Add a dart or seam here.",
         short=figures if len(alike) == 1 else f"{figures}, at {len(alike)} places",
         piece=piece,

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from ..words import counted
 from .cloth import is_strained
+from .hints import STRAINED
 
 MEND = "object.wirewarp_mend"
 SHOW = "mesh.wirewarp_select_result"
@@ -14,8 +15,9 @@ REMEDIES = {
     "TOLERANCES": ("Loosen and Flatten", "FIXED_SIZE"),
     "DISSOLVE": ("Dissolve and Flatten", "X"),
     "MERGE": ("Merge and Flatten", "AUTOMERGE_ON"),
+    "NORMALS": ("Recalculate Normals and Flatten", "NORMALS_FACE"),
 }
-OF_CODES = {"zero_area_face": "DISSOLVE", "loose_faces": "MERGE"}
+OF_CODES = {"zero_area_face": "DISSOLVE", "loose_faces": "MERGE", "inconsistent_orientation": "NORMALS"}
 
 
 class NextStep(NamedTuple):
@@ -33,20 +35,32 @@ def next_step(report: dict, left_out: list[str]) -> NextStep | None:
         if what in remedies:
             return NextStep(_reason(report["issues"], what), text, icon, MEND, {"what": what})
     if report["issues"]:
-        return _show(report, "ISSUE", "Show Failed Place", report["issues"])
+        return _show("ISSUE", "Show Failed Place", _shown(report, report["issues"]))
     if left_out:
         return NextStep("", "Flatten with Modifiers", "MODIFIER", MEND, {"what": "MODIFIERS"})
-    return _show(report, "HINT", "Show Strained Place", report["hints"]) if _any_strained(report) else None
+    return _show("HINT", "Show Strained Place", _strained_places(report)) if _any_strained(report) else None
 
 
 def _any_strained(report: dict) -> bool:
     return any(map(is_strained, report["pieces"]))
 
 
-def _show(report: dict, what: str, text: str, entries: list[dict]) -> NextStep | None:
-    """The first of them that has a place: they stand in the order of what is worst."""
-    index = next((index for index, entry in enumerate(entries) if is_shown(report, entry)), None)
-    return None if index is None else NextStep("", text, "RESTRICT_SELECT_OFF", SHOW, {"what": what, "index": index})
+def _show(what: str, text: str, places: list[int]) -> NextStep | None:
+    """The first of these lines of the report."""
+    return NextStep("", text, "RESTRICT_SELECT_OFF", SHOW, {"what": what, "index": places[0]}) if places else None
+
+
+def _shown(report: dict, entries: list[dict]) -> list[int]:
+    """Those that have a place, in their order: the worst first."""
+    return [index for index, entry in enumerate(entries) if is_shown(report, entry)]
+
+
+def _strained_places(report: dict) -> list[int]:
+    """Of the worst piece, the largest first: the very worst may be a single face, in which nobody finds the way."""
+    hints = report["hints"]
+    places = [index for index in _shown(report, hints) if hints[index]["code"] == STRAINED]
+    own = [index for index in places if hints[index]["piece"] == hints[places[0]]["piece"]]
+    return sorted(own, key=lambda index: -len(hints[index]["faces"]))
 
 
 def remedy_of(issue: dict) -> str | None:

@@ -4,7 +4,7 @@
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from ..words import counted
+from ..words import counted, paragraph
 from .cloth import aspect_ratio, is_strained, is_unsewable, largest, ready_text, strain_words
 from .hints import TORN
 from .report import SCHEMA
@@ -35,7 +35,7 @@ def verdict(*reports: dict) -> list[VerdictLine]:
         lines.append(VerdictLine(f"Do not cut: {which} failed", "CANCEL"))
     if unsewable:
         names = _shown_names(_worst_first(unsewable), len(reports) > 1)
-        lines.append(VerdictLine(f"{names} cannot be sewn from this. Add seams there.", "AMBER"))
+        lines.append(VerdictLine(f"{names}: no cloth stretches that far. Add seams.", "AMBER"))
     if strained:
         lines.append(_strained_line(_worst_first(strained), len(reports) > 1))
     if not good:
@@ -103,14 +103,15 @@ def run_message(reports: list[dict]) -> tuple[str, str]:
         warnings = [note["text"] for note in notes if note["is_warning"]]
         torn = {hint["sentence"] for report in reports for hint in report["hints"] if hint["code"] == TORN}
         left_out = as_seen([], (maker for report in reports for maker in left_out_of(report)))
-        return "ERROR", "\n".join([failure_text(reports), *(line.text for line in left_out), *warnings, *torn])
+        return "ERROR", paragraph([failure_text(reports), *(line.text for line in left_out), *warnings, *torn])
     lines = as_seen(verdict(*reports), (maker for report in reports for maker in left_out_of(report)))
     is_fine = all(line.icon == "TICK" for line in lines) and not any(note["is_warning"] for note in notes)
-    return "INFO" if is_fine else "WARNING", "\n".join([line.text for line in lines] + [note["text"] for note in notes])
+    sentences = [line.text for line in lines] + [note["text"] for note in notes]
+    return "INFO" if is_fine else "WARNING", paragraph(sentences)
 
 
 def failure_text(reports: list[dict]) -> str:
-    """What failed, one line each."""
+    """What failed, a sentence each."""
     lines = [
         f"{_place(report, issue['piece'])}: {issue['sentence']}" for report in reports for issue in report["issues"]
     ]
@@ -128,7 +129,7 @@ def kept_text(reports: Sequence[dict]) -> str:
 def _capped(lines: list[str]) -> str:
     hidden = len(lines) - SHOWN_SENTENCES
     more = [f"And {hidden} more: see the report in the sidebar."] if hidden > 0 else []
-    return "\n".join(lines[:SHOWN_SENTENCES] + more)
+    return paragraph(lines[:SHOWN_SENTENCES] + more)
 
 
 def _place(report: dict, piece: int | None) -> str:

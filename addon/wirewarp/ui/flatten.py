@@ -5,7 +5,7 @@ import bpy
 
 from ..blender.cache import stamp
 from ..blender.size import likely_units, strange_size, unit_text
-from ..flat.reports import last_report, pieces_report
+from ..flat.reports import last_report
 from ..issues import ObjectError
 from ..model.modifiers import shaped_by
 from ..model.owners import find_flat_object, has_flat_object, model_of, model_or_self
@@ -78,8 +78,8 @@ def _draw_state(context: bpy.types.Context, layout: bpy.types.UILayout, source: 
         asked = button.operator(step.operator, text=step.text, icon=step.icon)
         for name, value in step.settings.items():
             setattr(asked, name, value)
-    made = pieces_report(source) if has_flat_object(source) else None
-    sentence = settings_sentence(source, made, context.scene.wirewarp) if made else ""
+    # Of the last run, though it may have left the earlier pieces: to flatten again would change nothing.
+    sentence = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if sentence:
         draw_sentence(context, layout, sentence, "INFO")
 

@@ -4,7 +4,7 @@
 import bpy
 
 from ..report.hints import ADVICE as TORN_ADVICE
-from ..report.hints import TORN
+from ..report.hints import STRAINED, TORN
 from ..report.names import with_piece
 from ..report.next_step import is_shown
 from ..words import counted, tolerance_text
@@ -12,24 +12,29 @@ from .layout import draw_sentence
 from .report_table import SHOWN_ROWS, draw_select
 
 SHOWN_HINTS = 5
-WITH_MODIFIERS = "To see what to mark, flatten without Modifiers: they change the edges."
+WITH_MODIFIERS = (
+    "The proposal is about edges that modifiers make. Mark others on the model, or apply its modifiers and flatten again."
+)
 ADVICE = {
     TORN: f"{TORN_ADVICE}:",
     "wire_at_limit": "A wider tolerance on these wires would lower the distortion:",
-    "strained": "The cloth must stretch or ease in here. Add a dart or seam:",
+    STRAINED: "The cloth must stretch or ease in here. Where yours does not, add a dart or seam:",
 }
 
 
 def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: dict) -> None:
-    issues = report["issues"]
+    issues, has_proposal = report["issues"], False
     for index, issue in enumerate(issues[:SHOWN_ROWS]):
         _draw_entry(context, layout, with_piece(report, issue), "ISSUE", index, is_shown(report, issue))
         if not report.get("with_modifiers"):
             _draw_proposals(context, layout, index, issue)
         elif issue["proposed_seams"] or issue["proposed_tolerances"]:
             draw_sentence(context, layout, WITH_MODIFIERS, "INFO")
+            has_proposal = True
     if len(issues) > SHOWN_ROWS:
         layout.label(text=f"and {len(issues) - SHOWN_ROWS} more")
+    if has_proposal and context.active_object.modifiers:
+        layout.operator("object.convert", text="Apply Modifiers", icon="MODIFIER").target = "MESH"
     if sum(map(_has_place, issues)) > 1 and not report.get("with_modifiers"):
         layout.operator("mesh.wirewarp_select_issues", text="Select All Problems", icon="RESTRICT_SELECT_OFF")
     if any(issue["code"] == "multi_user_scale" for issue in issues):
