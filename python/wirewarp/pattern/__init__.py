@@ -8,7 +8,8 @@ are shorter where spyrrow is installed.
 from .flat_piece import Chain, FlatPiece, FlatWire
 from .marker import Marker, Placement
 from .model import Line, PatternPiece, Point, Text
-from .pattern import Pattern, Written, cut_lines
+from .papers import Page
+from .pattern import Pattern, Written
 from .units import UnitSystem
 
 __all__ = [
@@ -17,6 +18,7 @@ __all__ = [
     "FlatWire",
     "Line",
     "Marker",
+    "Page",
     "Pattern",
     "PatternPiece",
     "Placement",
@@ -24,5 +26,4 @@ __all__ = [
     "Text",
     "UnitSystem",
     "Written",
-    "cut_lines",
 ]

@@ -34,6 +34,15 @@ MOST_SHEETS = 2000
 
 
 @dataclass(frozen=True)
+class Page:
+    """Of a file to print, and what it shows of the pattern. Lengths are in millimeters."""
+
+    name: str  # "A1" of sheets to tape together, else its number
+    low: np.ndarray  # (2,) lower left corner
+    size: np.ndarray  # (2,) width and height: of sheets without their margins
+
+
+@dataclass(frozen=True)
 class Tile:
     row: int  # from the top
     column: int
@@ -80,15 +89,20 @@ def roll_width(paper: str | float) -> float | None:
     return checked_length("paper, the width of a roll,", paper, 100.0, LONGEST)
 
 
-def divided(pattern: "Pattern", paper: str) -> Tiles:
+def at_origin(pattern: "Pattern") -> "Pattern":
+    """As it lies, but with the lower left corner at 0, 0."""
+    low, _ = pattern.bounds
+    return replace(pattern, pieces=[piece.moved(-low) for piece in pattern.pieces])
+
+
+def divided(pattern: "Pattern", paper: str, keep_places: bool) -> Tiles:
     """On the fewest sheets, upright or on their side; if it takes no more, with every piece on one sheet.
 
-    A marker stays as it is. Raises FlattenError if the sheets are too many.
+    A marker stays as it is, and so does what keeps its places. Raises FlattenError if the sheets are too many.
     """
-    if pattern.marker:
-        low, _ = pattern.bounds
-        at_origin = replace(pattern, pieces=[piece.moved(-low) for piece in pattern.pieces])
-        plans = [_with_tiles(at_origin, np.array(upright)) for upright in (SHEETS[paper], SHEETS[paper][::-1])]
+    if pattern.marker or keep_places:
+        moved = at_origin(pattern)
+        plans = [_with_tiles(moved, np.array(upright)) for upright in (SHEETS[paper], SHEETS[paper][::-1])]
         return min(plans, key=lambda plan: len(plan.tiles))
     taped = _taped(pattern, paper)
     whole = [plan for upright in (SHEETS[paper], SHEETS[paper][::-1]) if (plan := _whole(pattern, np.array(upright)))]

@@ -23,7 +23,8 @@ from .model import PatternPiece
 from .nest_items import Grain
 from .nesting import Cloth, Preview, nested
 from .notches import check_spacing
-from .pieces import finished, joined_by, lay_all, warnings_of
+from .papers import Page
+from .pieces import closed_cuts, finished, joined_by, lay_all, warnings_of
 from .progress import Progress, Watch
 from .roles import KINDS
 from .seams import sewn_sides
@@ -176,6 +177,24 @@ class Pattern:
         low = np.min([piece.bounds[0] for piece in done], axis=0)
         moved = [piece.moved(-low) for piece in done]
         return cls(title, moved, text, system, warnings, date, walks)._with_cards(watch)
+
+    @classmethod
+    def of_cut_lines(
+        cls,
+        pieces: Sequence[FlatPiece],
+        *,
+        allowance: float = 10.0,
+        allowances: npt.ArrayLike | None = None,
+        side_allowances: npt.ArrayLike | None = None,
+        folds: npt.ArrayLike | None = None,
+        darts: str = "close",
+        units: Units = "metric",
+    ) -> "Pattern":
+        """The lines to cut alone, where they lie: as from_pieces, but quicker, to show them and their pages."""
+        widths = Widths(allowance, None, allowances, side_allowances, folds)
+        laid = lay_all(pieces, widths, "auto", darts, Watch())
+        found = [PatternPiece(own.index + 1, own.name, closed_cuts(own), [], []) for own in laid]
+        return cls("", found, "", UnitSystem(units))
 
     def _with_cards(self, watch: Watch | None = None) -> "Pattern":
         """The pieces numbered anew, with texts."""
@@ -333,14 +352,25 @@ class Pattern:
         ]
         return replace(self, pieces=pieces)
 
-    def page_sizes(self, paper: str | float | None = None, proof: bool = False) -> list[np.ndarray]:
-        """Width and height of each page that a PDF for this paper would have, in millimeters; None: as write does.
+    def page_sizes(
+        self, paper: str | float | None = None, proof: bool = False, keep_places: bool = False
+    ) -> list[np.ndarray]:
+        """Width and height of each page that a PDF with these options would have, in millimeters.
 
         Raises FlattenError for what does not fit on the paper.
         """
         from .pdf import page_sizes
 
-        return page_sizes(self, paper, proof)
+        return page_sizes(self, paper, proof, keep_places)
+
+    def pages(self, paper: str | float | None = None, keep_places: bool = False) -> tuple["Pattern", list[Page]]:
+        """The pattern as it lies on the pages of a PDF with these options, and those of them that show it.
+
+        Raises FlattenError for what does not fit on the paper.
+        """
+        from .pdf import pages_of
+
+        return pages_of(self, paper, keep_places)
 
     @property
     def svg_size(self) -> np.ndarray:
@@ -370,8 +400,8 @@ class Pattern:
     ) -> "Written":
         """Writes the file whose kind the suffix of the path says, and reads it again before it takes its place.
 
-        Options: of .pdf `paper` and `proof`, of .svg `preset`, of .dxf `dialect` and `control_square`; docs/pattern.md
-        tells of them.
+        Options: of .pdf `paper`, `proof` and `keep_places`, of .svg `preset`, of .dxf `dialect` and `control_square`;
+        docs/pattern.md tells of them.
         progress: called as progress(stage, fraction) about ten times a second; False stops.
         A failure or a stop leaves a file that was there before as it was. Raises FlattenError for options, for what
         does not fit on the paper, and ("cancelled") where it is stopped; OSError for paths; RuntimeError if what was
@@ -380,21 +410,6 @@ class Pattern:
         from .write import write
 
         return write(self, Path(path), Watch(progress), options)
-
-
-def cut_lines(
-    pieces: Sequence[FlatPiece],
-    *,
-    allowance: float = 10.0,
-    allowances: npt.ArrayLike | None = None,
-    side_allowances: npt.ArrayLike | None = None,
-    folds: npt.ArrayLike | None = None,
-    progress: Progress | None = None,
-) -> list[np.ndarray]:
-    """(k,2) each: the closed lines along which pieces are cut where they lie, as of Pattern.from_pieces but quicker."""
-    widths = Widths(allowance, None, allowances, side_allowances, folds)
-    laid = lay_all(pieces, widths, "auto", "close", Watch(progress))
-    return [line for piece in laid for line in (*piece.cut.outer, *piece.cut.holes)]
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,19 @@ from .drawing import Stroke, strokes_of
 from .marker import Marker
 from .marker_pages import Part, page_width, parts_of
 from .model import PatternPiece, Text
-from .papers import LONGEST, MARGIN, OVERLAP, PROJECTOR, SHEETS, Tiles, divided, roll_width, tile_name
+from .papers import (
+    LONGEST,
+    MARGIN,
+    OVERLAP,
+    PROJECTOR,
+    SHEETS,
+    Page,
+    Tiles,
+    at_origin,
+    divided,
+    roll_width,
+    tile_name,
+)
 from .pdf_document import Content, Document
 from .progress import Watch
 from .proof import proof_pages
@@ -31,24 +43,32 @@ Numbered = tuple[int, PatternPiece]  # with its index in the pattern
 
 
 def write_pdf(
-    path: Path, pattern: "Pattern", watch: Watch, paper: str | float | None = None, proof: bool = False
+    path: Path,
+    pattern: "Pattern",
+    watch: Watch,
+    paper: str | float | None = None,
+    proof: bool = False,
+    keep_places: bool = False,
 ) -> tuple[int, list[str]]:
     """Writes the file; returns the number of pages, and sentences on what could not be drawn.
 
     paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
     a roll in millimeters; None takes A4, and for a marker a roll that is as wide as it needs.
     proof: last come pages with every piece and both sides of every seam, to check beforehand.
+    keep_places: on sheets and rolls, too, the pieces stay as they lie; else they come in rows.
     """
     paper = _paper(pattern, paper)
     width = roll_width(paper)
     if width is not None:
         document, left_out = (
-            _marker(pattern, watch, pattern.marker, width) if pattern.marker else _roll(pattern, watch, width)
+            _marker(pattern, watch, pattern.marker, width)
+            if pattern.marker
+            else _roll(pattern, watch, width, keep_places)
         )
     elif paper == PROJECTOR:
         document, left_out = _one_page(pattern, watch)
     else:
-        document, left_out = _tiles(pattern, watch, str(paper))
+        document, left_out = _tiles(pattern, watch, str(paper), keep_places)
     for content in proof_pages(pattern, _proof_size(paper)) if proof else []:
         document.add_page(_proof_size(paper), content)
         left_out += content.left_out
@@ -58,11 +78,32 @@ def write_pdf(
     ]
 
 
-def page_sizes(pattern: "Pattern", paper: str | float | None = None, proof: bool = False) -> list[np.ndarray]:
+def pages_of(
+    pattern: "Pattern", paper: str | float | None = None, keep_places: bool = False
+) -> tuple["Pattern", list[Page]]:
+    """The pattern as it lies on the pages that write_pdf would write, and those of them that show it."""
+    paper = _paper(pattern, paper)
+    width = roll_width(paper)
+    if width is not None and pattern.marker:
+        page_width(pattern.marker, width, pattern.units)
+        parts = parts_of(pattern.marker)
+        return pattern, [Page(str(number), part.low, part.size) for number, part in enumerate(parts, start=1)]
+    if width is not None:
+        arranged = _on_roll(pattern, width, keep_places)
+        return arranged, [page for _, page in _roll_pages(arranged, width)]
+    if paper == PROJECTOR:
+        return pattern, [Page("1", pattern.bounds[0] - MARGIN - (0, SIZE[1]), _page_size(pattern))]
+    plan = divided(pattern, str(paper), keep_places)
+    return plan.pattern, [Page(tile.name, tile.low, plan.shown) for tile in plan.tiles]
+
+
+def page_sizes(
+    pattern: "Pattern", paper: str | float | None = None, proof: bool = False, keep_places: bool = False
+) -> list[np.ndarray]:
     """(2,) width and height in millimeters of each page that write_pdf would write. Raises FlattenError as it does."""
     paper = _paper(pattern, paper)
     size = _proof_size(paper)
-    return _pattern_sizes(pattern, paper) + ([size] * len(proof_pages(pattern, size)) if proof else [])
+    return _pattern_sizes(pattern, paper, keep_places) + ([size] * len(proof_pages(pattern, size)) if proof else [])
 
 
 def _paper(pattern: "Pattern", paper: str | float | None) -> str | float:
@@ -76,16 +117,16 @@ def _proof_size(paper: str | float) -> np.ndarray:
     return np.array(SHEETS[paper if isinstance(paper, str) and paper in SHEETS else "a4"])
 
 
-def _pattern_sizes(pattern: "Pattern", paper: str | float) -> list[np.ndarray]:
+def _pattern_sizes(pattern: "Pattern", paper: str | float, keep_places: bool) -> list[np.ndarray]:
     width = roll_width(paper)
     if width is not None and pattern.marker:
         page_width(pattern.marker, width, pattern.units)
         return [_marker_page(width, number, part) for number, part in enumerate(parts_of(pattern.marker))]
     if width is not None:
-        return [size for _, size in _roll_pages(_on_roll(pattern, width), width)]
+        return [page.size for _, page in _roll_pages(_on_roll(pattern, width, keep_places), width)]
     if paper == PROJECTOR:
         return [_page_size(pattern)]
-    plan = divided(pattern, str(paper))
+    plan = divided(pattern, str(paper), keep_places)
     return [np.array(SHEETS[str(paper)]), *[plan.paper] * len(plan.tiles)]
 
 
@@ -149,21 +190,19 @@ def _grid(size: np.ndarray, step: float) -> Iterator[Stroke]:
         yield Stroke("scale", np.array([[0.0, y], [size[0], y]]))
 
 
-def _roll(pattern: "Pattern", watch: Watch, width: float) -> tuple[Document, list[str]]:
+def _roll(pattern: "Pattern", watch: Watch, width: float, keep_places: bool) -> tuple[Document, list[str]]:
     """Pages as wide as the roll."""
-    arranged = _on_roll(pattern, width)
+    arranged = _on_roll(pattern, width, keep_places)
     pages = _roll_pages(arranged, width)
     document = _document(pattern)
     left_out = _add_forms(document, arranged, watch)
-    for number, (pieces, size) in enumerate(pages):
-        low = min(piece.bounds[0][1] for _, piece in pieces)
+    for number, (pieces, page) in enumerate(pages):
         content = Content()
         if number == 0:
             _add_scale(content, pattern, np.array([MARGIN, MARGIN]))
         for index, _ in pieces:
-            above = MARGIN + (SIZE[1] if number == 0 else 0.0)
-            content.add_form(_form(index), np.array([MARGIN, above - low]))
-        document.add_page(size, content)
+            content.add_form(_form(index), -page.low)
+        document.add_page(page.size, content)
     return document, left_out
 
 
@@ -203,8 +242,8 @@ def _marker_page(width: float, number: int, part: Part) -> np.ndarray:
     return np.array([width, part.size[1] + 2 * MARGIN + (SIZE[1] if number == 0 else 0.0)])
 
 
-def _on_roll(pattern: "Pattern", width: float) -> "Pattern":
-    """With the pieces in rows across the roll. Raises FlattenError for a piece that is too large for it."""
+def _on_roll(pattern: "Pattern", width: float, keep_places: bool) -> "Pattern":
+    """With the pieces in rows across the roll, or in their places. Raises FlattenError for what is too large for it."""
     inner, units = width - 2 * MARGIN, pattern.units
     for piece in pattern.pieces:
         if piece.size[0] > inner or piece.size[1] > LONGEST - 2 * MARGIN - SIZE[1]:
@@ -217,17 +256,23 @@ def _on_roll(pattern: "Pattern", width: float) -> "Pattern":
         raise problem(
             f"A roll of {units.text(width)} is too narrow for the square to measure: choose a wider one or sheets."
         )
-    return pattern.arranged(inner)
+    if keep_places and pattern.size[0] > inner:
+        raise problem(
+            f"As they lie the pieces are {units.text(float(pattern.size[0]))} wide: too wide for a roll of "
+            f"{units.text(width)}, of which {units.text(inner)} can be printed. Lay them in rows, or move them."
+        )
+    return at_origin(pattern) if keep_places else pattern.arranged(inner)
 
 
-def _roll_pages(arranged: "Pattern", width: float) -> list[tuple[list[Numbered], np.ndarray]]:
-    """Of each page its pieces, which stay whole, and its size, none too long for readers."""
+def _roll_pages(arranged: "Pattern", width: float) -> list[tuple[list[Numbered], Page]]:
+    """Of each page its pieces, which stay whole; none too long for readers."""
     pages = []
     for number, pieces in enumerate(_pages_of_rows(arranged)):
         low = min(piece.bounds[0][1] for _, piece in pieces)
         high = max(piece.bounds[1][1] for _, piece in pieces)
         block = SIZE[1] if number == 0 else 0.0  # what is to be measured
-        pages.append((pieces, np.array([width, high - low + 2 * MARGIN + block])))
+        size = np.array([width, high - low + 2 * MARGIN + block])
+        pages.append((pieces, Page(str(number + 1), np.array([-MARGIN, low - MARGIN - block]), size)))
     return pages
 
 
@@ -251,9 +296,9 @@ def _add_scale(content: Content, pattern: "Pattern", corner: np.ndarray) -> None
     content.in_layer("Scale", strokes, [*texts, Text((included,), corner + (62.0, 116.0), 4.0)])
 
 
-def _tiles(pattern: "Pattern", watch: Watch, paper: str) -> tuple[Document, list[str]]:
+def _tiles(pattern: "Pattern", watch: Watch, paper: str, keep_places: bool) -> tuple[Document, list[str]]:
     """A first page with a map and what is to be measured, then the sheets."""
-    plan = divided(pattern, paper)
+    plan = divided(pattern, paper, keep_places)
     document = _document(pattern, SHEET_LAYER)
     left_out = _add_forms(document, plan.pattern, watch)
     cover = _map_page(plan, np.array(SHEETS[paper]))

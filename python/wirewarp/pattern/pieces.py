@@ -100,10 +100,14 @@ def joined_by(pieces: Sequence[Laid]) -> dict[int, list[str]]:
     return names
 
 
+def closed_cuts(laid: Laid) -> list[Line]:
+    lines = [Line("cut", points, closed=True) for points in laid.cut.outer]
+    return lines + [Line("inner_cut", points, closed=True) for points in laid.cut.holes]
+
+
 def lines_of(laid: Laid, seam_names: Sequence[str], joined: Mapping[int, list[str]]) -> list[Line]:
     """joined: see joined_by."""
-    lines = [Line("cut", points, closed=True) for points in laid.cut.outer]
-    lines += [Line("inner_cut", points, closed=True) for points in laid.cut.holes]
+    lines = closed_cuts(laid)
     for own in laid.outlines:
         lines += [Line("inner_cut", slit) for slit in own.slits]
         for run in own.runs:
