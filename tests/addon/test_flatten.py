@@ -150,6 +150,28 @@ def test_the_flat_object_lies_in_its_own_plane_in_the_collection_and_faces_up():
     assert not flat.data.validate()
 
 
+# A cut through, a dart, and a seam of one edge inside the piece, whose two sides have the same ends.
+@pytest.mark.parametrize("reach", [(-2.0, 2.0), (-2.0, 0.4), (-0.1, 0.4)])
+@pytest.mark.parametrize("faces", ["quads", "ngons"])
+@pytest.mark.parametrize("scale", [1.0, -1.0])
+def test_the_edges_of_the_flat_object_are_those_that_blender_finds(reach, faces, scale):
+    source = grid("Bump", round_bump, faces=faces)
+    source.scale.x = scale
+    low, high = reach
+    mark_seam(source, lambda a, b: on_line(0, 0.0)(a, b) and low <= min(a[1], b[1]) and max(a[1], b[1]) <= high)
+    bpy.ops.object.wirewarp_flatten()
+    flat = flat_of(source).data
+    other = bpy.data.meshes.new("Other")
+    other.from_pydata([vertex.co for vertex in flat.vertices], [], [list(face.vertices) for face in flat.polygons])
+    assert sorted(flat.edge_keys) == sorted(other.edge_keys)
+    sides = [(corner.vertex_index, flat.edges[corner.edge_index].vertices) for corner in flat.loops]
+    assert all(vertex in ends for vertex, ends in sides)
+    assert not flat.validate()
+    variation = read(flat.attributes["length_variation"].data, "value", np.float32)
+    flat_length, space = lengths_by_source(source)
+    assert variation == pytest.approx(np.abs(flat_length - space) / space, abs=1e-5)
+
+
 def test_attributes_of_the_flat_object():
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()

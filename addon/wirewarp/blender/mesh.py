@@ -132,12 +132,20 @@ def write_uv(layer: bpy.types.MeshUVLoopLayer, places: np.ndarray) -> None:
         layer.data.foreach_set("uv", places.ravel())
 
 
-def write_corner_vertices(mesh: bpy.types.Mesh, vertices: np.ndarray) -> None:
-    """(l,) int32; as all that follow, of a mesh in Object Mode."""
+def write_edges(mesh: bpy.types.Mesh, vertices: np.ndarray) -> None:
+    """(e,2) int32; as all that follow, of a mesh in Object Mode."""
+    mesh.edges.foreach_set("vertices", vertices.ravel().view(np.uint32))
+
+
+def write_corners(mesh: bpy.types.Mesh, vertices: np.ndarray, edges: np.ndarray) -> None:
+    """(l,) int32 each: the vertex, and the edge to the next corner of the face."""
     if HAS_ATTRIBUTES:
         mesh.attributes[".corner_vert"].data.foreach_set("value", vertices)
+        found = mesh.attributes.get(".corner_edge") or mesh.attributes.new(".corner_edge", "INT", "CORNER")
+        found.data.foreach_set("value", edges)
     else:
         mesh.loops.foreach_set("vertex_index", vertices.view(np.uint32))
+        mesh.loops.foreach_set("edge_index", edges.view(np.uint32))
 
 
 def write_faces(mesh: bpy.types.Mesh, starts: np.ndarray, sizes: np.ndarray) -> None:

@@ -11,12 +11,12 @@ from ..solve.maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION
 VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "stretch": "FACE", "length_variation": "EDGE"}
 
 
-def write_maps(mesh: bpy.types.Mesh, flat: FlatMesh, edges: np.ndarray, variation: np.ndarray) -> None:
-    """On a mesh that has none of these attributes. edges (e,2): all of its; variation (e,): their E_L."""
+def write_maps(mesh: bpy.types.Mesh, flat: FlatMesh, variation: np.ndarray) -> None:
+    """On a mesh that has none of these attributes. variation (e,): E_L of its edges."""
     for name, domain in VALUES.items():
         values = variation if name == "length_variation" else getattr(flat, name)
         mesh.attributes.new(name, "FLOAT", domain).data.foreach_set("value", values)
-    _write_colors(mesh, flat, edges, variation)
+    _write_colors(mesh, flat, variation)
     measures = {ASPECT_RATIO: flat.aspect_ratio, STRETCH: flat.stretch, ARAP_ENERGY: flat.energy_density}
     for color_map, values in (measures | {LENGTH_VARIATION: variation}).items():
         mesh[f"{RANGE}{color_map.attribute}"] = [float(values.min()), float(values.max())]
@@ -24,8 +24,8 @@ def write_maps(mesh: bpy.types.Mesh, flat: FlatMesh, edges: np.ndarray, variatio
     mesh.color_attributes.active_color_index = mesh.color_attributes.render_color_index = shown
 
 
-def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, edges: np.ndarray, variation: np.ndarray) -> None:
-    ends = edges.ravel()
+def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, variation: np.ndarray) -> None:
+    ends = flat.edges.ravel()
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
     at_vertex = np.bincount(ends, np.repeat(variation, 2), minlength=len(mesh.vertices)) / edges_at  # their mean
     face = np.repeat(np.arange(len(flat.face_sizes)), flat.face_sizes)  # of each corner

@@ -8,14 +8,7 @@ from contextlib import contextmanager
 import bpy
 import numpy as np
 
-from ..blender.mesh import (
-    corner_edges,
-    edge_vertices,
-    write_corner_vertices,
-    write_faces,
-    write_seams,
-    write_sharp_edges,
-)
+from ..blender.mesh import write_corners, write_edges, write_faces, write_seams, write_sharp_edges
 from ..blender.objects import remove_object
 from ..blender.selection import deselect_all
 from ..issues import note, warning
@@ -136,12 +129,10 @@ def _write_mesh(target: bpy.types.Object, source: bpy.types.Object, flat: FlatMe
     target.vertex_groups.clear()
     _write_faces(mesh, flat)
     deselect_all(mesh)  # in Edit Mode L is to take one piece, not one more
-    edges, source_edges = edge_vertices(mesh), np.empty(len(mesh.edges), dtype=np.int32)
-    source_edges[corner_edges(mesh)] = flat.source_edge
-    lengths = edge_lengths(flat.vertices, edges)
+    lengths = edge_lengths(flat.vertices, flat.edges)
     _write_attributes(mesh, flat, arrays)
-    write_maps(mesh, flat, edges, edge_length_variation(lengths, source_edges, arrays))
-    _write_marks(mesh, flat_marks(source_edges, arrays))
+    write_maps(mesh, flat, edge_length_variation(lengths, flat.source_edge, arrays))
+    _write_marks(mesh, flat_marks(flat.source_edge, arrays))
     remember_shape(mesh, lengths, flat.piece_areas)
     write_names(mesh, {wire.chain.wire_id: wire.name for wire in arrays.wires})
     write_flat_maps(mesh, flat, arrays)
@@ -156,10 +147,12 @@ def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
     mesh.vertices.add(len(flat.vertices))
     mesh.vertices.foreach_set("co", coordinates.ravel())
     mesh.loops.add(len(flat.loop_vertices))
-    write_corner_vertices(mesh, flat.loop_vertices)
+    mesh.edges.add(len(flat.edges))
+    write_edges(mesh, flat.edges)
+    write_corners(mesh, flat.loop_vertices, flat.loop_edges)
     mesh.polygons.add(len(flat.face_starts))
     write_faces(mesh, flat.face_starts, flat.face_sizes)
-    mesh.update(calc_edges=True)
+    mesh.update()
 
 
 def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:

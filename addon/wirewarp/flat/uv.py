@@ -45,9 +45,9 @@ def write_uv(mesh: bpy.types.Mesh, flat: FlatMesh, corner_count: int) -> float:
 
 def _in_unit_square(vertices: np.ndarray) -> tuple[np.ndarray, float]:
     """float32 of vertices (p,2), and the side of the square that became the unit."""
-    from_corner = vertices - vertices.min(axis=0)
-    scale = float(from_corner.max()) or 1.0
-    return (from_corner / scale).astype(np.float32), scale
+    low, high = ([pick(column) for column in vertices.T] for pick in (np.min, np.max))
+    scale = float(np.subtract(high, low).max()) or 1.0
+    return ((vertices - low) / scale).astype(np.float32), scale
 
 
 def _pairs(places: np.ndarray) -> np.ndarray:

@@ -24,11 +24,13 @@ class FlatMesh:
     vertices: np.ndarray  # (p,2) float64, Blender units
     source_vertex: np.ndarray  # (p,) int32
     vertex_piece: np.ndarray  # (p,) int32, index of the piece, ascending
+    edges: np.ndarray  # (e,2) int32
+    source_edge: np.ndarray  # (e,) int32
     loop_vertices: np.ndarray  # (l,) int32
+    loop_edges: np.ndarray  # (l,) int32, the edge from each corner to the next of its face
     face_starts: np.ndarray  # (f,) int32
     face_sizes: np.ndarray  # (f,) int32
     source_corner: np.ndarray  # (l,) int32, corner (loop) of the source
-    source_edge: np.ndarray  # (l,) int32, edge of the source that the side from this corner to the next is
     source_face: np.ndarray  # (f,) int32, face of the source
     face_piece: np.ndarray  # (f,) int32, index of the piece
     piece_id: np.ndarray  # (f,) int32, by which the piece is known again in the next run
@@ -58,6 +60,8 @@ def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[Pi
     first_triangle = np.searchsorted(arrays.triangle_polygons, np.arange(polygon_count))
     piece = piece_of_triangle[first_triangle][kept]
     source_corner = _loops_of(arrays, kept)
+    loop_vertices = vertex_of_loop[source_corner]
+    edges, loop_edges, source_edge = _edges(loop_vertices, source_corner, sizes, arrays)
     face_energy = np.add.reduceat(energy, first_triangle)[kept]
     face_area = np.add.reduceat(triangle_areas(arrays.vertices, arrays.triangles), first_triangle)[kept]
     signed_areas = _signed_areas(vertices, flat_triangles)
@@ -66,11 +70,13 @@ def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[Pi
         vertices=vertices,
         source_vertex=source_vertex,
         vertex_piece=vertex_piece,
-        loop_vertices=vertex_of_loop[source_corner],
+        edges=edges,
+        source_edge=source_edge,
+        loop_vertices=loop_vertices,
+        loop_edges=loop_edges,
         face_starts=(np.cumsum(sizes) - sizes).astype(np.int32),
         face_sizes=sizes,
         source_corner=source_corner.astype(np.int32),
-        source_edge=_edges_from(source_corner, sizes, arrays),
         source_face=np.flatnonzero(kept).astype(np.int32),
         face_piece=piece,
         piece_id=np.array([identity.piece_id for identity in identities], dtype=np.int32)[piece],
@@ -134,13 +140,32 @@ def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
     return starts + (np.repeat(sizes, sizes) - 1 - step if arrays.mirrored else step)
 
 
-def _edges_from(source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """(l,) int32 of the corners of faces of these sizes, one face after the other."""
-    if not arrays.mirrored:
-        return arrays.loop_edges[source_corner]
-    following, starts = np.roll(source_corner, -1), np.cumsum(sizes) - sizes
-    following[starts + sizes - 1] = source_corner[starts]
-    return arrays.loop_edges[following]  # run through backwards, a side begins where it ends on the model
+def _edges(
+    loop_vertices: np.ndarray, source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(e,2) edges, (l,) the edge at each corner, and (e,) of which edge of the source each is, all int32.
+
+    Sides of faces are one edge where they are of one edge of the source and have the same ends.
+    """
+    starts = np.cumsum(sizes) - sizes
+    following = np.arange(1, len(loop_vertices) + 1)
+    following[starts + sizes - 1] = starts
+    # Where faces are run through backwards, a side begins where it ends on the source.
+    source_edge = arrays.loop_edges[source_corner[following] if arrays.mirrored else source_corner]
+    ends = loop_vertices, loop_vertices[following]
+    low, high = np.minimum(*ends), np.maximum(*ends)
+    first = np.empty(len(arrays.edges), dtype=np.int64)
+    first[source_edge] = np.arange(len(source_edge))  # any one corner of each
+    first = first[source_edge]
+    other = np.flatnonzero((low != low[first]) | (high != high[first]))  # along seams
+    _, rows, inverse = np.unique(
+        np.column_stack([source_edge, low, high])[other], axis=0, return_index=True, return_inverse=True
+    )
+    first[other] = other[rows][inverse.ravel()]
+    is_first = np.zeros(len(first), dtype=bool)
+    is_first[first] = True
+    number = np.cumsum(is_first, dtype=np.int32) - 1
+    return np.column_stack([low, high])[is_first], number[first], source_edge[is_first]
 
 
 def _signed_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:

@@ -36,7 +36,7 @@ class ColorMap:
     def colors(self, values: np.ndarray) -> np.ndarray:
         """(k,4) float32 linear RGBA; values beyond the scale get its end's color."""
         steps = (values - self.low) * (STEPS / (self.high - self.low)) + 0.5
-        return _colors(self.stops)[np.fmin(np.fmax(steps, 0), STEPS).astype(np.intp)]
+        return _colors(self.stops).take(np.fmin(np.fmax(steps, 0), STEPS).astype(np.intp), axis=0)
 
     def number(self, value: float, digits: int = 4) -> str:
         """A value as the scale writes it; of a scale with two sides, with its sign."""
