@@ -16,7 +16,7 @@ import numpy as np
 from ..blender.attributes import check_attribute
 from ..blender.mesh import corner_edges, face_sizes, read_attribute
 from ..names import ALLOWANCE, FACE, SIDE, SIDE_ALLOWANCE, SIDE_WIDTH
-from .attributes import new_wire_id
+from ..solve.identity import new_id
 
 _KINDS = {
     ALLOWANCE: ("FLOAT", "EDGE"),
@@ -56,7 +56,7 @@ def mark_sides(mesh: bpy.types.Mesh, edges: Sequence[int], faces: Sequence[int],
         marked, shared, alone = (face, beyond, width) if width else (loop_faces[other or loops[0]], width, beyond)
         is_one_sided = alone != shared
         if is_one_sided and not numbers[marked]:
-            numbers[marked] = new_wire_id()
+            numbers[marked] = new_id()
         both[edge], side_widths[edge], sides[edge] = shared, alone, numbers[marked] if is_one_sided else 0
         corners[loops] = 0
         count += 1
