@@ -285,7 +285,7 @@ def test_blenders_own_command_is_named_where_there_is_one(addon):
 def test_flipped_and_overlapping_faces_are_counted_and_selected_as_faces(addon):
     """Three triangles turned over and two that overlap, of a grid with two triangles in each face."""
     source = grid("Bump", bump)
-    arrays = addon.model.read.object_to_arrays(source, None)
+    arrays = addon.model.read.object_to_arrays(source, addon.model.marked_mesh.marked_mesh(source), None)
     sentence = "The piece is turned over at faces 10, 11 and 12, and overlaps itself at 2 faces (of 128 faces)."
     error = addon.core.library().FlattenError("flipped_faces", sentence, [], [], [10, 11, 12], True)
     metrics = SimpleNamespace(flipped_faces=[10, 11, 12], overlapping_faces=[20, 21])

@@ -150,7 +150,7 @@ def neighbors(source, pairs):
 def test_a_proposed_diagonal_goes_round_its_face_the_shorter_way(addon):
     """The grid has nine vertices a row; pairs of its cells are one hexagon each."""
     source = grid("Bump", round_bump, faces="ngons")
-    arrays = addon.model.read.object_to_arrays(source, None)
+    arrays = addon.model.read.object_to_arrays(source, addon.model.marked_mesh.marked_mesh(source), None)
     around = addon.solve.flatten.seams_on_edges
     assert around([(20, 21), (21, 20)], arrays) == [(20, 21)]
     diagonals = {
@@ -181,7 +181,7 @@ def loosen(addon):
     mark(source, on_line(1, 0.5), kind="ELASTIC", tolerance=0.2)
     source.data.wirewarp_names[0].name = "Bust"
     bpy.ops.object.wirewarp_flatten()
-    arrays = addon.model.read.object_to_arrays(source, None)
+    arrays = addon.model.read.object_to_arrays(source, addon.model.marked_mesh.marked_mesh(source), None)
     number = {wire.name: index for index, wire in enumerate(arrays.wires)}
     proposed = [(number["Bust"], 0.012341), (number["Wire 2"], 0.05)]
     error = addon.core.library().FlattenError("infeasible_lengths", "Too short.", proposed_tolerances=proposed)
@@ -190,7 +190,7 @@ def loosen(addon):
     )
     issue = addon.solve.flatten.issue_of_piece(piece, 0, arrays)
     assert [(wire.name, wire.tolerance) for wire in issue.proposed_tolerances] == [("Bust", 0.0124), ("Wire 2", 0.05)]
-    report = addon.report.report.failure_report(issue) | {"model_state": addon.model.state.model_state(source, None)}
+    report = addon.report.report.failure_report(issue) | {"model_state": addon.model.state.present_state(source, False)}
     addon.flat.reports.store(source, report)
     return source
 

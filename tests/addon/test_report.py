@@ -224,7 +224,8 @@ def test_a_strip_of_a_cylinder_is_ready_to_cut(addon, tmp_path):
 
 
 def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
-    arrays = addon.model.read.object_to_arrays(grid("Bump", bump), None)
+    target = grid("Bump", bump)
+    arrays = addon.model.read.object_to_arrays(target, addon.model.marked_mesh.marked_mesh(target), None)
     identities = [addon.solve.identity.PieceIdentity(1, "Top")]
     choices = addon.solve.flatten.FlattenChoices("refined", 0.1, "length", "packed", "wire", 0.03, False)
 

@@ -6,25 +6,14 @@ from dataclasses import replace
 import bpy
 import numpy as np
 
-from ..blender.mesh import (
-    corner_edges,
-    corner_vertices,
-    edge_vertices,
-    evaluated_mesh,
-    face_sizes,
-    face_starts,
-    read_attribute,
-    read_seams,
-    read_uv,
-    triangle_corners,
-    vertex_places,
-)
+from ..blender.mesh import evaluated_mesh, face_starts, read_attribute, read_uv, triangle_corners
 from ..blender.objects import linear_part
 from ..issues import object_error
 from ..names import PIECE, SEAM, UV_LAYER
 from ..pattern.chains import WireChain, chains_of_marks
 from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region
-from .attributes import own_ids, read_ids, read_marks
+from .attributes import own_ids, read_ids
+from .marked_mesh import MarkedMesh, read_marked
 from .wire_names import chain_names
 
 LARGEST = 1e18  # Blender units
@@ -32,13 +21,13 @@ SAMPLE = 5_000  # faces that are looked at: Blender tells groups vertex by verte
 CARRIED = 0.5  # weight from which on a vertex is in its group
 
 
-def object_to_arrays(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None) -> MeshArrays:
+def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.types.Depsgraph | None) -> MeshArrays:
     """The object's base mesh, or with a depsgraph the mesh that its modifiers make. Raises ObjectError."""
     linear = linear_part(source)
     if depsgraph is None:
-        return _mesh_to_arrays(source.data, source, linear)
+        return _to_arrays(source.data, base, source, linear)
     with evaluated_mesh(source, depsgraph) as mesh:
-        return _mesh_to_arrays(mesh, source, linear)
+        return _to_arrays(mesh, read_marked(mesh), source, linear)
 
 
 def _check_size(source: bpy.types.Object, vertices: np.ndarray) -> None:
@@ -50,30 +39,28 @@ def _check_size(source: bpy.types.Object, vertices: np.ndarray) -> None:
         )
 
 
-def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.ndarray) -> MeshArrays:
+def _to_arrays(mesh: bpy.types.Mesh, marked: MarkedMesh, source: bpy.types.Object, linear: np.ndarray) -> MeshArrays:
+    """marked: what is read of the mesh already."""
     mirrored = bool(np.linalg.det(linear) < 0)
     mesh.calc_loop_triangles()
     # A mirrored object's faces still look outward in Blender, but their corners run the other way round.
     loops = triangle_corners(mesh)
     if mirrored:
         loops = np.ascontiguousarray(loops[:, ::-1])
-    loop_vertices, loop_edges = corner_vertices(mesh), corner_edges(mesh)
-    vertices = vertex_places(mesh).astype(np.float64) @ linear.T
+    vertices = marked.places.astype(np.float64) @ linear.T
     _check_size(source, vertices)
-    edges = edge_vertices(mesh)
-    sizes = face_sizes(mesh)
-    face_count = np.bincount(loop_edges, minlength=len(edges))
+    edges, sizes = marked.edges, marked.face_sizes
+    face_count = np.bincount(marked.corner_edges, minlength=len(edges))
     in_face = face_count > 0
-    marks = read_marks(mesh)
-    seams = np.flatnonzero(read_seams(mesh) & in_face)  # a loose edge cuts nothing
+    seams = np.flatnonzero(marked.seams & in_face)  # a loose edge cuts nothing
     return MeshArrays(
         vertices=vertices,
-        triangles=loop_vertices[loops],
+        triangles=marked.corner_vertices[loops],
         triangle_loops=loops,
         # Blender keeps the triangles in the order of their polygons: n - 2 of each.
         triangle_polygons=np.repeat(np.arange(len(sizes), dtype=np.int32), sizes - 2),
-        loop_vertices=loop_vertices,
-        loop_edges=loop_edges,
+        loop_vertices=marked.corner_vertices,
+        loop_edges=marked.corner_edges,
         polygon_starts=face_starts(mesh),
         polygon_sizes=sizes,
         edges=edges,
@@ -81,13 +68,13 @@ def _mesh_to_arrays(mesh: bpy.types.Mesh, source: bpy.types.Object, linear: np.n
         seams=edges[seams],
         seam_ids=read_ids(mesh, SEAM)[seams],
         outline=edges[face_count == 1],
-        wires=_name_wires(source.data, chains_of_marks(edges, marks.without(~in_face), vertices)),
+        wires=_name_wires(source.data, chains_of_marks(edges, marked.marks.without(~in_face), vertices)),
         grain_wire=source.data.wirewarp_grain,
         piece_ids=read_ids(mesh, PIECE),
         regions=face_regions(source, mesh),
         materials=_slots(mesh),
         uv_maps={layer.name: read_uv(layer) for layer in mesh.uv_layers if layer.name != UV_LAYER},
-        loose_marks=len(marks.take(~in_face).rows),
+        loose_marks=len(marked.marks.take(~in_face).rows),
         mirrored=mirrored,
     )
 

@@ -7,10 +7,9 @@ import bpy
 import numpy as np
 
 from ..blender.cache import Take, kept, read_anew
-from ..blender.mesh import corner_vertices, current_mesh, face_sizes, read_seams, vertex_places
 from ..blender.objects import metric
 from ..issues import ObjectError
-from .attributes import read_marks
+from .marked_mesh import MarkedMesh, marked_mesh, read_marked
 
 SHAPE, MARKS, SCALE = "shape", "marks", "metric"
 MODIFIED = "modified"  # of reports with modifiers
@@ -18,9 +17,19 @@ BLOCKS = 64  # of vertices: one number for each of them and each axis
 ROUNDING = 1e-6  # of coordinates in single precision that went through matrices, by their size
 
 
-def model_state(source: bpy.types.Object, with_modifiers: bool, take: Take = read_anew) -> dict:
-    """For the report. Raises ObjectError if an attribute of our name is another's; take: read_anew, or kept."""
-    state = take(source.data, "digests", lambda _: _digests(source)) | {SCALE: metric(source).tolist()}
+def model_state(source: bpy.types.Object, base: MarkedMesh, with_modifiers: bool) -> dict:
+    """For the report; base: the object's base mesh."""
+    return _state(source, _digests(base), with_modifiers, read_anew)
+
+
+def present_state(source: bpy.types.Object, with_modifiers: bool, take: Take = read_anew) -> dict:
+    """As model_state, in Edit Mode too; take: read_anew, or kept. Raises ObjectError."""
+    digests = take(source.data, "digests", lambda _: _digests(marked_mesh(source, take)))
+    return _state(source, digests, with_modifiers, take)
+
+
+def _state(source: bpy.types.Object, digests: dict, with_modifiers: bool, take: Take) -> dict:
+    state = digests | {SCALE: metric(source).tolist()}
     return state | {MODIFIED: _modified(source, take)} if with_modifiers else state
 
 
@@ -52,7 +61,7 @@ def _changes(source: bpy.types.Object, then: dict, take: Take) -> set[str]:
     if source.data.is_editmode and source.data.shape_keys:  # Edit Mode shows the active shape key, not the base mesh
         return {SCALE} if _is_scaled(source, then) else set()
     try:
-        now = model_state(source, MODIFIED in then, take)
+        now = present_state(source, MODIFIED in then, take)
     except ObjectError:  # an attribute of our name that was none then
         return {SHAPE, MARKS}
     changes = {part for part in (SHAPE, MARKS) if then.get(part) != now[part]}
@@ -68,9 +77,8 @@ def _is_scaled(source: bpy.types.Object, then: dict) -> bool:
     return not np.allclose(metric(source), was, rtol=1e-5, atol=1e-5 * np.abs(was).max())
 
 
-def _digests(source: bpy.types.Object) -> dict[str, str]:
-    with current_mesh(source) as mesh:
-        return {SHAPE: _digest([vertex_places(mesh), *_faces(mesh)]), MARKS: _digest(_marks(mesh))}
+def _digests(mesh: MarkedMesh) -> dict[str, str]:
+    return {SHAPE: _digest([mesh.places, *_faces(mesh)]), MARKS: _digest(_marks(mesh))}
 
 
 def _modified(source: bpy.types.Object, take: Take) -> dict | None:
@@ -86,10 +94,9 @@ def _modified_state(source: bpy.types.Object) -> dict:
     """
     evaluated = source.evaluated_get(bpy.context.view_layer.depsgraph)
     try:
-        mesh = evaluated.to_mesh()
-        points, faces = vertex_places(mesh), _digest(_faces(mesh) + _marks(mesh))
-        rounding = rounding_of_sums(points, source.matrix_world.translation.length)
-        return {"faces": faces, "sums": place_sums(points), "rounding": rounding}
+        mesh = read_marked(evaluated.to_mesh())
+        rounding = rounding_of_sums(mesh.places, source.matrix_world.translation.length)
+        return {"faces": _digest(_faces(mesh) + _marks(mesh)), "sums": place_sums(mesh.places), "rounding": rounding}
     finally:
         evaluated.to_mesh_clear()
 
@@ -110,16 +117,15 @@ def _digest(arrays: list[np.ndarray]) -> str:
     return digest.hexdigest()
 
 
-def _faces(mesh: bpy.types.Mesh) -> list[np.ndarray]:
-    return [corner_vertices(mesh), face_sizes(mesh)]
+def _faces(mesh: MarkedMesh) -> list[np.ndarray]:
+    return [mesh.corner_vertices, mesh.face_sizes]
 
 
-def _marks(mesh: bpy.types.Mesh) -> list[np.ndarray]:
+def _marks(mesh: MarkedMesh) -> list[np.ndarray]:
     """Seams and wires."""
-    marks = read_marks(mesh)
-    wires = marks.take(marks.rows)
-    seams = np.flatnonzero(read_seams(mesh)).astype(np.int32)
-    return [seams, marks.rows.astype(np.int32), wires.wire_ids, wires.tolerances]
+    rows = mesh.marks.rows
+    wires = mesh.marks.take(rows)
+    return [np.flatnonzero(mesh.seams).astype(np.int32), rows.astype(np.int32), wires.wire_ids, wires.tolerances]
 
 
 def place_sums(points: np.ndarray) -> list[float]:

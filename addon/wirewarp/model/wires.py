@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from ..blender.cache import kept
-from ..blender.mesh import current_mesh, edge_vertices, vertex_places
+from ..blender.cache import Take, kept, read_anew
 from ..pattern.chains import chains_of_marks
-from .attributes import own_ids, read_marks
+from .attributes import own_ids
+from .marked_mesh import marked_mesh
 from .wire_names import chain_names, find_name, list_places, write_names
 
 
@@ -30,7 +30,7 @@ class WireSummary:
 
 def wires_of(target: bpy.types.Object) -> list[WireSummary]:
     """In the order of the mesh. Raises ObjectError if an attribute is not ours."""
-    return kept(target.data, "wires", lambda _: find_wires(target))
+    return kept(target.data, "wires", lambda _: find_wires(target, kept))
 
 
 def listed_wires(target: bpy.types.Object) -> list[tuple[str, WireSummary]]:
@@ -46,14 +46,12 @@ def editable_name(mesh: bpy.types.Mesh, wire: WireSummary) -> bpy.types.Property
     return None if wire.shares_id else find_name(mesh, wire.wire_id)
 
 
-def find_wires(target: bpy.types.Object) -> list[WireSummary]:
-    """As wires_of, read anew."""
-    with current_mesh(target) as mesh:
-        marks, places = read_marks(mesh), vertex_places(mesh).astype(np.float64)
-        edges = edge_vertices(mesh)
-    seen, wires = set(), []
-    for chain in chains_of_marks(edges, marks, places):
-        ends = places[edges[chain.edges]]
+def find_wires(target: bpy.types.Object, take: Take = read_anew) -> list[WireSummary]:
+    """As wires_of; take: read_anew, or kept."""
+    mesh, seen, wires = marked_mesh(target, take), set(), []
+    places = mesh.places.astype(np.float64)
+    for chain in chains_of_marks(mesh.edges, mesh.marks, places):
+        ends = places[mesh.edges[chain.edges]]
         vectors, shares_id = ends[:, 1] - ends[:, 0], chain.wire_id in seen
         wires.append(WireSummary(chain.wire_id, chain.tolerance, chain.edges, vectors, shares_id))
         seen.add(chain.wire_id)

@@ -14,7 +14,7 @@ from ..blender.cache import kept
 from ..flat.reports import last_report
 from ..issues import ObjectError
 from ..model.owners import model_of
-from ..model.state import has_changed, model_state
+from ..model.state import has_changed, present_state
 
 WATCH = "wm.wirewarp_watch"
 EDIT_LIMIT = 20_000  # vertices; larger models wait for the end of Edit Mode, for to leave it and come back is felt
@@ -55,7 +55,7 @@ def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
 def _present_state(source: bpy.types.Object) -> dict | None:
     """None if an attribute of our name is another's."""
     try:
-        return model_state(source, last_report(source).get("with_modifiers", False), kept)
+        return present_state(source, last_report(source).get("with_modifiers", False), kept)
     except ObjectError:
         return None
 

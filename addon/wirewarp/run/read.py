@@ -13,6 +13,7 @@ from ..flat.pieces import known_pieces
 from ..flat.reports import flattened_name
 from ..flat.seams import known_seams
 from ..issues import ObjectError, object_error
+from ..model.marked_mesh import marked_mesh
 from ..model.modifiers import left_out, shaped_by
 from ..model.owners import find_flat_object
 from ..model.read import object_to_arrays
@@ -72,14 +73,15 @@ def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph, units: Lengt
     arrays = known = seams = state = solved = issue = None
     try:
         _check(source, settings)
-        arrays = object_to_arrays(source, depsgraph if use_modifiers else None)
+        base = marked_mesh(source)
+        arrays = object_to_arrays(source, base, depsgraph if use_modifiers else None)
         # Results with modifiers are not written to the model, and of objects that share a mesh the last one's are on
         # it: only the flat pieces know this object's last ids.
         asks_flat_pieces = use_modifiers or source.data.users > 1
         flat = find_flat_object(source) if asks_flat_pieces else None
         known = known_pieces(source, arrays, flat, flattened_name(source))
         seams = known_seams(source, arrays, flat)
-        state = model_state(source, use_modifiers)
+        state = model_state(source, base, use_modifiers)
         solved = solved_pieces(source)
     except ObjectError as error:
         issue = error.issue
