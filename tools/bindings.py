@@ -8,14 +8,14 @@ from tools.package import venv_with_core
 
 HYPOTHESIS = "hypothesis==6.170.15"
 READERS = ("dxfgrabber==1.0.1", "ezdxf==1.4.5", "pypdfium2==5.15.2", "shapely==2.2.0")  # of its files, in tests alone
-NESTING = "spyrrow==0.9.0"  # which may be there or not; tests of markers run with and without it
+OPTIONAL = ("spyrrow==0.9.0", "uharfbuzz==0.57.0", "fonttools[woff]==4.68.0")  # tests run with and without them
 MODELS = ("trimesh==5.2.0", "pillow==13.0.0")  # what python -m wirewarp reads them with
 
 
 def bindings_tests(version: str, *options: str) -> None:
     """options: of pytest."""
     python = venv_with_core(
-        f"bindings-{version}", version, PYTEST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, NESTING, *MODELS
+        f"bindings-{version}", version, PYTEST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, *OPTIONAL, *MODELS
     )
     run([python, "-m", "pytest", "-q", *options, "tests/bindings"])
 

@@ -6,6 +6,7 @@ are shorter where spyrrow is installed.
 """
 
 from .flat_piece import Chain, FlatPiece, FlatWire
+from .fonts import add_font_folder
 from .marker import Marker, Placement
 from .model import Line, PatternPiece, Point, Text
 from .papers import Page
@@ -26,4 +27,5 @@ __all__ = [
     "Text",
     "UnitSystem",
     "Written",
+    "add_font_folder",
 ]

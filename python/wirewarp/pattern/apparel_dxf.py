@@ -13,7 +13,7 @@ import numpy as np
 from .dxf_tags import Tags, section
 from .interior import LINE
 from .model import PatternPiece
-from .plain_names import block_names, plain_text
+from .plain_names import block_names, escaped_text, plain_text
 from .progress import Watch
 from .roles import LOOKS, WIRES
 from .units import INCH
@@ -107,7 +107,7 @@ class _Writer:
         for text in piece.texts:
             for number, words in enumerate(text.lines):
                 down = np.array([0.0, -LINE * text.height * number])
-                tags.text(LOOKS["card"].dxf_layer, plain_text(words), text.center + down, TEXT_HEIGHT, text.angle)
+                tags.text(LOOKS["card"].dxf_layer, escaped_text(words), text.center + down, TEXT_HEIGHT, text.angle)
         tags.add((0, "ENDBLK"), (8, "1"))
         return tags
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Texts in Helvetica, a font that every PDF reader has: none is in the file, but letters are Latin alone."""
+"""Texts in Helvetica, a font that every PDF reader has, for Latin letters: no font is in the file."""
 
 import unicodedata
 

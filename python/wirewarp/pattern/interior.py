@@ -2,6 +2,7 @@
 """Room for text and grain lines inside a piece."""
 
 import math
+import unicodedata
 from collections.abc import Sequence
 
 import numpy as np
@@ -11,6 +12,7 @@ from .outline import lengths_along
 
 WIDE = 3.0  # room for text is sought this much wider than high
 LETTER, LINE = 0.62, 1.35  # width of a letter and distance of lines, by the height of the text
+WIDE_LETTER = 1.0  # of Chinese and the like, and of emoji
 NEARLY = 0.6  # as high as upright: level text is easier to read
 SMALL = 0.3125  # of the largest height, 2.5 of 8 mm: rather than smaller, text is written over lines
 STEPS, ROUNDS = 8, 3
@@ -49,9 +51,14 @@ def _turned(
     turn = np.array([[cosine, -sine], [sine, cosine]])  # from the text's directions to the piece's
     squeezed = [[points @ turn / (WIDE, 1) for points in group] for group in (outlines, lines_inside)]
     center, radius = innermost_point(*squeezed)
-    half_width, half_height = LETTER * max(map(len, lines)) / (2 * WIDE), LINE * len(lines) / 2
+    half_width, half_height = max(text_width(line, 1.0) for line in lines) / (2 * WIDE), LINE * len(lines) / 2
     height = 0.9 * radius / math.hypot(half_width, half_height)  # the text's corners stay inside the ellipse
     return Text(lines, turn @ (center * (WIDE, 1)), min(height, largest), angle)
+
+
+def text_width(text: str, height: float) -> float:
+    """About as wide as any font has it."""
+    return height * sum(WIDE_LETTER if unicodedata.east_asian_width(letter) in "FW" else LETTER for letter in text)
 
 
 def innermost_point(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray]) -> tuple[np.ndarray, float]:

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from .interior import text_width
 from .model import Line, Text
 from .outline import lengths_along
-from .room import Room, text_width
+from .room import Room
 
 HEIGHTS = (4.5, 3.5, 2.5)  # of the letters, in millimeters; where none fits, the line goes without a name
 NUMBERED = re.compile("^(Seam|Dart) (?=[0-9]+$)")  # goes without the word where there is little room

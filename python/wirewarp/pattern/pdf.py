@@ -73,9 +73,7 @@ def write_pdf(
         document.add_page(_proof_size(paper), content)
         left_out += content.left_out
     document.write(path)
-    return document.page_count, [
-        f'"{line}" is left out of the PDF, whose letters are Latin.' for line in dict.fromkeys(left_out)
-    ]
+    return document.page_count, list(dict.fromkeys(left_out))
 
 
 def pages_of(
@@ -135,7 +133,7 @@ def _document(pattern: "Pattern", *layers: str, hidden: tuple[str, ...] = ()) ->
 
 
 def _add_forms(document: Document, pattern: "Pattern", watch: Watch, thinnest: float = 0.0) -> list[str]:
-    """One form per piece; returns the texts that could not be drawn."""
+    """One form per piece; returns sentences on texts that could not be drawn."""
     left_out = []
     for index, piece in watch.each(list(enumerate(pattern.pieces)), "writing"):
         content = _drawn(piece, thinnest)

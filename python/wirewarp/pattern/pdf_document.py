@@ -9,6 +9,7 @@ import pydyf
 
 from . import helvetica
 from .drawing import Stroke, letters_baselines
+from .glyphs import NoLettersError, line_of
 from .interior import LINE
 from .model import Text
 
@@ -21,7 +22,7 @@ class Content:
     def __init__(self, thinnest: float = 0.0) -> None:
         self._thinnest = thinnest
         self._parts: list[str] = []
-        self.left_out: list[str] = []
+        self.left_out: list[str] = []  # sentences on texts that could not be drawn
 
     def in_layer(self, layer: str, strokes: Iterable[Stroke], texts: Iterable[Text] = ()) -> None:
         body = [self._stroke(stroke) for stroke in strokes] + [self._text(text) for text in texts]
@@ -51,17 +52,29 @@ class Content:
     def _text(self, text: Text) -> str:
         angle = np.deg2rad(text.angle)
         along = np.array([np.cos(angle), np.sin(angle)])
-        parts = ["BT 0.2 g"]
+        parts = ["0.2 g"]
         for line, middle in letters_baselines(text, LINE):
             letters = helvetica.encoded(line)
             if letters is None:
-                self.left_out.append(line)
+                parts.append(self._outlines(line, middle, along * text.height))
                 continue
             start = middle - along * helvetica.width(letters, text.height) / 2
             turn = f"{along[0]:.6f} {along[1]:.6f} {-along[1]:.6f} {along[0]:.6f}"
             escaped = letters.replace(b"\\", b"\\\\").replace(b"(", b"\\(").replace(b")", b"\\)").decode("latin-1")
-            parts.append(f"/F {text.height:.3f} Tf {turn} {_pair(start)} Tm ({escaped}) Tj")
-        return "\n".join([*parts, "ET"])
+            parts.append(f"BT /F {text.height:.3f} Tf {turn} {_pair(start)} Tm ({escaped}) Tj ET")
+        return "\n".join(parts)
+
+    def _outlines(self, line: str, middle: np.ndarray, along: np.ndarray) -> str:
+        """Letters that are not Latin as filled outlines. along (2,): the height of the text, in its direction."""
+        try:
+            drawn = line_of(line)
+        except NoLettersError as error:
+            self.left_out.append(f'"{line}" is left out of the PDF: {error}.')
+            return ""
+        axes = np.array([along, [-along[1], along[0]]])
+        start = middle - along * drawn.width / 2
+        parts = [" ".join([*map(_pair, points @ axes + start), operator]) for operator, points in drawn.parts]
+        return "\n".join([*parts, "f"]) if parts else ""
 
 
 class Document:

@@ -12,6 +12,15 @@ def plain_text(text: str) -> str:
     return re.sub(r"[^\x20-\x7e]", "?", kept)
 
 
+def escaped_text(text: str) -> str:
+    """As plain_text, but letters that have no ASCII as AutoCAD escapes them in files of its release 12: \\U+8896."""
+    escaped = [f"\\U+{ord(letter):04X}" if ord(letter) < 0x10000 else "?" for letter in text]
+    plain = [plain_text(letter) for letter in text]
+    return "".join(
+        code if "?" in kept and letter != "?" else kept for letter, kept, code in zip(text, plain, escaped, strict=True)
+    )
+
+
 def block_names(names: list[str], longest: int) -> list[str]:
     """Of capitals, figures and underscores, none twice, none longer; PIECE_3 where nothing is left of the third."""
     found: list[str] = []

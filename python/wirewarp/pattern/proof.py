@@ -8,6 +8,7 @@ import numpy as np
 
 from . import helvetica
 from .card import how_to_cut
+from .glyphs import NoLettersError, line_of
 from .model import Text
 from .papers import MARGIN
 from .pdf_document import Content
@@ -80,4 +81,11 @@ def _fitted(words: str, room: float) -> str:
 
 
 def _width(words: str) -> float:
-    return helvetica.width(helvetica.encoded(words) or b"", HEIGHT)
+    """Millimeters; 0 for letters that cannot be drawn."""
+    letters = helvetica.encoded(words)
+    if letters is not None:
+        return helvetica.width(letters, HEIGHT)
+    try:
+        return HEIGHT * line_of(words).width
+    except NoLettersError:
+        return 0.0

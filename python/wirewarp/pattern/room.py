@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from .interior import LETTER, LINE, are_inside
+from .interior import LINE, are_inside, text_width
 from .model import Text
 
 CLEAR = 0.5  # millimeters between a text and what stands beside it
@@ -41,10 +41,6 @@ class Room:
         if _touches(text, self._texts) or _touches(text, self._outline):
             return False
         return bool(are_inside(text.center[None], self._closed)[0])
-
-
-def text_width(text: str, height: float) -> float:
-    return LETTER * height * len(text)
 
 
 def _joined(parts: list[Segments]) -> Segments:

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fonts on this computer, and which of them has a letter. Needs uharfbuzz; and fonttools for WOFF2, as Blender has."""
+
+import io
+import os
+import sys
+from collections.abc import Iterator
+from functools import cache, cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .glyph_pen import GlyphPen, Part
+
+if TYPE_CHECKING:
+    import uharfbuzz
+
+SUFFIXES = (".ttf", ".otf", ".ttc", ".woff2")
+NO_TEXT = ("lastresort", "adobeblank")  # these have every letter, as a box or as nothing
+STYLES = ("bold", "italic", "oblique", "mono", "serif", "light", "thin", "black", "condensed")  # taken last
+_folders: list[Path] = []
+
+
+def add_font_folder(folder: str | Path) -> None:
+    """Fonts are sought there before the system's: for programs that bring fonts of their own, as Blender does."""
+    if Path(folder) not in _folders:
+        _folders.append(Path(folder))
+        font_with.cache_clear()
+
+
+class Font:
+    """One face of a file."""
+
+    def __init__(self, path: Path, index: int = 0) -> None:
+        """Raises what the libraries raise for a file that is no font."""
+        import uharfbuzz
+
+        self._path, self._index = path, index
+        self._outlines: dict[int, list[Part]] = {}
+        if path.suffix.lower() == ".woff2":
+            from fontTools.ttLib import TTFont
+
+            with TTFont(path, lazy=True) as quick:  # its letters alone: with all glyphs it takes ten times as long
+                self._letters = set(quick.getBestCmap() or {})
+        else:
+            blob = uharfbuzz.Blob.from_file_path(str(path))
+            self._letters = set(uharfbuzz.Face(blob, index).unicodes)
+
+    def has(self, letter: str) -> bool:
+        """With an outline: fonts with pictures of emoji have none."""
+        if letter.isspace() or ord(letter) not in self._letters:
+            return ord(letter) in self._letters
+        glyph = self.shapes.get_nominal_glyph(ord(letter))
+        return glyph is not None and bool(self.outline(glyph))
+
+    def outline(self, glyph: int) -> list[Part]:
+        """In units of the font."""
+        if glyph not in self._outlines:
+            pen = GlyphPen()
+            self.shapes.draw_glyph_with_pen(glyph, pen)
+            self._outlines[glyph] = pen.parts
+        return self._outlines[glyph]
+
+    @cached_property
+    def shapes(self) -> "uharfbuzz.Font":
+        import uharfbuzz
+
+        if self._path.suffix.lower() == ".woff2":
+            from fontTools.ttLib import woff2
+
+            unpacked = io.BytesIO()
+            woff2.decompress(str(self._path), unpacked)
+            return uharfbuzz.Font(uharfbuzz.Face(unpacked.getvalue()))
+        return uharfbuzz.Font(uharfbuzz.Face(uharfbuzz.Blob.from_file_path(str(self._path)), self._index))
+
+
+@cache
+def font_with(letter: str) -> Font | None:
+    """The first of the fonts that has it."""
+    return next((font for font in map(_font, _files()) if font and font.has(letter)), None)
+
+
+@cache
+def _font(path: Path) -> Font | None:
+    try:
+        return Font(path)
+    except Exception:  # whatever the libraries say of a damaged file, or of WOFF2 without fonttools: there are others
+        return None
+
+
+def _files() -> list[Path]:
+    """In the order in which they are tried: plain styles first, and of these small files, for they open quickly."""
+    files = [path for folder in (*_folders, *_system_folders()) for path in _in(folder)]
+    return sorted(files, key=lambda path: (any(s in path.name.lower() for s in STYLES), path.stat().st_size, path.name))
+
+
+def _in(folder: Path) -> Iterator[Path]:
+    for path in folder.rglob("*"):
+        if path.suffix.lower() in SUFFIXES and not any(word in path.name.lower() for word in NO_TEXT):
+            yield path
+
+
+def _system_folders() -> list[Path]:
+    if sys.platform == "win32":
+        local = Path(os.environ.get("LOCALAPPDATA", Path.home())) / "Microsoft/Windows/Fonts"
+        return [Path(os.environ.get("WINDIR", "C:/Windows")) / "Fonts", local]
+    if sys.platform == "darwin":
+        return [Path("/System/Library/Fonts"), Path("/Library/Fonts"), Path.home() / "Library/Fonts"]
+    return [Path("/usr/share/fonts"), Path("/usr/local/share/fonts"), Path.home() / ".local/share/fonts"]

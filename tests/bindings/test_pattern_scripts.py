@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Names in scripts that are not Latin, with fonts that are made here: each letter is a box of its own width."""
+
+import numpy as np
+import pypdfium2
+import pytest
+from patterns import rectangle
+from wirewarp.pattern import Pattern, add_font_folder, fonts, glyphs
+from wirewarp.pattern.plain_names import escaped_text
+
+pytest.importorskip("uharfbuzz")
+builder = pytest.importorskip("fontTools.fontBuilder")
+pens = pytest.importorskip("fontTools.pens.ttGlyphPen")
+
+LETTERS = {"ж": 600, "α": 500, "袖": 1000, "م": 400, "ن": 300, " ": 250, "n": 550}  # widths, of 1000
+NO_OUTLINE = "👗"  # as in fonts that have pictures of emoji
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """The one folder with fonts: one font."""
+    monkeypatch.setattr(fonts, "_folders", [])
+    monkeypatch.setattr(fonts, "_system_folders", lambda: [])
+    for cached in (fonts.font_with, fonts._font, glyphs.line_of):
+        cached.cache_clear()
+    (tmp_path / "fonts").mkdir()
+    write_font(tmp_path / "fonts" / "boxes.ttf", LETTERS | {NO_OUTLINE: 0})
+    (tmp_path / "fonts" / "broken.ttf").write_bytes(b"no font")
+    add_font_folder(tmp_path / "fonts")
+    yield tmp_path
+    for cached in (fonts.font_with, fonts._font, glyphs.line_of):
+        cached.cache_clear()
+
+
+def write_font(path, widths):
+    names = {letter: f"u{ord(letter):04X}" for letter in widths}
+    font = builder.FontBuilder(1000, isTTF=True)
+    font.setupGlyphOrder([".notdef", *names.values()])
+    font.setupCharacterMap({ord(letter): name for letter, name in names.items()})
+    shapes = {".notdef": pens.TTGlyphPen(None).glyph()}
+    for letter, width in widths.items():
+        pen = pens.TTGlyphPen(None)
+        if width and letter != " ":
+            corners = [(0, 0), (0, 700), (width, 700), (width, 0)]
+            pen.moveTo(corners[0])
+            for corner in corners[1:]:
+                pen.lineTo(corner)
+            pen.closePath()
+        shapes[names[letter]] = pen.glyph()
+    font.setupGlyf(shapes)
+    font.setupHorizontalMetrics(
+        {".notdef": (500, 0), **{names[letter]: (width, 0) for letter, width in widths.items()}}
+    )
+    font.setupHorizontalHeader(ascent=800, descent=-200)
+    font.setupNameTable({"familyName": path.stem, "styleName": "Regular"})
+    font.setupOS2()
+    font.setupPost()
+    font.save(path)
+
+
+def boxes(text):
+    """Where each letter begins and how wide it is, from left to right, in thousandths."""
+    found = []
+    for operator, points in glyphs.line_of(text).parts:
+        if operator == "m":
+            found.append([])
+        found[-1] += [round(1000 * x) for x in points[:, 0]]
+    return sorted((min(across), max(across) - min(across)) for across in found)
+
+
+def test_letters_stand_side_by_side(folder):
+    assert boxes("ж袖") == [(0, 600), (600, 1000)]
+    assert glyphs.line_of("ж袖").width == pytest.approx(1.6)
+
+
+def test_what_is_read_from_the_right_begins_there(folder):
+    assert boxes("من") == [(0, 300), (300, 400)]
+    assert boxes("ж من") == [(0, 600), (850, 300), (1150, 400)]
+    # The line begins with the Arabic word, so the other one comes to its left.
+    assert boxes("من ж") == [(0, 600), (850, 300), (1150, 400)]
+
+
+def test_they_are_printed_in_the_height_of_the_text(folder):
+    pattern = Pattern.from_result(rectangle(300, 200), piece_names=["袖"], allowance=0.0, notch_spacing=0)
+    written = pattern.with_only(["texts"]).write(folder / "x.pdf", paper="projector")
+    assert written.warnings == []
+    (text,) = pattern.pieces[0].texts
+    (page,) = pypdfium2.PdfDocument(folder / "x.pdf")
+    scale = 10  # pixels to the millimeter
+    dark = page.render(scale=scale * 25.4 / 72, grayscale=True).to_numpy().squeeze() < 128
+    # The largest dark square is the letter: as wide as the text is high, and 0.7 of that high.
+    assert max(longest(dark), longest(dark.T)) == pytest.approx(text.height * scale, abs=2)
+
+
+def longest(dark):
+    """Pixels of the longest run in the rows where at least 3 mm in the column are dark too."""
+    solid = dark & np.roll(dark, 15, axis=0) & np.roll(dark, -15, axis=0)
+    best = 0
+    for row in solid[solid.any(axis=1)]:
+        changes = np.flatnonzero(np.diff(np.concatenate([[0], row.astype(int), [0]])))
+        best = max(best, *(changes[1::2] - changes[::2]))
+    return best
+
+
+@pytest.mark.parametrize(("name", "letter"), [("袂", "袂"), ("袖👗", NO_OUTLINE)])
+def test_a_letter_that_no_font_draws_is_told(folder, name, letter):
+    pattern = Pattern.from_result(rectangle(300, 200), piece_names=[name])
+    assert pattern.write(folder / "x.pdf").warnings == [
+        f'"{name}" is left out of the PDF: no font with the letter "{letter}" was found.'
+    ]
+
+
+def test_without_the_library_that_is_told(folder, monkeypatch):
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    (warning,) = Pattern.from_result(rectangle(300, 200), piece_names=["袖"]).write(folder / "x.pdf").warnings
+    assert warning == '"袖" is left out of the PDF: letters that are not Latin need the package uharfbuzz.'
+
+
+def test_annotations_of_dxf_have_escapes():
+    assert escaped_text("Ärmel ß?") == "Armel ss?"
+    assert escaped_text("袖 1") == "\\U+8896 1"
+    assert escaped_text("👗") == "?"
