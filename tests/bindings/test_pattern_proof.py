@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The proof sheet says of every piece and every side of a seam what is cut."""
 
+import numpy as np
 import pypdfium2
 import pytest
 from patterns import flattened, quads, sample
@@ -38,7 +39,7 @@ def test_a_long_proof_has_several_pages_and_long_names_are_cut_off(tmp_path):
     pattern = Pattern.from_result(result, piece_names=["A very long name of a piece " * 4] * 100)
     pattern.write(tmp_path / "strips.pdf", proof=True)
     pages = pattern.page_sizes("a4", proof=True)[len(pattern.page_sizes("a4")) :]
-    assert len(pages) == -(-(3 + 100 + 3 + 1 + 1 + 2 * 99) // 55)
+    assert len(pages) == -(-(3 + 100 + 3 + 1 + 1 + 3 * 99) // 55)
     document = pypdfium2.PdfDocument(tmp_path / "strips.pdf")
     assert "..." in document[len(document) - 1].get_textpage().get_text_range()
 
@@ -51,6 +52,32 @@ def two_squares(**options):
 
 def test_allowances_are_told_where_no_sew_lines_are_drawn(tmp_path):
     assert "10 mm" in " ".join(proof_lines(two_squares().with_only(["notches"]), tmp_path / "a.pdf"))
+
+
+def test_the_proof_says_where_notches_stand(tmp_path):
+    pattern = two_squares(notch_spacing=50.0)
+    (walk,) = pattern.walks
+    assert walk.notches == (pytest.approx((40, 90, 140)), pytest.approx((40, 90, 140)))  # none in the middle
+    for piece, places in zip(pattern.pieces, walk.notches, strict=True):
+        (side,) = [line.points for line in piece.of_role("sew") if line.seam == 0]
+        own = [point for point in piece.points if point.pair]
+        assert [point.along for point in own] == list(places)
+        starts = [side[0], side[-1]]
+        # All are counted from one end, 10 mm beside the sew line.
+        assert any(
+            [np.hypot(*(point.at - start)) for point in own] == pytest.approx([np.hypot(p, 10) for p in places])
+            for start in starts
+        )
+    text = " ".join(proof_lines(pattern, tmp_path / "a.pdf"))
+    assert "Notches at " + ", ".join(f"{place:.1f} mm" for place in walk.notches[0]) in text
+
+
+def test_the_proof_of_a_marker_says_what_cloth_it_takes(tmp_path):
+    pattern = sample("Fitted top")
+    laid = pattern.laid_on(pattern.nested(1400, seconds=0))
+    text = " ".join(proof_lines(laid, tmp_path / "a.pdf"))
+    assert laid.marker.sentence(laid.units) in text and "In rows" not in text
+    assert "Notches at 55.2 mm, 80.0 mm" in text  # of a sleeve, sewn to itself
 
 
 def test_sides_of_pieces_with_one_name_have_their_own_allowances(tmp_path):

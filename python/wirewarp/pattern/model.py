@@ -37,6 +37,7 @@ class Point:
     direction: np.ndarray = field(default_factory=lambda: np.zeros(2))  # (2,) unit vector into the piece
     depth: float = 0.0  # of notches and clips; of holes the diameter
     pair: tuple[int, int] | None = None  # seam, and number along it: notches of one pair are sewn onto each other
+    along: float | None = None  # of these the length from the start of the seam, on the sew line of this side
 
     def placed(self, motion: Motion) -> "Point":
         return replace(self, at=motion.points(self.at), direction=motion.directions(self.direction))

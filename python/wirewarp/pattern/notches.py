@@ -81,7 +81,7 @@ def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[in
     if allowance > MITRE_LIMIT * width + NEXT_TO:
         return None
     room = SHARE * allowance if allowance > 0 else ACROSS * rays.to_cut(at_sew - outward * NEXT_TO, -outward)
-    return Point("notch", at_sew + allowance * outward, -outward, min(DEEPEST, room), pair)
+    return Point("notch", at_sew + allowance * outward, -outward, min(DEEPEST, room), pair, length if pair else None)
 
 
 def clips(loop: Sequence[Side], rays: Rays) -> list[Point]:

@@ -19,7 +19,7 @@ from .fold import folded, unfolded
 from .marker import Marker
 from .marks import marks
 from .mirror import fold_of, mirror_between
-from .model import PatternPiece
+from .model import PatternPiece, Point
 from .nest_items import Grain
 from .nesting import Cloth, Preview, nested
 from .notches import check_spacing
@@ -45,6 +45,7 @@ class SeamWalk:
     pieces: tuple[str, ...]  # of each side the piece
     lengths: tuple[float, ...]  # millimeters along the sew line
     allowances: tuple[tuple[float, ...], ...]  # of each side the widths, millimeters
+    notches: tuple[tuple[float, ...], ...]  # of each side where they stand, millimeters from the same end of the seam
 
 
 @dataclass(frozen=True)
@@ -171,8 +172,9 @@ class Pattern:
                 tuple(pieces[own.side.piece].name for own in sides),
                 tuple(float(own.along[-1]) for own in sides),
                 tuple(laid[own.side.piece].allowances(own.side) for own in sides),
+                tuple(_notches_along(points[own.side.piece], seam) for own in sides),
             )
-            for name, sides in zip(seam_names, seams, strict=True)
+            for seam, (name, sides) in enumerate(zip(seam_names, seams, strict=True))
         ]
         low = np.min([piece.bounds[0] for piece in done], axis=0)
         moved = [piece.moved(-low) for piece in done]
@@ -425,6 +427,12 @@ class Written:
     def __str__(self) -> str:
         what = f"{counted(self.pieces, 'piece')} on {counted(self.sheets, 'sheet')}"
         return f"{what}, read again: {self.off:.2f} mm off"
+
+
+def _notches_along(points: Iterable[Point], seam: int) -> tuple[float, ...]:
+    """Of one piece; where it is sewn to itself, its two sides have theirs at the same lengths."""
+    own = {point.pair[1]: point.along for point in points if point.pair and point.pair[0] == seam}
+    return tuple(along for _, along in sorted(own.items()) if along is not None)
 
 
 def _names(names: Sequence[str] | None, count: int) -> list[str]:

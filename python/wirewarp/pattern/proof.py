@@ -12,13 +12,15 @@ from .glyphs import NoLettersError, line_of
 from .model import Text
 from .papers import MARGIN
 from .pdf_document import Content
+from .units import UnitSystem
 
 if TYPE_CHECKING:
-    from .pattern import Pattern
+    from .pattern import Pattern, SeamWalk
 
 HEIGHT, LINE = 3.2, 5.0  # millimeters: of letters and between the base lines of rows
 COLUMNS = (0.0, 0.32, 0.55, 0.77, 0.89)  # where they begin, as shares of the width
 CLOTHS = (900.0, 1400.0, 1500.0)  # millimeters: usual widths
+AT_ONCE = 6  # places of notches in a row
 SHORTENED = "..."
 Row = Sequence[str]
 
@@ -36,6 +38,8 @@ def _piece_rows(pattern: "Pattern") -> list[Row]:
     for piece in pattern.pieces:
         size = " x ".join(units.measured(float(side)) for side in piece.size)
         rows.append((f"{piece.number}  {piece.name}", how_to_cut(piece), size, units.area_text(piece.area)))
+    if pattern.marker:
+        return [*rows, (pattern.marker.sentence(units),)]
     for width in CLOTHS:
         if max(piece.size[0] for piece in pattern.pieces) <= width:
             length = units.text(float(pattern.arranged(width).size[1]))
@@ -44,7 +48,7 @@ def _piece_rows(pattern: "Pattern") -> list[Row]:
 
 
 def _seam_rows(pattern: "Pattern") -> list[Row]:
-    """The sides of each seam, one a row, and how far the longest is from the shortest."""
+    """The sides of each seam, one a row, how far the longest is from the shortest, and where their notches stand."""
     rows: list[Row] = [("Seam", "Side", "Sewn length", "Allowance", "Difference")]
     for walk in pattern.walks:
         if not walk.lengths:  # of pieces without a layout
@@ -55,7 +59,25 @@ def _seam_rows(pattern: "Pattern") -> list[Row]:
             allowance = pattern.units.range_of(widths)
             told = pattern.units.difference_text(difference) if side == 0 else ""
             rows.append((walk.name if side == 0 else "", name, pattern.units.measured(length), allowance, told))
+        rows += _notch_rows(walk, pattern.units)
     return rows
+
+
+def _notch_rows(walk: "SeamWalk", units: UnitSystem) -> list[Row]:
+    """Where the notches of a seam stand, from the same end on all sides; of each side where it has others."""
+    sides = [[units.measured(place) for place in places] for places in walk.notches]
+    if not any(sides):
+        return []
+    if all(places == sides[0] for places in sides):
+        return _in_lines("Notches at ", sides[0])
+    named = zip(walk.pieces, sides, strict=True)
+    return [row for name, places in named for row in _in_lines(f"Notches of {name} at ", places)]
+
+
+def _in_lines(begin: str, places: Sequence[str]) -> list[Row]:
+    """So many in each row as fit."""
+    lines = [", ".join(places[start : start + AT_ONCE]) for start in range(0, len(places), AT_ONCE)]
+    return [("", (begin if number == 0 else "") + line) for number, line in enumerate(lines)]
 
 
 def _page(rows: Sequence[Row], paper: np.ndarray) -> Content:
