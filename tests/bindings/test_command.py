@@ -5,13 +5,16 @@ import json
 import os
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import numpy as np
 import pypdfium2
 import pytest
 from patterns import SAMPLES, flattened
+from PIL import Image
 from wirewarp.command.arguments import parsed
 from wirewarp.command.flatten import flatten_model
+from wirewarp.command.picture import strain
 from wirewarp.pattern import Marker
 
 trimesh = pytest.importorskip("trimesh")
@@ -109,6 +112,43 @@ def test_a_marker_is_one_more_file_of_each_kind_and_is_kept(model, tmp_path):
     assert line["marker"].startswith("2 pieces on 1 sheet of 10 in x 12 in, ")
     ((line,), _) = run(*words)
     assert "marker" not in line and not (tmp_path / "out" / "Folded-marker.pdf").exists()
+
+
+def test_the_picture_shows_the_pieces_in_scale(model, tmp_path):
+    ((line,), _) = run(model, "--out", tmp_path / "out", "--seams", "uv", "--format", "svg", "--picture")
+    assert line["files"] == ["Folded.json", "Folded.png", "Folded.svg"]
+    pixels = np.array(Image.open(tmp_path / "out" / "Folded.png")).astype(int)
+    assert max(pixels.shape) == pytest.approx(2000, abs=100)
+    is_black = pixels.sum(axis=2) < 60
+    # 60 pixels of margin: the outlines fill the width between.
+    columns = np.flatnonzero(is_black[:-100].any(axis=0))
+    assert (columns[0], columns[-1]) == pytest.approx((60, pixels.shape[1] - 60), abs=4)
+    # The bar of the legend is 100 mm of a layout whose size the report has.
+    report = json.loads((tmp_path / "out" / "Folded.json").read_text())
+    across = np.ptp([x for piece in report["pieces"] for x, _ in piece["vertices"]])
+    last = is_black[-60 - 12 - 10 : -60 - 12 + 10]
+    bar = max(longest_run(row) for row in last)
+    assert bar == pytest.approx(0.1 / across * (columns[-1] - columns[0]), rel=0.02)
+
+
+def test_without_pillow_that_is_told(model, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "PIL", None)
+    monkeypatch.delitem(sys.modules, "wirewarp.command.picture")
+    (request,) = parsed(["flatten", str(model), "--out", str(tmp_path / "out"), "--picture"]).requests
+    (problem,) = flatten_model(request)["problems"]
+    assert problem == "Pictures are drawn by pillow, which is missing: pip install wirewarp[command]"
+
+
+def longest_run(row):
+    changes = np.flatnonzero(np.diff(np.concatenate([[0], row.astype(int), [0]])))
+    return max(changes[1::2] - changes[::2], default=0)
+
+
+def test_the_strain_of_a_stretched_square():
+    # The flat square is 10 % wider and 20 % lower than the one on the model.
+    square = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], dtype=float)
+    flat = SimpleNamespace(vertices=square[:, :2] * (1.1, 0.8), faces=np.array([(0, 1, 2), (0, 2, 3)]))
+    assert strain(square, flat) == pytest.approx([0.2, 0.2])
 
 
 def test_what_was_done_before_is_left_out_until_something_changes(model, tmp_path):

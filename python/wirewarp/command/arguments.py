@@ -51,6 +51,7 @@ class Request:
     unit: str
     imperial: bool
     marker: MarkerRequest | None
+    picture: bool
     resume: bool
 
     @property
@@ -59,6 +60,10 @@ class Request:
 
     def pattern_path(self, kind: str) -> Path:
         return self.folder / f"{self.model.stem}.{kind}"
+
+    @property
+    def picture_path(self) -> Path:
+        return self.folder / f"{self.model.stem}.png"
 
     def marker_path(self, kind: str) -> Path:
         return self.folder / f"{self.model.stem}-marker.{kind}"
@@ -108,6 +113,7 @@ def parsed(words: Sequence[str]) -> Arguments:
     command.add_argument("--grain", choices=GRAINS, default="one-way", help="how pieces of a marker may lie (one-way)")
     command.add_argument("--times", type=_count, default=1, metavar="N", help="how often a marker has the pattern (1)")
     command.add_argument("--seconds", type=_seconds, default=10.0, metavar="S", help="of search for a marker (10)")
+    command.add_argument("--picture", action="store_true", help="also a PNG of the flat pieces, colored by strain")
     command.add_argument("--jobs", type=_count, default=1, metavar="N", help="models at a time (1)")
     command.add_argument("--resume", action="store_true", help="leave out what was done before and has not changed")
     given = parser.parse_args(words)
@@ -131,6 +137,7 @@ def parsed(words: Sequence[str]) -> Arguments:
             unit=given.unit,
             imperial=given.imperial,
             marker=marker,
+            picture=given.picture,
             resume=given.resume,
         )
         for model in given.models

@@ -100,6 +100,14 @@ def _flattened(request: Request, model: Model, made_of: str) -> Line:
         "files": [request.report_path.name],
         "made_of": made_of,
     }
+    if request.picture:
+        try:
+            from .picture import write_picture
+        except ModuleNotFoundError as error:
+            raise InputError("Pictures are drawn by pillow, which is missing: pip install wirewarp[command]") from error
+        request.picture_path.unlink(missing_ok=True)  # of an earlier run: now there may be nothing to draw
+        if write_picture(request.picture_path, result, model.vertices, MILLIMETERS[request.unit]):
+            line["files"].append(request.picture_path.name)
     placed: dict[str, Any] = {}
     if problems:
         for kind in request.formats:
