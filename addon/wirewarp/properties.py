@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Settings kept with the scene, names of wires with the mesh, of pieces with the object, and how objects are linked."""
 
-from collections.abc import Callable
-
 import bpy
 from bpy.props import (
     BoolProperty,
@@ -17,6 +15,7 @@ from bpy.props import (
 from .blender.views import redraw_views
 from .run.auto_update import note_change
 from .solve.flatten import FlattenChoices
+from .solve.papers import PAPERS
 
 METHODS = [
     (
@@ -38,6 +37,10 @@ METHODS = [
     ),
 ]
 LIBRARY_METHODS = {"REFINED": "refined", "WIREWARP_PLUS_PLUS": "wirewarp++", "WIREWARPING": "wirewarping"}
+
+
+def _redraw(_settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
+    redraw_views()
 
 
 class FlattenSettings:
@@ -132,6 +135,67 @@ class FlattenSettings:
     )
 
 
+class PatternSettings:
+    """What Export asks for and the preview of pages shows: shared by the scene's settings and the operator."""
+
+    allowance: FloatProperty(
+        name="Allowance",
+        description="Seam allowance in millimeters, around every piece but where another one is marked on the edges",
+        min=0.0,
+        soft_max=50.0,
+        max=1000.0,
+        default=10.0,
+        precision=1,
+        step=100,
+        update=_redraw,
+    )
+    darts: EnumProperty(
+        name="Darts",
+        description="What is cut of them",
+        items=[
+            (
+                "CLOSE",
+                "Closed",
+                "Cut straight over their mouths, to be folded: notches at the legs, a hole before the tip",
+            ),
+            ("CUT", "Cut Out", "Cut out, with allowance on the legs"),
+            ("SLIT", "Slit", "Cut along the legs"),
+        ],
+        default="CLOSE",
+        update=_redraw,
+    )
+    arrangement: EnumProperty(
+        name="Pieces",
+        description="Where the pieces lie on what they are printed on or cut from",
+        items=[
+            ("IN_ROWS", "In Rows", "Side by side so that they take few sheets, or little of a roll; none turned"),
+            (
+                "AS_LAID_OUT",
+                "As Laid Out",
+                "Beside each other as in the flat object, moved or turned as you have left them",
+            ),
+        ],
+        default="IN_ROWS",
+        update=_redraw,
+    )
+    paper: EnumProperty(
+        name="Paper",
+        description="What a PDF is printed on",
+        items=[(key, name, "") for key, (_, name) in PAPERS.items()],
+        default="A4",
+        update=_redraw,
+    )
+    roll_width: FloatProperty(
+        name="Roll Width",
+        description="In millimeters, margins of 10 mm included",
+        min=100.0,
+        max=5000.0,
+        default=1500.0,
+        precision=0,
+        update=_redraw,
+    )
+
+
 def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
     """Of the scene's settings, or of an operator's. meters: in a Blender unit."""
     return FlattenChoices(
@@ -145,20 +209,16 @@ def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
     )
 
 
-def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings") -> None:
-    """What the caller left out is taken from the scene's settings.
+def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
+    """What the caller left out is taken from the scene's settings; kind: FlattenSettings or PatternSettings.
 
     A choice that this version does not know, as of a file of another version, goes back to its default.
     """
-    for name in FlattenSettings.__annotations__:
+    for name in kind.__annotations__:
         if getattr(settings, name) == "":
             settings.property_unset(name)
         if not operator.properties.is_property_set(name):
             setattr(operator, name, getattr(settings, name))
-
-
-def _redraw(_settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
-    redraw_views()
 
 
 def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
@@ -166,22 +226,7 @@ def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Con
         note_change(settings.id_data.name_full)
 
 
-def allowance_property(**more: Callable) -> object:
-    """The seam allowance, of the panel and of exports."""
-    return FloatProperty(
-        name="Allowance",
-        description="Seam allowance in millimeters, around every piece but where another one is marked on the edges",
-        min=0.0,
-        soft_max=50.0,
-        max=1000.0,
-        default=10.0,
-        precision=1,
-        step=100,
-        **more,
-    )
-
-
-class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
+class WIREWARP_PG_settings(FlattenSettings, PatternSettings, bpy.types.PropertyGroup):
     auto_update: BoolProperty(
         name="Auto",
         description="Flatten again by itself when seams, wires, shape or scale change, or with Modifiers what they "
@@ -200,7 +245,12 @@ class WIREWARP_PG_settings(FlattenSettings, bpy.types.PropertyGroup):
         default=3.0,
         precision=2,
     )
-    allowance: allowance_property(update=_redraw)
+    show_pages: BoolProperty(
+        name="Show Pages",
+        description="Draw the pages of a PDF over the flat pieces; where these will lie otherwise, beside them",
+        default=False,
+        update=_redraw,
+    )
     show_lines: BoolProperty(
         name="Lines",
         description="Draw outlines, seams, wires and what failed over models and flat pieces, and over "

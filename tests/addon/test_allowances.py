@@ -28,7 +28,7 @@ def mark_allowance(target, line, **settings):
 def distances(tmp_path, source, line):
     """Of the middles of edges of the model on the line: how far they are from the cut line, in each piece."""
     path = tmp_path / "pattern.svg"
-    bpy.ops.object.wirewarp_export(filepath=str(path), allowance=10.0, keep_places=True)
+    bpy.ops.object.wirewarp_export(filepath=str(path), allowance=10.0, arrangement="AS_LAID_OUT")
     drawing, flat = Drawing(path), flat_of(source).data
     places = 100 * read(flat.vertices, "co", np.float32, 3)[:, :2]
     model = read(source.data.vertices, "co", np.float32, 3)[
@@ -214,8 +214,10 @@ def test_another_attribute_of_the_name_is_a_sentence(source):
 def drawn(addon, source, allowance=10.0):
     """The size of the line to cut, as it is drawn, in Blender units."""
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    lines = addon.overlay.objects.cut_lines(source, flat_of(source), 0.1, allowance, depsgraph)
-    return np.ptp(lines.reshape(-1, 3), axis=0) if len(lines) else np.zeros(3)
+    pages = addon.overlay.pages
+    cut = pages.cut_lines(bpy.context.scene, source, flat_of(source), allowance, "close", depsgraph)
+    lines = pages.cut_places(cut, 100.0)
+    return np.ptp(lines, axis=0) if len(lines) else np.zeros(3)
 
 
 def test_it_is_drawn_as_soon_as_it_is_marked_and_in_edit_mode(source, addon):

@@ -77,7 +77,7 @@ def test_pieces_lie_in_rows_or_as_in_blender(source, tmp_path):
         flat.vertices[vertex].co.x += 30
     select_only(flat_of(source))
     assert places("rows.svg") < 400
-    assert places("lie.svg", keep_places=True) > 2500
+    assert places("lie.svg", arrangement="AS_LAID_OUT") > 2500
 
 
 def told(addon, **settings):

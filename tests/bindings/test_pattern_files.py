@@ -373,52 +373,6 @@ def test_500_pieces(tmp_path):
     )
 
 
-@pytest.mark.parametrize("paper", ["a4", "letter", "a3", "a0", "24in", 700.0, "projector"])
-def test_the_pages_are_told_before_they_are_written(tmp_path, paper):
-    pattern = sample("Hat")
-    sizes = pattern.page_sizes(paper)
-    pattern.write(tmp_path / "pages.pdf", paper=paper)
-    pages = [page.get_size() for page in pypdfium2.PdfDocument(tmp_path / "pages.pdf")]
-    assert np.array(pages) * 25.4 / 72 == pytest.approx(np.array(sizes), abs=0.01)
-
-
-@pytest.mark.parametrize("keep_places", [False, True])
-@pytest.mark.parametrize(("paper", "margin"), [("a4", 10.0), ("a3", 10.0), (2500.0, 0.0), ("projector", 0.0)])
-def test_the_pages_show_the_pattern_where_they_are_said_to(tmp_path, paper, margin, keep_places):
-    """Every point of a cut line is dark on the pages that show it, and on one at least."""
-    pattern = sample("Hat").with_only([])
-    apart = np.array([[0.0, 0.0], [33.0, 21.0]])[np.arange(len(pattern.pieces)) % 2]
-    pattern = replace(pattern, pieces=[piece.moved(by) for piece, by in zip(pattern.pieces, apart, strict=True)])
-    laid, pages = pattern.pages(paper, keep_places)
-    if keep_places:
-        lows = [np.array([piece.bounds[0] for piece in each.pieces]) for each in (laid, pattern)]
-        assert np.ptp(lows[0] - lows[1], axis=0) == pytest.approx(0)
-    pattern.write(tmp_path / "pages.pdf", paper=paper, keep_places=keep_places)
-    shown = list(pypdfium2.PdfDocument(tmp_path / "pages.pdf"))[-len(pages) :]
-    points = np.concatenate(cut_points(laid))
-    seen = np.zeros(len(points), dtype=bool)
-    for page, sheet in zip(pages, shown, strict=True):
-        pixels = np.atleast_3d(sheet.render(scale=2 / MILLIMETER, grayscale=True).to_numpy())[..., 0]
-        inside = np.all((points > page.low + 1) & (points < page.low + page.size - 1), axis=1)
-        x, y = (2 * (points[inside] - page.low + margin)).T.astype(int)
-        rows = len(pixels) - 1 - y
-        around = [pixels[rows + i, x + j] for i in (-1, 0, 1) for j in (-1, 0, 1)]
-        assert np.min(around, axis=0).max() < 160
-        assert inside.any()
-        seen |= inside
-    assert seen.all()
-    assert len({page.name for page in pages}) == len(pages)
-
-
-def test_what_keeps_its_places_and_is_too_wide_for_a_roll_is_told():
-    pattern = Pattern.from_result(rectangle(600, 100))
-    (piece,) = pattern.pieces
-    pattern = replace(pattern, pieces=[piece, replace(piece.moved(np.array([1200.0, 0.0])), number=2)])
-    with pytest.raises(wirewarp.FlattenError, match="As they lie the pieces are 1.32 m wide: too wide for a roll"):
-        pattern.pages("36in", keep_places=True)
-    assert len(pattern.pages("36in")[1]) == 1
-
-
 def test_what_is_left_out_is_in_no_file(tmp_path):
     pattern = sample("Hat")
     plain = pattern.with_only(["notches"])

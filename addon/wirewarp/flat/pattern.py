@@ -12,7 +12,7 @@ from ..blender.cache import read_anew
 from ..blender.mesh import current_mesh, evaluated_mesh
 from ..blender.objects import linear_part
 from ..blender.units import meters_per_blender_unit
-from ..core import FlattenError, pattern
+from ..core import pattern
 from ..issues import changed_error, object_error
 from ..model.allowances import read_allowances
 from ..model.owners import check_not_edited, find_flat_object, has_flat_object
@@ -41,44 +41,42 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternPar
     pieces = read_flat_pieces(flat.data, millimeters)
     wire_ids = np.unique(pieces.marks.wire_ids[pieces.marks.rows]).tolist()
     names = names_of(source.data, wire_ids) | {wire["wire_id"]: wire["name"] for wire in report["wires"]}
+    found = _pieces(report, pieces, names, grain_directions(flat.data, pieces.vertices))
+    allowances = _allowances(source, report, millimeters, bpy.context.evaluated_depsgraph_get())
+    return _parts(scene, source, report, found, allowances)
+
+
+def read_outlines(
+    scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> PatternParts | None:
+    """As read_pattern, but without wires, and whatever was changed since the pieces were made; the model may be in Edit
+    Mode. None where there is no report to these pieces. Raises ObjectError.
+    """
+    report, millimeters = pieces_report(source), 1000 * meters_per_blender_unit(scene)
+    if report is None or not has_flat_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):
+        return None
+    pieces = read_flat_pieces(flat.data, millimeters)
+    without_wires = replace(pieces, marks=EdgeMarks.none(len(pieces.edges)))
+    allowances = _allowances(source, report, millimeters, depsgraph)
+    return _parts(scene, source, report, _pieces(report, without_wires, {}, {}), allowances)
+
+
+def _parts(
+    scene: bpy.types.Scene,
+    source: bpy.types.Object,
+    report: dict,
+    pieces: Sequence[pattern.FlatPiece],
+    allowances: Allowances,
+) -> PatternParts:
     return PatternParts(
         title=source.name,
-        pieces=_pieces(report, pieces, names, grain_directions(flat.data, pieces.vertices)),
+        pieces=pieces,
         failed=[piece["name"] for piece in report["pieces"] if not piece["ok"]],
         seam_names=[seam["name"] for seam in report["seams"]],
-        allowances=_allowances(source, report, millimeters, bpy.context.evaluated_depsgraph_get()),
+        allowances=allowances,
         units="imperial" if scene.unit_settings.system == "IMPERIAL" else "metric",
         date=datetime.date.today().isoformat(),
     )
-
-
-def read_cut_lines(
-    source: bpy.types.Object, flat: bpy.types.Object, meters: float, allowance: float, depsgraph: bpy.types.Depsgraph
-) -> list[np.ndarray]:
-    """(k,2) each, closed, in Blender units: where the pieces are cut, whatever was changed since they were made.
-
-    The model may be in Edit Mode. meters: in a Blender unit; allowance: where none is marked, in millimeters. Raises
-    ObjectError.
-    """
-    report, millimeters = pieces_report(source), 1000 * meters
-    if report is None or not has_flat_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):
-        return []
-    allowances = _allowances(source, report, millimeters, depsgraph)
-    if allowance == 0 and not any(allowances):
-        return []
-    pieces = read_flat_pieces(flat.data, millimeters)
-    without_wires = replace(pieces, marks=EdgeMarks.none(len(pieces.edges)))
-    try:
-        lines = pattern.cut_lines(
-            _pieces(report, without_wires, {}, {}),
-            allowance=allowance,
-            allowances=allowances.both,
-            side_allowances=allowances.sides,
-            folds=allowances.folds,
-        )
-    except FlattenError as error:
-        raise object_error(str(error.code), error.message) from error
-    return [line / millimeters for line in lines]
 
 
 def _pieces(

@@ -2,13 +2,16 @@
 """File > Export: the pattern as a file to print, plot or cut."""
 
 from pathlib import Path
+from typing import Any
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, StringProperty
 
 from ..core import pattern
-from ..properties import allowance_property
-from ..run.export import ExportChoices, PatternChoices
+from ..properties import PatternSettings, take_settings
+from ..run.export import ExportChoices
+from ..solve.papers import ONE_PAGE, PAPERS, is_roll, library_paper
+from ..solve.pattern_parts import PatternChoices
 from ..words import counted
 from .export_sentences import largest_sentence, size_sentences
 from .export_steps import PatternExport
@@ -19,19 +22,6 @@ FORMATS = [
     ("DXF", "DXF, for CAD", "For programs of the clothing industry, or for lasers and routers"),
     ("PLT", "PLT, for plotters", "HPGL, which plotters and vinyl cutters read"),
 ]
-PAPERS = {  # as the library knows them, and as makers do
-    "A4": ("a4", "A4"),
-    "LETTER": ("letter", "Letter"),
-    "A4_LETTER": ("a4-letter", "A4 or Letter"),
-    "A3": ("a3", "A3"),
-    "TABLOID": ("tabloid", "Tabloid"),
-    "A0": ("a0", "A0"),
-    "ROLL_36": ("36in", "Roll of 36 in"),
-    "ROLL_24": ("24in", "Roll of 24 in"),
-    "ROLL": ("", "Roll of another width"),
-    "PROJECTOR": ("projector", "Projector"),
-}
-ONE_PAGE = "PROJECTOR"
 PRESETS = [
     ("PRINT", "To print or draw on", "Colors, dashes and texts"),
     ("LASER", "Laser", "For LightBurn, Glowforge and the like: thin lines without dashes, no texts"),
@@ -50,16 +40,11 @@ DRAWN = [  # kinds of the library, upper case and with underscores
     ("TEXTS", "Texts", "Name, number and how often to cut the piece"),
     ("LINE_NAMES", "Line Names", "Numbers of seams, which are the same on both sides, and names of wires"),
 ]
-DARTS = [
-    ("CLOSE", "Closed", "Cut straight over their mouths, to be folded: notches at the legs, a hole before the tip"),
-    ("CUT", "Cut Out", "Cut out, with allowance on the legs"),
-    ("SLIT", "Slit", "Cut along the legs"),
-]
 ALL_DRAWN = {kind for kind, _, _ in DRAWN}
 ALL_KINDS = frozenset(kind.lower().replace("_", " ") for kind in ALL_DRAWN)
 
 
-class OBJECT_OT_wirewarp_export(PatternExport, bpy.types.Operator):
+class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operator):
     """Write the flat pieces of the active object in true size, with seam allowances: to print, to plot or to cut"""
 
     bl_idname = "object.wirewarp_export"
@@ -70,20 +55,6 @@ class OBJECT_OT_wirewarp_export(PatternExport, bpy.types.Operator):
     )
     format: EnumProperty(
         name="Format", description="What the pattern is for. Of scripts: by the name of the file", items=FORMATS
-    )
-    paper: EnumProperty(
-        name="Paper",
-        description="What is printed on",
-        items=[(key, name, "") for key, (_, name) in PAPERS.items()],
-        default="A4",
-    )
-    roll_width: FloatProperty(
-        name="Roll Width",
-        description="In millimeters, margins of 10 mm included",
-        min=100.0,
-        max=5000.0,
-        default=1500.0,
-        precision=0,
     )
     proof_sheet: BoolProperty(
         name="Proof Sheet",
@@ -100,27 +71,22 @@ class OBJECT_OT_wirewarp_export(PatternExport, bpy.types.Operator):
     drawn: EnumProperty(
         name="Drawn", description="Besides lines to cut", items=DRAWN, options={"ENUM_FLAG"}, default=ALL_DRAWN
     )
-    allowance: allowance_property()
-    darts: EnumProperty(name="Darts", description="What is cut of them", items=DARTS, default="CLOSE")
-    keep_places: BoolProperty(
-        name="As They Lie",
-        description="Pieces stay beside each other as in the flat object. Off: in rows. Sheets and rolls have rows",
-        default=False,
-    )
 
     @property
     def filename_ext(self) -> str:
         return f".{self.format.lower()}"
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        if not self.properties.is_property_set("allowance"):
-            self.allowance = context.scene.wirewarp.allowance
+        take_settings(self, context.scene.wirewarp, PatternSettings)
         return super().invoke(context, event)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         ending = Path(self.filepath).suffix[1:].upper()
         if not self.properties.is_property_set("format") and ending in {key for key, _, _ in FORMATS}:
             self.format = ending
+        if self._has_dialog:
+            for name in PatternSettings.__annotations__:
+                setattr(context.scene.wirewarp, name, getattr(self, name))
         return super().execute(context)
 
     def draw(self, context: bpy.types.Context) -> None:
@@ -138,21 +104,21 @@ class OBJECT_OT_wirewarp_export(PatternExport, bpy.types.Operator):
             layout.prop(self, "dialect")
             if self.dialect != "PLAIN":
                 layout.prop(self, "control_square")
+        layout.prop(self, "arrangement")
         self.draw_lengths(context, "allowance", "notch_spacing")
         layout.prop(self, "darts")
         layout.column(align=True).prop(self, "drawn")
-        if self.format != "PDF" or self.paper == ONE_PAGE:
-            layout.prop(self, "keep_places")
         layout.prop(self, "failed_pieces")
 
     def choices(self) -> ExportChoices:
         drawn = frozenset(kind.lower().replace("_", " ") for kind in self.drawn)
         made = PatternChoices(self.allowance, self.notch_spacing, self.darts.lower())
-        return ExportChoices(made, drawn, in_rows=not self.keep_places, options=self._write_options())
+        return ExportChoices(made, drawn, in_rows=self.arrangement == "IN_ROWS", options=self._write_options())
 
-    def _write_options(self) -> dict[str, object]:
+    def _write_options(self) -> dict[str, Any]:
         if self.format == "PDF":
-            return {"paper": self._paper(), "proof": self.proof_sheet}
+            paper = library_paper(self.paper, self.roll_width)
+            return {"paper": paper, "proof": self.proof_sheet, "keep_places": self.arrangement == "AS_LAID_OUT"}
         if self.format == "SVG":
             return {"preset": self.preset.lower()}
         if self.format == "DXF":
@@ -160,14 +126,11 @@ class OBJECT_OT_wirewarp_export(PatternExport, bpy.types.Operator):
             return {"dialect": self.dialect.lower(), "control_square": has_square}
         return {}
 
-    def _paper(self) -> str | float:
-        return self.roll_width if self.paper == "ROLL" else PAPERS[self.paper][0]
-
     def size_sentences(self, made: pattern.Pattern) -> list[str]:
         if self.format != "PDF":
             return size_sentences(made, made.size if self.format != "SVG" else made.svg_size)
-        pages, count = made.page_sizes(self._paper()), counted(len(made.pieces), "piece")
-        if self.paper.startswith("ROLL"):
+        pages, count = made.page_sizes(**self._write_options() | {"proof": False}), counted(len(made.pieces), "piece")
+        if is_roll(self.paper):
             width, length = map(made.units.text, (pages[0][0], sum(page[1] for page in pages)))
             return [f"{count} on {length} of a roll of {width}, {counted(len(pages), 'page')}."]
         if self.paper == ONE_PAGE:

@@ -45,6 +45,7 @@ RIM, RIM_ALPHA = 1.5, 0.6  # of the rim: pixels wider than the line
 STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
     "proposed": LineStyle("Proposed seam", _hex("#890089"), 6.0),
+    "page": LineStyle("Page", _hex("#9c78fc"), 1.5),
     "cut": LineStyle("Line to cut", _hex("#99bb77"), 2.0),
     "grain": LineStyle("Grain", _hex("#0a8f7a"), 3.0),
     "default grain": LineStyle("Grain, not chosen", _hex("#7fc4b5"), 1.2),

@@ -10,12 +10,10 @@ import numpy as np
 
 from ..blender.mesh import corner_vertices, face_sizes, read, read_attribute, read_numbers, vertex_places
 from ..flat.grain import grain_directions, has_grain_wire
-from ..flat.pattern import read_cut_lines
 from ..flat.pieces import piece_names
 from ..flat.read import has_flat_attributes, read_flat_attribute
 from ..flat.reports import last_report, pieces_report
 from ..flat.seams import seam_names
-from ..issues import ObjectError
 from ..model.owners import find_flat_object, model_of, model_or_self
 from ..model.state import has_changed
 from ..model.wire_names import chain_names
@@ -72,19 +70,6 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
         names += seam_line_names(edges, numbers, lambda seam_id, _: (given[seam_id],), rooms)
     names.sort(key=lambda name: not name.is_selected)
     return Lines(lines_by_kind(edges), dashes_by_kind(edges, runs), names)
-
-
-def cut_lines(
-    source: bpy.types.Object, flat: bpy.types.Object, meters: float, allowance: float, depsgraph: bpy.types.Depsgraph
-) -> np.ndarray:
-    """(2k,3) float32 around flat pieces outside Edit Mode; empty where they make no pattern: Export says why."""
-    try:
-        lines = read_cut_lines(source, flat, meters, allowance, depsgraph)
-    except ObjectError:
-        lines = []
-    ends = [np.stack([line, np.roll(line, -1, axis=0)], axis=1).reshape(-1, 2) for line in lines]
-    places = np.concatenate([np.empty((0, 2)), *ends])
-    return np.column_stack([places, np.zeros(len(places))]).astype(np.float32)
 
 
 def _wire_names(target: bpy.types.Object, wire_ids: list[int], report: dict | None) -> list[str]:

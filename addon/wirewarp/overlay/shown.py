@@ -12,7 +12,7 @@ from ..blender.cache import stamp
 from ..blender.index import find_objects
 from ..blender.units import meters_per_blender_unit
 from ..flat.pieces import piece_names
-from ..flat.reports import last_report
+from ..flat.reports import last_report, pieces_report
 from ..flat.seams import seam_names
 from ..issues import ObjectError
 from ..model.owners import find_flat_object, model_of, model_or_self
@@ -21,7 +21,8 @@ from ..solve.maps import COLOR_MAPS, ColorMap
 from .cache import Same, kept_drawing
 from .failures import Failures, failures, uv_failures
 from .gather import gather_uv_lines, shows_our_map
-from .objects import Lines, colored_surface, cut_lines, lines_of, marked_lines
+from .objects import Lines, colored_surface, lines_of, marked_lines
+from .pages import CutLines, PagePreview, cut_lines, cut_places, page_preview
 from .surfaces import ColoredTriangles, Extremes
 
 MODES = {"OBJECT", "EDIT"}
@@ -57,7 +58,7 @@ def extremes(shown: Sequence[Drawing]) -> Extremes | None:
 def drawings(context: bpy.types.Context) -> Iterator[Drawing]:
     """Of all models and flat pieces in the view."""
     settings, color_map = context.scene.wirewarp, shown_map(context)
-    if not context.space_data.overlay.show_overlays or not (settings.show_lines or color_map):
+    if not context.space_data.overlay.show_overlays or not (settings.show_lines or settings.show_pages or color_map):
         return
     view_layer, space = context.view_layer, context.space_data
     for target in find_objects(_concerns_us):
@@ -82,17 +83,18 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
     if context.scene.wirewarp.show_lines:
         if target == source or target.data.is_editmode:
             lines = kept_drawing(target, "lines", made_of, lambda: _lines(target, depsgraph))
-        else:  # allowances are the model's
-            meters, allowance = meters_per_blender_unit(context.scene), context.scene.wirewarp.allowance
-            of_model = stamp(source), stamp(source.data), source.data.is_editmode, meters, allowance
+        else:
+            cut = _cut_lines(context, source, target)
             lines = kept_drawing(
-                target,
-                "lines",
-                (*made_of, *of_model),
-                lambda: _with_cut(_lines(target, depsgraph), cut_lines(source, target, meters, allowance, depsgraph)),
+                target, "lines", (*made_of, Same(cut)), lambda: _with_cut(_lines(target, depsgraph), cut, context.scene)
             )
         if not target.data.is_editmode:
             failed = kept_drawing(target, "failures", made_of, lambda: failures(target))
+    if context.scene.wirewarp.show_pages and target != source and not target.data.is_editmode:
+        pages, without = shown_pages(context, source, target), lines
+        lines = kept_drawing(
+            target, "lines and pages", (Same(without), Same(pages)), lambda: _with_pages(without, pages)
+        )
     if color_map and not target.data.is_editmode:
         flat = find_flat_object(source)
         with_map = (*made_of, color_map.attribute, *((stamp(flat.data), flat.data.is_editmode) if flat else ()))
@@ -107,8 +109,39 @@ def _lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
         return Lines({}, {}, [])  # an attribute of our name is another's; the list of wires says so
 
 
-def _with_cut(lines: Lines, cut: np.ndarray) -> Lines:
-    return replace(lines, places=lines.places | {"cut": cut}) if len(cut) else lines
+def _cut_lines(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> CutLines:
+    """Allowances are the model's."""
+    scene, settings, depsgraph = context.scene, context.scene.wirewarp, context.view_layer.depsgraph
+    made_of = stamp(flat), stamp(flat.data), Same(pieces_report(source)), source.name_full
+    of_model = stamp(source), stamp(source.data), source.data.is_editmode
+    chosen = settings.allowance, settings.darts.lower(), meters_per_blender_unit(scene), scene.unit_settings.system
+    return kept_drawing(
+        flat,
+        "cut lines",
+        (*made_of, *of_model, *chosen),
+        lambda: cut_lines(scene, source, flat, settings.allowance, settings.darts.lower(), depsgraph),
+    )
+
+
+def shown_pages(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> PagePreview:
+    """What the flat object, which is not in Edit Mode, will be printed on."""
+    settings, millimeters = context.scene.wirewarp, 1000 * meters_per_blender_unit(context.scene)
+    cut = _cut_lines(context, source, flat)
+    chosen = settings.paper, settings.roll_width, settings.arrangement == "AS_LAID_OUT", millimeters
+    return kept_drawing(flat, "pages", (Same(cut), *chosen), lambda: page_preview(cut, *chosen))
+
+
+def _with_pages(lines: Lines | None, pages: PagePreview) -> Lines:
+    lines = lines or Lines({}, {}, [])
+    places = dict(lines.places)
+    for kind, ends in pages.places.items():
+        places[kind] = np.concatenate([places[kind], ends]) if kind in places else ends
+    return replace(lines, places=places, names=lines.names + pages.names)
+
+
+def _with_cut(lines: Lines, cut: CutLines, scene: bpy.types.Scene) -> Lines:
+    places = cut_places(cut, 1000 * meters_per_blender_unit(scene))
+    return replace(lines, places=lines.places | {"cut": places}) if len(places) else lines
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from typing import Literal, NamedTuple
 
 from ..core import FlattenError, pattern
 from ..issues import object_error
+from .flatten import Progress
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,22 @@ class PatternParts:
             "them anyway."
         )
 
-    def pattern(self, choices: PatternChoices) -> pattern.Pattern:
+    def cut_lines(self, allowance: float, darts: str) -> pattern.Pattern:
+        """The lines to cut alone, where they lie. Raises ObjectError as pattern() does."""
+        try:
+            return pattern.Pattern.of_cut_lines(
+                self.pieces,
+                allowance=allowance,
+                darts=darts,
+                units=self.units,
+                allowances=self.allowances.both,
+                side_allowances=self.allowances.sides,
+                folds=self.allowances.folds,
+            )
+        except FlattenError as error:
+            raise object_error(str(error.code), error.message) from error
+
+    def pattern(self, choices: PatternChoices, progress: Progress | None = None) -> pattern.Pattern:
         """Raises ObjectError where they make none."""
         try:
             return pattern.Pattern.from_pieces(
@@ -56,6 +72,7 @@ class PatternParts:
                 date=self.date,
                 allowance=choices.allowance,
                 notch_spacing=choices.notch_spacing,
+                progress=progress,
                 darts=choices.darts,
                 units=self.units,
                 allowances=self.allowances.both,

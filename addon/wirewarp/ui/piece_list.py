@@ -5,6 +5,8 @@ import bpy
 
 from ..blender.units import length_text
 from ..flat.reports import pieces_report
+from ..model.owners import find_flat_object
+from ..overlay.shown import shown_pages
 from ..report.cloth import percent_text
 from ..report.rows import PieceRow, tables_of
 from ..run.window_run import EXPORT
@@ -88,10 +90,27 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         if context.scene.wirewarp.keep_places:
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
             button.keep_places, button.only_active = False, True
-        self.layout.prop(context.scene.wirewarp, "allowance", text="Allowance (mm)")
+        settings = context.scene.wirewarp
+        self.layout.prop(settings, "allowance", text="Allowance (mm)")
         row = self.layout.row(align=True)
         if not draw_progress(row, EXPORT, "object.wirewarp_export"):
             row.operator("object.wirewarp_export", icon="EXPORT")
+            row.prop(settings, "show_pages", text="", icon="DOCUMENTS")
+        if settings.show_pages:
+            draw_pages(context, self.layout, source)
+
+
+def draw_pages(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
+    """What the pages drawn over the pieces are of, and how many they are."""
+    settings, column = context.scene.wirewarp, layout.column(align=True)
+    column.prop(settings, "paper", text="")
+    if settings.paper == "ROLL":
+        column.prop(settings, "roll_width", text="Roll Width (mm)")
+    column.prop(settings, "arrangement", text="")
+    flat = find_flat_object(source)
+    if flat is not None and not flat.data.is_editmode:
+        preview = shown_pages(context, source, flat)
+        draw_sentence(context, layout, preview.sentence, "NONE" if preview.is_good else "ERROR")
 
 
 def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: PieceRow) -> None:

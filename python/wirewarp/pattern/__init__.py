@@ -10,7 +10,8 @@ from .fonts import add_font_folder
 from .marker import Marker, Placement
 from .model import Line, PatternPiece, Point, Text
 from .papers import Page
-from .pattern import Pattern, Written
+from .pattern import Pattern
+from .records import Written
 from .units import UnitSystem
 
 __all__ = [

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What cannot be right, as a sentence."""
 
+from collections.abc import Sequence
+
 from .._errors import ErrorCode, FlattenError
 
 WIDEST = 1000.0  # millimeters: what is wider was given in another unit
@@ -19,3 +21,13 @@ def checked_length(name: str, value: float, least: float = 0.0, most: float = WI
     if not least <= number <= most:  # of NaN neither is true
         raise problem(f"{name} is {number:g}: give millimeters from {least:g} to {most:g}.")
     return number
+
+
+def checked_names(names: Sequence[str] | None, count: int) -> list[str]:
+    if count == 0:
+        raise problem("The result has no pieces.")
+    if names is None:
+        return [f"Piece {number}" for number in range(1, count + 1)]
+    if isinstance(names, str) or len(names) != count or not all(isinstance(name, str) for name in names):
+        raise problem(f"piece_names must be {count} texts, one for each piece.")
+    return list(names)

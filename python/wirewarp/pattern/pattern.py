@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from .arrange import offsets
 from .card import with_card
-from .checks import checked_length, problem
+from .checks import checked_length, checked_names, problem
 from .flat_piece import FlatPiece, flat_piece
 from .fold import folded, unfolded
 from .marker import Marker
@@ -26,26 +26,16 @@ from .notches import check_spacing
 from .papers import Page
 from .pieces import closed_cuts, finished, joined_by, lay_all, warnings_of
 from .progress import Progress, Watch
+from .records import SeamWalk, Written
 from .roles import KINDS
 from .seams import sewn_sides
-from .units import Units, UnitSystem, counted
+from .units import Units, UnitSystem
 from .widths import Widths
 
 if TYPE_CHECKING:
     from .._wirewarp import FlattenResult
 
 SAME_SIZE = 0.1  # millimeters: by which pieces may differ from those that a marker was made of
-
-
-@dataclass(frozen=True)
-class SeamWalk:
-    """The sides of a seam, as one walks them with a tape."""
-
-    name: str
-    pieces: tuple[str, ...]  # of each side the piece
-    lengths: tuple[float, ...]  # millimeters along the sew line
-    allowances: tuple[tuple[float, ...], ...]  # of each side the widths, millimeters
-    notches: tuple[tuple[float, ...], ...]  # of each side where they stand, millimeters from the same end of the seam
 
 
 @dataclass(frozen=True)
@@ -102,7 +92,7 @@ class Pattern:
         Raises FlattenError for bad input, for a piece with an error, and ("cancelled") where it is stopped.
         """
         scale = checked_length("millimeters_per_unit", millimeters_per_unit, 1e-9, 1e9)
-        names = _names(piece_names, len(result.pieces))
+        names = checked_names(piece_names, len(result.pieces))
         for name, piece in zip(names, result.pieces, strict=True):
             if piece.error is not None:
                 raise problem(f'"{name}" is not ready to cut: {piece.error.message}', piece.error.code)
@@ -354,16 +344,14 @@ class Pattern:
         ]
         return replace(self, pieces=pieces)
 
-    def page_sizes(
-        self, paper: str | float | None = None, proof: bool = False, keep_places: bool = False
-    ) -> list[np.ndarray]:
-        """Width and height of each page that a PDF with these options would have, in millimeters.
+    def page_sizes(self, paper: str | float | None = None, **options: bool) -> list[np.ndarray]:
+        """Width and height of each page that write() would give to a PDF with these options, in millimeters.
 
         Raises FlattenError for what does not fit on the paper.
         """
         from .pdf import page_sizes
 
-        return page_sizes(self, paper, proof, keep_places)
+        return page_sizes(self, paper, **options)
 
     def pages(self, paper: str | float | None = None, keep_places: bool = False) -> tuple["Pattern", list[Page]]:
         """The pattern as it lies on the pages of a PDF with these options, and those of them that show it.
@@ -384,8 +372,7 @@ class Pattern:
     @property
     def size(self) -> np.ndarray:
         """Width and height of all pieces as they lie."""
-        low, high = self.bounds
-        return high - low
+        return self.bounds[1] - self.bounds[0]
 
     @property
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
@@ -414,32 +401,7 @@ class Pattern:
         return write(self, Path(path), Watch(progress), options)
 
 
-@dataclass(frozen=True)
-class Written:
-    """What was written, and read again. As a text: "8 pieces on 23 sheets, read again: 0.00 mm off"."""
-
-    path: Path
-    sheets: int  # of PDF the pages; 1 of other files
-    pieces: int
-    off: float  # millimeters from the worst point in the file to where it should be
-    warnings: list[str]  # sentences
-
-    def __str__(self) -> str:
-        what = f"{counted(self.pieces, 'piece')} on {counted(self.sheets, 'sheet')}"
-        return f"{what}, read again: {self.off:.2f} mm off"
-
-
 def _notches_along(points: Iterable[Point], seam: int) -> tuple[float, ...]:
     """Of one piece; where it is sewn to itself, its two sides have theirs at the same lengths."""
     own = {point.pair[1]: point.along for point in points if point.pair and point.pair[0] == seam}
     return tuple(along for _, along in sorted(own.items()) if along is not None)
-
-
-def _names(names: Sequence[str] | None, count: int) -> list[str]:
-    if count == 0:
-        raise problem("The result has no pieces.")
-    if names is None:
-        return [f"Piece {number}" for number in range(1, count + 1)]
-    if isinstance(names, str) or len(names) != count or not all(isinstance(name, str) for name in names):
-        raise problem(f"piece_names must be {count} texts, one for each piece.")
-    return list(names)

@@ -14,10 +14,10 @@ from .dxf import write_dxf
 from .hpgl import write_plt
 from .marker import Marker
 from .motion import Motion
-from .pattern import Written
 from .pdf import write_pdf
 from .progress import Watch
 from .read_back import check
+from .records import Written
 from .replace_file import replaced_file
 from .svg import write_svg
 

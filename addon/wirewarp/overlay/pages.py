@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where flat pieces are cut, and the pages that they will be printed on: arrays, no GPU."""
+
+from dataclasses import dataclass, field
+
+import bpy
+import numpy as np
+
+from ..core import FlattenError, pattern
+from ..flat.pattern import read_outlines
+from ..issues import ObjectError
+from ..solve.papers import ONE_PAGE, PAPERS, is_roll, library_paper
+from ..words import counted
+from .lines import Name
+
+BELOW = 50.0  # millimeters from the pieces to pages on which they will lie otherwise
+INSET = np.array([0.06, 0.05])  # of a page: where its name stands
+
+
+@dataclass(frozen=True)
+class CutLines:
+    """Of the pieces as they lie, in millimeters."""
+
+    made: pattern.Pattern | None  # None where they make no pattern: Export says why
+    has_allowance: bool
+
+
+@dataclass(frozen=True)
+class PagePreview:
+    """places and names in Blender units, in the space of the flat pieces."""
+
+    sentence: str  # how many pages, or why none
+    is_good: bool
+    places: dict[str, np.ndarray] = field(default_factory=dict)  # (2k,3) float32 by kind of line
+    names: list[Name] = field(default_factory=list)
+
+
+def cut_lines(
+    scene: bpy.types.Scene,
+    source: bpy.types.Object,
+    flat: bpy.types.Object,
+    allowance: float,
+    darts: str,
+    depsgraph: bpy.types.Depsgraph,
+) -> CutLines:
+    """Around flat pieces outside Edit Mode. allowance: where none is marked, in millimeters."""
+    try:
+        parts = read_outlines(scene, source, flat, depsgraph)
+        if parts is None:
+            return CutLines(None, False)
+        return CutLines(parts.cut_lines(allowance, darts), allowance > 0 or any(parts.allowances))
+    except ObjectError:
+        return CutLines(None, False)
+
+
+def cut_places(cut: CutLines, millimeters: float) -> np.ndarray:
+    """(2k,3) float32 in Blender units; millimeters: in one. Empty where nothing is added to the pieces."""
+    return _in_space(_outlines(cut.made) if cut.made and cut.has_allowance else [], np.zeros(2), millimeters)
+
+
+def page_preview(cut: CutLines, paper: str, roll_width: float, keep_places: bool, millimeters: float) -> PagePreview:
+    """The pages over the pieces as they lie; where they will lie otherwise, these pages beside them.
+
+    Laid out by the library as for a PDF. paper: a key of PAPERS; millimeters: in a Blender unit.
+    """
+    if cut.made is None:
+        return PagePreview("These pieces make no pattern: press Export Pattern to see why.", False)
+    keeps = keep_places or paper == ONE_PAGE
+    try:
+        laid, pages = cut.made.pages(library_paper(paper, roll_width), keep_places)
+    except FlattenError as error:
+        return PagePreview(error.message, False)
+    corner = cut.made.bounds[0]
+    if keeps:
+        offset = corner - laid.bounds[0]
+    else:
+        lows, highs = (np.array([page.low + share * page.size for page in pages]) for share in (0, 1))
+        offset = corner - (lows[:, 0].min(), highs[:, 1].max()) - (0, BELOW)
+    unit = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+    places = {"page": _in_space([page.low + page.size * unit for page in pages], offset, millimeters)}
+    if not keeps:
+        places["cut"] = _in_space(_outlines(laid), offset, millimeters)
+    names = [
+        Name(
+            (page.name,),
+            np.append((page.low + INSET * page.size + offset) / millimeters, 0.0)[None],
+            np.array([[0.0, 0.0, 1.0]]),
+            float(page.size[0]) / 2 / millimeters,
+            piece=-1 - number,
+        )
+        for number, page in enumerate(pages)
+    ]
+    what = counted(len(pages), "page") if is_roll(paper) or paper == ONE_PAGE else counted(len(pages), "sheet")
+    return PagePreview(f"{what}: {PAPERS[paper][1]}", True, places, names)
+
+
+def _outlines(made: pattern.Pattern) -> list[np.ndarray]:
+    return [line.points for piece in made.pieces for line in piece.of_role("cut", "inner_cut")]
+
+
+def _in_space(outlines: list[np.ndarray], offset: np.ndarray, millimeters: float) -> np.ndarray:
+    """(2k,3) float32 the ends of the edges of closed lines (k,2)."""
+    ends = [np.stack([line, np.roll(line, -1, axis=0)], axis=1).reshape(-1, 2) for line in outlines]
+    places = (np.concatenate([np.empty((0, 2)), *ends]) + offset) / millimeters
+    return np.column_stack([places, np.zeros(len(places))]).astype(np.float32)
