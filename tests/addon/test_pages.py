@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pages drawn over flat pieces are those of the PDF."""
+
+import re
+
+import bpy
+import numpy as np
+import pytest
+from surfaces import bump, flat_of, grid, mark_seam, on_line, read, select_edges, select_only
+from view_context import view_context
+
+
+@pytest.fixture
+def source(addon, monkeypatch):
+    """Two pieces of about 230 x 115 mm; a Blender unit is 100 mm. What is drawn is made anew at once."""
+    for pause in ("IDLE_SHARE", "SOON", "REST"):
+        monkeypatch.setattr(addon.overlay.cache, pause, 0.0)
+    bpy.context.scene.unit_settings.scale_length = 0.1
+    target = grid("Bump", bump)
+    mark_seam(target, on_line(0, 0.0))
+    bpy.ops.object.wirewarp_flatten(spacing=50.0)
+    bpy.context.scene.wirewarp.show_pages = True
+    return target
+
+
+def preview(addon, source, **settings):
+    for name, value in settings.items():
+        setattr(bpy.context.scene.wirewarp, name, value)
+    return addon.overlay.shown.shown_pages(view_context(), source, flat_of(source))
+
+
+def frames(pages):
+    """(p,2,2) their lowest and highest corners in millimeters."""
+    corners = 100 * pages.places["page"].reshape(-1, 8, 3)[..., :2]
+    return np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)
+
+
+def sheets_in(path):
+    return len(re.findall(rb"/Type /Page\b", path.read_bytes()))
+
+
+@pytest.mark.parametrize("arrangement", ["IN_ROWS", "AS_LAID_OUT"])
+@pytest.mark.parametrize(("paper", "beside"), [("A4", 1), ("A0", 1), ("ROLL_36", 0), ("PROJECTOR", 0)])
+def test_there_are_as_many_as_the_file_has(addon, source, tmp_path, paper, beside, arrangement):
+    """But for the map."""
+    pages = preview(addon, source, paper=paper, arrangement=arrangement)
+    path = tmp_path / "a.pdf"
+    bpy.ops.object.wirewarp_export(filepath=str(path), paper=paper, arrangement=arrangement)
+    assert len(frames(pages)) == len(pages.names) == sheets_in(path) - beside
+    assert pages.is_good and pages.sentence.startswith(f"{len(pages.names)} ")
+
+
+def test_over_the_pieces_as_they_lie_every_point_is_on_a_page(addon, source):
+    pages = preview(addon, source, arrangement="AS_LAID_OUT", paper="A4")
+    places = 100 * read(flat_of(source).data.vertices, "co", np.float32, 3)[:, :2]
+    low, high = frames(pages).transpose(1, 0, 2)
+    assert np.sort(high - low) == pytest.approx(np.tile([190.0, 277.0], (len(low), 1)), abs=1e-3)  # less the margins
+    on_page = np.all((places[:, None] > low) & (places[:, None] < high), axis=2)
+    assert np.all(on_page.any(axis=1)) and "cut" not in pages.places
+
+
+def test_in_rows_the_pages_are_beside_the_pieces_with_what_is_printed(addon, source):
+    pages = preview(addon, source, arrangement="IN_ROWS", paper="A4")
+    flat = 100 * read(flat_of(source).data.vertices, "co", np.float32, 3)[:, :2]
+    low, high = frames(pages).transpose(1, 0, 2)
+    assert high[:, 1].max() < flat[:, 1].min()
+    cut = 100 * pages.places["cut"][:, :2]
+    assert np.all(np.any(np.all((cut[:, None] > low) & (cut[:, None] < high), axis=2), axis=1))
+
+
+def test_they_follow_allowances_and_the_unit(addon, source):
+    def height():
+        return np.ptp(frames(preview(addon, source, paper="PROJECTOR", arrangement="AS_LAID_OUT"))[0], axis=0)[1]
+
+    before = height()
+    assert np.ptp(frames(preview(addon, source, allowance=30.0))[0], axis=0)[1] == pytest.approx(before + 40, abs=2)
+    select_edges(source, on_line(1, -1.0), on_line(1, 1.0), on_line(0, 1.0), on_line(0, -1.0))
+    bpy.ops.mesh.wirewarp_allowance(kind="HEM", hem=10.0)
+    assert height() == pytest.approx(before, abs=2)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.context.scene.unit_settings.scale_length = 0.2
+    bpy.context.view_layer.update()
+    assert len(preview(addon, source, paper="A4").names) > 2
+
+
+def test_what_does_not_fit_is_a_sentence(addon, source):
+    pages = preview(addon, source, paper="ROLL", roll_width=200.0)
+    assert not pages.is_good and "too large for a roll of 200 mm" in pages.sentence
+    assert not pages.places
+
+
+def test_the_panel_and_the_view_show_them(addon, source):
+    select_only(flat_of(source))
+    drawn = addon.overlay.shown.drawings(view_context())
+    shown = {drawing.target.name: drawing for drawing in drawn}
+    assert "page" in shown["Bump Flat"].lines.places and "page" not in shown["Bump"].lines.places
+    assert {"A1"} <= {text for name in shown["Bump Flat"].lines.names for text in name.texts}
+    bpy.context.scene.wirewarp.show_lines = False
+    (pieces,) = (each for each in addon.overlay.shown.drawings(view_context()) if each.target.name == "Bump Flat")
+    assert set(pieces.lines.places) == {"page", "cut"}
+    bpy.context.scene.wirewarp.show_pages = False
+    assert list(addon.overlay.shown.drawings(view_context())) == []
