@@ -52,6 +52,17 @@ def test_the_name_of_a_piece_too_small_for_it_stands_beside_it_and_on_no_other(a
     assert above.base > 110
 
 
+def test_a_name_at_the_edge_is_not_hidden_by_the_toolbar(addon):
+    """Nor by the sidebar; what lies below them itself is left where it is."""
+    span, (width, _) = (50.0, 300.0), size_of("Seam 4")
+    places = [(60, 100), (295, 100), (20, 100), (175, 100)]
+    written = addon.overlay.screen.arrange([label(addon, "Seam 4", at=place) for place in places], size_of, span)
+    left, right, below_toolbar, free = [text.left for text in written]
+    assert 50 < left < 60 - width / 2 + 20 and left > 60 - width / 2
+    assert 295 - width / 2 > right and right + width < 300
+    assert (below_toolbar, free) == (20 - width / 2, 175 - width / 2)
+
+
 def test_what_is_selected_is_written_on_the_smallest_piece(addon):
     assert written(addon, label(addon, "Seam 4", room=1.0)) == []
     assert written(addon, label(addon, "Seam 4", room=1.0, selected=True)) == ["Seam 4"]

@@ -310,3 +310,16 @@ def test_names_are_written_where_their_lines_are_seen(addon, source, perspective
     aside = look(addon, source, (right, 0, 1.5), (right, 0, 0), perspective)
     assert len(aside["Waist"].points) < len(above["Waist"].points)  # those that are left are in the region
     assert np.all((aside["Waist"].points >= 0) & (aside["Waist"].points <= (800, 600)))
+
+
+def test_all_names_of_the_piece_that_is_chosen_in_the_list_are_written(addon):
+    source = grid("Bump", bump)
+    mark_seam(source, on_line(0, 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    flat = flat_of(source)
+    eye = sum((Vector(corner) for corner in flat.bound_box), Vector()) / 8 + Vector((0, 0, 20))
+    for chosen in range(2):
+        source.wirewarp_active_piece = chosen
+        names = look(addon, flat, flat.matrix_world @ eye, flat.matrix_world @ (eye - Vector((0, 0, 20))))
+        assert {name.owner[1] for name in names.values() if name.is_selected} <= {chosen}
+        assert any(name.is_selected for name in names.values())

@@ -97,7 +97,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
             hold_whole_file()
             return {"FINISHED"}
         self.show(context, outcomes)
-        return self._tell(context, outcomes)
+        return self._tell(context, outcomes, "WARNING")  # the window of an error would cover Flatten and its sentence
 
     def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
         """Brings into view what the user has not seen yet, or not there."""
@@ -117,11 +117,13 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         write_results(context, outcomes, self)
         hold_whole_file()
 
-    def _tell(self, context: bpy.types.Context, outcomes: list[Outcome]) -> set[str]:
+    def _tell(self, context: bpy.types.Context, outcomes: list[Outcome], failed: str = "ERROR") -> set[str]:
+        """failed: the level on which pieces that failed are told."""
         redraw_views()  # Blender does so by itself after a run that changed data, but not after one that failed
         reports = [outcome.report for outcome in outcomes]
         self._write_report(context, reports)
-        self.message(*run_message(reports))
+        level, text = run_message(reports)
+        self.message(failed if level == "ERROR" else level, text)
         return {"FINISHED" if any(outcome.pieces for outcome in outcomes) else "CANCELLED"}
 
     def _write_report(self, context: bpy.types.Context, reports: list[dict]) -> None:

@@ -27,6 +27,8 @@ TEXT_MARGIN = LABEL_MARGIN = 0.3  # around each text, in its heights
 ABOVE, BELOW = 0.5, -1.5  # its lower edge from the point where it stands, in its heights
 Corner = tuple[float, float]
 Size = tuple[float, float]  # width and height
+Span = tuple[float, float]
+EVERYWHERE = (-np.inf, np.inf)
 
 
 class PlacedName(NamedTuple):
@@ -52,30 +54,35 @@ def write_over(
     """Names and legend of what is drawn in a view."""
     unit = context.preferences.system.ui_scale
     if context.scene.wirewarp.show_names:
-        write_names(names, unit)
+        write_names(names, unit, _free_span(context))
     kinds = {kind for each in shown if each.lines for kind in each.lines.places}
     kinds |= {kind for each in shown if each.failures for kind in each.failures.kinds}
     write_legend(context, kinds, unit, notes, color_map, extremes)
 
 
-def write_names(names: Iterable[PlacedName], unit: float) -> None:
-    """unit: see draw_lines."""
+def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHERE) -> None:
+    """unit: see draw_lines; span: see arrange."""
     blf.size(FONT, FONT_SIZE * unit)
 
     def size_of(text: str) -> Size:
         return blf.dimensions(FONT, text)
 
-    texts = arrange(names, size_of)
+    texts = arrange(names, size_of, span)
     _fill([_label(text, size_of(text.text)) for text in texts])
     _write(texts, NAME_COLOR)
 
 
-def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size]) -> list[Text]:
-    """As many as fit: none much longer than what it names, none over another, and none that hides its piece."""
+def arrange(
+    names: Iterable[PlacedName], size_of: Callable[[str], Size], span: Span = EVERYWHERE
+) -> list[Text]:
+    """As many as fit: none much longer than what it names, none over another, and none that hides its piece.
+
+    span: from left to right, where nothing lies over the view; what is named there has its name there, too.
+    """
     wanted = list(names)
     boxes = [name.box.ravel() for name in wanted if name.box is not None]
     placed: list[Text] = []
-    taken, covered = Taken(np.array(boxes).reshape(-1, 4)), dict[tuple[str, int], float]()
+    taken, covered = Taken(np.array(boxes).reshape(-1, 4), span), dict[tuple[str, int], float]()
     for name in wanted:
         for text in _that_fit(name, covered.get(name.owner, 0.0), size_of):
             corner = taken.place(name.points, size_of(text))
@@ -134,10 +141,15 @@ def write_legend(
 
 
 def _corner(context: bpy.types.Context, unit: float) -> tuple[float, float]:
-    """Left of the sidebar, where it lies over the view."""
-    sidebar = next(region for region in context.area.regions if region.type == "UI")
-    over = context.preferences.system.use_region_overlap and sidebar.width > 1
-    return context.region.width - (sidebar.width if over else 0) - MARGIN * unit, MARGIN * unit
+    return _free_span(context)[1] - MARGIN * unit, MARGIN * unit
+
+
+def _free_span(context: bpy.types.Context) -> Span:
+    """From the toolbar to the sidebar, where these lie over the view."""
+    covered = {"TOOLS": 0, "UI": 0}
+    if context.preferences.system.use_region_overlap:
+        covered |= {region.type: region.width for region in context.area.regions if region.width > 1}
+    return float(covered["TOOLS"]), float(context.region.width - covered["UI"])
 
 
 def _label(text: Text, size: tuple[float, float]) -> Box:
@@ -168,9 +180,9 @@ def _write(texts: list[Text], color: tuple[float, float, float]) -> None:
 class Taken:
     """Where texts stand already."""
 
-    def __init__(self, pieces: np.ndarray) -> None:
+    def __init__(self, pieces: np.ndarray, span: Span = EVERYWHERE) -> None:
         """pieces (p,4): boxes around flat pieces, which names beside others leave free: left, bottom, right, top."""
-        self._pieces, self._texts = pieces, np.empty((0, 4))
+        self._pieces, self._texts, self._span = pieces, np.empty((0, 4)), span
 
     def place(self, points: np.ndarray, size: Size) -> Corner | None:
         """The lower left corner of a text, and from now on its place is taken; None where there is no room for it.
@@ -178,8 +190,15 @@ class Taken:
         points (c,2): above or below the middle of which it may stand, the best first.
         """
         width, height = size
-        left, bottom = points[:, 0].repeat(2) - width / 2, (points[:, 1:] + [ABOVE * height, BELOW * height]).ravel()
+        left, bottom = self._within(points[:, 0], size).repeat(2), (points[:, 1:] + [ABOVE * height, BELOW * height]).ravel()
         return self._take(np.column_stack([left, bottom]), size, self._texts)
+
+    def _within(self, middles: np.ndarray, size: Size) -> np.ndarray:
+        """The left ends of texts with these middles; pushed aside where what is named is in the span and they are not."""
+        (width, height), (low, high) = size, self._span
+        aside = LABEL_MARGIN * height
+        pushed = np.clip(middles - width / 2, low + aside, max(low, high - width) - aside)
+        return np.where((middles >= low) & (middles <= high), pushed, middles - width / 2)
 
     def place_beside(self, box: np.ndarray, size: Size) -> Corner | None:
         """Below, above, right or left of the box (2,2) around a piece, and over no other piece."""

@@ -9,6 +9,7 @@ import gpu
 import numpy as np
 from mathutils import Matrix
 
+from ..model.owners import model_of
 from .batches import Layer, blending, draw_colored, draw_failed, draw_lines
 from .screen import MAX_NAMES, PlacedName, write_over
 from .shown import Drawing, drawings, extremes, missing_maps, shown_map
@@ -16,6 +17,10 @@ from .shown import Drawing, drawings, extremes, missing_maps, shown_map
 # How much nearer to the eye, of its distance, what lies on a surface is drawn, so that it is not half hidden in it.
 SURFACE_NEARER = 0.0005
 NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
+# What differs less, of the distance, is at one depth: twice the step of a buffer of 24 bits where the view begins at
+# one unit of length, in perspective. Views begin at 0.01 units, so it is 1e-5 of each unit of distance.
+DEPTH_STEP = 2 / 2**24
+MOST_APART = 8.0  # times the usual: lines on the back of a cushion must not shine through
 
 
 def draw_space() -> None:
@@ -24,14 +29,15 @@ def draw_space() -> None:
     shown = list(drawings(context))
     if not shown:
         return
+    apart = _apart(context)
     with _hidden_by_what_is_in_front(), blending():
         for drawing in shown:
-            with _placed(context, drawing, SURFACE_NEARER):
+            with _placed(context, drawing, apart * SURFACE_NEARER):
                 _draw_surfaces(drawing)
         unit = context.preferences.system.ui_scale
         for layer, nearer in NEARER.items():
             for drawing in shown:
-                with _placed(context, drawing, nearer):
+                with _placed(context, drawing, apart * nearer):
                     draw_lines(drawing.target, "", drawing.lines, drawing.failures, unit, layer)
 
 
@@ -44,6 +50,17 @@ def _hidden_by_what_is_in_front() -> Iterator[None]:
         yield
     finally:
         gpu.state.depth_test_set(before)
+
+
+def _apart(context: bpy.types.Context) -> float:
+    """How many times farther apart than usual the layers are drawn, where the view is too far away to tell them apart.
+
+    As with models whose unit is a centimeter or a millimeter.
+    """
+    if not context.region_data.is_perspective:
+        return 1.0
+    step = DEPTH_STEP * context.region_data.view_distance / context.space_data.clip_start
+    return min(max(1.0, step / SURFACE_NEARER), MOST_APART)
 
 
 @contextmanager
@@ -77,9 +94,10 @@ def draw_screen() -> None:
 
 def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[PlacedName]:
     """Texts with those of their places that are in the region, on the side of the surface that is seen."""
-    names = drawing.lines.names[:MAX_NAMES] if drawing.lines else []
-    if not names:
+    if not drawing.lines or not drawing.lines.names:
         return
+    chosen = _chosen_piece(drawing.target)
+    names = sorted(drawing.lines.names, key=lambda name: not name.is_selected and name.piece != chosen)[:MAX_NAMES]
     matrix, view = drawing.target.matrix_world, context.region_data
     linear = matrix.to_3x3()
     places = np.concatenate([name.places for name in names]) @ np.array(linear).T + np.array(matrix.translation)
@@ -102,7 +120,14 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[Pla
             corners, _ = _in_region(context, name.around @ np.array(linear).T + np.array(matrix.translation))
             box = np.array([corners.min(axis=0), corners.max(axis=0)])
         owner = drawing.target.name_full, name.piece
-        yield PlacedName(name.texts, own[own_seen], reach, owner, room, box, name.is_selected)
+        is_selected = name.is_selected or name.piece == chosen
+        yield PlacedName(name.texts, own[own_seen], reach, owner, room, box, is_selected)
+
+
+def _chosen_piece(target: bpy.types.Object) -> int | None:
+    """Of flat pieces, the one that is chosen in the list, of which all names are written however small it is."""
+    model = model_of(target)
+    return model.wirewarp_active_piece if model else None
 
 
 def _in_region(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
