@@ -130,6 +130,15 @@ def test_a_wire_all_on_a_seam_stays_rigid(addon, source):
     assert listed(addon, source)[0][0] == "Bust"
 
 
+def test_what_was_marked_last_is_chosen_in_the_list(source):
+    """The buttons below the list act on it."""
+    names = source.data.wirewarp_names
+    mark(source, on_line(0, 0.5))
+    assert source.data.wirewarp_active_wire == len(names) - 1
+    mark(source, on_line(1, 0.0), kind="ELASTIC", tolerance=0.05)
+    assert names[source.data.wirewarp_active_wire].name == names[0].name
+
+
 def test_what_is_no_wire_is_not_changed_or_selected(source):
     with pytest.raises(RuntimeError, match='Edge 0 of "Bump" is not part of a wire. Choose one'):
         bpy.ops.mesh.wirewarp_change_wire(edge=0)

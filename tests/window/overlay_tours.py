@@ -31,7 +31,11 @@ def marked() -> bpy.types.Object:
 
 
 def kinds_seen(name: str, editor: str) -> set[str]:
-    """Kinds of lines whose color is in a picture of the editor's lower left part, where its legend is not."""
+    return {kind for kind, count in pixels_seen(name, editor).items() if count > 20}
+
+
+def pixels_seen(name: str, editor: str) -> dict[str, int]:
+    """Of each kind of line, in a picture of the editor's lower left part, where its legend is not."""
     drive.screenshot(name)
     image = bpy.data.images.load(str(Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.png"))
     pixels = np.empty(len(image.pixels), dtype=np.float32)
@@ -41,7 +45,7 @@ def kinds_seen(name: str, editor: str) -> set[str]:
     area = next(area for area in bpy.context.window_manager.windows[0].screen.areas if area.type == editor)
     region = next(region for region in area.regions if region.type == "WINDOW")
     seen = pixels[region.y : region.y + region.height, region.x : region.x + int(0.75 * region.width)]
-    return {kind for kind in COLORFUL if (np.abs(seen - STYLES[kind].color).max(axis=2) < 0.02).sum() > 20}
+    return {kind: int((np.abs(seen - STYLES[kind].color).max(axis=2) < 0.02).sum()) for kind in COLORFUL}
 
 
 def look_from_above() -> drive.Tour:
@@ -69,6 +73,22 @@ def lines_are_on_the_screen() -> drive.Tour:
     bpy.context.scene.wirewarp.show_lines = False
     yield from drive.ticks(5)
     assert kinds_seen("switched off", "VIEW_3D") == set()
+
+
+def lines_are_whole_in_a_large_scene() -> drive.Tour:
+    """Where a unit is a centimeter, the view is so far away that the depth buffer tells little apart."""
+    source = marked()
+    bpy.context.scene.wirewarp.show_names = False
+    counts = []
+    for scale in (1.0, 100.0):
+        source.scale = (scale,) * 3
+        bpy.context.view_layer.update()
+        with drive.in_view():
+            bpy.ops.view3d.view_all()
+        yield from drive.ticks(40)
+        counts.append(pixels_seen(f"scale {scale:.0f}", "VIEW_3D"))
+    for kind in COLORFUL:
+        assert counts[1][kind] > 0.9 * counts[0][kind] > 0, counts
 
 
 def lines_are_in_the_uv_editor() -> drive.Tour:

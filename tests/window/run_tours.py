@@ -88,6 +88,18 @@ def a_changed_model_is_not_written() -> drive.Tour:
     assert messages == [("ERROR", sentence)]
 
 
+def a_failed_piece_opens_no_window() -> drive.Tour:
+    """That of an error would lie over Flatten and what it says; in the sidebar everything is told."""
+    tube()
+    remember()
+    messages = collect_messages()
+    yield from flatten()
+    ((level, sentence),) = messages
+    assert level == "WARNING" and "mark a seam" in sentence
+    yield from drive.ticks(10)
+    drive.screenshot("a_failed_piece")
+
+
 def a_fault_of_the_core_is_told() -> drive.Tour:
     """Whatever the thread raises becomes a message; nothing is written."""
 

@@ -34,6 +34,7 @@ TOURS = {
         "escape_cancels",
         "only_one_run",
         "a_changed_model_is_not_written",
+        "a_failed_piece_opens_no_window",
         "a_fault_of_the_core_is_told",
         "another_file_ends_the_run",
         "unregistering_ends_the_run",
@@ -47,6 +48,7 @@ TOURS = {
     ],
     "overlay_tours": [
         "lines_are_on_the_screen",
+        "lines_are_whole_in_a_large_scene",
         "lines_are_in_the_uv_editor",
         "marks_are_undone",
         "frame_button",

@@ -15,6 +15,7 @@ from ..pattern.chains import split_into_chains
 from ..solve.identity import new_id
 from ..words import counted
 from .attributes import check_attributes, edit_layers
+from .wire_names import list_places
 from .wires import repair_names
 
 OUTLINES_ARE_RIGID = "Outlines are rigid, or the two sides of a seam would not match"

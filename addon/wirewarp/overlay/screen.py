@@ -72,9 +72,7 @@ def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHER
     _write(texts, NAME_COLOR)
 
 
-def arrange(
-    names: Iterable[PlacedName], size_of: Callable[[str], Size], span: Span = EVERYWHERE
-) -> list[Text]:
+def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: Span = EVERYWHERE) -> list[Text]:
     """As many as fit: none much longer than what it names, none over another, and none that hides its piece.
 
     span: from left to right, where nothing lies over the view; what is named there has its name there, too.
@@ -190,7 +188,10 @@ class Taken:
         points (c,2): above or below the middle of which it may stand, the best first.
         """
         width, height = size
-        left, bottom = self._within(points[:, 0], size).repeat(2), (points[:, 1:] + [ABOVE * height, BELOW * height]).ravel()
+        left, bottom = (
+            self._within(points[:, 0], size).repeat(2),
+            (points[:, 1:] + [ABOVE * height, BELOW * height]).ravel(),
+        )
         return self._take(np.column_stack([left, bottom]), size, self._texts)
 
     def _within(self, middles: np.ndarray, size: Size) -> np.ndarray:

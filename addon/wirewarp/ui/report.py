@@ -66,7 +66,7 @@ class ReportSection(SidebarPanel):
         """The largest difference; the number of rows where there is room."""
         largest = largest_difference(rows)
         text = "" if largest is None else length_text(context.scene)(largest)
-        return f"{len(rows)}, largest difference {text}" if text and is_wide(context) else text
+        return f"{len(rows)}, largest difference {text}" if text and is_wide(context) else f"±{text}" if text else ""
 
     def draw(self, context: bpy.types.Context) -> None:
         names = {entry.seam_id: entry for entry in shown_source(context).wirewarp_seams}
