@@ -54,6 +54,8 @@ def _mark_object(target: bpy.types.Object, tolerance: float) -> int:
             selected[row][wire_layer] = wire_id
             selected[row][tolerance_layer] = tolerance
     _finish(target, edit, wire_layer)
+    # What was marked last is chosen in the list, so that the buttons below that act on it.
+    target.data.wirewarp_active_wire = list_places(target.data)[wire_id]
     return len(planned)
 
 

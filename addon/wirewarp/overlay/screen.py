@@ -195,7 +195,7 @@ class Taken:
         return self._take(np.column_stack([left, bottom]), size, self._texts)
 
     def _within(self, middles: np.ndarray, size: Size) -> np.ndarray:
-        """The left ends of texts with these middles; pushed aside where what is named is in the span and they are not."""
+        """The left ends of texts with these middles: into the span where their middles are in it."""
         (width, height), (low, high) = size, self._span
         aside = LABEL_MARGIN * height
         pushed = np.clip(middles - width / 2, low + aside, max(low, high - width) - aside)

@@ -12,7 +12,10 @@ from .layout import draw_sentence
 from .report_table import SHOWN_ROWS, draw_select
 
 SHOWN_HINTS = 5
-WITH_MODIFIERS = "The proposal is about edges that modifiers make. Mark others on the model, or apply its modifiers and flatten again."
+WITH_MODIFIERS = (
+    "The proposal is about edges that modifiers make. Mark others on the model, or apply its modifiers and flatten "
+    "anew."
+)
 ADVICE = {
     TORN: f"{TORN_ADVICE}:",
     "wire_at_limit": "A wider tolerance on these wires would lower the distortion:",
