@@ -2,10 +2,11 @@
 """What stands on the pieces can be read, says what is sewn to what, and shows which way the grain runs."""
 
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
-from patterns import flattened, rectangle, sample
+from patterns import flattened, quads, rectangle, sample
 from wirewarp.pattern import FlatPiece, Pattern
 from wirewarp.pattern.flat_piece import flat_piece
 
@@ -22,14 +23,53 @@ def test_no_text_is_too_small_to_be_read(size):
     assert all(text.height >= READABLE for text in texts(pattern))
 
 
-def test_a_small_piece_has_its_name_alone_and_the_smallest_no_text():
+def test_a_small_piece_has_its_name_alone():
     def card(width, height):
         (piece,) = Pattern.from_result(rectangle(width, height), allowance=0, piece_names=["Cuff"]).pieces
         return [text.lines for text in piece.texts if text.role == "card"]
 
     assert "Cut 1" in card(200, 100)[0]
     assert card(20, 10) == [("Cuff",)]
-    assert card(4, 2) == []
+
+
+def box(text):
+    """Lower left and upper right corner of a level text, whose letters are at least half as wide as high."""
+    half = np.array([len(text.lines[0]) * text.height / 4, text.height / 2])
+    return text.center - half, text.center + half
+
+
+def test_what_a_piece_has_no_room_for_stands_beside_it_with_a_line_to_it():
+    """On a strip of 20 by 2 mm."""
+    pattern = Pattern.from_result(rectangle(20, 2), allowance=0, piece_names=["Cuff"])
+    (piece,) = pattern.pieces
+    (name,) = (text for text in piece.texts if text.role == "card")
+    (leader,) = piece.of_role("card leader")
+    (cut,) = piece.of_role("cut")
+    low, high = cut.points.min(axis=0), cut.points.max(axis=0)
+    assert name.lines == ("Cuff",) and name.height == READABLE
+    first, last = box(name)
+    assert np.any(first > high) or np.any(last < low)  # outside of the piece
+    assert np.all(leader.points[0] > low) and np.all(leader.points[0] < high)
+    assert leader.points[1:, 1] == pytest.approx([first[1] - 1, first[1] - 1], abs=0.5)  # and then below the letters
+    outside = piece.bounds[0] <= first + 1
+    assert np.all(outside) and np.all(piece.bounds[1] >= last - READABLE - 1)  # so that no other piece lies there
+    assert pattern.with_only(["texts"]).pieces[0].of_role("card leader")
+    assert not pattern.with_only(["sew"]).pieces[0].of_role("card leader")
+
+
+def test_names_beside_a_piece_are_clear_of_each_other():
+    """A strip of four pieces, each 2 by 6 mm."""
+    points = [(2 * column, 6 * row) for row in range(2) for column in range(5)]
+    corners = [(column, column + 1, column + 6, column + 5) for column in range(4)]
+    result = quads(points, corners, seams=[(column, column + 5) for column in range(1, 4)])
+    pattern = Pattern.from_result(result, allowance=0, piece_names=["A", "B", "C", "D"])
+    for piece, seams in zip(pattern.pieces, (1, 2, 2, 1), strict=True):
+        named = sorted(line.name for line in piece.of_role("sew") if line.name)
+        assert len(named) == seams
+        assert sorted(text.lines[0] for text in piece.texts if text.role == "line name") == named
+        boxes = [box(text) for text in piece.texts]
+        for (a, b), (c, d) in combinations(boxes, 2):
+            assert np.any(b < c) or np.any(d < a)
 
 
 def test_a_seam_says_what_it_is_sewn_to_where_there_is_room():

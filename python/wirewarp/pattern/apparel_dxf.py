@@ -12,7 +12,7 @@ import numpy as np
 
 from .dxf_tags import Tags, section
 from .interior import LINE
-from .model import PatternPiece
+from .model import LEADERS, PatternPiece
 from .plain_names import block_names, escaped_text, plain_text
 from .progress import Watch
 from .roles import LOOKS, WIRES
@@ -94,7 +94,9 @@ class _Writer:
         fields |= {"Size": "1"} if self._is_aama else {}
         middle = piece.bounds[0] + piece.size / 2
         self._add_fields(tags, fields, middle)
-        for line in piece.lines:
+        for line in (
+            line for line in piece.lines if line.role not in LEADERS.values()
+        ):  # a reader has no word for them
             self._add_line(tags, line.role, line.points, line.closed)
         for point in piece.points:
             if point.role == "drill":

@@ -5,13 +5,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from .interior import place_text
+from .interior import innermost_point, place_text
+from .leaders import Beside
 from .line_names import line_names
-from .model import PatternPiece, Text
+from .model import LEADERS, PatternPiece, Text
 from .room import Room
 from .units import UnitSystem
 
-TEXT_HEIGHT, LEAST_HEIGHT = 8.0, 2.5  # millimeters; smaller letters cannot be read on cloth, and are left out
+TEXT_HEIGHT, LEAST_HEIGHT = 8.0, 2.5  # millimeters; smaller letters cannot be read on cloth
+DOWN = np.array([0.0, -1.0])
 
 
 def with_card(
@@ -28,14 +30,26 @@ def with_card(
     outlines = [line.points for line in piece.of_role("cut", "inner_cut")]
     text = _card([tuple(line for line in lines if line.strip()), (piece.name,), (place,)], outlines, drawn)
     notches = [point.stroke for point in piece.points]
-    room = Room([np.concatenate([line, line[:1]]) for line in outlines], [*drawn, *notches], text)
-    return replace(piece, number=number, texts=[*text, *line_names(piece.lines, room)])
+    closed = [np.concatenate([line, line[:1]]) for line in outlines]
+    room, beside = Room(closed, [*drawn, *notches], text), Beside(closed)
+    led = None if text else beside.lead(_short_card(piece.name or place, outlines), DOWN)
+    names, leaders = line_names(piece.lines, room, beside)
+    kept = [line for line in piece.lines if line.role not in LEADERS.values()]
+    if led:
+        text, leaders = [led[0]], [led[1], *leaders]
+    return replace(piece, number=number, lines=[*kept, *leaders], texts=[*text, *names])
 
 
 def _card(cards: list[tuple[str, ...]], outlines: list[np.ndarray], drawn: list[np.ndarray]) -> list[Text]:
     """The first of the cards, from the fullest to the shortest, that can be read; none in a piece too small for any."""
     texts = (place_text(card, outlines, drawn, TEXT_HEIGHT) for card in cards)
     return next(([text] for text in texts if text.height >= LEAST_HEIGHT), [])
+
+
+def _short_card(text: str, outlines: list[np.ndarray]) -> Text:
+    """In the middle of the piece, for which it is too large."""
+    center, _ = innermost_point(outlines, [])
+    return Text((text,), center, LEAST_HEIGHT)
 
 
 def how_to_cut(piece: PatternPiece) -> str:

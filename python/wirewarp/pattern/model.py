@@ -8,9 +8,10 @@ import numpy as np
 
 from .motion import Motion
 
-LineRole = Literal["cut", "inner_cut", "sew", "wire", "grain", "fold"]
+LineRole = Literal["cut", "inner_cut", "sew", "wire", "grain", "fold", "card leader", "name leader"]
 PointRole = Literal["notch", "drill", "clip"]
 TextRole = Literal["card", "line name"]
+LEADERS: dict[TextRole, LineRole] = {"card": "card leader", "line name": "name leader"}  # to texts beside a piece
 
 
 @dataclass(frozen=True)
@@ -77,8 +78,8 @@ class PatternPiece:
 
     @property
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """The lowest and the highest corner of the cut lines."""
-        points = np.concatenate([line.points for line in self.of_role("cut")])
+        """The lowest and the highest corner of the cut lines, and of the lines to what stands beside them."""
+        points = np.concatenate([line.points for line in self.of_role("cut", *LEADERS.values())])
         return points.min(axis=0), points.max(axis=0)
 
     @property

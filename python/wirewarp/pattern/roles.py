@@ -29,6 +29,8 @@ LOOKS = {
     "drill": Look("Notches", "#ff0000", 0.3, (), "13", 3, 4),
     "card": Look("Text", "#505050", 0.3, (), "15", 7, 3),
     "line name": Look("Line Names", "#505050", 0.3, (), "15", 7, 3),
+    "card leader": Look("Text", "#505050", 0.3, (), "15", 7, 3),
+    "name leader": Look("Line Names", "#505050", 0.3, (), "15", 7, 3),
     "scale": Look("Scale", "#808080", 0.3, (), "8", 8, 3),
 }
 SHEET = Look("Sheets", "#909090", 0.3, (), "8", 8, 3)  # frames and marks of the sheets of a PDF
@@ -38,7 +40,7 @@ KINDS = {  # what a maker may leave out of a file, by roles of lines, points and
     "wires": ("wire",),
     "grain": ("grain",),
     "notches": ("notch", "clip", "drill"),
-    "texts": ("card",),
-    "line names": ("line name",),
+    "texts": ("card", "card leader"),
+    "line names": ("line name", "name leader"),
 }
 LAYERS = tuple(dict.fromkeys(look.layer for look in LOOKS.values()))

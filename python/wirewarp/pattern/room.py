@@ -21,29 +21,29 @@ class Room:
     def __init__(self, outlines: Iterable[np.ndarray], lines: Iterable[np.ndarray], texts: Iterable[Text]) -> None:
         """outlines (k,2): closed, repeating their first point; lines (k,2): wires, notches and the like."""
         self._closed = list(outlines)
-        self._outline = _joined([(line[:-1], line[1:]) for line in self._closed])
-        self._lines = _joined([(line[:-1], line[1:]) for line in lines])
-        self._texts = _joined([_strokes(text) for text in texts])
+        self._outline = joined([(line[:-1], line[1:]) for line in self._closed])
+        self._lines = joined([(line[:-1], line[1:]) for line in lines])
+        self._texts = joined([strokes(text) for text in texts])
 
     def take(self, choices: Iterable[Text]) -> Text | None:
         """The first of the texts that fits, and from now on its place is taken; None where none does."""
         found = None
         for text in filter(self._is_inside, choices):
-            is_clear = not _touches(text, self._lines)
+            is_clear = not touches(text, self._lines)
             found = text if is_clear or not found else found
             if is_clear:
                 break
         if found:
-            self._texts = _joined([self._texts, _strokes(found)])
+            self._texts = joined([self._texts, strokes(found)])
         return found
 
     def _is_inside(self, text: Text) -> bool:
-        if _touches(text, self._texts) or _touches(text, self._outline):
+        if touches(text, self._texts) or touches(text, self._outline):
             return False
         return bool(are_inside(text.center[None], self._closed)[0])
 
 
-def _joined(parts: list[Segments]) -> Segments:
+def joined(parts: list[Segments]) -> Segments:
     """One set of segments; at least an empty one."""
     first, second = (np.concatenate([np.empty((0, 2)), *(part[end] for part in parts)]) for end in (0, 1))
     return first, second
@@ -55,7 +55,7 @@ def _axes(text: Text) -> np.ndarray:
     return np.array([[cosine, -sine], [sine, cosine]])
 
 
-def _strokes(text: Text) -> Segments:
+def strokes(text: Text) -> Segments:
     strokes = []
     for number, line in enumerate(text.lines):
         middle = LINE * ((len(text.lines) - 1) / 2 - number)
@@ -63,10 +63,10 @@ def _strokes(text: Text) -> Segments:
         x = np.full(len(y), text_width(line, text.height) / 2)
         first, second = (np.column_stack([side, y]) @ _axes(text).T + text.center for side in (-x, x))
         strokes.append((first, second))
-    return _joined(strokes)
+    return joined(strokes)
 
 
-def _touches(text: Text, segments: Segments) -> bool:
+def touches(text: Text, segments: Segments) -> bool:
     """Whether one of the segments meets the box of a text of one line: no axis separates the two."""
     half = np.array([text_width(text.lines[0], text.height), text.height]) / 2 + CLEAR
     a, b = ((ends - text.center) @ _axes(text) for ends in segments)
