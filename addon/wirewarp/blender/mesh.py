@@ -155,22 +155,25 @@ def write_faces(mesh: bpy.types.Mesh, starts: np.ndarray, sizes: np.ndarray) -> 
         mesh.polygons.foreach_set("loop_total", sizes.view(np.uint32))
 
 
-def write_seams(mesh: bpy.types.Mesh, seams: np.ndarray) -> None:
-    """(e,) bool"""
-    _write_edge_flags(mesh, SEAM, "use_seam", seams)
+def add_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
+    """These edges (k,) become seams; others stay what they are."""
+    _add_edge_flags(mesh, SEAM, "use_seam", edges)
 
 
-def write_sharp_edges(mesh: bpy.types.Mesh, sharp: np.ndarray) -> None:
-    """(e,) bool"""
-    _write_edge_flags(mesh, "sharp_edge", "use_edge_sharp", sharp)
+def add_sharp_edges(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
+    """(k,), as add_seams."""
+    _add_edge_flags(mesh, "sharp_edge", "use_edge_sharp", edges)
 
 
-def _write_edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str, flags: np.ndarray) -> None:
+def _add_edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str, edges: np.ndarray) -> None:
     if HAS_ATTRIBUTES:
+        flags = _edge_flags(mesh, attribute, name)
+        flags[edges] = True
         found = mesh.attributes.get(attribute) or mesh.attributes.new(attribute, "BOOLEAN", "EDGE")
         found.data.foreach_set("value", flags)
     else:
-        mesh.edges.foreach_set(name, flags)
+        for edge in edges.tolist():  # few of all: to write all takes longer
+            setattr(mesh.edges[edge], name, True)
 
 
 def _indices(collection: bpy.types.bpy_prop_collection, name: str, columns: int = 1) -> np.ndarray:

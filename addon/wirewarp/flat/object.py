@@ -8,7 +8,7 @@ from contextlib import contextmanager
 import bpy
 import numpy as np
 
-from ..blender.mesh import write_corners, write_edges, write_faces, write_seams, write_sharp_edges
+from ..blender.mesh import add_seams, add_sharp_edges, write_corners, write_edges, write_faces
 from ..blender.objects import remove_object
 from ..blender.selection import deselect_all
 from ..issues import note, warning
@@ -166,9 +166,8 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) 
 
 def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
     """Seams are red in Edit Mode as on the model, and wires, for which Blender has no color, blue as sharp edges."""
-    if marks.seams.any():
-        write_seams(mesh, marks.seams)
-    write_sharp_edges(mesh, marks.wires.are_wires)
+    add_seams(mesh, np.flatnonzero(marks.seams))
+    add_sharp_edges(mesh, marks.wires.rows)
     write_marks(mesh, marks.wires)
     write_ids(mesh, SEAM, marks.seam_ids)
 

@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 
-from ..blender.mesh import edge_vertices, faces_at_edges, read_seams, write_seams
+from ..blender.mesh import add_seams, edge_vertices, faces_at_edges, read_seams
 from ..issues import object_error
 from ..pattern.chains import EdgeMarks, edge_keys
 from .attributes import read_marks, write_marks
@@ -70,7 +70,7 @@ def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:
     """Marks edges, given as vertex pairs, as seams. Returns how many were none before."""
     before = read_seams(mesh)
     wanted = _mask(mesh, edges)
-    write_seams(mesh, before | wanted)
+    add_seams(mesh, np.flatnonzero(wanted))
     mesh.update()
     return int(np.count_nonzero(wanted & ~before))
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import bpy
 import numpy as np
 
-from ..blender.mesh import corner_edges, corner_vertices, next_loops, read, read_seams, write_seams
+from ..blender.mesh import add_seams, corner_edges, corner_vertices, next_loops, read, read_seams
 from ..issues import object_error
 from ..names import UV_LAYER
 
@@ -46,7 +46,7 @@ def _mark_borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> int
         read(layer.data, "uv", np.float32, 2),
         len(mesh.edges),
     )
-    write_seams(mesh, before | borders)
+    add_seams(mesh, np.flatnonzero(borders))
     mesh.update()
     return int(np.count_nonzero(borders & ~before))
 
