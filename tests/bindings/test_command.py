@@ -132,8 +132,7 @@ def test_the_picture_shows_the_pieces_in_scale(model, tmp_path):
 
 
 def test_without_pillow_that_is_told(model, tmp_path, monkeypatch):
-    monkeypatch.setitem(sys.modules, "PIL", None)
-    monkeypatch.delitem(sys.modules, "wirewarp.command.picture")
+    monkeypatch.setitem(sys.modules, "wirewarp.command.picture", None)
     (request,) = parsed(["flatten", str(model), "--out", str(tmp_path / "out"), "--picture"]).requests
     (problem,) = flatten_model(request)["problems"]
     assert problem == "Pictures are drawn by pillow, which is missing: pip install wirewarp[command]"
