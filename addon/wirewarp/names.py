@@ -22,6 +22,7 @@ UV_SCALE = "wirewarp_uv_scale"  # custom property: Blender units in one UV unit
 # On the model's object, custom properties.
 REPORT = "wirewarp_report"  # of the run that made the flat pieces, JSON
 REPORT_SEAL = "wirewarp_report_seal"  # digest of that text
+MARKER = "wirewarp_marker"  # of the last export that made one, JSON after its digest
 
 # On the flat mesh: attributes that say what its elements are of the model, all INT.
 SOURCE_VERTEX = "source_vertex"  # points

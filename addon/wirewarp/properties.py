@@ -169,6 +169,7 @@ class PatternSettings:
         description="Where the pieces lie on what they are printed on or cut from",
         items=[
             ("IN_ROWS", "In Rows", "Side by side so that they take few sheets, or little of a roll; none turned"),
+            ("MARKER", "Marker", "Nested as closely as they will go, on cloth of one width; each is cut once"),
             (
                 "AS_LAID_OUT",
                 "As Laid Out",
@@ -176,6 +177,37 @@ class PatternSettings:
             ),
         ],
         default="IN_ROWS",
+        update=_redraw,
+    )
+    cloth_width: FloatProperty(
+        name="Cloth Width",
+        description="Of a marker, in millimeters, as far as the cloth can be used",
+        min=10.0,
+        max=5000.0,
+        default=1400.0,
+        precision=0,
+        step=1000,
+        update=_redraw,
+    )
+    gap: FloatProperty(
+        name="Gap",
+        description="Between the pieces of a marker, in millimeters",
+        min=0.0,
+        max=100.0,
+        default=5.0,
+        precision=1,
+        step=100,
+        update=_redraw,
+    )
+    grain: EnumProperty(
+        name="Grain",
+        description="How the pieces of a marker may be turned",
+        items=[
+            ("ONE_WAY", "One Way", "Not at all: cloth with a nap or a print that has a top"),
+            ("BOTH_WAYS", "Both Ways", "Upside down: most woven cloth"),
+            ("FREE", "Free", "Anyhow: leather, foam, felt"),
+        ],
+        default="ONE_WAY",
         update=_redraw,
     )
     paper: EnumProperty(

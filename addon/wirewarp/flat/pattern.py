@@ -24,6 +24,7 @@ from ..pattern.outlines import FlatPieces, OutlineEdges, outline_of, piece_of_ve
 from ..pattern.polygons import Segments, overlap
 from ..solve.pattern_parts import Allowances, PatternParts
 from .grain import UP, grain_directions
+from .markers import kept_marker, marker_text
 from .object import is_true_size
 from .read import has_flat_attributes, has_kept_shape, read_flat_attribute, read_flat_pieces
 from .reports import pieces_report
@@ -76,6 +77,7 @@ def _parts(
         allowances=allowances,
         units="imperial" if scene.unit_settings.system == "IMPERIAL" else "metric",
         date=datetime.date.today().isoformat(),
+        kept=kept_marker(marker_text(source)),
     )
 
 

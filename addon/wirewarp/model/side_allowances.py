@@ -51,9 +51,9 @@ def mark_sides(mesh: bpy.types.Mesh, edges: Sequence[int], faces: Sequence[int],
         if len(loops) > 2:
             continue
         other = next((loop for loop in loops if loop_faces[loop] != face), None)
-        beyond = width if other is None else widths[other] or both[edge]
+        opposite, beyond = (face, width) if other is None else (loop_faces[other], widths[other] or both[edge])
         # The default, which is 0, can only be what both share.
-        marked, shared, alone = (face, beyond, width) if width else (loop_faces[loops[0] if other is None else other], width, beyond)
+        marked, shared, alone = (face, beyond, width) if width else (opposite, width, beyond)
         is_one_sided = alone != shared
         if is_one_sided and not numbers[marked]:
             numbers[marked] = new_id()

@@ -5,13 +5,13 @@ from pathlib import Path
 from typing import Any
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 
 from ..core import pattern
 from ..properties import PatternSettings, take_settings
 from ..run.export import ExportChoices
 from ..solve.papers import ONE_PAGE, PAPERS, is_roll, library_paper
-from ..solve.pattern_parts import PatternChoices
+from ..solve.pattern_parts import GRAINS, Cloth, PatternChoices
 from ..words import counted
 from .export_sentences import largest_sentence, size_sentences
 from .export_steps import PatternExport
@@ -72,6 +72,21 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         name="Drawn", description="Besides lines to cut", items=DRAWN, options={"ENUM_FLAG"}, default=ALL_DRAWN
     )
 
+    seconds: IntProperty(
+        name="Search",
+        description="For so many seconds a marker is sought that takes less cloth; Esc stops the export",
+        min=0,
+        max=3600,
+        soft_max=120,
+        default=10,
+    )
+    new_marker: BoolProperty(
+        name="Search Again",
+        description="Seek a new marker, also where that of the last export is of these pieces and this cloth",
+        default=False,
+        options={"SKIP_SAVE"},
+    )
+
     @property
     def filename_ext(self) -> str:
         return f".{self.format.lower()}"
@@ -94,9 +109,10 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         layout = self.layout
         layout.prop(self, "format")
         if self.format == "PDF":
-            layout.prop(self, "paper")
-            if self.paper == "ROLL":
-                self.draw_lengths(context, "roll_width")
+            if self.arrangement != "MARKER":
+                layout.prop(self, "paper")
+                if self.paper == "ROLL":
+                    self.draw_lengths(context, "roll_width")
             layout.prop(self, "proof_sheet")
         elif self.format == "SVG":
             layout.prop(self, "preset")
@@ -105,6 +121,10 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
             if self.dialect != "PLAIN":
                 layout.prop(self, "control_square")
         layout.prop(self, "arrangement")
+        if self.arrangement == "MARKER":
+            self.draw_lengths(context, "cloth_width", "gap")
+            for name in ("grain", "seconds", "new_marker"):
+                layout.prop(self, name)
         self.draw_lengths(context, "allowance", "notch_spacing")
         layout.prop(self, "darts")
         layout.column(align=True).prop(self, "drawn")
@@ -113,11 +133,20 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
     def choices(self) -> ExportChoices:
         drawn = frozenset(kind.lower().replace("_", " ") for kind in self.drawn)
         made = PatternChoices(self.allowance, self.notch_spacing, self.darts.lower())
-        return ExportChoices(made, drawn, in_rows=self.arrangement == "IN_ROWS", options=self._write_options())
+        return ExportChoices(
+            made,
+            drawn,
+            self._write_options(),
+            in_rows=self.arrangement == "IN_ROWS",
+            cloth=Cloth(self.cloth_width, self.gap, GRAINS[self.grain]) if self.arrangement == "MARKER" else None,
+            seconds=float(self.seconds),
+            anew=self.new_marker,
+        )
 
     def _write_options(self) -> dict[str, Any]:
         if self.format == "PDF":
-            paper = library_paper(self.paper, self.roll_width)
+            # A marker comes on a roll that is as wide as it takes.
+            paper = None if self.arrangement == "MARKER" else library_paper(self.paper, self.roll_width)
             return {"paper": paper, "proof": self.proof_sheet, "keep_places": self.arrangement == "AS_LAID_OUT"}
         if self.format == "SVG":
             return {"preset": self.preset.lower()}
@@ -127,6 +156,8 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         return {}
 
     def size_sentences(self, made: pattern.Pattern) -> list[str]:
+        if made.marker:
+            return [f"{made.marker.sentence(made.units)}.", largest_sentence(made)]
         if self.format != "PDF":
             return size_sentences(made, made.size if self.format != "SVG" else made.svg_size)
         pages, count = made.page_sizes(**self._write_options() | {"proof": False}), counted(len(made.pieces), "piece")

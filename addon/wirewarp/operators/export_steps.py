@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What exporting operators have in common: a dialog that says the sizes beforehand, and a run that writes the file."""
 
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple
@@ -12,6 +13,7 @@ from bpy_extras.io_utils import ExportHelper
 from ..blender.files import OPTIONS, check_ending, check_file, file_name, given_file, unwritten
 from ..blender.modes import in_object_mode
 from ..core import FlattenError, pattern
+from ..flat.markers import keep_marker
 from ..flat.pattern import read_pattern
 from ..flat.reports import pieces_report
 from ..issues import ObjectError, object_error
@@ -19,6 +21,7 @@ from ..model.owners import earlier_sentence, has_flat_object, is_earlier, model_
 from ..run import window_run
 from ..run.export import ExportChoices, Exported, PatternParts, export, made_pattern
 from ..run.thread import CancelledError
+from ..solve.pattern_parts import KeptMarker
 from ..ui.layout import draw_sentence
 from ..ui.settings import settings_sentence
 from .export_sentences import INCH, crossing_sentence
@@ -97,10 +100,13 @@ class PatternExport(WindowSteps, ExportHelper):
     def beforehand(self, parts: PatternParts) -> list[tuple[str, str]]:
         """How large it gets with the present settings, and what is wrong with them: sentences with their icons."""
         try:
-            made = made_pattern(parts, self.choices())
+            choices = self.choices()
+            made = made_pattern(parts, replace(choices, seconds=0.0))
             sizes = [(sentence, "NONE") for sentence in self.size_sentences(made)]
         except (ObjectError, FlattenError) as error:
             return [(str(error), "ERROR")]
+        if made.marker and (parts.kept is None or made.marker != parts.kept.marker) and choices.seconds:
+            sizes.insert(0, ("Without a search:", "NONE"))
         refusal = "" if self.failed_pieces else parts.refusal
         return [
             (sentence, "ERROR") for sentence in (refusal, crossing_sentence(made), *made.warnings) if sentence
@@ -135,6 +141,7 @@ class PatternExport(WindowSteps, ExportHelper):
                 f'Of the selected ones, "{parts.title}" only.' if _has_others(context) else "",
                 settings_sentence(source, pieces_report(source), context.scene.wirewarp),
             ]
+            self._source_name = source.name_full
             work = partial(export, parts, self.choices(), path)
             if self._has_dialog:
                 return self.begin(context, window_run.EXPORT, parts.title, work)
@@ -160,7 +167,10 @@ class PatternExport(WindowSteps, ExportHelper):
         return {"CANCELLED"}
 
     def _tell(self, exported: Exported) -> set[str]:
-        made, written = exported.made, exported.written
+        made, written, cloth = exported.made, exported.written, exported.cloth
+        source = bpy.data.objects.get(self._source_name)  # unless it was deleted or renamed meanwhile
+        if made.marker and source is not None and source.library is None:
+            keep_marker(source, KeptMarker(cloth, made.marker))
         only, settings = self._notes
         sizes = " ".join(self.size_sentences(made))
         said = f'"{written.path.name}": {sizes} Read again: {written.off:.2f} mm off. Print at 100%.'

@@ -7,9 +7,11 @@ import bpy
 import numpy as np
 
 from ..core import FlattenError, pattern
+from ..flat.markers import kept_marker
 from ..flat.pattern import read_outlines
 from ..issues import ObjectError
 from ..solve.papers import ONE_PAGE, PAPERS, is_roll, library_paper
+from ..solve.pattern_parts import Cloth, laid_on_kept
 from ..words import counted
 from .lines import Name
 
@@ -58,16 +60,31 @@ def cut_places(cut: CutLines, millimeters: float) -> np.ndarray:
     return _in_space(_outlines(cut.made) if cut.made and cut.has_allowance else [], np.zeros(2), millimeters)
 
 
-def page_preview(cut: CutLines, paper: str, roll_width: float, keep_places: bool, millimeters: float) -> PagePreview:
-    """The pages over the pieces as they lie; where they will lie otherwise, these pages beside them.
+@dataclass(frozen=True)
+class PageChoices:
+    paper: str  # a key of PAPERS
+    roll_width: float  # of "ROLL", in millimeters
+    arrangement: str  # "IN_ROWS", "AS_LAID_OUT" or "MARKER"
+    cloth: Cloth  # of a marker
+    marker: str  # that is kept, see flat.markers
 
-    Laid out by the library as for a PDF. paper: a key of PAPERS; millimeters: in a Blender unit.
+
+def page_preview(cut: CutLines, choices: PageChoices, millimeters: float) -> PagePreview:
+    """The pages over the pieces as they lie; where they will lie otherwise, these pages below them.
+
+    Laid out by the library as for a PDF. millimeters: in a Blender unit.
     """
-    if cut.made is None:
+    made, paper = cut.made, choices.paper
+    if made is None:
         return PagePreview("These pieces make no pattern: press Export Pattern to see why.", False)
-    keeps = keep_places or paper == ONE_PAGE
+    if choices.arrangement == "MARKER":
+        made = laid_on_kept(made, kept_marker(choices.marker), choices.cloth)
+        if made is None:
+            return PagePreview("No marker of these pieces on this cloth yet: Export Pattern seeks one.", True)
+    keeps = choices.arrangement == "AS_LAID_OUT" or (paper == ONE_PAGE and not made.marker)
     try:
-        laid, pages = cut.made.pages(library_paper(paper, roll_width), keep_places)
+        library = None if made.marker else library_paper(paper, choices.roll_width)
+        laid, pages = made.pages(library, choices.arrangement == "AS_LAID_OUT")
     except FlattenError as error:
         return PagePreview(error.message, False)
     corner = cut.made.bounds[0]
@@ -90,8 +107,9 @@ def page_preview(cut: CutLines, paper: str, roll_width: float, keep_places: bool
         )
         for number, page in enumerate(pages)
     ]
-    what = counted(len(pages), "page") if is_roll(paper) or paper == ONE_PAGE else counted(len(pages), "sheet")
-    return PagePreview(f"{what}: {PAPERS[paper][1]}", True, places, names)
+    what = counted(len(pages), "page" if is_roll(paper) or paper == ONE_PAGE else "sheet")
+    told = made.marker.sentence(made.units) if made.marker else f"{what}: {PAPERS[paper][1]}"
+    return PagePreview(told if keeps else f"{told}. Drawn below the pieces", True, places, names)
 
 
 def _outlines(made: pattern.Pattern) -> list[np.ndarray]:

@@ -11,6 +11,7 @@ import numpy as np
 from ..blender.cache import stamp
 from ..blender.index import find_objects
 from ..blender.units import meters_per_blender_unit
+from ..flat.markers import marker_text
 from ..flat.pieces import piece_names
 from ..flat.reports import last_report, pieces_report
 from ..flat.seams import seam_names
@@ -18,11 +19,12 @@ from ..issues import ObjectError
 from ..model.owners import find_flat_object, model_of, model_or_self
 from ..names import WIRE
 from ..solve.maps import COLOR_MAPS, ColorMap
+from ..solve.pattern_parts import GRAINS, Cloth
 from .cache import Same, kept_drawing
 from .failures import Failures, failures, uv_failures
 from .gather import gather_uv_lines, shows_our_map
 from .objects import Lines, colored_surface, lines_of, marked_lines
-from .pages import CutLines, PagePreview, cut_lines, cut_places, page_preview
+from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, page_preview
 from .surfaces import ColoredTriangles, Extremes
 
 MODES = {"OBJECT", "EDIT"}
@@ -127,8 +129,9 @@ def shown_pages(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.
     """What the flat object, which is not in Edit Mode, will be printed on."""
     settings, millimeters = context.scene.wirewarp, 1000 * meters_per_blender_unit(context.scene)
     cut = _cut_lines(context, source, flat)
-    chosen = settings.paper, settings.roll_width, settings.arrangement == "AS_LAID_OUT", millimeters
-    return kept_drawing(flat, "pages", (Same(cut), *chosen), lambda: page_preview(cut, *chosen))
+    cloth = Cloth(settings.cloth_width, settings.gap, GRAINS[settings.grain])
+    chosen = PageChoices(settings.paper, settings.roll_width, settings.arrangement, cloth, marker_text(source))
+    return kept_drawing(flat, "pages", (Same(cut), chosen, millimeters), lambda: page_preview(cut, chosen, millimeters))
 
 
 def _with_pages(lines: Lines | None, pages: PagePreview) -> Lines:

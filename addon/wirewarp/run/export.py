@@ -8,7 +8,7 @@ from typing import Any
 
 from ..core import FlattenError, pattern
 from ..issues import ObjectError
-from ..solve.pattern_parts import PatternChoices, PatternParts
+from ..solve.pattern_parts import Cloth, PatternChoices, PatternParts, laid_on_kept
 from .thread import CancelledError, Progress
 
 STAGES = {  # of the library: where each begins in the whole, as on a garment of 20 pieces
@@ -19,26 +19,37 @@ STAGES = {  # of the library: where each begins in the whole, as on a garment of
     "sheets": 0.6,
     "reading again": 0.8,
 }
+SEARCH = 0.9  # of the whole, where a marker is sought, which takes seconds; what else there is comes before and after
 
 
 @dataclass(frozen=True)
 class ExportChoices:
     made: PatternChoices
     drawn: frozenset[str]  # kinds of lines, marks and texts as Pattern.with_only has them
-    in_rows: bool  # else as the pieces lie
     options: Mapping[str, Any] = field(default_factory=dict)  # of Pattern.write
+    in_rows: bool = False  # else as the pieces lie
+    cloth: Cloth | None = None  # on which they are nested instead
+    seconds: float = 0.0  # to seek one
+    anew: bool = False  # also where one is kept
 
 
 @dataclass(frozen=True)
 class Exported:
     made: pattern.Pattern
     written: pattern.Written
+    cloth: Cloth | None  # of a marker
 
 
 def made_pattern(parts: PatternParts, choices: ExportChoices, progress: Progress | None = None) -> pattern.Pattern:
     """As it will be written. Raises ObjectError and FlattenError."""
     made = parts.pattern(choices.made, progress).with_only(choices.drawn)
-    return made.arranged() if choices.in_rows else made
+    if choices.cloth is None:
+        return made.arranged() if choices.in_rows else made
+    kept = None if choices.anew else laid_on_kept(made, parts.kept, choices.cloth)
+    cloth, seconds = choices.cloth, choices.seconds
+    return kept or made.laid_on(
+        made.nested(cloth.width, gap=cloth.gap, grain=cloth.grain, seconds=seconds, progress=progress)
+    )
 
 
 def export(parts: PatternParts, choices: ExportChoices, path: Path, progress: Progress) -> Exported:
@@ -51,15 +62,27 @@ def export(parts: PatternParts, choices: ExportChoices, path: Path, progress: Pr
 
     def whole(stage: str, fraction: float) -> bool:
         nonlocal stopped
-        begin = STAGES[stage]
-        end = min((each for each in STAGES.values() if each > begin), default=1.0)
-        stopped = progress(stage, begin + fraction * (end - begin)) is False
+        stopped = progress(stage, _share(stage, fraction, choices.cloth is not None)) is False
         return not stopped
 
     try:
         made = made_pattern(parts, choices, whole)
-        return Exported(made, made.write(path, progress=whole, **choices.options))
+        if stopped:  # a search that is stopped has the best marker so far
+            raise CancelledError
+        return Exported(made, made.write(path, progress=whole, **choices.options), choices.cloth)
     except (ObjectError, FlattenError) as error:
         if stopped:
             raise CancelledError from error
         raise
+
+
+def _share(stage: str, fraction: float, has_search: bool) -> float:
+    """How much of the whole is done."""
+    if stage == "nesting":
+        return STAGES["writing"] * (1 - SEARCH) + fraction * SEARCH
+    begin = STAGES[stage]
+    end = min((each for each in STAGES.values() if each > begin), default=1.0)
+    done = begin + fraction * (end - begin)
+    if not has_search:
+        return done
+    return done * (1 - SEARCH) + (SEARCH if begin >= STAGES["writing"] else 0.0)

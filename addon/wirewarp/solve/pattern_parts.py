@@ -19,6 +19,25 @@ class PatternChoices:
     darts: str  # "close", "cut" or "slit", as the library has it
 
 
+Grain = Literal["one way", "both ways", "free"]
+GRAINS: dict[str, Grain] = {"ONE_WAY": "one way", "BOTH_WAYS": "both ways", "FREE": "free"}  # by settings
+
+
+@dataclass(frozen=True)
+class Cloth:
+    """On which pieces are nested; lengths are in millimeters."""
+
+    width: float
+    gap: float  # between pieces
+    grain: Grain  # how they may be turned
+
+
+@dataclass(frozen=True)
+class KeptMarker:
+    cloth: Cloth
+    marker: pattern.Marker
+
+
 class Allowances(NamedTuple):
     """Where they are marked, as Pattern.from_pieces takes them."""
 
@@ -36,6 +55,7 @@ class PatternParts:
     allowances: Allowances
     units: Literal["metric", "imperial"]
     date: str
+    kept: KeptMarker | None = None
 
     @property
     def refusal(self) -> str:
@@ -81,3 +101,13 @@ class PatternParts:
             )
         except FlattenError as error:
             raise object_error(str(error.code), error.message) from error
+
+
+def laid_on_kept(made: pattern.Pattern, kept: KeptMarker | None, cloth: Cloth) -> pattern.Pattern | None:
+    """None where the marker is of other cloth or of other pieces."""
+    if kept is None or kept.cloth != cloth:
+        return None
+    try:
+        return made.laid_on(kept.marker)
+    except FlattenError:
+        return None

@@ -103,10 +103,13 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
 def draw_pages(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
     """What the pages drawn over the pieces are of, and how many they are."""
     settings, column = context.scene.wirewarp, layout.column(align=True)
-    column.prop(settings, "paper", text="")
-    if settings.paper == "ROLL":
-        column.prop(settings, "roll_width", text="Roll Width (mm)")
     column.prop(settings, "arrangement", text="")
+    if settings.arrangement == "MARKER":
+        column.prop(settings, "cloth_width", text="Cloth Width (mm)")
+    else:
+        column.prop(settings, "paper", text="")
+        if settings.paper == "ROLL":
+            column.prop(settings, "roll_width", text="Roll Width (mm)")
     flat = find_flat_object(source)
     if flat is not None and not flat.data.is_editmode:
         preview = shown_pages(context, source, flat)

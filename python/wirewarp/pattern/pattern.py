@@ -24,7 +24,7 @@ from .nest_items import Grain
 from .nesting import Cloth, Preview, nested
 from .notches import check_spacing
 from .papers import Page
-from .pieces import closed_cuts, finished, joined_by, lay_all, warnings_of
+from .pieces import finished, joined_by, lay_all, outlined, warnings_of
 from .progress import Progress, Watch
 from .records import SeamWalk, Written
 from .roles import KINDS
@@ -185,8 +185,7 @@ class Pattern:
         """The lines to cut alone, where they lie: as from_pieces, but quicker, to show them and their pages."""
         widths = Widths(allowance, None, allowances, side_allowances, folds)
         laid = lay_all(pieces, widths, "auto", darts, Watch())
-        found = [PatternPiece(own.index + 1, own.name, closed_cuts(own), [], []) for own in laid]
-        return cls("", found, "", UnitSystem(units))
+        return cls("", [outlined(own) for own in laid], "", UnitSystem(units))
 
     def _with_cards(self, watch: Watch | None = None) -> "Pattern":
         """The pieces numbered anew, with texts."""

@@ -140,3 +140,9 @@ def finished(
     area = abs(sum(map(signed_area, laid.sew_loops)))
     on_fold = any(run.is_fold for outline in laid.outlines for run in outline.runs)
     return PatternPiece(laid.index + 1, laid.name, lines, list(points), [], (1, 0), material, on_fold, area)
+
+
+def outlined(laid: Laid) -> PatternPiece:
+    """The lines to cut and folds alone."""
+    folds = [Line("fold", run.points) for own in laid.outlines for run in own.runs if run.is_fold]
+    return PatternPiece(laid.index + 1, laid.name, closed_cuts(laid) + folds, [], [], on_fold=bool(folds))

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Markers: found by an export, kept with the model, and drawn where they lie."""
+
+import re
+
+import bpy
+import numpy as np
+import pytest
+from drawing import Drawing
+from surfaces import bump, flat_of, grid, mark_seam, on_line, read
+from view_context import view_context
+
+CLOTH = {"arrangement": "MARKER", "cloth_width": 400.0, "gap": 4.0, "grain": "BOTH_WAYS"}
+
+
+@pytest.fixture
+def source(addon, monkeypatch):
+    """Two pieces of about 230 x 115 mm; a Blender unit is 100 mm. What is drawn is made anew at once."""
+    for pause in ("IDLE_SHARE", "SOON", "REST"):
+        monkeypatch.setattr(addon.overlay.cache, pause, 0.0)
+    bpy.context.scene.unit_settings.scale_length = 0.1
+    target = grid("Bump", bump)
+    mark_seam(target, on_line(0, 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    return target
+
+
+def export(tmp_path, name="a.svg", **settings):
+    path = tmp_path / name
+    assert bpy.ops.object.wirewarp_export(filepath=str(path), seconds=0, **(CLOTH | settings)) == {"FINISHED"}
+    return path
+
+
+def outlines(path):
+    return [outline * (1, -1) for outline in Drawing(path).outlines()]
+
+
+def test_pieces_lie_within_the_cloth_and_it_says_how_much_that_is(source, tmp_path, capfd):
+    found = outlines(export(tmp_path))
+    said = capfd.readouterr().out
+    assert re.search(r"2 pieces on [\d.]+ m?m of cloth 400 mm wide, \d+ ?% of it used", said)
+    assert len(found) == 2 and np.ptp(np.concatenate(found), axis=0)[0] <= 400.0
+    first, second = found
+    assert np.linalg.norm(first[:, None] - second, axis=2).min() > 4.0 - 0.01
+
+
+def test_the_marker_is_kept_for_other_formats_until_the_pieces_change(source, tmp_path, addon):
+    export(tmp_path)
+    kept = source["wirewarp_marker"]
+    export(tmp_path, "a.pdf")
+    assert source["wirewarp_marker"] == kept
+    marker = addon.flat.markers.kept_marker(kept).marker
+    parts = addon.flat.pattern.read_pattern(bpy.context.scene, source)
+    choices = addon.run.export.ExportChoices(
+        addon.solve.pattern_parts.PatternChoices(10.0, 100.0, "close"), frozenset(), cloth=parts.kept.cloth
+    )
+    assert addon.run.export.made_pattern(parts, choices).marker is not marker
+    assert addon.run.export.made_pattern(parts, choices).marker == marker
+    export(tmp_path, allowance=20.0)
+    assert source["wirewarp_marker"] != kept
+
+
+def test_what_is_no_marker_of_ours_is_left_alone(source, tmp_path, addon):
+    for stored in ("", "{}", "x" * 64 + "{}", 7):
+        source["wirewarp_marker"] = stored
+        assert addon.flat.markers.kept_marker(addon.flat.markers.marker_text(source)) is None
+    export(tmp_path)
+
+
+def test_cloth_that_is_too_narrow_is_a_sentence(source, tmp_path):
+    with pytest.raises(RuntimeError, match="too large for a roll of 50 mm"):
+        export(tmp_path, cloth_width=50.0)
+
+
+def test_the_preview_draws_the_marker_that_is_kept(source, tmp_path, addon):
+    settings = bpy.context.scene.wirewarp
+    for name, value in CLOTH.items():
+        setattr(settings, name, value)
+
+    def preview():
+        return addon.overlay.shown.shown_pages(view_context(), source, flat_of(source))
+
+    assert preview().sentence.startswith("No marker of these pieces on this cloth yet")
+    cut = outlines(export(tmp_path))
+    pages = preview()
+    assert "of cloth 400 mm wide" in pages.sentence
+    drawn = 100 * pages.places["cut"][:, :2]
+    assert np.ptp(drawn, axis=0) == pytest.approx(np.ptp(np.concatenate(cut), axis=0), abs=0.01)
+    assert drawn[:, 1].max() < 100 * read(flat_of(source).data.vertices, "co", np.float32, 3)[:, 1].min()
+    settings.cloth_width = 500.0
+    assert not preview().places
+
+
+def test_a_search_that_is_stopped_writes_nothing(source, tmp_path, addon):
+    path = tmp_path / "a.pdf"
+    path.write_bytes(b"of an earlier export")
+    parts = addon.flat.pattern.read_pattern(bpy.context.scene, source)
+    module = addon.run.export
+    made = addon.solve.pattern_parts.PatternChoices(10.0, 100.0, "close")
+    cloth = addon.solve.pattern_parts.Cloth(400.0, 4.0, "free")
+    choices = module.ExportChoices(made, frozenset(), cloth=cloth, seconds=600.0)
+    told = []
+
+    def progress(stage, fraction):
+        told.append(fraction)
+        return stage != "nesting" or len(told) < 20
+
+    with pytest.raises(addon.run.thread.CancelledError):
+        module.export(parts, choices, path, progress)
+    assert path.read_bytes() == b"of an earlier export" and told == sorted(told)
