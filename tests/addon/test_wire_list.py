@@ -230,6 +230,7 @@ def test_what_has_no_row_of_its_own_stands_below_and_what_is_gone_nowhere(addon,
     bpy.context.view_layer.update()
     assert row_of(addon, source, source.data.wirewarp_names[1]) == ["Middle"]
     assert len(row_of(addon, source, source.data.wirewarp_names[0])) == 2
+    source.data.wirewarp_active_wire = 0
     buttons = []
     draw_panels(addon, buttons)
     assert buttons.count("mesh.wirewarp_change_wire") == 2 * 2  # the chosen and the unlisted one; narrow and wide
