@@ -144,7 +144,7 @@ def report_of_pieces(*aspect_ratios, name="Bump"):
 
 def strain_sentence(pieces, percent):
     keep, remedy = (
-        ("keep their", "darts or seams") if "," in pieces or ";" in pieces else ("keeps its", "a dart or seam")
+        ("keep their", "darts or seams") if " and " in pieces or ";" in pieces else ("keeps its", "a dart or seam")
     )
     return f"{pieces} {keep} lengths, but the cloth must stretch up to {percent}%. Add {remedy} there."
 
@@ -158,6 +158,8 @@ def test_pieces_that_cloth_cannot_follow_are_not_ready_to_cut(addon):
         (strain_sentence("Piece 1", 65), "AMBER"),
         ("Ready to cut, from cloth that stretches 10%: Piece 3", "TICK"),
     ]
+    (line,) = verdict(report_of_pieces(1.6, 1.7))
+    assert line.text == strain_sentence("Piece 2 and Piece 1", 70)
     (line,) = verdict(report_of_pieces(1.3, 1.4, 1.5, 1.6, 1.7, 1.8))
     assert line.text == strain_sentence("Piece 6, Piece 5, Piece 4, Piece 3 and 2 more", 80)
     report = report_of_pieces(1.0)

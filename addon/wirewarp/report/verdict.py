@@ -72,7 +72,10 @@ def _strained_line(strained: list[Entry], with_objects: bool) -> VerdictLine:
 
 def _shown_names(entries: list[Entry], with_objects: bool) -> str:
     hidden = len(entries) - SHOWN_NAMES
-    return _names(entries[:SHOWN_NAMES], with_objects) + (f" and {hidden} more" if hidden > 0 else "")
+    if hidden > 0 or with_objects:
+        return _names(entries[:SHOWN_NAMES], with_objects) + (f" and {hidden} more" if hidden > 0 else "")
+    *others, last = dict.fromkeys(piece["name"] for _, piece in entries)
+    return f"{', '.join(others)} and {last}" if others else last
 
 
 def _others(good: list[Entry], with_objects: bool) -> str:
