@@ -7,7 +7,13 @@ from tools.libraries import PATTERN
 from tools.package import venv_with_core
 
 HYPOTHESIS = "hypothesis==6.170.15"
-READERS = ("dxfgrabber==1.0.1", "ezdxf==1.4.5", "pypdfium2==5.15.2", "shapely==2.2.0")  # of its files, in tests alone
+READERS = (
+    "dxfgrabber==1.0.1",
+    "ezdxf==1.4.5",
+    "pypdfium2==5.15.2",
+    "resvg-py==0.5.0",
+    "shapely==2.2.0",
+)  # of its files, in tests alone
 OPTIONAL = ("spyrrow==0.9.0", "uharfbuzz==0.57.0", "fonttools[woff]==4.68.0")  # tests run with and without them
 MODELS = ("trimesh==5.2.0", "pillow==13.0.0")  # what python -m wirewarp reads them with
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each kind of file, read by a library that did not write it."""
 
+import io
 import re
 import xml.etree.ElementTree as ElementTree
 from dataclasses import replace
@@ -13,6 +14,7 @@ import pytest
 import shapely
 import wirewarp
 from patterns import flattened, quads, rectangle, sample
+from PIL import Image
 from wirewarp.pattern import Pattern
 
 MILLIMETER = 72 / 25.4  # PDF's points in it
@@ -84,6 +86,26 @@ def test_names_in_any_script(tmp_path, ending):
         assert labels[1:6] == names[:5]
 
 
+@pytest.mark.parametrize("preset", ["print", "laser", "cricut"])
+def test_svg_is_drawn_in_true_size_by_another_renderer(tmp_path, preset):
+    pattern = Pattern.from_result(rectangle(150, 700), allowance=10.0, notch_spacing=0).with_only([])
+    pattern.write(tmp_path / "strip.svg", preset=preset)
+    pixels = rendered_svg(tmp_path / "strip.svg")
+    assert pixels.shape == pytest.approx(pattern.svg_size[::-1] * SCALE, abs=1)
+    pixels = pixels[round(115 * SCALE) :]  # above the square to measure
+    line = {"print": 0.5, "laser": 0.1, "cricut": 0.3}[preset]
+    assert extent(pixels) == pytest.approx((170 + line, 720 + line), abs=1.5 / SCALE)
+
+
+def rendered_svg(path) -> np.ndarray:
+    """(h,w) bool, as dark()."""
+    resvg = pytest.importorskip("resvg_py")
+    image = Image.open(
+        io.BytesIO(resvg.svg_to_bytes(svg_path=str(path), dpi=96, zoom=SCALE * 25.4 / 96, background="#ffffff"))
+    )
+    return np.array(image.convert("L"))[::-1] < 200
+
+
 # ---- PDF
 
 
@@ -147,6 +169,44 @@ def test_tiles_put_together_are_the_one_page(tmp_path):
     for place in shapely.line_interpolate_point(line, np.linspace(0, line.length, 400)):
         x, y = np.floor(np.array(place.coords[0]) * scale).astype(int)
         assert whole[y - 1 : y + 2, x - 1 : x + 2].any()
+
+
+@pytest.mark.parametrize("name", ["Hat", "Carnival mask"])
+def test_a4_sheets_put_together_are_the_one_page_line_by_line(tmp_path, name):
+    pattern = sample(name).with_only([])
+    pattern.write(tmp_path / "tiles.pdf", paper="a4", keep_places=True)
+    pattern.write(tmp_path / "page.pdf", paper="projector")
+    scale, wide = 6.0, 2  # pixels per millimeter; lines may be so many pixels off
+
+    def black(page):  # cut lines alone: all that is printed around them is gray
+        image = page.render(scale=scale / MILLIMETER, grayscale=True).to_numpy().squeeze()
+        return image[::-1] < 40
+
+    (page,) = pypdfium2.PdfDocument(tmp_path / "page.pdf")
+    bottom = round((10 + 158) * scale)  # margin, and the block to measure
+    size = np.ceil(pattern.size * scale).astype(int)
+    one = black(page)[bottom - 12 : bottom + size[1] + 12, 60 - 12 : 60 + size[0] + 12]
+
+    document = pypdfium2.PdfDocument(tmp_path / "tiles.pdf")
+    names = [re.search(r"\b([A-Z])(\d)", each.get_textpage().get_text_range()).groups() for each in document][1:]
+    shown = np.array(document[1].get_size()) / MILLIMETER - 20
+    high, wide_by = max(ord(row) - 64 for row, _ in names), max(int(column) for _, column in names)
+    whole = np.zeros(np.ceil(shown * (wide_by, high) * scale).astype(int)[::-1], dtype=bool)
+    for (row, column), sheet in zip(names, list(document)[1:], strict=True):
+        inner = black(sheet)[60:-60, 60:-60]
+        x, y = np.rint((int(column) - 1, high - (ord(row) - 64)) * (shown - 10) * scale).astype(int)
+        whole[y : y + inner.shape[0], x : x + inner.shape[1]] |= inner
+    # Rows are counted from the top, where the pattern ends 5 mm below the edge of what is printed.
+    top = round((high * (shown[1] - 10) + 10 - 5) * scale)
+    tiled = whole[top - size[1] - 12 : top + 12, 30 - 12 : 30 + size[0] + 12]
+    for first, second in ((one, tiled), (tiled, one)):
+        height, width = (min(side) for side in zip(first.shape, second.shape, strict=True))
+        near = np.zeros_like(second)
+        for dx in range(-wide, wide + 1):
+            for dy in range(-wide, wide + 1):
+                near |= np.roll(second, (dy, dx), axis=(0, 1))
+        missing = first[:height, :width] & ~near[:height, :width]
+        assert first.any() and not missing.any()
 
 
 def test_pieces_that_fit_on_sheets_are_not_cut_apart(tmp_path):
