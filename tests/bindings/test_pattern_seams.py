@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Seams of the samples: what is sewn first is pressed open, and ends on both sides with what crosses it."""
+
+import collections
+import itertools
+
+import numpy as np
+import pytest
+import shapely
+from patterns import cut_polygon, flattened, line_string, sample, sew_polygon
+from shapely.ops import substring
+from wirewarp.pattern import PatternPiece
+
+NEAR = 15.0  # millimeters along a seam that are looked at
+STRAIGHT = 8.0  # degrees by which what crosses a seam turns there at most
+OTHERS = 10.0  # degrees by which it turns more at the other seams of the place
+
+
+def seam_ends(name: str) -> dict:
+    """By vertex of the model and seam, of each side: the piece, the points of the sew line from there, the angle."""
+    found = collections.defaultdict(list)
+    for piece, flat in zip(sample(name).pieces, flattened(name).pieces, strict=True):
+        boundary = np.isin(flat.source_vertex, np.concatenate([each.vertices for each in flat.boundaries]))
+        sew = np.concatenate([line.points for line in piece.of_role("sew")])
+        places = 1000 * flat.vertices + sew.min(axis=0) - 1000 * flat.vertices[boundary].min(axis=0)
+        for line in piece.of_role("sew"):
+            for points in (line.points, line.points[::-1]) if line.seam is not None and not line.closed else ():
+                row = int(np.linalg.norm(places - points[0], axis=1).argmin())
+                assert np.linalg.norm(places[row] - points[0]) < 1e-6
+                angle = angle_inside(sew_polygon(piece), points[0])
+                found[int(flat.source_vertex[row]), line.seam].append((piece, points, angle))
+    return found
+
+
+def angle_inside(outline: shapely.Polygon, place: np.ndarray) -> float:
+    """Degrees, from the share of a small circle that the piece covers."""
+    circle = shapely.Point(place).buffer(0.5, quad_segs=64)
+    return 360 * circle.intersection(outline).area / circle.area
+
+
+def lines_from(piece: PatternPiece, place: np.ndarray) -> list:
+    """The seams that end there, None for an outline, and their points from there."""
+    lines = [line for line in piece.of_role("sew") if not line.closed]
+    ways = [(line.seam, points) for line in lines for points in (line.points, line.points[::-1])]
+    return [(seam, points) for seam, points in ways if np.allclose(points[0], place, rtol=0, atol=1e-9)]
+
+
+def is_straight(points: np.ndarray) -> bool:
+    line = shapely.LineString(points)
+    part = substring(line, 0, 2 * NEAR)
+    chord = shapely.LineString([part.coords[0], part.coords[-1]])
+    return line.length > 2 * NEAR and part.hausdorff_distance(chord) < 0.5
+
+
+def off_when_pressed(piece: PatternPiece, points: np.ndarray) -> tuple[float, float]:
+    """Square millimeters of the allowance that stick out of the piece it is folded back onto, and that are missing."""
+    cut, end = cut_polygon(piece), points[0]
+    other = np.array(shapely.LineString(points).interpolate(NEAR).coords[0])
+    along = (end - other) / NEAR
+    outward = np.array([along[1], -along[0]])
+    if sew_polygon(piece).contains(shapely.Point((end + other) / 2 + 0.5 * outward)):
+        outward = -outward
+
+    def beside(reach: float) -> shapely.Polygon:
+        far = end + 99 * along
+        strip = shapely.Polygon([other, far, far + reach * outward, other + reach * outward])
+        found = cut.intersection(strip).intersection(shapely.Point(end).buffer(40))
+        return max(getattr(found, "geoms", [found]), key=lambda part: part.area)
+
+    allowance = np.array(beside(30).exterior.coords)
+    folded = shapely.Polygon(allowance - 2 * ((allowance - end) @ outward)[:, None] * outward)
+    return folded.difference(cut).area, beside(-9.9).difference(folded).area  # 10 mm wide
+
+
+@pytest.mark.parametrize(("name", "count"), [("Cushion", 8), ("Armchair cover", 4)])
+def test_both_allowances_of_a_seam_end_on_the_line_that_crosses_it(name, count):
+    ends = seam_ends(name)
+    turns = {place: abs(sum(angle for *_, angle in sides) - 180) for place, sides in ends.items() if len(sides) == 2}
+    checked = 0
+    for _, group in itertools.groupby(sorted(turns), key=lambda place: place[0]):
+        first, *others = sorted(group, key=turns.get)
+        is_first = turns[first] < STRAIGHT and all(turns[other] > turns[first] + OTHERS for other in others)
+        around = [line for piece, points, _ in ends[first] for line in lines_from(piece, points[0])]
+        if is_first and all(seam is not None and is_straight(points) for seam, points in around):
+            checked += 1
+            for piece, points, _ in ends[first]:
+                sticks_out, is_missing = off_when_pressed(piece, points)
+                assert sticks_out < 0.5 and is_missing < 0.5  # with mitres 6 to 10
+    assert checked == count
+
+
+@pytest.mark.parametrize("name", ["Fitted top", "Hat", "Jeans", "Toy"])
+def test_both_sides_of_a_seam_have_one_length(name):
+    lengths = collections.defaultdict(list)
+    for piece in sample(name).pieces:
+        for line in piece.of_role("sew"):
+            if line.seam is not None:
+                lengths[line.seam].append(line_string(line).length)
+    assert all(len(own) == 2 and own[0] == pytest.approx(own[1], rel=1e-9) for own in lengths.values())
