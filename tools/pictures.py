@@ -11,13 +11,14 @@ from tools.package import BUILD_APT, package_legacy
 PILLOW = "pillow==13.0.0"
 GUIDE = ROOT / "docs" / "guide"  # the scripts and the pictures
 SCRIPT = GUIDE / "take_pictures.py"
-TOURS = ("mark", "flat", "report", "tube", "contradiction", "pieces", "export")
+TOURS = ("mark", "flat", "report", "tube", "contradiction", "pieces", "allowance", "pages", "export")
+PRINTED = {"sheet": ("sheets", 6, 60), "marker": ("marker", 1, 20)}  # of which file which page, dots an inch
 SECONDS = 600.0  # for a slow machine; a tour takes about ten
 
 
 def pictures() -> None:
     """Takes all anew; none is replaced before all are there."""
-    require_apt(*BUILD_APT, *BLENDER_APT, *WINDOW_APT, "librsvg2-bin")
+    require_apt(*BUILD_APT, *BLENDER_APT, *WINDOW_APT, "librsvg2-bin", "poppler-utils")
     zip_file = package_legacy()
     taken = BUILD / "pictures"
     shutil.rmtree(taken, ignore_errors=True)
@@ -31,4 +32,7 @@ def pictures() -> None:
             raise StepError(f"the tour {name} of {SCRIPT.name} failed; its last picture is in {taken}")
     paper = ["--width", "1300", "--background-color", "white", "--stylesheet", str(GUIDE / "paper.css")]
     run(["rsvg-convert", *paper, taken / "pattern.svg", "-o", taken / "pattern.png"])
+    for name, (file, page, dots) in PRINTED.items():
+        shown = ["-png", "-singlefile", "-r", str(dots), "-f", str(page), "-l", str(page)]
+        run(["pdftoppm", *shown, taken / f"{file}.pdf", taken / name])
     run([venv("pictures", DEBIAN_PYTHON, PILLOW), GUIDE / "shrink_pictures.py", taken, GUIDE])

@@ -208,6 +208,68 @@ def pieces() -> drive.Tour:
     yield from take_picture("pieces", PIECES)
 
 
+def show_pieces_from_above() -> drive.Tour:
+    """Alone, and chosen."""
+    source = bpy.context.object
+    flat_pieces = bpy.data.objects["Fitted top Flat"]
+    source.hide_set(True)
+    bpy.context.view_layer.objects.active = flat_pieces
+    flat_pieces.select_set(True)
+    look(Euler((0.0, 0.0, 0.0)))
+    yield from drive.ticks(10)
+    with drive.in_view():
+        bpy.ops.view3d.view_all()
+    yield from drive.ticks(40)
+
+
+def allowance() -> drive.Tour:
+    """30 mm at the hem, and 20 mm on the sleeves' side of the armholes, just marked on the pieces."""
+    yield from open_sample("flatten", "mark", "pieces")
+    bpy.context.scene.wirewarp.spacing = 70.0
+    yield from flatten()
+    source = bpy.context.object
+    low = min(vertex.co.z for vertex in source.data.vertices)
+    select_edges(lambda a, b: max(a.z, b.z) < low + 0.001)
+    with drive.in_view():
+        bpy.ops.mesh.wirewarp_allowance(kind="HEM")
+        bpy.ops.object.mode_set(mode="OBJECT")
+    yield from show_pieces_from_above()
+    flat_pieces = bpy.context.object
+    with drive.in_view():
+        bpy.ops.object.mode_set(mode="EDIT")
+        bpy.context.tool_settings.mesh_select_mode = (False, True, False)
+        bpy.ops.mesh.select_all(action="DESELECT")
+    edit = bmesh.from_edit_mesh(flat_pieces.data)
+    seam, piece = edit.edges.layers.int["wirewarp_seam"], edit.faces.layers.int["piece"]
+    names = [each.name for each in source.wirewarp_pieces]
+    sleeves = {index for index, name in enumerate(names) if name in {"Left", "Right"}}
+    others = {edge[seam] for edge in edit.edges if edge.is_boundary and edge.link_faces[0][piece] not in sleeves}
+    for edge in edit.edges:
+        is_sleeve = edge.is_boundary and edge.link_faces[0][piece] in sleeves
+        edge.select = is_sleeve and edge[seam] != 0 and edge[seam] in others
+    edit.select_flush_mode()
+    bmesh.update_edit_mesh(flat_pieces.data)
+    with drive.in_view():
+        bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=20.0)
+        bpy.ops.object.mode_set(mode="OBJECT")
+    yield from drive.ticks(40)
+    yield from take_picture("allowance", PIECES)
+
+
+def pages() -> drive.Tour:
+    yield from open_sample("flatten", "pieces")
+    yield from flatten()
+    settings = bpy.context.scene.wirewarp
+    settings.show_pages, settings.arrangement = True, "AS_LAID_OUT"
+    yield from show_pieces_from_above()
+    yield from take_picture("pages", PIECES)
+    folder = Path(os.environ["WIREWARP_PICTURES"])
+    with drive.in_view():
+        bpy.ops.object.wirewarp_export(filepath=str(folder / "sheets.pdf"), paper="A4", arrangement="IN_ROWS")
+        marker = {"arrangement": "MARKER", "cloth_width": 1400.0, "grain": "BOTH_WAYS", "seconds": 10}
+        bpy.ops.object.wirewarp_export(filepath=str(folder / "marker.pdf"), **marker)
+
+
 def export() -> drive.Tour:
     yield from open_sample("flatten", "pieces")
     yield from flatten()

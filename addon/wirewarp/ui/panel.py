@@ -19,7 +19,10 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
             return
         model = model_of(active)
         if model:
-            sentence = f'These are the flat pieces of "{model.name}". Select it to mark seams and wires.'
+            sentence = (
+                f'These are the flat pieces of "{model.name}". Select it to mark seams and wires; in Edit Mode here, mark '
+                "allowances of one side."
+            )
             if is_deleted(model):
                 draw_sentence(context, layout, f"These are flat pieces. {DELETED.format(model.name)}", "ERROR")
             else:
