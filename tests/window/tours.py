@@ -137,6 +137,34 @@ def report_shows_the_place() -> drive.Tour:
             bpy.ops.object.mode_set(mode="OBJECT")
 
 
+def report_turns_the_view_to_what_is_on_the_back() -> drive.Tour:
+    """And leaves it as it is where all can be seen; flat pieces are looked at from above."""
+    source = grid("Bump", bump)
+    mark_seam(source, on_line(0, 0.0))
+    remember()
+    yield from flatten()
+    view = drive.view_area().spaces.active.region_3d
+    for target, from_above in ((source, True), (source, False), (flat_of(source), False)):
+        with drive.in_view():
+            bpy.context.view_layer.objects.active = target
+            bpy.ops.view3d.view_axis(type="TOP" if from_above else "BOTTOM")
+        yield from drive.ticks(40)  # the view turns smoothly
+        before = view.view_rotation.copy()
+        with drive.in_view():
+            bpy.ops.mesh.wirewarp_select_result("INVOKE_DEFAULT", True, what="PIECE", index=0)
+        yield from drive.ticks(10)
+        assert view.view_rotation.to_matrix().col[2].z > 0.3
+        assert (view.view_rotation.rotation_difference(before).angle < 1e-3) == from_above
+        selected = [target.matrix_world @ vertex.co for vertex in target.data.vertices if vertex.select]
+        assert selected
+        sidebar = drive.region("UI").width / drive.region("WINDOW").width
+        for place in selected:
+            x, y, _, w = view.perspective_matrix @ place.to_4d()
+            assert abs(y) < w and -w < x < (1 - 2 * sidebar) * w + 1e-6
+        with drive.in_view():
+            bpy.ops.object.mode_set(mode="OBJECT")
+
+
 def copies_the_report() -> drive.Tour:
     """As a table to the clipboard, of which there is none without a window."""
     source = grid("Bump", bump)

@@ -10,10 +10,12 @@ from ..issues import changed_error, object_error
 from ..pattern.chains import edge_keys
 from .mesh import corner_edges, current_mesh, edge_vertices, face_sizes, read
 from .objects import check_local
-from .views import work_area
+from .views import show_place, work_area
 
 Indices = Sequence[int] | np.ndarray  # (k,)
 Pairs = Sequence[tuple[int, int]] | np.ndarray  # (k,2) vertices
+
+LEAST_SHARE = 0.3  # of the size of an object: nearer, a single face says nothing of where it is
 
 
 def select_elements(
@@ -55,18 +57,25 @@ def select_elements(
         elements.foreach_set("select", mask)
         hidden = read(elements, "hide", bool)
         elements.foreach_set("hide", hidden & ~mask)
+    if vertex_mask.any():
+        _frame(context, target, vertex_mask)
     bpy.ops.object.mode_set(mode="EDIT")
-    _frame(context)
 
 
-def _frame(context: bpy.types.Context) -> None:
+def _frame(context: bpy.types.Context, target: bpy.types.Object, vertex_mask: np.ndarray) -> None:
     """Moves the 3D view that the button is in, or the largest there is; without a window there is none."""
     area = work_area(context)
     if area is None:
         return
-    region = next(region for region in area.regions if region.type == "WINDOW")
-    with context.temp_override(area=area, region=region):
-        bpy.ops.view3d.view_selected()
+    matrix = np.array(target.matrix_world)
+    linear = matrix[:3, :3]
+    places = read(target.data.vertices, "co", np.float32, 3)[vertex_mask] @ linear.T + matrix[:3, 3]
+    normals = read(target.data.vertices, "normal", np.float32, 3)[vertex_mask]
+    if not target.dimensions.z:
+        normals = np.abs(normals)  # flat pieces, mirrored or not, are looked at from above
+    normals = normals @ np.linalg.pinv(linear)
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(np.float32).tiny)
+    show_place(context, area, places, normals, LEAST_SHARE * max(target.dimensions))
 
 
 def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:

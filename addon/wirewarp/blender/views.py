@@ -10,6 +10,8 @@ import numpy as np
 from mathutils import Quaternion, Vector
 
 MARGIN = 1.15  # so much more is seen than the points
+ONE_SIDE = 0.3  # length of the mean normal of what has one side that can be looked at; a ring around a body has none
+SEEN = 0.3  # cosine of the angle between that normal and the way to the eye, from which on it can be seen well
 LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)  # of the eye above what lies flat
 
 
@@ -67,12 +69,41 @@ def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
 
 def show_objects(context: bpy.types.Context, area: bpy.types.Area, objects: Sequence[bpy.types.Object]) -> None:
     """Moves this 3D view so that all of the objects are in sight, and what lies flat is no line."""
-    view, region = area.spaces.active.region_3d, next(each for each in area.regions if each.type == "WINDOW")
+    view = _free_view(area)
+    _rise(view)
+    corners = [target.matrix_world @ Vector(corner) for target in objects for corner in target.bound_box]
+    _look_at(context, area, np.array(corners))
+
+
+def show_place(
+    context: bpy.types.Context, area: bpy.types.Area, points: np.ndarray, normals: np.ndarray, least: float
+) -> None:
+    """Moves this 3D view so that the points (n,3) of a surface are in sight, and turns it if they were on the back.
+
+    normals (n,3): of the surface there; least: how much is seen in any case, so that one knows where it is.
+    """
+    view = _free_view(area)
+    normal = Vector(normals.mean(axis=0))
+    toward = view.view_rotation.to_matrix().col[2]
+    if normal.length > ONE_SIDE and normal.normalized().dot(toward) < SEEN:
+        view.view_rotation = normal.to_track_quat("Z", "Y")
+        view.update()
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    _look_at(context, area, np.concatenate([points, middle + least / 2 * np.eye(3), middle - least / 2 * np.eye(3)]))
+
+
+def _free_view(area: bpy.types.Area) -> bpy.types.RegionView3D:
+    """That of the area, and not through its camera."""
+    view = area.spaces.active.region_3d
     if view.view_perspective == "CAMERA":
         view.view_perspective = "PERSP"
         view.update()
-    _rise(view)
-    corners = [target.matrix_world @ Vector(corner) for target in objects for corner in target.bound_box]
+    return view
+
+
+def _look_at(context: bpy.types.Context, area: bpy.types.Area, points: np.ndarray) -> None:
+    """From where the view looks now."""
+    view, region = area.spaces.active.region_3d, next(each for each in area.regions if each.type == "WINDOW")
     is_perspective = view.view_perspective == "PERSP"
     projection = Projection(
         axes=np.array(view.view_rotation.to_matrix()),
@@ -81,7 +112,7 @@ def show_objects(context: bpy.types.Context, area: bpy.types.Area, objects: Sequ
         is_perspective=is_perspective,
         covered=_covered(context, area) / region.width,
     )
-    middle, distance = fit(np.array(corners), projection)
+    middle, distance = fit(points, projection)
     view.view_location = middle
     view.view_distance = distance if is_perspective else distance * view.view_distance
 
