@@ -65,7 +65,7 @@ def select_elements(
 def _frame(context: bpy.types.Context, target: bpy.types.Object, vertex_mask: np.ndarray) -> None:
     """Moves the 3D view that the button is in, or the largest there is; without a window there is none."""
     area = work_area(context)
-    if area is None:
+    if area is None or bpy.app.background:  # where the views of the file are not drawn, and cannot be turned
         return
     matrix = np.array(target.matrix_world)
     linear = matrix[:3, :3]
