@@ -67,7 +67,7 @@ void flatten_by_warping(const Chart& chart, const Run& run, const StopToken& sto
   WireNetwork network;
   {
     const StageTimer timer(seconds, "wires");
-    split = process_topology(chart);  // III
+    split = process_topology(chart, stop.in("wires"));  // III
     network = build_wire_network(split ? *split : chart);
     solved.network = split ? build_wire_network(chart) : network;
   }

@@ -4,14 +4,17 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "cholesky/eliminate_fronts.h"
 #include "cholesky/multifrontal_cholesky.h"
 #include "cholesky_problems.h"
 #include "count_allocations.h"
@@ -193,6 +196,51 @@ TEST(MultifrontalCholesky, SolvesOnlyWithAFactor) {
   const Eigen::MatrixXd expected = solve(problem, b);
   cholesky.solve_in_place(b);
   EXPECT_EQ(b, expected);
+}
+
+/// Chains of blocks, each joined to the next vertex by vertex: few entries, large fronts. The tree is not found.
+struct Chains {
+  static constexpr int block = 400, length = 24, number = 2;
+
+  Chains() : lower(number * length * block, number * length * block) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int node = 0; node < number * length; ++node) {
+      const bool is_root = node % length == length - 1;
+      tree.nodes.push_back({std::vector<int>(block), is_root ? -1 : node + 1});
+      std::iota(tree.nodes.back().vertices.begin(), tree.nodes.back().vertices.end(), node * block);
+      for (const int v : tree.nodes.back().vertices) {
+        entries.emplace_back(v, v, 3);
+        if (!is_root) entries.emplace_back(v + block, v, -1);
+      }
+    }
+    lower.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  SparseMatrix lower;
+  DissectionTree tree;
+};
+
+TEST(MultifrontalCholesky, AsksAfterSoMuchWorkWhetherToGoOn) {
+  const Chains chains;
+  const double m = Chains::block / kTile;  // tiles of pivots, and of rows below them
+  const double work_of_a_chain = (Chains::length - 1) * (m * m * m / 6 + m * m * m / 2 + m * m * m / 2);
+  for (const bool in_threads : {false, true}) {
+    MultifrontalCholesky cholesky(chains.lower, chains.tree, 1, in_threads);
+    int asked = 0, last = 1'000'000;
+    const StopToken stop([&, caller = std::this_thread::get_id()](const char*) {
+      EXPECT_EQ(std::this_thread::get_id(), caller);
+      return ++asked < last;
+    });
+    EXPECT_TRUE(cholesky.factorize(chains.lower, stop));
+    EXPECT_GE(asked, std::floor(work_of_a_chain / (kWorkPerQuestion + 2 * m * m * m)));
+    EXPECT_GE(asked, 2);
+    asked = 0;
+    last = 1;
+    EXPECT_FALSE(cholesky.factorize(chains.lower, stop));
+    EXPECT_EQ(asked, 1);
+    Eigen::MatrixXd b = Eigen::MatrixXd::Ones(chains.lower.rows(), 1);
+    EXPECT_THROW(cholesky.solve_in_place(b), std::logic_error);
+  }
 }
 
 TEST(MultifrontalCholesky, PartialSolvesEqualTheFullOne) {

@@ -106,7 +106,8 @@ TEST(EmbedPath, DelaunayFlipsStayInsideOneInputFace) {
   SplitChart refined(plate.chart);
   const auto path = snap_to_vertices(plate.chart.mesh, refined.wires, plate.trace(2, 4, 0.4));
   add_helper_wire(refined, embed_path(refined, *path));
-  restore_delaunay(refined);
+  WorkMeter work{StopToken()};
+  restore_delaunay(refined, work);
   const HalfEdgeMesh& mesh = refined.chart.mesh;
   EXPECT_NEAR(area(mesh), 64, 1e-12);
   std::vector<double> face_area(plate.chart.mesh.n_faces(), 0);
@@ -126,7 +127,8 @@ TEST(EmbedPath, InsideAnInputFaceTheTrianglesAreDelaunay) {
     const auto path = snap_to_vertices(plate.chart.mesh, WireMask(plate.chart), plate.trace(3, 4, angle));
     SplitChart one(plate.chart);
     add_helper_wire(one, embed_path(one, *path));
-    restore_delaunay(one);
+    WorkMeter work{StopToken()};
+    restore_delaunay(one, work);
     for (const EdgeHandle e : one.chart.mesh.edges()) {
       const HalfedgeHandle h = one.chart.mesh.halfedge_handle(e, 0);
       const HalfedgeHandle o = one.chart.mesh.opposite_halfedge_handle(h);

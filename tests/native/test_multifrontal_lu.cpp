@@ -53,7 +53,7 @@ TEST(MultifrontalLu, SolvesWithTheMatrixAndItsTranspose) {
     const Matrix& a = problem.matrix;
     const Positions2 b = random_columns(a.rows(), 1);
     for (const FrontKernels* kernels : all_kernels) {
-      const MultifrontalLu lu(a, problem.positions, false, *kernels);
+      const MultifrontalLu lu(a, problem.positions, false, {}, *kernels);
       Positions2 x = b;
       lu.solve(x);
       EXPECT_LT((a * x - b).cwiseAbs().maxCoeff(), 1e-13 * (1 + x.cwiseAbs().maxCoeff())) << n;

@@ -9,6 +9,7 @@
 #include "mesh/overlap.h"
 #include "packing/pack_boxes.h"
 #include "test_meshes.h"
+#include "topology/process_topology.h"
 #include "work_meter.h"
 
 namespace wirewarp {
@@ -96,6 +97,23 @@ TEST(Questions, AreAskedWhileBoxesArePacked) {
   Asked asked;
   pack_boxes(sizes, 0.1, asked.stop);
   EXPECT_GE(asked.times, 16 * sizes.rows() / static_cast<int>(WorkMeter::work_per_question));
+}
+
+TEST(Questions, AreAskedWhileWiresAreExtended) {
+  const int n = 41, num_wires = 30;
+  FlattenInput input = test::flat_rectangle(n - 1, n - 1, 1, 1);
+  for (int i = 0; i < num_wires; ++i) {  // of one edge, far from each other: one end of each is extended at least
+    const int v = 3 + 6 * (i % 6) + n * (3 + 7 * (i / 6));
+    test::add_wire(input, {v, v + n});
+  }
+  const Charts charts = test::charts_of(input);
+  Asked asked;
+  EXPECT_TRUE(process_topology(charts.charts.at(0), asked.stop));
+  EXPECT_GE(asked.times, num_wires * n * n / static_cast<int>(WorkMeter::work_per_question));
+  Asked refused;
+  refused.limit = 2;
+  EXPECT_THROW(process_topology(charts.charts.at(0), refused.stop), Stopped);
+  EXPECT_EQ(refused.times, 2);
 }
 
 TEST(Questions, ANoAtOnceCancels) {

@@ -147,12 +147,17 @@ TEST(Warp, AsksBeforeEachFactorizationAndGoesNoFurther) {
                 StopToken([&](const char*) { return ++questions <= answers; }));
   };
   Warp warp = new_warp();
+  const int in_constructor = questions;
   const Eigen::VectorXd h = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chart.wire_parts.size()));
   warp.gradient(warp(h));
   const int whole = questions;
   EXPECT_GE(whole, warp.inner_factorizations());
   for (answers = 0; answers < whole; ++answers) {
     questions = 0;
+    if (answers < in_constructor) {
+      EXPECT_THROW(new_warp(), Stopped);
+      continue;
+    }
     Warp stopped = new_warp();
     EXPECT_THROW(stopped.gradient(stopped(h)), Stopped);
     EXPECT_LE(stopped.inner_factorizations(), answers);

@@ -28,11 +28,14 @@ class GlobalStep {
  public:
   /// Doubling one diagonal entry of K holds its vertex: the entries of a gradient sum to 0, so the vertex does not
   /// move. positions: for the order of elimination.
-  GlobalStep(Eigen::SparseMatrix<double> hessian, const Positions2& positions)
+  GlobalStep(Eigen::SparseMatrix<double> hessian, const Positions2& positions, const StopToken& stop)
       : cholesky_(hessian, nested_dissection(graph_of(hessian, 1), positions), 1, has_second_core()) {
     hessian.coeffRef(0, 0) *= 2;
     hessian.diagonal() *= 1 + kRegularization;
-    if (!cholesky_.factorize(hessian)) throw FactorizationFailed("GlobalStep: the Laplacian is not positive definite");
+    stop.check();
+    const bool is_positive = cholesky_.factorize(hessian, stop);
+    if (stop.is_stopped()) throw Stopped();
+    if (!is_positive) throw FactorizationFailed("GlobalStep: the Laplacian is not positive definite");
   }
 
   /// K⁻¹ b.
@@ -60,11 +63,12 @@ double step_length(const ShapeError& shape_error, const FreeBoundaryArap& flat, 
 FreeBoundaryArap free_boundary_arap(const Chart& chart, int max_iterations, const std::optional<Positions2>& start,
                                     const StopToken& stop) {
   FreeBoundaryArap flat;
-  flat.uv = start ? *start : tutte_embedding(chart);
+  flat.uv = start ? *start : tutte_embedding(chart, stop);
   if (enclosed_area(chart, flat.uv) < 0) flat.uv.col(0) *= -1;
 
+  stop.check();
   const ShapeError shape_error(chart);
-  const GlobalStep global_step(shape_error.fixed_rotation_hessian(), flat.uv);
+  const GlobalStep global_step(shape_error.fixed_rotation_hessian(), flat.uv, stop);
   flat.factorizations = start ? 1 : 2;
 
   Positions2 gradient, other_gradient = Positions2::Zero(flat.uv.rows(), 2);  // before, then after a step

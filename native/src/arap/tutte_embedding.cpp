@@ -48,7 +48,7 @@ class Springs {
   }
 
   /// Where all springs are at rest. layout: any that tells near points from far ones, for the order of elimination.
-  void relax(const Positions2& layout) {
+  void relax(const Positions2& layout, const StopToken& stop) {
     if (x_.rows() == 0) return;
     Eigen::SparseMatrix<double> stiffness(x_.rows(), x_.rows());
     stiffness.setFromTriplets(entries_.begin(), entries_.end());
@@ -58,7 +58,10 @@ class Springs {
     }
     MultifrontalCholesky cholesky(stiffness, nested_dissection(graph_of(stiffness, 1), free_layout), 1,
                                   has_second_core());
-    if (!cholesky.factorize(stiffness)) throw FactorizationFailed("tutte_embedding: the springs are not stable");
+    stop.check();
+    const bool is_stable = cholesky.factorize(stiffness, stop);
+    if (stop.is_stopped()) throw Stopped();
+    if (!is_stable) throw FactorizationFailed("tutte_embedding: the springs are not stable");
     cholesky.solve_in_place(x_);
     for (Eigen::Index v = 0; v < uv_.rows(); ++v) {
       if (row_of_point_[v] >= 0) uv_.row(v) = x_.row(row_of_point_[v]);
@@ -111,7 +114,7 @@ Eigen::RowVector2d middle_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop
 
 }  // namespace
 
-Positions2 tutte_embedding(const Chart& chart) {
+Positions2 tutte_embedding(const Chart& chart, const StopToken& stop) {
   const HalfEdgeMesh& mesh = chart.mesh;
   const auto num_vertices = static_cast<int>(mesh.n_vertices());
   Positions2 uv(num_vertices, 2);
@@ -127,7 +130,7 @@ Positions2 tutte_embedding(const Chart& chart) {
     add_cone(mesh, chart.boundary_loops[hole + 1], apex, springs);
     layout.row(apex) = middle_of(mesh, chart.boundary_loops[hole + 1], layout);
   }
-  springs.relax(layout);
+  springs.relax(layout, stop);
   return uv;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "charts/chart.h"
+#include "stop_token.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
@@ -14,6 +15,6 @@ namespace wirewarp {
 /// triangulated disk and its outline a strictly convex polygon, so no triangle is flipped (M. S. Floater, One-to-one
 /// piecewise linear mappings over triangulations, Mathematics of Computation 72 (2003), 685-696). One row per chart
 /// vertex, scene units. Throws FactorizationFailed if rounding leaves the springs unstable.
-Positions2 tutte_embedding(const Chart& chart);
+Positions2 tutte_embedding(const Chart& chart, const StopToken& stop = {});
 
 }  // namespace wirewarp

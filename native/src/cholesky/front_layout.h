@@ -27,6 +27,12 @@ struct Front {
   int first_row;          // in FrontLayout::rows_in_parent; likewise
   std::size_t panel = 0;  // first tile, among all panels
   std::size_t schur = 0;  // first tile, in the space for Schur complements
+
+  /// Multiplications of tiles that its elimination takes, about.
+  double work() const {
+    const double m = pivot_tiles, r = row_tiles;
+    return m * m * m / 6 + m * m * r / 2 + m * r * r / 2 + (m + r) * (m + r);
+  }
 };
 
 /// Where a stored entry of the matrix goes: panel entry `place` += values[source].

@@ -16,11 +16,11 @@ MultifrontalCholesky::MultifrontalCholesky(const Eigen::SparseMatrix<double>& lo
       factor_(new Tile[layout_.panel_tiles]),
       schurs_(new Tile[layout_.schur_tiles]) {}
 
-bool MultifrontalCholesky::factorize(const Eigen::SparseMatrix<double>& lower) {
+bool MultifrontalCholesky::factorize(const Eigen::SparseMatrix<double>& lower, const StopToken& stop) {
   if (lower.rows() != layout_.num_unknowns || static_cast<std::size_t>(lower.nonZeros()) != layout_.entries.size()) {
     throw std::invalid_argument("multifrontal Cholesky: the matrix has another pattern");
   }
-  positive_definite_ = eliminate_fronts(layout_, in_threads_, [&](int f) {
+  positive_definite_ = eliminate_fronts(layout_, in_threads_, stop, [&](int f) {
     const Front& front = layout_.fronts[f];
     assemble_front(layout_, f, lower.valuePtr(), factor_.get(), schurs_.get());
     return kernels_->factor(&factor_[front.panel], &schurs_[front.schur], front.pivot_tiles, front.row_tiles);

@@ -19,6 +19,7 @@
 #include "cholesky/front_layout.h"
 #include "cholesky/nested_dissection.h"
 #include "cholesky/substitution.h"
+#include "stop_token.h"
 
 namespace wirewarp {
 
@@ -33,9 +34,10 @@ class MultifrontalCholesky {
   MultifrontalCholesky(const MultifrontalCholesky&) = delete;  // substitution_ refers to layout_
   MultifrontalCholesky& operator=(const MultifrontalCholesky&) = delete;
 
-  /// New values on the same pattern. False if the matrix is not positive definite: a pivot was not a positive finite
-  /// number; then there is no factor to solve with. Throws std::invalid_argument at a different number of entries.
-  [[nodiscard]] bool factorize(const Eigen::SparseMatrix<double>& lower);
+  /// New values on the same pattern. False if the matrix is not positive definite, a pivot not being a positive finite
+  /// number, or if the caller stops; then there is no factor to solve with. Throws std::invalid_argument at a different
+  /// number of entries.
+  [[nodiscard]] bool factorize(const Eigen::SparseMatrix<double>& lower, const StopToken& stop = {});
 
   /// b := A⁻¹ b, right-hand sides in columns, four at a time. Throws std::logic_error without a factor.
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const;

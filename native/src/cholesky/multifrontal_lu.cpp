@@ -49,24 +49,26 @@ struct MultifrontalLu::Triangles {
   DissectionTree tree;
 };
 
-MultifrontalLu::MultifrontalLu(const Matrix& a, const Positions2& positions, bool in_threads,
+MultifrontalLu::MultifrontalLu(const Matrix& a, const Positions2& positions, bool in_threads, const StopToken& stop,
                                const FrontKernels& kernels)
-    : MultifrontalLu(Triangles(a, positions), in_threads, kernels) {}
+    : MultifrontalLu(Triangles(a, positions), in_threads, stop, kernels) {}
 
-MultifrontalLu::MultifrontalLu(const Triangles& a, bool in_threads, const FrontKernels& kernels)
+MultifrontalLu::MultifrontalLu(const Triangles& a, bool in_threads, const StopToken& stop, const FrontKernels& kernels)
     : layout_(lay_out_fronts(a.lower, a.tree, 1)),
       substitution_(layout_, in_threads, kernels),
       lower_(new Tile[layout_.panel_tiles]),
       upper_(new Tile[layout_.panel_tiles]) {
+  stop.check();
   const Tiles lower_schurs(new Tile[layout_.schur_tiles]);
   const Tiles upper_schurs(new Tile[layout_.schur_tiles]);
-  const bool is_factored = eliminate_fronts(layout_, in_threads, [&](int f) {
+  const bool is_factored = eliminate_fronts(layout_, in_threads, stop, [&](int f) {
     const Front& front = layout_.fronts[f];
     assemble_front(layout_, f, a.lower.valuePtr(), lower_.get(), lower_schurs.get());
     assemble_front(layout_, f, a.upper.valuePtr(), upper_.get(), upper_schurs.get());
     return kernels.factor_lu(&lower_[front.panel], &lower_schurs[front.schur], &upper_[front.panel],
                              &upper_schurs[front.schur], front.pivot_tiles, front.row_tiles);
   });
+  stop.check();
   if (!is_factored) throw FactorizationFailed("multifrontal LU: a pivot is not positive");
 }
 

@@ -11,6 +11,7 @@
 #include "cholesky/front_kernels.h"
 #include "cholesky/front_layout.h"
 #include "cholesky/substitution.h"
+#include "stop_token.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
@@ -20,10 +21,10 @@ class MultifrontalLu {
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
   /// Factors a square matrix whose pattern is symmetric. positions: one per row, for nested_dissection().
-  /// in_threads: as in MultifrontalCholesky.
+  /// in_threads: as in MultifrontalCholesky. Throws Stopped.
   /// Throws FactorizationFailed at a pivot that is not a positive finite number: then a is singular or no
   /// row-diagonally-dominant M-matrix. Throws std::invalid_argument if its pattern is not symmetric.
-  MultifrontalLu(const Matrix& a, const Positions2& positions, bool in_threads = false,
+  MultifrontalLu(const Matrix& a, const Positions2& positions, bool in_threads = false, const StopToken& stop = {},
                  const FrontKernels& kernels = fastest_kernels());
   MultifrontalLu(const MultifrontalLu&) = delete;  // substitution_ refers to layout_
   MultifrontalLu& operator=(const MultifrontalLu&) = delete;
@@ -39,7 +40,7 @@ class MultifrontalLu {
 
   struct Triangles;
 
-  MultifrontalLu(const Triangles& a, bool in_threads, const FrontKernels& kernels);
+  MultifrontalLu(const Triangles& a, bool in_threads, const StopToken& stop, const FrontKernels& kernels);
   void substitute(const Tiles& forward, const Tiles& back, Positions2& b) const;
 
   FrontLayout layout_;

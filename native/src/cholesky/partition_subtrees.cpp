@@ -14,12 +14,6 @@ constexpr int kMostSplits = 32;
 
 int num_fronts(const FrontLayout& layout) { return static_cast<int>(layout.fronts.size()) - 1; }
 
-/// Multiplications of tiles.
-double work(const Front& front) {
-  const double m = front.pivot_tiles, r = front.row_tiles;
-  return m * m * m / 6 + m * m * r / 2 + m * r * r / 2 + (m + r) * (m + r);
-}
-
 /// The work of each front with all its descendants, and the first of them.
 struct Subtree {
   double work;
@@ -29,7 +23,7 @@ struct Subtree {
 std::vector<Subtree> subtrees(const FrontLayout& layout) {
   std::vector<Subtree> result;
   for (int f = 0; f < num_fronts(layout); ++f) {
-    result.push_back({work(layout.fronts[f]), f});
+    result.push_back({layout.fronts[f].work(), f});
     for (int c = layout.fronts[f].first_child; c < layout.fronts[f + 1].first_child; ++c) {
       const Subtree& child = result[layout.children[c]];
       result.back().work += child.work;
@@ -73,7 +67,7 @@ void partition_subtrees(FrontLayout& layout) {
     const auto heaviest =
         std::max_element(roots.begin(), roots.end(), [&](int a, int b) { return trees[a].work < trees[b].work; });
     const Front* front = &layout.fronts[*heaviest];
-    time_of_last += work(*front);
+    time_of_last += front->work();
     last.push_back(*heaviest);
     roots.erase(heaviest);
     roots.insert(roots.end(), layout.children.begin() + front[0].first_child,

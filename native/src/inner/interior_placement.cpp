@@ -23,7 +23,7 @@ std::vector<bool> vertices_on_network(const HalfEdgeMesh& mesh, const WireNetwor
 
 }  // namespace
 
-InteriorPlacement::InteriorPlacement(const Chart& chart, const WireNetwork& network) {
+InteriorPlacement::InteriorPlacement(const Chart& chart, const WireNetwork& network, const StopToken& stop) {
   const HalfEdgeMesh& mesh = chart.mesh;
   const std::vector<bool> on_network = vertices_on_network(mesh, network);
   std::vector<int> row_of_vertex(mesh.n_vertices(), -1);
@@ -57,7 +57,8 @@ InteriorPlacement::InteriorPlacement(const Chart& chart, const WireNetwork& netw
   matrix.finalize();
   to_network_.finalize();
   const Positions2 positions = project_to_principal_plane(points_of(mesh)(interior_, Eigen::all));
-  lu_.emplace(matrix, positions, has_second_core());
+  stop.check();
+  lu_.emplace(matrix, positions, has_second_core(), stop);
 }
 
 void InteriorPlacement::place(Positions2& uv) const {

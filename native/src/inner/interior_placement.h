@@ -14,6 +14,7 @@
 #include "charts/chart.h"
 #include "cholesky/multifrontal_lu.h"
 #include "network/wire_network.h"
+#include "stop_token.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
@@ -22,7 +23,7 @@ class InteriorPlacement {
  public:
   /// Factors I - W. Every vertex of the chart must be joined to the network, as in a connected chart with a boundary.
   /// Throws FactorizationFailed where rounding leaves a pivot that is not positive.
-  InteriorPlacement(const Chart& chart, const WireNetwork& network);
+  InteriorPlacement(const Chart& chart, const WireNetwork& network, const StopToken& stop = {});
 
   /// Fills the rows of uv (one per chart vertex) that are not on the network from those that are.
   void place(Positions2& uv) const;

@@ -18,14 +18,14 @@ Eigen::VectorXd edge_lengths(const WireNetwork& network) {
 
 }  // namespace
 
-Warp::Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner, StopToken stop)
+Warp::Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner, const StopToken& stop)
     : network_(network),
       num_vertices_(static_cast<int>(chart.mesh.n_vertices())),
       num_parts_(static_cast<int>(chart.wire_parts.size())),
       inner_(inner),
-      inner_problem_(network, node_weight, std::move(stop)),
+      inner_problem_(network, node_weight, stop),
       layout_(chart, network),
-      placement_(chart, network),
+      placement_(chart, network, stop),
       shape_error_(chart),
       rest_lengths_(edge_lengths(network)),
       area_(surface_area(chart.mesh)) {}

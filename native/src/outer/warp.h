@@ -24,7 +24,7 @@ class Warp {
  public:
   /// chart and network must outlive the warp. network: every wire-patch a disk (see process_topology).
   /// stop: checked before each step and factorization of Eq. (1).
-  Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner, StopToken stop = {});
+  Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner, const StopToken& stop = {});
 
   /// ψ(h). variation: h > -1, one per wire part of the chart; boundaries keep their length.
   WarpedShape operator()(const Eigen::VectorXd& variation);

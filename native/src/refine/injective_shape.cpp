@@ -35,7 +35,7 @@ std::optional<RefinementStart> reach_injectively(const Chart& chart, const WireN
                                                  const RefinementLimits& limits) {
   if (!limits.budget.allows()) return std::nullopt;
   Positions2 map = free_boundary_arap(chart, kFreeSteps, {}, limits.stop.in("start")).uv;
-  if (injectivity_of(chart, map) < limits.injectivity) map = tutte_embedding(chart);
+  if (injectivity_of(chart, map) < limits.injectivity) map = tutte_embedding(chart, limits.stop.in("start"));
   if (injectivity_of(chart, map) < limits.injectivity) return std::nullopt;  // rounding spoils the embedding
   RefinementLimits in_shape = limits;
   in_shape.stop = limits.stop.in("shape");
@@ -66,7 +66,7 @@ RefinedShape refine_injectively(const Chart& chart, const WireNetwork& network, 
 
 bool make_injective(const Chart& chart, const WireNetwork& network, double fairness, const RefinementLimits& limits,
                     RefinedShape& shape) {
-  if (!shape.is_exact) return false;
+  if (!shape.is_exact || !limits.stop.in("shape").may_go_on()) return false;
   bool is_other = false;
   Injectivity reached = injectivity_of(chart, shape.uv);
   for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {

@@ -100,7 +100,7 @@ MultiplierMethod::MultiplierMethod(const Chart& chart, const WireNetwork& networ
 void MultiplierMethod::linearize_near(const Positions2& uv) {
   system_.reset();
   objective_.emplace(chart_, network_, fairness_, limits_.injectivity, uv);
-  system_.emplace(chart_, *objective_, constraints_, uv);
+  system_.emplace(chart_, *objective_, constraints_, uv, limits_.stop);
   holding_stiffness_ = system_->stiffness();
 }
 
@@ -112,7 +112,9 @@ double MultiplierMethod::value(const Iterate& iterate) const {
 bool MultiplierMethod::factorize(const Eigen::VectorXd& multipliers) {
   limits_.stop.check();
   limits_.budget.spend(1);
-  return system_->factorize(now_.uv, multipliers, {Curvature::convex, false});
+  const bool is_positive = system_->factorize(now_.uv, multipliers, {Curvature::convex, false}, limits_.stop);
+  limits_.stop.check();
+  return is_positive;
 }
 
 /// With d eliminated a quadratic program in Δh is left: how ρ and the surface resist, and what the forces pull.

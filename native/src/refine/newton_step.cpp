@@ -108,6 +108,7 @@ StepOutcome reach_exact_lengths(RefineState& state, bool is_near_minimum) {
     const RefineIterate begin = state.now;
     move_along(step, state);
     const bool is_last = is_near_minimum && take_steps_with_factor(state, step.slope);
+    state.limits.stop.check();
     RefineIterate end = std::exchange(state.now, begin);
     const bool is_exact = state.evaluate(end);
     state.now = std::move(end);

@@ -99,7 +99,7 @@ Eigen::MatrixXd hessian_h(const Eigen::SparseMatrix<double>& lengths, const Eige
 }
 
 NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints,
-                           const Positions2& positions)
+                           const Positions2& positions, const StopToken& stop)
     : objective_(objective),
       constraints_(constraints),
       matrix_(static_cast<int>(chart.mesh.n_vertices()), coupled_vertices(objective)),
@@ -117,7 +117,10 @@ NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const 
   for (int v = 0; v < mass.size(); ++v) matrix_.add_diagonal(v, mass[v] * Eigen::Matrix2d::Identity());
   matrix_.add_diagonal(pinned_[0], kPin * Eigen::Matrix2d::Identity());
   constant_ = matrix_.values();
-  cholesky_.emplace(matrix_.lower(), nested_dissection(matrix_.graph(), positions), 2, has_second_core());
+  stop.check();
+  const DissectionTree tree = nested_dissection(matrix_.graph(), positions);
+  stop.check();
+  cholesky_.emplace(matrix_.lower(), tree, 2, has_second_core());
   std::vector<int> wire_vertices;
   for (const LengthConstraints::Edge& edge : constraints.edges()) {
     wire_vertices.push_back(edge.a);
@@ -149,10 +152,11 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
   matrix_.add_diagonal(pinned_[1], kPin * turn * turn.transpose());
 }
 
-bool NewtonSystem::factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity) {
+bool NewtonSystem::factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
+                             const StopToken& stop) {
   assemble(uv, multipliers, convexity, 1);
   ++num_factorizations_;
-  return cholesky_->factorize(matrix_.lower());
+  return cholesky_->factorize(matrix_.lower(), stop);
 }
 
 Eigen::SparseMatrix<double> NewtonSystem::hessian(const Positions2& uv, const Eigen::VectorXd& multipliers,

@@ -38,16 +38,17 @@ Eigen::MatrixXd hessian_h(const Eigen::SparseMatrix<double>& lengths, const Eige
 class NewtonSystem {
  public:
   /// objective, constraints: must outlive the system. positions: any layout that tells near vertices from far ones,
-  /// for the order of elimination.
+  /// for the order of elimination. Throws Stopped.
   NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints,
-               const Positions2& positions);
+               const Positions2& positions, const StopToken& stop = {});
 
   /// ρ, #edges, from the next factorization on. By default so large that lengths are held.
   const Eigen::VectorXd& stiffness() const { return stiffness_; }
   void set_stiffness(Eigen::VectorXd stiffness) { stiffness_ = std::move(stiffness); }
 
-  /// Linearizes at uv; false where A is not positive definite. multipliers: λ, #edges.
-  bool factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity);
+  /// Linearizes at uv; false where A is not positive definite, or the caller stops. multipliers: λ, #edges.
+  bool factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
+                 const StopToken& stop = {});
 
   /// H at uv, with 10⁻⁴ M and the pins, to multiply with; lower triangle.
   Eigen::SparseMatrix<double> hessian(const Positions2& uv, const Eigen::VectorXd& multipliers,

@@ -25,10 +25,11 @@ struct Iterate {
 /// With d eliminated a quadratic program in Δh is left: h + Δh keeps to its tolerance.
 class Projection {
  public:
-  Projection(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& uv)
+  Projection(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& uv,
+             const StopToken& stop)
       : constraints_(chart, network),
         objective_(chart, network, fairness),
-        system_(chart, objective_, constraints_, uv),
+        system_(chart, objective_, constraints_, uv, stop),
         lengths_(constraints_.elastic_lengths()),
         tolerance_(constraints_.num_elastic()) {
     for (int w = 0; w < tolerance_.size(); ++w) {
@@ -42,9 +43,11 @@ class Projection {
 
   /// One step, shorter if need be, and whole ones with the same factor as long as they halve the strain. False where
   /// no step gets nearer.
-  bool get_nearer() {
+  bool get_nearer(const StopToken& stop) {
     const Eigen::VectorXd no_forces = Eigen::VectorXd::Zero(constraints_.size());
-    if (!system_.factorize(now_.uv, no_forces, {Curvature::none, false})) return false;
+    const bool is_positive = system_.factorize(now_.uv, no_forces, {Curvature::none, false}, stop);
+    stop.check();
+    if (!is_positive) return false;
     if (tolerance_.size() > 0) by_variation_ = system_.stiffness_by_variation();
     const Iterate far = moved();
     double t = 1;
@@ -101,11 +104,10 @@ class Projection {
 
 bool project_to_lengths(const Chart& chart, const WireNetwork& network, double fairness, Positions2& uv,
                         RefineBudget& budget, const StopToken& stop) {
-  Projection projection(chart, network, fairness, uv);
+  Projection projection(chart, network, fairness, uv, stop);
   while (!projection.has(LengthConstraints::exact) && budget.allows()) {
-    stop.check();
     budget.spend(1);
-    if (!projection.get_nearer()) break;
+    if (!projection.get_nearer(stop)) break;
   }
   uv = projection.uv();
   return projection.has(LengthConstraints::kept);

@@ -8,7 +8,7 @@ namespace wirewarp {
 RefineState::RefineState(const Chart& chart, const WireNetwork& held_network, double fairness,
                          const RefinementStart& start, const RefinementLimits& refinement_limits)
     : problem(chart, held_network, fairness, refinement_limits.injectivity, start.uv),
-      system(chart, problem.objective(), problem.constraints(), start.uv),
+      system(chart, problem.objective(), problem.constraints(), start.uv, refinement_limits.stop),
       limits(refinement_limits),
       now(problem.iterate_at(start.uv)),
       multipliers(start.multipliers) {
@@ -17,12 +17,13 @@ RefineState::RefineState(const Chart& chart, const WireNetwork& held_network, do
 
 bool RefineState::factorize(const Convexity& convexity) {
   limits.budget.spend(1);
-  if (!system.factorize(now.uv, multipliers, convexity)) return false;
+  if (!system.factorize(now.uv, multipliers, convexity, limits.stop)) return false;
   if (problem.constraints().num_elastic() > 0) dlambda_dh = system.dlambda_dh(limits.stop);
   return !limits.stop.is_stopped();
 }
 
 bool RefineState::evaluate(RefineIterate& trial) const {
+  if (limits.stop.is_stopped()) return false;
   trial.variation = trial.variation.cwiseMax(-problem.tolerance()).cwiseMin(problem.tolerance());
   if (!retract_to_lengths(problem.constraints(), system, trial.variation, trial.uv, limits.stop)) return false;
   if (problem.objective().longest_step(now.uv, trial.uv - now.uv) < 1) return false;

@@ -33,7 +33,7 @@ struct RefineState {
   bool factorize(const Convexity& convexity);
 
   /// Takes the trial back to exact lengths, and to its f; false where that fails, or something forbidden lies on the
-  /// way.
+  /// way, or the caller stopped.
   bool evaluate(RefineIterate& trial) const;
 
   RefineProblem problem;

@@ -34,7 +34,8 @@ Chart with_variations(Chart chart) {
 
 class LooseLengths {
  public:
-  LooseLengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start);
+  LooseLengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
+               const StopToken& stop);
 
   bool minimize(double smoothing, RefineBudget& budget, const StopToken& stop);
   RelaxedShape shape() const;
@@ -60,7 +61,7 @@ class LooseLengths {
   Eigen::VectorXd mean_squares(const Eigen::VectorXd& residual) const;
   Eigen::VectorXd tolerance_violation(const Eigen::VectorXd& variation) const;
   double value(const Iterate& iterate, double smoothing) const;
-  Step step(double smoothing);
+  Step step(double smoothing, const StopToken& stop);
 
   const Chart& chart_;  // with variations
   double size_;         // square root of the area
@@ -75,12 +76,13 @@ class LooseLengths {
   Iterate now_;
 };
 
-LooseLengths::LooseLengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start)
+LooseLengths::LooseLengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
+                           const StopToken& stop)
     : chart_(chart),
       size_(std::sqrt(surface_area(chart.mesh))),
       constraints_(chart, network),
       objective_(chart, network, fairness),
-      system_(chart, objective_, constraints_, start),
+      system_(chart, objective_, constraints_, start, stop),
       lengths_(constraints_.elastic_lengths()),
       part_length_(lengths_.transpose() * Eigen::VectorXd::Ones(constraints_.size())),
       slack_(Eigen::VectorXd::Zero(constraints_.size())) {
@@ -149,7 +151,7 @@ double LooseLengths::value(const Iterate& iterate, double smoothing) const {
 
 /// The minimum of f and the springs of the weights at hand, linearized: ρ of the edges, κ of the variations. With d
 /// eliminated, a dense system in Δh is left.
-LooseLengths::Step LooseLengths::step(double smoothing) {
+LooseLengths::Step LooseLengths::step(double smoothing, const StopToken& stop) {
   Positions2 gradient;
   objective_.value_and_gradient(now_.uv, gradient);
   const Eigen::VectorXd missing = residual(now_);
@@ -163,7 +165,9 @@ LooseLengths::Step LooseLengths::step(double smoothing) {
   const Eigen::VectorXd forces = stiffness.cwiseProduct(missing);
   system_.set_stiffness(stiffness);
   Step step{{}, Eigen::VectorXd::Zero(constraints_.num_elastic()), 0};
-  if (!system_.factorize(now_.uv, forces, {Curvature::convex, false})) return step;
+  const bool is_positive = system_.factorize(now_.uv, forces, {Curvature::convex, false}, stop);
+  stop.check();
+  if (!is_positive) return step;
 
   const Positions2& directions = system_.directions();
   Positions2 pull_on_vertices = -gradient;
@@ -192,9 +196,8 @@ bool LooseLengths::minimize(double smoothing, RefineBudget& budget, const StopTo
   double now = value(now_, smoothing);
   for (int i = 0; i < kMaxSteps; ++i) {
     if (!budget.allows()) return false;
-    stop.check();
     budget.spend(1);
-    const Step full = step(smoothing);
+    const Step full = step(smoothing, stop);
     if (-full.slope <= kWorthwhile * now) return true;
     double t = 1;
     Iterate trial;
@@ -235,7 +238,7 @@ RelaxedShape LooseLengths::shape() const {
 RelaxedShape relax_lengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
                            RefineBudget& budget, const StopToken& stop) {
   const Chart varied = with_variations(chart);
-  LooseLengths lengths(varied, network, fairness, start);
+  LooseLengths lengths(varied, network, fairness, start, stop);
   bool is_minimum = true;
   for (const double smoothing : kSmoothing) is_minimum = is_minimum && lengths.minimize(smoothing, budget, stop);
   RelaxedShape shape = lengths.shape();

@@ -6,7 +6,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kOrdinarySteps = 8;  // more ask whether to go on: where a run is stopped, a start needs up to 6
+constexpr int kOrdinarySteps = 5;  // at most; those that take more ask whether to go on
 constexpr int kMaxSteps = 60;      // with 30 some nets stop at 1e-11
 constexpr double kMostLeft = 0.9;  // of the error after a step: with 0.45, 5 % more factorizations
 

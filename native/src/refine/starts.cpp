@@ -57,7 +57,7 @@ std::optional<RefinementStart> wires_alone(StartProblem& problem) {
   const Options plain;  // those of Eq. (1) are not the refined method's
   const StopToken stop = problem.stop.in("start");
   stop.check();
-  const std::optional<Chart> split = process_topology(problem.chart);
+  const std::optional<Chart> split = process_topology(problem.chart, stop);
   const Chart& prepared = split ? *split : problem.chart;
   const WireNetwork network = build_wire_network(prepared);
   stop.check();

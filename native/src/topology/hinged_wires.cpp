@@ -62,13 +62,16 @@ void extend_tail(SplitChart& refined, VertexHandle tail, HalfedgeHandle wire) {
 
 }  // namespace
 
-void extend_hinged_wires(SplitChart& refined) {
+void extend_hinged_wires(SplitChart& refined, WorkMeter& work) {
   const std::size_t num_vertices = refined.chart.mesh.n_vertices();  // no helper wire ends inside
   for (std::size_t i = 0; i < num_vertices; ++i) {
     const VertexHandle v(static_cast<int>(i));
+    work.did(1);
     if (!refined.wires.has(v)) continue;
     const std::vector<HalfedgeHandle> wires = wires_at(refined, v);
-    if (wires.size() == 1) extend_tail(refined, v, wires.front());
+    if (wires.size() != 1) continue;
+    extend_tail(refined, v, wires.front());
+    work.did(num_vertices);  // its way goes along a few of them, but what is asked of it looks at all
   }
 }
 

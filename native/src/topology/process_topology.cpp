@@ -6,6 +6,7 @@
 #include "topology/hinged_wires.h"
 #include "topology/separate_loops.h"
 #include "topology/unjoined_wires.h"
+#include "work_meter.h"
 
 namespace wirewarp {
 namespace {
@@ -18,12 +19,13 @@ bool is_sound(const WireNetwork& network) {
 
 }  // namespace
 
-std::optional<Chart> process_topology(const Chart& chart) {
+std::optional<Chart> process_topology(const Chart& chart, const StopToken& stop) {
   if (is_sound(build_wire_network(chart))) return std::nullopt;
   SplitChart refined(chart);
-  extend_hinged_wires(refined);  // III-A
-  join_separate_loops(refined);  // III-B
-  restore_delaunay(refined);
+  WorkMeter work(stop);
+  extend_hinged_wires(refined, work);  // III-A
+  join_separate_loops(refined, work);  // III-B
+  restore_delaunay(refined, work);
   if (!is_sound(build_wire_network(refined.chart))) throw UnjoinedWires("A wire is hinged or a loop is separate.");
   return std::move(refined.chart);
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "charts/chart.h"
+#include "stop_token.h"
 
 namespace wirewarp {
 
@@ -12,7 +13,8 @@ namespace wirewarp {
 /// - its first vertices and all wires and boundaries are the chart's own, same handles, same positions;
 /// - new vertices follow, with source_vertex -1; source_face of a cut face is the input face it is a part of;
 /// - helper wires follow the chart's wire parts: super-elastic, wire_index -1, parts counted from 0.
-/// Throws UnjoinedWires where there is no such network: rounding spoils a path, or separate_loops.h has no way.
-std::optional<Chart> process_topology(const Chart& chart);
+/// Throws UnjoinedWires where there is no such network: rounding spoils a path, or separate_loops.h has no way. Throws
+/// Stopped.
+std::optional<Chart> process_topology(const Chart& chart, const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -121,11 +121,12 @@ std::vector<WireLoop> find_separate_loops(const WireNetwork& network) {
   return {};
 }
 
-void join_separate_loops(SplitChart& refined) {
+void join_separate_loops(SplitChart& refined, WorkMeter& work) {
   // Every round leaves fewer loops or fewer edges with one region on both sides.
   for (std::size_t rounds_left = refined.chart.mesh.n_edges(); rounds_left > 0; --rounds_left) {
     const std::vector<WireLoop> loops = find_separate_loops(build_wire_network(refined.chart));
     if (loops.empty()) return;
+    work.did(refined.chart.mesh.n_edges());
     join_loop(refined, loops, loops[choose_loop(loops)]);
   }
 }

@@ -22,6 +22,6 @@ std::vector<WireLoop> find_separate_loops(const WireNetwork& network);
 /// another loop, unless one wire joins it already, then those from the vertex farthest along the loop and from the two
 /// halfway between (paper III-B). Throws UnjoinedWires where loops form a ring with one region on both sides, or no
 /// path joins them.
-void join_separate_loops(SplitChart& refined);
+void join_separate_loops(SplitChart& refined, WorkMeter& work);
 
 }  // namespace wirewarp

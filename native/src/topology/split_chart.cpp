@@ -104,7 +104,7 @@ void add_helper_wire(SplitChart& refined, HalfEdgeChain half_edges) {
       {-1, num_helpers, WireKind::super_elastic, std::numeric_limits<double>::infinity(), std::move(half_edges)});
 }
 
-void restore_delaunay(SplitChart& refined) {
+void restore_delaunay(SplitChart& refined, WorkMeter& work) {
   HalfEdgeMesh& mesh = refined.chart.mesh;
   std::vector<EdgeHandle> stack;
   for (const EdgeHandle e : mesh.edges()) stack.push_back(e);
@@ -113,6 +113,7 @@ void restore_delaunay(SplitChart& refined) {
   while (!stack.empty() && flips_left > 0) {
     const EdgeHandle edge = stack.back();
     stack.pop_back();
+    work.did(1);
     if (!should_flip(refined, edge)) continue;
     mesh.flip(edge);
     --flips_left;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "charts/chart.h"
+#include "work_meter.h"
 
 namespace wirewarp {
 
@@ -46,6 +47,6 @@ void make_room(SplitChart& refined, const std::vector<VertexHandle>& seeds);
 void add_helper_wire(SplitChart& refined, HalfEdgeChain half_edges);
 
 /// Flips edges to Delaunay, those alone that lie inside one input face and carry no wire.
-void restore_delaunay(SplitChart& refined);
+void restore_delaunay(SplitChart& refined, WorkMeter& work);
 
 }  // namespace wirewarp
