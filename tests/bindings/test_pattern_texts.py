@@ -7,8 +7,9 @@ from itertools import combinations
 import numpy as np
 import pytest
 from patterns import flattened, quads, rectangle, sample
-from wirewarp.pattern import FlatPiece, Pattern
+from wirewarp.pattern import FlatPiece, Pattern, Text
 from wirewarp.pattern.flat_piece import flat_piece
+from wirewarp.pattern.leaders import FARTHEST, Beside
 
 READABLE = 2.5  # millimeters
 
@@ -55,6 +56,14 @@ def test_what_a_piece_has_no_room_for_stands_beside_it_with_a_line_to_it():
     assert np.all(outside) and np.all(piece.bounds[1] >= last - READABLE - 1)  # so that no other piece lies there
     assert pattern.with_only(["texts"]).pieces[0].of_role("card leader")
     assert not pattern.with_only(["sew"]).pieces[0].of_role("card leader")
+
+
+def test_no_line_to_a_name_crosses_a_large_piece():
+    square = 1000.0 * np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]])
+    near, far = (Text(("Wire 1",), np.array([500.0, height]), READABLE) for height in (FARTHEST / 2, 500.0))
+    text, leader = Beside([square]).lead(near, np.array([0.0, -1.0]))
+    assert text.center[1] < 0 and np.linalg.norm(leader.points[1] - near.center) < FARTHEST
+    assert Beside([square]).lead(far, np.array([0.0, -1.0])) is None
 
 
 def test_names_beside_a_piece_are_clear_of_each_other():

@@ -94,6 +94,14 @@ def are_inside(points: np.ndarray, closed: Sequence[np.ndarray]) -> np.ndarray:
     return inside
 
 
+def distance_to(point: np.ndarray, line: np.ndarray) -> float:
+    """Of a point (2,) from a line (k,2)."""
+    ways = np.diff(line, axis=0)
+    squares = np.maximum((ways**2).sum(axis=1), 1e-12)  # of points that lie on one another, too
+    shares = np.clip(((point - line[:-1]) * ways).sum(axis=1) / squares, 0.0, 1.0)
+    return float(np.linalg.norm(line[:-1] + shares[:, None] * ways - point, axis=1).min())
+
+
 def _sampled(line: np.ndarray, spacing: float) -> np.ndarray:
     """Points (m,2) on the line (k,2), its ends among them, at equal distances of at most `spacing`."""
     along = lengths_along(line)

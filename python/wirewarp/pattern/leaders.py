@@ -6,11 +6,11 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from .interior import are_inside, text_width
+from .interior import are_inside, distance_to, text_width
 from .model import LEADERS, Line, Text
 from .room import CLEAR, joined, strokes, touches
 
-NEAREST, FARTHEST, STEP = 2.0, 40.0, 1.0  # millimeters from what is named to the middle of the text, beyond the piece
+NEAREST, FARTHEST, STEP = 2.0, 40.0, 1.0  # millimeters from what is named to the middle of the text
 TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the way straight out, the best first
 
 
@@ -21,13 +21,13 @@ class Beside:
         """outlines (k,2): the cut lines, closed, repeating their first point."""
         self._outlines = list(outlines)
         self._taken = joined([(line[:-1], line[1:]) for line in self._outlines])
-        self._farthest = FARTHEST + float(np.ptp(np.concatenate(self._outlines), axis=0).max())
         self._texts: list[Text] = []
 
     def lead(self, text: Text, outward: np.ndarray) -> tuple[Text, Line] | None:
         """The text, of one line, outside of the piece, and the line to it from its center, where it had no room.
 
-        outward (2,): a unit vector, the way to where it would best stand. None where nothing is free.
+        outward (2,): a unit vector, the way to where it would best stand. None where nothing near is free: a line far
+        across the piece would be taken for one of its own.
         """
         for center in self._centers(text.center, outward):
             placed = Text(text.lines, center, text.height, role=text.role)
@@ -39,8 +39,9 @@ class Beside:
         return None
 
     def _centers(self, target: np.ndarray, outward: np.ndarray) -> Iterator[np.ndarray]:
-        """The nearest first."""
-        for distance in np.arange(NEAREST, self._farthest, STEP):
+        """The nearest first; none inside of the outline."""
+        nearest = max(NEAREST, min(distance_to(target, outline) for outline in self._outlines))
+        for distance in np.arange(nearest, FARTHEST, STEP):
             for turn in np.radians(TURNS):
                 cosine, sine = math.cos(turn), math.sin(turn)
                 yield target + distance * np.array([[cosine, -sine], [sine, cosine]]) @ outward
