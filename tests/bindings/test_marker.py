@@ -103,6 +103,26 @@ def test_a_piece_on_the_fold_is_opened():
         two.nested(400, seconds=0)
 
 
+def test_texts_beside_a_small_piece_make_it_no_other_piece():
+    marked = Pattern.from_result(rectangle(20, 2), folds=[(0, 3)], allowance=0, piece_names=["Cuff"])
+    assert marked.pieces[0].of_role("card leader")
+    marker = marked.nested(400, seconds=0)
+    for pattern in (marked, marked.with_only(["sew"])):
+        (piece,) = pattern.laid_on(marker).pieces
+        assert sorted(piece.cut_size) == pytest.approx([2, 40])
+        assert bool(piece.texts) == bool(piece.of_role("card leader")) == (pattern is marked)
+
+
+def test_an_opened_piece_has_no_texts_that_were_left_out():
+    points = [(0, 0), (100, 0), (200, 0), (200, 60), (100, 60), (0, 60)]
+    sewn = quads(points, [(0, 1, 4, 5), (1, 2, 3, 4)], seams=[(1, 4)])
+    named = Pattern.from_result(sewn, folds=[(0, 5)]).with_only(["sew", "line names"])
+    laid = named.laid_on(named.nested(400, seconds=0))
+    assert [{text.role for text in piece.texts} for piece in laid.pieces] == [{"line name"}] * 2
+    left, right = sorted(text.center[0] for text in laid.pieces[0].texts)
+    assert left > 10 and right < 210  # inside of the sew lines, on both sides of the fold
+
+
 def test_the_grain_runs_along_the_cloth():
     pattern = sample("Fitted top")
     turned = [piece.placed(Motion(np.zeros(2), 30.0 * n)) for n, piece in enumerate(pattern.pieces)]

@@ -78,7 +78,8 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
             lines.append(line)
         elif line.role not in ("cut", "fold"):
             is_on_fold = np.abs((line.points - start) @ outward).max() <= ON_FOLD
-            lines += [line] if is_on_fold else [line, line.placed(image)]
+            # Turned round, for names stand on the left of a line, where the piece is.
+            lines += [line] if is_on_fold else [line, replace(line, points=image.points(line.points)[::-1])]
     points = []
     for point in piece.points:
         is_on_fold = abs((point.at - start) @ outward) <= ON_FOLD

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A marker: where the pieces of a pattern lie on the cloth. It is kept, for a search never ends the same way twice."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
 
+from .model import PatternPiece
 from .motion import Motion
 from .units import UnitSystem, counted
 
@@ -36,7 +37,7 @@ class Marker:
     placements: tuple[Placement, ...]
     efficiency: float  # the share of the cloth that becomes pieces, of sheets the whole ones
     by: str  # what found it: "spyrrow", or "slides" where that is not installed or found nothing shorter
-    sizes: tuple[tuple[int, float, float], ...]  # number, width and height of the pieces it was made of
+    sizes: tuple[tuple[int, float, float], ...]  # see sizes_of, of the pieces it was made of
     warnings: tuple[str, ...] = ()
 
     @property
@@ -68,3 +69,8 @@ class Marker:
         fields["placements"] = tuple(Placement(**each) for each in fields["placements"])
         fields["sizes"] = tuple((int(number), float(w), float(h)) for number, w, h in fields["sizes"])
         return cls(**fields | {"warnings": tuple(fields["warnings"])})
+
+
+def sizes_of(pieces: Sequence[PatternPiece]) -> tuple[tuple[int, float, float], ...]:
+    """Number, width and height of each, whatever texts stand beside it."""
+    return tuple((piece.number, *map(float, piece.cut_size)) for piece in pieces)

@@ -88,6 +88,12 @@ class PatternPiece:
         low, high = self.bounds
         return high - low
 
+    @property
+    def cut_size(self) -> np.ndarray:
+        """Width and height of the cut lines alone: what is taken of the cloth."""
+        size: np.ndarray = np.ptp(np.concatenate([line.points for line in self.of_role("cut")]), axis=0)
+        return size
+
     def moved(self, offset: np.ndarray) -> "PatternPiece":
         return self.placed(Motion(offset))
 

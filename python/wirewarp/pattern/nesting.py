@@ -11,7 +11,7 @@ import numpy as np
 
 from .._errors import FlattenError
 from .checks import checked_length, problem
-from .marker import Marker, Placement
+from .marker import Marker, Placement, sizes_of
 from .model import PatternPiece
 from .motion import Motion
 from .nest_items import STAGE, Grain, Item, items_of, room_at_edges
@@ -98,7 +98,7 @@ class _Search:
         self.warnings: list[str] = []
         self._cloth, self._room = cloth, room_at_edges(cloth.gap, cloth.grain)
         self._cut = {piece.number: np.concatenate([line.points for line in piece.of_role("cut")]) for piece in pieces}
-        self._sizes = tuple((piece.number, float(piece.size[0]), float(piece.size[1])) for piece in pieces)
+        self._sizes = sizes_of(pieces)
         self._items: list[Item] = items_of(pieces, cloth.gap, times, watch)
         self._width = cloth.width + 2 * self._room
         length = math.inf if cloth.length is None else cloth.length + 2 * self._room
@@ -140,7 +140,7 @@ class _Search:
 
 
 def _too_large(piece: PatternPiece, cloth: Cloth, units: UnitSystem) -> str:
-    size = " x ".join(units.measured(float(side)) for side in piece.size)
+    size = " x ".join(units.measured(float(side)) for side in piece.cut_size)
     if cloth.length is None:
         where = f"a roll of {units.text(cloth.width)}"
     else:
