@@ -69,15 +69,19 @@ CORE_SOURCES = (
 
 def package() -> dict[str, Path]:
     """Builds what this system runs; returns the wheel of each Python version there is."""
-    require_apt(*BUILD_APT)
-    found = {version: find_python(version) for version in PYTHONS}
-    wheels = {version: build_wheel(version, python) for version, python in found.items() if python}
+    wheels = build_wheels()
     keep_in_dist(wheels.values())
     return wheels
 
 
+def build_wheels() -> dict[str, Path]:
+    require_apt(*BUILD_APT)
+    found = {version: find_python(version) for version in PYTHONS}
+    return {version: build_wheel(version, python) for version, python in found.items() if python}
+
+
 def package_for_all_systems() -> None:
-    wheels = package()
+    wheels = build_wheels()
     others = [cross_wheel(system, version, wheel) for version, wheel in wheels.items() for system in SYSTEMS]
     keep_in_dist([*wheels.values(), *others])
 
@@ -153,7 +157,8 @@ def venv_for_wheels(version: str, python: Path) -> Path:
 def build_wheel_alone(version: str, python: Path) -> Path:
     tag = "cp" + version.replace(".", "")
     key = fingerprint([ROOT / source for source in CORE_SOURCES], str(python), *WHEEL_TOOLS)
-    found = list(DIST.glob(f"wirewarp-{VERSION}-{tag}-*.whl"))
+    name = f"wirewarp-{VERSION}-{tag}-*{old_glibc.POLICY}.whl"  # not those of other systems, which lie beside it
+    found = list(DIST.glob(name))
     if len(found) == 1 and is_current(f"wheel-{tag}", key):
         return found[0]
     for old in found:
@@ -176,6 +181,6 @@ def build_wheel_alone(version: str, python: Path) -> Path:
     old_glibc.check_symbols(unrepaired)
     repair = ("auditwheel", "repair", "--only-plat", "--plat", old_glibc.POLICY, "-w", DIST, unrepaired)
     run_quietly(f"checking that it is {old_glibc.POLICY} (auditwheel)", [interpreter, "-m", *repair], **settings)
-    (wheel,) = DIST.glob(f"wirewarp-{VERSION}-{tag}-*.whl")
+    (wheel,) = DIST.glob(name)
     set_current(f"wheel-{tag}", key)
     return wheel
