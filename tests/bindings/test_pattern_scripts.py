@@ -21,14 +21,15 @@ def folder(tmp_path, monkeypatch):
     """The one folder with fonts: one font."""
     monkeypatch.setattr(fonts, "_folders", [])
     monkeypatch.setattr(fonts, "_system_folders", lambda: [])
-    for cached in (fonts.font_with, fonts._font, glyphs.line_of):
+    for cached in (fonts.font_with, fonts._font, fonts._files, glyphs.line_of):
         cached.cache_clear()
     (tmp_path / "fonts").mkdir()
     write_font(tmp_path / "fonts" / "boxes.ttf", LETTERS | {NO_OUTLINE: 0})
     (tmp_path / "fonts" / "broken.ttf").write_bytes(b"no font")
+    (tmp_path / "fonts" / "gone.ttf").symlink_to(tmp_path / "nowhere.ttf")
     add_font_folder(tmp_path / "fonts")
     yield tmp_path
-    for cached in (fonts.font_with, fonts._font, glyphs.line_of):
+    for cached in (fonts.font_with, fonts._font, fonts._files, glyphs.line_of):
         cached.cache_clear()
 
 

@@ -24,6 +24,7 @@ def add_font_folder(folder: str | Path) -> None:
     """Fonts are sought there before the system's: for programs that bring fonts of their own, as Blender does."""
     if Path(folder) not in _folders:
         _folders.append(Path(folder))
+        _files.cache_clear()
         font_with.cache_clear()
 
 
@@ -87,6 +88,7 @@ def _font(path: Path) -> Font | None:
         return None
 
 
+@cache
 def _files() -> list[Path]:
     """In the order in which they are tried: plain styles first, and of these small files, for they open quickly."""
     files = [path for folder in (*_folders, *_system_folders()) for path in _in(folder)]
@@ -95,7 +97,8 @@ def _files() -> list[Path]:
 
 def _in(folder: Path) -> Iterator[Path]:
     for path in folder.rglob("*"):
-        if path.suffix.lower() in SUFFIXES and not any(word in path.name.lower() for word in NO_TEXT):
+        is_font = path.suffix.lower() in SUFFIXES and not any(word in path.name.lower() for word in NO_TEXT)
+        if is_font and path.is_file():  # and no link to one that is gone
             yield path
 
 
