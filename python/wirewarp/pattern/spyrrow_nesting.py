@@ -82,7 +82,8 @@ def _read(process: "subprocess.Popen[str]", task: str, seconds: float, width: fl
     try:
         process.stdin.write(task)
         process.stdin.close()
-    except OSError:  # it has ended already, and has said why
+    except OSError:  # it is ending already, and has said why
+        process.wait()
         return
     lines: queue.Queue[str | None] = queue.Queue()
     threading.Thread(target=_hand_over, args=(process.stdout, lines), daemon=True).start()
