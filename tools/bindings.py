@@ -14,7 +14,7 @@ READERS = (
     "resvg-py==0.5.0",
     "shapely==2.2.0",
 )  # of its files, in tests alone
-OPTIONAL = ("spyrrow==0.9.0", "uharfbuzz==0.57.0", "fonttools[woff]==4.68.0")  # tests run with and without them
+OPTIONAL = ("spyrrow==0.9.0", "fonttools[woff]==4.68.0")  # tests run with and without them
 MODELS = ("trimesh==5.2.0", "pillow==13.0.0")  # what python -m wirewarp reads them with
 
 

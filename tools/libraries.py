@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tools.environment import BUILD, fingerprint, is_current, run_quietly, set_current, venv
 
-PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0")  # none needs another package
+PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0", "uharfbuzz==0.57.0")  # none needs another package
 PIP_PLATFORMS = {  # pip's word for the oldest system that Blender runs on, by Blender's word
     "linux-x64": "manylinux2014_x86_64",
     "linux-arm64": "manylinux_2_28_aarch64",

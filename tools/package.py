@@ -5,7 +5,7 @@ wirewarp-V-cp311-*.whl, wirewarp-V-cp313-*.whl   the core package, its libraries
 wirewarp-V-<platform>.zip                        extension for Blender 4.2 and later, the wheels inside
 wirewarp-V-legacy-<platform>.zip                 add-on for Blender 3.4 to 4.1, the core package unpacked inside
 
-Both zips hold pyclipper and pydyf, too, which wirewarp.pattern needs.
+Both zips hold pyclipper, pydyf and uharfbuzz, too, which wirewarp.pattern needs.
 """
 
 import fcntl

@@ -18,5 +18,5 @@ def test_a_square_becomes_a_pdf(addon, tmp_path):
 def test_what_it_needs_comes_with_the_add_on_and_leaves_the_path_alone(addon):
     inside = Path(addon.core.__file__).parent / "_core"
     if inside.is_dir():
-        assert {path.name for path in (inside / "libraries").iterdir()} == {"pyclipper", "pydyf"}
+        assert {path.name for path in (inside / "libraries").iterdir()} == {"pyclipper", "pydyf", "uharfbuzz"}
     assert not [folder for folder in sys.path if Path(folder).is_relative_to(inside)]

@@ -8,7 +8,6 @@ from patterns import rectangle
 from wirewarp.pattern import Pattern, add_font_folder, fonts, glyphs
 from wirewarp.pattern.plain_names import escaped_text
 
-pytest.importorskip("uharfbuzz")
 builder = pytest.importorskip("fontTools.fontBuilder")
 pens = pytest.importorskip("fontTools.pens.ttGlyphPen")
 
@@ -109,12 +108,6 @@ def test_a_letter_that_no_font_draws_is_told(folder, name, letter):
     assert pattern.write(folder / "x.pdf").warnings == [
         f'"{name}" is left out of the PDF: no font with the letter "{letter}" was found.'
     ]
-
-
-def test_without_the_library_that_is_told(folder, monkeypatch):
-    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
-    (warning,) = Pattern.from_result(rectangle(300, 200), piece_names=["袖"]).write(folder / "x.pdf").warnings
-    assert warning == '"袖" is left out of the PDF: letters that are not Latin need the package uharfbuzz.'
 
 
 def test_annotations_of_dxf_have_escapes():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fonts on this computer, and which of them has a letter. Needs uharfbuzz; and fonttools for WOFF2, as Blender has."""
+"""Fonts on this computer, and which has a letter; those in WOFF2, as Blender has them, where fonttools is installed."""
 
 import io
 import os
@@ -7,12 +7,10 @@ import sys
 from collections.abc import Iterator
 from functools import cache, cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+
+import uharfbuzz
 
 from .glyph_pen import GlyphPen, Part
-
-if TYPE_CHECKING:
-    import uharfbuzz
 
 SUFFIXES = (".ttf", ".otf", ".ttc", ".woff2")
 NO_TEXT = ("lastresort", "adobeblank")  # these have every letter, as a box or as nothing
@@ -33,8 +31,6 @@ class Font:
 
     def __init__(self, path: Path, index: int = 0) -> None:
         """Raises what the libraries raise for a file that is no font."""
-        import uharfbuzz
-
         self._path, self._index = path, index
         self._outlines: dict[int, list[Part]] = {}
         if path.suffix.lower() == ".woff2":
@@ -62,9 +58,7 @@ class Font:
         return self._outlines[glyph]
 
     @cached_property
-    def shapes(self) -> "uharfbuzz.Font":
-        import uharfbuzz
-
+    def shapes(self) -> uharfbuzz.Font:
         if self._path.suffix.lower() == ".woff2":
             from fontTools.ttLib import woff2
 

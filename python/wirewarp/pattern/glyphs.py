@@ -5,13 +5,13 @@ Of Unicode's rules for lines in both directions the first ones are followed: par
 spaces and signs go with what is around them. Brackets are not mirrored, nor are parts within parts ordered.
 """
 
-import importlib.util
 import unicodedata
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
+import uharfbuzz
 
 from .fonts import Font, font_with
 from .glyph_pen import Part
@@ -42,8 +42,6 @@ class _Run:
 @cache
 def line_of(text: str) -> Line:
     """Raises NoLettersError."""
-    if importlib.util.find_spec("uharfbuzz") is None:
-        raise NoLettersError("letters that are not Latin need the package uharfbuzz")
     letters = [letter for letter in text if unicodedata.category(letter) not in ("Cc", "Cs", "Cn")]
     strong = [_direction(letter) for letter in letters]
     is_leftwards = next((each for each in strong if each is not None), False)
@@ -98,8 +96,6 @@ def _font_of(letter: str, before: Font | None) -> Font:
 
 
 def _shaped(run: _Run) -> tuple[list[Part], float]:
-    import uharfbuzz
-
     buffer = uharfbuzz.Buffer()
     buffer.add_str(run.text)
     buffer.guess_segment_properties()
