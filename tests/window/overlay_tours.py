@@ -45,7 +45,7 @@ def pixels_seen(name: str, editor: str) -> dict[str, int]:
     area = next(area for area in bpy.context.window_manager.windows[0].screen.areas if area.type == editor)
     region = next(region for region in area.regions if region.type == "WINDOW")
     seen = pixels[region.y : region.y + region.height, region.x : region.x + int(0.75 * region.width)]
-    return {kind: int((np.abs(seen - STYLES[kind].color).max(axis=2) < 0.02).sum()) for kind in COLORFUL}
+    return {kind: int((np.abs(seen - STYLES[kind].color).max(axis=2) < 0.02).sum()) for kind in (*COLORFUL, "page")}
 
 
 def look_from_above() -> drive.Tour:

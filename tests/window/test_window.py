@@ -58,6 +58,7 @@ TOURS = {
         "the_dialog_says_the_size_and_follows_its_settings",
         "escape_leaves_the_file_as_it_was",
     ],
+    "pages_tours": ["pages_are_on_the_screen"],
     "view_tours": [
         "pieces_are_seen_in_local_view",
         "the_first_pieces_are_brought_into_view",
