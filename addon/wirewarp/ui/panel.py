@@ -20,8 +20,8 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         model = model_of(active)
         if model:
             sentence = (
-                f'These are the flat pieces of "{model.name}". Select it to mark seams and wires; in Edit Mode here, mark '
-                "allowances of one side."
+                f'These are the flat pieces of "{model.name}". Select it to mark seams and wires; in Edit Mode here, '
+                "mark allowances of one side."
             )
             if is_deleted(model):
                 draw_sentence(context, layout, f"These are flat pieces. {DELETED.format(model.name)}", "ERROR")

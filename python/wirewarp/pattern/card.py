@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from .fold import unfolded
 from .interior import innermost_point, place_text
 from .leaders import Beside
 from .line_names import line_names
@@ -38,6 +39,18 @@ def with_card(
     if led:
         text, leaders = [led[0]], [led[1], *leaders]
     return replace(piece, number=number, lines=[*kept, *leaders], texts=[*text, *names])
+
+
+def opened(piece: PatternPiece, count: int, heading: str, allowance: str, units: UnitSystem) -> PatternPiece:
+    """The whole of a piece on the fold, with texts that say so, of the kinds that it had."""
+    roles = {text.role for text in piece.texts}
+    whole = with_card(unfolded(piece), piece.number, count, heading, allowance, units)
+    left_out = {LEADERS[role] for role in LEADERS if role not in roles}
+    return replace(
+        whole,
+        lines=[line for line in whole.lines if line.role not in left_out],
+        texts=[text for text in whole.texts if text.role in roles],
+    )
 
 
 def _card(cards: list[tuple[str, ...]], outlines: list[np.ndarray], drawn: list[np.ndarray]) -> list[Text]:

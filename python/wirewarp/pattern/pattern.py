@@ -12,14 +12,14 @@ import numpy as np
 import numpy.typing as npt
 
 from .arrange import offsets
-from .card import with_card
+from .card import opened, with_card
 from .checks import checked_length, checked_names, problem
 from .flat_piece import FlatPiece, flat_piece
 from .fold import folded, unfolded
 from .marker import Marker, sizes_of
 from .marks import marks
 from .mirror import fold_of, mirror_between
-from .model import LEADERS, PatternPiece, Point
+from .model import PatternPiece, Point
 from .nest_items import Grain
 from .nesting import Cloth, Preview, nested
 from .notches import check_spacing
@@ -299,7 +299,8 @@ class Pattern:
         """
         if self.marker:
             raise problem("The pattern lies on a marker already.")
-        whole = [self._opened(piece) if piece.on_fold else piece for piece in self.pieces]
+        card = len(self.pieces), self.heading, self.allowance_text, self.units
+        whole = [opened(piece, *card) if piece.on_fold else piece for piece in self.pieces]
         sizes = sizes_of(whole)
         if len(sizes) != len(marker.sizes) or not np.allclose(sizes, marker.sizes, rtol=0, atol=SAME_SIZE):
             raise problem("The pieces have changed since the marker was made: nest them again.")
@@ -309,17 +310,6 @@ class Pattern:
             for placement in marker.placements
         ]
         return replace(self, pieces=laid, marker=marker, warnings=[*self.warnings, *marker.warnings])
-
-    def _opened(self, piece: PatternPiece) -> PatternPiece:
-        """The whole of a piece on the fold, with texts that say so, of the kinds that it had."""
-        count, roles = len(self.pieces), {text.role for text in piece.texts}
-        whole = with_card(unfolded(piece), piece.number, count, self.heading, self.allowance_text, self.units)
-        left_out = {LEADERS[role] for role in LEADERS if role not in roles}
-        return replace(
-            whole,
-            lines=[line for line in whole.lines if line.role not in left_out],
-            texts=[text for text in whole.texts if text.role in roles],
-        )
 
     def arranged(self, width: float = math.inf) -> "Pattern":
         """The pieces in rows on a sheet of this width, about square without one; the lower left corner is at 0, 0."""
