@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "errors/sentence.h"
+#include "feasibility/isoperimetric.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
@@ -53,8 +54,26 @@ std::vector<VertexPair> edges_of(const Chart& chart, const std::vector<ProposedT
   return edges;
 }
 
-std::string name_piece(const Chart& chart) {
-  return "the piece around face " + std::to_string(chart.source_face.front());
+int source_of_loop(const Chart& chart, const HalfEdgeChain& loop) {
+  return chart.source_vertex[chart.mesh.from_vertex_handle(loop.front()).idx()];
+}
+
+/// The longest few: "its outline, 0.4 units long at vertex 3," or "its outlines, 0.4 units long at vertex 3 and 0.2
+/// units long at vertex 7,".
+std::string name_loops(const Chart& chart, const std::vector<HalfEdgeChain>& loops) {
+  constexpr std::size_t kMostNamed = 5;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min(loops.size(), kMostNamed); ++i) {
+    names.push_back(rounded(length_of(chart.mesh, loops[i])) + " units long at vertex " +
+                    std::to_string(source_of_loop(chart, loops[i])));
+  }
+  return std::string(loops.size() == 1 ? "its outline, " : "its outlines, ") + listed(names, loops.size()) + ",";
+}
+
+std::string what_to_do(std::size_t num_loops) {
+  if (num_loops == 1) return "cannot lie flat: mark another seam";
+  if (num_loops == 2) return "is a tube: mark a seam from one opening to the other";
+  return "cannot lie flat: mark seams between its " + std::to_string(num_loops) + " openings";
 }
 
 /// Input faces by height, the least first: those that are less than a millionth as high as the highest.
@@ -75,7 +94,7 @@ std::vector<int> small_faces(const Chart& chart) {
 }
 
 std::string allow_more(const Chart& chart, const Options& options) {
-  return "No flat shape of " + name_piece(chart) +
+  return "No flat shape of " + name_piece(chart.source_face) +
          " with all lengths was found within max_factorizations = " + std::to_string(options.max_factorizations) +
          ": raise it, or ";
 }
@@ -91,6 +110,24 @@ FlattenError with_proposed_seams(FlattenError error, std::vector<VertexPair> pro
   return FlattenError(error.code, sentence, std::move(error.elements));
 }
 
+FlattenError outline_too_short(const Chart& chart, std::vector<VertexPair> proposed_seams) {
+  std::vector<HalfEdgeChain> loops = chart.boundary_loops;
+  std::stable_sort(loops.begin(), loops.end(), [&](const HalfEdgeChain& a, const HalfEdgeChain& b) {
+    return length_of(chart.mesh, a) > length_of(chart.mesh, b);
+  });
+  ErrorElements elements;
+  for (const HalfEdgeChain& loop : loops) elements.vertices.push_back(source_of_loop(chart, loop));
+  for (const HalfEdgeChain& loop : chart.boundary_loops) add_edges(chart, loop, elements.edges);
+  elements.faces = chart.source_face;
+  const double share = isoperimetric_ratio(chart);
+  const std::string message =
+      introduce_piece(chart.source_face) + " " + what_to_do(loops.size()) + such_as_along(proposed_seams) + "; " +
+      name_loops(chart, loops) + " can hold no more than " + percent(share) +
+      " of its area in the plane (a distortion of at least " + rounded(least_shape_error(share)) + ").";
+  elements.proposed_seams = std::move(proposed_seams);
+  return FlattenError(ErrorCode::boundary_too_short, message, std::move(elements));
+}
+
 FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, const Options& options,
                               std::vector<ProposedTolerance> tolerances, bool ran_out) {
   ErrorElements elements;
@@ -99,7 +136,7 @@ FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires
   const std::string looser =
       name_tolerances(wires, tolerances) + (options.method == Method::refined ? "." : ", by the refined method.");
   const std::string contradict =
-      "Not all wires of " + name_piece(chart) + " can keep their lengths in the plane: it lies flat ";
+      "Not all wires of " + name_piece(chart.source_face) + " can keep their lengths in the plane: it lies flat ";
   const std::string message = (ran_out ? allow_more(chart, options) + "lay it flat " : contradict) + looser;
   elements.proposed_tolerances = std::move(tolerances);
   return FlattenError(ErrorCode::infeasible_lengths, message, std::move(elements));
@@ -110,7 +147,7 @@ FlattenError infeasible_outline(const Chart& chart, const Options& options, std:
   ErrorElements elements;
   elements.faces = chart.source_face;
   for (const HalfEdgeChain& loop : chart.boundary_loops) add_edges(chart, loop, elements.edges);
-  const std::string none_found = "No flat shape of " + name_piece(chart) +
+  const std::string none_found = "No flat shape of " + name_piece(chart.source_face) +
                                  " was found that keeps the length of its outline" +
                                  (has_wires(chart) ? ", even with its wires free: " : ": ");
   const std::string message =
@@ -121,13 +158,13 @@ FlattenError infeasible_outline(const Chart& chart, const Options& options, std:
 
 FlattenError needs_refinement(const Chart& chart) {
   return FlattenError(ErrorCode::infeasible_lengths,
-                      "Bent first, the wires of " + name_piece(chart) +
+                      "Bent first, the wires of " + name_piece(chart.source_face) +
                           " find no flat shape: take the refined method, which keeps them within their tolerances.",
                       {{}, {}, chart.source_face});
 }
 
 FlattenError not_solvable(const Chart& chart) {
-  const std::string piece = capitalized(name_piece(chart)) + " cannot be laid out in double precision";
+  const std::string piece = capitalized(name_piece(chart.source_face)) + " cannot be laid out in double precision";
   const std::vector<int> small = small_faces(chart);
   if (small.empty()) {
     return FlattenError(ErrorCode::not_solvable, piece + ": remesh it, or cut it in two with a seam.",
@@ -148,7 +185,7 @@ FlattenError not_joined(const Chart& chart) {
     add_edges(chart, chart.boundary_loops[i], elements.edges);
   }
   const std::string message = "No helper wires can be laid between " + name_elements("edge", elements.edges) + " of " +
-                              name_piece(chart) +
+                              name_piece(chart.source_face) +
                               " in double precision: take the refined method, which needs none, or remesh the piece.";
   return FlattenError(ErrorCode::not_solvable, message, std::move(elements));
 }

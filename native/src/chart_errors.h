@@ -13,6 +13,9 @@ FlattenError cancelled();
 /// A closed chart, or one with handles, with the seams that mend it. Any other error as it is.
 FlattenError with_proposed_seams(FlattenError error, std::vector<VertexPair> proposed_seams);
 
+/// The outline cannot hold the piece (feasibility/isoperimetric.h), with the seams that mend it.
+FlattenError outline_too_short(const Chart& chart, std::vector<VertexPair> proposed_seams);
+
 /// No shape with all lengths was found, with tolerances under which the refined method found one. ran_out:
 /// options.max_factorizations ended the search before all was tried.
 FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, const Options& options,

@@ -100,45 +100,38 @@ void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const
   }
 }
 
-std::string name_piece(const Chart& chart) {
-  return "The piece around face " + std::to_string(chart.source_face.front()) + " (" +
-         std::to_string(chart.source_face.size()) + " triangles)";
+FlattenError at_faces(ErrorCode code, const std::string& begin, const std::vector<int>& faces, const std::string& end) {
+  return FlattenError(code, begin + name_elements("face", faces) + end, {{}, {}, faces});
+}
+
+FlattenError at_edges(ErrorCode code, const std::string& begin, const std::vector<VertexPair>& edges,
+                      const std::string& end) {
+  return FlattenError(code, begin + name_elements("edge", edges) + end, {{}, edges, {}});
 }
 
 std::optional<FlattenError> first_fault(const Faults& faults) {
-  using Code = ErrorCode;
   if (!faults.repeated_vertex.empty()) {
-    return FlattenError(
-        Code::repeated_vertex_in_face,
-        "The same vertex stands twice in " + name_elements("face", faults.repeated_vertex) + ": delete such faces.",
-        {{}, {}, faults.repeated_vertex});
+    return at_faces(ErrorCode::repeated_vertex_in_face, "The same vertex stands twice in ", faults.repeated_vertex,
+                    ": delete such faces.");
   }
   if (!faults.repeated_face.empty()) {
-    return FlattenError(Code::repeated_face,
-                        "The vertices of " + name_elements("face", faults.repeated_face) +
-                            " are those of another face: delete the copies.",
-                        {{}, {}, faults.repeated_face});
+    return at_faces(ErrorCode::repeated_face, "The vertices of ", faults.repeated_face,
+                    " are those of another face: delete the copies.");
   }
   if (!faults.zero_area.empty()) {
-    return FlattenError(Code::zero_area_face,
-                        "There is no area in " + name_elements("face", faults.zero_area) +
-                            ": dissolve such faces or move their vertices.",
-                        {{}, {}, faults.zero_area});
+    return at_faces(ErrorCode::zero_area_face, "There is no area in ", faults.zero_area,
+                    ": dissolve such faces or move their vertices.");
   }
   if (!faults.non_manifold.empty()) {
-    return FlattenError(Code::non_manifold_edge,
-                        "Three faces or more meet at " + name_elements("edge", faults.non_manifold) +
-                            ": mark such edges as seams or delete the extra faces.",
-                        {{}, faults.non_manifold, {}});
+    return at_edges(ErrorCode::non_manifold_edge, "Three faces or more meet at ", faults.non_manifold,
+                    ": mark such edges as seams or delete the extra faces.");
   }
   if (!faults.turned.empty()) {
-    return FlattenError(Code::inconsistent_orientation,
-                        "The faces at " + name_elements("edge", faults.turned) +
-                            " look to opposite sides: recalculate the normals, or mark the edges as seams.",
-                        {{}, faults.turned, {}});
+    return at_edges(ErrorCode::inconsistent_orientation, "The faces at ", faults.turned,
+                    " look to opposite sides: recalculate the normals, or mark the edges as seams.");
   }
   if (!faults.pinched.empty()) {
-    return FlattenError(Code::non_manifold_vertex,
+    return FlattenError(ErrorCode::non_manifold_vertex,
                         "The piece touches itself at " + name_elements("vertex", faults.pinched) +
                             " without sharing an edge there: split such vertices.",
                         {faults.pinched, {}, {}});
@@ -169,14 +162,15 @@ long count_handles(const Chart& chart) {
 
 std::optional<FlattenError> find_topology_fault(const Chart& chart) {
   if (chart.boundary_loops.empty()) {
-    return FlattenError(ErrorCode::closed_chart, name_piece(chart) + " is closed: mark a seam that opens it.",
+    return FlattenError(ErrorCode::closed_chart,
+                        introduce_piece(chart.source_face) + " is closed: mark a seam that opens it.",
                         {{}, {}, chart.source_face});
   }
   const long handles = count_handles(chart);
   if (handles == 0) return std::nullopt;
   return FlattenError(ErrorCode::handles,
-                      name_piece(chart) + " has " + std::to_string(handles) + (handles == 1 ? " handle" : " handles") +
-                          " like a torus: mark seams that cut each of them.",
+                      introduce_piece(chart.source_face) + " has " + std::to_string(handles) +
+                          (handles == 1 ? " handle" : " handles") + " like a torus: mark seams that cut each of them.",
                       {{}, {}, chart.source_face});
 }
 

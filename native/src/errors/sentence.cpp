@@ -13,17 +13,17 @@ namespace {
 constexpr std::size_t kNamed = 5;
 
 std::string join(const std::string& noun, const std::vector<std::string>& names, std::size_t count) {
-  if (count == 1) return noun + " " + names[0];
-  std::string text = noun == "vertex" ? "vertices" : noun + "s";
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const bool is_last = i + 1 == count;
-    text += (i == 0 ? " " : is_last ? " and " : ", ") + names[i];
-  }
-  if (count > names.size()) text += " and " + std::to_string(count - names.size()) + " more";
-  return text;
+  const std::string plural = noun == "vertex" ? "vertices" : noun + "s";
+  return (count == 1 ? noun : plural) + " " + listed(names, count);
 }
 
 }  // namespace
+
+std::string listed(const std::vector<std::string>& names, std::size_t count) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == count ? " and " : ", ") + names[i];
+  return names.size() < count ? text + " and " + std::to_string(count - names.size()) + " more" : text;
+}
 
 std::string name_elements(const std::string& noun, const std::vector<int>& indices) {
   std::vector<std::string> names;
@@ -49,6 +49,14 @@ std::string name_wires(const std::vector<Wire>& wires, const std::vector<int>& i
   return text + " (" + wires[indices[0]].name + ")";
 }
 
+std::string name_piece(const std::vector<int>& faces) {
+  return "the piece around face " + std::to_string(faces.front());
+}
+
+std::string introduce_piece(const std::vector<int>& faces) {
+  return capitalized(name_piece(faces)) + " (" + std::to_string(faces.size()) + " triangles)";
+}
+
 std::string capitalized(std::string sentence) {
   sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
   return sentence;
@@ -64,10 +72,12 @@ std::string shortest(double value) {
   return text;
 }
 
-std::string percent(double fraction) {
+std::string rounded(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g%%", 100 * std::abs(fraction));
+  std::snprintf(text, sizeof text, "%.3g", value);
   return text;
 }
+
+std::string percent(double fraction) { return rounded(100 * std::abs(fraction)) + "%"; }
 
 }  // namespace wirewarp

@@ -9,6 +9,9 @@
 
 namespace wirewarp {
 
+/// "a", "a and b", "a, b and c", or "a, b and 7 more" where they are the first of so many.
+std::string listed(const std::vector<std::string>& names, std::size_t count);
+
 /// "vertex 3", "vertices 3, 7 and 9", "faces 1, 2, 3, 4, 5 and 12 more". noun is "vertex", "edge" or "face".
 std::string name_elements(const std::string& noun, const std::vector<int>& indices);
 
@@ -21,11 +24,20 @@ std::string such_as_along(const std::vector<VertexPair>& edges);
 /// The same for wires, a single one with its name if it has one: "wire 2 (waist)", "wires 2 and 5".
 std::string name_wires(const std::vector<Wire>& wires, const std::vector<int>& indices);
 
+/// "the piece around face 3", of the piece's input faces.
+std::string name_piece(const std::vector<int>& faces);
+
+/// "The piece around face 3 (12 triangles)".
+std::string introduce_piece(const std::vector<int>& faces);
+
 /// The sentence with a capital at its beginning.
 std::string capitalized(std::string sentence);
 
 /// The fewest digits that mean this number: "0.1", "1e-300", "nan".
 std::string shortest(double value);
+
+/// Three digits: "3.25", "1.2e+06".
+std::string rounded(double value);
 
 /// "3.25%", without a sign.
 std::string percent(double fraction);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "charts/chart.h"
-#include "feasibility/piece_outlines.h"
+#include "feasibility/cut_mask.h"
 
 namespace wirewarp {
 

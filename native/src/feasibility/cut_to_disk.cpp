@@ -74,10 +74,7 @@ CutMask cut_through(const HalfEdgeMesh& mesh, const ShortestPaths& paths) {
 }  // namespace
 
 CutMask cut_to_disk(const HalfEdgeMesh& mesh) {
-  std::vector<VertexHandle> boundary;
-  for (const VertexHandle v : mesh.vertices()) {
-    if (mesh.is_boundary(v)) boundary.push_back(v);
-  }
+  const std::vector<VertexHandle> boundary = boundary_vertices(mesh);
   if (!boundary.empty()) return cut_through(mesh, shortest_paths(mesh, boundary));
 
   std::vector<VertexHandle> bases{VertexHandle(0)};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "feasibility/piece_outlines.h"
+#include "feasibility/cut_mask.h"
 
 namespace wirewarp {
 

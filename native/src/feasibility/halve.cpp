@@ -18,10 +18,7 @@ VertexHandle farthest_from(const HalfEdgeMesh& mesh, const std::vector<VertexHan
 
 /// A far end of the surface, seen from its boundary.
 VertexHandle far_end(const HalfEdgeMesh& mesh) {
-  std::vector<VertexHandle> boundary;
-  for (const VertexHandle v : mesh.vertices()) {
-    if (mesh.is_boundary(v)) boundary.push_back(v);
-  }
+  const std::vector<VertexHandle> boundary = boundary_vertices(mesh);
   return farthest_from(mesh, boundary.empty() ? std::vector<VertexHandle>{VertexHandle(0)} : boundary);
 }
 

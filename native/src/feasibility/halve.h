@@ -2,7 +2,7 @@
 // Cuts that divide a surface in two.
 #pragma once
 
-#include "feasibility/piece_outlines.h"
+#include "feasibility/cut_mask.h"
 
 namespace wirewarp {
 

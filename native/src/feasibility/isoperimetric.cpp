@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/geometry.h"
 #include "planar.h"
 
 namespace wirewarp {
@@ -19,10 +20,10 @@ constexpr double kRequiredOfTube = 0.45;
 
 }  // namespace
 
-double isoperimetric_ratio(const PieceOutline& piece) {
-  if (piece.loops.empty()) return 0;
-  const double longest = piece.loops.front().length;
-  return longest * longest / (4 * kPi * piece.area);
+double isoperimetric_ratio(const Chart& chart) {
+  double longest = 0;
+  for (const HalfEdgeChain& loop : chart.boundary_loops) longest = std::max(longest, length_of(chart.mesh, loop));
+  return longest * longest / (4 * kPi * surface_area(chart.mesh));
 }
 
 double least_shape_error(double share) {
@@ -31,6 +32,8 @@ double least_shape_error(double share) {
   return share <= 0.25 ? 1 - 2 * share : 2 * missing * missing;
 }
 
-double required_share(std::size_t num_loops) { return num_loops > 1 ? kRequiredOfTube : kRequiredOfDisk; }
+bool is_outline_too_short(const Chart& chart) {
+  return isoperimetric_ratio(chart) < (chart.boundary_loops.size() > 1 ? kRequiredOfTube : kRequiredOfDisk);
+}
 
 }  // namespace wirewarp

@@ -8,13 +8,13 @@
 #include "arap/free_boundary_arap.h"
 #include "charts/chart_faults.h"
 #include "factorization_failed.h"
-#include "feasibility/check_outline.h"
 #include "feasibility/cut_apart.h"
 #include "feasibility/cut_to_disk.h"
 #include "feasibility/folded_faces.h"
 #include "feasibility/halve.h"
-#include "feasibility/slit_to_far_end.h"
+#include "feasibility/isoperimetric.h"
 #include "mesh/geometry.h"
+#include "mesh/shortest_paths.h"
 
 namespace wirewarp {
 namespace {
@@ -75,6 +75,20 @@ CutMask cut_of_whole(const Chart& chart, const Chart& piece, const CutMask& cut)
 }
 
 bool is_empty(const CutMask& cut) { return std::find(cut.begin(), cut.end(), 1) == cut.end(); }
+
+/// From the boundary, or on a closed surface from one far end, to the vertex farthest from there.
+CutMask slit_to_far_end(const HalfEdgeMesh& mesh) {
+  std::vector<VertexHandle> starts = boundary_vertices(mesh);
+  const bool is_closed = starts.empty();
+  if (is_closed) starts.push_back(farthest_vertex(shortest_paths(mesh, {VertexHandle(0)})));
+  const ShortestPaths paths = shortest_paths(mesh, starts);
+  const std::vector<HalfedgeHandle> path = path_back(mesh, paths, farthest_vertex(paths));
+  CutMask cut(mesh.n_edges(), 0);
+  // Both sides of a single edge inside a closed surface would be one loop of two edges between the same vertices.
+  if (is_closed && path.size() == 1) return cut;
+  for (const HalfedgeHandle h : path) cut[mesh.edge_handle(h).idx()] = 1;
+  return cut;
+}
 
 class SeamSearch {
  public:

@@ -52,4 +52,12 @@ VertexHandle farthest_vertex(const ShortestPaths& paths) {
   return VertexHandle(static_cast<int>(farthest - paths.distance.begin()));
 }
 
+std::vector<VertexHandle> boundary_vertices(const HalfEdgeMesh& mesh) {
+  std::vector<VertexHandle> boundary;
+  for (const VertexHandle v : mesh.vertices()) {
+    if (mesh.is_boundary(v)) boundary.push_back(v);
+  }
+  return boundary;
+}
+
 }  // namespace wirewarp

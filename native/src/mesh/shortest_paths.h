@@ -31,4 +31,6 @@ std::vector<HalfedgeHandle> path_back(const HalfEdgeMesh& mesh, const ShortestPa
 
 VertexHandle farthest_vertex(const ShortestPaths& paths);
 
+std::vector<VertexHandle> boundary_vertices(const HalfEdgeMesh& mesh);
+
 }  // namespace wirewarp

@@ -2,8 +2,8 @@
 #include "refine/lies_flat.h"
 
 #include "factorization_failed.h"
-#include "feasibility/check_outline.h"
 #include "feasibility/folded_faces.h"
+#include "feasibility/isoperimetric.h"
 
 namespace wirewarp {
 namespace {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "feasibility/check_outline.h"
+#include "feasibility/isoperimetric.h"
 #include "mesh/geometry.h"
 #include "mesh/overlap.h"
 #include "planar.h"

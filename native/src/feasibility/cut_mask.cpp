@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "feasibility/cut_mask.h"
+
+#include "mesh/geometry.h"
+
+namespace wirewarp {
+
+double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut) {
+  double length = 0;
+  for (const EdgeHandle e : mesh.edges()) {
+    if (cut[e.idx()]) length += edge_length(mesh, mesh.halfedge_handle(e, 0));
+  }
+  return length;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "mesh/half_edge_mesh.h"
+
+namespace wirewarp {
+
+/// Edges to cut along, one flag per edge of a chart's mesh.
+using CutMask = std::vector<char>;
+
+/// Length of all cut edges, scene units.
+double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut);
+
+}  // namespace wirewarp
