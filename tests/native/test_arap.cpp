@@ -7,24 +7,32 @@
 #include <limits>
 #include <random>
 
-#include "metrics/arap.h"
+#include "metrics/metrics.h"
+#include "network/wire_network.h"
+#include "test_meshes.h"
 
 namespace wirewarp {
 namespace {
 
 using Planar = std::array<Eigen::Vector2d, 3>;
-using Spatial = std::array<Eigen::Vector3d, 3>;
 
-/// p put into space by a rigid motion, mapped to u.
-TriangleDistortion measure(const Planar& p, const Planar& u) {
+/// Of one triangle: p put into space by a rigid motion, mapped to u.
+Metrics measure(const Planar& p, const Planar& u) {
   const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()) *
                                     Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitX()))
                                        .toRotationMatrix();
-  Spatial q;
-  for (std::size_t i = 0; i < 3; ++i) {
-    q[i] = rotation * Eigen::Vector3d(p[i].x(), p[i].y(), 0) + Eigen::Vector3d(3, -1, 2);
+  FlattenInput input;
+  input.vertices.resize(3, 3);
+  input.faces.resize(1, 3);
+  input.faces << 0, 1, 2;
+  Positions2 uv(3, 2);
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector2d& corner = p[static_cast<std::size_t>(i)];
+    input.vertices.row(i) = rotation * Eigen::Vector3d(corner.x(), corner.y(), 0) + Eigen::Vector3d(3, -1, 2);
+    uv.row(i) = u[static_cast<std::size_t>(i)];
   }
-  return measure_triangle(q[0], q[1], q[2], u[0], u[1], u[2]);
+  const Charts charts = test::charts_of(input);
+  return measure_metrics(charts.charts.at(0), build_wire_network(charts.charts.at(0)), uv);
 }
 
 Planar transformed(const Planar& p, const Eigen::Matrix2d& map) { return {map * p[0], map * p[1], map * p[2]}; }
@@ -67,47 +75,46 @@ TEST(Arap, EqualsTheCotangentFormulaOfThePaper) {
     if (cross(p[1] - p[0], p[2] - p[0]) < 0) std::swap(p[1], p[2]);
     if (cross(p[1] - p[0], p[2] - p[0]) < 0.05) continue;
     const double expected = literal_arap(p, u);
-    EXPECT_NEAR(measure(p, u).arap_energy, expected, 1e-11 * (1 + expected));
+    EXPECT_NEAR(measure(p, u).face_arap[0], expected, 1e-11 * (1 + expected));
   }
 }
 
 TEST(Arap, SingularValuesOfAStretchTurnedBothWays) {
   const Eigen::Matrix2d map =
       Eigen::Rotation2Dd(0.7) * Eigen::Vector2d(1.25, 0.8).asDiagonal() * Eigen::Rotation2Dd(2.0);
-  const TriangleDistortion t = measure(kTriangle, transformed(kTriangle, map));
-  EXPECT_NEAR(t.sigma_1, 1.25, 1e-14);
-  EXPECT_NEAR(t.sigma_2, 0.8, 1e-14);
-  EXPECT_NEAR(t.aspect_ratio(), 1.25, 1e-14);
+  const Metrics t = measure(kTriangle, transformed(kTriangle, map));
+  EXPECT_NEAR(t.face_aspect_ratio[0], 1.25, 1e-14);
   EXPECT_NEAR(t.area_3d, 1, 1e-14);
   EXPECT_NEAR(t.area_2d, 1.25 * 0.8, 1e-14);
-  EXPECT_NEAR(t.arap_energy, 0.25 * 0.25 + 0.2 * 0.2, 1e-14);
+  EXPECT_NEAR(t.face_arap[0], 0.25 * 0.25 + 0.2 * 0.2, 1e-14);
 }
 
 TEST(Arap, IsometryHasNoDistortion) {
-  const TriangleDistortion t = measure(kTriangle, transformed(kTriangle, Eigen::Rotation2Dd(-2.5).toRotationMatrix()));
-  EXPECT_NEAR(t.aspect_ratio(), 1, 1e-14);
-  EXPECT_LT(t.arap_energy, 1e-28);
+  const Metrics t = measure(kTriangle, transformed(kTriangle, Eigen::Rotation2Dd(-2.5).toRotationMatrix()));
+  EXPECT_NEAR(t.face_aspect_ratio[0], 1, 1e-14);
+  EXPECT_LT(t.face_arap[0], 1e-28);
 }
 
 TEST(Arap, AspectRatioCountsShrinkingAsMuchAsStretching) {
-  EXPECT_NEAR(measure(kTriangle, transformed(kTriangle, Eigen::Matrix2d::Identity() * 4)).aspect_ratio(), 4, 1e-13);
-  EXPECT_NEAR(measure(kTriangle, transformed(kTriangle, Eigen::Matrix2d::Identity() / 4)).aspect_ratio(), 4, 1e-13);
+  EXPECT_NEAR(measure(kTriangle, transformed(kTriangle, Eigen::Matrix2d::Identity() * 4)).face_aspect_ratio[0], 4,
+              1e-13);
+  EXPECT_NEAR(measure(kTriangle, transformed(kTriangle, Eigen::Matrix2d::Identity() / 4)).face_aspect_ratio[0], 4,
+              1e-13);
 }
 
 TEST(Arap, MirrorImageIsFlipped) {
-  const TriangleDistortion t = measure(kTriangle, transformed(kTriangle, Eigen::Vector2d(-1, 1).asDiagonal()));
+  const Metrics t = measure(kTriangle, transformed(kTriangle, Eigen::Vector2d(-1, 1).asDiagonal()));
   EXPECT_NEAR(t.area_2d, -1, 1e-14);
-  EXPECT_NEAR(t.sigma_2, -1, 1e-14);
-  EXPECT_NEAR(t.arap_energy, 4, 1e-13);  // (1-1)² + (-1-1)², area 1
-  EXPECT_NEAR(t.aspect_ratio(), 1, 1e-14);
+  EXPECT_NEAR(t.face_arap[0], 4, 1e-13);  // (1-1)² + (-1-1)², area 1
+  EXPECT_NEAR(t.face_aspect_ratio[0], 1, 1e-14);
 }
 
 TEST(Arap, CollapsedTriangleHasInfiniteAspectRatio) {
   const Planar point = {Eigen::Vector2d(1, 1), Eigen::Vector2d(1, 1), Eigen::Vector2d(1, 1)};
-  const TriangleDistortion t = measure(kTriangle, point);
-  EXPECT_EQ(t.aspect_ratio(), std::numeric_limits<double>::infinity());
+  const Metrics t = measure(kTriangle, point);
+  EXPECT_EQ(t.face_aspect_ratio[0], std::numeric_limits<double>::infinity());
   EXPECT_EQ(t.area_2d, 0);
-  EXPECT_NEAR(t.arap_energy, 2, 1e-14);  // (0-1)² twice
+  EXPECT_NEAR(t.face_arap[0], 2, 1e-14);  // (0-1)² twice
 }
 
 }  // namespace

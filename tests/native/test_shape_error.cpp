@@ -6,7 +6,6 @@
 #include <random>
 
 #include "arap/shape_error.h"
-#include "metrics/arap.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -24,23 +23,6 @@ Positions2 turned(const Positions2& uv, double angle) {
   return uv * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose();
 }
 
-Eigen::Vector3d point(const Chart& chart, VertexHandle v) {
-  return Eigen::Vector3d(chart.mesh.point(v)[0], chart.mesh.point(v)[1], chart.mesh.point(v)[2]);
-}
-
-/// Σ E_A of Eq. (6), by the metrics.
-double measured_energy(const Chart& chart, const Positions2& uv) {
-  double sum = 0;
-  for (const FaceHandle face : chart.mesh.faces()) {
-    std::vector<VertexHandle> v;
-    for (const VertexHandle corner : chart.mesh.fv_range(face)) v.push_back(corner);
-    sum += measure_triangle(point(chart, v[0]), point(chart, v[1]), point(chart, v[2]), uv.row(v[0].idx()),
-                            uv.row(v[1].idx()), uv.row(v[2].idx()))
-               .arap_energy;
-  }
-  return sum;
-}
-
 /// A curved chart and layouts of it with many flipped triangles.
 class ShapeErrorOnASphere : public testing::Test {
  protected:
@@ -48,16 +30,6 @@ class ShapeErrorOnASphere : public testing::Test {
   const Chart& chart = charts.charts.at(0);
   const ShapeError shape_error{chart};
 };
-
-TEST_F(ShapeErrorOnASphere, ShapeErrorIsTheSumOfTheMeasuredEnergies) {
-  for (unsigned seed = 0; seed < 10; ++seed) {
-    const Positions2 uv = random_positions(chart, seed);
-    const double expected = measured_energy(chart, uv);
-    Positions2 gradient;
-    EXPECT_NEAR(shape_error.energy(uv), expected, 1e-13 * expected);
-    EXPECT_EQ(shape_error.energy_and_gradient(uv, gradient), shape_error.energy(uv));
-  }
-}
 
 TEST_F(ShapeErrorOnASphere, GradientEqualsDifferences) {
   // Fourth-order differences: an error of h⁴ times the fifth derivative, and of rounding over h.
@@ -67,7 +39,7 @@ TEST_F(ShapeErrorOnASphere, GradientEqualsDifferences) {
     const auto energy = [&](double t) { return shape_error.energy(uv + t * direction); };
     const double difference = (8 * (energy(h) - energy(-h)) - (energy(2 * h) - energy(-2 * h))) / (12 * h);
     Positions2 gradient;
-    shape_error.energy_and_gradient(uv, gradient);
+    EXPECT_EQ(shape_error.energy_and_gradient(uv, gradient), energy(0));
     EXPECT_NEAR((gradient.array() * direction.array()).sum(), difference, 1e-8 * gradient.norm() * direction.norm());
   }
 }

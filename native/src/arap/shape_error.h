@@ -3,8 +3,9 @@
 //
 //   E(u) = Σ_t A [2(|z| - 1)² + 2|w|²],   J = [z₁+w₁, w₂-z₂; z₂+w₂, z₁-w₁]   the map of triangle t, linear in u
 //
-// as metrics/arap.h derives it. The rotation L_t that fits best is ẑ = z/|z|: a flipped triangle is measured against
-// the best rotation, never against a reflection.
+// Eq. (6) sums ½ Σ cot θ |(u_i − u_i+1) − L (v_i − v_i+1)|² with the rotation L that fits best. By the cotangent
+// identity Σ cot θ |M e|² = 2A |M|² that is A |J − L|². The singular values of J are |z| ± |w|, and L is ẑ = z/|z|: a
+// flipped triangle is measured against the best rotation, never against a reflection.
 #pragma once
 
 #include <Eigen/SparseCore>

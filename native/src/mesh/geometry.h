@@ -14,6 +14,11 @@ inline double edge_length(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return (mesh.point(mesh.to_vertex_handle(h)) - mesh.point(mesh.from_vertex_handle(h))).norm();
 }
 
+/// In a layout, one row per vertex.
+inline double planar_length(const HalfEdgeMesh& mesh, HalfedgeHandle h, const Positions2& uv) {
+  return (uv.row(mesh.to_vertex_handle(h).idx()) - uv.row(mesh.from_vertex_handle(h).idx())).norm();
+}
+
 /// Of a chain or loop of edges, scene units.
 inline double length_of(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& chain) {
   double length = 0;

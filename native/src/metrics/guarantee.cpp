@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "errors/sentence.h"
+#include "mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
@@ -27,10 +28,8 @@ std::vector<WrongEdge> find_wrong_edges(const Chart& chart, const WireNetwork& n
     const int part = edge.is_boundary ? -1 : edge.part;
     if (part >= 0 && chart.wire_parts[part].kind == WireKind::super_elastic) continue;
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
-    const int from = chart.mesh.from_vertex_handle(h).idx();
-    const int to = chart.mesh.to_vertex_handle(h).idx();
     const double promised = (1 + (part >= 0 ? variation[part] : 0)) * edge.length;
-    const double difference = (uv.row(to) - uv.row(from)).norm() - promised;
+    const double difference = planar_length(chart.mesh, h, uv) - promised;
     if (std::abs(difference) <= kRelativeLengthError * edge.length + rounding) continue;
     wrong.push_back({source_edge(chart, h), part, difference / edge.length});
   }

@@ -14,10 +14,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-double planar_length(const Chart& chart, HalfedgeHandle h, const Positions2& uv) {
-  return (uv.row(chart.mesh.to_vertex_handle(h).idx()) - uv.row(chart.mesh.from_vertex_handle(h).idx())).norm();
-}
-
 struct ChainLength {
   double length_3d = 0;
   double length_2d = 0;
@@ -29,7 +25,7 @@ ChainLength measure_chain(const Chart& chart, const HalfEdgeChain& chain, const 
   ChainLength result;
   for (const HalfedgeHandle half_edge : chain) {
     const double length = edge_length(chart.mesh, half_edge);
-    const double planar = planar_length(chart, half_edge, uv);
+    const double planar = planar_length(chart.mesh, half_edge, uv);
     result.length_3d += length;
     result.length_2d += planar;
     result.max_edge_error = std::max(result.max_edge_error, std::abs(planar - (1 + h) * length) / length);
@@ -60,8 +56,8 @@ struct WireEdges {
 void collect_part(const Chart& chart, const WirePart& part, const WireReport& report, const Positions2& uv,
                   WireEdges& wire) {
   for (const HalfedgeHandle h : part.half_edges) {
-    wire.edges.insert(
-        {source_edge(chart, h), {planar_length(chart, h, uv), (1 + report.variation) * edge_length(chart.mesh, h)}});
+    wire.edges.insert({source_edge(chart, h),
+                       {planar_length(chart.mesh, h, uv), (1 + report.variation) * edge_length(chart.mesh, h)}});
   }
   wire.max_edge_error = std::max(wire.max_edge_error, report.max_edge_error);
 }

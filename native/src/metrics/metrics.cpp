@@ -4,33 +4,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "arap/shape_error.h"
 #include "mesh/geometry.h"
 #include "mesh/overlap.h"
-#include "metrics/arap.h"
 #include "planar.h"
 
 namespace wirewarp {
 namespace {
 
-Eigen::Vector3d position(const HalfEdgeMesh& mesh, int vertex) {
-  const HalfEdgeMesh::Point& p = mesh.point(VertexHandle(vertex));
-  return {p[0], p[1], p[2]};
-}
-
-void measure_faces(const Chart& chart, const Triangles& faces, const Positions2& uv, Metrics& metrics) {
-  metrics.face_arap.resize(faces.rows());
-  metrics.face_aspect_ratio.resize(faces.rows());
-  for (int f = 0; f < faces.rows(); ++f) {
-    const int a = faces(f, 0);
-    const int b = faces(f, 1);
-    const int c = faces(f, 2);
-    const TriangleDistortion t = measure_triangle(position(chart.mesh, a), position(chart.mesh, b),
-                                                  position(chart.mesh, c), uv.row(a), uv.row(b), uv.row(c));
-    metrics.face_arap[f] = t.arap_energy;
-    metrics.face_aspect_ratio[f] = t.aspect_ratio();
-    metrics.area_3d += t.area_3d;
-    metrics.area_2d += t.area_2d;
-    if (!(t.area_2d > 0)) metrics.flipped_faces.push_back(chart.source_face[f]);
+/// The singular values of a face's map are |z| ± |w|, of a flipped one's mirror image |w| ± |z|.
+void measure_faces(const Chart& chart, const Positions2& uv, Metrics& metrics) {
+  const ShapeError shape_error(chart);
+  const auto num_faces = static_cast<Eigen::Index>(shape_error.triangles().size());
+  metrics.face_arap.resize(num_faces);
+  metrics.face_aspect_ratio.resize(num_faces);
+  for (Eigen::Index f = 0; f < num_faces; ++f) {
+    const ShapeError::Triangle& triangle = shape_error.triangles()[static_cast<std::size_t>(f)];
+    const ShapeError::LinearMap map = ShapeError::map_of(triangle, uv);
+    const double twice_z = map.norm_z, twice_w = std::hypot(map.w1, map.w2);
+    const Eigen::Vector2d a = uv.row(triangle.vertices[0]), b = uv.row(triangle.vertices[1]),
+                          c = uv.row(triangle.vertices[2]);
+    const double area_2d = cross(b - a, c - a) / 2;
+    metrics.face_arap[f] = triangle.area * map.squared_distance_from_rotation();
+    metrics.face_aspect_ratio[f] = std::max((twice_z + twice_w) / 2, 2 / std::abs(twice_z - twice_w));
+    metrics.area_3d += triangle.area;
+    metrics.area_2d += area_2d;
+    if (!(area_2d > 0)) metrics.flipped_faces.push_back(chart.source_face[static_cast<std::size_t>(f)]);
   }
   metrics.arap_energy = metrics.face_arap.sum() / metrics.area_3d;
 }
@@ -44,11 +43,9 @@ void measure_wire_edges(const Chart& chart, const WireNetwork& network, const Po
   metrics.edge_length_variation.resize(static_cast<Eigen::Index>(edges.size()));
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edges[i]->edge, 0);
-    const int from = chart.mesh.from_vertex_handle(h).idx();
-    const int to = chart.mesh.to_vertex_handle(h).idx();
     metrics.wire_edges.push_back(source_edge(chart, h));
     metrics.edge_length_variation[static_cast<Eigen::Index>(i)] =
-        std::abs(edges[i]->length - (uv.row(to) - uv.row(from)).norm()) / edges[i]->length;
+        std::abs(edges[i]->length - planar_length(chart.mesh, h, uv)) / edges[i]->length;
   }
 }
 
@@ -82,7 +79,7 @@ double planar_angle(const Chart& chart, const WireNetwork& network, const WireNo
 Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Positions2& uv, const StopToken& stop) {
   Metrics metrics;
   const Triangles faces = triangles_of(chart.mesh);
-  measure_faces(chart, faces, uv, metrics);
+  measure_faces(chart, uv, metrics);
   measure_wire_edges(chart, network, uv, metrics);
   measure_angles(chart, network, uv, metrics);
   for (const int f : find_overlapping_faces(faces, faces_on_boundary(chart.mesh), uv, kRelativeOverlapDepth, stop)) {

@@ -11,8 +11,7 @@ Eigen::VectorXd length_variation(const Chart& chart, const Positions2& uv) {
     double length_3d = 0, length_2d = 0;
     for (const HalfedgeHandle h : chart.wire_parts[i].half_edges) {
       length_3d += edge_length(chart.mesh, h);
-      length_2d +=
-          (uv.row(chart.mesh.to_vertex_handle(h).idx()) - uv.row(chart.mesh.from_vertex_handle(h).idx())).norm();
+      length_2d += planar_length(chart.mesh, h, uv);
     }
     variation[i] = length_2d / length_3d - 1;
   }
