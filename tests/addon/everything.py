@@ -11,7 +11,7 @@ from view_context import view_context
 EDGE = {"edge": 0}
 ATTRIBUTES = ("wirewarp_wire", "wirewarp_tolerance", "wirewarp_allowance", "wirewarp_piece")
 KINDS = ("SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE", "HINT")
-MENDS = ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE", "NORMALS")
+MENDS = ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE", "NORMALS", "APPLY")
 COMMANDS = [  # what writes comes last
     ("object.wirewarp_copy_report", {}),
     ("mesh.wirewarp_select_issues", {}),

@@ -184,6 +184,38 @@ def test_faces_that_look_to_opposite_sides_are_turned_and_flattened(addon):
         MEND(**step.settings)
 
 
+@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
+def test_modifiers_are_applied_so_that_what_is_proposed_can_be_marked(addon, mode):
+    source = tube()
+    source.modifiers.new("Finer", "SUBSURF").levels = 1
+    bpy.context.scene.wirewarp.use_modifiers = True
+    with pytest.raises(RuntimeError, match="mark a seam"):
+        bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    bpy.ops.object.mode_set(mode=mode)
+    step = step_of(addon, source)
+    assert step.text == "Apply Modifiers and Flatten"
+    coarse = len(source.data.vertices)
+    with pytest.raises(RuntimeError, match="mark a seam"):
+        MEND(**step.settings, use_modifiers=True)
+    assert not source.modifiers and source.mode == mode
+    assert not bpy.context.scene.wirewarp.use_modifiers
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert len(source.data.vertices) > coarse
+    step = step_of(addon, source)
+    assert step.text == "Mark and Flatten"
+    assert MEND(**step.settings) == {"FINISHED"}
+    assert ready(addon, source)
+
+
+def test_modifiers_of_a_shared_mesh_are_left_alone(addon):
+    source = tube()
+    source.modifiers.new("Finer", "SUBSURF").levels = 1
+    twin = source.copy()
+    with pytest.raises(RuntimeError, match="shares its mesh with other objects"):
+        MEND(what="APPLY")
+    assert source.modifiers and twin.data == source.data
+
+
 def test_the_strained_place_is_the_largest_of_the_worst_piece(addon):
     """Not a wire that would go further if it could, and no single face."""
 

@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 
 from ..blender.mesh import vertex_places
-from ..issues import note, warning
+from ..issues import note, object_error, warning
 from ..names import UV_LAYER
 from ..solve.arrays import MeshArrays
 from ..words import counted
@@ -34,6 +34,16 @@ def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[
     if not makers:
         return []
     return [] if _is_same_shape(source.data, source.evaluated_get(depsgraph).data) else makers
+
+
+def apply_modifiers(source: bpy.types.Object) -> None:
+    """All that are shown. In Object Mode. Raises ObjectError, with nothing changed, where Blender cannot apply them."""
+    if source.data.shape_keys or source.data.users > 1:
+        why = "has shape keys" if source.data.shape_keys else "shares its mesh with other objects"
+        raise object_error("modifiers", f'"{source.name}" {why}, so modifiers cannot be applied.')
+    with bpy.context.temp_override(object=source, active_object=source):
+        for name in [modifier.name for modifier in source.modifiers if modifier.show_viewport]:
+            bpy.ops.object.modifier_apply(modifier=name)
 
 
 def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:

@@ -9,6 +9,7 @@ from ..blender.objects import check_local
 from ..flat.reports import last_report
 from ..issues import ObjectError, object_error
 from ..model.mend import dissolve_faces_without_area, merge_close_vertices, recalculate_normals
+from ..model.modifiers import apply_modifiers
 from ..model.owners import check_not_edited, model_or_self
 from ..properties import take_settings
 from ..run import window_run
@@ -42,6 +43,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
             ("MERGE", "Merge", "Merge vertices of the model that lie in one place"),
             ("NORMALS", "Normals", "Turn faces of the model so that all look to one side"),
+            ("APPLY", "Apply Modifiers", "Make what modifiers show the model itself, with edges that can be marked"),
             ("MODIFIERS", "Modifiers", "Take the mesh as modifiers and shape keys leave it, from now on"),
         ],
         options={"HIDDEN"},
@@ -107,6 +109,12 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             check_local(source, source.data)
             check_not_edited(source)
             return CLEAN_UP[self.what](source.data)
+        if self.what == "APPLY":
+            check_local(source, source.data)
+            check_not_edited(source)
+            apply_modifiers(source)
+            self.use_modifiers = bpy.context.scene.wirewarp.use_modifiers = False
+            return 1
         report = last_report(source)
         if report is None:
             raise object_error("not_flattened", f'"{source.name}" has not been flattened yet. Press Flatten first.')

@@ -17,6 +17,7 @@ REMEDIES = {
     "MERGE": ("Merge and Flatten", "AUTOMERGE_ON"),
     "NORMALS": ("Recalculate Normals and Flatten", "NORMALS_FACE"),
 }
+APPLY_FIRST = "What would mend it is about edges that modifiers make. Mark others on the model, or:"
 OF_CODES = {"zero_area_face": "DISSOLVE", "loose_faces": "MERGE", "inconsistent_orientation": "NORMALS"}
 
 
@@ -30,7 +31,9 @@ class NextStep(NamedTuple):
 
 def next_step(report: dict, left_out: list[str]) -> NextStep | None:
     """None where the pieces may be cut. left_out: see as_seen, of the model as it is now."""
-    remedies = [remedy_of(issue) for issue in report["issues"]] if not report.get("with_modifiers") else []
+    remedies = [remedy_of(issue) for issue in report["issues"]]
+    if report.get("with_modifiers") and any(remedies):
+        return NextStep(APPLY_FIRST, "Apply Modifiers and Flatten", "MODIFIER", MEND, {"what": "APPLY"})
     for what, (text, icon) in REMEDIES.items():
         if what in remedies:
             return NextStep(_reason(report["issues"], what), text, icon, MEND, {"what": what})

@@ -12,10 +12,6 @@ from .layout import draw_sentence
 from .report_table import SHOWN_ROWS, draw_select
 
 SHOWN_HINTS = 5
-WITH_MODIFIERS = (
-    "The proposal is about edges that modifiers make. Mark others on the model, or apply its modifiers and flatten "
-    "anew."
-)
 ADVICE = {
     TORN: f"{TORN_ADVICE}:",
     "wire_at_limit": "A wider tolerance on these wires would lower the distortion:",
@@ -24,18 +20,13 @@ ADVICE = {
 
 
 def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: dict) -> None:
-    issues, has_proposal = report["issues"], False
+    issues = report["issues"]
     for index, issue in enumerate(issues[:SHOWN_ROWS]):
         _draw_entry(context, layout, with_piece(report, issue), "ISSUE", index, is_shown(report, issue))
         if not report.get("with_modifiers"):
             _draw_proposals(context, layout, index, issue)
-        elif issue["proposed_seams"] or issue["proposed_tolerances"]:
-            draw_sentence(context, layout, WITH_MODIFIERS, "INFO")
-            has_proposal = True
     if len(issues) > SHOWN_ROWS:
         layout.label(text=f"and {len(issues) - SHOWN_ROWS} more")
-    if has_proposal and context.active_object.modifiers:
-        layout.operator("object.convert", text="Apply Modifiers", icon="MODIFIER").target = "MESH"
     if sum(map(_has_place, issues)) > 1 and not report.get("with_modifiers"):
         layout.operator("mesh.wirewarp_select_issues", text="Select All Problems", icon="RESTRICT_SELECT_OFF")
     if any(issue["code"] == "multi_user_scale" for issue in issues):
