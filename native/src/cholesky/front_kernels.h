@@ -18,7 +18,7 @@ struct alignas(64) Tile {
   double entries[16];
 };
 
-constexpr int kTile = 4;
+constexpr int kTile = 4;  // the numbers that a register of AVX2 holds; larger ones pad small fronts more
 
 // Internal linkage, for front_kernels_body.h says why nothing inline may be shared.
 

@@ -3,7 +3,7 @@
 // registers. Nothing here may run before has_avx2() has asked the processor.
 namespace {
 constexpr int kLanes = 4;
-constexpr int kRowsAtOnce = 3;
+constexpr int kRowsAtOnce = 3;  // 12 registers of sums, and four for what is multiplied
 }  // namespace
 
 #include "cholesky/front_kernels_body.h"

@@ -2,7 +2,7 @@
 // For any processor: two numbers in a register, and sixteen registers.
 namespace {
 constexpr int kLanes = 2;
-constexpr int kRowsAtOnce = 1;
+constexpr int kRowsAtOnce = 1;  // 8 registers of sums; two rows would take all
 }  // namespace
 
 #include "cholesky/front_kernels_body.h"

@@ -10,6 +10,7 @@
 namespace wirewarp {
 namespace {
 
+// Of the heaviest subtree: five levels down, where each has a thirtieth of the work, shares are even enough.
 constexpr int kMostSplits = 32;
 
 int num_fronts(const FrontLayout& layout) { return static_cast<int>(layout.fronts.size()) - 1; }

@@ -12,18 +12,27 @@
 namespace wirewarp {
 namespace {
 
+// Holds what nothing else does. The softest mode of a square sheet has 2π² against a mass of 1: 1e-4 shortens its step
+// by a few millionths.
 constexpr double kMass = 1e-4;
+// Far above the stiffness at a vertex, which is some units (cotangents of angles), and far below that of edges: what it
+// rounds off is 1e-10.
 constexpr double kPin = 1e6;
+// Far above any curvature of f + λᵀc along a wire, so that a failed factorization tells of the null space of J alone.
+// Each step of the method of multipliers gains as many digits as ρ has over the stiffness of the surface: seven or so.
 constexpr double kSmallestStiffness = 1e8;
-// Over the largest diagonal entry of the Hessian at an edge's ends. No more: what the entries of short edges round off
-// must stay far below the stiffness of the surface.
+// Over the largest diagonal entry of the Hessian at an edge's ends: fairness makes short edges stiffer than 1e8. No
+// more: what the entries of short edges round off must stay far below the stiffness of the surface.
 constexpr double kStiffness = 10;
-constexpr int kMultiplierSteps = 3;
-constexpr double kAccuracy = 1e-9;      // of changes of length, over how far the ends of edges move apart or aside
-constexpr double kRough = 1e-5;         // the same, for ∂λ/∂h: steps are corrected after it
-constexpr double kWellPositive = 1e-4;  // least pivot over the largest diagonal entry
-constexpr int kColumnsAtOnce = 4;       // what the Cholesky kernels take
-constexpr int kManyVariations = 200;    // beyond, eigenvalues cost more than the Newton system
+constexpr int kMultiplierSteps = 3;  // mostly one is enough, and what three do not mend rounding has spoiled
+// Of changes of length, over how far the ends of edges move apart or aside: what a step is wrong by, steps back to
+// exact lengths mend.
+constexpr double kAccuracy = 1e-9;
+constexpr double kRough = 1e-5;  // the same, for ∂λ/∂h: what one solve gives; steps are corrected after it
+// Least pivot over the largest diagonal entry: ten times the error that kRough leaves.
+constexpr double kWellPositive = 1e-4;
+constexpr int kColumnsAtOnce = 4;     // what the Cholesky kernels take
+constexpr int kManyVariations = 200;  // beyond, eigenvalues cost more than the Newton system
 
 std::vector<VertexPair> coupled_vertices(const FairShapeError& objective) {
   std::vector<VertexPair> pairs;
@@ -67,7 +76,7 @@ VertexPair pinned_vertices(const Chart& chart) {
 /// With so much more on the diagonal that it is positive, from 1e-5 of the largest entry on: ten times as much each
 /// time.
 Eigen::MatrixXd shifted(Eigen::MatrixXd symmetric) {
-  constexpr double kMost = 1e6;
+  constexpr double kMost = 1e6;  // of a matrix without any positive entry on its diagonal nothing can be made
   const double largest = symmetric.diagonal().cwiseAbs().maxCoeff();
   double shift = 0;
   for (double next = 1e-5; next < kMost; next *= 10) {
