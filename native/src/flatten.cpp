@@ -95,6 +95,8 @@ void flatten_by_warping(const Chart& chart, const Run& run, const StopToken& sto
   solved.variation.assign(solution.variation.begin(),
                           solution.variation.begin() + static_cast<std::ptrdiff_t>(chart.wire_parts.size()));
   solved.uv = std::move(solution.shape.uv);
+  const bool is_folded = !find_folded_faces(chart.mesh, solved.uv).empty();
+  if (is_folded && !lies_flat(chart, run.options, stop)) solved.proposed_seams = propose_seams(chart, run, stop);
 }
 
 /// The refined method: wires and surface at once, under the same exact lengths. Once those are reached, cancelling
@@ -108,6 +110,8 @@ void flatten_by_refining(const Chart& chart, const Run& run, const StopToken& st
   if (!refined.shape.is_exact) throw explain_infeasible(chart, run, refined, stop.in("shape"));
   solved.variation.assign(refined.shape.variation.begin(), refined.shape.variation.end());
   solved.uv = std::move(refined.shape.uv);
+  const bool is_folded = refined.shape.injectivity != Injectivity::global;
+  if (is_folded && !stop.is_stopped()) solved.proposed_seams = propose_seams(chart, run, stop);
 }
 
 const char* name_of(Method method) {
@@ -129,14 +133,6 @@ SolvedChart cancelled_chart() {
   return solved;
 }
 
-/// What mends a layout that is turned over or covers itself. Nothing where another method does.
-std::vector<VertexPair> seams_for(const SolvedChart& solved, const Chart& chart, const Run& run,
-                                  const StopToken& stop) {
-  if (find_folded_faces(chart.mesh, solved.uv).empty()) return {};
-  const bool can_refine = run.options.method != Method::refined && lies_flat(chart, run.options, stop);
-  return can_refine ? std::vector<VertexPair>() : propose_seams(chart, run, stop);
-}
-
 /// The layout of a chart with a mesh, or why it has none.
 SolvedChart solve_chart(const Chart& chart, const Run& run, const StopToken& stop) {
   SolvedChart solved;
@@ -144,7 +140,6 @@ SolvedChart solve_chart(const Chart& chart, const Run& run, const StopToken& sto
     if (chart.error) throw with_proposed_seams(*chart.error, propose_seams(chart, run, stop));
     if (is_outline_too_short(chart)) throw outline_too_short(chart, propose_seams(chart, run, stop));
     (run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, run, stop, solved);
-    solved.proposed_seams = seams_for(solved, chart, run, stop);
   } catch (const FlattenError& error) {
     solved.error = error;
   } catch (const Stopped&) {

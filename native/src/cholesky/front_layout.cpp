@@ -40,7 +40,7 @@ class Builder {
     return static_cast<int>(list.size());
   }
   int num_fronts() const { return static_cast<int>(tree_.nodes.size()); }
-  int vertex_of(int unknown) const { return unknown / k_; }
+  int vertex_of(int unknown) const { return k_ == 2 ? unknown / 2 : unknown / k_; }  // to divide by a variable is slow
   bool is_earlier(int a, int b) const { return elimination_[a] < elimination_[b]; }
 
   void number_vertices() {
@@ -141,7 +141,10 @@ class Builder {
     for (int i = 0; i < front.num_pivots + front.num_rows; ++i) {
       place_[layout_.vertices[front.first_vertex + i]] = i;
     }
-    const auto row_of = [&](int unknown) { return layout_.row_of(front, place_[vertex_of(unknown)]) + unknown % k_; };
+    const auto row_of = [&](int unknown) {
+      const int vertex = vertex_of(unknown);
+      return layout_.row_of(front, place_[vertex]) + unknown - k_ * vertex;
+    };
     for (int e = entry_start_[node]; e < entry_start_[node + 1]; ++e) {
       const auto [column, row] = std::minmax({row_of(entries_[e].row), row_of(entries_[e].column)});
       const std::size_t tile = panel_row(row / kTile, front.pivot_tiles) + (column / kTile);

@@ -68,17 +68,17 @@ bool make_injective(const Chart& chart, const WireNetwork& network, double fairn
                     RefinedShape& shape) {
   if (!shape.is_exact || !limits.stop.in("shape").may_go_on()) return false;
   bool is_other = false;
-  Injectivity reached = injectivity_of(chart, shape.uv);
+  shape.injectivity = injectivity_of(chart, shape.uv);
   for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {
     const bool is_disk = chart.boundary_loops.size() == 1;  // a ring that overlaps had best be cut open
     if (injectivity == Injectivity::global && !is_disk) continue;
-    if (limits.stop.is_stopped() || reached >= injectivity) continue;
+    if (limits.stop.is_stopped() || shape.injectivity >= injectivity) continue;
     try {
       RefinedShape injective = refine_injectively(chart, network, fairness, {limits.budget, limits.stop, injectivity});
       if (!injective.is_exact) continue;
       shape = std::move(injective);
       is_other = true;
-      reached = injectivity_of(chart, shape.uv);
+      shape.injectivity = injectivity_of(chart, shape.uv);
     } catch (const Stopped&) {  // the shape at hand has exact lengths
       break;
     } catch (const FactorizationFailed&) {

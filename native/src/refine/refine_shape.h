@@ -25,6 +25,7 @@ struct RefinedShape {
   Eigen::VectorXd multipliers;  // λ, one per edge of the network
   double objective = 0;         // f over the 3D area
   double length_error = 0;      // LengthConstraints::largest_error
+  Injectivity injectivity = Injectivity::none;  // once make_injective() has looked
   int iterations = 0;
   int factorizations = 0;
   bool is_exact = false;   // the lengths are: uv is a flat shape to cut
