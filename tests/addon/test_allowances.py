@@ -142,6 +142,17 @@ def test_each_side_of_a_seam_can_have_its_own_width(source, tmp_path):
     assert widths_at_seam(tmp_path, source) == pytest.approx([12.0, 12.0], abs=0.02)
 
 
+def test_both_sides_of_a_seam_can_be_marked_at_once(source, tmp_path):
+    bpy.ops.object.wirewarp_flatten(spacing=50.0)
+    select_only(flat_of(source))
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=15.0)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    select_only(source)
+    assert widths_at_seam(tmp_path, source) == pytest.approx([15.0, 15.0], abs=0.02)
+
+
 def test_the_width_of_a_side_survives_what_wires_survive(source, tmp_path):
     """Splitting edges, turning faces over, joining, another unit, a mirrored object and modifiers."""
     bpy.ops.object.wirewarp_flatten(spacing=50.0)

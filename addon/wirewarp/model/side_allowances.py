@@ -39,9 +39,9 @@ def mark_sides(mesh: bpy.types.Mesh, edges: Sequence[int], faces: Sequence[int],
     Returns how many did: where more than two faces meet, their sides have one width. Raises ObjectError.
     """
     check_allowances(mesh)
-    both, side_widths = np.nan_to_num(_values(mesh, ALLOWANCE)), _values(mesh, SIDE_WIDTH)
+    both, side_widths = _where_set(_values(mesh, ALLOWANCE)), _values(mesh, SIDE_WIDTH)
     sides, numbers, corners = _values(mesh, SIDE), _values(mesh, FACE), _values(mesh, SIDE_ALLOWANCE)
-    widths = np.nan_to_num(side_widths_of(mesh))
+    widths = _where_set(side_widths_of(mesh))
     loop_edges, loop_faces = corner_edges(mesh), np.repeat(np.arange(len(mesh.polygons)), face_sizes(mesh))
     order = np.argsort(loop_edges, kind="stable")
     starts = np.searchsorted(loop_edges[order], np.arange(len(mesh.edges) + 1))
@@ -59,6 +59,9 @@ def mark_sides(mesh: bpy.types.Mesh, edges: Sequence[int], faces: Sequence[int],
             numbers[marked] = new_id()
         both[edge], side_widths[edge], sides[edge] = shared, alone, numbers[marked] if is_one_sided else 0
         corners[loops] = 0
+        widths[loops] = (
+            np.where(loop_faces[loops] == marked, alone, 0) if is_one_sided else 0
+        )  # the other side may follow
         count += 1
     for name, values in (
         (ALLOWANCE, both),
@@ -94,8 +97,13 @@ def clear_sides(edit: bmesh.types.BMesh, edges: Sequence[bmesh.types.BMEdge]) ->
                 loop[corner] = 0.0
 
 
-def _is_set(widths: np.ndarray | float) -> np.ndarray:
-    return np.isfinite(widths) & (np.asarray(widths) != 0)
+def _is_set(widths: np.ndarray) -> np.ndarray:
+    return np.isfinite(widths) & (widths != 0)
+
+
+def _where_set(widths: np.ndarray) -> np.ndarray:
+    """0 where they are none."""
+    return np.where(_is_set(widths), widths, 0).astype(widths.dtype)
 
 
 def _values(mesh: bpy.types.Mesh, name: str) -> np.ndarray:
