@@ -13,6 +13,7 @@ import shapely
 import wirewarp
 from patterns import cut_polygon, quads, rectangle, sample
 from wirewarp.pattern import Marker, Pattern
+from wirewarp.pattern.flat_piece import flat_piece
 from wirewarp.pattern.motion import Motion
 from wirewarp.pattern.nest_items import simplified
 
@@ -153,6 +154,33 @@ def test_a_marker_is_kept_as_json_and_fits_no_other_pieces():
         sample("Hat", allowance=12.0).laid_on(again)
     with pytest.raises(wirewarp.FlattenError, match="on a marker already"):
         pattern.laid_on(again).laid_on(again)
+
+
+def dented(x, y):
+    """A rectangle of 100 x 60 mm with a point of its upper side at x, y, as it lies."""
+    points = [(0, 0), (50, 0), (100, 0), (100, 60), (x, y), (0, 60)]
+    (piece,) = quads(points, [(0, 1, 4, 5), (1, 2, 3, 4)]).pieces
+    flat = flat_piece(piece, "Yoke", 1000.0)
+    return replace(flat, vertices=np.array(points, dtype=float)[flat.source_vertex])
+
+
+@pytest.mark.parametrize("other", [(50, 45), (60, 40)])
+def test_a_marker_fits_no_pieces_of_the_same_size_with_another_outline(other):
+    pattern, changed = (Pattern.from_pieces([dented(*point)], [], allowance=0) for point in ((50, 40), other))
+    assert changed.pieces[0].size == pytest.approx(pattern.pieces[0].size)
+    with pytest.raises(wirewarp.FlattenError, match="have changed since the marker was made"):
+        changed.laid_on(pattern.nested(400, seconds=0))
+
+
+def test_a_marker_holds_wherever_the_pieces_lie():
+    pattern = sample("Toy")
+    marker = pattern.nested(1000, grain="free", seconds=0)
+    moved = replace(
+        pattern, pieces=[piece.moved(np.array([100.0 * n, -70.0 * n])) for n, piece in enumerate(pattern.pieces)]
+    )
+    check_lies_on_cloth(moved, marker)
+    for own, other in zip(moved.laid_on(marker).pieces, pattern.laid_on(marker).pieces, strict=True):
+        assert own.of_role("cut")[0].points == pytest.approx(other.of_role("cut")[0].points)
 
 
 def test_better_markers_are_shown_and_a_stop_keeps_the_best(engine):

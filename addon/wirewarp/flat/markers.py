@@ -26,11 +26,14 @@ def marker_text(source: bpy.types.Object) -> str:
 
 
 def kept_marker(text: str) -> KeptMarker | None:
-    """Of a text of marker_text; None where that was not written by keep_marker."""
+    """Of a text of marker_text; None where that was not written by keep_marker of this version."""
     if text[:DIGEST] != _digest(text[DIGEST:]):
         return None
     stored = json.loads(text[DIGEST:])
-    return KeptMarker(Cloth(**stored["cloth"]), pattern.Marker.from_dict(stored["marker"]))
+    try:
+        return KeptMarker(Cloth(**stored["cloth"]), pattern.Marker.from_dict(stored["marker"]))
+    except (KeyError, TypeError):  # another version keeps other things
+        return None
 
 
 def _digest(text: str) -> str:

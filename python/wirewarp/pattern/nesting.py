@@ -11,7 +11,7 @@ import numpy as np
 
 from .._errors import FlattenError
 from .checks import checked_length, problem
-from .marker import Marker, Placement, sizes_of
+from .marker import Marker, Placement, size_of
 from .model import PatternPiece
 from .motion import Motion
 from .nest_items import STAGE, Grain, Item, items_of, room_at_edges
@@ -98,7 +98,7 @@ class _Search:
         self.warnings: list[str] = []
         self._cloth, self._room = cloth, room_at_edges(cloth.gap, cloth.grain)
         self._cut = {piece.number: np.concatenate([line.points for line in piece.of_role("cut")]) for piece in pieces}
-        self._sizes = sizes_of(pieces)
+        self._made_of = tuple(map(size_of, pieces))
         self._items: list[Item] = items_of(pieces, cloth.gap, times, watch)
         self._width = cloth.width + 2 * self._room
         length = math.inf if cloth.length is None else cloth.length + 2 * self._room
@@ -136,7 +136,7 @@ class _Search:
         taken = length if cloth.length is None else sheets * cloth.length
         area = sum(self._items[place.item].area for place in places)
         efficiency = area / (cloth.width * taken)
-        return Marker(cloth.width, length, cloth.length, cloth.gap, tuple(placements), efficiency, by, self._sizes)
+        return Marker(cloth.width, length, cloth.length, cloth.gap, tuple(placements), efficiency, by, self._made_of)
 
 
 def _too_large(piece: PatternPiece, cloth: Cloth, units: UnitSystem) -> str:

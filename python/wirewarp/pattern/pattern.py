@@ -16,7 +16,7 @@ from .card import opened, with_card
 from .checks import checked_length, checked_names, problem
 from .flat_piece import FlatPiece, flat_piece
 from .fold import folded, unfolded
-from .marker import Marker, sizes_of
+from .marker import Marker, at_corner
 from .marks import marks
 from .mirror import fold_of, mirror_between
 from .model import PatternPiece, Point
@@ -34,8 +34,6 @@ from .widths import Widths
 
 if TYPE_CHECKING:
     from .._wirewarp import FlattenResult
-
-SAME_SIZE = 0.1  # millimeters: by which pieces may differ from those that a marker was made of
 
 
 @dataclass(frozen=True)
@@ -289,7 +287,7 @@ class Pattern:
         FlattenError for bad input, for a piece that is too large for the cloth, and ("cancelled") where it is stopped
         before there is a marker.
         """
-        whole = [unfolded(piece) if piece.on_fold else piece for piece in self.pieces]
+        whole = [at_corner(unfolded(piece) if piece.on_fold else piece) for piece in self.pieces]
         return nested(whole, Cloth(width, length, gap, grain), times, seconds, self.units, preview, progress)
 
     def laid_on(self, marker: Marker) -> "Pattern":
@@ -300,9 +298,8 @@ class Pattern:
         if self.marker:
             raise problem("The pattern lies on a marker already.")
         card = len(self.pieces), self.heading, self.allowance_text, self.units
-        whole = [opened(piece, *card) if piece.on_fold else piece for piece in self.pieces]
-        sizes = sizes_of(whole)
-        if len(sizes) != len(marker.sizes) or not np.allclose(sizes, marker.sizes, rtol=0, atol=SAME_SIZE):
+        whole = [at_corner(opened(piece, *card) if piece.on_fold else piece) for piece in self.pieces]
+        if not marker.is_of(whole):
             raise problem("The pieces have changed since the marker was made: nest them again.")
         by_number = {piece.number: piece for piece in whole}
         laid = [
