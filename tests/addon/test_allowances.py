@@ -226,7 +226,8 @@ def drawn(addon, source, allowance=10.0):
     """The size of the line to cut, as it is drawn, in Blender units."""
     depsgraph = bpy.context.evaluated_depsgraph_get()
     pages = addon.overlay.pages
-    cut = pages.cut_lines(bpy.context.scene, source, flat_of(source), allowance, "close", depsgraph)
+    parts = pages.outlines(bpy.context.scene, source, flat_of(source), depsgraph)
+    cut = pages.cut_lines(parts, allowance, "close")
     lines = pages.cut_places(cut, 100.0)
     return np.ptp(lines, axis=0) if len(lines) else np.zeros(3)
 

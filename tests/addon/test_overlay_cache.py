@@ -44,6 +44,28 @@ def test_nothing_is_built_again_until_something_changes(addon, source, monkeypat
     assert changed[flat_of(source)].lines is first[flat_of(source)].lines
 
 
+def test_allowances_are_laid_anew_only_where_they_are_others(addon, source, monkeypatch):
+    """Which takes longest of all that is drawn; the model is changed far more often."""
+    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
+    monkeypatch.setattr(addon.overlay.cache, "FELT", float("inf"))
+    shown, laid = addon.overlay.shown, []
+    cut_lines = shown.cut_lines
+    monkeypatch.setattr(shown, "cut_lines", lambda *given: laid.append(given) or cut_lines(*given))
+
+    def times_laid():
+        bpy.context.view_layer.update()
+        list(shown.drawings(view_context()))
+        return len(laid)
+
+    assert times_laid() == 1
+    mark(source, on_line(1, 0.25))
+    assert times_laid() == 1
+    select_edges(source, SEAM)
+    assert times_laid() == 1
+    bpy.ops.mesh.wirewarp_allowance(kind="HEM")
+    assert times_laid() == 2
+
+
 def test_marking_in_edit_mode_is_seen_at_once(addon, source, monkeypatch):
     monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
     monkeypatch.setattr(addon.overlay.cache, "FELT", float("inf"))

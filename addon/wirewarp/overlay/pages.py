@@ -11,7 +11,7 @@ from ..flat.markers import kept_marker
 from ..flat.pattern import read_outlines
 from ..issues import ObjectError
 from ..solve.papers import ONE_PAGE, PAPERS, is_roll, library_paper
-from ..solve.pattern_parts import Cloth, laid_on_kept
+from ..solve.pattern_parts import Cloth, PatternParts, laid_on_kept
 from ..words import counted
 from .lines import Name
 
@@ -37,19 +37,21 @@ class PagePreview:
     names: list[Name] = field(default_factory=list)
 
 
-def cut_lines(
-    scene: bpy.types.Scene,
-    source: bpy.types.Object,
-    flat: bpy.types.Object,
-    allowance: float,
-    darts: str,
-    depsgraph: bpy.types.Depsgraph,
-) -> CutLines:
-    """Around flat pieces outside Edit Mode. allowance: where none is marked, in millimeters."""
+def outlines(
+    scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> PatternParts | None:
+    """Of flat pieces outside Edit Mode, with allowances; None where they make no pattern."""
     try:
-        parts = read_outlines(scene, source, flat, depsgraph)
-        if parts is None:
-            return CutLines(None, False)
+        return read_outlines(scene, source, flat, depsgraph)
+    except ObjectError:
+        return None
+
+
+def cut_lines(parts: PatternParts | None, allowance: float, darts: str) -> CutLines:
+    """parts: see outlines. allowance: where none is marked, in millimeters."""
+    if parts is None:
+        return CutLines(None, False)
+    try:
         return CutLines(parts.cut_lines(allowance, darts), allowance > 0 or any(parts.allowances))
     except ObjectError:
         return CutLines(None, False)

@@ -24,7 +24,7 @@ from .cache import Same, kept_drawing
 from .failures import Failures, failures, uv_failures
 from .gather import gather_uv_lines, shows_our_map
 from .objects import Lines, colored_surface, lines_of, marked_lines
-from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, page_preview
+from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, outlines, page_preview
 from .surfaces import ColoredTriangles, Extremes
 
 MODES = {"OBJECT", "EDIT"}
@@ -112,17 +112,16 @@ def _lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
 
 
 def _cut_lines(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> CutLines:
-    """Allowances are the model's."""
+    """Allowances are the model's: they are read whenever it changes, but laid anew only where they are others."""
     scene, settings, depsgraph = context.scene, context.scene.wirewarp, context.view_layer.depsgraph
     made_of = stamp(flat), stamp(flat.data), Same(pieces_report(source)), source.name_full
     of_model = stamp(source), stamp(source.data), source.data.is_editmode
-    chosen = settings.allowance, settings.darts.lower(), meters_per_blender_unit(scene), scene.unit_settings.system
-    return kept_drawing(
-        flat,
-        "cut lines",
-        (*made_of, *of_model, *chosen),
-        lambda: cut_lines(scene, source, flat, settings.allowance, settings.darts.lower(), depsgraph),
+    units = meters_per_blender_unit(scene), scene.unit_settings.system
+    parts = kept_drawing(
+        flat, "outlines", (*made_of, *of_model, *units), lambda: outlines(scene, source, flat, depsgraph)
     )
+    chosen = settings.allowance, settings.darts.lower()
+    return kept_drawing(flat, "cut lines", (Same(parts), *chosen), lambda: cut_lines(parts, *chosen))
 
 
 def shown_pages(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> PagePreview:
