@@ -31,7 +31,8 @@ class Job {
   /// cache: a Cache or None, kept alive as long as the job.
   Job(FlattenInput input, const Options& options, py::object cache)
       : input_(std::move(input)), options_(options), cache_(std::move(cache)), solved_before_(read_cache(cache_)) {
-    thread_ = std::thread([this] { run(); });
+    // Counted from here on: Python may end before the thread begins.
+    thread_ = std::thread([this, running = std::make_unique<RunningWork>()] { run(); });
   }
 
   /// Cancels what still runs and waits for it. With the GIL.
@@ -78,7 +79,6 @@ class Job {
   }
 
   void run() {
-    const RunningWork running;
     const auto report = [this](const std::string& stage, double fraction) {
       const std::lock_guard lock(mutex_);
       stage_ = stage;
