@@ -38,7 +38,7 @@ def outlines(path):
 def test_pieces_lie_within_the_cloth_and_it_says_how_much_that_is(source, tmp_path, capfd):
     found = outlines(export(tmp_path))
     said = capfd.readouterr().out
-    assert re.search(r"2 pieces on [\d.]+ m?m of cloth 400 mm wide, \d+ ?% of it used", said)
+    assert re.search(r"2 pieces on [\d.]+ m?m of cloth 400 mm wide, \d+% of it used", said)
     assert len(found) == 2 and np.ptp(np.concatenate(found), axis=0)[0] <= 400.0
     first, second = found
     assert np.linalg.norm(first[:, None] - second, axis=2).min() > 4.0 - 0.01

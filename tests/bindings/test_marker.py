@@ -142,7 +142,7 @@ def test_sheets_are_filled_one_after_the_other(tmp_path):
     check_lies_on_cloth(pattern, marker)
     laid = pattern.laid_on(marker)
     assert laid.write(tmp_path / "sheets.pdf").sheets == len(laid.page_sizes()) == 3
-    assert marker.sentence(pattern.units) == "10 pieces on 3 sheets of 210 mm x 210 mm, 76 % of it used"
+    assert marker.sentence(pattern.units) == "10 pieces on 3 sheets of 210 mm x 210 mm, 76% of it used"
 
 
 def test_a_marker_is_kept_as_json_and_fits_no_other_pieces():
@@ -247,7 +247,7 @@ def test_who_measures_in_inches_is_told_in_inches(tmp_path):
     with pytest.raises(wirewarp.FlattenError, match=r"is 10.00 in x 10.00 in: too large for a roll of 9 in"):
         pattern.write(tmp_path / "x.pdf", paper=9 * 25.4)
     marker = pattern.nested(12 * 25.4, seconds=0)
-    assert marker.sentence(pattern.units) == "1 piece on 10 in of cloth 12 in wide, 83 % of it used"
+    assert marker.sentence(pattern.units) == "1 piece on 10 in of cloth 12 in wide, 83% of it used"
 
 
 @pytest.mark.parametrize("quantities", [{2: (1, 0)}, {1: (0, 0)}, {1: (1, -1)}, {1: (1.5, 0)}, {1: (1, 2, 3)}])

@@ -92,7 +92,7 @@ def _draw_legend(draw: ImageDraw.ImageDraw, corner: Point, most: float, hundred:
         draw.line([(x + column, y), (x + column, y + high)], fill=color)
     draw.rectangle([x, y, x + long, y + high], outline="black", width=SMOOTH)
     font = ImageFont.load_default(LEGEND * SMOOTH)
-    words = f"0 to {100 * most:.1f} % strain"
+    words = f"0 to {100 * most:.1f}% strain"
     draw.text((x + long + high / 2, y + high / 2), words, fill="black", font=font, anchor="lm")
     end = x + long + high + draw.textlength(words, font=font) + high
     draw.line([(end, y + high / 2), (end + hundred, y + high / 2)], fill="black", width=3 * SMOOTH)

@@ -91,13 +91,13 @@ class Marker:
         return Motion(np.array([placement.x, placement.y + above]), placement.angle, placement.mirrored)
 
     def sentence(self, units: UnitSystem) -> str:
-        """ "12 pieces on 2.31 m of cloth 1.4 m wide, 71 % of it used"."""
+        """ "12 pieces on 2.31 m of cloth 1.4 m wide, 71% of it used"."""
         pieces, width = counted(len(self.placements), "piece"), units.text(self.width)
         if self.sheet_length is None:
             where = f"{units.text(self.length)} of cloth {width} wide"
         else:
             where = f"{counted(self.sheets, 'sheet')} of {width} x {units.text(self.sheet_length)}"
-        return f"{pieces} on {where}, {100 * self.efficiency:.0f} % of it used"
+        return f"{pieces} on {where}, {100 * self.efficiency:.0f}% of it used"
 
     def to_dict(self) -> dict[str, Any]:
         """All fields as plain, JSON-able values."""

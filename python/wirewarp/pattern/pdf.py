@@ -227,7 +227,7 @@ def _marker(pattern: "Pattern", watch: Watch, marker: Marker, width: float) -> t
             Text((f"{what} page {number + step}",), corner + (marker.width / 2, y), 4.0)
             for is_joined, what, step, y in (
                 (not part.is_first, "Lay on", 0, OVERLAP / 2),
-                (not part.is_last, "Goes on on", 2, part.size[1] - OVERLAP / 2),
+                (not part.is_last, "Continues on", 2, part.size[1] - OVERLAP / 2),
             )
             if is_joined
         ]
