@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+import pypdfium2
 import shapely
 import wirewarp
 from wirewarp.pattern import Line, Pattern, PatternPiece
@@ -14,6 +15,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
 
 import shapes
 
+MILLIMETER = 72 / 25.4  # PDF's points in it
+SCALE = 4.0  # pixels per millimeter of what is measured
 SAMPLES = {shape.name: shape for shape in shapes.all_shapes()}
 
 
@@ -55,3 +58,19 @@ def sew_polygon(piece: PatternPiece) -> shapely.Polygon:
 
 def line_string(line: Line) -> shapely.LineString:
     return shapely.LineString([*line.points, *line.points[:1]] if line.closed else line.points)
+
+
+def cut_points(pattern: Pattern) -> list[np.ndarray]:
+    return [line.points for piece in pattern.pieces for line in piece.of_role("cut", "inner_cut")]
+
+
+def dark(page: pypdfium2.PdfPage, scale: float = SCALE) -> np.ndarray:
+    """(h,w) bool, the first row at the bottom: where there is a line."""
+    image = page.render(scale=scale / MILLIMETER, grayscale=True).to_numpy()
+    return image.reshape(image.shape[:2])[::-1] < 128
+
+
+def extent(pixels: np.ndarray, scale: float = SCALE) -> tuple[float, float]:
+    """Millimeters from the first to the last dark pixel, across and upwards."""
+    columns, rows = (np.flatnonzero(pixels.any(axis=axis)) for axis in (0, 1))
+    return (columns[-1] - columns[0] + 1) / scale, (rows[-1] - rows[0] + 1) / scale

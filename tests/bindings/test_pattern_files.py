@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Each kind of file, read by a library that did not write it."""
+"""Each kind of file but PDF, read by a library that did not write it; and what is true of all kinds."""
 
 import io
 import re
@@ -9,20 +9,12 @@ from dataclasses import replace
 import dxfgrabber
 import ezdxf
 import numpy as np
-import pypdfium2
 import pytest
 import shapely
 import wirewarp
-from patterns import flattened, quads, rectangle, sample
+from patterns import SCALE, cut_points, extent, flattened, quads, rectangle, sample
 from PIL import Image
 from wirewarp.pattern import Pattern
-
-MILLIMETER = 72 / 25.4  # PDF's points in it
-SCALE = 4.0  # pixels per millimeter of what is measured
-
-
-def cut_points(pattern: Pattern) -> list[np.ndarray]:
-    return [line.points for piece in pattern.pieces for line in piece.of_role("cut", "inner_cut")]
 
 
 def same_up_to_moves(found: list[np.ndarray], wanted: list[np.ndarray], within: float) -> None:
@@ -104,158 +96,6 @@ def rendered_svg(path) -> np.ndarray:
         io.BytesIO(resvg.svg_to_bytes(svg_path=str(path), dpi=96, zoom=SCALE * 25.4 / 96, background="#ffffff"))
     )
     return np.array(image.convert("L"))[::-1] < 200
-
-
-# ---- PDF
-
-
-def dark(page: pypdfium2.PdfPage, scale: float = SCALE) -> np.ndarray:
-    """(h,w) bool, the first row at the bottom: where there is a line."""
-    image = page.render(scale=scale / MILLIMETER, grayscale=True).to_numpy()
-    return image.reshape(image.shape[:2])[::-1] < 128
-
-
-def extent(pixels: np.ndarray, scale: float = SCALE) -> tuple[float, float]:
-    """Millimeters from the first to the last dark pixel, across and upwards."""
-    columns, rows = (np.flatnonzero(pixels.any(axis=axis)) for axis in (0, 1))
-    return (columns[-1] - columns[0] + 1) / scale, (rows[-1] - rows[0] + 1) / scale
-
-
-@pytest.mark.parametrize(("paper", "size"), [("a4", (210, 297)), ("letter", (215.9, 279.4)), ("a3", (297, 420))])
-def test_pages_have_the_size_of_the_paper(tmp_path, paper, size):
-    written = sample("Hat").write(tmp_path / "hat.pdf", paper=paper)
-    document = pypdfium2.PdfDocument(tmp_path / "hat.pdf")
-    assert len(document) == written.sheets > 1
-    for page in document:
-        assert sorted(side / MILLIMETER for side in page.get_size()) == pytest.approx(sorted(size), abs=1e-3)
-
-
-def test_what_is_printed_has_its_true_size(tmp_path):
-    # Without marks and texts: the outermost lines are the cut line of a rectangle, 0.5 mm wide.
-    pattern = Pattern.from_result(rectangle(150, 700), allowance=10.0)
-    pattern.write(tmp_path / "strip.pdf", paper=1000)
-    (page,) = pypdfium2.PdfDocument(tmp_path / "strip.pdf")
-    width, height = (side / MILLIMETER for side in page.get_size())
-    assert width == pytest.approx(1000, abs=1e-3)
-    pixels = dark(page)
-    pixels = pixels[int(168 * SCALE) :]  # above the squares to measure
-    across, up = sorted(extent(pixels))
-    assert (across, up) == pytest.approx((170.5, 720.5), abs=1.5 / SCALE)
-
-
-def test_tiles_put_together_are_the_one_page(tmp_path):
-    pattern = Pattern.from_result(rectangle(420, 330), allowance=10.0, notch_spacing=0)
-    pattern.write(tmp_path / "tiles.pdf", paper="a4")
-    texts = [page.get_textpage().get_text_range() for page in pypdfium2.PdfDocument(tmp_path / "tiles.pdf")]
-    names = [re.search(r"\b([A-Z])(\d)", text).groups() for text in texts[1:]]
-    document = pypdfium2.PdfDocument(tmp_path / "tiles.pdf")
-    paper = np.array(document[1].get_size()) / MILLIMETER
-    shown, scale = paper - 20, 2.0
-    step = shown - 10
-    columns, rows = max(int(column) for _, column in names), max(ord(row) - 64 for row, _ in names)
-    whole = np.zeros([round(side * scale) for side in (np.array([columns, rows]) * step + 10)[::-1]], dtype=bool)
-    for number, (row, column) in enumerate(names, start=1):
-        pixels = dark(document[number], scale)
-        inner = pixels[
-            round(11 * scale) : round((paper[1] - 11) * scale), round(11 * scale) : round((paper[0] - 11) * scale)
-        ]
-        low = np.array([(int(column) - 1) * step[0] + 1, (rows - (ord(row) - 64)) * step[1] + 1])
-        x, y = np.rint(low * scale).astype(int)
-        whole[y : y + inner.shape[0], x : x + inner.shape[1]] |= inner
-    # All of the cut line is there, and at its place to a pixel; it begins 5 mm from the edge of what is printed.
-    (cut,) = cut_points(pattern)
-    top = (np.array([columns, rows]) * step + 10)[1]
-    line = shapely.LinearRing(cut + (5, top - pattern.size[1] - 5))
-    for place in shapely.line_interpolate_point(line, np.linspace(0, line.length, 400)):
-        x, y = np.floor(np.array(place.coords[0]) * scale).astype(int)
-        assert whole[y - 1 : y + 2, x - 1 : x + 2].any()
-
-
-@pytest.mark.parametrize("name", ["Hat", "Carnival mask"])
-def test_a4_sheets_put_together_are_the_one_page_line_by_line(tmp_path, name):
-    pattern = sample(name).with_only([])
-    pattern.write(tmp_path / "tiles.pdf", paper="a4", keep_places=True)
-    pattern.write(tmp_path / "page.pdf", paper="projector")
-    scale, wide = 6.0, 2  # pixels per millimeter; lines may be so many pixels off
-
-    def black(page):  # cut lines alone: all that is printed around them is gray
-        image = page.render(scale=scale / MILLIMETER, grayscale=True).to_numpy().squeeze()
-        return image[::-1] < 40
-
-    (page,) = pypdfium2.PdfDocument(tmp_path / "page.pdf")
-    bottom = round((10 + 158) * scale)  # margin, and the block to measure
-    size = np.ceil(pattern.size * scale).astype(int)
-    one = black(page)[bottom - 12 : bottom + size[1] + 12, 60 - 12 : 60 + size[0] + 12]
-
-    document = pypdfium2.PdfDocument(tmp_path / "tiles.pdf")
-    names = [re.search(r"\b([A-Z])(\d)", each.get_textpage().get_text_range()).groups() for each in document][1:]
-    shown = np.array(document[1].get_size()) / MILLIMETER - 20
-    high, wide_by = max(ord(row) - 64 for row, _ in names), max(int(column) for _, column in names)
-    whole = np.zeros(np.ceil(shown * (wide_by, high) * scale).astype(int)[::-1], dtype=bool)
-    for (row, column), sheet in zip(names, list(document)[1:], strict=True):
-        inner = black(sheet)[60:-60, 60:-60]
-        x, y = np.rint((int(column) - 1, high - (ord(row) - 64)) * (shown - 10) * scale).astype(int)
-        whole[y : y + inner.shape[0], x : x + inner.shape[1]] |= inner
-    # Rows are counted from the top, where the pattern ends 5 mm below the edge of what is printed.
-    top = round((high * (shown[1] - 10) + 10 - 5) * scale)
-    tiled = whole[top - size[1] - 12 : top + 12, 30 - 12 : 30 + size[0] + 12]
-    for first, second in ((one, tiled), (tiled, one)):
-        height, width = (min(side) for side in zip(first.shape, second.shape, strict=True))
-        near = np.zeros_like(second)
-        for dx in range(-wide, wide + 1):
-            for dy in range(-wide, wide + 1):
-                near |= np.roll(second, (dy, dx), axis=(0, 1))
-        missing = first[:height, :width] & ~near[:height, :width]
-        assert first.any() and not missing.any()
-
-
-def test_pieces_that_fit_on_sheets_are_not_cut_apart(tmp_path):
-    points = [(x + 400 * n, y) for n in range(3) for x, y in ((0, 0), (300, 0), (300, 200), (0, 200))]
-    pattern = Pattern.from_result(quads(points, np.arange(12).reshape(3, 4).tolist()), notch_spacing=0)
-    assert pattern.write(tmp_path / "x.pdf", paper="a3").sheets == 1 + 3
-    document = pypdfium2.PdfDocument(tmp_path / "x.pdf")
-    for page in list(document)[1:]:
-        pixels = dark(page, 2.0)
-        frame = round(12 * 2)
-        across, up = sorted(extent(pixels[frame:-frame, frame:-frame], 2.0))
-        assert (across, up) == pytest.approx((220.5, 320.5), abs=1)
-
-
-def test_layers_are_named_and_the_grid_is_hidden(tmp_path):
-    sample("Hat").write(tmp_path / "hat.pdf", paper="projector")
-    data = (tmp_path / "hat.pdf").read_bytes()
-    names = re.findall(rb"/Type /OCG/Name \(([^)]*)\)|/Name \(([^)]*)\)", data)
-    found = {(one or other).decode() for one, other in names}
-    assert {"Cut", "Sew", "Notches", "Rigid Wires", "Text", "Line Names", "Grid"} <= found
-    (page,) = pypdfium2.PdfDocument(tmp_path / "hat.pdf")
-    hidden = re.search(rb"/OFF \[(\d+) 0 R\]", data)
-    assert hidden and dark(page, 1.0).mean() < 0.05
-
-
-@pytest.mark.parametrize(
-    ("paper", "words"),
-    [
-        ("a5", "paper is 'a5'"),
-        (50, "the width of a roll"),
-        (float("nan"), "nan"),
-        (200, "too large for a roll of 200 mm"),
-    ],
-)
-def test_papers_that_do_not_do(tmp_path, paper, words):
-    with pytest.raises(wirewarp.FlattenError, match=words):
-        Pattern.from_result(rectangle(300, 300)).write(tmp_path / "x.pdf", paper=paper)
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_a_pattern_of_kilometers_is_refused(tmp_path):
-    pattern = Pattern.from_result(rectangle(300, 300), millimeters_per_unit=1e6, notch_spacing=0)
-    for paper, words in (
-        ("a4", "more than 2000 sheets"),
-        ("projector", "choose a roll or sheets"),
-        (1000, "too large"),
-    ):
-        with pytest.raises(wirewarp.FlattenError, match=words):
-            pattern.write(tmp_path / "x.pdf", paper=paper)
 
 
 # ---- DXF
