@@ -337,7 +337,7 @@ def ignored_after(addon, source):
     bpy.ops.object.wirewarp_flatten()
     level, text = addon.report.verdict.run_message([addon.flat.reports.last_report(source)])
     assert level == "WARNING" and "Ready to cut" not in text
-    return text.removesuffix(" were ignored, so sizes differ from what you see")
+    return text.removesuffix(" were ignored, so sizes differ from what you see.")
 
 
 def test_modifiers_that_change_nothing_are_not_told(addon):
