@@ -47,6 +47,9 @@ def test_there_are_as_many_as_the_file_has(addon, source, tmp_path, paper, besid
     path = tmp_path / "a.pdf"
     bpy.ops.object.wirewarp_export(filepath=str(path), paper=paper, arrangement=arrangement)
     assert len(frames(pages)) == len(pages.names) == sheets_in(path) - beside
+    sizes = np.ptp(frames(pages), axis=1)
+    printed = re.findall(rb"/MediaBox \[ ?0 0 ([\d.]+) ([\d.]+) ?\]", path.read_bytes())
+    assert sizes + (20 if beside else 0) == pytest.approx(np.array(printed[beside:], dtype=float) * 25.4 / 72, abs=0.01)
     assert pages.is_good and pages.sentence.startswith(f"{len(pages.names)} ")
 
 

@@ -83,10 +83,10 @@ def page_preview(cut: CutLines, choices: PageChoices, millimeters: float) -> Pag
         made = laid_on_kept(made, kept_marker(choices.marker), choices.cloth)
         if made is None:
             return PagePreview("No marker of these pieces on this cloth yet: Export Pattern seeks one.", True)
-    keeps = choices.arrangement == "AS_LAID_OUT" or (paper == ONE_PAGE and not made.marker)
+    keeps = choices.arrangement == "AS_LAID_OUT"
     try:
         library = None if made.marker else library_paper(paper, choices.roll_width)
-        laid, pages = made.pages(library, choices.arrangement == "AS_LAID_OUT")
+        laid, pages = (made.arranged() if choices.arrangement == "IN_ROWS" else made).pages(library, keeps)
     except FlattenError as error:
         return PagePreview(error.message, False)
     corner = cut.made.bounds[0]
