@@ -40,8 +40,7 @@ def test_a_thread_gives_what_the_solver_gives_and_tells_how_far_it_is(addon):
     assert any(fraction < 0.5 for fraction in fractions)
 
 
-def test_a_cancelled_thread_has_no_result(addon):
-    """Neither where the core is stopped half-way nor where all is done by then."""
+def test_a_thread_that_was_cancelled_in_time_has_no_result(addon):
     models = read_models(addon, grid("Bump", bump))
     begun, goes_on = threading.Event(), threading.Event()
 
@@ -59,8 +58,7 @@ def test_a_cancelled_thread_has_no_result(addon):
     done = addon.run.thread.WorkThread(lambda _progress: [])
     done.join()
     done.cancel()
-    with pytest.raises(addon.run.thread.CancelledError):
-        done.result()
+    assert done.result() == []  # as a file that was written
 
 
 def test_what_the_solver_raises_is_raised_where_the_result_is_asked_for(addon):

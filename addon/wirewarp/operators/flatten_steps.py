@@ -79,6 +79,8 @@ class FlattenSteps(WindowSteps, FlattenSettings):
     def finish_run(self, context: bpy.types.Context) -> set[str]:
         try:
             outcomes = self._run.result()
+            if self._run.is_cancelled:  # too late for the solver, but nothing is written yet
+                raise CancelledError
         except CancelledError:
             return self.give_up(context, "cancelled", "Flatten was cancelled. Nothing was written.", "WARNING")
         except Exception as error:

@@ -40,13 +40,16 @@ class WorkThread(Generic[T]):
         self._thread.join()
 
     def result(self) -> T:
-        """Raises CancelledError after cancel(), even if all was done by then, and what the work raised."""
+        """Of work that was done before cancel() took effect, too: what it wrote is there.
+
+        Raises CancelledError if cancel() ended it, and what the work raised.
+        """
         self.join()
+        if self._error is None:
+            return self._result
         if self.cancelled:
-            raise CancelledError
-        if self._error is not None:
-            raise self._error
-        return self._result
+            raise CancelledError from self._error
+        raise self._error
 
     def _run(self, work: Callable[[Progress], T]) -> None:
         try:

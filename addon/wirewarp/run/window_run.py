@@ -98,7 +98,7 @@ class WindowRun(Generic[T]):
         return self._thread.is_done()
 
     def result(self) -> T:
-        """Raises CancelledError, and what the work raised."""
+        """As WorkThread.result."""
         try:
             return self._thread.result()
         finally:
