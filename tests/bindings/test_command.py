@@ -116,8 +116,8 @@ def test_a_marker_is_one_more_file_of_each_kind_and_is_kept(model, tmp_path):
 
 def test_the_picture_shows_the_pieces_in_scale(model, tmp_path):
     ((line,), _) = run(model, "--out", tmp_path / "out", "--seams", "uv", "--format", "svg", "--picture")
-    assert line["files"] == ["Folded.json", "Folded.png", "Folded.svg"]
-    pixels = np.array(Image.open(tmp_path / "out" / "Folded.png")).astype(int)
+    assert line["files"] == ["Folded.json", "Folded-strain.png", "Folded.svg"]
+    pixels = np.array(Image.open(tmp_path / "out" / "Folded-strain.png")).astype(int)
     assert max(pixels.shape) == pytest.approx(2000, abs=100)
     is_black = pixels.sum(axis=2) < 60
     # 60 pixels of margin: the outlines fill the width between.

@@ -63,7 +63,8 @@ class Request:
 
     @property
     def picture_path(self) -> Path:
-        return self.folder / f"{self.model.stem}.png"
+        """Not NAME.png, which many models have as their texture."""
+        return self.folder / f"{self.model.stem}-strain.png"
 
     def marker_path(self, kind: str) -> Path:
         return self.folder / f"{self.model.stem}-marker.{kind}"
