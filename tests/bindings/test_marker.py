@@ -229,6 +229,8 @@ def test_what_spyrrow_stumbles_over_is_told_and_pieces_are_packed_all_the_same(m
         ({"width": 600, "times": 1.5}, "times is 1.5"),
         ({"width": 600, "times": 10**9}, "at most 10000 pieces"),
         ({"width": 600, "seconds": math.nan}, "seconds is nan"),
+        ({"width": 600, "seconds": "long"}, "seconds is 'long'"),
+        ({"width": "200"}, "too large for a roll of 200 mm"),
         ({"width": 200}, '"Piece 1" is 220.0 mm x 320.0 mm: too large for a roll of 200 mm, as its grain runs'),
         ({"width": 600, "length": 300}, "too large for sheets of 600 mm x 300 mm"),
     ],

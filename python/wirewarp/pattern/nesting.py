@@ -5,6 +5,7 @@ import math
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from numbers import Real
 from typing import get_args
 
 import numpy as np
@@ -38,11 +39,11 @@ class Cloth:
     grain: Grain
 
     def __post_init__(self) -> None:
-        """Raises FlattenError."""
-        checked_length("width", self.width, 1.0, WIDEST)
-        if self.length is not None:
-            checked_length("length", self.length, 1.0, WIDEST)
-        checked_length("gap", self.gap, 0.0, MOST_GAP)
+        """Takes whatever float() makes a number of. Raises FlattenError."""
+        for name, least, most in (("width", 1.0, WIDEST), ("length", 1.0, WIDEST), ("gap", 0.0, MOST_GAP)):
+            given = getattr(self, name)
+            if given is not None or name != "length":
+                object.__setattr__(self, name, checked_length(name, given, least, most))
         if self.grain not in get_args(Grain):
             raise problem(f"grain is {self.grain!r}: give {', '.join(map(repr, get_args(Grain)))}.")
 
@@ -60,7 +61,7 @@ def nested(
     count = sum(sum(piece.quantity) for piece in pieces)
     if type(times) is not int or not 1 <= times * count <= MOST_PIECES:
         raise problem(f"times is {times!r}: give a whole number from 1, for at most {MOST_PIECES} pieces in all.")
-    if not 0 <= seconds <= LONGEST:
+    if not isinstance(seconds, Real) or not 0 <= seconds <= LONGEST:
         raise problem(f"seconds is {seconds!r}: give a number from 0 to {LONGEST:g}.")
     begin = time.monotonic()
 
