@@ -91,9 +91,9 @@ def build_module(system: System, version: str, interpreter: Path) -> Path:
     }
     settings = cache_variables(BUILD / "cross" / "zig")
     defined = [f"-D{name}={value}" for name, value in definitions.items()]
-    configure = ["cmake", "--fresh", "-G", "Ninja", "-S", ROOT, "-B", folder, *defined]
+    configure: list[str | Path] = ["cmake", "--fresh", "-G", "Ninja", "-S", ROOT, "-B", folder, *defined]
     run_quietly(f"configuring build/cross/{system.name} for Python {version}", configure, **settings)
-    build = ["cmake", "--build", folder, "-j", str(CORES), "--target", "_wirewarp"]
+    build: list[str | Path] = ["cmake", "--build", folder, "-j", str(CORES), "--target", "_wirewarp"]
     run_quietly(f"building build/cross/{system.name} for Python {version}", build, **settings)
     return folder / f"_wirewarp{definitions['PYTHON_MODULE_EXTENSION']}"
 
