@@ -3,7 +3,8 @@
 
 import math
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Sequence
+from contextlib import closing
 from dataclasses import dataclass, replace
 from numbers import Real
 from typing import get_args
@@ -72,14 +73,15 @@ def nested(
     search = _Search(pieces, cloth, times, units, watch)
     best: Marker | None = None
     try:
-        for marker in search.markers(seconds):
-            if marker and (best is None or _extent(marker) < _extent(best)):
-                best = marker
-                if preview:
-                    preview(marker)
-            if share() == 1.0:
-                break
-            watch.ask(STAGE, share())
+        with closing(search.markers(seconds)) as markers:  # whatever is raised, no process searches on
+            for marker in markers:
+                if marker and (best is None or _extent(marker) < _extent(best)):
+                    best = marker
+                    if preview:
+                        preview(marker)
+                if share() == 1.0:
+                    break
+                watch.ask(STAGE, share())
     except FlattenError as error:
         if error.code != "cancelled" or best is None:
             raise
@@ -110,14 +112,15 @@ class _Search:
             (piece,) = (piece for piece in pieces if piece.number == number)
             raise problem(_too_large(piece, cloth, units)) from error
 
-    def markers(self, seconds: float) -> Iterator[Marker | None]:
+    def markers(self, seconds: float) -> Generator[Marker | None, None, None]:
         """Without end, at first one; None where there is nothing new after a short time."""
         trials = self._packing.trials()
         yield self._marker(next(trials), "slides")
         if self._cloth.length is None and seconds > 0 and is_installed():
             try:
-                for places in searched(self._items, self._cloth.grain, self._width, seconds):
-                    yield self._marker(places, "spyrrow") if places else None
+                with closing(searched(self._items, self._cloth.grain, self._width, seconds)) as found:
+                    for places in found:
+                        yield self._marker(places, "spyrrow") if places else None
                 return
             except SpyrrowError as error:
                 self.warnings.append(f"spyrrow failed, so pieces were packed without it: {error}.")

@@ -10,7 +10,7 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from pathlib import Path
 from typing import IO
 
@@ -34,7 +34,9 @@ def is_installed() -> bool:
     return importlib.util.find_spec("spyrrow") is not None
 
 
-def searched(items: Sequence[Item], grain: Grain, width: float, seconds: float) -> Iterator[list[Place] | None]:
+def searched(
+    items: Sequence[Item], grain: Grain, width: float, seconds: float
+) -> Generator[list[Place] | None, None, None]:
     """Ever better places on a roll; None at least every tenth of a second while there are no new ones.
 
     The search ends when its time is over, and when the iterator is closed. Raises SpyrrowError.
