@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Modifiers and shape keys: what is flattened with them, and what is said where they were left out."""
+
+import bpy
+import pytest
+from surfaces import bump, flat_of, grid, mark, on_line, select_only
+
+
+def test_modifiers_go_to_the_flat_object_only():
+    source = grid("Bump", bump)
+    mark(source, on_line(1, 0.0))
+    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    assert len(flat_of(source).data.polygons) == 4 * len(source.data.polygons)
+    assert "WireWarp" not in source.data.uv_layers
+    bpy.ops.object.wirewarp_flatten(use_modifiers=False)
+    assert len(flat_of(source).data.polygons) == len(source.data.polygons)
+
+
+def notes_after(addon, source, **settings):
+    bpy.ops.object.wirewarp_flatten(**settings)
+    return [note["text"] for note in addon.flat.reports.last_report(source)["notes"]]
+
+
+def test_what_is_shown_but_not_flattened_is_said(addon):
+    source = grid("Bump", bump)
+    source.shape_key_add(name="Basis")
+    key = source.shape_key_add(name="Taller")
+    key.value = 0  # Blender 5 begins with 1
+    source.modifiers.new("Shading", "WEIGHTED_NORMAL")  # moves nothing
+    assert notes_after(addon, source) == []
+    key.data[40].co.z += 1
+    key.value = 1
+    assert ignored_after(addon, source) == "Modifiers and shape keys"
+    source.modifiers.clear()
+    assert ignored_after(addon, source) == "Shape keys"
+    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    assert ignored_after(addon, source) == "Modifiers and shape keys"
+
+
+def ignored_after(addon, source):
+    """What a run says was ignored; the pieces are not ready to cut then."""
+    bpy.ops.object.wirewarp_flatten()
+    level, text = addon.report.verdict.run_message([addon.flat.reports.last_report(source)])
+    assert level == "WARNING" and "Ready to cut" not in text
+    return text.removesuffix(" were ignored, so sizes differ from what you see.")
+
+
+def test_modifiers_that_change_nothing_are_not_told(addon):
+    """An armature at rest, and edges that are split: the verdict is green."""
+    source = grid("Bump", bump)
+    bpy.ops.object.armature_add()
+    armature = bpy.context.object
+    source.vertex_groups.new(name=armature.data.bones[0].name).add(range(81), 1.0, "REPLACE")
+    source.modifiers.new("Armature", "ARMATURE").object = armature
+    select_only(source)
+    assert "Ready to cut" in message_after(addon, source)
+    source.modifiers.new("Split", "EDGE_SPLIT").split_angle = 0
+    assert "Ready to cut" in message_after(addon, source)
+    armature.pose.bones[0].location.y = 0.5
+    assert ignored_after(addon, source) == "Modifiers"
+
+
+def message_after(addon, source):
+    bpy.ops.object.wirewarp_flatten()
+    return addon.report.verdict.run_message([addon.flat.reports.last_report(source)])[1]
+
+
+def test_shape_keys_are_flattened_with_the_modifiers():
+    source = grid("Bump", bump)
+    source.shape_key_add(name="Basis")
+    key = source.shape_key_add(name="Wider")
+    for point in key.data:
+        point.co.x *= 2
+    key.value = 1
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    wide = grid("Wide", lambda x, y: (2 * x, *bump(x, y)[1:]))
+    bpy.ops.object.wirewarp_flatten()
+    areas = [sum(face.area for face in flat_of(target).data.polygons) for target in (source, wide)]
+    assert areas[0] == pytest.approx(areas[1], rel=1e-4)
+
+
+def test_an_old_uv_map_is_said_not_to_belong_to_pieces_with_modifiers(addon):
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    (note,) = notes_after(addon, source, use_modifiers=True)
+    assert note == 'The UV map "WireWarp" is from an earlier run without Modifiers. It does not show these pieces.'
