@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import bpy
 
-LETTER = 7  # pixels at interface scale 1, about; the sentence is broken into lines by it
+LETTER, MARGIN = 7, 60  # pixels at interface scale 1, about: a letter, and what is beside the sentence
 _problem = ""
 
 
@@ -29,8 +29,8 @@ class VIEW3D_PT_wirewarp_problem(bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         column = self.layout.column(align=True)
-        letters = int(context.region.width / context.preferences.system.ui_scale / LETTER)
-        for number, line in enumerate(textwrap.wrap(_problem, max(letters, 20))):
+        letters = int((context.region.width / context.preferences.system.ui_scale - MARGIN) / LETTER)
+        for number, line in enumerate(textwrap.wrap(_problem, max(letters, 12))):
             column.label(text=line, icon="BLANK1" if number else "ERROR")
 
 
