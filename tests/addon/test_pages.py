@@ -92,6 +92,13 @@ def test_what_does_not_fit_is_a_sentence(addon, source):
     assert not pages.places
 
 
+@pytest.mark.skipif(bpy.app.version >= (5, 0, 0), reason="scripts cannot write such values any more")
+def test_choices_of_another_version_are_the_default(addon, source):
+    for name in ("paper", "arrangement", "grain", "darts"):
+        bpy.context.scene["wirewarp"][name] = 77
+    assert preview(addon, source).sentence.endswith("A4. Drawn below the pieces")
+
+
 def test_the_panel_and_the_view_show_them(addon, source):
     select_only(flat_of(source))
     drawn = addon.overlay.shown.drawings(view_context())
