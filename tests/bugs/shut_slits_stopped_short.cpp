@@ -41,7 +41,7 @@ double shut_objective(const FlattenInput& input, const Options& options) {
   const SewnChart sewn = *sew(chart, find_slits(chart));
   const RefinedShape shape = refine_chart(sewn.chart, options).shape;
   EXPECT_TRUE(shape.is_exact && shape.converged);
-  const FairShapeError objective(chart, build_held_network(chart), options.fairness);
+  const FairShapeError objective({chart, build_held_network(chart), options.fairness});
   return objective.value(shape.uv(sewn.vertex, Eigen::all)) / surface_area(chart.mesh);
 }
 

@@ -71,9 +71,9 @@ TEST(Budgets, InteriorPlacementTakesAsManyPiecesOfMemoryOnEveryMesh) {
 /// Allocations of a factorization after the first, and of a solution with it.
 std::pair<int, int> newton_allocations(int n) {
   const SheetToFlatten flat(n);
-  const WireNetwork network = build_held_network(flat.chart());
+  const HeldNetwork network = build_held_network(flat.chart());
   const LengthConstraints constraints(flat.chart(), network);
-  FairShapeError objective(flat.chart(), network, 0.1);
+  FairShapeError objective({flat.chart(), network, 0.1});
   NewtonSystem system(flat.chart(), objective, constraints, flat.uv);
   const Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(constraints.size());
   const auto factorize = [&] { system.factorize(flat.uv, multipliers, {Curvature::convex, false}); };
@@ -95,11 +95,11 @@ struct RefinementCost {
 RefinementCost cost_of_refinement(const FlattenInput& input) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const WireNetwork network = build_held_network(chart);
+  const HeldNetwork network = build_held_network(chart);
   const Positions2 start = free_boundary_arap(chart, 30).uv;
   const FrontCounts before = count_fronts();
   RefineBudget budget(100);
-  const RefinedShape shape = refine_shape(chart, network, 0.1, start, {budget});
+  const RefinedShape shape = refine_shape({chart, network, 0.1}, start, {budget});
   const FrontCounts after = count_fronts();
   EXPECT_TRUE(shape.converged);
   const auto fronts = static_cast<double>(after.factored - before.factored) / shape.factorizations;

@@ -70,7 +70,7 @@ struct Coarse {
 
   Charts charts;
   const Chart& chart = charts.charts.at(0);
-  WireNetwork network = build_held_network(chart);
+  HeldNetwork network = build_held_network(chart);
   CoarseChart coarse;
 };
 
@@ -140,7 +140,7 @@ TEST(Coarsen, RunsShareOutAllFineEdgesAndTheirLength) {
 TEST(Coarsen, ChordsAndAnglesAreThoseOfTheCoarseMeshOnAPlane) {
   const int n = 40;
   const Coarse c(with_cross(jittered_grid(n, 0.3, flat), n));
-  const WireNetwork measured = build_held_network(c.coarse.chart);
+  const HeldNetwork measured = build_held_network(c.coarse.chart);
   for (std::size_t e = 0; e < measured.edges.size(); ++e) {
     EXPECT_NEAR(c.coarse.network.edges[e].length, measured.edges[e].length, 1e-12);
   }
@@ -273,14 +273,12 @@ TEST(Prolong, FollowsQuadraticMaps) {
 void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int max_factorizations = 2) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const WireNetwork network = build_held_network(chart);
-  Options options;
-  options.fairness = fairness;
+  const HeldNetwork network = build_held_network(chart);
   RefineBudget coarse_budget(100), budget(100), budget_from_scratch(100);
-  const std::optional<RefinementStart> start = start_from_coarse(chart, network, options, coarse_budget);
+  const std::optional<RefinementStart> start = start_from_coarse({chart, network, fairness}, coarse_budget);
   ASSERT_TRUE(start);
-  const RefinedShape shape = refine_shape(chart, network, options.fairness, *start, {budget});
-  const RefinedShape from_scratch = refine_from_scratch(chart, network, options, budget_from_scratch).shape;
+  const RefinedShape shape = refine_shape({chart, network, fairness}, *start, {budget});
+  const RefinedShape from_scratch = refine_from_scratch({chart, network, fairness}, budget_from_scratch).shape;
   EXPECT_TRUE(shape.is_exact);
   EXPECT_TRUE(shape.converged);
   EXPECT_LT(shape.length_error, 1e-12);
@@ -356,19 +354,17 @@ TEST(CoarseStart, IsNoneWhereTheCoarseChartHasNoExactLengths) {
     if (edges.num_sides(e) == 2) test::add_wire(input, {edges.vertices(e)[0], edges.vertices(e)[1]});
   }
   const Charts charts = test::charts_of(input);
-  Options options;
-  options.fairness = 1;
+  const Chart& chart = charts.charts.at(0);
   RefineBudget budget(100);
-  EXPECT_FALSE(start_from_coarse(charts.charts.at(0), build_held_network(charts.charts.at(0)), options, budget));
+  EXPECT_FALSE(start_from_coarse({chart, build_held_network(chart), 1}, budget));
 }
 
 /// Wires may wiggle in waves no longer than a few edges: a coarser chart would not show them.
 TEST(CoarseStart, IsNoneWhereWiresAreLeftToWiggle) {
   const Charts charts = test::charts_of(with_cross(jittered_grid(24, 0.2, dome), 24));
-  Options options;
-  options.fairness = 0.01;
+  const Chart& chart = charts.charts.at(0);
   RefineBudget budget(100);
-  EXPECT_FALSE(start_from_coarse(charts.charts.at(0), build_held_network(charts.charts.at(0)), options, budget));
+  EXPECT_FALSE(start_from_coarse({chart, build_held_network(chart), 0.01}, budget));
 }
 
 /// A start that claims to be near the minimum and is a point.
@@ -376,11 +372,11 @@ TEST(CoarseStart, AFalseClaimIsNoticed) {
   const int n = 24;
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
   const Chart& chart = charts.charts.at(0);
-  const WireNetwork network = build_held_network(chart);
+  const HeldNetwork network = build_held_network(chart);
   const Positions2 point = Positions2::Constant(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2, 1.0);
   RefineBudget budget(100);
   const RefinedShape shape = refine_shape(
-      chart, network, 0.1, {point, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(network.edges.size()))}, {budget});
+      {chart, network, 0.1}, {point, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(network.edges.size()))}, {budget});
   EXPECT_FALSE(shape.is_exact);
 }
 

@@ -74,7 +74,7 @@ TEST(InjectiveShape, WhatIsInjectiveStaysAsItIs) {
   const RefinedShape shape = refine(test::quarter_sphere(12)).shape;
   RefineBudget budget(100);
   RefinedShape same = shape;
-  EXPECT_FALSE(make_injective(chart, build_held_network(chart), Options{}.fairness, {budget}, same));
+  EXPECT_FALSE(make_injective({chart, build_held_network(chart), Options{}.fairness}, {budget}, same));
   EXPECT_EQ(same.uv, shape.uv);
   EXPECT_EQ(budget.spent(), 0);
 }

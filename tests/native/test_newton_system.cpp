@@ -70,9 +70,9 @@ class NewtonSystemOnASaddle : public testing::Test {
 
   const Charts charts = test::charts_of(input());
   const Chart& chart = charts.charts.at(0);
-  const WireNetwork network = build_held_network(chart);
+  const HeldNetwork network = build_held_network(chart);
   const LengthConstraints constraints{chart, network};
-  FairShapeError objective{chart, network, 0.1};
+  FairShapeError objective{{chart, network, 0.1}};
   const Positions2 uv = free_boundary_arap(chart, 30).uv;
   NewtonSystem system{chart, objective, constraints, uv};
   const int num_unknowns = static_cast<int>(uv.size());
@@ -174,9 +174,9 @@ TEST(NewtonSystem, AWireUnderCompressionIsASaddle) {
   test::add_wire(input, test::grid_row(n, n / 2));
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const WireNetwork network = build_held_network(chart);
+  const HeldNetwork network = build_held_network(chart);
   const LengthConstraints constraints(chart, network);
-  FairShapeError objective(chart, network, 0.01);
+  FairShapeError objective({chart, network, 0.01});
   const Positions2 uv = test::planar_positions(chart);
   NewtonSystem system(chart, objective, constraints, uv);
   Eigen::VectorXd wire = Eigen::VectorXd::Zero(constraints.size());

@@ -111,7 +111,7 @@ long fronts_of(const FlattenInput& input) {
   const Positions2 start = free_boundary_arap(chart, kFreeSteps).uv;
   const long before = count_fronts().factored;
   RefineBudget one(1);
-  refine_shape(chart, build_held_network(chart), 0.1, start, {one});
+  refine_shape({chart, build_held_network(chart), 0.1}, start, {one});
   return count_fronts().factored - before;
 }
 
@@ -176,13 +176,12 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   }
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const WireNetwork network = build_held_network(chart);
+  const HeldNetwork network = build_held_network(chart);
   RefineBudget budget(100);
-  const InternalOptions options;
-  StartProblem problem{chart, network, options, budget, {}};
+  StartProblem problem{{chart, network, Options{}.fairness}, budget, {}};
   const std::optional<RefinementStart> start = wires_alone(problem);
   ASSERT_TRUE(start);
-  const RefinedShape shape = refine_shape(chart, network, Options{}.fairness, *start, {budget});
+  const RefinedShape shape = refine_shape(problem.task, *start, {budget});
   EXPECT_TRUE(shape.is_exact && shape.converged);
 }
 

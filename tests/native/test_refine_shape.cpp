@@ -34,7 +34,7 @@ struct Case {
 
   RefinedShape refine(const Positions2& start, int max_factorizations = 100) const {
     RefineBudget budget(max_factorizations);
-    return refine_shape(chart, network, fairness, start, {budget});
+    return refine_shape({chart, network, fairness}, start, {budget});
   }
   RefinedShape refine() const { return refine(free_boundary_arap(chart, 30).uv); }
 
@@ -49,10 +49,10 @@ struct Case {
   }
 
   double value(const Positions2& uv) const {
-    return FairShapeError(chart, network, fairness).value(uv) / surface_area(chart.mesh);
+    return FairShapeError({chart, network, fairness}).value(uv) / surface_area(chart.mesh);
   }
 
-  int flips(const Positions2& uv) const { return FairShapeError(chart, network, fairness).count_flips(uv); }
+  int flips(const Positions2& uv) const { return FairShapeError({chart, network, fairness}).count_flips(uv); }
 
   /// Largest |l₂ - (1 + h) l| / l, h as the shape says.
   double length_error(const RefinedShape& shape) const {
@@ -69,7 +69,7 @@ struct Case {
 
   Charts charts;
   const Chart& chart = charts.charts.at(0);
-  WireNetwork network = build_held_network(chart);
+  HeldNetwork network = build_held_network(chart);
   double fairness = 0.1;
 };
 

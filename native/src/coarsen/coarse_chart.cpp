@@ -10,7 +10,7 @@ namespace {
 
 class Coarsening {
  public:
-  Coarsening(const Chart& chart, const WireNetwork& network, double edge_length, const StopToken& stop)
+  Coarsening(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop)
       : fine_(chart), fine_network_(network), decimated_(decimate(chart, network, edge_length, stop)) {}
 
   CoarseChart run();
@@ -26,7 +26,7 @@ class Coarsening {
   void place_wire_vertices(const WireRun& run, int edge);
 
   const Chart& fine_;
-  const WireNetwork& fine_network_;
+  const HeldNetwork& fine_network_;
   DecimatedMesh decimated_;
   CoarseChart coarse_;
   std::vector<int> fine_nodes_;  // where each half-edge of the fine network arrives
@@ -124,7 +124,7 @@ CoarseChart Coarsening::run() {
 
 }  // namespace
 
-CoarseChart coarsen(const Chart& chart, const WireNetwork& network, double edge_length, const StopToken& stop) {
+CoarseChart coarsen(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop) {
   return Coarsening(chart, network, edge_length, stop).run();
 }
 

@@ -18,13 +18,13 @@ struct CoarseWirePlace {
 
 struct CoarseChart {
   Chart chart;                               // super-elastic wires left out; no source faces or boundary chains
-  WireNetwork network;                       // lengths and surface angles from the runs
+  HeldNetwork network;                       // lengths and surface angles from the runs
   std::vector<WireRun> runs;                 // per coarse wire edge, along its halfedge_handle(edge, 0)
   std::vector<CoarsePlace> places;           // per fine vertex
   std::vector<CoarseWirePlace> wire_places;  // per fine wire edge
 };
 
-/// network: of all wires but super-elastic ones. edge_length: wanted, scene units. Throws Stopped.
-CoarseChart coarsen(const Chart& chart, const WireNetwork& network, double edge_length, const StopToken& stop = {});
+/// edge_length: wanted, scene units. Throws Stopped.
+CoarseChart coarsen(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop = {});
 
 }  // namespace wirewarp

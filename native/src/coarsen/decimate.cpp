@@ -29,7 +29,7 @@ struct Fan {
 
 class Decimation {
  public:
-  Decimation(const Chart& chart, const WireNetwork& network, double edge_length);
+  Decimation(const Chart& chart, const HeldNetwork& network, double edge_length);
   void run(const StopToken& stop);
   DecimatedMesh result();
 
@@ -65,7 +65,7 @@ class Decimation {
   std::vector<Eigen::Vector2d> moved_to_;
 };
 
-Decimation::Decimation(const Chart& chart, const WireNetwork& network, double edge_length)
+Decimation::Decimation(const Chart& chart, const HeldNetwork& network, double edge_length)
     : mesh_(chart.mesh),
       longest_edge_(kLongestEdge * edge_length),
       is_kept_(chart.mesh.n_vertices(), 0),
@@ -323,7 +323,7 @@ DecimatedMesh Decimation::result() {
 
 }  // namespace
 
-DecimatedMesh decimate(const Chart& chart, const WireNetwork& network, double edge_length, const StopToken& stop) {
+DecimatedMesh decimate(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop) {
   Decimation decimation(chart, network, edge_length);
   decimation.run(stop);
   return decimation.result();

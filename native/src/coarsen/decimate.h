@@ -31,6 +31,6 @@ struct DecimatedMesh {
 
 /// network: the lines along which wire vertices stay. edge_length: wanted, scene units; no new edge is longer than
 /// twice that. Throws Stopped, asking before each round over all vertices.
-DecimatedMesh decimate(const Chart& chart, const WireNetwork& network, double edge_length, const StopToken& stop = {});
+DecimatedMesh decimate(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -51,7 +51,7 @@ double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.arr
 /// and with them the gradient. The global step lowers a quadratic that is nowhere below E: a few steps of conjugate
 /// gradients, for what is wrong has short waves. Only where triangles have turned over: elsewhere the Newton steps take
 /// as few factorizations without.
-void smooth(const Chart& chart, const WireNetwork& network, Positions2& uv) {
+void smooth(const Chart& chart, const HeldNetwork& network, Positions2& uv) {
   const ShapeError shape_error(chart);
   if (shape_error.count_flips(uv) == 0) return;
   const Eigen::SparseMatrix<double> hessian = shape_error.fixed_rotation_hessian();
@@ -105,7 +105,7 @@ Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Posi
   return uv;
 }
 
-Positions2 prolong_positions(const Chart& chart, const WireNetwork& network, const CoarseChart& coarse,
+Positions2 prolong_positions(const Chart& chart, const HeldNetwork& network, const CoarseChart& coarse,
                              const Positions2& coarse_uv) {
   Positions2 uv = interpolate(chart, coarse, coarse_uv);
   prolong_wires(chart, network, coarse, coarse_uv, uv);

@@ -16,7 +16,7 @@ Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Posi
 
 /// The same, with the wires placed by their runs (prolong_wires.h), and then local/global steps of the shape error over
 /// the vertices between them: near sharp corners of a curved surface triangles would be turned over.
-Positions2 prolong_positions(const Chart& chart, const WireNetwork& network, const CoarseChart& coarse,
+Positions2 prolong_positions(const Chart& chart, const HeldNetwork& network, const CoarseChart& coarse,
                              const Positions2& coarse_uv);
 
 /// λ of each fine wire edge: that of its coarse one. λ is a force along the wire, whatever the length of edges.

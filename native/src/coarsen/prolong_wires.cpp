@@ -23,7 +23,7 @@ class WireTurns {
   double heading(WireHalfEdge h) const { return chords_[h.edge] + (h.reversed ? kPi : 0); }
   void turn_around(WireHalfEdge first);
 
-  const WireNetwork& network_;
+  const HeldNetwork& network_;
   std::vector<double> chords_;  // headings, per run
   std::vector<int> nodes_;      // where half-edges arrive
   std::vector<char> is_seen_;   // half-edges
@@ -81,7 +81,7 @@ void WireTurns::turn_around(WireHalfEdge first) {
 
 }  // namespace
 
-void prolong_wires(const Chart& chart, const WireNetwork& network, const CoarseChart& coarse,
+void prolong_wires(const Chart& chart, const HeldNetwork& network, const CoarseChart& coarse,
                    const Positions2& coarse_uv, Positions2& uv) {
   const WireTurns turns(coarse, coarse_uv);
   for (int e = 0; e < static_cast<int>(coarse.runs.size()); ++e) {

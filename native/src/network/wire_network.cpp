@@ -131,6 +131,6 @@ std::vector<int> nodes_at_arrival(const WireNetwork& network) {
 
 WireNetwork build_wire_network(const Chart& chart) { return build_network(chart, true); }
 
-WireNetwork build_held_network(const Chart& chart) { return build_network(chart, false); }
+HeldNetwork build_held_network(const Chart& chart) { return {build_network(chart, false)}; }
 
 }  // namespace wirewarp

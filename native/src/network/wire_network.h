@@ -82,7 +82,9 @@ std::vector<int> nodes_at_arrival(const WireNetwork& network);
 /// All wires and boundaries of a chart and how they meet. Any network: nothing is refused here.
 WireNetwork build_wire_network(const Chart& chart);
 
-/// The same without super-elastic wires: the network of all edges whose length is held.
-WireNetwork build_held_network(const Chart& chart);
+/// Without super-elastic wires: the network of all edges whose length is held.
+struct HeldNetwork : WireNetwork {};
+
+HeldNetwork build_held_network(const Chart& chart);
 
 }  // namespace wirewarp

@@ -30,22 +30,21 @@ bool has_slit_of_one_edge(const HalfEdgeMesh& mesh) {
 
 }  // namespace
 
-std::optional<RefinementStart> start_from_coarse(const Chart& chart, const WireNetwork& network,
-                                                 const InternalOptions& options, RefineBudget& budget,
-                                                 const StopToken& stop) {
+std::optional<RefinementStart> start_from_coarse(const RefineTask& task, RefineBudget& budget, const StopToken& stop) {
+  const Chart& chart = task.chart;
   const double fine = typical_edge_length(chart.mesh);
-  const double wanted =
-      std::min(kCoarsening * fine, kPerWiggle * options.fairness * std::sqrt(surface_area(chart.mesh)));
+  const double wanted = std::min(kCoarsening * fine, kPerWiggle * task.fairness * std::sqrt(surface_area(chart.mesh)));
   if (wanted < kLeastCoarsening * fine || has_slit_of_one_edge(chart.mesh)) return std::nullopt;
   const StopToken at_start([at_start = stop.in("start")](const char*) { return at_start.may_go_on(); });
   at_start.check();
-  const CoarseChart coarse = coarsen(chart, network, wanted, at_start);
+  const CoarseChart coarse = coarsen(chart, task.network, wanted, at_start);
   at_start.check();
   RefineBudget coarse_budget(budget, std::min(kMaxFactorizations, budget.left() / 2));
-  const RefinedShape shape = refine_from_scratch(coarse.chart, coarse.network, options, coarse_budget, at_start).shape;
+  const RefinedShape shape =
+      refine_from_scratch({coarse.chart, coarse.network, task.fairness}, coarse_budget, at_start).shape;
   if (!shape.is_exact) return std::nullopt;
   at_start.check();
-  return RefinementStart{prolong_positions(chart, network, coarse, shape.uv),
+  return RefinementStart{prolong_positions(chart, task.network, coarse, shape.uv),
                          prolong_multipliers(coarse, shape.multipliers)};
 }
 

@@ -4,16 +4,14 @@
 
 #include <optional>
 
-#include "internal_options.h"
 #include "refine/refine_shape.h"
 
 namespace wirewarp {
 
 /// Refines a chart with edges four times as long, or less where wires wiggle in shorter waves, and takes its shape and
-/// forces over to this one. None where that is hardly coarser or has no exact lengths. network: of all wires but
-/// super-elastic ones. stop: asked in the stage "start". Throws Stopped, and FactorizationFailed.
-std::optional<RefinementStart> start_from_coarse(const Chart& chart, const WireNetwork& network,
-                                                 const InternalOptions& options, RefineBudget& budget,
+/// forces over to this one. None where that is hardly coarser or has no exact lengths. stop: asked in the stage
+/// "start". Throws Stopped, and FactorizationFailed.
+std::optional<RefinementStart> start_from_coarse(const RefineTask& task, RefineBudget& budget,
                                                  const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -52,10 +52,11 @@ Eigen::Matrix2d conjugate_product(const HatGradients& g, int i, int j) {
 
 }  // namespace
 
-FairShapeError::FairShapeError(const Chart& chart, const WireNetwork& network, double fairness, Injectivity injectivity,
-                               const Positions2& layout)
-    : shape_error_(chart), bending_(chart, network, fairness, surface_area(chart.mesh)), injectivity_(injectivity) {
-  if (injectivity == Injectivity::global) outline_barrier_.emplace(chart, layout);
+FairShapeError::FairShapeError(const RefineTask& task, Injectivity injectivity, const Positions2& layout)
+    : shape_error_(task.chart),
+      bending_(task.chart, task.network, task.fairness, surface_area(task.chart.mesh)),
+      injectivity_(injectivity) {
+  if (injectivity == Injectivity::global) outline_barrier_.emplace(task.chart, layout);
 }
 
 /// Of a determinant below the smallest.

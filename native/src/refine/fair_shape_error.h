@@ -24,6 +24,7 @@
 #include "arap/shape_error.h"
 #include "refine/bending.h"
 #include "refine/outline_barrier.h"
+#include "refine/refine_task.h"
 
 namespace wirewarp {
 
@@ -43,10 +44,9 @@ enum class Injectivity {
 
 class FairShapeError {
  public:
-  /// network: of all wires but super-elastic ones. layout: of Injectivity::global, one row per chart vertex; the
+  /// layout: of Injectivity::global, one row per chart vertex; the
   /// Hessian knows the parts of the outline that are near each other there.
-  FairShapeError(const Chart& chart, const WireNetwork& network, double fairness,
-                 Injectivity injectivity = Injectivity::none, const Positions2& layout = {});
+  FairShapeError(const RefineTask& task, Injectivity injectivity = Injectivity::none, const Positions2& layout = {});
 
   /// f, scene units squared; infinite where the injectivity is lost. uv: one row per chart vertex.
   double value(const Positions2& uv) const;

@@ -106,10 +106,10 @@ class ToleranceSearch {
 
   bool serve(const Tolerances& tolerances) const {
     const Chart looser = with_tolerances(chart_, tolerances);
-    const WireNetwork network = build_held_network(looser);
+    const HeldNetwork network = build_held_network(looser);
     return std::any_of(starts_.begin(), starts_.end(), [&](Positions2 uv) {
       RefineBudget budget(kMaxProjectFactorizations);
-      return project_to_lengths(looser, network, fairness_, uv, budget, stop_);
+      return project_to_lengths({looser, network, fairness_}, uv, budget, stop_);
     });
   }
 
@@ -235,7 +235,7 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   const RelaxedShape relaxed =
       refined.relaxed && refined.relaxed->is_minimum
           ? *refined.relaxed
-          : relax_lengths(chart, build_held_network(chart), options.fairness,
+          : relax_lengths({chart, build_held_network(chart), options.fairness},
                           free_boundary_arap(chart, kFreeSteps, {}, stop).uv, relax_budget, stop);
   ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.uv}, stop);
   const auto lie_flat = [&](const Tolerances& tolerances) {

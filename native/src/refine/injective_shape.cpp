@@ -31,31 +31,29 @@ Injectivity injectivity_of(const Chart& chart, const Positions2& uv) {
   return overlaps ? Injectivity::local : Injectivity::global;
 }
 
-std::optional<RefinementStart> reach_injectively(const Chart& chart, const WireNetwork& network, double fairness,
-                                                 const RefinementLimits& limits) {
+std::optional<RefinementStart> reach_injectively(const RefineTask& task, const RefinementLimits& limits) {
   if (!limits.budget.allows()) return std::nullopt;
-  Positions2 map = free_boundary_arap(chart, kFreeSteps, {}, limits.stop.in("start")).uv;
-  if (injectivity_of(chart, map) < limits.injectivity) map = tutte_embedding(chart, limits.stop.in("start"));
-  if (injectivity_of(chart, map) < limits.injectivity) return std::nullopt;  // rounding spoils the embedding
+  Positions2 map = free_boundary_arap(task.chart, kFreeSteps, {}, limits.stop.in("start")).uv;
+  if (injectivity_of(task.chart, map) < limits.injectivity) map = tutte_embedding(task.chart, limits.stop.in("start"));
+  if (injectivity_of(task.chart, map) < limits.injectivity) return std::nullopt;  // rounding spoils the embedding
   RefinementLimits in_shape = limits;
   in_shape.stop = limits.stop.in("shape");
-  return injective_start(chart, network, fairness, map, in_shape);
+  return injective_start(task, map, in_shape);
 }
 
 namespace {
 
 /// The least distorted shape with exact lengths and the injectivity of the limits. Not exact where it is not found.
-RefinedShape refine_injectively(const Chart& chart, const WireNetwork& network, double fairness,
-                                const RefinementLimits& limits) {
-  const std::optional<RefinementStart> start = reach_injectively(chart, network, fairness, limits);
+RefinedShape refine_injectively(const RefineTask& task, const RefinementLimits& limits) {
+  const std::optional<RefinementStart> start = reach_injectively(task, limits);
   if (!start) return {};
   RefinementLimits in_shape = limits;
   in_shape.stop = limits.stop.in("shape");
-  RefinedShape shape = refine_shape(chart, network, fairness, *start, in_shape);
+  RefinedShape shape = refine_shape(task, *start, in_shape);
   // Parts of the outline that came near each other on the way are not in the Hessian yet.
   while (limits.injectivity == Injectivity::global && shape.is_exact && !shape.converged && limits.budget.allows() &&
          !limits.stop.is_stopped()) {
-    RefinedShape next = refine_shape(chart, network, fairness, {shape.uv, shape.multipliers}, in_shape);
+    RefinedShape next = refine_shape(task, {shape.uv, shape.multipliers}, in_shape);
     if (!(next.objective < shape.objective)) break;
     shape = std::move(next);
   }
@@ -64,21 +62,20 @@ RefinedShape refine_injectively(const Chart& chart, const WireNetwork& network, 
 
 }  // namespace
 
-bool make_injective(const Chart& chart, const WireNetwork& network, double fairness, const RefinementLimits& limits,
-                    RefinedShape& shape) {
+bool make_injective(const RefineTask& task, const RefinementLimits& limits, RefinedShape& shape) {
   if (!shape.is_exact || !limits.stop.in("shape").may_go_on()) return false;
   bool is_other = false;
-  shape.injectivity = injectivity_of(chart, shape.uv);
+  shape.injectivity = injectivity_of(task.chart, shape.uv);
   for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {
-    const bool is_disk = chart.boundary_loops.size() == 1;  // a ring that overlaps had best be cut open
+    const bool is_disk = task.chart.boundary_loops.size() == 1;  // a ring that overlaps had best be cut open
     if (injectivity == Injectivity::global && !is_disk) continue;
     if (limits.stop.is_stopped() || shape.injectivity >= injectivity) continue;
     try {
-      RefinedShape injective = refine_injectively(chart, network, fairness, {limits.budget, limits.stop, injectivity});
+      RefinedShape injective = refine_injectively(task, {limits.budget, limits.stop, injectivity});
       if (!injective.is_exact) continue;
       shape = std::move(injective);
       is_other = true;
-      shape.injectivity = injectivity_of(chart, shape.uv);
+      shape.injectivity = injectivity_of(task.chart, shape.uv);
     } catch (const Stopped&) {  // the shape at hand has exact lengths
       break;
     } catch (const FactorizationFailed&) {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "mesh/geometry.h"
-#include "network/length_variation.h"
 #include "optimize/box_quadratic.h"
 #include "refine/newton_system.h"
 #include "refine/retract_to_lengths.h"
@@ -28,8 +27,7 @@ constexpr double kRetractable =
 
 class MultiplierMethod {
  public:
-  MultiplierMethod(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& map,
-                   const RefinementLimits& limits);
+  MultiplierMethod(const RefineTask& task, const Positions2& map, const RefinementLimits& limits);
 
   bool reach_exact_lengths();
   RefinementStart start() const { return {now_.uv, multipliers_}; }
@@ -58,13 +56,10 @@ class MultiplierMethod {
   bool retract();
   bool factorize(const Eigen::VectorXd& multipliers);
 
-  const Chart& chart_;
-  const WireNetwork& network_;
-  double fairness_;
+  const RefineTask& task_;
   RefinementLimits limits_;
   LengthConstraints constraints_;
   const Eigen::SparseMatrix<double>& lengths_;  // T
-  Eigen::VectorXd tolerance_;                   // ε of the elastic parts
   std::optional<FairShapeError> objective_;
   std::optional<NewtonSystem> system_;
   Eigen::VectorXd holding_stiffness_;  // ρ that holds lengths in a retraction
@@ -76,21 +71,14 @@ class MultiplierMethod {
   double error_before_ = 0;  // |c| when λ was last updated; 0: never
 };
 
-MultiplierMethod::MultiplierMethod(const Chart& chart, const WireNetwork& network, double fairness,
-                                   const Positions2& map, const RefinementLimits& limits)
-    : chart_(chart),
-      network_(network),
-      fairness_(fairness),
+MultiplierMethod::MultiplierMethod(const RefineTask& task, const Positions2& map, const RefinementLimits& limits)
+    : task_(task),
       limits_(limits),
-      constraints_(chart, network),
+      constraints_(task.chart, task.network),
       lengths_(constraints_.elastic_lengths()),
       multipliers_(Eigen::VectorXd::Zero(constraints_.size())) {
-  tolerance_.resize(constraints_.num_elastic());
-  for (int w = 0; w < constraints_.num_elastic(); ++w) {
-    tolerance_[w] = chart.wire_parts[constraints_.elastic_parts()[w]].tolerance;
-  }
-  now_ = {map, length_variation(chart, map)(constraints_.elastic_parts()).cwiseMax(-tolerance_).cwiseMin(tolerance_)};
-  const double size = std::sqrt(surface_area(chart.mesh));
+  now_ = {map, constraints_.within_tolerance(constraints_.variation(map))};
+  const double size = std::sqrt(surface_area(task.chart.mesh));
   unit_.resize(constraints_.size());
   for (int e = 0; e < constraints_.size(); ++e) unit_[e] = size / constraints_.edges()[e].length;
   linearize_near(map);
@@ -99,8 +87,8 @@ MultiplierMethod::MultiplierMethod(const Chart& chart, const WireNetwork& networ
 /// A system whose Hessian knows the parts of the outline that are near each other.
 void MultiplierMethod::linearize_near(const Positions2& uv) {
   system_.reset();
-  objective_.emplace(chart_, network_, fairness_, limits_.injectivity, uv);
-  system_.emplace(chart_, *objective_, constraints_, uv, limits_.stop);
+  objective_.emplace(task_, limits_.injectivity, uv);
+  system_.emplace(task_.chart, *objective_, constraints_, uv, limits_.stop);
   holding_stiffness_ = system_->stiffness();
 }
 
@@ -132,7 +120,8 @@ std::optional<MultiplierMethod::Step> MultiplierMethod::newton_step() {
     const Eigen::VectorXd pull =
         lengths_.transpose() * (forces + stiffness.cwiseProduct(constraints_.apply(directions, step.d)));
     step.variation = minimize_quadratic_in_box(-pull, make_positive(system_->stiffness_by_variation()),
-                                               -tolerance_ - now_.variation, tolerance_ - now_.variation);
+                                               -constraints_.tolerance() - now_.variation,
+                                               constraints_.tolerance() - now_.variation);
     step.d += system_->finish(system_->least_change(lengths_ * step.variation));
   }
   step.slope = (gradient.array() * step.d.array()).sum() - forces.dot(lengths_ * step.variation);
@@ -192,9 +181,9 @@ bool MultiplierMethod::reach_exact_lengths() {
 
 }  // namespace
 
-std::optional<RefinementStart> injective_start(const Chart& chart, const WireNetwork& network, double fairness,
-                                               const Positions2& map, const RefinementLimits& limits) {
-  MultiplierMethod method(chart, network, fairness, map, limits);
+std::optional<RefinementStart> injective_start(const RefineTask& task, const Positions2& map,
+                                               const RefinementLimits& limits) {
+  MultiplierMethod method(task, map, limits);
   if (!method.reach_exact_lengths()) return std::nullopt;
   return method.start();
 }

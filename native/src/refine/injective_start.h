@@ -15,9 +15,9 @@
 
 namespace wirewarp {
 
-/// Exact lengths within the tolerances, with λ; none: not reached. network: of all wires but super-elastic ones. map:
+/// Exact lengths within the tolerances, with λ; none: not reached. map:
 /// one row per chart vertex; injective, as limits say. Throws Stopped.
-std::optional<RefinementStart> injective_start(const Chart& chart, const WireNetwork& network, double fairness,
-                                               const Positions2& map, const RefinementLimits& limits);
+std::optional<RefinementStart> injective_start(const RefineTask& task, const Positions2& map,
+                                               const RefinementLimits& limits);
 
 }  // namespace wirewarp

@@ -9,7 +9,7 @@
 
 namespace wirewarp {
 
-LengthConstraints::LengthConstraints(const Chart& chart, const WireNetwork& network)
+LengthConstraints::LengthConstraints(const Chart& chart, const HeldNetwork& network)
     : rounding_length_(1e-5 * std::sqrt(surface_area(chart.mesh))) {
   std::vector<int> elastic_of_part(chart.wire_parts.size(), -1);
   for (int part = 0; part < static_cast<int>(chart.wire_parts.size()); ++part) {
@@ -22,6 +22,8 @@ LengthConstraints::LengthConstraints(const Chart& chart, const WireNetwork& netw
     edges_.push_back({chart.mesh.from_vertex_handle(h).idx(), chart.mesh.to_vertex_handle(h).idx(), edge.length,
                       edge.part < 0 ? -1 : elastic_of_part[edge.part]});
   }
+  tolerance_.resize(num_elastic());
+  for (int w = 0; w < num_elastic(); ++w) tolerance_[w] = chart.wire_parts[elastic_parts_[w]].tolerance;
   std::vector<Eigen::Triplet<double>> entries;
   for (int e = 0; e < size(); ++e) {
     const Edge& edge = edges_[e];
@@ -29,6 +31,15 @@ LengthConstraints::LengthConstraints(const Chart& chart, const WireNetwork& netw
   }
   elastic_lengths_.resize(size(), num_elastic());
   elastic_lengths_.setFromTriplets(entries.begin(), entries.end());
+}
+
+Eigen::VectorXd LengthConstraints::variation(const Positions2& uv) const {
+  Eigen::VectorXd length = Eigen::VectorXd::Zero(num_elastic());
+  for (const Edge& edge : edges_) {
+    if (edge.elastic >= 0) length[edge.elastic] += (uv.row(edge.b) - uv.row(edge.a)).norm();
+  }
+  const Eigen::VectorXd rest = elastic_lengths_.transpose() * Eigen::VectorXd::Ones(size());
+  return length.cwiseQuotient(rest).array() - 1;
 }
 
 Eigen::VectorXd LengthConstraints::residual(const Positions2& uv, const Eigen::VectorXd& variation) const {

@@ -23,8 +23,7 @@ class LengthConstraints {
     int elastic;    // index into elastic_parts(), -1: h is 0
   };
 
-  /// network: of all wires but super-elastic ones.
-  LengthConstraints(const Chart& chart, const WireNetwork& network);
+  LengthConstraints(const Chart& chart, const HeldNetwork& network);
 
   const std::vector<Edge>& edges() const { return edges_; }
   int size() const { return static_cast<int>(edges_.size()); }
@@ -32,6 +31,16 @@ class LengthConstraints {
   /// Wire parts of the chart that are elastic: entry w of h belongs to part elastic_parts()[w].
   const std::vector<int>& elastic_parts() const { return elastic_parts_; }
   int num_elastic() const { return static_cast<int>(elastic_parts_.size()); }
+
+  /// ε. #elastic.
+  const Eigen::VectorXd& tolerance() const { return tolerance_; }
+
+  Eigen::VectorXd within_tolerance(const Eigen::VectorXd& variation) const {
+    return variation.cwiseMax(-tolerance_).cwiseMin(tolerance_);
+  }
+
+  /// h that a layout has, beyond its tolerance or not. #elastic.
+  Eigen::VectorXd variation(const Positions2& uv) const;
 
   /// T, #edges by #elastic: one entry in the row of an elastic edge.
   const Eigen::SparseMatrix<double>& elastic_lengths() const { return elastic_lengths_; }
@@ -59,6 +68,7 @@ class LengthConstraints {
  private:
   std::vector<Edge> edges_;
   std::vector<int> elastic_parts_;
+  Eigen::VectorXd tolerance_;
   Eigen::SparseMatrix<double> elastic_lengths_;
   double rounding_length_;  // 10⁻⁵ √area
 };

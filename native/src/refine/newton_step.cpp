@@ -29,7 +29,7 @@ NewtonStep newton_step(const RefineState& state) {
   const Eigen::SparseMatrix<double>& lengths = constraints.elastic_lengths();
   Eigen::VectorXd variation = Eigen::VectorXd::Zero(constraints.num_elastic());
   if (constraints.num_elastic() > 0) {
-    const Eigen::VectorXd& tolerance = state.problem.tolerance();
+    const Eigen::VectorXd& tolerance = constraints.tolerance();
     variation = minimize_quadratic_in_box(-(lengths.transpose() * (state.multipliers + solution.multipliers.col(0))),
                                           make_positive(hessian_h(lengths, state.dlambda_dh)),
                                           -tolerance - state.now.variation, tolerance - state.now.variation);

@@ -25,13 +25,13 @@ constexpr double kOverlapDepth = 1e-10;  // a tenth of what counts as overlap in
 /// A chart with some slits sewn, and the way to and from it.
 class SewnProblem {
  public:
-  SewnProblem(const Chart& open, const WireNetwork& open_network, SewnChart sewn)
-      : sewn_(std::move(sewn)), network_(build_held_network(sewn_.chart)) {
-    for (const WireEdge& edge : open_network.edges) {
-      const HalfedgeHandle h = open.mesh.halfedge_handle(edge.edge, 0);
+  SewnProblem(const RefineTask& open, SewnChart sewn)
+      : sewn_(std::move(sewn)), network_(build_held_network(sewn_.chart)), fairness_(open.fairness) {
+    for (const WireEdge& edge : open.network.edges) {
+      const HalfedgeHandle h = open.chart.mesh.halfedge_handle(edge.edge, 0);
       const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn_.vertex[v.idx()]); };
-      const HalfedgeHandle there = sewn_.chart.mesh.find_halfedge(sewn_end(open.mesh.from_vertex_handle(h)),
-                                                                  sewn_end(open.mesh.to_vertex_handle(h)));
+      const HalfedgeHandle there = sewn_.chart.mesh.find_halfedge(sewn_end(open.chart.mesh.from_vertex_handle(h)),
+                                                                  sewn_end(open.chart.mesh.to_vertex_handle(h)));
       const int sewn_edge =
           there.is_valid() ? network_.wire_edge_of_edge[sewn_.chart.mesh.edge_handle(there).idx()] : -1;
       if (sewn_edge < 0) throw std::logic_error("an edge of a wire is none any more once slits are sewn");
@@ -39,12 +39,11 @@ class SewnProblem {
     }
   }
 
-  const Chart& chart() const { return sewn_.chart; }
-  const WireNetwork& network() const { return network_; }
+  RefineTask task() const { return {sewn_.chart, network_, fairness_}; }
 
   /// Edges that are sewn together bear the forces of both.
   RefinementStart to_sewn(const RefinementStart& open) const {
-    RefinementStart start{Positions2(static_cast<Eigen::Index>(chart().mesh.n_vertices()), 2),
+    RefinementStart start{Positions2(static_cast<Eigen::Index>(sewn_.chart.mesh.n_vertices()), 2),
                           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(network_.edges.size()))};
     for (int v = 0; v < open.uv.rows(); ++v) start.uv.row(sewn_.vertex[v]) = open.uv.row(v);
     for (int e = 0; e < open.multipliers.size(); ++e) start.multipliers[edge_[e]] += open.multipliers[e];
@@ -63,7 +62,8 @@ class SewnProblem {
 
  private:
   SewnChart sewn_;
-  WireNetwork network_;
+  HeldNetwork network_;
+  double fairness_;
   std::vector<int> edge_;  // of the sewn network, one per edge of the open one
 };
 
@@ -131,30 +131,31 @@ bool touches(const Chart& chart, const Slit& slit, const std::vector<int>& faces
 
 }  // namespace
 
-RefinedShape open_slits(const Chart& chart, const WireNetwork& network, double fairness, const std::vector<Slit>& slits,
-                        const std::function<RefinedShape(const Chart& chart, const WireNetwork& network)>& refine_sewn,
+RefinedShape open_slits(const RefineTask& task, const std::vector<Slit>& slits,
+                        const std::function<RefinedShape(const RefineTask& sewn)>& refine_sewn,
                         const RefinementLimits& limits) {
+  const Chart& chart = task.chart;
   const auto sewn_problem = [&](const std::vector<Slit>& shut) -> std::optional<SewnProblem> {
     std::optional<SewnChart> sewn = sew(chart, shut);
     if (!sewn) return std::nullopt;
-    return SewnProblem(chart, network, std::move(*sewn));
+    return SewnProblem(task, std::move(*sewn));
   };
   const auto as_open = [&](const SewnProblem& problem, const RefinedShape& sewn) {
-    RefinedShape shape = evaluate_shape(chart, network, fairness, problem.to_open(sewn));
+    RefinedShape shape = evaluate_shape(task, problem.to_open(sewn));
     shape.converged = sewn.converged;
     shape.iterations = sewn.iterations;
     return shape;
   };
   const auto refine = [&](const SewnProblem& problem, const RefinementStart& start, RefineBudget& budget) {
     try {
-      return refine_shape(problem.chart(), problem.network(), fairness, start, {budget, limits.stop});
+      return refine_shape(problem.task(), start, {budget, limits.stop});
     } catch (const Stopped&) {  // the best shape so far is exact
       return RefinedShape{};
     }
   };
   const std::optional<SewnProblem> all_shut = sewn_problem(slits);
-  if (!all_shut || is_outline_too_short(all_shut->chart())) return {};
-  const RefinedShape whole = refine_sewn(all_shut->chart(), all_shut->network());
+  if (!all_shut || is_outline_too_short(all_shut->task().chart)) return {};
+  const RefinedShape whole = refine_sewn(all_shut->task());
   if (!whole.is_exact) return {};
   RefinedShape best = as_open(*all_shut, whole);
 

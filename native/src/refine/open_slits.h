@@ -19,10 +19,10 @@
 namespace wirewarp {
 
 /// The better one of the shapes of step 1 and of the last step 3; not exact where the sewn chart has no flat shape.
-/// network: of all wires but super-elastic ones. slits: of the chart, one or more. refine_sewn: the least distorted
+/// slits: of the chart, one or more. refine_sewn: the least distorted
 /// shape of a chart from scratch. Stopped before there is an exact shape: throws Stopped.
-RefinedShape open_slits(const Chart& chart, const WireNetwork& network, double fairness, const std::vector<Slit>& slits,
-                        const std::function<RefinedShape(const Chart& chart, const WireNetwork& network)>& refine_sewn,
+RefinedShape open_slits(const RefineTask& task, const std::vector<Slit>& slits,
+                        const std::function<RefinedShape(const RefineTask& sewn)>& refine_sewn,
                         const RefinementLimits& limits);
 
 }  // namespace wirewarp

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "network/length_variation.h"
 #include "optimize/box_quadratic.h"
 #include "refine/newton_system.h"
 
@@ -25,18 +24,12 @@ struct Iterate {
 /// With d eliminated a quadratic program in Δh is left: h + Δh keeps to its tolerance.
 class Projection {
  public:
-  Projection(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& uv,
-             const StopToken& stop)
-      : constraints_(chart, network),
-        objective_(chart, network, fairness),
-        system_(chart, objective_, constraints_, uv, stop),
+  Projection(const RefineTask& task, const Positions2& uv, const StopToken& stop)
+      : constraints_(task.chart, task.network),
+        objective_(task),
+        system_(task.chart, objective_, constraints_, uv, stop),
         lengths_(constraints_.elastic_lengths()),
-        tolerance_(constraints_.num_elastic()) {
-    for (int w = 0; w < tolerance_.size(); ++w) {
-      tolerance_[w] = chart.wire_parts[constraints_.elastic_parts()[w]].tolerance;
-    }
-    now_ = at(uv, length_variation(chart, uv)(constraints_.elastic_parts()));
-  }
+        now_(at(uv, constraints_.variation(uv))) {}
 
   const Positions2& uv() const { return now_.uv; }
   bool has(double largest_error) const { return constraints_.largest_error(now_.residual) <= largest_error; }
@@ -48,7 +41,7 @@ class Projection {
     const bool is_positive = system_.factorize(now_.uv, no_forces, {Curvature::none, false}, stop);
     stop.check();
     if (!is_positive) return false;
-    if (tolerance_.size() > 0) by_variation_ = system_.stiffness_by_variation();
+    if (constraints_.num_elastic() > 0) by_variation_ = system_.stiffness_by_variation();
     const Iterate far = moved();
     double t = 1;
     Iterate next = far;
@@ -68,7 +61,7 @@ class Projection {
 
  private:
   Iterate at(const Positions2& uv, const Eigen::VectorXd& variation) const {
-    Iterate iterate{uv, variation.cwiseMax(-tolerance_).cwiseMin(tolerance_), {}};
+    Iterate iterate{uv, constraints_.within_tolerance(variation), {}};
     iterate.residual = constraints_.residual(uv, iterate.variation);
     return iterate;
   }
@@ -80,12 +73,13 @@ class Projection {
   /// By a whole step.
   Iterate moved() const {
     Eigen::VectorXd d = system_.least_change(-now_.residual);
-    Eigen::VectorXd change = Eigen::VectorXd::Zero(tolerance_.size());
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(constraints_.num_elastic());
     if (change.size() > 0) {
       const Eigen::Map<const Positions2> d_by_vertex(d.data(), now_.uv.rows(), 2);
       const Eigen::VectorXd left = now_.residual + constraints_.apply(system_.directions(), d_by_vertex);
       change = minimize_quadratic_in_box(-(lengths_.transpose() * system_.stiffness().cwiseProduct(left)),
-                                         by_variation_, -tolerance_ - now_.variation, tolerance_ - now_.variation);
+                                         by_variation_, -constraints_.tolerance() - now_.variation,
+                                         constraints_.tolerance() - now_.variation);
       d += system_.least_change(lengths_ * change);
     }
     return at(now_.uv + system_.finish(d), now_.variation + change);
@@ -95,16 +89,14 @@ class Projection {
   FairShapeError objective_;
   NewtonSystem system_;
   const Eigen::SparseMatrix<double>& lengths_;  // T
-  Eigen::VectorXd tolerance_;                   // ε of elastic parts
   Eigen::MatrixXd by_variation_;
   Iterate now_;
 };
 
 }  // namespace
 
-bool project_to_lengths(const Chart& chart, const WireNetwork& network, double fairness, Positions2& uv,
-                        RefineBudget& budget, const StopToken& stop) {
-  Projection projection(chart, network, fairness, uv, stop);
+bool project_to_lengths(const RefineTask& task, Positions2& uv, RefineBudget& budget, const StopToken& stop) {
+  Projection projection(task, uv, stop);
   while (!projection.has(LengthConstraints::exact) && budget.allows()) {
     budget.spend(1);
     if (!projection.get_nearer(stop)) break;

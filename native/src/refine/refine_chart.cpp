@@ -33,8 +33,7 @@ RefineResult try_starts(StartProblem problem, std::initializer_list<Start> start
       const std::optional<RefinementStart> made = start.make(problem);
       if (!made) continue;
       is_any_made = true;
-      result.shape = refine_shape(problem.chart, problem.held_network, problem.options.fairness, *made,
-                                  {problem.budget, problem.stop.in("shape"), start.injectivity});
+      result.shape = refine_shape(problem.task, *made, {problem.budget, problem.stop.in("shape"), start.injectivity});
     } catch (const FactorizationFailed&) {  // other starts may serve
       continue;
     } catch (const UnjoinedWires&) {
@@ -57,28 +56,26 @@ RefineResult try_starts(StartProblem problem, std::initializer_list<Start> start
 /// serves.
 RefineResult refine_with_slits(const StartProblem& problem, const std::vector<Slit>& slits) {
   RefineResult result;
-  if (const std::optional<Positions2> flat = unfold(problem.chart)) {
-    result.shape = evaluate_shape(problem.chart, problem.held_network, problem.options.fairness, *flat);
+  if (const std::optional<Positions2> flat = unfold(problem.task.chart)) {
+    result.shape = evaluate_shape(problem.task, *flat);
     if (result.shape.converged) result.start = kUnfolded.name;
     if (result.shape.converged) return result;
   }
-  const auto refine_sewn = [&](const Chart& sewn, const WireNetwork& network) {
+  const auto refine_sewn = [&](const RefineTask& sewn) {
     try {
-      return try_starts({sewn, network, problem.options, problem.budget, problem.stop}, kAll).shape;
+      return try_starts({sewn, problem.budget, problem.stop, problem.large_chart}, kAll).shape;
     } catch (const FactorizationFailed&) {  // the open chart has starts of its own
       return RefinedShape{};
     }
   };
-  result.shape = open_slits(problem.chart, problem.held_network, problem.options.fairness, slits, refine_sewn,
-                            {problem.budget, problem.stop.in("shape")});
+  result.shape = open_slits(problem.task, slits, refine_sewn, {problem.budget, problem.stop.in("shape")});
   result.start = result.shape.is_exact ? "sewn" : "";
   return result;
 }
 
 /// Another shape where triangles are turned over or the piece covers itself, if one is found.
 RefineResult without_flips_and_overlaps(RefineResult result, const StartProblem& problem) {
-  const bool is_other = make_injective(problem.chart, problem.held_network, problem.options.fairness,
-                                       {problem.budget, problem.stop}, result.shape);
+  const bool is_other = make_injective(problem.task, {problem.budget, problem.stop}, result.shape);
   if (is_other) result.start = kInjective.name;
   result.factorizations = problem.budget.spent();
   result.ran_out = problem.budget.ran_out();
@@ -88,18 +85,17 @@ RefineResult without_flips_and_overlaps(RefineResult result, const StartProblem&
 }  // namespace
 
 RefineResult refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
-  const WireNetwork held_network = build_held_network(chart);
+  const HeldNetwork network = build_held_network(chart);
   RefineBudget budget(options.max_factorizations);
-  const StartProblem problem{chart, held_network, options, budget, stop};
+  const StartProblem problem{{chart, network, options.fairness}, budget, stop, options.large_chart};
   RefineResult result;
   if (const std::vector<Slit> slits = find_slits(chart); !slits.empty()) result = refine_with_slits(problem, slits);
   if (!result.shape.is_exact) result = try_starts(problem, kAll);
   return without_flips_and_overlaps(std::move(result), problem);
 }
 
-RefineResult refine_from_scratch(const Chart& chart, const WireNetwork& held_network, const InternalOptions& options,
-                                 RefineBudget& budget, const StopToken& stop) {
-  const StartProblem problem{chart, held_network, options, budget, stop};
+RefineResult refine_from_scratch(const RefineTask& task, RefineBudget& budget, const StopToken& stop) {
+  const StartProblem problem{task, budget, stop};
   return without_flips_and_overlaps(try_starts(problem, {kFree, kElasticFree, kWiresAlone, kInjective}), problem);
 }
 

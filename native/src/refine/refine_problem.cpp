@@ -10,24 +10,16 @@
 
 namespace wirewarp {
 
-RefineProblem::RefineProblem(const Chart& chart, const WireNetwork& held_network, double fairness,
-                             Injectivity injectivity, const Positions2& layout)
-    : chart_(chart),
-      constraints_(chart, held_network),
-      objective_(chart, held_network, fairness, injectivity, layout),
-      tolerance_(constraints_.num_elastic()) {
-  for (int w = 0; w < tolerance_.size(); ++w) {
-    tolerance_[w] = chart.wire_parts[constraints_.elastic_parts()[w]].tolerance;
-  }
+RefineProblem::RefineProblem(const RefineTask& task, Injectivity injectivity, const Positions2& layout)
+    : chart_(task.chart), constraints_(task.chart, task.network), objective_(task, injectivity, layout) {
   // What rounding leaves of f is felt on slivers and edges of 1e-8 of the piece.
   const double extent = (layout.colwise().maxCoeff() - layout.colwise().minCoeff()).maxCoeff();
-  isometric_value_ = std::max(RefineConstants::isometric * surface_area(chart.mesh),
+  isometric_value_ = std::max(RefineConstants::isometric * surface_area(task.chart.mesh),
                               objective_.value_of_rounding(std::numeric_limits<double>::epsilon() * extent));
 }
 
 RefineIterate RefineProblem::iterate_at(const Positions2& uv) const {
-  const Eigen::VectorXd variation = length_variation(chart_, uv)(constraints_.elastic_parts());
-  return {uv, variation.cwiseMax(-tolerance_).cwiseMin(tolerance_), objective_.value(uv)};
+  return {uv, constraints_.within_tolerance(constraints_.variation(uv)), objective_.value(uv)};
 }
 
 double RefineProblem::length_error(const RefineIterate& iterate) const {

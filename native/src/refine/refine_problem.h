@@ -17,13 +17,11 @@ struct RefineIterate {
 class RefineProblem {
  public:
   /// layout: any of the chart, which tells its size. The chart must outlive the problem.
-  RefineProblem(const Chart& chart, const WireNetwork& held_network, double fairness, Injectivity injectivity,
-                const Positions2& layout);
+  RefineProblem(const RefineTask& task, Injectivity injectivity, const Positions2& layout);
 
   const LengthConstraints& constraints() const { return constraints_; }
   const FairShapeError& objective() const { return objective_; }
   FairShapeError& objective() { return objective_; }
-  const Eigen::VectorXd& tolerance() const { return tolerance_; }
 
   /// The layout with the length variations it has, moved into their tolerances.
   RefineIterate iterate_at(const Positions2& uv) const;
@@ -41,8 +39,7 @@ class RefineProblem {
   const Chart& chart_;
   LengthConstraints constraints_;
   FairShapeError objective_;
-  Eigen::VectorXd tolerance_;  // ε of the elastic parts
-  double isometric_value_;     // f, below which a layout is isometric but for rounding
+  double isometric_value_;  // f, below which a layout is isometric but for rounding
 };
 
 }  // namespace wirewarp

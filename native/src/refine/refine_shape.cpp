@@ -18,9 +18,8 @@ bool stays_flipped(const RefineState& state) {
 
 }  // namespace
 
-RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double fairness, const RefinementStart& start,
-                          const RefinementLimits& limits) {
-  RefineState state(chart, network, fairness, start, limits);
+RefinedShape refine_shape(const RefineTask& task, const RefinementStart& start, const RefinementLimits& limits) {
+  RefineState state(task, start, limits);
   const auto is_isometric = [&] {
     return state.problem.is_isometric(state.now);
   };  // f is at least 0: nothing is left to gain
@@ -53,9 +52,8 @@ RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double
   return shape;
 }
 
-RefinedShape evaluate_shape(const Chart& chart, const WireNetwork& network, double fairness,
-                            const RefinementStart& start) {
-  const RefineProblem problem(chart, network, fairness, Injectivity::none, start.uv);
+RefinedShape evaluate_shape(const RefineTask& task, const RefinementStart& start) {
+  const RefineProblem problem(task, Injectivity::none, start.uv);
   const RefineIterate at_start = problem.iterate_at(start.uv);
   RefinedShape shape = problem.describe(at_start);
   shape.multipliers = start.multipliers;

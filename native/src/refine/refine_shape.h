@@ -10,10 +10,9 @@
 
 #include <utility>
 
-#include "charts/chart.h"
-#include "network/wire_network.h"
 #include "refine/fair_shape_error.h"
 #include "refine/refine_budget.h"
+#include "refine/refine_task.h"
 #include "stop_token.h"
 #include "wirewarp/types.h"
 
@@ -47,15 +46,12 @@ struct RefinementStart {
   Eigen::VectorXd multipliers;  // λ, one per edge of the network; empty: not known
 };
 
-/// network: of all wires but super-elastic ones. fairness: shortest wiggle of wires that is left alone, over the square
-/// root of the area. Not exact where the start is too far from exact lengths for one step, or the budget is spent
+/// Not exact where the start is too far from exact lengths for one step, or the budget is spent
 /// before that. Stopped with exact lengths: the shape at hand; before: throws Stopped. Where flips are not forbidden
 /// and stay, it gives up.
-RefinedShape refine_shape(const Chart& chart, const WireNetwork& network, double fairness, const RefinementStart& start,
-                          const RefinementLimits& limits);
+RefinedShape refine_shape(const RefineTask& task, const RefinementStart& start, const RefinementLimits& limits);
 
 /// The start as a shape: its f, and whether its lengths are exact. Converged where it is isometric.
-RefinedShape evaluate_shape(const Chart& chart, const WireNetwork& network, double fairness,
-                            const RefinementStart& start);
+RefinedShape evaluate_shape(const RefineTask& task, const RefinementStart& start);
 
 }  // namespace wirewarp

@@ -5,10 +5,10 @@
 
 namespace wirewarp {
 
-RefineState::RefineState(const Chart& chart, const WireNetwork& held_network, double fairness,
-                         const RefinementStart& start, const RefinementLimits& refinement_limits)
-    : problem(chart, held_network, fairness, refinement_limits.injectivity, start.uv),
-      system(chart, problem.objective(), problem.constraints(), start.uv, refinement_limits.stop),
+RefineState::RefineState(const RefineTask& task, const RefinementStart& start,
+                         const RefinementLimits& refinement_limits)
+    : problem(task, refinement_limits.injectivity, start.uv),
+      system(task.chart, problem.objective(), problem.constraints(), start.uv, refinement_limits.stop),
       limits(refinement_limits),
       now(problem.iterate_at(start.uv)),
       multipliers(start.multipliers) {
@@ -24,7 +24,7 @@ bool RefineState::factorize(const Convexity& convexity) {
 
 bool RefineState::evaluate(RefineIterate& trial) const {
   if (limits.stop.is_stopped()) return false;
-  trial.variation = trial.variation.cwiseMax(-problem.tolerance()).cwiseMin(problem.tolerance());
+  trial.variation = problem.constraints().within_tolerance(trial.variation);
   if (!retract_to_lengths(problem.constraints(), system, trial.variation, trial.uv, limits.stop)) return false;
   if (problem.objective().longest_step(now.uv, trial.uv - now.uv) < 1) return false;
   trial.value = problem.objective().value(trial.uv);

@@ -18,8 +18,7 @@ enum class StepOutcome {
 
 /// What the steps of refine_shape work on: the shape at hand, and the linear system of its last factorization.
 struct RefineState {
-  RefineState(const Chart& chart, const WireNetwork& held_network, double fairness, const RefinementStart& start,
-              const RefinementLimits& refinement_limits);
+  RefineState(const RefineTask& task, const RefinementStart& start, const RefinementLimits& refinement_limits);
   RefineState(const RefineState&) = delete;  // the system refers to the problem
   RefineState& operator=(const RefineState&) = delete;
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "mesh/geometry.h"
-#include "network/length_variation.h"
 #include "refine/newton_system.h"
 
 namespace wirewarp {
@@ -32,10 +31,9 @@ Chart with_variations(Chart chart) {
   return chart;
 }
 
-class LooseLengths {
+class RelaxedLengths {
  public:
-  LooseLengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
-               const StopToken& stop);
+  RelaxedLengths(const RefineTask& task, const Positions2& start, const StopToken& stop);
 
   bool minimize(double smoothing, RefineBudget& budget, const StopToken& stop);
   RelaxedShape shape() const;
@@ -56,7 +54,7 @@ class LooseLengths {
     double slope;
   };
 
-  void make_groups(const WireNetwork& network);
+  void make_groups(const HeldNetwork& network);
   Eigen::VectorXd residual(const Iterate& iterate) const;
   Eigen::VectorXd mean_squares(const Eigen::VectorXd& residual) const;
   Eigen::VectorXd tolerance_violation(const Eigen::VectorXd& variation) const;
@@ -76,25 +74,21 @@ class LooseLengths {
   Iterate now_;
 };
 
-LooseLengths::LooseLengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
-                           const StopToken& stop)
-    : chart_(chart),
-      size_(std::sqrt(surface_area(chart.mesh))),
-      constraints_(chart, network),
-      objective_(chart, network, fairness),
-      system_(chart, objective_, constraints_, start, stop),
+RelaxedLengths::RelaxedLengths(const RefineTask& task, const Positions2& start, const StopToken& stop)
+    : chart_(task.chart),
+      size_(std::sqrt(surface_area(chart_.mesh))),
+      constraints_(chart_, task.network),
+      objective_(task),
+      system_(chart_, objective_, constraints_, start, stop),
       lengths_(constraints_.elastic_lengths()),
       part_length_(lengths_.transpose() * Eigen::VectorXd::Ones(constraints_.size())),
-      slack_(Eigen::VectorXd::Zero(constraints_.size())) {
-  tolerance_.resize(constraints_.num_elastic());
-  for (int w = 0; w < constraints_.num_elastic(); ++w) {
-    tolerance_[w] = kWithinTolerance * chart.wire_parts[constraints_.elastic_parts()[w]].tolerance;
-  }
-  make_groups(network);
-  now_ = {start, length_variation(chart, start)(constraints_.elastic_parts())};
+      tolerance_(kWithinTolerance * constraints_.tolerance()),
+      slack_(Eigen::VectorXd::Zero(constraints_.size())),
+      now_{start, constraints_.variation(start)} {
+  make_groups(task.network);
 }
 
-void LooseLengths::make_groups(const WireNetwork& network) {
+void RelaxedLengths::make_groups(const HeldNetwork& network) {
   std::vector<int> group_of_part(chart_.wire_parts.size(), -1);
   for (int e = 0; e < constraints_.size(); ++e) {
     const WireEdge& edge = network.edges[e];
@@ -115,13 +109,13 @@ void LooseLengths::make_groups(const WireNetwork& network) {
 }
 
 /// l r, of single edges what is beyond their tolerance. #edges.
-Eigen::VectorXd LooseLengths::residual(const Iterate& iterate) const {
+Eigen::VectorXd RelaxedLengths::residual(const Iterate& iterate) const {
   const Eigen::VectorXd missing = constraints_.residual(iterate.uv, iterate.variation);
   return missing - missing.cwiseMax(-slack_).cwiseMin(slack_);
 }
 
 /// m. #groups.
-Eigen::VectorXd LooseLengths::mean_squares(const Eigen::VectorXd& residual) const {
+Eigen::VectorXd RelaxedLengths::mean_squares(const Eigen::VectorXd& residual) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(groups_.size()));
   for (int e = 0; e < constraints_.size(); ++e) {
     const int group = group_of_edge_[e];
@@ -131,11 +125,11 @@ Eigen::VectorXd LooseLengths::mean_squares(const Eigen::VectorXd& residual) cons
 }
 
 /// x, with the sign of h.
-Eigen::VectorXd LooseLengths::tolerance_violation(const Eigen::VectorXd& variation) const {
+Eigen::VectorXd RelaxedLengths::tolerance_violation(const Eigen::VectorXd& variation) const {
   return variation - variation.cwiseMax(-tolerance_).cwiseMin(tolerance_);
 }
 
-double LooseLengths::value(const Iterate& iterate, double smoothing) const {
+double RelaxedLengths::value(const Iterate& iterate, double smoothing) const {
   double result = objective_.value(iterate.uv);
   const auto magnitude = [&](double square) { return std::sqrt(square + smoothing * smoothing) - smoothing; };
   const Eigen::VectorXd squares = mean_squares(residual(iterate));
@@ -151,7 +145,7 @@ double LooseLengths::value(const Iterate& iterate, double smoothing) const {
 
 /// The minimum of f and the springs of the weights at hand, linearized: ρ of the edges, κ of the variations. With d
 /// eliminated, a dense system in Δh is left.
-LooseLengths::Step LooseLengths::step(double smoothing, const StopToken& stop) {
+RelaxedLengths::Step RelaxedLengths::step(double smoothing, const StopToken& stop) {
   Positions2 gradient;
   objective_.value_and_gradient(now_.uv, gradient);
   const Eigen::VectorXd missing = residual(now_);
@@ -192,7 +186,7 @@ LooseLengths::Step LooseLengths::step(double smoothing, const StopToken& stop) {
 }
 
 /// False where the budget was spent before.
-bool LooseLengths::minimize(double smoothing, RefineBudget& budget, const StopToken& stop) {
+bool RelaxedLengths::minimize(double smoothing, RefineBudget& budget, const StopToken& stop) {
   double now = value(now_, smoothing);
   for (int i = 0; i < kMaxSteps; ++i) {
     if (!budget.allows()) return false;
@@ -214,7 +208,7 @@ bool LooseLengths::minimize(double smoothing, RefineBudget& budget, const StopTo
   return true;
 }
 
-RelaxedShape LooseLengths::shape() const {
+RelaxedShape RelaxedLengths::shape() const {
   RelaxedShape shape;
   shape.uv = now_.uv;
   const auto num_parts = static_cast<Eigen::Index>(chart_.wire_parts.size());
@@ -223,22 +217,20 @@ RelaxedShape LooseLengths::shape() const {
   const Eigen::VectorXd squares = mean_squares(residual(now_));
   for (int e = 0; e < constraints_.size(); ++e) {
     const Group& group = groups_[group_of_edge_[e]];
-    const double strain = std::sqrt(squares[group_of_edge_[e]]);
+    if (group.part < 0) continue;
     const bool is_shared = constraints_.edges()[e].elastic >= 0;
-    double& most = group.part < 0 ? shape.boundary_strain
-                   : is_shared    ? shape.strain_rms[group.part]
-                                  : shape.tolerance_violation[group.part];
-    most = std::max(most, strain);
+    double& most = (is_shared ? shape.strain_rms : shape.tolerance_violation)[group.part];
+    most = std::max(most, std::sqrt(squares[group_of_edge_[e]]));
   }
   return shape;
 }
 
 }  // namespace
 
-RelaxedShape relax_lengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
-                           RefineBudget& budget, const StopToken& stop) {
-  const Chart varied = with_variations(chart);
-  LooseLengths lengths(varied, network, fairness, start, stop);
+RelaxedShape relax_lengths(const RefineTask& task, const Positions2& start, RefineBudget& budget,
+                           const StopToken& stop) {
+  const Chart varied = with_variations(task.chart);
+  RelaxedLengths lengths({varied, task.network, task.fairness}, start, stop);
   bool is_minimum = true;
   for (const double smoothing : kSmoothing) is_minimum = is_minimum && lengths.minimize(smoothing, budget, stop);
   RelaxedShape shape = lengths.shape();

@@ -14,9 +14,8 @@
 // squares: for given weights every term is a spring, and the Newton system has springs already.
 #pragma once
 
-#include "charts/chart.h"
-#include "network/wire_network.h"
 #include "refine/refine_budget.h"
+#include "refine/refine_task.h"
 #include "stop_token.h"
 #include "wirewarp/types.h"
 
@@ -28,13 +27,12 @@ struct RelaxedShape {
   Positions2 uv;                        // one row per chart vertex, scene units
   Eigen::VectorXd tolerance_violation;  // |x|, one per wire part of the chart
   Eigen::VectorXd strain_rms;           // √m, the same; 0 for parts of one edge
-  double boundary_strain = 0;           // largest |r| of an edge of the boundary
   bool is_minimum = true;               // false: the budget was spent before that
 };
 
-/// The least Φ reached from a start, one row per chart vertex. network: of all wires but super-elastic ones. Throws
-/// Stopped, asking before each factorization.
-RelaxedShape relax_lengths(const Chart& chart, const WireNetwork& network, double fairness, const Positions2& start,
-                           RefineBudget& budget, const StopToken& stop = {});
+/// The least Φ reached from a start, one row per chart vertex. Throws Stopped, asking before each
+/// factorization.
+RelaxedShape relax_lengths(const RefineTask& task, const Positions2& start, RefineBudget& budget,
+                           const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -20,7 +20,7 @@ bool is_elastic(const WirePart& part) { return part.kind == WireKind::elastic; }
 
 const Positions2& free_uv(StartProblem& problem) {
   if (!problem.free_shape) {
-    problem.free_shape = free_boundary_arap(problem.chart, kFreeSteps, {}, problem.stop.in("start")).uv;
+    problem.free_shape = free_boundary_arap(problem.task.chart, kFreeSteps, {}, problem.stop.in("start")).uv;
   }
   return *problem.free_shape;
 }
@@ -28,26 +28,27 @@ const Positions2& free_uv(StartProblem& problem) {
 }  // namespace
 
 std::optional<RefinementStart> unfolded(StartProblem& problem) {
-  std::optional<Positions2> uv = unfold(problem.chart);
+  std::optional<Positions2> uv = unfold(problem.task.chart);
   if (!uv) return std::nullopt;
   return RefinementStart(std::move(*uv));
 }
 
 std::optional<RefinementStart> coarse_shape(StartProblem& problem) {
-  if (problem.chart.mesh.n_faces() < problem.options.large_chart) return std::nullopt;
-  return start_from_coarse(problem.chart, problem.held_network, problem.options, problem.budget, problem.stop);
+  if (problem.task.chart.mesh.n_faces() < problem.large_chart) return std::nullopt;
+  return start_from_coarse(problem.task, problem.budget, problem.stop);
 }
 
 std::optional<RefinementStart> free_shape(StartProblem& problem) { return RefinementStart(free_uv(problem)); }
 
 std::optional<RefinementStart> shape_with_elastic_wires_free(StartProblem& problem) {
-  if (std::none_of(problem.chart.wire_parts.begin(), problem.chart.wire_parts.end(), is_elastic)) return std::nullopt;
-  Chart freed = problem.chart;
+  const Chart& chart = problem.task.chart;
+  if (std::none_of(chart.wire_parts.begin(), chart.wire_parts.end(), is_elastic)) return std::nullopt;
+  Chart freed = chart;
   for (WirePart& part : freed.wire_parts) {
     if (is_elastic(part)) part.kind = WireKind::super_elastic;
   }
   RefineBudget budget(problem.budget, kStartFactorizations);
-  RefinedShape shape = refine_shape(freed, build_held_network(freed), problem.options.fairness, free_uv(problem),
+  RefinedShape shape = refine_shape({freed, build_held_network(freed), problem.task.fairness}, free_uv(problem),
                                     {budget, problem.stop.in("shape")});
   if (!shape.is_exact) return std::nullopt;
   return RefinementStart(std::move(shape.uv));
@@ -57,32 +58,29 @@ std::optional<RefinementStart> wires_alone(StartProblem& problem) {
   const Options plain;  // those of Eq. (1) are not the refined method's
   const StopToken stop = problem.stop.in("start");
   stop.check();
-  const std::optional<Chart> split = process_topology(problem.chart, stop);
-  const Chart& prepared = split ? *split : problem.chart;
+  const std::optional<Chart> split = process_topology(problem.task.chart, stop);
+  const Chart& prepared = split ? *split : problem.task.chart;
   const WireNetwork network = build_wire_network(prepared);
   stop.check();
   Warp warp(prepared, network, plain.node_weight, plain.inner, stop);
   WarpedShape shape = start_variation(prepared, warp, variation_bounds(prepared, plain)).shape;
   problem.inner = std::move(shape.inner);
   if (!problem.inner.is_feasible) return std::nullopt;
-  shape.uv.conservativeResize(static_cast<Eigen::Index>(problem.chart.mesh.n_vertices()), 2);
+  shape.uv.conservativeResize(static_cast<Eigen::Index>(problem.task.chart.mesh.n_vertices()), 2);
   return RefinementStart(std::move(shape.uv));
 }
 
 std::optional<RefinementStart> injective_shape(StartProblem& problem) {
-  return reach_injectively(problem.chart, problem.held_network, problem.options.fairness,
-                           {problem.budget, problem.stop, Injectivity::local});
+  return reach_injectively(problem.task, {problem.budget, problem.stop, Injectivity::local});
 }
 
 std::optional<RefinementStart> relaxed_shape(StartProblem& problem) {
   if (!problem.budget.allows()) return std::nullopt;
   const StopToken stop = problem.stop.in("shape");
-  const double fairness = problem.options.fairness;
-  problem.relaxed =
-      relax_lengths(problem.chart, problem.held_network, fairness, free_uv(problem), problem.budget, stop);
+  problem.relaxed = relax_lengths(problem.task, free_uv(problem), problem.budget, stop);
   Positions2 uv = problem.relaxed->uv;
   RefineBudget budget(problem.budget, kMaxProjectFactorizations);
-  if (!project_to_lengths(problem.chart, problem.held_network, fairness, uv, budget, stop)) return std::nullopt;
+  if (!project_to_lengths(problem.task, uv, budget, stop)) return std::nullopt;
   return RefinementStart(std::move(uv));
 }
 

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "inner/inner_problem.h"
-#include "internal_options.h"
 #include "refine/refine_shape.h"
 #include "refine/relax_lengths.h"
 #include "stop_token.h"
@@ -17,11 +16,10 @@ inline constexpr int kStartFactorizations = 10;
 
 /// A chart to refine, and what its starts share.
 struct StartProblem {
-  const Chart& chart;
-  const WireNetwork& held_network;  // of all wires but super-elastic ones
-  const InternalOptions& options;
+  RefineTask task;
   RefineBudget& budget;
   StopToken stop;
+  std::size_t large_chart = 0;                // faces, from which on a coarser chart is a start
   std::optional<Positions2> free_shape = {};  // once it was asked for
   std::optional<RelaxedShape> relaxed = {};   // once it was made
   InnerSolution inner = {};                   // of the wires alone, once they were flattened
@@ -36,7 +34,7 @@ struct Start {
 /// The chart unfolded, if it is folded from a plane (refine/unfold.h): mostly nothing is left to do.
 std::optional<RefinementStart> unfolded(StartProblem& problem);
 
-/// The shape of a coarser chart, for one of options.large_chart faces or more (refine/coarse_start.h): one to three
+/// The shape of a coarser chart, for one of large_chart faces or more (refine/coarse_start.h): one to three
 /// factorizations from the end.
 std::optional<RefinementStart> coarse_shape(StartProblem& problem);
 

@@ -15,7 +15,7 @@ namespace {
 /// All elastic parts but those at a bound that would go beyond it: f falls by (Tᵀλ)_w per unit of h_w.
 std::vector<int> free_parts(const RefineState& state) {
   const LengthConstraints& constraints = state.problem.constraints();
-  const Eigen::VectorXd &h = state.now.variation, &tolerance = state.problem.tolerance();
+  const Eigen::VectorXd &h = state.now.variation, &tolerance = constraints.tolerance();
   const Eigen::VectorXd pull = constraints.elastic_lengths().transpose() * state.multipliers;
   std::vector<int> free;
   for (int w = 0; w < constraints.num_elastic(); ++w) {
