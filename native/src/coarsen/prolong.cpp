@@ -3,16 +3,11 @@
 
 #include <Eigen/Geometry>
 
-#include "arap/shape_error.h"
 #include "coarsen/prolong_wires.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
-
-constexpr int kStepsOfARound = 10;    // reach ten edges far, coarse edges are about four
-constexpr int kMostRounds = 5;        // beyond, curved panels take no factorization less
-constexpr double kWorthwhile = 0.01;  // drop of a round over E: smooth sheets take two rounds
 
 using Derivative = Eigen::Matrix<double, 2, 3>;
 
@@ -45,42 +40,6 @@ std::vector<Derivative> vertex_derivatives(const HalfEdgeMesh& mesh, const Posit
   return sum;
 }
 
-double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
-
-/// Local/global steps of the shape error E over all vertices that no wire holds. The local step finds the rotations,
-/// and with them the gradient. The global step lowers a quadratic that is nowhere below E: a few steps of conjugate
-/// gradients, for what is wrong has short waves. Only where triangles have turned over: elsewhere the Newton steps take
-/// as few factorizations without.
-void smooth(const Chart& chart, const HeldNetwork& network, Positions2& uv) {
-  const ShapeError shape_error(chart);
-  if (shape_error.count_flips(uv) == 0) return;
-  const Eigen::SparseMatrix<double> hessian = shape_error.fixed_rotation_hessian();
-  Eigen::VectorXd preconditioner = hessian.diagonal().cwiseInverse();
-  for (const WireEdge& edge : network.edges) {  // where it is 0 nothing moves
-    const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
-    preconditioner[chart.mesh.from_vertex_handle(h).idx()] = preconditioner[chart.mesh.to_vertex_handle(h).idx()] = 0;
-  }
-  Positions2 gradient;
-  double energy = shape_error.energy_and_gradient(uv, gradient), drop = energy;
-  for (int i = 0; i < kMostRounds && drop > kWorthwhile * energy; ++i) {
-    Positions2 residual = -gradient, direction = preconditioner.asDiagonal() * residual;
-    double size = dot(residual, direction);
-    for (int k = 0; k < kStepsOfARound && size > 0; ++k) {
-      const Positions2 product = hessian.selfadjointView<Eigen::Lower>() * direction;
-      const double length = size / dot(direction, product);
-      uv += length * direction;
-      residual -= length * product;
-      const Positions2 next = preconditioner.asDiagonal() * residual;
-      const double next_size = dot(residual, next);
-      direction = next + next_size / size * direction;
-      size = next_size;
-    }
-    const double lower = shape_error.energy_and_gradient(uv, gradient);
-    drop = energy - lower;
-    energy = lower;
-  }
-}
-
 }  // namespace
 
 Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Positions2& coarse_uv) {
@@ -109,7 +68,6 @@ Positions2 prolong_positions(const Chart& chart, const HeldNetwork& network, con
                              const Positions2& coarse_uv) {
   Positions2 uv = interpolate(chart, coarse, coarse_uv);
   prolong_wires(chart, network, coarse, coarse_uv, uv);
-  smooth(chart, network, uv);
   return uv;
 }
 

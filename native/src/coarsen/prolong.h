@@ -14,8 +14,7 @@ namespace wirewarp {
 /// with Jᵢ the mean derivative around coarse vertex i: exact for affine maps, and for quadratic ones as far as Jᵢ is.
 Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Positions2& coarse_uv);
 
-/// The same, with the wires placed by their runs (prolong_wires.h), and then local/global steps of the shape error over
-/// the vertices between them: near sharp corners of a curved surface triangles would be turned over.
+/// The same, with the wires placed by their runs (prolong_wires.h).
 Positions2 prolong_positions(const Chart& chart, const HeldNetwork& network, const CoarseChart& coarse,
                              const Positions2& coarse_uv);
 
