@@ -49,15 +49,7 @@ RefinedShape refine_injectively(const RefineTask& task, const RefinementLimits& 
   if (!start) return {};
   RefinementLimits in_shape = limits;
   in_shape.stop = limits.stop.in("shape");
-  RefinedShape shape = refine_shape(task, *start, in_shape);
-  // Parts of the outline that came near each other on the way are not in the Hessian yet.
-  while (limits.injectivity == Injectivity::global && shape.is_exact && !shape.converged && limits.budget.allows() &&
-         !limits.stop.is_stopped()) {
-    RefinedShape next = refine_shape(task, {shape.uv, shape.multipliers}, in_shape);
-    if (!(next.objective < shape.objective)) break;
-    shape = std::move(next);
-  }
-  return shape;
+  return refine_shape(task, *start, in_shape);
 }
 
 }  // namespace
