@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -19,7 +18,6 @@ namespace {
 
 constexpr double kOpening = 0.1;         // slope of opened rims against the shut slit
 constexpr double kOfHeight = 1.0 / 3;    // the most that a rim moves into the faces beside it
-constexpr int kMaxFactorizations = 30;   // a trial that goes on for longer is about to go through a shut slit
 constexpr double kOverlapDepth = 1e-10;  // a tenth of what counts as overlap in the end, when pieces have been turned
 
 /// A chart with some slits sewn, and the way to and from it.
@@ -110,19 +108,6 @@ void open_a_little(const Chart& chart, const Slit& slit, Positions2& uv) {
   for (std::size_t i = 0; i < count; ++i) uv.row(vertex(i)) = moved.row(static_cast<Eigen::Index>(i));
 }
 
-/// Faces that overlap in a layout of a chart, without those that did in another.
-std::vector<int> newly_overlapping(const Chart& chart, const Positions2& uv, const Positions2& before) {
-  const auto overlapping_in = [&](const Positions2& layout) {
-    return find_overlapping_faces(triangles_of(chart.mesh), faces_on_boundary(chart.mesh), layout, kOverlapDepth);
-  };
-  const std::vector<int> now = overlapping_in(uv);
-  if (now.empty()) return now;
-  const std::vector<int> then = overlapping_in(before);
-  std::vector<int> added;
-  std::set_difference(now.begin(), now.end(), then.begin(), then.end(), std::back_inserter(added));
-  return added;
-}
-
 bool touches(const Chart& chart, const Slit& slit, const std::vector<int>& faces) {
   return std::any_of(slit.rims.begin(), slit.rims.end(), [&](HalfedgeHandle h) {
     return std::binary_search(faces.begin(), faces.end(), chart.mesh.face_handle(h).idx());
@@ -146,9 +131,9 @@ RefinedShape open_slits(const RefineTask& task, const std::vector<Slit>& slits,
     shape.iterations = sewn.iterations;
     return shape;
   };
-  const auto refine = [&](const SewnProblem& problem, const RefinementStart& start, RefineBudget& budget) {
+  const auto refine = [&](const SewnProblem& problem, const RefinementStart& start) {
     try {
-      return refine_shape(problem.task(), start, {budget, limits.stop});
+      return refine_shape(problem.task(), start, limits);
     } catch (const Stopped&) {  // the best shape so far is exact
       return RefinedShape{};
     }
@@ -167,15 +152,11 @@ RefinedShape open_slits(const RefineTask& task, const std::vector<Slit>& slits,
     if (!problem) return best;
     RefinementStart start{best.uv, best.multipliers};
     for (const Slit& slit : open) open_a_little(chart, slit, start.uv);
-    RefineBudget brief(limits.budget, kMaxFactorizations);
-    RefinedShape trial = refine(*problem, problem->to_sewn(start), brief);
-    const auto overlapping = [&] { return newly_overlapping(chart, problem->to_open(trial).uv, best.uv); };
-    if (trial.is_exact && !trial.converged && may_go_on() && overlapping().empty()) {
-      trial = refine(*problem, {trial.uv, trial.multipliers}, limits.budget);
-    }
+    RefinedShape trial = refine(*problem, problem->to_sewn(start));
     if (!may_go_on() && !trial.converged) best.converged = false;
     if (!trial.is_exact) return best;
-    const std::vector<int> overlapping_faces = overlapping();
+    const std::vector<int> overlapping_faces = find_overlapping_faces(
+        triangles_of(chart.mesh), faces_on_boundary(chart.mesh), problem->to_open(trial).uv, kOverlapDepth);
     if (overlapping_faces.empty()) {
       trial = as_open(*problem, trial);
       return trial.is_exact && trial.objective < best.objective ? trial : best;
