@@ -43,12 +43,8 @@ NewtonStep newton_step(const RefineState& state) {
 }
 
 /// Its end before the way back to exact lengths.
-RefineIterate end_of(const NewtonStep& step, const RefineIterate& begin, double share = 1) {
-  return {begin.uv + share * step.d, begin.variation + share * step.variation, 0};
-}
-
-bool goes_down(const RefineIterate& trial, const RefineIterate& now, double slope) {
-  return trial.value <= now.value + RefineConstants::sufficient_ratio * slope;
+RefineIterate end_of(const NewtonStep& step, const RefineIterate& begin) {
+  return {begin.uv + step.d, begin.variation + step.variation, 0};
 }
 
 bool factorize_for_exact_lengths(RefineState& state, bool is_near_minimum) {
@@ -121,16 +117,17 @@ StepOutcome take_newton_step(RefineState& state) {
   if (!state.factorize(kExactHessian)) return StepOutcome::rejected;
   const NewtonStep step = newton_step(state);
   const bool is_last = std::abs(step.slope) < state.worthwhile_decrease();
-  for (const double t : {1.0, 0.5}) {  // shorter steps are better taken in a trust region
-    RefineIterate trial = end_of(step, state.now, t);
-    if (!state.evaluate(trial) || !goes_down(trial, state.now, t * step.slope)) continue;
-    const bool is_near = t == 1 && std::abs(step.slope) < RefineConstants::near_minimum * trial.value;
+  RefineIterate trial = end_of(step, state.now);
+  const double enough = state.now.value + RefineConstants::sufficient_ratio * step.slope;
+  const bool goes_down = state.evaluate(trial) && trial.value <= enough;
+  if (goes_down) {
     state.now = std::move(trial);
-    state.multipliers += t * (step.multipliers - state.multipliers);
-    if (is_last) return StepOutcome::converged;
-    return is_near ? go_on_with_factor(state, step.slope) : StepOutcome::accepted;
+    state.multipliers = step.multipliers;
   }
-  return is_last ? StepOutcome::converged : StepOutcome::rejected;
+  if (is_last) return StepOutcome::converged;
+  if (!goes_down) return StepOutcome::rejected;  // shorter steps are better taken in a trust region
+  const bool is_near = std::abs(step.slope) < RefineConstants::near_minimum * state.now.value;
+  return is_near ? go_on_with_factor(state, step.slope) : StepOutcome::accepted;
 }
 
 }  // namespace wirewarp
