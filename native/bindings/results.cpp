@@ -116,8 +116,8 @@ void bind_piece_parts(py::module_& module) {
       .field("warnings", &PieceReport::warnings, "Sentences.")
       .field("start", &PieceReport::start,
              "Where the refined method began: 'unfolded', 'sewn' (slits sewn up first), 'coarse', 'free' (ARAP without "
-             "wires), 'elastic-free' (rigid wires alone), 'wires' (flattened alone first), 'injective' (nothing turned "
-             "over on the way) or 'relaxed' (the least broken lengths). Empty where no shape was found, and for other "
+             "wires), 'wires' (flattened alone first), 'injective' (nothing turned over on the way) or 'relaxed' (the "
+             "least broken lengths). Empty where no shape was found, and for other "
              "methods.")
       .field("inner_solves", &PieceReport::inner_solves, "Factorizations of the inner problem.")
       .field("outer_iterations", &PieceReport::outer_iterations, "Steps over the wires' lengths.")

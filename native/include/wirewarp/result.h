@@ -87,7 +87,7 @@ struct PieceReport {
   std::string message;  // one sentence
   std::vector<std::string> warnings;
   std::string start;     // refined: where the shape began: "unfolded", "sewn" (slits sewn up first), "coarse", "free"
-                         // (ARAP without wires), "elastic-free" (rigid wires alone), "wires" (flattened alone first),
+                         // (ARAP without wires), "wires" (flattened alone first),
                          // "injective" (nothing turned over on the way), "relaxed" (the least broken lengths).
                          // Empty: no shape was found, or another method
   int inner_solves = 0;  // factorizations of the inner problem (Eq. 1); refined: if its wires were flattened alone

@@ -23,8 +23,8 @@ constexpr double kUneven = 5e-3;                  // strain_rms that a larger va
 constexpr double kFineStep = 1e-3, kStep = 5e-3;  // of what is proposed: 0.1 %, from 0.5 % on 0.5 %
 constexpr double kLargest = 0.5;
 constexpr double kFree = std::numeric_limits<double>::infinity();
-constexpr int kMaxFreeFactorizations = 4 * kStartFactorizations;  // those of a coarser or a sewn chart count
-constexpr int kMostTrials = 30;  // of fewer wires, and again of smaller tolerances: project_to_lengths each
+constexpr int kMaxFreeFactorizations = 40;  // those of a coarser or a sewn chart count
+constexpr int kMostTrials = 30;             // of fewer wires, and again of smaller tolerances: project_to_lengths each
 constexpr std::size_t kFewWires =
     8;  // get a tolerance each; more of them the same, which is quicker to find and to type
 

@@ -17,12 +17,11 @@ namespace {
 constexpr Start kUnfolded{"unfolded", unfolded};
 constexpr Start kCoarse{"coarse", coarse_shape};
 constexpr Start kFree{"free", free_shape};
-constexpr Start kElasticFree{"elastic-free", shape_with_elastic_wires_free};
 constexpr Start kWiresAlone{"wires", wires_alone};
 constexpr Start kInjective{"injective", injective_shape, Injectivity::local};
 constexpr Start kRelaxed{"relaxed", relaxed_shape};
 
-constexpr std::initializer_list<Start> kAll{kUnfolded, kCoarse, kFree, kElasticFree, kWiresAlone, kInjective, kRelaxed};
+constexpr std::initializer_list<Start> kAll{kUnfolded, kCoarse, kFree, kWiresAlone, kInjective, kRelaxed};
 
 /// The first exact shape, of starts in the order given.
 RefineResult try_starts(StartProblem problem, std::initializer_list<Start> starts) {
@@ -96,7 +95,7 @@ RefineResult refine_chart(const Chart& chart, const InternalOptions& options, co
 
 RefineResult refine_from_scratch(const RefineTask& task, RefineBudget& budget, const StopToken& stop) {
   const StartProblem problem{task, budget, stop};
-  return without_flips_and_overlaps(try_starts(problem, {kFree, kElasticFree, kWiresAlone, kInjective}), problem);
+  return without_flips_and_overlaps(try_starts(problem, {kFree, kWiresAlone, kInjective}), problem);
 }
 
 }  // namespace wirewarp

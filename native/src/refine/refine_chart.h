@@ -28,7 +28,7 @@ struct RefineResult {
 /// (refine/injective_shape.h). stop: asked in the stages "start" and "shape".
 RefineResult refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop = {});
 
-/// From the free shape, from that with elastic wires free, from the wires alone.
+/// From the free shape, from the wires alone, from an injective one.
 RefineResult refine_from_scratch(const RefineTask& task, RefineBudget& budget, const StopToken& stop = {});
 
 }  // namespace wirewarp

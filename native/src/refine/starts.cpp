@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "refine/starts.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "arap/free_boundary_arap.h"
@@ -15,8 +14,6 @@
 
 namespace wirewarp {
 namespace {
-
-bool is_elastic(const WirePart& part) { return part.kind == WireKind::elastic; }
 
 const Positions2& free_uv(StartProblem& problem) {
   if (!problem.free_shape) {
@@ -39,20 +36,6 @@ std::optional<RefinementStart> coarse_shape(StartProblem& problem) {
 }
 
 std::optional<RefinementStart> free_shape(StartProblem& problem) { return RefinementStart(free_uv(problem)); }
-
-std::optional<RefinementStart> shape_with_elastic_wires_free(StartProblem& problem) {
-  const Chart& chart = problem.task.chart;
-  if (std::none_of(chart.wire_parts.begin(), chart.wire_parts.end(), is_elastic)) return std::nullopt;
-  Chart freed = chart;
-  for (WirePart& part : freed.wire_parts) {
-    if (is_elastic(part)) part.kind = WireKind::super_elastic;
-  }
-  RefineBudget budget(problem.budget, kStartFactorizations);
-  RefinedShape shape = refine_shape({freed, build_held_network(freed), problem.task.fairness}, free_uv(problem),
-                                    {budget, problem.stop.in("shape")});
-  if (!shape.is_exact) return std::nullopt;
-  return RefinementStart(std::move(shape.uv));
-}
 
 std::optional<RefinementStart> wires_alone(StartProblem& problem) {
   const Options plain;  // those of Eq. (1) are not the refined method's

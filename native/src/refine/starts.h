@@ -11,9 +11,6 @@
 
 namespace wirewarp {
 
-/// Factorizations for a shape that is a start and need not be a minimum.
-inline constexpr int kStartFactorizations = 10;
-
 /// A chart to refine, and what its starts share.
 struct StartProblem {
   RefineTask task;
@@ -40,9 +37,6 @@ std::optional<RefinementStart> coarse_shape(StartProblem& problem);
 
 /// A free ARAP flattening: one step from exact lengths on most pieces.
 std::optional<RefinementStart> free_shape(StartProblem& problem);
-
-/// The shape with all elastic wires free, if there are any: many of them may lie within their tolerances.
-std::optional<RefinementStart> shape_with_elastic_wires_free(StartProblem& problem);
 
 /// The wires flattened alone: the angles of Eq. (1) on the network that process_topology prepares, the other vertices
 /// by interior placement (paper II-A). It has exact lengths; none where even the wires do not close, or no topology
