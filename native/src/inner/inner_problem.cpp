@@ -200,7 +200,7 @@ bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solut
     const bool is_convex = factor_downhill(closure_hessian, jacobian, curvature_share);
     if (is_convex && solution.projected_gradient < kStationary) return true;
 
-    KktSystem::Solution newton = kkt_.solve(-gradient, no_gap);
+    const KktSystem::Solution newton = kkt_.solve(-gradient, no_gap);
     const auto step = [&](const Eigen::VectorXd& direction) {
       const double slope = gradient.dot(direction);
       for (double t = 1; t > kSmallestStep; t /= 2) {
@@ -208,14 +208,9 @@ bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solut
       }
       return false;
     };
-    bool has_moved = is_convex ? step(newton.step)
-                               : leave_saddle(lengths, closure_hessian, -gradient.dot(newton.step), psi, value) ||
-                                     step(newton.step) || leave_saddle(lengths, closure_hessian, 0, psi, value);
-    if (!has_moved && !is_convex) {
-      kkt_.factor(eq1_.laplacian(), 0 * closure_hessian, jacobian);
-      newton = kkt_.solve(-gradient, no_gap);
-      has_moved = step(newton.step);
-    }
+    const bool has_moved = is_convex ? step(newton.step)
+                                     : leave_saddle(lengths, closure_hessian, -gradient.dot(newton.step), psi, value) ||
+                                           step(newton.step) || leave_saddle(lengths, closure_hessian, 0, psi, value);
     if (!has_moved) return false;
     multipliers = newton.multipliers;
   }
