@@ -16,7 +16,12 @@ py::object tuple_of(const std::vector<Value>& values) {
   return py::tuple(py::cast(values));
 }
 
-py::object error_or_none(const Piece& piece) { return piece.error ? to_python_error(*piece.error) : py::none(); }
+/// By piece, as long as that lives: its error is one object however often it is asked for.
+py::object error_or_none(const Piece& piece, py::handle owner, const py::object& errors) {
+  if (!piece.error) return py::none();
+  if (!errors.contains(owner)) errors[owner] = to_python_error(*piece.error);
+  return errors[owner];
+}
 
 py::dict run_report(const FlattenResult& result) {
   const auto failed = std::count_if(result.pieces.begin(), result.pieces.end(),
@@ -155,7 +160,10 @@ void bind_results(py::module_& module) {
       .field("metrics", &Piece::metrics, "Distortion.")
       .field("report", &Piece::report, "What the solver did.")
       .field(
-          "error", [](const Piece& piece, py::handle) { return error_or_none(piece); },
+          "error",
+          [errors = py::module_::import("weakref").attr("WeakKeyDictionary")()](const Piece& piece, py::handle owner) {
+            return error_or_none(piece, owner, errors);
+          },
           [](Piece& piece, py::handle error) {
             if (!error.is_none()) piece.error = from_python_error(error);
           },

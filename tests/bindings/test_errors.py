@@ -109,6 +109,7 @@ def test_a_bad_chart_carries_its_error_and_spares_the_others():
     good, bad = sorted(result.pieces, key=lambda piece: -len(piece.source_face))
     assert good.error is None
     assert isinstance(bad.error, FlattenError)
+    assert bad.error is bad.error
     assert bad.error.code is ErrorCode.closed_chart
     assert bad.report.termination == "failed"
     assert np.isnan(bad.vertices).all()
