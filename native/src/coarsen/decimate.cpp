@@ -12,11 +12,11 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kLongestEdge = 2;      // of a new edge, over the wanted length
-constexpr double kWorstQuality = 0.25;  // of a new face: 1 is equilateral, 0 has no area
-constexpr double kClearly = 1 + 1e-9;   // better: the same however the mesh is turned and scaled
-constexpr double kSharpestTurn = kPi / 4;
-constexpr double kWorthwhile = 0.02;  // share of the vertices that a round must remove
+constexpr double kLongestEdge = 2;         // of a new edge, over the wanted length
+constexpr double kWorstQuality = 0.25;     // of a new face: 1 is equilateral, 0 has no area
+constexpr double kClearly = 1 + 1e-9;      // better: the same however the mesh is turned and scaled
+constexpr double kSharpestTurn = kPi / 4;  // of a wire: its corners stay where they are
+constexpr double kWorthwhile = 0.02;       // share of the vertices that a round must remove
 
 /// The faces on one side of a vertex, laid into the plane with the vertex at the origin: all around it, or from one
 /// wire edge to the next. Face i is between spokes i and i + 1.

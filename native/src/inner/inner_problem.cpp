@@ -10,12 +10,12 @@ constexpr double kClosed = 1e-12;       // a loop closes: gap / length of the lo
 constexpr double kNearlyClosed = 1e-3;  // the factor at hand is good enough to close the rest
 constexpr double kRounding = 2e-15;     // no better can be had in double precision
 constexpr double kStationary = 1e-10;   // projected gradient
-constexpr int kMaxSteps = 100;
-constexpr double kSmallestStep = 1e-6;
-constexpr double kSufficient = 1e-4;   // share of the promised decrease
-constexpr double kBend = 0.3;          // radians at the edge that turns most
-constexpr double kLongestTurn = 2;     // radians of two edges against each other: beyond, no gap is linear in headings
-constexpr double kStalledRatio = 0.4;  // share of the gap that a whole step leaves only where symmetry is in the way
+constexpr int kMaxSteps = 100;          // 3 to 16 are usual
+constexpr double kSmallestStep = 1e-6;  // twenty halvings
+constexpr double kSufficient = 1e-4;    // share of the promised decrease
+constexpr double kBend = 0.3;           // radians at the edge that turns most
+constexpr double kLongestTurn = 2;      // radians of two edges against each other: beyond, no gap is linear in headings
+constexpr double kStalledRatio = 0.4;   // share of the gap that a whole step leaves only where symmetry is in the way
 
 double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
 

@@ -10,7 +10,7 @@ namespace {
 
 /// BFGS, damped after Powell so that B stays positive definite.
 void update_hessian(const Eigen::VectorXd& step, Eigen::VectorXd change, Eigen::MatrixXd& b) {
-  constexpr double kDamping = 0.2;
+  constexpr double kDamping = 0.2;  // Powell's
   const Eigen::VectorXd b_step = b * step;
   const double curvature = step.dot(b_step);
   if (step.dot(change) < kDamping * curvature) {
@@ -28,9 +28,9 @@ double shorter_by(double slope, double rise) { return std::clamp(-slope / (2 * (
 BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                            const Eigen::VectorXd& start, double tolerance, int max_evaluations,
                            const std::optional<Eigen::MatrixXd>& hessian) {
-  constexpr double kDecrease = 1e-4;   // of the slope, in the line search
-  constexpr double kFirstStep = 0.02;  // largest entry of the first steepest descent step
-  constexpr double kSmallestStep = 1e-5;
+  constexpr double kDecrease = 1e-4;      // of the slope, in the line search
+  constexpr double kFirstStep = 0.02;     // largest entry of the first steepest descent step
+  constexpr double kSmallestStep = 1e-5;  // seventeen halvings
   BoxMinimum best;
   best.x = start;
   ValueAndGradient here = function(start).value();

@@ -12,16 +12,16 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kFirstStiffness = 1;  // of ρ l / √area: a strain of 1 costs what one of the surface nearby does
-constexpr double kStiffening = 4;      // of ρ, where lengths do not become four times as good
-constexpr double kStiffest = 1e6;      // beyond, rounding spoils the steps
-constexpr double kStiff = 1e4;         // lengths that are not kept to kHopeless by then contradict one another
-constexpr double kHopeless = 1e-2;
+constexpr double kFirstStiffness = 1;   // of ρ l / √area: a strain of 1 costs what one of the surface nearby does
+constexpr double kStiffening = 4;       // of ρ, where lengths do not become four times as good
+constexpr double kStiffest = 1e6;       // beyond, rounding spoils the steps
+constexpr double kStiff = 1e4;          // lengths that are not kept to kHopeless by then contradict one another
+constexpr double kHopeless = 1e-2;      // strain
 constexpr int kStepsPerMultiplier = 5;  // at most: λ far from its end needs no minimum
 constexpr double kEnough = 1e-2;        // slope over Φ from where on the minimum is near enough for the next λ
 constexpr double kSufficient = 1e-4;    // share of the promised decrease that a step must bring
-constexpr double kShortestStep = 1e-9;
-constexpr double kInside = 0.9;  // of the way to where the injectivity is lost
+constexpr double kShortestStep = 1e-9;  // thirty halvings
+constexpr double kInside = 0.9;         // of the way to where the injectivity is lost
 constexpr double kRetractable =
     1e-3;  // error of lengths that are tried to be made exact at once; then a tenth each time
 

@@ -41,7 +41,7 @@ class Projection {
     const bool is_positive = system_.factorize(now_.uv, no_forces, {Curvature::none, false}, stop);
     stop.check();
     if (!is_positive) return false;
-    if (constraints_.num_elastic() > 0) by_variation_ = system_.stiffness_by_variation();
+    if (constraints_.num_elastic() > 0) stiffness_h_ = system_.stiffness_by_variation();
     const Iterate far = moved();
     double t = 1;
     Iterate next = far;
@@ -77,8 +77,8 @@ class Projection {
     if (change.size() > 0) {
       const Eigen::Map<const Positions2> d_by_vertex(d.data(), now_.uv.rows(), 2);
       const Eigen::VectorXd left = now_.residual + constraints_.apply(system_.directions(), d_by_vertex);
-      change = minimize_quadratic_in_box(-(lengths_.transpose() * system_.stiffness().cwiseProduct(left)),
-                                         by_variation_, -constraints_.tolerance() - now_.variation,
+      change = minimize_quadratic_in_box(-(lengths_.transpose() * system_.stiffness().cwiseProduct(left)), stiffness_h_,
+                                         -constraints_.tolerance() - now_.variation,
                                          constraints_.tolerance() - now_.variation);
       d += system_.least_change(lengths_ * change);
     }
@@ -89,7 +89,7 @@ class Projection {
   FairShapeError objective_;
   NewtonSystem system_;
   const Eigen::SparseMatrix<double>& lengths_;  // T
-  Eigen::MatrixXd by_variation_;
+  Eigen::MatrixXd stiffness_h_;
   Iterate now_;
 };
 

@@ -19,7 +19,7 @@ constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};     // σ
 constexpr int kMaxSteps = kMaxRelaxFactorizations / 3;  // for each σ
 constexpr double kWorthwhile = 1e-5;                    // promised decrease over Φ
 constexpr double kSufficient = 1e-4;                    // share of it that a step must bring
-constexpr double kShortestStep = 1e-3;
+constexpr double kShortestStep = 1e-3;                  // ten halvings
 
 /// The chart with those wire parts elastic whose edges share a variation, whatever their tolerance. A single edge needs
 /// none: r is the variation.
@@ -171,12 +171,12 @@ RelaxedLengths::Step RelaxedLengths::step(double smoothing, const StopToken& sto
   const Eigen::VectorXd spring =
       (kWeightOfExcess * size_ * part_length_.array() / (x.array().square() + smoothing * smoothing).sqrt()).matrix();
   if (x.size() > 0) {
-    Eigen::MatrixXd by_variation = system_.stiffness_by_variation();
-    by_variation.diagonal() += spring;
+    Eigen::MatrixXd stiffness_h = system_.stiffness_by_variation();
+    stiffness_h.diagonal() += spring;
     const Eigen::VectorXd pull =
         lengths_.transpose() * (forces + stiffness.cwiseProduct(constraints_.apply(directions, step.d))) -
         spring.cwiseProduct(x);
-    step.variation = by_variation.selfadjointView<Eigen::Lower>().ldlt().solve(pull);
+    step.variation = stiffness_h.selfadjointView<Eigen::Lower>().ldlt().solve(pull);
     step.d += system_.finish(system_.least_change(lengths_ * step.variation));
   }
   step.slope = (gradient.array() * step.d.array()).sum() +
