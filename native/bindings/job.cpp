@@ -38,7 +38,8 @@ class Job {
   /// Cancels what still runs and waits for it. With the GIL.
   ~Job() {
     if (num_forks() != num_forks_) {
-      thread_.detach();  // it is not in this process
+      thread_.detach();        // it is not in this process,
+      (void)ended_.release();  // nor is who waits for it, for whom destroying would wait
       return;
     }
     cancelled_ = true;
@@ -94,7 +95,7 @@ class Job {
       const std::lock_guard lock(mutex_);
       is_done_ = true;
     }
-    ended_.notify_all();
+    ended_->notify_all();
   }
 
   void wait() {
@@ -110,7 +111,7 @@ class Job {
     const py::gil_scoped_release no_gil;
     std::unique_lock lock(mutex_);
     // By the system's clock: waiting by the steady one needs glibc 2.30.
-    return ended_.wait_until(lock, std::chrono::system_clock::now() + time, [this] { return is_done_; });
+    return ended_->wait_until(lock, std::chrono::system_clock::now() + time, [this] { return is_done_; });
   }
 
   const FlattenInput input_;
@@ -120,7 +121,7 @@ class Job {
   const int num_forks_ = num_forks();
   std::atomic<bool> cancelled_{false};
   mutable std::mutex mutex_;  // of the four below
-  std::condition_variable ended_;
+  std::unique_ptr<std::condition_variable> ended_ = std::make_unique<std::condition_variable>();
   bool is_done_ = false;
   std::string stage_;
   double fraction_ = 0;
