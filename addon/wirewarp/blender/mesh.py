@@ -224,6 +224,7 @@ def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
 
 @contextmanager
 def evaluated_mesh(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[bpy.types.Mesh]:
+    """As modifiers leave it. Not within another of the same object: the end of one frees the mesh of both."""
     evaluated = source.evaluated_get(depsgraph)
     try:
         yield evaluated.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)
