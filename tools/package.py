@@ -13,8 +13,7 @@ import shutil
 from collections.abc import Collection
 from pathlib import Path
 
-from tools import cross, old_glibc, zips
-from tools.cross import SYSTEMS, System
+from tools import old_glibc, zips
 from tools.environment import (
     BUILD,
     DEBIAN_PYTHON,
@@ -33,6 +32,7 @@ from tools.environment import (
     venv,
 )
 from tools.libraries import library_wheels
+from tools.windows_wheel import PLATFORM_TAG, build_windows_wheel
 from tools.zig import ZIG
 from tools.zips import LEGACY_TAG, VERSION
 
@@ -80,19 +80,18 @@ def build_wheels() -> dict[str, Path]:
     return {version: build_wheel(version, python) for version, python in found.items() if python}
 
 
-def package_for_all_systems() -> None:
+def package_with_windows() -> None:
     wheels = build_wheels()
-    others = [cross_wheel(system, version, wheel) for version, wheel in wheels.items() for system in SYSTEMS]
-    keep_in_dist([*wheels.values(), *others])
+    keep_in_dist([*wheels.values(), *(windows_wheel(version, wheel) for version, wheel in wheels.items())])
 
 
-def cross_wheel(system: System, version: str, wheel: Path) -> Path:
-    """The wheel for another system, beside the one made here; from the last build if nothing it is made of changed."""
-    made = wheel.with_name("-".join([*wheel.stem.split("-")[:-1], system.wheel_tag]) + ".whl")
-    key = fingerprint([*(ROOT / source for source in CORE_SOURCES), ROOT / "tools" / "cross.py"], cross.WHEEL, ZIG)
+def windows_wheel(version: str, wheel: Path) -> Path:
+    """The wheel for Windows, beside the one made here; from the last build if nothing it is made of has changed."""
+    made = wheel.with_name("-".join([*wheel.stem.split("-")[:-1], PLATFORM_TAG]) + ".whl")
+    key = fingerprint([*(ROOT / source for source in CORE_SOURCES), ROOT / "tools" / "windows_wheel.py"], ZIG)
     if not (made.is_file() and is_current(f"wheel-{made.stem}", key)):
         made.unlink(missing_ok=True)
-        cross.build_wheel(system, version, venv_for_wheels(version, require_python(version)), wheel, made)
+        build_windows_wheel(version, venv_for_wheels(version, require_python(version)), wheel, made)
         set_current(f"wheel-{made.stem}", key)
     return made
 

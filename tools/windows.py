@@ -9,7 +9,6 @@ import subprocess
 import zipfile
 from pathlib import Path
 
-from tools import cross
 from tools.bindings import HYPOTHESIS, MODELS, READERS
 from tools.blender import NUMPY, PYTEST
 from tools.environment import (
@@ -28,7 +27,8 @@ from tools.environment import (
     venv,
 )
 from tools.libraries import PATTERN
-from tools.package import BUILD_APT, build_wheel, cross_wheel
+from tools.package import BUILD_APT, build_wheel, windows_wheel
+from tools.windows_wheel import download_data
 
 WINE_APT = ("wine64",)
 WINE = "/usr/lib/wine/wine64"
@@ -39,7 +39,7 @@ FOLDER = BUILD / "windows"
 def windows_tests(version: str) -> None:
     require_apt(*BUILD_APT, *WINE_APT)
     wheel = build_wheel(version, require_python(version))
-    made = cross_wheel(cross.WINDOWS, version, wheel)
+    made = windows_wheel(version, wheel)
     python = windows_python(version, (PYTEST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, *MODELS))
     install(python, version, "--no-deps", "--upgrade", made)
     run_in_wine([python, "-m", "pytest", "-q", "tests/bindings"])
@@ -72,7 +72,7 @@ def windows_python(version: str, requirements: tuple[str, ...]) -> Path:
     if not (folder.is_dir() and is_current(f"windows-{tag}", key)):
         shutil.rmtree(folder, ignore_errors=True)
         FOLDER.mkdir(parents=True, exist_ok=True)
-        with zipfile.ZipFile(cross.download_data(PYTHON[version], FOLDER)) as files:
+        with zipfile.ZipFile(download_data(PYTHON[version], FOLDER)) as files:
             files.extractall(FOLDER)
         (path_file,) = folder.glob("python*._pth")  # all that Python looks at for modules
         path_file.write_text(f"{path_file.stem}.zip\n.\npackages\n{ROOT}\n")

