@@ -184,11 +184,13 @@ def test_a_run_that_is_interrupted_says_so(dev, monkeypatch, capfd):
 
 
 HANGING = """
+import signal
 import sys
 from pathlib import Path
 from tools import children, steps
 from tools.environment import run
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a run in the background has it ignored
 folder, way, *names = sys.argv[1:]
 steps.LOGS = Path(folder)
 children.PATIENCE = 0.1
