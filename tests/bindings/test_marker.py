@@ -109,7 +109,7 @@ def test_texts_beside_a_small_piece_make_it_no_other_piece():
     marker = marked.nested(400, seconds=0)
     for pattern in (marked, marked.with_only(["sew"])):
         (piece,) = pattern.laid_on(marker).pieces
-        assert sorted(piece.cut_size) == pytest.approx([2, 40])
+        assert sorted(piece.size) == pytest.approx([2, 40])
         assert bool(piece.texts) == bool(piece.of_role("card leader")) == (pattern is marked)
 
 

@@ -78,6 +78,18 @@ def test_names_in_any_script(tmp_path, ending):
         assert labels[1:6] == names[:5]
 
 
+def test_without_texts_no_line_leads_to_one(tmp_path):
+    pattern = Pattern.from_result(rectangle(20, 2), allowance=0, piece_names=["Cuff"])
+    plain = pattern.with_only(["sew", "grain"])
+    assert pattern.pieces[0].of_role("card leader") and not plain.pieces[0].of_role("card leader")
+    for name, options in (("x.plt", {}), ("x.dxf", {"dialect": "plain"}), ("x.svg", {"preset": "laser"})):
+        written = []
+        for each in (pattern, plain):
+            each.write(tmp_path / name, **options)
+            written.append((tmp_path / name).read_text())
+        assert written[0] == written[1]
+
+
 @pytest.mark.parametrize("preset", ["print", "laser", "cricut"])
 def test_svg_is_drawn_in_true_size_by_another_renderer(tmp_path, preset):
     pattern = Pattern.from_result(rectangle(150, 700), allowance=10.0, notch_spacing=0).with_only([])

@@ -7,8 +7,9 @@ import numpy as np
 import pypdfium2
 import pytest
 import wirewarp
-from patterns import rectangle, sample
+from patterns import quads, rectangle, sample
 from wirewarp.pattern import Pattern
+from wirewarp.pattern.flat_piece import flat_piece
 
 MILLIMETER = 72 / 25.4  # PDF's points in it
 
@@ -48,6 +49,26 @@ def test_the_pages_show_the_pattern_where_they_are_said_to(tmp_path, paper, marg
         seen |= inside
     assert seen.all()
     assert len({page.name for page in pages}) == len(pages)
+
+
+@pytest.mark.parametrize("keep_places", [False, True])
+@pytest.mark.parametrize("paper", ["a4", "a3", "36in"])
+def test_lines_to_cut_alone_have_the_same_pages(paper, keep_places):
+    """60 straps of 60 by 2 mm, whose names stand beside them."""
+    pieces = straps(60)
+    whole = Pattern.from_pieces(pieces, [], allowance=0)
+    assert all(piece.of_role("card leader") for piece in whole.pieces)
+    alone = Pattern.of_cut_lines(pieces, allowance=0)
+    drawn = [(each if keep_places else each.arranged()).pages(paper, keep_places) for each in (whole, alone)]
+    assert len({len(pages) for _, pages in drawn}) == 1
+    frames = [[(*(page.low - laid.bounds[0]), *page.size) for page in pages] for laid, pages in drawn]
+    assert np.array(frames[0]) == pytest.approx(np.array(frames[1]))
+
+
+def straps(count):
+    points = [(x, 4.0 * strap + y) for strap in range(count) for x, y in ((0, 0), (60, 0), (60, 2), (0, 2))]
+    result = quads(points, np.arange(4 * count).reshape(-1, 4).tolist())
+    return [flat_piece(piece, f"Strap {number}", 1000.0) for number, piece in enumerate(result.pieces, start=1)]
 
 
 def test_what_keeps_its_places_and_is_too_wide_for_a_roll_is_told():

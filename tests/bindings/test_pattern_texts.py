@@ -6,6 +6,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+import shapely
 from patterns import flattened, quads, rectangle, sample
 from wirewarp.pattern import FlatPiece, Pattern, Text
 from wirewarp.pattern.flat_piece import flat_piece
@@ -52,18 +53,45 @@ def test_what_a_piece_has_no_room_for_stands_beside_it_with_a_line_to_it():
     assert np.any(first > high) or np.any(last < low)  # outside of the piece
     assert np.all(leader.points[0] > low) and np.all(leader.points[0] < high)
     assert leader.points[1:, 1] == pytest.approx([first[1] - 1, first[1] - 1], abs=0.5)  # and then below the letters
-    outside = piece.bounds[0] <= first + 1
-    assert np.all(outside) and np.all(piece.bounds[1] >= last - READABLE - 1)  # so that no other piece lies there
+    assert piece.bounds == (pytest.approx(low), pytest.approx(high))
     assert pattern.with_only(["texts"]).pieces[0].of_role("card leader")
     assert not pattern.with_only(["sew"]).pieces[0].of_role("card leader")
+
+
+def letters(text):
+    """About where those of a text of one line stand, at least half as wide as high."""
+    half = np.array([len(text.lines[0]) / 2, 1.0]) * text.height / 2
+    turned = shapely.affinity.rotate(shapely.box(*-half, *half), text.angle, origin=(0, 0))
+    return shapely.affinity.translate(turned, *text.center)
+
+
+@pytest.mark.parametrize("angle", [0, 30, 45, 60, 90, 160])
+def test_texts_beside_pieces_in_rows_keep_apart(angle):
+    """Rows are 10 mm apart."""
+    strap = flat_piece(rectangle(60, 2).pieces[0], "A strap to tie", 1000.0)
+    turned = replace(strap, vertices=strap.vertices @ turn(angle), grain=strap.grain @ turn(angle))
+    rows = Pattern.from_pieces([turned] * 6, [], allowance=0).arranged()
+    texts_of = [[letters(text) for text in piece.texts] for piece in rows.pieces]
+    assert all(texts_of)
+    for (piece, own), (other, others) in combinations(zip(rows.pieces, texts_of, strict=True), 2):
+        boxes = [shapely.box(*np.concatenate(each.bounds)) for each in (piece, other)]
+        assert boxes[0].distance(boxes[1]) > 9.9
+        assert all(text.disjoint(boxes[1]) for text in own) and all(text.disjoint(boxes[0]) for text in others)
+        assert all(a.disjoint(b) for a in own for b in others)
+
+
+def turn(angle):
+    """(2,2) for rows of points, counterclockwise."""
+    cosine, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+    return np.array([[cosine, sine], [-sine, cosine]])
 
 
 def test_no_line_to_a_name_crosses_a_large_piece():
     square = 1000.0 * np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]])
     near, far = (Text(("Wire 1",), np.array([500.0, height]), READABLE) for height in (FARTHEST / 2, 500.0))
-    text, leader = Beside([square]).lead(near, np.array([0.0, -1.0]))
+    text, leader = Beside([square]).lead([near], np.array([0.0, -1.0]))
     assert text.center[1] < 0 and np.linalg.norm(leader.points[1] - near.center) < FARTHEST
-    assert Beside([square]).lead(far, np.array([0.0, -1.0])) is None
+    assert Beside([square]).lead([far], np.array([0.0, -1.0])) is None
 
 
 def test_names_beside_a_piece_are_clear_of_each_other():
@@ -75,10 +103,10 @@ def test_names_beside_a_piece_are_clear_of_each_other():
     for piece, seams in zip(pattern.pieces, (1, 2, 2, 1), strict=True):
         named = sorted(line.name for line in piece.of_role("sew") if line.name)
         assert len(named) == seams
-        assert sorted(text.lines[0] for text in piece.texts if text.role == "line name") == named
-        boxes = [box(text) for text in piece.texts]
-        for (a, b), (c, d) in combinations(boxes, 2):
-            assert np.any(b < c) or np.any(d < a)
+        written = sorted(text.lines[0] for text in piece.texts if text.role == "line name")
+        assert all(name in (whole, whole[-1]) for name, whole in zip(written, named, strict=True))  # "Seam 1" or "1"
+        for first, second in combinations(map(letters, piece.texts), 2):
+            assert first.disjoint(second)
 
 
 def test_a_seam_says_what_it_is_sewn_to_where_there_is_room():

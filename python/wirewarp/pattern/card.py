@@ -33,7 +33,8 @@ def with_card(
     notches = [point.stroke for point in piece.points]
     closed = [np.concatenate([line, line[:1]]) for line in outlines]
     room, beside = Room(closed, [*drawn, *notches], text), Beside(closed)
-    led = None if text else beside.lead(_short_card(piece.name or place, outlines), DOWN)
+    short = [name for name in (piece.name, place) if name]
+    led = None if text else beside.lead(_short_cards(short, outlines), DOWN)
     names, leaders = line_names(piece.lines, room, beside)
     kept = [line for line in piece.lines if line.role not in LEADERS.values()]
     if led:
@@ -59,10 +60,10 @@ def _card(cards: list[tuple[str, ...]], outlines: list[np.ndarray], drawn: list[
     return next(([text] for text in texts if text.height >= LEAST_HEIGHT), [])
 
 
-def _short_card(text: str, outlines: list[np.ndarray]) -> Text:
-    """In the middle of the piece, for which it is too large."""
+def _short_cards(texts: list[str], outlines: list[np.ndarray]) -> list[Text]:
+    """In the middle of the piece, for which they are too large."""
     center, _ = innermost_point(outlines, [])
-    return Text((text,), center, LEAST_HEIGHT)
+    return [Text((text,), center, LEAST_HEIGHT) for text in texts]
 
 
 def how_to_cut(piece: PatternPiece) -> str:

@@ -19,7 +19,9 @@ CUT_PEN = 1
 
 def write_plt(path: Path, pattern: "Pattern", watch: Watch) -> tuple[int, list[str]]:
     """Strokes by pen, cut lines last; texts are left out, for HPGL's letters are the plotter's own."""
-    strokes = [stroke for piece in watch.each(pattern.pieces, "writing") for stroke in strokes_of(piece)]
+    strokes = [
+        stroke for piece in watch.each(pattern.pieces, "writing") for stroke in strokes_of(piece.without_texts_beside())
+    ]
     pens = sorted({stroke.look.pen for stroke in strokes}, key=lambda pen: (pen == CUT_PEN, pen))
     commands = ["IN", "PA"]
     for pen in pens:

@@ -1,17 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Texts that a piece has no room for: beside it, underlined, with a line that leads to what they are about."""
+"""Texts that a piece has no room for: beside it, underlined, with a line that leads to what they are about.
+
+They take no room of their own: what is laid out by the cut lines alone, without any text, has the same pages.
+"""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
+from .arrange import GAP
 from .interior import are_inside, distance_to, text_width
 from .model import LEADERS, Line, Text
-from .room import CLEAR, joined, strokes, touches
+from .room import CLEAR, axes, joined, strokes, touches
 
 NEAREST, FARTHEST, STEP = 2.0, 40.0, 1.0  # millimeters from what is named to the middle of the text
 TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the way straight out, the best first
+ANGLES = (0.0, 90.0, 45.0, -45.0)  # of the text, the easiest to read first: along a narrow piece it keeps near
+REACH = GAP / 2  # millimeters beyond the box of the cut lines: texts of two pieces in rows keep apart
 
 
 class Beside:
@@ -20,26 +26,37 @@ class Beside:
     def __init__(self, outlines: Sequence[np.ndarray]) -> None:
         """outlines (k,2): the cut lines, closed, repeating their first point."""
         self._outlines = list(outlines)
+        points = np.concatenate(self._outlines)
+        self._low, self._high = points.min(axis=0) - REACH, points.max(axis=0) + REACH
         self._taken = joined([(line[:-1], line[1:]) for line in self._outlines])
         self._texts: list[Text] = []
 
-    def lead(self, text: Text, outward: np.ndarray) -> tuple[Text, Line] | None:
-        """The text, of one line, outside of the piece, and the line to it from its center, where it had no room.
+    def lead(self, texts: Iterable[Text], outward: np.ndarray) -> tuple[Text, Line] | None:
+        """The first of these texts that has a place outside of the piece, and the line to it from its center.
 
-        outward (2,): a unit vector, the way to where it would best stand. None where nothing near is free: a line far
-        across the piece would be taken for one of its own.
+        texts: of one line each, where they had no room. outward (2,): a unit vector, the way to where they would best
+        stand. None where nothing near is free: a line far across the piece would be taken for one of its own.
         """
-        for center in self._centers(text.center, outward):
-            placed = Text(text.lines, center, text.height, role=text.role)
-            points = _leader(placed, text.center)
+        for placed, target in self._choices(texts, outward):
+            points = _leader(placed, target)
             if self._is_free(placed, points):
                 self._texts.append(placed)
                 self._taken = joined([self._taken, strokes(placed), (points[:-1], points[1:])])
-                return placed, Line(LEADERS[text.role], points)
+                return placed, Line(LEADERS[placed.role], points)
         return None
 
+    def _choices(self, texts: Iterable[Text], outward: np.ndarray) -> Iterator[tuple[Text, np.ndarray]]:
+        """Places within reach, the best first, and what is named."""
+        for text in texts:
+            for angle in ANGLES:
+                for center in self._centers(text.center, outward):
+                    placed = Text(text.lines, center, text.height, angle, text.role, is_beside=True)
+                    points = np.concatenate([*strokes(placed), _leader(placed, text.center)])
+                    if np.all(points >= self._low) and np.all(points <= self._high):
+                        yield placed, text.center
+
     def _centers(self, target: np.ndarray, outward: np.ndarray) -> Iterator[np.ndarray]:
-        """The nearest first; none inside of the outline."""
+        """The nearest first."""
         nearest = max(NEAREST, min(distance_to(target, outline) for outline in self._outlines))
         for distance in np.arange(nearest, FARTHEST, STEP):
             for turn in np.radians(TURNS):
@@ -54,6 +71,7 @@ class Beside:
 
 def _leader(text: Text, target: np.ndarray) -> np.ndarray:
     """(3,2) from the target to the nearer end of the line below the text, and along that."""
-    half, below = text_width(text.lines[0], text.height) / 2, text.height / 2 + 2 * CLEAR
-    side = 1 if target[0] > text.center[0] else -1
-    return np.array([target, text.center + (side * half, -below), text.center - (side * half, below)])
+    along, up = axes(text).T
+    half = text_width(text.lines[0], text.height) / 2 * (1 if (target - text.center) @ along > 0 else -1) * along
+    below = text.center - (text.height / 2 + 2 * CLEAR) * up
+    return np.array([target, below + half, below - half])

@@ -37,11 +37,16 @@ def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[
     return texts, leaders
 
 
-def _out_of_room(line: Line) -> tuple[Text, np.ndarray]:
-    """The name at the middle of the line, and the unit vector (2,) out of the piece."""
+def _out_of_room(line: Line) -> tuple[list[Text], np.ndarray]:
+    """The name at the middle of the line, whole and short, and the unit vector (2,) out of the piece."""
     points = np.concatenate([line.points, line.points[:1]]) if line.closed else line.points
     middle, along, inside = _place_on(points, lengths_along(points), 0.5)
-    return Text((line.name,), middle, HEIGHTS[-1], role="line name"), -inside
+    names = dict.fromkeys([line.name, _short(line)])
+    return [Text((name,), middle, HEIGHTS[-1], role="line name") for name in names], -inside
+
+
+def _short(line: Line) -> str:
+    return NUMBERED.sub("", line.name) if line.role == "sew" else line.name
 
 
 def _choices(line: Line) -> Iterator[Text]:
@@ -49,9 +54,8 @@ def _choices(line: Line) -> Iterator[Text]:
     along = lengths_along(points)
     is_seam = line.role == "sew"
     for height in HEIGHTS:
-        short = NUMBERED.sub("", line.name) if is_seam else line.name
         texts = [f"{line.name}: {line.joins}", line.name] if line.joins else [line.name]
-        text = next((each for each in texts if text_width(each, height) <= along[-1] / 2), short)
+        text = next((each for each in texts if text_width(each, height) <= along[-1] / 2), _short(line))
         if text_width(text, height) > along[-1]:
             continue
         for share in ALONG_SEAM if is_seam else ALONG_WIRE:

@@ -34,7 +34,7 @@ class Size:
 
 
 def size_of(piece: PatternPiece) -> Size:
-    width, height = piece.cut_size.tolist()
+    width, height = piece.size.tolist()
     area, moments = 0.0, np.zeros(2)
     for line in at_corner(piece).of_role("cut"):
         a, b = line.points, np.roll(line.points, -1, axis=0)
@@ -47,7 +47,7 @@ def size_of(piece: PatternPiece) -> Size:
 
 def at_corner(piece: PatternPiece) -> PatternPiece:
     """With the lower left corner of its cut lines at 0, 0: what a marker says holds wherever pieces lie."""
-    return piece.moved(-np.min([line.points.min(axis=0) for line in piece.of_role("cut")], axis=0))
+    return piece.moved(-piece.bounds[0])
 
 
 @dataclass(frozen=True)

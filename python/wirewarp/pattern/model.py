@@ -56,6 +56,7 @@ class Text:
     height: float  # of the letters
     angle: float = 0.0  # degrees counterclockwise
     role: TextRole = "card"
+    is_beside: bool = False  # outside of the piece, which has no room for it
 
     def placed(self, motion: Motion) -> "Text":
         return replace(self, center=motion.points(self.center), angle=motion.text_angle(self.angle))
@@ -78,21 +79,23 @@ class PatternPiece:
 
     @property
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """The lowest and the highest corner of the cut lines, and of the lines to what stands beside them."""
-        points = np.concatenate([line.points for line in self.of_role("cut", *LEADERS.values())])
+        """The lowest and the highest corner of the cut lines; texts beside them keep near, see leaders.REACH."""
+        points = np.concatenate([line.points for line in self.of_role("cut")])
         return points.min(axis=0), points.max(axis=0)
 
     @property
     def size(self) -> np.ndarray:
-        """Width and height."""
+        """Width and height of the cut lines: what is taken of the cloth."""
         low, high = self.bounds
         return high - low
 
-    @property
-    def cut_size(self) -> np.ndarray:
-        """Width and height of the cut lines alone: what is taken of the cloth."""
-        size: np.ndarray = np.ptp(np.concatenate([line.points for line in self.of_role("cut")]), axis=0)
-        return size
+    def without_texts_beside(self) -> "PatternPiece":
+        """And without the lines that lead to them."""
+        return replace(
+            self,
+            lines=[line for line in self.lines if line.role not in LEADERS.values()],
+            texts=[text for text in self.texts if not text.is_beside],
+        )
 
     def moved(self, offset: np.ndarray) -> "PatternPiece":
         return self.placed(Motion(offset))

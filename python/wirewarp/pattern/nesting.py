@@ -144,7 +144,7 @@ class _Search:
 
 
 def _too_large(piece: PatternPiece, cloth: Cloth, units: UnitSystem) -> str:
-    size = " x ".join(units.measured(float(side)) for side in piece.cut_size)
+    size = " x ".join(units.measured(float(side)) for side in piece.size)
     if cloth.length is None:
         where = f"a roll of {units.text(cloth.width)}"
     else:

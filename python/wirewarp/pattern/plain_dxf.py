@@ -20,7 +20,9 @@ def plain_dxf(pattern: "Pattern", watch: Watch) -> str:
     entities = Tags(DECIMALS)
     side, _ = pattern.units.square
     square = side * np.array([[0, 0], [1, 0], [1, 1], [0, 1]]) - (side + 10, 0)
-    strokes = [stroke for piece in watch.each(pattern.pieces, "writing") for stroke in strokes_of(piece)]
+    strokes = [
+        stroke for piece in watch.each(pattern.pieces, "writing") for stroke in strokes_of(piece.without_texts_beside())
+    ]
     for stroke in [Stroke("scale", square, True), *strokes]:
         layer = stroke.look.layer.upper()
         if len(stroke.points) == 2 and stroke.look.layer != LOOKS["cut"].layer:

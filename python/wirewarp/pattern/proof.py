@@ -36,7 +36,7 @@ def _piece_rows(pattern: "Pattern") -> list[Row]:
     units = pattern.units
     rows: list[Row] = [(pattern.heading or "Pattern",), (), ("Piece", "Cut", "Size to cut", "Area sewn")]
     for piece in pattern.pieces:
-        size = " x ".join(units.measured(float(side)) for side in piece.cut_size)
+        size = " x ".join(units.measured(float(side)) for side in piece.size)
         rows.append((f"{piece.number}  {piece.name}", how_to_cut(piece), size, units.area_text(piece.area)))
     if pattern.marker:
         return [*rows, (pattern.marker.sentence(units),)]

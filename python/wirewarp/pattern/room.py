@@ -49,7 +49,7 @@ def joined(parts: list[Segments]) -> Segments:
     return first, second
 
 
-def _axes(text: Text) -> np.ndarray:
+def axes(text: Text) -> np.ndarray:
     """(2,2) unit vectors along the line and up the letters, one a column."""
     cosine, sine = math.cos(math.radians(text.angle)), math.sin(math.radians(text.angle))
     return np.array([[cosine, -sine], [sine, cosine]])
@@ -61,7 +61,7 @@ def strokes(text: Text) -> Segments:
         middle = LINE * ((len(text.lines) - 1) / 2 - number)
         y = text.height * (middle + STROKES)
         x = np.full(len(y), text_width(line, text.height) / 2)
-        first, second = (np.column_stack([side, y]) @ _axes(text).T + text.center for side in (-x, x))
+        first, second = (np.column_stack([side, y]) @ axes(text).T + text.center for side in (-x, x))
         strokes.append((first, second))
     return joined(strokes)
 
@@ -69,7 +69,7 @@ def strokes(text: Text) -> Segments:
 def touches(text: Text, segments: Segments) -> bool:
     """Whether one of the segments meets the box of a text of one line: no axis separates the two."""
     half = np.array([text_width(text.lines[0], text.height), text.height]) / 2 + CLEAR
-    a, b = ((ends - text.center) @ _axes(text) for ends in segments)
+    a, b = ((ends - text.center) @ axes(text) for ends in segments)
     apart = np.any((np.minimum(a, b) > half) | (np.maximum(a, b) < -half), axis=1)
     normal = (b - a)[:, ::-1] * (-1, 1)
     beside = np.abs((normal * a).sum(axis=1)) > np.abs(normal) @ half

@@ -116,7 +116,8 @@ class _Drawing:
     def add_piece(self, piece: PatternPiece) -> None:
         group = self._add_group(self._root, piece.name, piece.name)
         _add(group, "title").text = piece.name
-        strokes = list(strokes_of(piece))
+        drawn = piece if self._preset.has_texts else piece.without_texts_beside()
+        strokes = list(strokes_of(drawn))
         for label in reversed(LAYERS):  # the cut line is drawn last
             own = [stroke for stroke in strokes if stroke.look.layer == label]
             texts = [text for text in piece.texts if LOOKS[text.role].layer == label and self._preset.has_texts]
