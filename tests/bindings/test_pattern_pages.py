@@ -65,6 +65,30 @@ def test_lines_to_cut_alone_have_the_same_pages(paper, keep_places):
     assert np.array(frames[0]) == pytest.approx(np.array(frames[1]))
 
 
+@pytest.mark.parametrize("angle", [45, 90])
+def test_every_text_beside_a_piece_is_on_a_sheet(angle):
+    """Wherever a strap lies at the edge of a sheet: none of the sheets is shown for texts alone."""
+    (strap,) = straps(1)
+    turned = strap.vertices @ turn(angle)
+    low, high = turned.min(axis=0), turned.max(axis=0)
+    corner = replace(strap, vertices=strap.vertices - strap.vertices.min(axis=0))
+    for right in np.arange(160.0, 200.0, 4.0):  # the first sheet ends at 185, the second begins at 175
+        last = replace(strap, name="A strap with a name", vertices=turned - (high[0], low[1]) + (right, 195.0))
+        laid, pages = Pattern.from_pieces([corner, last], [], allowance=0).pages("a4", keep_places=True)
+        for text in (text for piece in laid.pieces for text in piece.texts):
+            half = np.array([len(text.lines[0]) / 2, 1.0]) * text.height / 2  # letters half as wide as high
+            box = np.stack(np.meshgrid(*(np.linspace(-each, each, 20) for each in half)), axis=-1).reshape(-1, 2)
+            points = text.center + box @ turn(text.angle)
+            on_page = [np.all((points > page.low) & (points < page.low + page.size), axis=1) for page in pages]
+            assert np.all(np.any(on_page, axis=0))
+
+
+def turn(angle):
+    """(2,2) for rows of points, degrees counterclockwise."""
+    cosine, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+    return np.array([[cosine, sine], [-sine, cosine]])
+
+
 def straps(count):
     points = [(x, 4.0 * strap + y) for strap in range(count) for x, y in ((0, 0), (60, 0), (60, 2), (0, 2))]
     result = quads(points, np.arange(4 * count).reshape(-1, 4).tolist())

@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 import shapely
-from patterns import flattened, quads, rectangle, sample
+from patterns import cut_polygon, flattened, quads, rectangle, sample
 from wirewarp.pattern import FlatPiece, Pattern, Text
 from wirewarp.pattern.flat_piece import flat_piece
 from wirewarp.pattern.leaders import FARTHEST, Beside
@@ -78,6 +78,18 @@ def test_texts_beside_pieces_in_rows_keep_apart(angle):
         assert boxes[0].distance(boxes[1]) > 9.9
         assert all(text.disjoint(boxes[1]) for text in own) and all(text.disjoint(boxes[0]) for text in others)
         assert all(a.disjoint(b) for a in own for b in others)
+
+
+@pytest.mark.parametrize("angle", [20, 45, 135])
+def test_texts_beside_a_piece_are_nearer_than_sheets_overlap(angle):
+    """So that a sheet that shows a part of the piece has them: sheets overlap by 10 mm."""
+    strap = flat_piece(rectangle(60, 2).pieces[0], "A strap to tie", 1000.0)
+    turned = replace(strap, vertices=strap.vertices @ turn(angle), grain=strap.grain @ turn(angle))
+    (piece,) = Pattern.from_pieces([turned], [], allowance=0).pieces
+    (text,) = piece.texts
+    around = cut_polygon(piece).buffer(10)
+    assert around.contains(letters(text))
+    assert all(around.contains(shapely.LineString(leader.points)) for leader in piece.of_role("card leader"))
 
 
 def turn(angle):

@@ -65,16 +65,16 @@ def innermost_point(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.nd
     """About the point (2,) inside closed outlines (k,2) that is farthest from all lines, and its distance."""
     closed = [np.concatenate([outline, outline[:1]]) for outline in outlines]
     spacing = sum(float(lengths_along(outline)[-1]) for outline in closed) / SAMPLES
-    sampled = [_sampled(outline, spacing) for outline in closed]
-    obstacles = np.concatenate([*sampled, *(_sampled(line, spacing) for line in lines_inside)])
-    low, high = np.concatenate(sampled).min(axis=0), np.concatenate(sampled).max(axis=0)
+    around = [sampled(outline, spacing) for outline in closed]
+    obstacles = np.concatenate([*around, *(sampled(line, spacing) for line in lines_inside)])
+    low, high = np.concatenate(around).min(axis=0), np.concatenate(around).max(axis=0)
     center, reach = (low + high) / 2, (high - low) / 2
     best = -math.inf
     for _ in range(ROUNDS):
         offsets = np.linspace(-1, 1, STEPS + 1)
         x, y = np.meshgrid(center[0] + reach[0] * offsets, center[1] + reach[1] * offsets)
         points = np.column_stack([x.ravel(), y.ravel()])
-        points = points[are_inside(points, sampled)]
+        points = points[are_inside(points, around)]
         if len(points):
             depths = _distances(points, obstacles)
             if depths.max() > best:
@@ -102,7 +102,7 @@ def distance_to(point: np.ndarray, line: np.ndarray) -> float:
     return float(np.linalg.norm(line[:-1] + shares[:, None] * ways - point, axis=1).min())
 
 
-def _sampled(line: np.ndarray, spacing: float) -> np.ndarray:
+def sampled(line: np.ndarray, spacing: float) -> np.ndarray:
     """Points (m,2) on the line (k,2), its ends among them, at equal distances of at most `spacing`."""
     along = lengths_along(line)
     at = np.linspace(0, along[-1], math.ceil(along[-1] / spacing) + 1)

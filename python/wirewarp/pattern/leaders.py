@@ -10,14 +10,17 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy as np
 
 from .arrange import GAP
-from .interior import are_inside, distance_to, text_width
+from .interior import are_inside, distance_to, sampled, text_width
 from .model import LEADERS, Line, Text
+from .papers import OVERLAP
 from .room import CLEAR, axes, joined, strokes, touches
 
 NEAREST, FARTHEST, STEP = 2.0, 40.0, 1.0  # millimeters from what is named to the middle of the text
 TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the way straight out, the best first
 ANGLES = (0.0, 90.0, 45.0, -45.0)  # of the text, the easiest to read first: along a narrow piece it keeps near
 REACH = GAP / 2  # millimeters beyond the box of the cut lines: texts of two pieces in rows keep apart
+# From the cut lines at most: whatever is so near to them lies on a sheet with them, for sheets overlap by more.
+NEAR = OVERLAP - STEP
 
 
 class Beside:
@@ -39,7 +42,7 @@ class Beside:
         """
         for placed, target in self._choices(texts, outward):
             points = _leader(placed, target)
-            if self._is_free(placed, points):
+            if self._is_free(placed, points) and self._is_near(placed, points):
                 self._texts.append(placed)
                 self._taken = joined([self._taken, strokes(placed), (points[:-1], points[1:])])
                 return placed, Line(LEADERS[placed.role], points)
@@ -67,6 +70,13 @@ class Beside:
         if touches(text, self._taken) or are_inside(text.center[None], self._outlines)[0]:
             return False
         return not any(touches(other, (leader[:-1], leader[1:])) for other in self._texts)
+
+    def _is_near(self, text: Text, leader: np.ndarray) -> bool:
+        """Whether no point of the text, or of the line to it, is too far from the piece."""
+        first, last = strokes(text)
+        points = np.concatenate([sampled(line, STEP) for line in (leader, np.array([first[-1], last[-1]]))])
+        outside = points[~are_inside(points, self._outlines)]
+        return all(min(distance_to(point, outline) for outline in self._outlines) < NEAR for point in outside)
 
 
 def _leader(text: Text, target: np.ndarray) -> np.ndarray:
