@@ -110,7 +110,14 @@ def test_texts_beside_a_small_piece_make_it_no_other_piece():
     for pattern in (marked, marked.with_only(["sew"])):
         (piece,) = pattern.laid_on(marker).pieces
         assert sorted(piece.size) == pytest.approx([2, 40])
-        assert bool(piece.texts) == bool(piece.of_role("card leader")) == (pattern is marked)
+        assert not piece.texts and not piece.of_role("card leader")  # other pieces lie there
+
+
+def test_texts_in_a_piece_stay_on_a_marker():
+    pattern = sample("Fitted top")
+    for piece in pattern.laid_on(pattern.nested(1400, seconds=0)).pieces:
+        assert len(piece.texts) == len([text for text in pattern.pieces[piece.number - 1].texts if not text.is_beside])
+        assert any(piece.name in text.lines for text in piece.texts)
 
 
 def test_an_opened_piece_has_no_texts_that_were_left_out():

@@ -301,7 +301,7 @@ class Pattern:
         whole = [at_corner(opened(piece, *card) if piece.on_fold else piece) for piece in self.pieces]
         if not marker.is_of(whole):
             raise problem("The pieces have changed since the marker was made: nest them again.")
-        by_number = {piece.number: piece for piece in whole}
+        by_number = {piece.number: piece.without_texts_beside() for piece in whole}  # there lie other pieces
         laid = [
             replace(by_number[placement.piece], quantity=(1, 0)).placed(marker.motion(placement))
             for placement in marker.placements
