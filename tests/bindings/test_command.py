@@ -185,8 +185,24 @@ def test_a_model_of_several_files_has_changed_when_one_of_them_has(tmp_path):
 def test_what_is_left_of_two_runs_is_made_anew(model, tmp_path):
     words = (model, "--out", tmp_path / "out", "--format", "svg,pdf")
     run(*words)
-    run(*words, "--page", "120mm", "--allowance", "5mm", code=2)  # the SVG is of 5 mm, the PDF still of 10 mm
+    run(*words, "--page", "120mm", "--allowance", "5mm", code=2)
     assert "skipped" not in run(*words, "--resume")[0][0]
+
+
+@pytest.mark.parametrize("words", [("--marker", "2cm"), ("--marker", "6m"), ("--page", "120mm")])
+def test_what_is_refused_leaves_no_new_file(model, tmp_path, words):
+    """Neither cloth nor paper is as wide as it must be, or as readers show."""
+    refused = (model, "--out", tmp_path / "out", "--format", "svg,pdf", "--seconds", 0, *words)
+    run(*refused, "--picture", code=2)
+    assert list((tmp_path / "out").iterdir()) == []
+
+
+def test_no_old_picture_stays(model, tmp_path):
+    words = (model, "--out", tmp_path / "out", "--format", "svg")
+    run(*words, "--picture")
+    assert (tmp_path / "out" / "Folded-strain.png").exists()
+    ((line,), _) = run(*words)
+    assert set(line["files"]) == {path.name for path in (tmp_path / "out").iterdir()} == {"Folded.json", "Folded.svg"}
 
 
 def test_what_was_done_before_is_found_from_any_folder(model, tmp_path, monkeypatch):

@@ -11,7 +11,7 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict
 from typing import Any
 
-from .. import FlattenError, __version__, flatten
+from .. import FlattenError, FlattenResult, __version__, flatten
 from ..pattern import Marker, Pattern, Written
 from ..pattern.replace_file import replaced_file
 from .arguments import FROM_MODEL, MILLIMETERS, Arguments, MarkerRequest, Request
@@ -92,6 +92,12 @@ def _flattened(request: Request, model: Model, made_of: str) -> Line:
     request.report_path.unlink(missing_ok=True)  # there is none of patterns of which some are new and some are old
     result = flatten(model.vertices, model.faces, seams=seams, wires=wires)
     problems = [f"Piece {n}: {piece.error.message}" for n, piece in enumerate(result.pieces, start=1) if piece.error]
+    pattern = None if problems else _pattern(request, result)
+    marker = _nested(pattern, request.marker) if pattern and request.marker else None
+    laid = pattern.laid_on(marker) if pattern and marker else None
+    for drawn, paper in ((pattern, request.page), (laid, None)) if "pdf" in request.formats else ():
+        if drawn:
+            drawn.page_sizes(paper)  # what does not fit is refused before anything is written
     line: Line = {
         "verdict": FAILED if problems else READY,
         "pieces": len(result.pieces),
@@ -105,49 +111,45 @@ def _flattened(request: Request, model: Model, made_of: str) -> Line:
             from .picture import write_picture
         except ModuleNotFoundError as error:
             raise InputError("Pictures are drawn by pillow, which is missing: pip install wirewarp[command]") from error
-        request.picture_path.unlink(missing_ok=True)  # of an earlier run: now there may be nothing to draw
-        if write_picture(request.picture_path, result, model.vertices, MILLIMETERS[request.unit]):
-            line["files"].append(request.picture_path.name)
-    placed: dict[str, Any] = {}
-    if problems:
-        for kind in request.formats:
-            for path in (request.pattern_path(kind), request.marker_path(kind)):
-                path.unlink(missing_ok=True)  # of an earlier run: nobody is to cut it
-    else:
-        pattern = Pattern.from_result(
-            result,
-            title=request.model.stem,
-            date=datetime.date.today().isoformat(),
-            millimeters_per_unit=MILLIMETERS[request.unit],
-            allowance=request.allowance,
-            hem=request.hem,
-            units="imperial" if request.imperial else "metric",
-        )
-        for kind in request.formats:
+    request.picture_path.unlink(missing_ok=True)  # of an earlier run: now there may be nothing to draw
+    if request.picture and write_picture(request.picture_path, result, model.vertices, MILLIMETERS[request.unit]):
+        line["files"].append(request.picture_path.name)
+    for kind in request.formats:
+        request.marker_path(kind).unlink(missing_ok=True)  # of an earlier run: it may be of other pieces
+        if pattern:
             options: dict[str, Any] = {"paper": request.page} if kind == "pdf" else {}
             _note(pattern.write(request.pattern_path(kind), **options), line)
+        else:
+            request.pattern_path(kind).unlink(missing_ok=True)  # of an earlier run: nobody is to cut it
+    placed: dict[str, Any] = {}
+    if laid and marker:
         for kind in request.formats:
-            request.marker_path(kind).unlink(missing_ok=True)  # of an earlier run: it may be of other pieces
-        if request.marker:
-            marker = _write_marker(request, request.marker, pattern, line)
-            line["marker"], placed = marker.sentence(pattern.units), {"marker": marker.to_dict()}
+            _note(laid.write(request.marker_path(kind)), line)  # PDF on a roll as wide as it needs
+        line["marker"], placed = marker.sentence(laid.units), {"marker": marker.to_dict()}
     report = {"line": line, "unit": request.unit, **placed, **result.to_dict()}
     with replaced_file(request.report_path) as unfinished:
         unfinished.write_text(json.dumps(report, ensure_ascii=False), encoding="utf-8")
     return line
 
 
+def _pattern(request: Request, result: FlattenResult) -> Pattern:
+    return Pattern.from_result(
+        result,
+        title=request.model.stem,
+        date=datetime.date.today().isoformat(),
+        millimeters_per_unit=MILLIMETERS[request.unit],
+        allowance=request.allowance,
+        hem=request.hem,
+        units="imperial" if request.imperial else "metric",
+    )
+
+
+def _nested(pattern: Pattern, wanted: MarkerRequest) -> Marker:
+    return pattern.nested(
+        wanted.width, wanted.length, gap=wanted.gap, grain=wanted.grain, times=wanted.times, seconds=wanted.seconds
+    )
+
+
 def _note(written: Written, line: Line) -> None:
     line["files"].append(written.path.name)
     line["warnings"] += [warning for warning in written.warnings if warning not in line["warnings"]]
-
-
-def _write_marker(request: Request, wanted: MarkerRequest, pattern: Pattern, line: Line) -> Marker:
-    """In every format; PDF on a roll as wide as it needs."""
-    marker = pattern.nested(
-        wanted.width, wanted.length, gap=wanted.gap, grain=wanted.grain, times=wanted.times, seconds=wanted.seconds
-    )
-    laid = pattern.laid_on(marker)
-    for kind in request.formats:
-        _note(laid.write(request.marker_path(kind)), line)
-    return marker
