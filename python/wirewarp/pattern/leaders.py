@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Texts that a piece has no room for: beside it, underlined, with a line that leads to what they are about.
+"""Texts that a piece has no room for: beside it, with a line along them that leads to what they are about.
 
 They take no room of their own: what is laid out by the cut lines alone, without any text, has the same pages.
 """
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from .model import LEADERS, Line, Text
 from .papers import OVERLAP
 from .room import CLEAR, axes, joined, strokes, touches
 
-NEAREST, FARTHEST, STEP = 2.0, 40.0, 1.0  # millimeters from what is named to the middle of the text
+NEAREST, FARTHEST, STEP = 2.0, 40.0, 0.5  # millimeters from what is named to the middle of the text
 TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the way straight out, the best first
 ANGLES = (0.0, 90.0, 45.0, -45.0)  # of the text, the easiest to read first: along a narrow piece it keeps near
 REACH = GAP / 2  # millimeters beyond the box of the cut lines: texts of two pieces in rows keep apart
@@ -67,21 +68,28 @@ class Beside:
                 yield target + distance * np.array([[cosine, -sine], [sine, cosine]]) @ outward
 
     def _is_free(self, text: Text, leader: np.ndarray) -> bool:
-        if touches(text, self._taken) or are_inside(text.center[None], self._outlines)[0]:
+        over_line = replace(text, center=(leader[1:].mean(axis=0) + text.center) / 2)
+        if touches(text, self._taken) or touches(over_line, self._taken):
+            return False
+        if are_inside(text.center[None], self._outlines)[0] or touches(text, (leader[:1], leader[1:2])):
             return False
         return not any(touches(other, (leader[:-1], leader[1:])) for other in self._texts)
 
     def _is_near(self, text: Text, leader: np.ndarray) -> bool:
         """Whether no point of the text, or of the line to it, is too far from the piece."""
         first, last = strokes(text)
-        points = np.concatenate([sampled(line, STEP) for line in (leader, np.array([first[-1], last[-1]]))])
+        edges = [np.array([first[row], last[row]]) for row in (0, -1)]
+        points = np.concatenate([sampled(line, STEP) for line in (leader, *edges)])
         outside = points[~are_inside(points, self._outlines)]
         return all(min(distance_to(point, outline) for outline in self._outlines) < NEAR for point in outside)
 
 
 def _leader(text: Text, target: np.ndarray) -> np.ndarray:
-    """(3,2) from the target to the nearer end of the line below the text, and along that."""
-    along, up = axes(text).T
-    half = text_width(text.lines[0], text.height) / 2 * (1 if (target - text.center) @ along > 0 else -1) * along
-    below = text.center - (text.height / 2 + 2 * CLEAR) * up
-    return np.array([target, below + half, below - half])
+    """(3,2) from the target to the nearer end of a line below or above the letters, where the target is, and along it.
+
+    So it does not cross them.
+    """
+    along, up = axes(text).T * np.where((target - text.center) @ axes(text) > 0, 1, -1)[:, None]
+    edge = text.center + (text.height / 2 + 2 * CLEAR) * up
+    half = text_width(text.lines[0], text.height) / 2 * along
+    return np.array([target, edge + half, edge - half])
