@@ -11,6 +11,8 @@ import pytest
 from drawing import LABEL, SVG, Drawing
 from surfaces import bump, flatten, grid, make_object, mark, mark_seam, on_line
 
+BESIDE = 5.0 + 1e-6  # millimeters from the box of a piece, as far as texts beside it reach
+
 
 @pytest.fixture
 def source():
@@ -104,14 +106,15 @@ def test_where_a_wire_ends_at_the_seam_its_number_stands_beside(source, tmp_path
         assert ends.min() > 15
 
 
-def test_names_lie_inside_narrow_pieces_and_clear_of_each_other(tmp_path):
+def test_names_lie_inside_narrow_pieces_or_close_beside_and_clear_of_each_other(tmp_path):
     drawing = exported(strips(4, 8, 10, 14, 24, 40, 50), tmp_path)
     for piece in drawing.pieces:
         (outline,) = drawing.lines(piece, "Cut")
         texts = texts_in(drawing, piece, "Line Names")
         cards = texts_in(drawing, piece, "Text") if "Text" in layers_of(drawing, piece) else []
         boxes = [box_of(text) for text in [*texts, *cards]]
-        assert all(np.all(outline.min(axis=0) < low) and np.all(high < outline.max(axis=0)) for low, high in boxes)
+        least, most = outline.min(axis=0) - BESIDE, outline.max(axis=0) + BESIDE
+        assert all(np.all(least < low) and np.all(high < most) for low, high in boxes)
         assert not any(
             np.all((low < top) & (bottom < high)) for (low, high), (bottom, top) in itertools.combinations(boxes, 2)
         )
@@ -119,10 +122,13 @@ def test_names_lie_inside_narrow_pieces_and_clear_of_each_other(tmp_path):
         assert sum("Wire" not in line for line, *_ in texts) == sides
 
 
-def test_a_piece_too_narrow_for_any_letter_has_none(tmp_path):
+def test_what_a_piece_is_too_narrow_for_stands_beside_it(tmp_path):
     drawing = exported(strips(2, 40), tmp_path)
     narrow = min(drawing.pieces, key=lambda piece: np.ptp(drawing.lines(piece, "Cut")[0], axis=0).min())
-    assert not {"Text", "Line Names"} & set(layers_of(drawing, narrow))
+    (outline,) = drawing.lines(narrow, "Cut")
+    boxes = [box_of(text) for layer in ("Text", "Line Names") for text in texts_in(drawing, narrow, layer)]
+    assert boxes
+    assert all(np.any(high < outline.min(axis=0)) or np.any(outline.max(axis=0) < low) for low, high in boxes)
 
 
 def test_notches_end_inside_narrow_pieces(tmp_path):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The JSON report and what is kept for the panel."""
 
+import itertools
 import json
 import math
 from types import SimpleNamespace
@@ -238,11 +239,11 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
         )
         return addon.report.report.object_report(result, arrays, identities, [], 1.0)
 
-    first, *_, last = (report_of_run(steps) for steps in range(9))
+    first, last = report_of_run(0), report_of_run(1_000_000)
     assert not first["ok"]
     assert "Cancelled before this piece was flat" in first["issues"][0]["sentence"]
     assert (last["ok"], last["notes"]) == (True, [])
-    stopped = next(report for report in map(report_of_run, range(9)) if report["ok"])
+    stopped = next(report for report in map(report_of_run, itertools.count()) if report["ok"])
     assert stopped["pieces"][0]["termination"] == "cancelled"
     text = "Top: Cancelled: the lengths are exact, but the shape could be less distorted."
     assert stopped["notes"] == [{"text": text, "is_warning": True}]
