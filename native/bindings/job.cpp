@@ -38,13 +38,14 @@ class Job {
   /// Cancels what still runs and waits for it. With the GIL.
   ~Job() {
     if (num_forks() != num_forks_) {
-      thread_.detach();        // it is not in this process,
-      (void)ended_.release();  // nor is who waits for it, for whom destroying would wait
+      thread_.detach();  // it is not in this process, nor is who waits for it, for whom destroying would wait
+      [[maybe_unused]] const auto* const left_alone = ended_.release();
       return;
     }
     cancelled_ = true;
-    const py::gil_scoped_release no_gil;
+    PyThreadState* const state = PyEval_SaveThread();  // Python goes on meanwhile
     thread_.join();
+    PyEval_RestoreThread(state);
   }
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;

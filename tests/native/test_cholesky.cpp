@@ -222,7 +222,8 @@ struct Chains {
 
 TEST(MultifrontalCholesky, AsksAfterSoMuchWorkWhetherToGoOn) {
   const Chains chains;
-  const double m = Chains::block / kTile;  // tiles of pivots, and of rows below them
+  const int tiles = Chains::block / kTile;  // of pivots, and of rows below them
+  const double m = tiles;
   const double work_of_a_chain = (Chains::length - 1) * (m * m * m / 6 + m * m * m / 2 + m * m * m / 2);
   for (const bool in_threads : {false, true}) {
     MultifrontalCholesky cholesky(chains.lower, chains.tree, 1, in_threads);
