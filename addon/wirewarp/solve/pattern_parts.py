@@ -71,6 +71,14 @@ class PatternParts:
         """The lines to cut alone, where they lie. Raises ObjectError as pattern() does."""
         return self._made(pattern.Pattern.of_cut_lines, self.pieces, allowance=allowance, darts=darts)
 
+    def _made(self, make: Callable[..., pattern.Pattern], *pieces: object, **choices: object) -> pattern.Pattern:
+        """With the allowances and units of these parts."""
+        both, sides, folds = self.allowances
+        try:
+            return make(*pieces, units=self.units, allowances=both, side_allowances=sides, folds=folds, **choices)
+        except FlattenError as error:
+            raise object_error(str(error.code), error.message) from error
+
     def pattern(self, choices: PatternChoices, progress: Progress | None = None) -> pattern.Pattern:
         """Raises ObjectError where they make none."""
         return self._made(
@@ -84,14 +92,6 @@ class PatternParts:
             progress=progress,
             darts=choices.darts,
         )
-
-    def _made(self, make: Callable[..., pattern.Pattern], *pieces: object, **choices: object) -> pattern.Pattern:
-        """With the allowances and units of these parts."""
-        both, sides, folds = self.allowances
-        try:
-            return make(*pieces, units=self.units, allowances=both, side_allowances=sides, folds=folds, **choices)
-        except FlattenError as error:
-            raise object_error(str(error.code), error.message) from error
 
 
 def laid_on_kept(made: pattern.Pattern, kept: KeptMarker | None, cloth: Cloth) -> pattern.Pattern | None:
