@@ -23,11 +23,8 @@ def die(*_):
     os.kill(os.getpid(), signal.SIGKILL)
 
 
-flatten = addon.run.models.flatten_arrays
-if where == "solve":  # at the first sign of progress
-    addon.run.models.flatten_arrays = lambda library, arrays, choices, _, solved: flatten(
-        library, arrays, choices, die, solved
-    )
+if where == "solve":
+    addon.solve.steps.time.sleep = die  # between two looks at the solver
 else:  # between the flat object and its report
     addon.run.write.remove_leftovers = die
 bpy.ops.object.wirewarp_flatten(report_path=path + ".json")

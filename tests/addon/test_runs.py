@@ -1,82 +1,151 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs in a thread, and what is made again by itself. The window's part of both: tests/window."""
+"""Runs beside Blender, and what is made again by itself. The window's part of both: tests/window."""
 
-import threading
+import subprocess
+import sys
+import weakref
+from pathlib import Path
 
 import bmesh
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, flatten, grid, half_cylinder, mark, mark_seam, on_line, read, select_only
+from surfaces import bump, flat_of, flatten, grid, mark, mark_seam, on_line, read, select_only
 
 
 def read_models(addon, *sources):
     return addon.run.read.read_models(bpy.context, list(sources), bpy.context.scene.wirewarp)
 
 
-def solver(addon, models):
+def solving(addon, *sources):
     choices = addon.properties.choices_of(bpy.context.scene.wirewarp, 1.0)
-    return lambda progress: addon.run.models.solve_models(addon.core.library(), models, choices, 1.0, progress)
+    return addon.run.models.solve_models(addon.core.library(), read_models(addon, *sources), choices, 1.0)
 
 
-def test_a_thread_gives_what_the_solver_gives_and_tells_how_far_it_is(addon):
-    models = read_models(addon, grid("First", bump), grid("Second", half_cylinder))
-    fractions = []
-
-    def solve(progress):
-        def report(stage, fraction):
-            fractions.append(fraction)
-            return progress(stage, fraction)
-
-        return solver(addon, models)(report)
-
-    thread = addon.run.thread.WorkThread(solve)
-    outcomes = thread.result()
-    assert thread.is_done()
+def test_a_run_tells_how_far_it_is(addon):
+    told = []
+    outcomes = addon.solve.steps.in_one_go(solving(addon, grid("First", bump), grid("Second", bump)), told.append)
     assert [outcome.report["object"] for outcome in outcomes] == ["First", "Second"]
     assert all(outcome.report["ok"] for outcome in outcomes)
-    assert fractions == sorted(fractions)
-    assert thread.fraction == fractions[-1] <= 1
-    assert any(fraction < 0.5 for fraction in fractions)
+    assert told == sorted(told)
+    assert {0.5, 1.0} <= set(told)
 
 
-def test_a_thread_that_was_cancelled_in_time_has_no_result(addon):
-    models = read_models(addon, grid("Bump", bump))
-    begun, goes_on = threading.Event(), threading.Event()
-
-    def solve(progress):
-        begun.set()
-        goes_on.wait()
-        return solver(addon, models)(progress)
-
-    thread = addon.run.thread.WorkThread(solve)
-    begun.wait()
-    thread.cancel()
-    goes_on.set()
-    with pytest.raises(addon.run.thread.CancelledError):
-        thread.result()
-    done = addon.run.thread.WorkThread(lambda _progress: [])
-    done.join()
-    done.cancel()
-    assert done.result() == []  # as a file that was written
+def test_a_run_that_is_given_up_has_ended_in_the_core_too(addon, started):
+    """However much there is left to do."""
+    steps = solving(addon, grid("First", bump, size=200), grid("Second", bump))
+    assert 0 <= next(steps) < 0.5
+    assert [job() is None for job in started] == [False]
+    steps.close()
+    assert [job() is None for job in started] == [True]
 
 
-def test_what_the_solver_raises_is_raised_where_the_result_is_asked_for(addon):
-    def solve(_progress):
+@pytest.fixture
+def started(addon, monkeypatch):
+    """References to the core's jobs that begin from now on: their threads have ended when these are dead."""
+    jobs, library = [], addon.core.library()
+    start = library.start
+
+    def remember(*what, **options):
+        job = start(*what, **options)
+        jobs.append(weakref.ref(job))
+        return job
+
+    monkeypatch.setattr(library, "start", remember)
+    return jobs
+
+
+class FakeWindow:
+    """All of a context that a run asks for."""
+
+    def __init__(self):
+        self.window_manager, self.workspace, self.window = self, self, None
+        self.timers = []
+
+    def event_timer_add(self, _seconds, window):
+        self.timers.append(window)
+        return window
+
+    def event_timer_remove(self, timer):
+        self.timers.remove(timer)
+
+    def status_text_set(self, _text):
+        pass
+
+
+def begun_run(addon):
+    window_run, window = addon.run.window_run, FakeWindow()
+    run = window_run.begin(window, window_run.FLATTEN, "Large", solving(addon, grid("Large", bump, size=200)))
+    run.go_on()
+    assert window_run.is_running() and not run.is_done
+    return window
+
+
+def test_another_file_ends_the_run(addon, started):
+    window = begun_run(addon)
+    bpy.ops.wm.read_homefile(use_empty=True)
+    assert not addon.run.window_run.is_running()
+    assert [job() for job in started] == [None] and window.timers == []
+
+
+def test_a_run_ends_when_the_add_on_is_disabled(addon, started):
+    window = begun_run(addon)
+    addon.unregister()
+    assert not addon.run.window_run.is_running()
+    assert [job() for job in started] == [None] and window.timers == []
+    addon.register()
+
+
+QUITS = """
+import sys
+import bpy
+sys.path.insert(0, {folder!r})
+bpy.ops.preferences.addon_enable(module={module!r})
+from surfaces import bump, grid
+addon = sys.modules[{module!r}]
+choices = addon.properties.choices_of(bpy.context.scene.wirewarp, 1.0)
+models = addon.run.read.read_models(bpy.context, [grid("Large", bump, size=200)], bpy.context.scene.wirewarp)
+kept = addon.run.models.solve_models(addon.core.library(), models, choices, 1.0)
+next(kept)
+print("the end")
+"""
+
+
+def test_blender_ends_during_a_run(addon, tmp_path):
+    script = tmp_path / "quit.py"
+    script.write_text(QUITS.format(folder=str(Path(__file__).parent), module=addon.__name__))
+    if bpy.app.binary_path:
+        blender = [bpy.app.binary_path, "--background", "--factory-startup", "--python-exit-code", "1", "--python"]
+    else:  # Blender as a Python module
+        blender = [sys.executable]
+    done = subprocess.run([*blender, script], capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0 and "the end" in done.stdout, done.stdout + done.stderr
+
+
+def test_a_run_that_is_done_may_still_be_cancelled(addon):
+    """An update that waits for the mouse."""
+    window_run = addon.run.window_run
+    run = window_run.begin(FakeWindow(), window_run.FLATTEN, "Nothing", solving(addon))
+    run.go_on()
+    assert run.is_done
+    window_run.cancel()
+    with pytest.raises(window_run.CancelledError):
+        run.result()
+    assert not window_run.is_running()
+
+
+def test_what_the_work_raises_is_raised_where_the_result_is_asked_for(addon):
+    def failing():
+        yield 0.5
         raise MemoryError("no room")
 
-    thread = addon.run.thread.WorkThread(solve)
+    window_run = addon.run.window_run
+    run = window_run.begin(FakeWindow(), window_run.FLATTEN, "Nothing", failing())
+    while not run.is_done:
+        run.go_on()
     with pytest.raises(MemoryError, match="no room"):
-        thread.result()
-
-
-def test_a_cancelled_model_ends_the_whole_run(addon):
-    """The core would hand back the best shape it has; the others would be solved."""
-    models = read_models(addon, grid("First", bump), grid("Second", bump))
-    seen = []
-    with pytest.raises(addon.run.thread.CancelledError):
-        solver(addon, models)(lambda stage, fraction: bool(seen.append(fraction)) or stage != "shape")
-    assert max(seen) < 0.5
+        run.result()
+    assert not window_run.is_running()
 
 
 @pytest.fixture

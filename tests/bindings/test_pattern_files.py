@@ -210,7 +210,7 @@ def test_a_failure_leaves_the_old_file_as_it_was(tmp_path, monkeypatch):
     pattern = sample("Hat")
     with pytest.raises(wirewarp.FlattenError, match="no option 'paper'"):
         pattern.write(path, paper="a4")
-    monkeypatch.setattr("wirewarp.pattern.svg._document", lambda pattern, watch, preset: 1 / 0)
+    monkeypatch.setattr("wirewarp.pattern.svg._document", lambda pattern, preset: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         pattern.write(path)
     assert path.read_text() == "old" and list(tmp_path.iterdir()) == [path]
@@ -248,6 +248,10 @@ def test_a_stop_at_any_moment_leaves_the_old_file(tmp_path, monkeypatch, ending)
         with pytest.raises(wirewarp.FlattenError, match="Stopped") as stopped:
             pattern.write(path, progress=lambda *_, left=left: next(left))
         assert stopped.value.code == "cancelled"
+        assert path.read_bytes() == old and list(tmp_path.iterdir()) == [path]
+        steps = pattern.writing(path)
+        assert [next(steps) for _ in range(count + 1)] == asked[: count + 1]
+        steps.close()
         assert path.read_bytes() == old and list(tmp_path.iterdir()) == [path]
 
 

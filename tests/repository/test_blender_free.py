@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What says "No Blender in here" may run in a thread, where Blender must not be touched: it imports none on any way."""
+"""What says "No Blender in here" may run without it: it imports none on any way."""
 
 import ast
 from pathlib import Path

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tours through the export: its dialog, its run, and what is left when it is cancelled."""
 
-import threading
-import time
+from collections.abc import Generator
 from pathlib import Path
 
 import bpy
@@ -75,8 +74,14 @@ def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
     assert source.mode == "EDIT"
 
 
+def wait(*_: object) -> Generator[tuple[str, float], None, None]:
+    """An export that does not come to its end."""
+    while True:
+        yield "allowance", 0.5
+
+
 def escape_leaves_the_file_as_it_was() -> drive.Tour:
-    """Also while the pattern is made; the view goes on, and so does the next export."""
+    """The view goes on meanwhile, and the next export is whole."""
     source = marked_bump()
     yield from flatten()
     select_only(source)
@@ -84,14 +89,8 @@ def escape_leaves_the_file_as_it_was() -> drive.Tour:
     folder.mkdir()
     path = folder / "pattern.pdf"
     path.write_bytes(b"of an earlier export")
-    goes_on, made_pattern = threading.Event(), export.made_pattern
-
-    def wait_and_make(*choices: object) -> object:
-        while threading.current_thread() is not threading.main_thread() and not goes_on.is_set():
-            time.sleep(0.01)
-        return made_pattern(*choices)
-
-    export.made_pattern = wait_and_make
+    exporting = export._exporting
+    export._exporting = wait
     yield from open_dialog(path)
     yield from press_export()
     yield lambda: browser() is None and window_run.is_running(window_run.EXPORT)
@@ -102,10 +101,10 @@ def escape_leaves_the_file_as_it_was() -> drive.Tour:
     else:
         raise AssertionError("a second run was begun")
     yield from drive.press("ESC")
-    goes_on.set()
     yield lambda: not window_run.is_running()
     assert path.read_bytes() == b"of an earlier export"
     assert [each.name for each in folder.iterdir()] == ["pattern.pdf"]
+    export._exporting = exporting
     yield from open_dialog(path)
     yield from press_export()
     yield lambda: browser() is None and not window_run.is_running()

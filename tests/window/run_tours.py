@@ -2,8 +2,8 @@
 """Tours through runs that do not come to their end, or not undisturbed."""
 
 import json
-import threading
 from pathlib import Path
+from threading import Event
 
 import bpy
 import drive
@@ -14,10 +14,6 @@ from surfaces import bump, flat_of, grid, tube
 solve_models = wirewarp_addon.run.models
 
 
-def threads() -> list[str]:
-    return [thread.name for thread in threading.enumerate() if thread.name == "WireWarp"]
-
-
 def collect_messages() -> list[tuple[str, str]]:
     """What operators tell the user from now on, with their level."""
     messages = []
@@ -26,7 +22,7 @@ def collect_messages() -> list[tuple[str, str]]:
     return messages
 
 
-def begin_held_run() -> threading.Event:
+def begin_held_run() -> Event:
     """Starts a run that goes on until the event is set, or until it is cancelled; later runs do so too."""
     goes_on = hold_runs()
     with drive.in_view():
@@ -46,7 +42,6 @@ def escape_cancels() -> drive.Tour:
     yield lambda: not window_run.is_running()
     assert contents(large) == before
     assert messages == [("WARNING", "Flatten was cancelled. Nothing was written.")]
-    assert not threads()
     source = grid("Next", bump)
     yield from flatten()
     assert flat_of(source)
@@ -101,7 +96,7 @@ def a_failed_piece_opens_no_window() -> drive.Tour:
 
 
 def a_fault_of_the_core_is_told() -> drive.Tour:
-    """Whatever the thread raises becomes a message; nothing is written."""
+    """Whatever it raises becomes a message; nothing is written."""
 
     def fail(*_: object) -> None:
         raise MemoryError("no room for 8 GB")
@@ -126,7 +121,6 @@ def another_file_ends_the_run() -> drive.Tour:
     goes_on = begin_held_run()
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     assert not window_run.is_running()
-    assert not threads()
     yield from drive.ticks(10)
     goes_on.set()
     source = grid("Next", bump)
@@ -138,13 +132,22 @@ def unregistering_ends_the_run() -> drive.Tour:
     marked_bump()
     goes_on = begin_held_run()
     wirewarp_addon.unregister()
-    assert not threads()
     yield from drive.ticks(10)
     wirewarp_addon.register()
     goes_on.set()
     source = grid("Next", bump)
     yield from flatten()
     assert flat_of(source)
+
+
+def quitting_ends_the_run() -> drive.Tour:
+    grid("Large", bump, size=300)
+    with drive.in_view():
+        bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
+    yield from drive.ticks(2)
+    assert window_run.is_running()
+    bpy.ops.wm.quit_blender()
+    yield lambda: False
 
 
 def cancel_button() -> drive.Tour:

@@ -2,9 +2,9 @@
 """What the tours have in common: models to flatten, running, undoing, and looking at the file. Runs in Blender."""
 
 import sys
-import threading
-import time
+from collections.abc import Generator
 from pathlib import Path
+from threading import Event
 
 import bpy
 import drive
@@ -59,15 +59,15 @@ def marked_bump() -> bpy.types.Object:
     return source
 
 
-def hold_runs() -> threading.Event:
+def hold_runs() -> Event:
     """From now on a run goes on until the event is set, or until it is cancelled."""
     solve_models = wirewarp_addon.run.models
-    goes_on, flatten_arrays = threading.Event(), solve_models.flatten_arrays
+    goes_on, flatten_arrays = Event(), solve_models.flatten_arrays
 
-    def wait_and_flatten(library: object, arrays: object, choices: object, progress: object, solved: object) -> object:
-        while not goes_on.is_set() and progress("shape", 0.4):
-            time.sleep(0.01)
-        return flatten_arrays(library, arrays, choices, progress, solved)
+    def wait_and_flatten(*what: object) -> Generator[float, None, object]:
+        while not goes_on.is_set():
+            yield 0.4
+        return (yield from flatten_arrays(*what))
 
     solve_models.flatten_arrays = wait_and_flatten
     return goes_on

@@ -39,6 +39,7 @@ TOURS = {
         "a_fault_of_the_core_is_told",
         "another_file_ends_the_run",
         "unregistering_ends_the_run",
+        "quitting_ends_the_run",
         "cancel_button",
         "mending_is_one_undo_step",
     ],

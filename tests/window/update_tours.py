@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tours through automatic updates during which the user goes on to something else."""
 
-import threading
 from collections.abc import Generator
+from threading import Event
 
 import bpy
 import drive
@@ -12,7 +12,7 @@ from surfaces import flat_of, on_line, select_edges
 ONE_PIECE, TWO_PIECES = 81, 90  # vertices of the flat pieces, without and with the seam
 
 
-def begin_held_update() -> Generator[object, None, threading.Event]:
+def begin_held_update() -> Generator[object, None, Event]:
     """Cuts the bump in Edit Mode, and moves the mouse until the update runs; it goes on until the event is set."""
     source = marked_bump()
     yield from flatten()
@@ -25,9 +25,9 @@ def begin_held_update() -> Generator[object, None, threading.Event]:
     return goes_on
 
 
-def let_it_solve(goes_on: threading.Event) -> drive.Tour:
+def let_it_solve(goes_on: Event) -> drive.Tour:
     goes_on.set()
-    yield lambda: not any(thread.name == "WireWarp" for thread in threading.enumerate())
+    yield lambda: window_run._current.is_done
 
 
 def flat_vertices() -> int:

@@ -2,7 +2,6 @@
 """What exporting operators have in common: a dialog that says the sizes beforehand, and a run that writes the file."""
 
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -20,7 +19,7 @@ from ..issues import ObjectError, object_error
 from ..model.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
 from ..run import window_run
 from ..run.export import ExportChoices, Exported, PatternParts, export, made_pattern
-from ..run.thread import CancelledError
+from ..run.window_run import CancelledError
 from ..solve.pattern_parts import KeptMarker
 from ..ui.layout import draw_sentence
 from ..ui.settings import settings_sentence
@@ -142,10 +141,10 @@ class PatternExport(WindowSteps, ExportHelper):
                 settings_sentence(source, pieces_report(source), context.scene.wirewarp),
             ]
             self._source_name = source.name_full
-            work = partial(export, parts, self.choices(), path)
+            steps = export(parts, self.choices(), path)
             if self._has_dialog:
-                return self.begin(context, window_run.EXPORT, parts.title, work)
-            return self._tell(self.wait_for(context, work))
+                return self.begin(context, window_run.EXPORT, parts.title, steps)
+            return self._tell(self.wait_for(context, steps))
         except FAULTS as error:
             return self._failed(error)
 

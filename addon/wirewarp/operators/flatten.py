@@ -97,7 +97,7 @@ class OBJECT_OT_wirewarp_cancel(bpy.types.Operator):
 
     @classmethod
     def poll(cls, _context: bpy.types.Context) -> bool:
-        return window_run.is_running() and not window_run.is_cancelled()
+        return window_run.is_running()
 
     def execute(self, _context: bpy.types.Context) -> set[str]:
         window_run.cancel()

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What Flatten and its automatic update have in common: read, solve, write; in a window with a thread, else at once."""
+"""What Flatten and its automatic update have in common: read, solve, write; in a window step by step, else at once."""
 
 import json
 import traceback
-from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 
 import bpy
@@ -21,8 +19,9 @@ from ..report.verdict import run_message, run_report
 from ..run import window_run
 from ..run.models import Model, Outcome, failed_report, solve_models
 from ..run.read import check_current, find_source, read_models
-from ..run.thread import CancelledError, Progress
+from ..run.window_run import CancelledError
 from ..run.write import write_results
+from ..solve.steps import Steps
 from .window_steps import WindowSteps
 
 # What a user may do during a run: look around.
@@ -47,12 +46,12 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         return None
 
     def begin_run(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
-        """Reads now and solves in a thread, while modal() waits for it."""
+        """Reads now and solves while modal() waits for it."""
         with in_object_mode(context):
             self._models = read_models(context, sources, self)
         self._scene, self._view_layer = _place(context)
         what = sources[0].name if len(sources) == 1 else f"{len(sources)} objects"
-        return self.begin(context, window_run.FLATTEN, what, self._solver(context, self._models))
+        return self.begin(context, window_run.FLATTEN, what, self._solving(context, self._models))
 
     def lets_pass(self, event: bpy.types.Event) -> bool:
         """All else would be lost or make the result untrue."""
@@ -64,7 +63,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         """All at once; Blender waits."""
         with in_object_mode(context):
             models = read_models(context, sources, self)
-            outcomes = self.wait_for(context, self._solver(context, models))
+            outcomes = self.wait_for(context, self._solving(context, models))
             self._write(context, outcomes)
         return self._tell(context, outcomes)
 
@@ -72,15 +71,13 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         """What became of it, to the user; level: INFO, WARNING or ERROR."""
         self.report({level}, text)
 
-    def _solver(self, context: bpy.types.Context, models: list[Model]) -> Callable[[Progress], list[Outcome]]:
+    def _solving(self, context: bpy.types.Context, models: list[Model]) -> Steps[list[Outcome]]:
         meters = meters_per_blender_unit(context.scene)
-        return partial(solve_models, core.library(), models, choices_of(self, meters), meters)
+        return solve_models(core.library(), models, choices_of(self, meters), meters)
 
     def finish_run(self, context: bpy.types.Context) -> set[str]:
         try:
             outcomes = self._run.result()
-            if self._run.is_cancelled:  # too late for the solver, but nothing is written yet
-                raise CancelledError
         except CancelledError:
             return self.give_up(context, "cancelled", "Flatten was cancelled. Nothing was written.", "WARNING")
         except Exception as error:

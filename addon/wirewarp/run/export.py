@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From what was read of flat pieces to a file. No Blender in here, so that it may run in a thread."""
+"""From what was read of flat pieces to a file. No Blender in here."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from ..core import FlattenError, pattern
-from ..issues import ObjectError
-from ..solve.pattern_parts import Cloth, PatternChoices, PatternParts, laid_on_kept
-from .thread import CancelledError, Progress
+from ..core import pattern
+from ..solve.pattern_parts import Cloth, PatternChoices, PatternParts, Stages, laid_on_kept
+from ..solve.steps import Steps, in_one_go, in_slices, told_as
 
 STAGES = {  # of the library: where each begins in the whole, as on a garment of 20 pieces
     "allowance": 0.0,
@@ -40,40 +39,37 @@ class Exported:
     cloth: Cloth | None  # of a marker
 
 
-def made_pattern(parts: PatternParts, choices: ExportChoices, progress: Progress | None = None) -> pattern.Pattern:
+def made_pattern(parts: PatternParts, choices: ExportChoices) -> pattern.Pattern:
     """As it will be written. Raises ObjectError and FlattenError."""
-    made = parts.pattern(choices.made, progress).with_only(choices.drawn)
-    if choices.cloth is None:
-        return made.arranged() if choices.in_rows else made
-    kept = None if choices.anew else laid_on_kept(made, parts.kept, choices.cloth)
-    cloth, seconds = choices.cloth, choices.seconds
-    return kept or made.laid_on(
-        made.nested(cloth.width, gap=cloth.gap, grain=cloth.grain, seconds=seconds, progress=progress)
-    )
+    return in_one_go(in_slices(_making(parts, choices)))
 
 
-def export(parts: PatternParts, choices: ExportChoices, path: Path, progress: Progress) -> Exported:
+def export(parts: PatternParts, choices: ExportChoices, path: Path) -> Steps[Exported]:
     """Writes the file, whole or not at all.
 
-    Raises CancelledError if progress returned False, ObjectError, FlattenError, OSError and RuntimeError as the library
-    does; the file is then as it was.
+    Raises ObjectError, FlattenError, OSError and RuntimeError as the library does; the file is then as it was, as when
+    the steps are closed.
     """
-    stopped = False
+    has_search = choices.cloth is not None
+    return in_slices(told_as(_exporting(parts, choices, path), lambda told: _share(*told, has_search)))
 
-    def whole(stage: str, fraction: float) -> bool:
-        nonlocal stopped
-        stopped = progress(stage, _share(stage, fraction, choices.cloth is not None)) is False
-        return not stopped
 
-    try:
-        made = made_pattern(parts, choices, whole)
-        if stopped:  # a search that is stopped has the best marker so far
-            raise CancelledError
-        return Exported(made, made.write(path, progress=whole, **choices.options), choices.cloth)
-    except (ObjectError, FlattenError) as error:
-        if stopped:
-            raise CancelledError from error
-        raise
+def _exporting(parts: PatternParts, choices: ExportChoices, path: Path) -> Stages[Exported]:
+    made = yield from _making(parts, choices)
+    written = yield from made.writing(path, **choices.options)
+    return Exported(made, written, choices.cloth)
+
+
+def _making(parts: PatternParts, choices: ExportChoices) -> Stages[pattern.Pattern]:
+    made = (yield from parts.making(choices.made)).with_only(choices.drawn)
+    cloth = choices.cloth
+    if cloth is None:
+        return made.arranged() if choices.in_rows else made
+    kept = None if choices.anew else laid_on_kept(made, parts.kept, cloth)
+    if kept:
+        return kept
+    marker = yield from made.nesting(cloth.width, gap=cloth.gap, grain=cloth.grain, seconds=choices.seconds)
+    return made.laid_on(marker)
 
 
 def _share(stage: str, fraction: float, has_search: bool) -> float:

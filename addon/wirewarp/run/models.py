@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From models as read to results as they will be written. No Blender in here, so that it may run in a thread."""
+"""From models as read to results as they will be written. No Blender in here."""
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
@@ -11,12 +11,12 @@ from ..report.hints import torn_hints
 from ..report.report import failure_report, object_report
 from ..solve.arrays import INWARD, MeshArrays, faces_inward
 from ..solve.flat_mesh import FlatMesh, flat_mesh
-from ..solve.flatten import FlattenChoices, Progress, flatten_arrays, has_layout, used_choices
+from ..solve.flatten import FlattenChoices, flatten_arrays, has_layout, used_choices
 from ..solve.identity import KnownPieces, PieceIdentity, identify_pieces
 from ..solve.seams import KnownSeams, SeamIdentity, identify_seams, ids_by_edge
 from ..solve.sentences import plain_sentence
+from ..solve.steps import Steps, told_as
 from ..words import LengthText
-from .thread import CancelledError
 
 
 @dataclass(frozen=True)
@@ -50,16 +50,13 @@ class Outcome:
 
 
 def solve_models(
-    library: ModuleType, models: list[Model], choices: FlattenChoices, meters: float, progress: Progress
-) -> list[Outcome]:
-    """Flattens every model; meters: in a Blender unit. Raises CancelledError if progress returned False."""
-    outcomes = []
-    for index, model in enumerate(models):
-        share = _Share(progress, index, len(models))
-        outcome = _solve(library, model, choices, meters, share)
-        if share.cancelled:
-            raise CancelledError
-        outcomes.append(outcome)
+    library: ModuleType, models: list[Model], choices: FlattenChoices, meters: float
+) -> Steps[list[Outcome]]:
+    """Flattens every model; meters: in a Blender unit."""
+    outcomes: list[Outcome] = []
+    for model in models:
+        steps = _solve(library, model, choices, meters)
+        outcomes.append((yield from told_as(steps, lambda share: (len(outcomes) + share) / len(models))))
     return outcomes
 
 
@@ -68,11 +65,12 @@ def failed_report(model: Model, issue: Issue) -> dict:
     return model.facts | failure_report(issue) | {"model_state": model.state}
 
 
-def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: float, progress: Progress) -> Outcome:
+def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcome]:
     try:
         if model.issue:
             raise ObjectError(model.issue)
-        result = flatten_arrays(library, model.arrays, choices, progress, model.solved)
+        result = yield from flatten_arrays(library, model.arrays, choices, model.solved)
+        yield 1.0  # what follows is one step
     except ObjectError as error:
         outcome = Outcome(model, failed_report(model, error.issue))
     else:
@@ -99,16 +97,3 @@ def _outcome(model: Model, result: FlattenResult, meters: float) -> Outcome:
     pieces = flat_mesh(result, model.arrays, identities) if any_layout else None
     report = model.facts | report | {"model_state": model.state}
     return Outcome(model, report, result, identities, seams, arrays, pieces)
-
-
-class _Share:
-    """The library's progress of one model as a part of the whole."""
-
-    def __init__(self, progress: Progress, index: int, count: int) -> None:
-        self._progress, self._index, self._count = progress, index, count
-        self.cancelled = False
-
-    def __call__(self, stage: str, fraction: float) -> bool:
-        if not self._progress(stage, (self._index + fraction) / self._count):
-            self.cancelled = True
-        return not self.cancelled

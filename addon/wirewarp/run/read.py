@@ -90,7 +90,7 @@ def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph, units: Lengt
 
 
 def solved_pieces(source: bpy.types.Object) -> core.Cache:
-    """The object's wirewarp.Cache. It may be used in a thread; what does not fit is not taken from it."""
+    """The object's wirewarp.Cache. What does not fit is not taken from it."""
     gone = _caches.keys() - {each.name_full for each in bpy.data.objects}
     for name in gone:
         del _caches[name]

@@ -1,22 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The one piece of work that may be going on in the window: its thread, its timer, and how far it is.
+"""The one piece of work that may be going on in the window: its steps, its timer, and how far it is.
 
 However a run ends, be it done, cancelled, by another file or because the add-on goes, it ends in stop().
 """
 
 import math
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic
 
 import bpy
 
 from ..blender.views import redraw_sidebars
-from .thread import Progress, T, WorkThread
+from ..solve.steps import Steps, T
 
 POLL_SECONDS = 0.02
 UNSEEN_SECONDS = 0.3  # a line that is gone at once would only flicker
+
+
+class CancelledError(Exception):
+    """The user wants no result."""
 
 
 @dataclass(frozen=True)
@@ -49,67 +52,75 @@ def shown_progress(task: Task) -> float | None:
 
 
 def cancel() -> None:
-    """Stops the current run, if there is one, as soon as its work hears of it."""
+    """Ends the work of the current run, if there is one; its operator then ends the run."""
     if _current:
         _current.cancel()
 
 
-def is_cancelled() -> bool:
-    return _current is not None and _current.is_cancelled
-
-
-def begin(context: bpy.types.Context, task: Task, what: str, work: Callable[[Progress], T]) -> "WindowRun[T]":
+def begin(context: bpy.types.Context, task: Task, what: str, steps: Steps[T]) -> "WindowRun[T]":
     """Starts to work; what: on which object or objects, for the status bar. Only if none is running."""
     global _current
-    _current = run = WindowRun(context, task, what, work)
+    _current = run = WindowRun(context, task, what, steps)
     return run
 
 
 def stop(*_: object) -> None:
-    """Gives up the current run, if there is one, and waits for its thread."""
+    """Gives up the current run, if there is one."""
     if _current:
-        _current.cancel()
         _current.stop()
 
 
 class WindowRun(Generic[T]):
-    def __init__(self, context: bpy.types.Context, task: Task, what: str, work: Callable[[Progress], T]) -> None:
+    def __init__(self, context: bpy.types.Context, task: Task, what: str, steps: Steps[T]) -> None:
         self.task, self._what = task, what
         self._manager, self._workspace = context.window_manager, context.workspace
         self._begun = time.monotonic()
         self.shown: float | None = None
         self._timer = self._manager.event_timer_add(POLL_SECONDS, window=context.window)
-        self._thread = WorkThread(work)
+        self._steps = steps
+        self._result: T | None = None
+        self._error: Exception | None = None
+        self.is_done = self._is_cancelled = False
 
     def cancel(self) -> None:
-        self._thread.cancel()
+        self._steps.close()
+        self.is_done = self._is_cancelled = True
 
-    @property
-    def is_cancelled(self) -> bool:
-        return self._thread.cancelled
+    def go_on(self) -> None:
+        """By a step; also shows how far it is."""
+        if self.is_done:
+            return
+        try:
+            fraction = next(self._steps)
+        except StopIteration as end:
+            self._result, self.is_done = end.value, True
+        except Exception as error:  # result() raises it where somebody hears it
+            self._error, self.is_done = error, True
+        else:
+            self._show(math.floor(100 * fraction) / 100)
 
-    def is_done(self) -> bool:
-        """Also shows how far it is."""
-        fraction = math.floor(100 * self._thread.fraction) / 100
+    def _show(self, fraction: float) -> None:
         if fraction != self.shown and time.monotonic() - self._begun > UNSEEN_SECONDS:
             self.shown = fraction
             self._workspace.status_text_set(f"{self.task.doing} {self._what}    Esc: cancel")
             redraw_sidebars()
-        return self._thread.is_done()
 
     def result(self) -> T:
-        """As WorkThread.result."""
-        try:
-            return self._thread.result()
-        finally:
-            self.stop()
+        """Of a run that is done. Raises CancelledError after cancel(), and what the work raised."""
+        self.stop()
+        if self._is_cancelled:
+            raise CancelledError
+        if self._error:
+            raise self._error
+        return self._result
 
     def stop(self) -> None:
+        """Whatever has become of it."""
         global _current
         if _current is not self:
             return
         _current = None
-        self._thread.join()
+        self._steps.close()
         self._manager.event_timer_remove(self._timer)
         self._workspace.status_text_set(None)
         redraw_sidebars()

@@ -2,7 +2,7 @@
 """Arrays of one object to the core library's result."""
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
 from itertools import pairwise
 from types import ModuleType
@@ -14,6 +14,7 @@ from ..issues import Issue, LooserWire, ObjectError
 from ..pattern.chains import edge_keys
 from .arrays import MeshArrays, NamedWire, triangle_areas
 from .sentences import count_faces, name_elements
+from .steps import Steps
 
 # What the library advises, by Blender's own names.
 COMMANDS = {
@@ -25,7 +26,6 @@ COMMANDS = {
     "inconsistent_orientation": " In Edit Mode: Mesh > Normals > Recalculate Outside.",
     "non_manifold_vertex": " In Edit Mode: Mesh > Split > Selection, with the faces on one side selected.",
 }
-Progress = Callable[[str, float], bool]
 
 
 @dataclass(frozen=True)
@@ -45,23 +45,24 @@ def flatten_arrays(
     library: ModuleType,
     arrays: MeshArrays,
     choices: FlattenChoices,
-    progress: Progress,
     solved: Cache | None = None,
-) -> FlattenResult:
+) -> Steps[FlattenResult]:
     """The library's FlattenResult; solved: a Cache with pieces that need not be solved again.
 
-    Raises ObjectError if the mesh as a whole is refused.
+    Raises ObjectError if the mesh as a whole is refused. The library works while nobody asks for the next step.
     """
     try:
-        return library.flatten(
+        job = library.start(
             arrays.vertices,
             arrays.triangles,
             seams=arrays.seams,
             wires=[_library_wire(library, wire) for wire in arrays.wires],
             options=library.Options(**_options(used_choices(choices, arrays), arrays)),
-            progress=progress,
             cache=solved,
         )
+        while not job.is_done():
+            yield job.progress()[1]
+        return job.result()
     except library.FlattenError as error:
         raise ObjectError(issue_of_error(error, arrays)) from error
 

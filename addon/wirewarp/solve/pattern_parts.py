@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a pattern is made of, as it was read from a model and its flat pieces."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Generator, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from ..core import FlattenError, pattern
 from ..issues import object_error
-from .flatten import Progress
+from .steps import T
+
+Stages = Generator[tuple[str, float], None, T]  # steps of the library: the stage, and the share of it that is done
 
 
 @dataclass(frozen=True)
@@ -69,29 +72,38 @@ class PatternParts:
 
     def cut_lines(self, allowance: float, darts: str) -> pattern.Pattern:
         """The lines to cut alone, where they lie. Raises ObjectError as pattern() does."""
-        return self._made(pattern.Pattern.of_cut_lines, self.pieces, allowance=allowance, darts=darts)
+        with _told_by_name():
+            return pattern.Pattern.of_cut_lines(self.pieces, allowance=allowance, darts=darts, **self._marked)
 
-    def _made(self, make: Callable[..., pattern.Pattern], *pieces: object, **choices: object) -> pattern.Pattern:
-        """With the allowances and units of these parts."""
-        both, sides, folds = self.allowances
-        try:
-            return make(*pieces, units=self.units, allowances=both, side_allowances=sides, folds=folds, **choices)
-        except FlattenError as error:
-            raise object_error(str(error.code), error.message) from error
-
-    def pattern(self, choices: PatternChoices, progress: Progress | None = None) -> pattern.Pattern:
+    def making(self, choices: PatternChoices) -> Stages[pattern.Pattern]:
         """Raises ObjectError where they make none."""
-        return self._made(
-            pattern.Pattern.from_pieces,
-            self.pieces,
-            self.seam_names,
-            title=self.title,
-            date=self.date,
-            allowance=choices.allowance,
-            notch_spacing=choices.notch_spacing,
-            progress=progress,
-            darts=choices.darts,
-        )
+        with _told_by_name():
+            steps = pattern.Pattern.making(
+                self.pieces,
+                self.seam_names,
+                title=self.title,
+                date=self.date,
+                allowance=choices.allowance,
+                notch_spacing=choices.notch_spacing,
+                darts=choices.darts,
+                **self._marked,
+            )
+            return (yield from steps)
+
+    @property
+    def _marked(self) -> dict[str, Any]:
+        """What is marked on the model, and the units, as the library's options."""
+        both, sides, folds = self.allowances
+        return {"units": self.units, "allowances": both, "side_allowances": sides, "folds": folds}
+
+
+@contextmanager
+def _told_by_name() -> Iterator[None]:
+    """The library's errors as ours."""
+    try:
+        yield
+    except FlattenError as error:
+        raise object_error(str(error.code), error.message) from error
 
 
 def laid_on_kept(made: pattern.Pattern, kept: KeptMarker | None, cloth: Cloth) -> pattern.Pattern | None:

@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..run.window_run import Task, is_cancelled, shown_progress
+from ..run.window_run import Task, shown_progress
 
 
 def draw_progress(row: bpy.types.UILayout, task: Task, operator: str) -> bool:
@@ -14,8 +14,7 @@ def draw_progress(row: bpy.types.UILayout, task: Task, operator: str) -> bool:
     done = shown_progress(task)
     if done is None:
         return False
-    going_on = f"{task.doing} {100 * done:.0f}%" if done < 1 else f"{task.finishing}..."
-    text = "Stopping..." if is_cancelled() else going_on
+    text = f"{task.doing} {100 * done:.0f}%" if done < 1 else f"{task.finishing}..."
     if hasattr(row, "progress"):
         row.progress(factor=done, text=text)
     else:

@@ -14,7 +14,7 @@ from .dxf_tags import Tags, section
 from .interior import LINE
 from .model import LEADERS, PatternPiece
 from .plain_names import block_names, escaped_text, plain_text
-from .progress import Watch
+from .progress import Steps
 from .roles import LOOKS, WIRES
 from .units import INCH
 
@@ -30,13 +30,15 @@ CONTROL = 100.0  # millimeters: side of the square that tells what the unit is
 
 
 def apparel_dxf(
-    pattern: "Pattern", watch: Watch, dialect: Literal["astm", "aama"], control_square: bool
-) -> tuple[str, list[str]]:
+    pattern: "Pattern", dialect: Literal["astm", "aama"], control_square: bool
+) -> Steps[tuple[str, list[str]]]:
     """The file, and sentences on names that could not be kept."""
     writer = _Writer(pattern, dialect)
     names = block_names([piece.name for piece in pattern.pieces], LONGEST_NAME)
-    pieces = watch.each(list(zip(names, pattern.pieces, strict=True)), "writing")
-    blocks = [writer.block(name, piece) for name, piece in pieces]
+    blocks: list[Tags] = []
+    for name, piece in zip(names, pattern.pieces, strict=True):
+        yield "writing", len(blocks) / len(names)
+        blocks.append(writer.block(name, piece))
     entities = [writer.style()]
     if control_square:
         names, blocks = [*names, "CONTROL_100MM"], [*blocks, writer.control()]

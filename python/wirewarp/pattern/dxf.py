@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Literal
 from .apparel_dxf import apparel_dxf
 from .checks import problem
 from .plain_dxf import plain_dxf
-from .progress import Watch
+from .progress import Steps
 
 if TYPE_CHECKING:
     from .pattern import Pattern
@@ -16,10 +16,9 @@ if TYPE_CHECKING:
 def write_dxf(
     path: Path,
     pattern: "Pattern",
-    watch: Watch,
     dialect: Literal["astm", "aama", "plain"] = "astm",
     control_square: bool = False,
-) -> tuple[int, list[str]]:
+) -> Steps[tuple[int, list[str]]]:
     """Writes the file; returns 1, and sentences on what could not be kept.
 
     dialect: "astm" for AccuMark and most apparel CAD, "aama" for CLO and Optitex, "plain" for lasers and drawing
@@ -27,9 +26,9 @@ def write_dxf(
     """
     changed: list[str] = []
     if dialect == "plain":
-        text = plain_dxf(pattern, watch)
+        text = yield from plain_dxf(pattern)
     elif dialect in ("astm", "aama"):
-        text, changed = apparel_dxf(pattern, watch, dialect, control_square)
+        text, changed = yield from apparel_dxf(pattern, dialect, control_square)
     else:
         raise problem(f"dialect is {dialect!r}: give 'astm', 'aama' or 'plain'.")
     path.write_text(text, encoding="ascii", newline="\r\n")

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .drawing import strokes_of
-from .progress import Watch
+from .drawing import Stroke, strokes_of
+from .progress import Steps
 
 if TYPE_CHECKING:
     from .pattern import Pattern
@@ -17,11 +17,12 @@ AT_ONCE = 100  # points in one command: plotters hold short lines only
 CUT_PEN = 1
 
 
-def write_plt(path: Path, pattern: "Pattern", watch: Watch) -> tuple[int, list[str]]:
+def write_plt(path: Path, pattern: "Pattern") -> Steps[tuple[int, list[str]]]:
     """Strokes by pen, cut lines last; texts are left out, for HPGL's letters are the plotter's own."""
-    strokes = [
-        stroke for piece in watch.each(pattern.pieces, "writing") for stroke in strokes_of(piece.without_texts_beside())
-    ]
+    strokes: list[Stroke] = []
+    for number, piece in enumerate(pattern.pieces):
+        yield "writing", number / len(pattern.pieces)
+        strokes += strokes_of(piece.without_texts_beside())
     pens = sorted({stroke.look.pen for stroke in strokes}, key=lambda pen: (pen == CUT_PEN, pen))
     commands = ["IN", "PA"]
     for pen in pens:

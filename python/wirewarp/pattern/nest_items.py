@@ -2,7 +2,7 @@
 """What is nested: of every piece an outline with room around it, how it may be turned, and how many of it there are."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Generator, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -12,10 +12,8 @@ import pyclipper
 from .allowance import GRID, signed_area
 from .model import PatternPiece
 from .motion import Motion
-from .progress import Watch
 
 Grain = Literal["one way", "both ways", "free"]
-STAGE = "nesting"
 NEAR = 0.2  # millimeters: outlines are simplified by so much, outwards, for searches are quicker with fewer points
 ROUND = 0.01  # millimeters: by which an arc of straight lines is off
 
@@ -52,9 +50,11 @@ def room_at_edges(gap: float, grain: Grain) -> float:
     return room(gap) - (NEAR if grain == "free" else 0.0)
 
 
-def items_of(pieces: Sequence[PatternPiece], gap: float, times: int, watch: Watch) -> list[Item]:
+def items_of(pieces: Sequence[PatternPiece], gap: float, times: int) -> Generator[None, None, list[Item]]:
+    """In steps, one for each piece."""
     found = []
-    for piece in watch.each(pieces, STAGE):
+    for piece in pieces:
+        yield
         upright = _upright(piece)
         outline = _outline(piece, gap, upright)
         area = sum(abs(signed_area(line.points)) for line in piece.of_role("cut"))

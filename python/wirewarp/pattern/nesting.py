@@ -3,7 +3,7 @@
 
 import math
 import time
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
 from numbers import Real
@@ -16,9 +16,9 @@ from .checks import checked_length, problem
 from .marker import Marker, Placement, size_of
 from .model import PatternPiece
 from .motion import Motion
-from .nest_items import STAGE, Grain, Item, items_of, room_at_edges
-from .progress import Progress, Watch
-from .slide_packing import Place, SlidePacking
+from .nest_items import Grain, Item, items_of, room_at_edges
+from .progress import Steps
+from .slide_packing import Place, SlidePacking, TooLargeError
 from .spyrrow_nesting import SpyrrowError, is_installed, searched
 from .units import UnitSystem
 
@@ -49,16 +49,15 @@ class Cloth:
             raise problem(f"grain is {self.grain!r}: give {', '.join(map(repr, get_args(Grain)))}.")
 
 
-def nested(
+def nesting(
     pieces: Sequence[PatternPiece],
     cloth: Cloth,
     times: int,
     seconds: float,
     units: UnitSystem,
     preview: Preview | None,
-    progress: Progress | None,
-) -> Marker:
-    """As Pattern.nested; pieces: none of them half, on the fold."""
+) -> Steps[Marker]:
+    """As Pattern.nesting; pieces: none of them half, on the fold."""
     count = sum(sum(piece.quantity) for piece in pieces)
     if type(times) is not int or not 1 <= times * count <= MOST_PIECES:
         raise problem(f"times is {times!r}: give a whole number from 1, for at most {MOST_PIECES} pieces in all.")
@@ -69,19 +68,18 @@ def nested(
     def share() -> float:
         return min((time.monotonic() - begin) / seconds, 1.0) if seconds else 1.0
 
-    watch = Watch(progress and (lambda stage, _: progress(stage, share())))
-    search = _Search(pieces, cloth, times, units, watch)
+    search = _Search(pieces, cloth, times, units)
     best: Marker | None = None
     try:
         with closing(search.markers(seconds)) as markers:  # whatever is raised, no process searches on
             for marker in markers:
+                yield "nesting", share()
                 if marker and (best is None or _extent(marker) < _extent(best)):
                     best = marker
                     if preview:
                         preview(marker)
-                if share() == 1.0:
+                if best and share() == 1.0:
                     break
-                watch.ask(STAGE, share())
     except FlattenError as error:
         if error.code != "cancelled" or best is None:
             raise
@@ -94,38 +92,41 @@ def _extent(marker: Marker) -> tuple[int, float]:
 
 
 class _Search:
-    def __init__(
-        self, pieces: Sequence[PatternPiece], cloth: Cloth, times: int, units: UnitSystem, watch: Watch
-    ) -> None:
-        """Raises FlattenError if a piece is larger than the cloth."""
+    def __init__(self, pieces: Sequence[PatternPiece], cloth: Cloth, times: int, units: UnitSystem) -> None:
         self.warnings: list[str] = []
+        self._pieces, self._times, self._units = pieces, times, units
         self._cloth, self._room = cloth, room_at_edges(cloth.gap, cloth.grain)
         self._cut = {piece.number: np.concatenate([line.points for line in piece.of_role("cut")]) for piece in pieces}
         self._made_of = tuple(map(size_of, pieces))
-        self._items: list[Item] = items_of(pieces, cloth.gap, times, watch)
+        self._items: list[Item] = []
         self._width = cloth.width + 2 * self._room
-        length = math.inf if cloth.length is None else cloth.length + 2 * self._room
-        try:
-            self._packing = SlidePacking(self._items, cloth.grain, self._width, length, watch)
-        except ValueError as error:
-            number = self._items[error.args[0]].piece
-            (piece,) = (piece for piece in pieces if piece.number == number)
-            raise problem(_too_large(piece, cloth, units)) from error
 
     def markers(self, seconds: float) -> Generator[Marker | None, None, None]:
-        """Without end, at first one; None where there is nothing new after a short time."""
-        trials = self._packing.trials()
-        yield self._marker(next(trials), "slides")
-        if self._cloth.length is None and seconds > 0 and is_installed():
-            try:
-                with closing(searched(self._items, self._cloth.grain, self._width, seconds)) as found:
-                    for places in found:
-                        yield self._marker(places, "spyrrow") if places else None
-                return
-            except SpyrrowError as error:
-                self.warnings.append(f"spyrrow failed, so pieces were packed without it: {error}.")
-        for places in trials:
-            yield self._marker(places, "slides")
+        """At first one; None where there is nothing new after a short time. Raises FlattenError if a piece is larger
+        than the cloth.
+        """
+        self._items = yield from items_of(self._pieces, self._cloth.gap, self._times)
+        asks_spyrrow = self._cloth.length is None and seconds > 0 and is_installed()
+        for places in self._slides():
+            yield self._marker(places, "slides") if places else None
+            if places and asks_spyrrow:
+                asks_spyrrow = False
+                try:
+                    with closing(searched(self._items, self._cloth.grain, self._width, seconds)) as found:
+                        for better in found:
+                            yield self._marker(better, "spyrrow") if better else None
+                    return
+                except SpyrrowError as error:
+                    self.warnings.append(f"spyrrow failed, so pieces were packed without it: {error}.")
+
+    def _slides(self) -> Iterator[list[Place] | None]:
+        length = math.inf if self._cloth.length is None else self._cloth.length + 2 * self._room
+        try:
+            yield from SlidePacking(self._items, self._cloth.grain, self._width, length).trials()
+        except TooLargeError as error:
+            number = self._items[error.item].piece
+            (piece,) = (piece for piece in self._pieces if piece.number == number)
+            raise problem(_too_large(piece, self._cloth, self._units)) from error
 
     def _marker(self, places: Sequence[Place], by: str) -> Marker:
         placements, length = [], 0.0

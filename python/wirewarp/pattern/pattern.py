@@ -21,11 +21,11 @@ from .marks import marks
 from .mirror import fold_of, mirror_between
 from .model import PatternPiece, Point
 from .nest_items import Grain
-from .nesting import Cloth, Preview, nested
+from .nesting import Cloth, Preview, nesting
 from .notches import check_spacing
 from .papers import Page
 from .pieces import finished, joined_by, lay_all, outlined, warnings_of
-from .progress import Progress, Watch
+from .progress import Progress, Steps, in_one_go
 from .records import SeamWalk, Written
 from .roles import KINDS
 from .seams import sewn_sides
@@ -119,6 +119,21 @@ class Pattern:
         pieces: Sequence[FlatPiece],
         seam_names: Sequence[str],
         *,
+        progress: Progress | None = None,
+        **options: Any,  # noqa: ANN401
+    ) -> "Pattern":
+        """As from_result, of flat pieces from elsewhere, which stay as they lie; seam_names by index of the seam.
+
+        Together they are moved, so that the lower left corner is at 0, 0.
+        """
+        return in_one_go(cls.making(pieces, seam_names, **options), progress)
+
+    @classmethod
+    def making(
+        cls,
+        pieces: Sequence[FlatPiece],
+        seam_names: Sequence[str],
+        *,
         title: str = "",
         allowance: float = 10.0,
         allowances: npt.ArrayLike | None = None,
@@ -131,28 +146,23 @@ class Pattern:
         material: str = "",
         date: str = "",
         units: Units = "metric",
-        progress: Progress | None = None,
-    ) -> "Pattern":
-        """As from_result, of flat pieces from elsewhere, which stay as they lie; seam_names by index of the seam.
-
-        Together they are moved, so that the lower left corner is at 0, 0.
-        """
+    ) -> Steps["Pattern"]:
+        """As from_pieces, in steps: for those who have other things to do meanwhile, as a window."""
         if units not in get_args(Units):
             raise problem(f"units is {units!r}: give 'metric' or 'imperial'.")
         if not all(isinstance(text, str) for text in (title, material, date)):
             raise problem("title, material and date must be texts.")
-        watch = Watch(progress)
-        laid = lay_all(pieces, Widths(allowance, hem, allowances, side_allowances, folds), corner, darts, watch)
+        laid = yield from lay_all(pieces, Widths(allowance, hem, allowances, side_allowances, folds), corner, darts)
         seams = sewn_sides([loop for piece in laid for loop in piece.loops], len(seam_names))
         check_spacing(checked_length("notch_spacing", notch_spacing, 0, math.inf), seam_names, seams)
         system = UnitSystem(units)
         text = system.range_of([run.width for piece in laid for own in piece.outlines for run in own.runs if run.width])
         points = marks(laid, seams, notch_spacing)
         joined = joined_by(laid)
-        done = [
-            finished(own, points[own.index], seam_names, joined, material)
-            for own in watch.each(laid, "marks and lines")
-        ]
+        done = []
+        for own in laid:
+            yield "marks and lines", own.index / len(laid)
+            done.append(finished(own, points[own.index], seam_names, joined, material))
         warnings = [warning for own in laid for warning in warnings_of(own)]
         walks = [
             SeamWalk(
@@ -166,7 +176,7 @@ class Pattern:
         ]
         low = np.min([piece.bounds[0] for piece in done], axis=0)
         moved = [piece.moved(-low) for piece in done]
-        return cls(title, moved, text, system, warnings, date, walks)._with_cards(watch)
+        return (yield from cls(title, moved, text, system, warnings, date, walks)._adding_cards())
 
     @classmethod
     def of_cut_lines(
@@ -182,16 +192,19 @@ class Pattern:
     ) -> "Pattern":
         """The lines to cut alone, where they lie: as from_pieces, but quicker, to show them and their pages."""
         widths = Widths(allowance, None, allowances, side_allowances, folds)
-        laid = lay_all(pieces, widths, "auto", darts, Watch())
+        laid = in_one_go(lay_all(pieces, widths, "auto", darts))
         return cls("", [outlined(own) for own in laid], "", UnitSystem(units))
 
-    def _with_cards(self, watch: Watch | None = None) -> "Pattern":
+    def _with_cards(self) -> "Pattern":
+        return in_one_go(self._adding_cards())
+
+    def _adding_cards(self) -> Steps["Pattern"]:
         """The pieces numbered anew, with texts."""
         count = len(self.pieces)
-        pieces = [
-            with_card(piece, number, count, self.heading, self.allowance_text, self.units)
-            for number, piece in (watch or Watch()).each(list(enumerate(self.pieces, start=1)), "texts")
-        ]
+        pieces: list[PatternPiece] = []
+        for number, piece in enumerate(self.pieces, start=1):
+            yield "texts", len(pieces) / count
+            pieces.append(with_card(piece, number, count, self.heading, self.allowance_text, self.units))
         return replace(self, pieces=pieces)
 
     @property
@@ -287,8 +300,23 @@ class Pattern:
         FlattenError for bad input, for a piece that is too large for the cloth, and ("cancelled") where it is stopped
         before there is a marker.
         """
+        steps = self.nesting(width, length, gap=gap, grain=grain, times=times, seconds=seconds, preview=preview)
+        return in_one_go(steps, progress)
+
+    def nesting(
+        self,
+        width: float,
+        length: float | None = None,
+        *,
+        gap: float = 5.0,
+        grain: Grain = "one way",
+        times: int = 1,
+        seconds: float = 10.0,
+        preview: Preview | None = None,
+    ) -> Steps[Marker]:
+        """As nested, in steps."""
         whole = [at_corner(unfolded(piece) if piece.on_fold else piece) for piece in self.pieces]
-        return nested(whole, Cloth(width, length, gap, grain), times, seconds, self.units, preview, progress)
+        return nesting(whole, Cloth(width, length, gap, grain), times, seconds, self.units, preview)
 
     def laid_on(self, marker: Marker) -> "Pattern":
         """The drawing of a marker, to be written: of every copy a piece, where it is cut.
@@ -386,9 +414,13 @@ class Pattern:
         does not fit on the paper, and ("cancelled") where it is stopped; OSError for paths; RuntimeError if what was
         read again is not the pattern.
         """
-        from .write import write
+        return in_one_go(self.writing(path, **options), progress)
 
-        return write(self, Path(path), Watch(progress), options)
+    def writing(self, path: str | Path, **options: Any) -> Steps["Written"]:  # noqa: ANN401
+        """As write, in steps. Stopped by close(), it leaves a file that was there before as it was, too."""
+        from .write import writing
+
+        return writing(self, Path(path), options)
 
 
 def _notches_along(points: Iterable[Point], seam: int) -> tuple[float, ...]:

@@ -26,7 +26,7 @@ from .papers import (
     tile_name,
 )
 from .pdf_document import Content, Document
-from .progress import Watch
+from .progress import Steps
 from .proof import proof_pages
 from .roles import LAYERS, LOOKS
 from .scale_block import SIZE, UNIT, scale_block
@@ -40,16 +40,16 @@ BORDER = 5.0  # millimeters round a piece's box: notches and letters may reach o
 SHEET_LAYER, GRID_LAYER = "Sheets", "Grid"
 GRID_STEP = {"metric": 50.0, "imperial": 2 * 25.4}
 Numbered = tuple[int, PatternPiece]  # with its index in the pattern
+Drawn = tuple[Document, list[str]]  # with sentences on what could not be drawn
 
 
 def write_pdf(
     path: Path,
     pattern: "Pattern",
-    watch: Watch,
     paper: str | float | None = None,
     proof: bool = False,
     keep_places: bool = False,
-) -> tuple[int, list[str]]:
+) -> Steps[tuple[int, list[str]]]:
     """Writes the file; returns the number of pages, and sentences on what could not be drawn.
 
     paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
@@ -60,15 +60,13 @@ def write_pdf(
     paper = _paper(pattern, paper)
     width = roll_width(paper)
     if width is not None:
-        document, left_out = (
-            _marker(pattern, watch, pattern.marker, width)
-            if pattern.marker
-            else _roll(pattern, watch, width, keep_places)
+        document, left_out = yield from (
+            _marker(pattern, pattern.marker, width) if pattern.marker else _roll(pattern, width, keep_places)
         )
     elif paper == PROJECTOR:
-        document, left_out = _one_page(pattern, watch)
+        document, left_out = yield from _one_page(pattern)
     else:
-        document, left_out = _tiles(pattern, watch, str(paper), keep_places)
+        document, left_out = yield from _tiles(pattern, str(paper), keep_places)
     for content in proof_pages(pattern, _proof_size(paper)) if proof else []:
         document.add_page(_proof_size(paper), content)
         left_out += content.left_out
@@ -132,10 +130,11 @@ def _document(pattern: "Pattern", *layers: str, hidden: tuple[str, ...] = ()) ->
     return Document(pattern.title or "Pattern", [*LAYERS, *layers], hidden)
 
 
-def _add_forms(document: Document, pattern: "Pattern", watch: Watch, thinnest: float = 0.0) -> list[str]:
+def _add_forms(document: Document, pattern: "Pattern", thinnest: float = 0.0) -> Steps[list[str]]:
     """One form per piece; returns sentences on texts that could not be drawn."""
     left_out = []
-    for index, piece in watch.each(list(enumerate(pattern.pieces)), "writing"):
+    for index, piece in enumerate(pattern.pieces):
+        yield "writing", index / len(pattern.pieces)
         content = _drawn(piece, thinnest)
         low, high = piece.bounds
         document.add_form(_form(index), content, low - BORDER, high + BORDER)
@@ -156,11 +155,11 @@ def _drawn(piece: PatternPiece, thinnest: float) -> Content:
     return content
 
 
-def _one_page(pattern: "Pattern", watch: Watch) -> tuple[Document, list[str]]:
+def _one_page(pattern: "Pattern") -> Steps[Drawn]:
     """All on one page as large as it takes, with a grid that is hidden at first."""
     size, low = _page_size(pattern), pattern.bounds[0]
     document = _document(pattern, GRID_LAYER, hidden=(GRID_LAYER,))
-    left_out = _add_forms(document, pattern, watch, PROJECTED)
+    left_out = yield from _add_forms(document, pattern, PROJECTED)
     content = Content()
     content.in_layer(GRID_LAYER, _grid(size, GRID_STEP[pattern.units.name]))
     _add_scale(content, pattern, np.array([MARGIN, MARGIN]))
@@ -188,12 +187,12 @@ def _grid(size: np.ndarray, step: float) -> Iterator[Stroke]:
         yield Stroke("scale", np.array([[0.0, y], [size[0], y]]))
 
 
-def _roll(pattern: "Pattern", watch: Watch, width: float, keep_places: bool) -> tuple[Document, list[str]]:
+def _roll(pattern: "Pattern", width: float, keep_places: bool) -> Steps[Drawn]:
     """Pages as wide as the roll."""
     arranged = _on_roll(pattern, width, keep_places)
     pages = _roll_pages(arranged, width)
     document = _document(pattern)
-    left_out = _add_forms(document, arranged, watch)
+    left_out = yield from _add_forms(document, arranged)
     for number, (pieces, page) in enumerate(pages):
         content = Content()
         if number == 0:
@@ -204,11 +203,11 @@ def _roll(pattern: "Pattern", watch: Watch, width: float, keep_places: bool) -> 
     return document, left_out
 
 
-def _marker(pattern: "Pattern", watch: Watch, marker: Marker, width: float) -> tuple[Document, list[str]]:
+def _marker(pattern: "Pattern", marker: Marker, width: float) -> Steps[Drawn]:
     """The cloth with its edges, on pages as wide as the roll of paper."""
     page_width(marker, width, pattern.units)
     document = _document(pattern, SHEET_LAYER)
-    left_out = _add_forms(document, pattern, watch)
+    left_out = yield from _add_forms(document, pattern)
     boxes = [piece.bounds for piece in pattern.pieces]
     parts = parts_of(marker)
     for number, part in enumerate(parts):
@@ -294,16 +293,17 @@ def _add_scale(content: Content, pattern: "Pattern", corner: np.ndarray) -> None
     content.in_layer("Scale", strokes, [*texts, Text((included,), corner + (62.0, 116.0), 4.0)])
 
 
-def _tiles(pattern: "Pattern", watch: Watch, paper: str, keep_places: bool) -> tuple[Document, list[str]]:
+def _tiles(pattern: "Pattern", paper: str, keep_places: bool) -> Steps[Drawn]:
     """A first page with a map and what is to be measured, then the sheets."""
     plan = divided(pattern, paper, keep_places)
     document = _document(pattern, SHEET_LAYER)
-    left_out = _add_forms(document, plan.pattern, watch)
+    left_out = yield from _add_forms(document, plan.pattern)
     cover = _map_page(plan, np.array(SHEETS[paper]))
     document.add_page(np.array(SHEETS[paper]), cover)
     margin = np.array([MARGIN, MARGIN])
     boxes = [piece.bounds for piece in plan.pattern.pieces]
-    for tile in watch.each(plan.tiles, "sheets"):
+    for number, tile in enumerate(plan.tiles):
+        yield "sheets", number / len(plan.tiles)
         content = Content()
         content.clip(margin, margin + plan.shown)
         for index, (low, high) in enumerate(boxes):

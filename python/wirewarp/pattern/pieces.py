@@ -11,7 +11,7 @@ from .flat_piece import FlatPiece
 from .interior import innermost_point
 from .model import Line, PatternPiece, Point
 from .outline import Side, outlines_of
-from .progress import Watch
+from .progress import Steps
 from .rays import Rays
 from .stretches import Outline, Rules, outline
 from .widths import Widths
@@ -53,14 +53,14 @@ def _off_straight(points: np.ndarray) -> float:
     return float(np.abs(to[:, 0] * along[1] - to[:, 1] * along[0]).max())
 
 
-def lay_all(pieces: Sequence[FlatPiece], widths: Widths, corner: str, darts: str, watch: Watch) -> list[Laid]:
+def lay_all(pieces: Sequence[FlatPiece], widths: Widths, corner: str, darts: str) -> Steps[list[Laid]]:
     """All pieces of a pattern; how allowances end depends on what is sewn to what. Raises FlattenError."""
     outlines = [outlines_of(index, piece) for index, piece in enumerate(pieces)]
     rules = Rules([loop for own in outlines for loop in own], corner, darts)
-    laid = [
-        _lay(index, piece, own, [outline(loop, widths, rules) for loop in own])
-        for index, (piece, own) in watch.each(list(enumerate(zip(pieces, outlines, strict=True))), "allowance")
-    ]
+    laid = []
+    for index, (piece, own) in enumerate(zip(pieces, outlines, strict=True)):
+        yield "allowance", index / len(pieces)
+        laid.append(_lay(index, piece, own, [outline(loop, widths, rules) for loop in own]))
     widths.check_all_used()
     return laid
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from .drawing import Stroke, strokes_of
 from .dxf_tags import Tags, section
-from .progress import Watch
+from .progress import Steps
 from .roles import LOOKS
 
 if TYPE_CHECKING:
@@ -16,14 +16,15 @@ if TYPE_CHECKING:
 DECIMALS = 4
 
 
-def plain_dxf(pattern: "Pattern", watch: Watch) -> str:
+def plain_dxf(pattern: "Pattern") -> Steps[str]:
     entities = Tags(DECIMALS)
     side, _ = pattern.units.square
     square = side * np.array([[0, 0], [1, 0], [1, 1], [0, 1]]) - (side + 10, 0)
-    strokes = [
-        stroke for piece in watch.each(pattern.pieces, "writing") for stroke in strokes_of(piece.without_texts_beside())
-    ]
-    for stroke in [Stroke("scale", square, True), *strokes]:
+    strokes = [Stroke("scale", square, True)]
+    for number, piece in enumerate(pattern.pieces):
+        yield "writing", number / len(pattern.pieces)
+        strokes += strokes_of(piece.without_texts_beside())
+    for stroke in strokes:
         layer = stroke.look.layer.upper()
         if len(stroke.points) == 2 and stroke.look.layer != LOOKS["cut"].layer:
             entities.line(layer, stroke.points)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whoever waits is told how far things are, and may stop them."""
+"""What takes long is done in steps, by generators: between two of them one may look how far they are, and stop."""
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator
 from typing import TypeVar
 
 from .._errors import FlattenError
@@ -10,22 +10,19 @@ from .._errors import FlattenError
 OFTEN = 0.1  # seconds between questions: a stop is heard within a second even where one step takes long
 Progress = Callable[[str, float], bool | None]  # stage, and the share of it that is done; False stops
 T = TypeVar("T")
+Steps = Generator[tuple[str, float], None, T]  # yields the same before each step
 
 
-class Watch:
-    def __init__(self, progress: Progress | None = None) -> None:
-        self._progress, self._asked = progress, 0.0
-
-    def each(self, items: Sequence[T], stage: str) -> Iterator[T]:
-        """The items, one by one. Raises FlattenError ("cancelled") where the callback says False."""
-        for number, item in enumerate(items):
-            self.ask(stage, number / len(items))
-            yield item
-
-    def ask(self, stage: str, fraction: float) -> None:
-        """Raises FlattenError as each()."""
-        now = time.monotonic()
-        if self._progress and now - self._asked >= OFTEN:
-            self._asked = now
-            if self._progress(stage, fraction) is False:
-                raise FlattenError("cancelled", "Stopped before it was done.")
+def in_one_go(steps: Steps[T], progress: Progress | None = None) -> T:
+    """All steps. Raises FlattenError ("cancelled") where progress says False, unless the steps know better."""
+    asked = 0.0
+    try:
+        while True:
+            stage, fraction = next(steps)
+            if progress and time.monotonic() - asked >= OFTEN:
+                asked = time.monotonic()
+                if progress(stage, fraction) is False:
+                    steps.throw(FlattenError("cancelled", "Stopped before it was done."))
+    except StopIteration as end:
+        result: T = end.value
+        return result

@@ -13,21 +13,22 @@ from pathlib import Path
 
 import numpy as np
 
-from .progress import Watch
+from .progress import Steps
 
 INCH = 25.4
 NUMBER = r"-?[\d.]+"
 WORST = 0.02  # millimeters: half a unit of HPGL is 0.0125 each way, all others are finer
 
 
-def check(path: Path, kind: str, outlines: Sequence[np.ndarray], watch: Watch) -> float:
+def check(path: Path, kind: str, outlines: Sequence[np.ndarray]) -> Steps[float]:
     """How far, in millimeters, the worst point in the file lies from the outlines (k,2); kind: as ".svg".
 
     Where outlines lie on the sheet is not compared. Raises RuntimeError if the file has others, or lies farther off.
     """
     waiting = [_normalized(outline) for outline in outlines]
     worst, count = 0.0, 0
-    for found in watch.each([_normalized(found) for found in READERS[kind](path)], "reading again"):
+    for found in map(_normalized, READERS[kind](path)):
+        yield "reading again", count / max(len(outlines), count + 1)
         off, place = _nearest(found, waiting)
         if off > WORST:
             raise RuntimeError(f"The file was read again, and an outline is {off:.3f} mm off.")

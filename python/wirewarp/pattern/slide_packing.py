@@ -6,13 +6,12 @@ and ends in each row that it covers. Gaps behind pieces stay empty. Other orders
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from .nest_items import STAGE, Grain, Item, angles
-from .progress import Watch
+from .nest_items import Grain, Item, angles
 
 ROWS = 400  # of a cloth of 1.5 m each is 4 mm wide
 FREE_STEP = 30.0  # degrees between the turns that are tried where all are allowed
@@ -42,28 +41,38 @@ class _Profile:
         return float(self.high.max())
 
 
+class TooLargeError(Exception):
+    def __init__(self, item: int) -> None:
+        """item: its index."""
+        super().__init__(item)
+        self.item = item
+
+
 class SlidePacking:
-    def __init__(self, items: Sequence[Item], grain: Grain, width: float, length: float, watch: Watch) -> None:
-        """length: of a sheet; infinite of a roll. Raises ValueError with the item's index if one does not fit."""
-        self._items, self._length, self._watch = items, length, watch
+    def __init__(self, items: Sequence[Item], grain: Grain, width: float, length: float) -> None:
+        """length: of a sheet; infinite of a roll."""
+        self._items, self._grain, self._length = items, grain, length
         self._row = width / ROWS
-        self._profiles = []
-        for index, item in watch.each(list(enumerate(items)), STAGE):
-            turned = (_profile(item, angle, self._row) for angle in angles(item, grain, FREE_STEP))
-            fitting = [each for each in turned if len(each.low) <= ROWS and each.height <= length + 1e-9]
-            if not fitting:
-                raise ValueError(index)
-            self._profiles.append(fitting)
-        copies = [index for index, item in enumerate(items) for _ in range(item.count)]
-        self._order = sorted(copies, key=lambda index: -items[index].area)
+        self._profiles: list[list[_Profile]] = []
         self._random = np.random.default_rng(0)
 
-    def trials(self) -> Iterator[list[Place]]:
-        """Without end: packings, each in another order, which is kept where it takes no more cloth."""
-        order, best = self._order, (math.inf, math.inf)
+    def trials(self) -> Generator[list[Place] | None, None, None]:
+        """Without end: packings, each in another order, which is kept where it takes no more cloth; None on the way.
+
+        Raises TooLargeError if an item does not fit.
+        """
+        for index, item in enumerate(self._items):
+            yield None
+            turned = (_profile(item, angle, self._row) for angle in angles(item, self._grain, FREE_STEP))
+            fitting = [each for each in turned if len(each.low) <= ROWS and each.height <= self._length + 1e-9]
+            if not fitting:
+                raise TooLargeError(index)
+            self._profiles.append(fitting)
+        copies = [index for index, item in enumerate(self._items) for _ in range(item.count)]
+        order, best = sorted(copies, key=lambda index: -self._items[index].area), (math.inf, math.inf)
         tried = order
         while True:
-            places, score = self._packed(tried)
+            places, score = yield from self._packed(tried)
             yield places
             if score <= best:
                 order, best = tried, score
@@ -71,11 +80,12 @@ class SlidePacking:
             first, second = self._random.integers(len(order), size=2)
             tried[first], tried[second] = tried[second], tried[first]
 
-    def _packed(self, order: Sequence[int]) -> tuple[list[Place], tuple[int, float]]:
+    def _packed(self, order: Sequence[int]) -> Generator[None, None, tuple[list[Place], tuple[int, float]]]:
         """With the number of sheets and the length that is used of the last one."""
         fronts: list[np.ndarray] = []
         places = []
-        for index in self._watch.each(order, STAGE):
+        for index in order:
+            yield
             sheet, found = -1, None
             while found is None:
                 sheet += 1

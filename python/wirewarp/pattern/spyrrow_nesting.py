@@ -4,15 +4,12 @@
 import importlib.util
 import json
 import math
-import queue
 import subprocess
 import sys
-import tempfile
-import threading
 import time
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Generator, Sequence
 from pathlib import Path
-from typing import IO
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
@@ -21,7 +18,7 @@ from .nest_items import Grain, Item, angles
 from .slide_packing import Place
 
 PROGRAM = Path(__file__).with_name("spyrrow_process.py")
-OFTEN = 0.1  # seconds between chances to stop
+OFTEN = 0.02  # seconds between looks for what is found
 OVERTIME = 5.0  # seconds for which a search that does not end by itself is waited for
 NO_WINDOW = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # of Windows, which shows a console otherwise
 
@@ -37,7 +34,7 @@ def is_installed() -> bool:
 def searched(
     items: Sequence[Item], grain: Grain, width: float, seconds: float
 ) -> Generator[list[Place] | None, None, None]:
-    """Ever better places on a roll; None at least every tenth of a second while there are no new ones.
+    """Ever better places on a roll; None every now and then while there are no new ones.
 
     The search ends when its time is over, and when the iterator is closed. Raises SpyrrowError.
     """
@@ -49,24 +46,25 @@ def searched(
         "seconds": max(math.ceil(seconds), 1),
         "items": [_described(item, grain) for item in items],
     }
-    with tempfile.TemporaryFile() as said:
+    # Files, for without a thread of our own a pipe cannot be looked into on every system.
+    with TemporaryDirectory(prefix="wirewarp-") as folder:
+        given, found, said = (Path(folder) / name for name in ("given", "found", "said"))
+        given.write_text(json.dumps(task), encoding="utf-8")
+        with given.open("rb") as reads, found.open("wb") as writes, said.open("wb") as complains:
+            try:
+                process = subprocess.Popen(
+                    [sys.executable, "-I", str(PROGRAM)],
+                    stdin=reads,
+                    stdout=writes,
+                    stderr=complains,
+                    creationflags=NO_WINDOW,
+                )
+            except OSError as error:
+                raise SpyrrowError(f"{sys.executable} does not run: {error.strerror}") from error
         try:
-            process = subprocess.Popen(
-                [sys.executable, "-I", str(PROGRAM)],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                stderr=said,
-                text=True,
-                encoding="utf-8",
-                creationflags=NO_WINDOW,
-            )
-        except OSError as error:
-            raise SpyrrowError(f"{sys.executable} does not run: {error.strerror}") from error
-        try:
-            yield from _read(process, json.dumps(task), seconds + OVERTIME, width)
+            yield from _read(process, found, seconds + OVERTIME, width)
             if process.poll():
-                said.seek(0)
-                lines = said.read().decode("utf-8", errors="replace").strip().splitlines()
+                lines = said.read_text(encoding="utf-8", errors="replace").strip().splitlines()
                 raise SpyrrowError(lines[-1] if lines else f"its process ended with {process.returncode}")
         finally:
             process.kill()
@@ -79,31 +77,18 @@ def _described(item: Item, grain: Grain) -> dict[str, object]:
     return {"outline": item.turned(-90.0).tolist(), "count": item.count, "angles": allowed}
 
 
-def _read(process: "subprocess.Popen[str]", task: str, seconds: float, width: float) -> Iterator[list[Place] | None]:
-    assert process.stdin is not None and process.stdout is not None
-    try:
-        process.stdin.write(task)
-        process.stdin.close()
-    except OSError:  # it is ending already, and has said why
-        process.wait()
-        return
-    lines: queue.Queue[str | None] = queue.Queue()
-    threading.Thread(target=_hand_over, args=(process.stdout, lines), daemon=True).start()
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        try:
-            line = lines.get(timeout=OFTEN)
-        except queue.Empty:
+def _read(
+    process: "subprocess.Popen[bytes]", found: Path, seconds: float, width: float
+) -> Generator[list[Place] | None, None, None]:
+    back = Motion(np.array([width, 0.0]), 90.0)
+    end, line, has_ended = time.monotonic() + seconds, b"", False
+    with found.open("rb") as lines:
+        while not has_ended and time.monotonic() < end:
+            has_ended = process.poll() is not None  # before the last look
+            for part in lines:
+                line += part  # the last one may not be whole yet
+                if line.endswith(b"\n"):
+                    places, line = json.loads(line), b""
+                    yield [Place(number, turn, back.points(np.array([x, y])), 0) for number, turn, x, y in places]
             yield None
-            continue
-        if line is None:
-            process.wait()
-            return
-        back = Motion(np.array([width, 0.0]), 90.0)
-        yield [Place(number, turn, back.points(np.array([x, y])), 0) for number, turn, x, y in json.loads(line)]
-
-
-def _hand_over(output: IO[str], lines: "queue.Queue[str | None]") -> None:
-    for line in output:
-        lines.put(line)
-    lines.put(None)
+            time.sleep(OFTEN)

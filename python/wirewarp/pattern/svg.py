@@ -17,7 +17,7 @@ from .checks import problem
 from .drawing import Stroke, base_lines, strokes_of
 from .interior import LINE
 from .model import PatternPiece, Text
-from .progress import Watch
+from .progress import Steps
 from .roles import LAYERS, LOOKS
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ PRESETS = {
 }
 
 
-def write_svg(path: Path, pattern: "Pattern", watch: Watch, preset: str = "print") -> tuple[int, list[str]]:
+def write_svg(path: Path, pattern: "Pattern", preset: str = "print") -> Steps[tuple[int, list[str]]]:
     """preset: "print"; "laser" for LightBurn, Glowforge and the like: thin lines without dashes, no texts; "cricut": so
     too, in pixels of 1/96 in.
     """
@@ -57,7 +57,7 @@ def write_svg(path: Path, pattern: "Pattern", watch: Watch, preset: str = "print
         raise problem(f"preset is {preset!r}: give {', '.join(map(repr, PRESETS))}.")
     ElementTree.register_namespace("", SVG)
     ElementTree.register_namespace("inkscape", INKSCAPE)
-    tree = ElementTree.ElementTree(_document(pattern, watch, PRESETS[preset]))
+    tree = ElementTree.ElementTree((yield from _document(pattern, PRESETS[preset])))
     ElementTree.indent(tree, " ")
     tree.write(path, encoding="utf-8", xml_declaration=True)
     return 1, []
@@ -82,7 +82,7 @@ def _page(pieces: np.ndarray, side: float) -> tuple[np.ndarray, np.ndarray, np.n
     return below + 2 * MARGIN, border + (0, side + MARGIN), border
 
 
-def _document(pattern: "Pattern", watch: Watch, preset: Preset) -> ElementTree.Element:
+def _document(pattern: "Pattern", preset: Preset) -> Steps[ElementTree.Element]:
     side, label = pattern.units.square
     (width, height), offset, square = _page(pattern.size, side)
     offset = offset - np.min([piece.bounds[0] for piece in pattern.pieces], axis=0)
@@ -95,7 +95,8 @@ def _document(pattern: "Pattern", watch: Watch, preset: Preset) -> ElementTree.E
         root.set("viewBox", f"0 0 {' '.join(shown)}")
     _add(root, "title").text = pattern.title
     drawing = _Drawing(root, height, preset)
-    for piece in watch.each(pattern.pieces, "writing"):
+    for number, piece in enumerate(pattern.pieces):
+        yield "writing", number / len(pattern.pieces)
         drawing.add_piece(piece.moved(offset))
     drawing.add_square(side, label, pattern.allowance_text, square)
     for element in root.iter():  # names may hold what XML cannot

@@ -15,7 +15,7 @@ from .hpgl import write_plt
 from .marker import Marker
 from .motion import Motion
 from .pdf import write_pdf
-from .progress import Watch
+from .progress import Steps
 from .read_back import check
 from .records import Written
 from .replace_file import replaced_file
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from .pattern import Pattern
 
 
-WRITERS: dict[str, Callable[..., tuple[int, list[str]]]] = {
+WRITERS: dict[str, Callable[..., Steps[tuple[int, list[str]]]]] = {
     ".svg": write_svg,
     ".pdf": write_pdf,
     ".dxf": write_dxf,
@@ -33,22 +33,22 @@ WRITERS: dict[str, Callable[..., tuple[int, list[str]]]] = {
 }
 
 
-def write(pattern: "Pattern", path: Path, watch: Watch, options: Mapping[str, Any]) -> Written:
+def writing(pattern: "Pattern", path: Path, options: Mapping[str, Any]) -> Steps[Written]:
     kind = path.suffix.lower()
     writer = WRITERS.get(kind)
     if writer is None:
         known = ", ".join(WRITERS)
         raise problem(f'"{path.name}" ends in none of {known}: no other kind of file can be written.')
-    known_options = list(signature(writer).parameters)[3:]
+    known_options = list(signature(writer).parameters)[2:]
     for name in options:
         if name not in known_options:
             has = " and ".join(known_options) or "none"
             raise problem(f"{path.suffix} files have no option {name!r}; they have {has}.")
     drawn = _along_the_roll(pattern, pattern.marker) if kind == ".plt" and pattern.marker else pattern
     with replaced_file(path) as unfinished:
-        sheets, warnings = writer(unfinished, drawn, watch, **options)
+        sheets, warnings = yield from writer(unfinished, drawn, **options)
         outlines = [line.points for piece in drawn.pieces for line in piece.of_role("cut", "inner_cut")]
-        off = check(unfinished, kind, outlines, watch)
+        off = yield from check(unfinished, kind, outlines)
     return Written(path, sheets, len(pattern.pieces), off, [*pattern.warnings, *warnings])
 
 

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Work in steps, between which the window goes on: generators that yield the share of the work that is done.
+
+To stop one close it: the solver's threads, which are in the core, have then ended, and files are as they were. Python
+threads are not used: Blender and its extension platform allow none. No Blender in here.
+"""
+
+import time
+from collections.abc import Callable, Generator
+from typing import TypeVar
+
+SLICE = 0.04  # seconds of work between two looks at the window: it is drawn 20 times a second
+POLL = 0.001  # seconds: how much later a job's end is noticed than it is there
+S = TypeVar("S")
+T = TypeVar("T")
+Steps = Generator[float, None, T]  # yields from 0 to 1
+
+
+def told_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> Steps[T]:
+    """The same steps; share: of the whole, by what they yield."""
+    while True:
+        try:
+            told = next(steps)
+        except StopIteration as end:
+            result: T = end.value
+            return result
+        yield share(told)
+
+
+def in_slices(steps: Generator[S, None, T]) -> Generator[S, None, T]:
+    """As many steps at once as a slice of time holds."""
+    while True:
+        end = time.monotonic() + SLICE
+        try:
+            told = next(steps)
+            while time.monotonic() < end:
+                told = next(steps)
+        except StopIteration as done:
+            result: T = done.value
+            return result
+        yield told
+
+
+def in_one_go(steps: Generator[S, None, T], tell: Callable[[S], object] = lambda _told: None) -> T:
+    """All steps, while Blender waits; tell: is called with what they yield."""
+    while True:
+        try:
+            tell(next(steps))
+        except StopIteration as end:
+            result: T = end.value
+            return result
+        time.sleep(POLL)
