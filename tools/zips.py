@@ -129,16 +129,18 @@ def manifest(platform: str, wheels: list[Path]) -> str:
     }
     if NEWEST_TAG not in map(python_of, wheels):
         entries["blender_version_max"] = FIRST_BLENDER_ON_NEWEST  # the maximum is exclusive
-    # A JSON string or list of strings is a TOML one.
-    return "".join(f"{key} = {json.dumps(value)}\n" for key, value in entries.items())
+    # A JSON string or list of strings is a TOML one. The table comes last.
+    lines = [f"{key} = {json.dumps(value)}" for key, value in entries.items()]
+    lines += ["[permissions]", *(f"{key} = {json.dumps(reason)}" for key, reason in ADDON["permissions"].items())]
+    return "\n".join(lines) + "\n"
 
 
 def write_legacy(folder: Path, platform: str, wheel: Path, libraries: list[Path]) -> Path:
     """The core goes into _core/, where the add-on's core module finds it by relative import; what it needs, into
-    _core/libraries, from where that module lets Python import it.
+    _core/libraries, from where addon/legacy_core imports it.
     """
     files = addon_files()
-    files["_core/__init__.py"] = b"# SPDX-License-Identifier: GPL-3.0-or-later\n"
+    files["_core/__init__.py"] = (ROOT / "addon" / "legacy_core" / "__init__.py").read_bytes()
     files |= {f"_core/{name}": content for name, content in unpacked(wheel).items()}
     for library in libraries:
         files |= {f"_core/libraries/{name}": content for name, content in unpacked(library).items()}

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The only place that imports the core library, the package wirewarp.
 
-The legacy add-on carries it inside (_core/wirewarp), and what it needs (_core/libraries); for the extension Blender
-installs all of them from wheels.
+The legacy add-on carries it inside (_core/wirewarp), with what it needs; for the extension Blender installs all of them
+from wheels.
 """
 
 import importlib
@@ -10,9 +10,8 @@ import platform
 import re
 import sys
 import traceback
-from collections.abc import Iterator
-from contextlib import contextmanager
 from importlib.machinery import EXTENSION_SUFFIXES, PathFinder
+from importlib.util import find_spec
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
@@ -34,33 +33,19 @@ def load(addon_version: str) -> None:
     """Looks for the library, when the add-on registers. Raises LibraryError if it is none that can be used."""
     global _library
     _library = None
-    inside = Path(__file__).parent / _INSIDE
+    inside = find_spec(f".{_INSIDE}", __package__)
+    places = inside.submodule_search_locations if inside else None
     try:
-        if inside.is_dir():
-            found = importlib.import_module(f".{_INSIDE}.wirewarp", __package__)
-        else:
-            found = importlib.import_module("wirewarp")
+        found = importlib.import_module(f".{_INSIDE}.wirewarp" if inside else "wirewarp", __package__)
         library_version = getattr(found, "__version__", "of an unknown version")
         if library_version == addon_version:
-            with _found_last(inside / "libraries"):
-                importlib.import_module(f"{found.__name__}.pattern.write")  # which imports all that it needs
+            importlib.import_module(f"{found.__name__}.pattern.write")  # which imports all that it needs
     except Exception as error:  # what a damaged library or one for another numpy raises, is not ours to know
         traceback.print_exc()
-        problem = loading_problem(error, inside / "wirewarp" if inside.is_dir() else folder_of("wirewarp"))
-        raise LibraryError(problem) from error
+        raise LibraryError(loading_problem(error, folder_of("wirewarp", places))) from error
     if library_version != addon_version:
         raise LibraryError(version_problem(addon_version, library_version))
     _library = found
-
-
-@contextmanager
-def _found_last(folder: Path) -> Iterator[None]:
-    """For `with`: Python imports what it finds nowhere else from this folder; afterwards its path is as it was."""
-    sys.path.append(str(folder))
-    try:
-        yield
-    finally:
-        sys.path.remove(str(folder))
 
 
 def library() -> ModuleType:
@@ -89,9 +74,12 @@ else:
         return getattr(library(), name)
 
 
-def folder_of(package: str) -> Path | None:
-    """Where the package would be imported from, None if it is nowhere. Runs none of its code."""
-    spec = PathFinder.find_spec(package)
+def folder_of(package: str, places: list[str] | None = None) -> Path | None:
+    """Where the package would be imported from, None if it is nowhere. Runs none of its code.
+
+    places: folders to look in; else in those of Python.
+    """
+    spec = PathFinder.find_spec(package, places)
     return Path(spec.submodule_search_locations[0]) if spec and spec.submodule_search_locations else None
 
 

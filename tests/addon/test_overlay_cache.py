@@ -187,11 +187,13 @@ def test_a_build_is_not_repeated_at_once(addon, source, timers, monkeypatch):
     assert drawing(4) == 4  # but what changes with every redraw is built all the same
 
 
-def test_what_is_slow_to_build_waits_in_edit_mode_until_the_user_rests(addon, source, timers, monkeypatch):
+@pytest.mark.parametrize("of_pieces", [False, True])
+def test_what_is_slow_to_build_waits_in_edit_mode_until_the_user_rests(addon, source, timers, monkeypatch, of_pieces):
+    """Also what is drawn over its pieces."""
     cache = addon.overlay.cache
     clock = SimpleNamespace(now=100.0)
     monkeypatch.setattr(cache, "time", SimpleNamespace(monotonic=lambda: clock.now))
-    built = []
+    owner, built = flat_of(source) if of_pieces else source, []
 
     def build(version):
         clock.now += 0.25  # seconds
@@ -199,7 +201,7 @@ def test_what_is_slow_to_build_waits_in_edit_mode_until_the_user_rests(addon, so
         return version
 
     def drawing(version):
-        return cache.kept_drawing(source, "test", (version,), lambda: build(version))
+        return cache.kept_drawing(owner, "test", (version,), lambda: build(version), source)
 
     assert drawing(0) == 0
     clock.now += 10

@@ -3,6 +3,7 @@
 
 import inspect
 import sys
+import threading
 from types import SimpleNamespace
 
 import bpy
@@ -18,6 +19,36 @@ def handlers_of(addon) -> list[tuple[str, str]]:
         for function in functions
         if function.__module__.startswith(addon.__name__)
     ]
+
+
+def all_that_blender_knows() -> dict:
+    """What add-ons add to."""
+    kinds = ("Scene", "Object", "Mesh", "Collection", "WindowManager", "AddonPreferences")
+    known = {kind: set(getattr(bpy.types, kind).bl_rna.properties.keys()) for kind in kinds}
+    known["types"] = {name for name in dir(bpy.types) if hasattr(bpy.types, name)}
+    known["operators"] = {f"{module}.{name}" for module in dir(bpy.ops) for name in dir(getattr(bpy.ops, module))}
+    known["handlers"] = {
+        name: list(each) for name, each in inspect.getmembers(bpy.app.handlers) if isinstance(each, list)
+    }
+    known["drawn"] = {
+        name: list(getattr(bpy.types, name)._dyn_ui_initialize())
+        for name in ("VIEW3D_MT_edit_mesh_edges", "TOPBAR_MT_file_export", "VIEW3D_MT_object", "VIEW3D_HT_header")
+    }
+    known["path"] = list(sys.path)
+    known["threads"] = threading.enumerate()
+    return known
+
+
+def test_nothing_is_left_behind(addon):
+    addon.unregister()
+    before = all_that_blender_knows()
+    addon.register()
+    during = all_that_blender_knows()
+    addon.unregister()
+    assert all_that_blender_knows() == before
+    addon.register()
+    assert during["types"] - before["types"] and during["drawn"] != before["drawn"]
+    assert during["path"] == before["path"] and during["threads"] == before["threads"]
 
 
 def test_register_and_unregister_twice(addon):

@@ -44,14 +44,19 @@ class _Entry:
 _entries: dict[tuple[str, str], _Entry] = {}
 
 
-def kept_drawing(owner: bpy.types.Object, what: str, made_of: tuple, build: Callable[[], T]) -> T:
-    """build(), from the last time if `made_of` is the same as then, or if building again just now would be felt."""
+def kept_drawing(
+    owner: bpy.types.Object, what: str, made_of: tuple, build: Callable[[], T], model: bpy.types.Object | None = None
+) -> T:
+    """build(), from the last time if `made_of` is the same as then, or if building again just now would be felt.
+
+    model: in whose Edit Mode that is, too.
+    """
     key = owner.name_full, what
     entry, now = _entries.get(key), time.monotonic()
     if entry and entry.made_of == made_of:
         return entry.value
     if entry:
-        is_edited = owner.mode == "EDIT"
+        is_edited = "EDIT" in (owner.mode, model.mode if model else "")
         if entry.awaited is None or (is_edited and entry.awaited != made_of):
             entry = replace(entry, awaited=made_of, since=now)
         pause = (REST if is_edited else SOON) if entry.is_slow else 0.0

@@ -118,7 +118,7 @@ def _cut_lines(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.t
     of_model = stamp(source), stamp(source.data), source.data.is_editmode
     units = meters_per_blender_unit(scene), scene.unit_settings.system
     parts = kept_drawing(
-        flat, "outlines", (*made_of, *of_model, *units), lambda: outlines(scene, source, flat, depsgraph)
+        flat, "outlines", (*made_of, *of_model, *units), lambda: outlines(scene, source, flat, depsgraph), source
     )
     chosen = settings.allowance, (settings.darts or "CLOSE").lower()
     return kept_drawing(flat, "cut lines", (Same(parts), *chosen), lambda: cut_lines(parts, *chosen))

@@ -74,8 +74,12 @@ def _flattened(context: bpy.types.Context) -> list[bpy.types.Object]:
     return [source for source in sources if source in present and source.library is None]
 
 
+def waits_for_object_mode(source: bpy.types.Object) -> bool:
+    return source.data.is_editmode and len(bmesh.from_edit_mesh(source.data).verts) > EDIT_LIMIT
+
+
 def _has_changed(source: bpy.types.Object) -> bool:
-    if source.data.is_editmode and len(bmesh.from_edit_mesh(source.data).verts) > EDIT_LIMIT:
+    if waits_for_object_mode(source):
         return False
     report, tried = last_report(source), _tried.get(source.name_full)
     if tried is not None and not has_changed(source, {"model_state": tried}) and not _is_regrained(source, report):

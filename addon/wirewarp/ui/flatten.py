@@ -14,12 +14,15 @@ from ..overlay.cache import kept_drawing
 from ..report.next_step import next_step
 from ..report.rows import tables_of
 from ..report.verdict import as_seen, left_out_of
+from ..run.auto_update import EDIT_LIMIT, waits_for_object_mode
 from ..run.window_run import FLATTEN
 from .layout import SidebarPanel, draw_sentence
 from .progress import draw_progress
 from .settings import draw_advanced, draw_settings, settings_sentence
 from .shown import untrue_sentence
 from .wire_list import shown_wires
+
+WAITS = f"Of more than {EDIT_LIMIT:,} vertices: Auto waits until you leave Edit Mode."
 
 
 class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
@@ -42,6 +45,8 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         report = last_report(source)
         if report:
             _draw_state(context, layout, source, report)
+        if report and settings.auto_update and waits_for_object_mode(source):
+            draw_sentence(context, layout, WAITS, "INFO")
         if report and find_flat_object(source):
             layout.operator("view3d.wirewarp_frame", icon="VIEWZOOM")
         if settings.method == "WIREWARPING" and _has_loose_wires(active):

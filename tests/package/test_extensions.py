@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the extension platform demands, of the zips in dist/: its manifest's schema, and what its reviewers look for.
+
+https://developer.blender.org/docs/features/extensions/schema/1.0.0/
+https://developer.blender.org/docs/features/extensions/moderation/guidelines/
+https://docs.blender.org/manual/en/latest/advanced/extensions/
+"""
+
+import ast
+import re
+
+import pytest
+from zips_in_dist import EXTENSIONS, at_import, files_of, imports, manifest_of, sources_of, wheels_of
+
+PLATFORMS = {"linux-x64", "linux-arm64", "windows-x64", "windows-arm64", "macos-x64", "macos-arm64"}
+REQUIRED = {
+    "schema_version",
+    "id",
+    "version",
+    "name",
+    "tagline",
+    "maintainer",
+    "type",
+    "license",
+    "blender_version_min",
+}
+OPTIONAL = {"tags", "platforms", "wheels", "permissions", "blender_version_max", "website", "copyright"}
+# Blender's scripts/modules/_bpy_internal/extensions/tags.py, those for add-ons.
+TAGS = {
+    *("3D View", "Add Curve", "Add Mesh", "Animation", "Bake", "Camera", "Compositing", "Development", "Game Engine"),
+    *("Geometry Nodes", "Grease Pencil", "Import-Export", "Lighting", "Material", "Mesh", "Modeling", "Node", "Object"),
+    *("Paint", "Physics", "Pipeline", "Render", "Rigging", "Scene", "Sculpt", "Sequencer", "System", "Text Editor"),
+    *("Tracking", "User Interface", "UV"),
+}
+IN_BLENDER = {  # packages that Blender's Python has
+    *("numpy", "requests", "urllib3", "certifi", "charset_normalizer", "idna", "zstandard", "cython", "autopep8"),
+    *("pycodestyle", "pip", "setuptools", "wheel", "attrs", "cattrs", "typing_extensions", "mathutils", "bpy"),
+}
+NETWORK = {"socket", "ssl", "urllib", "http", "ftplib", "smtplib", "asyncio", "xmlrpc", "webbrowser", "requests"}
+THREADS = {"threading", "_thread", "concurrent", "multiprocessing", "queue"}
+NATIVE = {"ctypes", "cffi"}
+INSTALLERS = {"pip", "ensurepip", "venv", "site", "pkg_resources"}
+# spyrrow, where the user has it, runs in a process of its own: a program that Blender never imports, and its starter.
+PROGRAM, STARTER = "wirewarp/pattern/spyrrow_process.py", "wirewarp/pattern/spyrrow_nesting.py"
+TEXTS = {".py", ".md", ".toml", ""}  # "": LICENSE
+BINARIES = (".so", ".pyd", ".dll", ".dylib", ".a", ".lib", ".exe", ".pyc")
+# Five times what it is: more would be a build with symbols to debug with, or something that nobody wanted in there.
+MOST_BYTES = 30e6
+
+extensions = pytest.mark.parametrize("path", EXTENSIONS, ids=lambda path: path.name)
+
+
+def test_there_is_an_extension():
+    assert EXTENSIONS, "run ./dev package first"
+
+
+def is_short_sentence(text: str) -> bool:
+    """As Blender checks taglines and reasons."""
+    return 0 < len(text) <= 64 and text == text.strip() and text[-1].isalnum() and text.isascii()
+
+
+@extensions
+def test_the_manifest_keeps_to_the_schema(path):
+    manifest = manifest_of(path)
+    assert set(manifest) >= REQUIRED and set(manifest) <= REQUIRED | OPTIONAL
+    assert all(manifest.values()), "optional entries are left out, not left empty"
+    assert manifest["schema_version"] == "1.0.0" and manifest["type"] == "add-on"
+    assert re.fullmatch(r"[a-z][a-z0-9_]*[a-z0-9]", manifest["id"]) and "__" not in manifest["id"]
+    assert re.fullmatch(r"\d+\.\d+\.\d+", manifest["version"])
+    assert is_short_sentence(manifest["tagline"]) and "blender" not in manifest["name"].lower()
+    assert set(manifest["tags"]) <= TAGS
+    assert manifest["license"] == ["SPDX:GPL-3.0-or-later"]
+    oldest = tuple(map(int, manifest["blender_version_min"].split(".")))
+    assert len(oldest) == 3 and oldest >= (4, 2, 0)  # the first with extensions
+
+
+@extensions
+def test_a_zip_is_for_one_platform_which_its_name_says(path):
+    manifest = manifest_of(path)
+    (platform,) = manifest["platforms"]
+    assert platform in PLATFORMS
+    assert path.name == f"{manifest['id']}-{manifest['version']}-{platform}.zip"
+
+
+@extensions
+def test_permissions_are_those_that_are_used_each_with_a_reason(path):
+    permissions = manifest_of(path)["permissions"]
+    assert all(map(is_short_sentence, permissions.values()))
+    attributes = {
+        node.attr for tree in sources_of(path).values() for node in ast.walk(tree) if isinstance(node, ast.Attribute)
+    }
+    used = {"files"} if {"write_text", "write_bytes", "write"} & attributes else set()
+    used |= {"clipboard"} if "clipboard" in attributes else set()
+    assert set(permissions) == used
+
+
+@extensions
+def test_all_files_lie_in_one_folder_with_plain_names(path):
+    names = list(files_of(path))
+    assert all(name.isascii() and not re.search(r'[\\:*?"<>|\s]', name) for name in names)
+    assert not [
+        name for name in names if any(part.startswith(".") or part == "__pycache__" for part in name.split("/"))
+    ]
+    assert len({name.lower() for name in names}) == len(names)
+    assert {"__init__.py", "blender_manifest.toml", "LICENSE", "THIRD_PARTY.md"} <= set(names)
+    assert path.stat().st_size < MOST_BYTES
+
+
+@extensions
+def test_nothing_compiled_lies_outside_of_wheels_and_nothing_is_obscure(path):
+    for name, content in files_of(path).items():
+        if name.endswith(".whl"):
+            continue
+        assert "." + name.rpartition(".")[2] in TEXTS or "." not in name, name
+        assert not name.endswith(BINARIES)
+        assert max(map(len, content.decode("utf-8").splitlines()), default=0) < 1000, name  # people can read it
+
+
+@extensions
+def test_the_wheels_are_those_listed_each_for_this_platform(path):
+    manifest = manifest_of(path)
+    assert sorted(manifest["wheels"]) == sorted(f"./{name}" for name in wheels_of(path))
+    system, machine = manifest["platforms"][0].split("-")
+    words = {"linux": "manylinux", "windows": "win", "macos": "macosx"}
+    machines = {"x64": ("x86_64", "amd64", "universal2"), "arm64": ("arm64", "aarch64", "universal2")}
+    pythons: dict[str, set[str]] = {}
+    for name in wheels_of(path):
+        package, _, python, abi, platforms = name.removeprefix("wheels/").removesuffix(".whl").split("-")
+        for each in platforms.split("."):
+            assert each == "any" or (each.startswith(words[system]) and each.endswith(machines[machine])), name
+        pythons.setdefault(package, set()).add("any" if python == "py3" or abi == "abi3" else python)
+    for package, tags in pythons.items():
+        assert tags in ({"any"}, pythons["wirewarp"]), package
+    assert pythons["wirewarp"] == {"cp311", "cp313"} or "blender_version_max" in manifest
+
+
+@extensions
+def test_wheels_are_whole_and_hold_nothing_that_blender_has(path):
+    for name, files in wheels_of(path).items():
+        package = name.removeprefix("wheels/").split("-")[0]
+        assert package.lower() not in IN_BLENDER
+        tops = {each.split("/")[0] for each in files}
+        assert {top.partition("-")[0].partition(".")[0].lower() for top in tops} == {package.lower()}, tops
+        (record,) = (content for each, content in files.items() if each.endswith(".dist-info/RECORD"))
+        assert {line.rsplit(",", 2)[0].strip('"') for line in record.decode().splitlines()} == set(files)
+
+
+@extensions
+def test_no_network_no_threads_no_installers(path):
+    for name, tree in sources_of(path).items():
+        forbidden = NETWORK | THREADS | NATIVE | INSTALLERS | {"subprocess"}
+        forbidden -= {PROGRAM: {"threading"}, STARTER: {"subprocess"}}.get(name, set())
+        assert not forbidden & set(imports(tree)), name
+
+
+@extensions
+def test_no_tricks_with_paths_and_names(path):
+    """sys.path and sys.modules stay as they are, nothing is written beside the add-on, and whatever its repository is
+    called it finds itself by __package__.
+    """
+    for name, tree in sources_of(path).items():
+        if name in (PROGRAM, STARTER):
+            continue
+        names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+        assert not names & {"__file__", "exec", "eval", "compile", "__import__", "globals"}, name
+        used = {ast.unparse(node) for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+        assert not used & {"sys.path", "sys.modules", "sys.meta_path", "os.system", "os.chdir"}, name
+        if name.split("/")[0] != "wirewarp":
+            assert "__name__" not in names, name
+
+
+@extensions
+def test_importing_does_nothing(path):
+    for name, tree in sources_of(path).items():
+        used = {ast.unparse(node) for node in at_import(tree) if isinstance(node, ast.Attribute)}
+        forbidden = ("bpy.ops", "bpy.data", "bpy.context", "bpy.app.handlers", "bpy.app.timers", "bpy.utils.register")
+        assert not [each for each in used if each.startswith(forbidden)], name
+        assert not [node for node in ast.walk(tree) if isinstance(node, ast.ExceptHandler) and node.type is None], name
+
+
+@extensions
+def test_every_source_names_its_license(path):
+    for name, content in files_of(path).items():
+        if name.endswith(".py"):
+            assert content.startswith(b"# SPDX-License-Identifier: GPL-3.0-or-later\n"), name
+    assert b"GNU GENERAL PUBLIC LICENSE\n                       Version 3" in files_of(path)["LICENSE"]
