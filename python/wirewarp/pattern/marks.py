@@ -11,6 +11,7 @@ from .notches import DOUBLE, clips, drill_hole, notch, places_along, turns_littl
 from .outline import Side
 from .pieces import Laid
 from .rays import Rays
+from .records import SeamWalk
 from .seams import SewnSide
 
 ON_LINE = 1e-6  # millimeters between a point of a side and the end of a wire there
@@ -46,6 +47,28 @@ def marks(laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], spacing: fl
             if outline.stretches and not outline.darts:
                 found[piece.index] += clips(loop, own_rays)
     return found
+
+
+def walks_of(
+    laid: Sequence[Laid], names: Sequence[str], seams: Sequence[Sequence[SewnSide]], points: dict[int, list[Point]]
+) -> list[SeamWalk]:
+    """Of each seam; points: as marks() has found them."""
+    return [
+        SeamWalk(
+            name,
+            tuple(laid[own.side.piece].name for own in sides),
+            tuple(float(own.along[-1]) for own in sides),
+            tuple(laid[own.side.piece].allowances(own.side) for own in sides),
+            tuple(_notches_along(points[own.side.piece], seam) for own in sides),
+        )
+        for seam, (name, sides) in enumerate(zip(names, seams, strict=True))
+    ]
+
+
+def _notches_along(points: Sequence[Point], seam: int) -> tuple[float, ...]:
+    """Of one piece; where it is sewn to itself, its two sides have theirs at the same lengths."""
+    own = {point.pair[1]: point.along for point in points if point.pair and point.pair[0] == seam}
+    return tuple(along for _, along in sorted(own.items()) if along is not None)
 
 
 def _widths(laid: Sequence[Laid]) -> dict[int, float]:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a piece of a pattern consists of, whatever it is written to. Everything is in millimeters, y upwards."""
 
+from collections.abc import Collection
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
@@ -88,6 +89,15 @@ class PatternPiece:
         """Width and height of the cut lines: what is taken of the cloth."""
         low, high = self.bounds
         return high - low
+
+    def with_only(self, roles: Collection[str]) -> "PatternPiece":
+        """With what has one of these roles alone."""
+        return replace(
+            self,
+            lines=[line for line in self.lines if line.role in roles],
+            points=[point for point in self.points if point.role in roles],
+            texts=[text for text in self.texts if text.role in roles],
+        )
 
     def without_texts_beside(self) -> "PatternPiece":
         """And without the lines that lead to them."""

@@ -17,9 +17,9 @@ from .checks import checked_length, checked_names, problem
 from .flat_piece import FlatPiece, flat_piece
 from .fold import folded, unfolded
 from .marker import Marker, at_corner
-from .marks import marks
+from .marks import marks, walks_of
 from .mirror import fold_of, mirror_between
-from .model import PatternPiece, Point
+from .model import PatternPiece
 from .nest_items import Grain
 from .nesting import Cloth, Preview, nesting
 from .notches import check_spacing
@@ -164,16 +164,7 @@ class Pattern:
             yield "marks and lines", own.index / len(laid)
             done.append(finished(own, points[own.index], seam_names, joined, material))
         warnings = [warning for own in laid for warning in warnings_of(own)]
-        walks = [
-            SeamWalk(
-                name,
-                tuple(pieces[own.side.piece].name for own in sides),
-                tuple(float(own.along[-1]) for own in sides),
-                tuple(laid[own.side.piece].allowances(own.side) for own in sides),
-                tuple(_notches_along(points[own.side.piece], seam) for own in sides),
-            )
-            for seam, (name, sides) in enumerate(zip(seam_names, seams, strict=True))
-        ]
+        walks = walks_of(laid, seam_names, seams, points)
         low = np.min([piece.bounds[0] for piece in done], axis=0)
         moved = [piece.moved(-low) for piece in done]
         return (yield from cls(title, moved, text, system, warnings, date, walks)._adding_cards())
@@ -275,33 +266,14 @@ class Pattern:
         width: float,
         length: float | None = None,
         *,
-        gap: float = 5.0,
-        grain: Grain = "one way",
-        times: int = 1,
-        seconds: float = 10.0,
-        preview: Preview | None = None,
         progress: Progress | None = None,
+        **options: Any,  # noqa: ANN401
     ) -> Marker:
-        """Where the pieces lie on cloth so that it takes the least; by spyrrow on rolls, where that is installed.
+        """As nesting, in one go. progress("nesting", fraction) is called about ten times a second.
 
-        Every piece is cut as often as its quantity says, mirrored copies included, from one layer; those on the fold
-        are opened. Lengths are in millimeters.
-
-        width: of the cloth, as far as it can be used. length: of a sheet; None for a roll, whose length is found.
-        gap: at least, between pieces.
-        grain: "one way" keeps all pieces upright, "both ways" may turn them by 180 degrees, "free" anyhow.
-        times: how often the whole pattern is cut.
-        seconds: how long is sought; 0 takes the first marker that is found.
-        preview: called with each marker that is better than the one before.
-        progress: called as progress("nesting", fraction) about ten times a second; False ends the search, and the best
-        marker so far is returned.
-
-        Both are called in the calling thread. What is returned depends on how far the search came: keep it. Raises
-        FlattenError for bad input, for a piece that is too large for the cloth, and ("cancelled") where it is stopped
-        before there is a marker.
+        False ends the search with the best marker so far, or with FlattenError ("cancelled") where there is none yet.
         """
-        steps = self.nesting(width, length, gap=gap, grain=grain, times=times, seconds=seconds, preview=preview)
-        return in_one_go(steps, progress)
+        return in_one_go(self.nesting(width, length, **options), progress)
 
     def nesting(
         self,
@@ -314,7 +286,21 @@ class Pattern:
         seconds: float = 10.0,
         preview: Preview | None = None,
     ) -> Steps[Marker]:
-        """As nested, in steps."""
+        """Where the pieces lie on cloth so that it takes the least; by spyrrow on rolls, where that is installed.
+
+        Every piece is cut as often as its quantity says, mirrored copies included, from one layer; those on the fold
+        are opened. Lengths are in millimeters.
+
+        width: of the cloth, as far as it can be used. length: of a sheet; None for a roll, whose length is found.
+        gap: at least, between pieces.
+        grain: "one way" keeps all pieces upright, "both ways" may turn them by 180 degrees, "free" anyhow.
+        times: how often the whole pattern is cut.
+        seconds: how long is sought; 0 takes the first marker that is found.
+        preview: called with each marker that is better than the one before.
+
+        What is returned depends on how far the search came: keep it. Raises FlattenError for bad input and for a piece
+        that is too large for the cloth.
+        """
         whole = [at_corner(unfolded(piece) if piece.on_fold else piece) for piece in self.pieces]
         return nesting(whole, Cloth(width, length, gap, grain), times, seconds, self.units, preview)
 
@@ -351,16 +337,7 @@ class Pattern:
         if not wanted <= set(KINDS):
             raise problem(f"kinds has {min(wanted - set(KINDS))!r}: give {', '.join(map(repr, KINDS))}.")
         kept = {"cut", "inner_cut", "fold", *(role for kind in wanted for role in KINDS[kind])}
-        pieces = [
-            replace(
-                piece,
-                lines=[line for line in piece.lines if line.role in kept],
-                points=[point for point in piece.points if point.role in kept],
-                texts=[text for text in piece.texts if text.role in kept],
-            )
-            for piece in self.pieces
-        ]
-        return replace(self, pieces=pieces)
+        return replace(self, pieces=[piece.with_only(kept) for piece in self.pieces])
 
     def page_sizes(self, paper: str | float | None = None, **options: bool) -> list[np.ndarray]:
         """Width and height of each page that write() would give to a PDF with these options, in millimeters.
@@ -421,9 +398,3 @@ class Pattern:
         from .write import writing
 
         return writing(self, Path(path), options)
-
-
-def _notches_along(points: Iterable[Point], seam: int) -> tuple[float, ...]:
-    """Of one piece; where it is sewn to itself, its two sides have theirs at the same lengths."""
-    own = {point.pair[1]: point.along for point in points if point.pair and point.pair[0] == seam}
-    return tuple(along for _, along in sorted(own.items()) if along is not None)
