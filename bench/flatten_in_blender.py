@@ -21,6 +21,7 @@ from wirewarp_addon.properties import choices_of
 from wirewarp_addon.run.models import solve_models
 from wirewarp_addon.run.read import read_models
 from wirewarp_addon.run.write import write_results
+from wirewarp_addon.solve.steps import in_one_go
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
@@ -66,7 +67,7 @@ def seconds_of_steps(sheet: bpy.types.Object) -> dict[str, float]:
     marks = [time.perf_counter()]
     models = read_models(context, [sheet], settings)
     marks.append(time.perf_counter())
-    outcomes = solve_models(core.library(), models, choices_of(settings, 1.0), 1.0, lambda _stage, _fraction: True)
+    outcomes = in_one_go(solve_models(core.library(), models, choices_of(settings, 1.0), 1.0))
     marks.append(time.perf_counter())
     write_results(context, outcomes, settings)
     marks.append(time.perf_counter())

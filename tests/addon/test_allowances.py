@@ -204,7 +204,9 @@ def test_the_width_of_a_side_goes_through_modifiers(source, addon):
     source.modifiers.new("Subdivision", "SUBSURF").levels = 2
     bpy.ops.object.wirewarp_flatten(spacing=50.0, use_modifiers=True)
     choices = addon.solve.pattern_parts.PatternChoices(10.0, 100.0, "close")
-    pieces = addon.flat.pattern.read_pattern(bpy.context.scene, source).pattern(choices).pieces
+    pieces = addon.solve.steps.in_one_go(
+        addon.flat.pattern.read_pattern(bpy.context.scene, source).making(choices)
+    ).pieces
     sewn = [[line.width for line in piece.of_role("sew") if line.seam is not None] for piece in pieces]
     assert sorted(sewn) == [pytest.approx([10.0]), pytest.approx([15.0])]
 

@@ -23,7 +23,7 @@ def source():
 
 def test_sizes_told_before_saving(source, addon):
     choices = addon.solve.pattern_parts.PatternChoices(0.0, 100.0, "cut")
-    pattern = addon.flat.pattern.read_pattern(bpy.context.scene, source).pattern(choices)
+    pattern = addon.solve.steps.in_one_go(addon.flat.pattern.read_pattern(bpy.context.scene, source).making(choices))
     total, largest = addon.operators.export_sentences.size_sentences(pattern, pattern.svg_size)
     assert re.fullmatch(r"2 pieces on \d+ × \d+ mm\.", total)
     wide, high = map(int, re.fullmatch(r"The largest, Top (?:Left|Right): (\d+) × (\d+) mm\.", largest).groups())

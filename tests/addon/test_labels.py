@@ -139,7 +139,9 @@ def test_on_paper_the_grain_turns_with_the_piece_too(addon, source):
     flat.data.transform(Matrix.Rotation(math.radians(30), 4, "Z"))
     bpy.context.view_layer.update()
     choices = addon.solve.pattern_parts.PatternChoices(10.0, 100.0, "close")
-    for piece in addon.flat.pattern.read_pattern(bpy.context.scene, source).pattern(choices).pieces:
+    for piece in addon.solve.steps.in_one_go(
+        addon.flat.pattern.read_pattern(bpy.context.scene, source).making(choices)
+    ).pieces:
         (line,) = piece.of_role("grain")
         way = line.points[1] - line.points[0]
         assert math.degrees(math.atan2(way[1], way[0])) == pytest.approx(120, abs=0.1)

@@ -62,7 +62,7 @@ def test_seams_that_meet_on_a_smooth_outline_end_at_notches(disc, tmp_path):
 def places_on_model(addon, source, spacing):
     """Of the notches along seams: (k,3) their places on the model, and the piece of each; a Blender unit is 100 mm."""
     choices = addon.solve.pattern_parts.PatternChoices(0.0, spacing, "cut")
-    pattern = addon.flat.pattern.read_pattern(bpy.context.scene, source).pattern(choices)
+    pattern = addon.solve.steps.in_one_go(addon.flat.pattern.read_pattern(bpy.context.scene, source).making(choices))
     flat = addon.flat.read.read_flat_pieces(flat_of(source).data, 100.0)
     flat = dataclasses.replace(flat, vertices=flat.vertices - flat.vertices.min(axis=0))
     outline = addon.pattern.outlines.outline_of(flat)

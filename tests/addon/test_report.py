@@ -232,11 +232,19 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
     identities = [addon.solve.identity.PieceIdentity(1, "Top")]
     choices = addon.solve.flatten.FlattenChoices("refined", 0.1, "length", "packed", "wire", 0.03, False)
 
+    library = addon.core.library()
+
     def report_of_run(steps):
         left = iter(range(steps, 0, -1))
-        result = addon.solve.flatten.flatten_arrays(
-            addon.core.library(), arrays, choices, lambda stage, _: stage != "shape" or next(left, 0) > 0
-        )
+
+        def start(*what, **options):
+            """A job that is done, cancelled when its shape has taken so many steps."""
+            stops = lambda stage, _: stage != "shape" or next(left, 0) > 0  # noqa: E731
+            result = library.flatten(*what, progress=stops, **options)
+            return SimpleNamespace(is_done=lambda: True, result=lambda: result)
+
+        stopping = SimpleNamespace(**vars(library) | {"start": start})
+        result = addon.solve.steps.in_one_go(addon.solve.flatten.flatten_arrays(stopping, arrays, choices))
         return addon.report.report.object_report(result, arrays, identities, [], 1.0)
 
     first, last = report_of_run(0), report_of_run(1_000_000)
