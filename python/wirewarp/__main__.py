@@ -1,10 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m wirewarp flatten MODEL... --out DIR"""
+"""python -m wirewarp flatten MODEL... --out DIR, and batch FOLDER... --out DIR"""
 
 import sys
 
-from .command.arguments import parsed
-from .command.flatten import flatten_models
+
+def main() -> int:
+    try:
+        from .command.arguments import parsed
+        from .command.run import run
+    except ModuleNotFoundError as error:
+        print(f"The command needs {error.name}, which is missing: pip install wirewarp[command]", file=sys.stderr)
+        return 2
+    arguments = parsed(sys.argv[1:])
+    try:
+        return run(arguments)
+    except KeyboardInterrupt:
+        print("stopped", file=sys.stderr)
+        return 130
+    except OSError as error:  # of the standard output: what is wrong with models is in their lines
+        print(f"The lines cannot be printed: {error.strerror or error}", file=sys.stderr)
+        return 2
+
 
 if __name__ == "__main__":
-    sys.exit(flatten_models(parsed(sys.argv[1:])))
+    sys.exit(main())

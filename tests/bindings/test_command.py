@@ -182,11 +182,14 @@ def test_a_model_of_several_files_has_changed_when_one_of_them_has(tmp_path):
     assert run(*words)[0][0]["skipped"]
 
 
-def test_what_is_left_of_two_runs_is_made_anew(model, tmp_path):
+def test_what_is_refused_leaves_what_was_done_before(model, tmp_path):
     words = (model, "--out", tmp_path / "out", "--format", "svg,pdf")
     run(*words)
-    run(*words, "--page", "120mm", "--allowance", "5mm", code=2)
-    assert "skipped" not in run(*words, "--resume")[0][0]
+    before = {path: path.read_bytes() for path in (tmp_path / "out").iterdir()}
+    ((line,), _) = run(*words, "--page", "120mm", "--allowance", "5mm", "--resume", code=2)
+    assert line["codes"] == ["invalid_option"]
+    assert {path: path.read_bytes() for path in (tmp_path / "out").iterdir()} == before
+    assert run(*words, "--resume")[0][0]["skipped"]
 
 
 @pytest.mark.parametrize("words", [("--marker", "2cm"), ("--marker", "6m"), ("--page", "120mm")])
@@ -287,7 +290,8 @@ def test_bad_input_is_one_sentence(tmp_path, monkeypatch, name, content, words, 
         (("--marker", "wide"), "'wide' is no length"),
         (("--marker", "60x"), "'60x' is no length"),
         (("--seconds", "nan"), "'nan' is no number of seconds"),
-        (("Folded.stl",), '2 models are called "Folded"'),
+        (("--memory-limit", "4"), "'4' is no memory: give 500MB or 4GB"),
+        (("Folded.stl",), "would both write"),
     ],
 )
 def test_bad_words_are_one_sentence(model, tmp_path, words, said):

@@ -2,152 +2,192 @@
 """What can be asked for on the command line."""
 
 import argparse
+import os
 import re
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NoReturn
+
+import psutil
 
 from .._errors import FlattenError
 from ..pattern.nest_items import Grain
 from ..pattern.papers import roll_width
 from ..pattern.write import WRITERS
+from .apart import Limits
+from .input_error import InputError
+from .inputs import Found, found_models
+from .request import MILLIMETERS, MarkerRequest, Request
 
-MILLIMETERS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
 LENGTH = re.compile(r"(\d+(?:\.\d*)?)(?:/(\d+))?\s*(mm|cm|m|in)")
 SHEET = re.compile(r"(\d+(?:\.\d*)?)x(\d+(?:\.\d*)?)\s*(mm|cm|m|in)")
+MEMORY = re.compile(r"(\d+(?:\.\d*)?)\s*(MB|GB)")
+BYTES = {"MB": 10**6, "GB": 10**9}
 GRAINS: dict[str, Grain] = {
     "one-way": "one way",
     "both-ways": "both ways",
     "free": "free",
 }  # as Pattern.nested knows them
-FROM_MODEL = ("uv", "sharp")
-
-
-@dataclass(frozen=True)
-class MarkerRequest:
-    """What the pieces are cut from, in millimeters, and how; see Pattern.nested."""
-
-    width: float
-    length: float | None
-    gap: float
-    grain: Grain
-    times: int
-    seconds: float
-
-
-@dataclass(frozen=True)
-class Request:
-    """What is done with one model. Lengths are in millimeters."""
-
-    model: Path
-    folder: Path
-    seams: str  # "uv", "sharp", a path, or "" for none
-    wires: str  # a path, or "" for none
-    formats: tuple[str, ...]
-    page: str | float
-    allowance: float
-    hem: float | None
-    unit: str
-    imperial: bool
-    marker: MarkerRequest | None
-    picture: bool
-    resume: bool
-
-    @property
-    def report_path(self) -> Path:
-        return self.folder / f"{self.model.stem}.json"
-
-    def pattern_path(self, kind: str) -> Path:
-        return self.folder / f"{self.model.stem}.{kind}"
-
-    @property
-    def picture_path(self) -> Path:
-        """Not NAME.png, which many models have as their texture."""
-        return self.folder / f"{self.model.stem}-strain.png"
-
-    def marker_path(self, kind: str) -> Path:
-        return self.folder / f"{self.model.stem}-marker.{kind}"
-
-    @property
-    def line_files(self) -> list[Path]:
-        """The files that seams and wires are read from."""
-        return [Path(name) for name in (self.seams, self.wires) if name not in ("", *FROM_MODEL)]
+VERDICTS = (
+    "Prints one line of JSON for each model. The exit code is 0 if all are ready to cut, 1 if a piece is not, 2 if a "
+    "model is refused, 3 if one was stopped: it crashed or took more time or memory than it may."
+)
 
 
 @dataclass(frozen=True)
 class Arguments:
     requests: list[Request]
     jobs: int
+    limits: Limits
 
 
 def parsed(words: Sequence[str]) -> Arguments:
     """Ends the program with code 2 and a sentence where they cannot be meant."""
     parser = argparse.ArgumentParser(prog="python -m wirewarp", description="Flat patterns with exact lengths.")
-    command = parser.add_subparsers(required=True, metavar="flatten").add_parser(
+    commands = parser.add_subparsers(required=True, metavar="flatten|batch")
+    options, running = _model_options(), _running_options()
+    flatten = commands.add_parser(
         "flatten",
-        help="flatten models, and write reports and patterns",
-        description="Flattens models (OBJ, PLY, STL, glTF) and writes for each a report and a pattern. Prints one line "
-        "of JSON for each. The exit code is 0 if all are ready to cut, 1 if a piece is not, 2 if a model is refused.",
+        parents=[options, running],
+        help="flatten the models named, and write reports and patterns",
+        description="Flattens models (OBJ, PLY, STL, glTF, Blender) and writes for each a report and a pattern. "
+        + VERDICTS,
     )
-    command.add_argument("models", nargs="+", metavar="MODEL", type=Path)
-    command.add_argument("--out", required=True, metavar="DIR", type=Path, help="folder for what is written")
-    command.add_argument(
+    flatten.add_argument("models", nargs="+", metavar="MODEL", type=Path)
+    flatten.add_argument("--resume", action="store_true", help="leave out what was done before and has not changed")
+    flatten.set_defaults(command=flatten, jobs=1, part=(1, 1))
+    batch = commands.add_parser(
+        "batch",
+        parents=[options, running],
+        help="the same for folders and lists of models, as often as it takes",
+        description="As flatten --resume, with all models of folders and lists: run again, it goes on where it was "
+        "stopped, and does what has changed. " + VERDICTS,
+    )
+    batch.add_argument(
+        "models",
+        nargs="+",
+        metavar="IN",
+        type=Path,
+        help="a model, a folder, with those inside, or a list: .jsonl, one object a line, with a model and its options",
+    )
+    batch.add_argument(
+        "--part", type=_part, default=(1, 1), metavar="K/N", help="only the K-th of every N models, for tasks of a farm"
+    )
+    batch.set_defaults(command=batch, resume=True, jobs=os.cpu_count() or 1)
+    given = parser.parse_args(words)
+    try:
+        is_batch = given.command is batch
+        models = found_models(given.models) if is_batch else [Found(model, Path()) for model in given.models]
+        requests = [_request(found, _with_own_options(found, given)) for found in models]
+        _check_clashes(requests)
+    except InputError as error:
+        given.command.error(str(error))
+    memory = given.memory_limit or psutil.virtual_memory().total // given.jobs
+    part, parts = given.part
+    return Arguments(requests[part - 1 :: parts], given.jobs, Limits(given.time_limit, memory))
+
+
+def _model_options() -> argparse.ArgumentParser:
+    """What may differ from model to model."""
+    options = _Options(add_help=False, allow_abbrev=False)
+    options.add_argument(
         "--seams",
         default="",
         metavar="uv|sharp|FILE",
         help="around UV islands, sharp edges, or of a JSON file",
     )
-    command.add_argument("--wires", default="", metavar="FILE", help="JSON file with wires")
-    command.add_argument(
+    options.add_argument("--wires", default="", metavar="FILE", help="JSON file with wires")
+    options.add_argument(
         "--format", default="pdf,svg", metavar="F,F", type=_formats, help="of pdf, svg, dxf, plt (pdf,svg)"
     )
-    command.add_argument("--page", default="a4", type=_page, help="paper of PDF: a4, letter, a0, 36in, 900mm, ... (a4)")
-    command.add_argument("--allowance", default="10mm", type=_length, help="outside of seams: 10mm, 1cm, 3/8in (10mm)")
-    command.add_argument("--hem", type=_length, help="outside of edges that are not sewn (as --allowance)")
-    command.add_argument("--unit", choices=MILLIMETERS, default="m", help="what a model has its coordinates in (m)")
-    command.add_argument("--imperial", action="store_true", help="inches in texts and squares to measure")
-    command.add_argument(
+    options.add_argument("--page", default="a4", type=_page, help="paper of PDF: a4, letter, a0, 36in, 900mm, ... (a4)")
+    options.add_argument("--allowance", default="10mm", type=_length, help="outside of seams: 10mm, 1cm, 3/8in (10mm)")
+    options.add_argument("--hem", type=_length, help="outside of edges that are not sewn (as --allowance)")
+    options.add_argument("--unit", choices=MILLIMETERS, default="m", help="what a model has its coordinates in (m)")
+    options.add_argument("--imperial", action="store_true", help="inches in texts and squares to measure")
+    options.add_argument(
         "--marker", type=_cloth, metavar="WIDTH|WxL", help="pieces nested on a roll, 1400mm, or on sheets, 60x90cm"
     )
-    command.add_argument("--gap", type=_length, default="5mm", help="between the pieces of a marker (5mm)")
-    command.add_argument("--grain", choices=GRAINS, default="one-way", help="how pieces of a marker may lie (one-way)")
-    command.add_argument("--times", type=_count, default=1, metavar="N", help="how often a marker has the pattern (1)")
-    command.add_argument("--seconds", type=_seconds, default=10.0, metavar="S", help="of search for a marker (10)")
-    command.add_argument("--picture", action="store_true", help="also a PNG of the flat pieces, colored by strain")
-    command.add_argument("--jobs", type=_count, default=1, metavar="N", help="models at a time (1)")
-    command.add_argument("--resume", action="store_true", help="leave out what was done before and has not changed")
-    given = parser.parse_args(words)
-    for name, count in Counter(model.stem for model in given.models).items():
-        if count > 1:
-            command.error(f'{count} models are called "{name}", and would write the same files: give them one by one')
+    options.add_argument("--gap", type=_length, default="5mm", help="between the pieces of a marker (5mm)")
+    options.add_argument("--grain", choices=GRAINS, default="one-way", help="how pieces of a marker may lie (one-way)")
+    options.add_argument("--times", type=_count, default=1, metavar="N", help="how often a marker has the pattern (1)")
+    options.add_argument("--seconds", type=_seconds, default=10.0, metavar="S", help="of search for a marker (10)")
+    options.add_argument("--picture", action="store_true", help="also a PNG of the flat pieces, colored by strain")
+    return options
+
+
+def _running_options() -> argparse.ArgumentParser:
+    options = argparse.ArgumentParser(add_help=False)
+    options.add_argument("--out", required=True, metavar="DIR", type=Path, help="folder for what is written")
+    options.add_argument("--jobs", type=_count, metavar="N", help="models at a time (flatten: 1, batch: all cores)")
+    # An hour: a million triangles take ten seconds.
+    options.add_argument(
+        "--time-limit", type=_seconds, default=3600.0, metavar="S", help="seconds that a model may take (3600)"
+    )
+    options.add_argument(
+        "--memory-limit", type=_memory, metavar="4GB", help="that a model may take (its share of the machine's)"
+    )
+    options.add_argument("--blender", default="blender", metavar="PATH", help="for .blend files (blender)")
+    return options
+
+
+class _Options(argparse.ArgumentParser):
+    """Of a model in a list: what is wrong is no reason to show how the command is used."""
+
+    def error(self, message: str) -> NoReturn:
+        raise InputError(message)
+
+
+def _with_own_options(found: Found, given: argparse.Namespace) -> argparse.Namespace:
+    if not found.options:
+        return given
+    words = [f"--{name}" if value is True else f"--{name}={value}" for name, value in found.options.items()]
+    try:
+        return _model_options().parse_args(words, argparse.Namespace(**vars(given)))
+    except InputError as error:
+        raise InputError(f"{found.source}: {error}") from error
+
+
+def _request(found: Found, given: argparse.Namespace) -> Request:
     marker = None
     if given.marker:
         width, length = given.marker
         marker = MarkerRequest(width, length, given.gap, GRAINS[given.grain], given.times, given.seconds)
-    requests = [
-        Request(
-            model=model,
-            folder=given.out,
-            seams=given.seams,
-            wires=given.wires,
-            formats=given.format,
-            page=given.page,
-            allowance=given.allowance,
-            hem=given.hem,
-            unit=given.unit,
-            imperial=given.imperial,
-            marker=marker,
-            picture=given.picture,
-            resume=given.resume,
-        )
-        for model in given.models
-    ]
+    return Request(
+        model=found.model,
+        folder=given.out / found.folder,
+        seams=given.seams,
+        wires=given.wires,
+        formats=given.format,
+        page=given.page,
+        allowance=given.allowance,
+        hem=given.hem,
+        unit=given.unit,
+        imperial=given.imperial,
+        marker=marker,
+        picture=given.picture,
+        blender=given.blender,
+        resume=given.resume,
+    )
+
+
+def _check_clashes(requests: Sequence[Request]) -> None:
+    """Raises InputError if a file would be written twice, or over one that is read."""
+    writers: dict[Path, Request] = {}
+    for request in requests:
+        folder = request.folder.resolve()
+        for path in request.all_paths:
+            other = writers.setdefault(folder / path.name, request)
+            if other is not request:
+                raise InputError(
+                    f'"{other.model}" and "{request.model}" would both write "{path}": rename one, or give each an '
+                    "--out of its own"
+                )
     for request in requests:
         for file in request.line_files:
-            if file.resolve() == request.report_path.resolve():
-                command.error(f'the report of "{request.model}" would overwrite "{file}": give another --out')
-    return Arguments(requests, given.jobs)
+            if file.resolve() in writers:
+                raise InputError(f'the report of "{request.model}" would overwrite "{file}": give another --out')
 
 
 def _length(text: str) -> float:
@@ -193,3 +233,18 @@ def _seconds(text: str) -> float:
     if not re.fullmatch(r"\d+(\.\d*)?", text):
         raise argparse.ArgumentTypeError(f"{text!r} is no number of seconds: give 0 or more")
     return float(text)
+
+
+def _memory(text: str) -> int:
+    """Bytes."""
+    match = MEMORY.fullmatch(text.strip())
+    if not match or not float(match[1]):
+        raise argparse.ArgumentTypeError(f"{text!r} is no memory: give 500MB or 4GB")
+    return round(float(match[1]) * BYTES[match[2]])
+
+
+def _part(text: str) -> tuple[int, int]:
+    match = re.fullmatch(r"(\d+)/(\d+)", text)
+    if not match or not 1 <= int(match[1]) <= int(match[2]):
+        raise argparse.ArgumentTypeError(f"{text!r} is no part: give 1/20 to 20/20")
+    return int(match[1]), int(match[2])

@@ -1,63 +1,58 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens models one by one or several at a time, and prints what became of each."""
+"""Flattens one model, writes its files, and says what became of it."""
 
-import datetime
 import hashlib
 import json
-import multiprocessing
-import time
-from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
 from .. import FlattenError, FlattenResult, __version__, flatten
 from ..pattern import Marker, Pattern, Written
-from ..pattern.replace_file import replaced_file
-from .arguments import FROM_MODEL, MILLIMETERS, Arguments, MarkerRequest, Request
+from ..pattern.today import today
+from .blend import BlenderError, flatten_blend
+from .figures import result_figures
 from .input_error import InputError
 from .lines import seams_of, wires_of
 from .model import Model, read_model
-
-READY, FAILED, REFUSED = "ready to cut", "not ready to cut", "refused"
-EXIT_CODES = {READY: 0, FAILED: 1, REFUSED: 2}
-Line = dict[str, Any]
-
-
-def flatten_models(arguments: Arguments) -> int:
-    """Prints one line of JSON for each model; returns the exit code, that of the worst."""
-    worst = 0
-    for line in _all(arguments):
-        print(json.dumps(line), flush=True)  # ASCII: every console can show it
-        worst = max(worst, EXIT_CODES[line["verdict"]])
-    return worst
-
-
-def _all(arguments: Arguments) -> Iterator[Line]:
-    if arguments.jobs == 1:
-        yield from map(flatten_model, arguments.requests)
-        return
-    fresh = multiprocessing.get_context("spawn")  # the threads of the library are not for children of a fork
-    with ProcessPoolExecutor(arguments.jobs, mp_context=fresh) as pool:
-        yield from pool.map(flatten_model, arguments.requests)
+from .request import FROM_MODEL, MILLIMETERS, MarkerRequest, Request
+from .staged import staged_folder, take_places
+from .suffixes import BLEND
+from .verdicts import FAILED, READY, REFUSED, STOPPED, Line, unfinished
 
 
 def flatten_model(request: Request) -> Line:
     """Never raises for what is wrong with the model, the folder or a file that was read again: the line says it."""
-    begin = time.monotonic()
     try:
-        line = _line(request)
-    except (InputError, FlattenError, RuntimeError) as error:
-        line = {"verdict": REFUSED, "problems": [str(error)]}
+        return _line(request)
+    except InputError as error:
+        return unfinished(REFUSED, "input", str(error))
+    except FlattenError as error:
+        return unfinished(REFUSED, error.code.value, str(error))
+    except RuntimeError as error:  # of files that are not as they were meant
+        return unfinished(REFUSED, "read_back", str(error))
     except OSError as error:
-        line = {"verdict": REFUSED, "problems": [f"{error.filename or request.folder}: {error.strerror or error}"]}
-    return {"model": str(request.model), **line, "seconds": round(time.monotonic() - begin, 3)}
+        return unfinished(REFUSED, "file", f"{error.filename or request.folder}: {error.strerror or error}")
+    except BlenderError as error:
+        return unfinished(STOPPED, "crashed", str(error))
+    except MemoryError:
+        return unfinished(STOPPED, "memory_limit", "There is not enough memory for this model.")
 
 
 def _line(request: Request) -> Line:
-    model = read_model(request.model)
+    is_blend = request.model.suffix.lower() == BLEND
+    model = None if is_blend else read_model(request.model)
     made_of = _made_of(request, model)
-    return _done_before(request, made_of) or _flattened(request, model, made_of)
+    before = _done_before(request, made_of)
+    if before:
+        return before
+    with staged_folder(request) as folder:
+        line, report = _flattened(request, model, folder) if model else flatten_blend(request, folder)
+        line["made_of"] = made_of
+        text = json.dumps({"line": line, **report}, ensure_ascii=False)
+        (folder / request.report_path.name).write_text(text, encoding="utf-8")
+        take_places(folder, request)
+    return line
 
 
 def _done_before(request: Request, made_of: str) -> Line | None:
@@ -73,70 +68,81 @@ def _done_before(request: Request, made_of: str) -> Line | None:
     return {**line, "skipped": True} if is_same else None
 
 
-def _made_of(request: Request, model: Model) -> str:
-    """A digest of the version, the settings, what was read of the model (it may have several files), and the lines."""
-    settings = {key: str(value) for key, value in asdict(request).items() if key not in ("folder", "resume")}
-    digest = hashlib.blake2b(json.dumps([__version__, settings], sort_keys=True).encode(), digest_size=16)
+def _made_of(request: Request, model: Model | None) -> str:
+    """A digest of the version, the settings, what was read of the model (it may have several files), and the lines.
+
+    Of what Blender reads, of its file.
+    """
+    settings = {key: str(value) for key, value in asdict(request).items() if key not in ("folder", "model", "resume")}
+    name = request.model.name
+    digest = hashlib.blake2b(json.dumps([__version__, name, settings], sort_keys=True).encode(), digest_size=16)
+    if model is None:
+        if not request.model.is_file():
+            raise InputError(f'There is no file "{request.model}".')
+        with request.model.open("rb") as file:
+            digest.update(hashlib.file_digest(file, "blake2b").digest())
+        return digest.hexdigest()
     for array in (model.vertices, model.faces, model.corner_uv):
         digest.update(hashlib.blake2b(b"" if array is None else array.tobytes()).digest())
-    for file in request.line_files:
-        if not file.is_file():
-            raise InputError(f'There is no file "{file}" ("{FROM_MODEL[0]}" and "{FROM_MODEL[1]}" are no files).')
-        digest.update(hashlib.blake2b(file.read_bytes()).digest())
+    for path in request.line_files:
+        if not path.is_file():
+            raise InputError(f'There is no file "{path}" ("{FROM_MODEL[0]}" and "{FROM_MODEL[1]}" are no files).')
+        digest.update(hashlib.blake2b(path.read_bytes()).digest())
     return digest.hexdigest()
 
 
-def _flattened(request: Request, model: Model, made_of: str) -> Line:
+def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict[str, Any]]:
+    """Writes patterns and picture to the folder; the line, and what the report says besides."""
     seams, wires = seams_of(model, request.seams), wires_of(request.wires)
-    request.folder.mkdir(parents=True, exist_ok=True)
-    request.report_path.unlink(missing_ok=True)  # there is none of patterns of which some are new and some are old
     result = flatten(model.vertices, model.faces, seams=seams, wires=wires)
-    problems = [f"Piece {n}: {piece.error.message}" for n, piece in enumerate(result.pieces, start=1) if piece.error]
-    pattern = None if problems else _pattern(request, result)
-    marker = _nested(pattern, request.marker) if pattern and request.marker else None
-    laid = pattern.laid_on(marker) if pattern and marker else None
-    for drawn, paper in ((pattern, request.page), (laid, None)) if "pdf" in request.formats else ():
-        if drawn:
-            drawn.page_sizes(paper)  # what does not fit is refused before anything is written
+    failed = [(n, piece.error) for n, piece in enumerate(result.pieces, start=1) if piece.error]
     line: Line = {
-        "verdict": FAILED if problems else READY,
+        "verdict": FAILED if failed else READY,
         "pieces": len(result.pieces),
-        "problems": problems,
+        "figures": result_figures(result, MILLIMETERS[request.unit] / 1000),
+        "problems": [f"Piece {n}: {error.message}" for n, error in failed],
+        "codes": [error.code.value for _, error in failed],
         "warnings": [],
         "files": [request.report_path.name],
-        "made_of": made_of,
     }
+    report: dict[str, Any] = {"unit": request.unit}
     if request.picture:
-        try:
-            from .picture import write_picture
-        except ModuleNotFoundError as error:
-            raise InputError("Pictures are drawn by pillow, which is missing: pip install wirewarp[command]") from error
-    request.picture_path.unlink(missing_ok=True)  # of an earlier run: now there may be nothing to draw
-    if request.picture and write_picture(request.picture_path, result, model.vertices, MILLIMETERS[request.unit]):
-        line["files"].append(request.picture_path.name)
-    for kind in request.formats:
-        request.marker_path(kind).unlink(missing_ok=True)  # of an earlier run: it may be of other pieces
-        if pattern:
-            options: dict[str, Any] = {"paper": request.page} if kind == "pdf" else {}
-            _note(pattern.write(request.pattern_path(kind), **options), line)
-        else:
-            request.pattern_path(kind).unlink(missing_ok=True)  # of an earlier run: nobody is to cut it
-    placed: dict[str, Any] = {}
-    if laid and marker:
+        _draw_picture(folder / request.picture_path.name, request, model, result, line)
+    if not failed:
+        pattern = _pattern(request, result)
         for kind in request.formats:
-            _note(laid.write(request.marker_path(kind)), line)  # PDF on a roll as wide as it needs
-        line["marker"], placed = marker.sentence(laid.units), {"marker": marker.to_dict()}
-    report = {"line": line, "unit": request.unit, **placed, **result.to_dict()}
-    with replaced_file(request.report_path) as unfinished:
-        unfinished.write_text(json.dumps(report, ensure_ascii=False), encoding="utf-8")
-    return line
+            options: dict[str, Any] = {"paper": request.page} if kind == "pdf" else {}
+            _note(pattern.write(folder / request.pattern_path(kind).name, **options), line)
+        if request.marker:
+            marker = _nested(pattern, request.marker)
+            laid = pattern.laid_on(marker)
+            for kind in request.formats:
+                _note(laid.write(folder / request.marker_path(kind).name), line)  # PDF on a roll as wide as it needs
+            line["marker"], report["marker"] = marker.sentence(laid.units), marker.to_dict()
+    return line, report | _timeless(result.to_dict())
+
+
+def _timeless(result: dict[str, Any]) -> dict[str, Any]:
+    """Without the seconds that it took: the same model gives the same bytes again."""
+    for each in (result, *result["pieces"]):
+        del each["report"]["seconds"]
+    return result
+
+
+def _draw_picture(path: Path, request: Request, model: Model, result: FlattenResult, line: Line) -> None:
+    try:
+        from .picture import write_picture
+    except ModuleNotFoundError as error:
+        raise InputError("Pictures are drawn by pillow, which is missing: pip install wirewarp[command]") from error
+    if write_picture(path, result, model.vertices, MILLIMETERS[request.unit]):
+        line["files"].append(path.name)
 
 
 def _pattern(request: Request, result: FlattenResult) -> Pattern:
     return Pattern.from_result(
         result,
         title=request.model.stem,
-        date=datetime.date.today().isoformat(),
+        date=today().isoformat(),
         millimeters_per_unit=MILLIMETERS[request.unit],
         allowance=request.allowance,
         hem=request.hem,

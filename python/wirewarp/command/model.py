@@ -8,8 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from .input_error import InputError
-
-SUFFIXES = (".obj", ".ply", ".stl", ".gltf", ".glb")
+from .suffixes import READ_BY_TRIMESH, SUFFIXES
 
 
 @dataclass(frozen=True)
@@ -21,7 +20,7 @@ class Model:
 
 def read_model(path: Path) -> Model:
     """Raises InputError."""
-    if path.suffix.lower() not in SUFFIXES:
+    if path.suffix.lower() not in READ_BY_TRIMESH:
         raise InputError(f'"{path.name}" ends in none of {", ".join(SUFFIXES)}: no other kind of model can be read.')
     if not path.is_file():
         raise InputError(f'There is no file "{path}".')

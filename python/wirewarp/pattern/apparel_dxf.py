@@ -4,7 +4,6 @@
 One block per piece, layers by number, polylines that are closed both ways. All is written as real files have it.
 """
 
-import datetime
 import math
 from typing import TYPE_CHECKING, Literal
 
@@ -16,6 +15,7 @@ from .model import LEADERS, PatternPiece
 from .plain_names import block_names, escaped_text, plain_text
 from .progress import Steps
 from .roles import LOOKS, WIRES
+from .today import today
 from .units import INCH
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ class _Writer:
         tags = self._tags()
         fields = {
             "Style Name": plain_text(self._pattern.title) or "PATTERN",
-            "Creation Date": datetime.date.today().strftime("%d-%m-%Y"),
+            "Creation Date": today().strftime("%d-%m-%Y"),
             "Author": "WireWarp",
             "Sample Size": "1",
             "Grade Rule Table": "",

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every model in a process of its own: one that crashes, hangs or takes too much memory spares the others.
+
+Processes are those of the standard library, for its pools, and pebble's, share a pipe and a lock between their workers:
+one that is killed at the wrong moment takes the pool with it. psutil measures and ends what a process has started.
+"""
+
+import itertools
+import multiprocessing
+import os
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from multiprocessing.connection import Connection, wait
+from typing import Generic, TypeVar
+
+import psutil
+
+# A server that has the libraries forks a process in milliseconds; Windows has none, and loads them each time. Never a
+# fork of this process: the threads of a library are not for children.
+if sys.platform == "win32":
+    CONTEXT = multiprocessing.get_context("spawn")
+else:
+    CONTEXT = multiprocessing.get_context("forkserver")
+MOST = 60  # processes: Windows waits for no more than 63 at once
+OFTEN = 0.5  # seconds between looks at time and memory; a look takes milliseconds
+LEAVE = 5.0  # seconds that a process has to end after its result
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+
+
+@dataclass(frozen=True)
+class Limits:
+    seconds: float
+    memory: int  # bytes, those of Blender with it
+
+
+@dataclass(frozen=True)
+class Stopped:
+    """A process that brought no result."""
+
+    code: str  # "time_limit", "memory_limit" or "crashed"
+    sentence: str
+
+
+def each_apart(
+    work: Callable[[Item], Result], items: Iterable[Item], jobs: int, limits: Limits, modules: list[str]
+) -> Iterator[tuple[int, Result | Stopped]]:
+    """The number and the result of each item, as they end; so many jobs at a time.
+
+    work is a function of a module, for other processes to find; modules are what these are to have loaded.
+    Whoever stops asking for results, or is killed, ends all of them.
+    """
+    CONTEXT.set_forkserver_preload(modules)
+    waiting = enumerate(items)
+    running: list[_Run[Result]] = []
+    looked = time.monotonic()
+    try:
+        while True:
+            free = itertools.islice(waiting, min(jobs, MOST) - len(running))
+            running += [_Run(number, work, item) for number, item in free]
+            if not running:
+                return
+            wait([run.results for run in running], OFTEN)
+            is_time = time.monotonic() - looked > OFTEN
+            looked = time.monotonic() if is_time else looked
+            for run in list(running):
+                ended = run.ended() or (run.stopped_by(limits) if is_time else None)
+                if ended:
+                    running.remove(run)
+                    yield run.number, ended[0]
+    finally:
+        for run in running:
+            run.kill()
+
+
+class _Run(Generic[Result]):
+    def __init__(self, number: int, work: Callable[[Item], Result], item: Item) -> None:
+        self.number, self._begin = number, time.monotonic()
+        self.results, sender = CONTEXT.Pipe(duplex=False)
+        self._process = CONTEXT.Process(target=_do, args=(work, item, sender))
+        self._process.start()
+        sender.close()  # here, so that the end of the process is the end of the pipe
+
+    def ended(self) -> tuple[Result | Stopped] | None:
+        if not self.results.poll():
+            return None
+        try:
+            result: Result | Stopped = self.results.recv()
+        except (EOFError, OSError):
+            self._process.join()
+            result = Stopped("crashed", _crash(self._process.exitcode))
+        self._close()
+        return (result,)
+
+    def stopped_by(self, limits: Limits) -> tuple[Stopped] | None:
+        if time.monotonic() - self._begin > limits.seconds:
+            stopped = Stopped("time_limit", f"It took longer than {limits.seconds:g} seconds: see --time-limit.")
+        elif _memory(self._process.pid) > limits.memory:
+            most = f"{limits.memory / 1e9:.3g} GB"
+            stopped = Stopped("memory_limit", f"It took more than {most} of memory: see --memory-limit.")
+        else:
+            return None
+        self.kill()
+        return (stopped,)
+
+    def kill(self) -> None:
+        for process in _family(self._process.pid):
+            with suppress(psutil.Error):  # it has ended by itself
+                process.kill()
+        self._close()
+
+    def _close(self) -> None:
+        self.results.close()
+        self._process.join(LEAVE)
+        if self._process.exitcode is None:
+            self._process.kill()
+            self._process.join()
+        self._process.close()
+
+
+def _do(work: Callable[[Item], Result], item: Item, sender: Connection) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # of Ctrl+C: whoever has started this ends it
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    sender.send(work(item))
+
+
+def _end_with_parent() -> None:
+    """A parent that is killed cannot say so. What was begun is left to whoever begins anew."""
+    parent = multiprocessing.parent_process()
+    if parent:
+        parent.join()
+        os._exit(1)
+
+
+def _family(pid: int | None) -> list[psutil.Process]:
+    """The process, and those that it has started."""
+    try:
+        process = psutil.Process(pid)
+        return [process, *process.children(recursive=True)]
+    except psutil.NoSuchProcess:
+        return []
+
+
+def _memory(pid: int | None) -> int:
+    """Bytes."""
+    total = 0
+    for process in _family(pid):
+        with suppress(psutil.Error):
+            total += process.memory_info().rss
+    return total
+
+
+def _crash(code: int | None) -> str:
+    if code is None or code >= 0:
+        return f"Its process ended with code {code}."
+    name = signal.Signals(-code).name if -code in set(signal.Signals) else str(-code)
+    hint = ", as systems do that are out of memory" if name == "SIGKILL" else ""
+    return f"Its process was ended by {name}{hint}."

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Models of Blender, flattened by the add-on in Blender without a window, by the marks and settings in the file."""
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+from .figures import report_figures
+from .input_error import InputError
+from .request import Request
+from .verdicts import FAILED, READY, Line
+
+SCRIPT = Path(__file__).with_name("flatten_in_blender.py")
+ANSWER = ".answer.json"
+
+
+class BlenderError(Exception):
+    """Blender itself came to an end. str() is a sentence."""
+
+
+def flatten_blend(request: Request, folder: Path) -> tuple[Line, dict[str, Any]]:
+    """Writes patterns to the folder; the line, and what the report says besides. Raises InputError."""
+    program = shutil.which(request.blender)
+    if program is None:
+        raise InputError(f'There is no Blender at "{request.blender}": give --blender PATH.')
+    job = {"folder": str(folder), "stem": request.model.stem, "formats": request.formats, "answer": ANSWER}
+    # Scripts in files of strangers are not run; the file of the name given, not one that begins with a dash.
+    options = ("--background", "--disable-autoexec", str(request.model.absolute()), "--python-exit-code", "1")
+    with subprocess.Popen(
+        [program, *options, "--python", str(SCRIPT), "--", json.dumps(job)],
+        stdin=subprocess.PIPE,  # never written to: when this process ends, the script reads the end, and ends Blender
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+    ) as process:
+        said = process.stdout.read() if process.stdout else ""
+    answer = folder / ANSWER
+    if process.returncode != 0 or not answer.is_file():
+        last = said.strip().splitlines()[-1:] or ["it said nothing"]
+        raise BlenderError(f"Blender ended with code {process.returncode}: {last[0]}")
+    told = json.loads(answer.read_text(encoding="utf-8"))
+    answer.unlink()
+    if told["refusal"]:
+        raise InputError(told["refusal"])
+    return _told(request, told)
+
+
+def _told(request: Request, told: dict[str, Any]) -> tuple[Line, dict[str, Any]]:
+    reports = told["report"]["objects"]
+    issues = [(report["object"], issue) for report in reports for issue in report["issues"]]
+    for report in reports:
+        report.pop("seconds", None)  # the same model gives the same report again
+    line: Line = {
+        "verdict": FAILED if issues else READY,
+        "pieces": sum(len(report["pieces"]) for report in reports),
+        "figures": report_figures(reports),
+        "problems": [f"{name}: {issue['sentence']}" for name, issue in issues],
+        "codes": [issue["code"] for _, issue in issues],
+        "warnings": [note["text"] for report in reports for note in report["notes"] if note["is_warning"]],
+        "files": [request.report_path.name, *told["files"]],
+    }
+    return line, told["report"]

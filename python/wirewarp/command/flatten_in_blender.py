@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Run by Blender on a file of its own: flattens what is marked, and exports it as the settings in the file say.
+
+Its last argument is a job as JSON; see blend.py, which starts it and reads the answer.
+"""
+
+import json
+import os
+import sys
+import threading
+from pathlib import Path
+from typing import Any
+
+import bpy
+import numpy as np
+
+NO_ADD_ON = "Blender has no WireWarp add-on: install its zip there and enable it."
+NOTHING_MARKED = "No mesh that can be seen in the file has a seam or a wire: mark where to cut."
+
+
+def end_with_caller() -> None:
+    """Nobody writes to the standard input: it ends when whoever has started Blender ends, however that happens."""
+    sys.stdin.read()
+    os._exit(1)
+
+
+def is_marked(target: bpy.types.Object) -> bool:
+    """Whether there is something to flatten by; flat pieces of an earlier run do not count."""
+    if target.type != "MESH" or not target.visible_get() or "source_vertex" in target.data.attributes:
+        return False
+    edges = target.data.edges
+    seams = np.zeros(len(edges), dtype=bool)
+    edges.foreach_get("use_seam", seams)
+    wires = np.zeros(len(edges), dtype=np.int32)
+    marks = target.data.attributes.get("wirewarp_wire")
+    if marks is not None and marks.domain == "EDGE" and marks.data_type == "INT":
+        marks.data.foreach_get("value", wires)
+    return bool(seams.any() or wires.any())
+
+
+def settings_of(operator: Any) -> dict[str, Any]:  # noqa: ANN401 (bpy.ops has no types)
+    """What the file's scene says about the operator's own properties."""
+    scene = bpy.context.scene.wirewarp
+    names = set(operator.get_rna_type().properties.keys()) & set(scene.bl_rna.properties.keys()) - {"rna_type", "name"}
+    return {name: getattr(scene, name) for name in names if getattr(scene, name) != ""}
+
+
+def file_name(text: str) -> str:
+    return "".join("_" if letter in '<>:"/\\|?*' or ord(letter) < 32 else letter for letter in text)
+
+
+def flatten(job: dict[str, Any]) -> dict[str, Any]:
+    if not hasattr(bpy.types, "OBJECT_OT_wirewarp_flatten"):
+        return {"refusal": NO_ADD_ON}
+    if bpy.context.mode != "OBJECT":
+        bpy.ops.object.mode_set(mode="OBJECT")
+    models = [each for each in bpy.context.view_layer.objects if is_marked(each)]
+    if not models:
+        return {"refusal": NOTHING_MARKED}
+    for each in bpy.context.view_layer.objects:
+        each.select_set(each in models)
+    bpy.context.view_layer.objects.active = models[0]
+    folder = Path(job["folder"])
+    report_path = folder / "report.part"
+    try:
+        bpy.ops.object.wirewarp_flatten(report_path=str(report_path), **settings_of(bpy.ops.object.wirewarp_flatten))
+    except RuntimeError as error:  # pieces that failed are in the report
+        if not report_path.is_file():
+            return {"refusal": str(error).strip().removeprefix("Error: ")}
+    report = json.loads(report_path.read_text(encoding="utf-8"))
+    report_path.unlink()
+    if not any(each["pieces"] for each in report["objects"]):
+        return {"refusal": " ".join(issue["sentence"] for each in report["objects"] for issue in each["issues"])}
+    files = export(job, models, folder) if report["ok"] else []
+    return {"refusal": "", "report": report, "files": files}
+
+
+def export(job: dict[str, Any], models: list[bpy.types.Object], folder: Path) -> list[str]:
+    """The names of the files, STEM.pdf of one model, STEM-OBJECT.pdf of each of several."""
+    files = []
+    for model in models:
+        bpy.context.view_layer.objects.active = model
+        stem = job["stem"] if len(models) == 1 else f"{job['stem']}-{file_name(model.name)}"
+        for kind in job["formats"]:
+            files.append(f"{stem}.{kind}")
+            path = str(folder / files[-1])
+            bpy.ops.object.wirewarp_export(filepath=path, **settings_of(bpy.ops.object.wirewarp_export))
+    return files
+
+
+threading.Thread(target=end_with_caller, daemon=True).start()
+job = json.loads(sys.argv[-1])
+try:
+    answer = flatten(job)
+except RuntimeError as error:  # of the export, with a sentence
+    answer = {"refusal": str(error).strip().removeprefix("Error: ")}
+(Path(job["folder"]) / job["answer"]).write_text(json.dumps(answer), encoding="utf-8")
+sys.stdout.flush()
+os._exit(0)  # the file is not to be saved, and the thread that waits need not be waited for

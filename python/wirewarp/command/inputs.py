@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The models of folders and lists, and where in the output each belongs."""
+
+import json
+import os
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from .input_error import InputError
+from .request import FROM_MODEL
+from .suffixes import SUFFIXES
+
+LIST = ".jsonl"
+Options = dict[str, str | int | float | bool]
+
+
+@dataclass(frozen=True)
+class Found:
+    model: Path
+    folder: Path  # in that of the output
+    options: Options = field(default_factory=dict)  # as on the command line, without "--"
+    source: str = ""  # the list and the line that has the options
+
+
+def found_models(inputs: Iterable[Path]) -> list[Found]:
+    """Models themselves, those inside of folders, and those of lists; in an order of their own. Raises InputError."""
+    models: list[Found] = []
+    for path in inputs:
+        if path.is_dir():
+            found = list(_in_folder(path))
+        elif path.suffix.lower() == LIST:
+            found = list(_in_list(path))
+        else:
+            found = [Found(path, Path())]  # whether it is there, its line says
+        if not found:
+            raise InputError(f'there is no model in "{path}": none of {", ".join(SUFFIXES)}')
+        models += found
+    return models
+
+
+def _in_folder(top: Path) -> Iterator[Found]:
+    def refuse(error: OSError) -> None:
+        raise InputError(f'the folder "{error.filename}" cannot be read: {error.strerror}') from error
+
+    for name, folders, files in os.walk(top, onerror=refuse, followlinks=True):
+        folders[:] = sorted(each for each in folders if not each.startswith("."))
+        for file in sorted(files):
+            if not file.startswith(".") and Path(file).suffix.lower() in SUFFIXES:
+                yield Found(Path(name) / file, Path(name).relative_to(top))
+
+
+def _in_list(path: Path) -> Iterator[Found]:
+    """Paths in a list are seen from where it lies, and so are those of the output."""
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except (OSError, ValueError) as error:
+        raise InputError(f'the list "{path}" cannot be read: {getattr(error, "strerror", None) or error}') from error
+    for number, line in enumerate(lines, start=1):
+        if not line.strip():
+            continue
+        source = f'"{path}", line {number}'
+        try:
+            entry = json.loads(line)
+            model = entry.pop("model")
+        except (ValueError, AttributeError, KeyError, TypeError) as error:
+            raise InputError(f'{source}, is no JSON like {{"model": "a.obj", "seams": "uv"}}') from error
+        for option in ("seams", "wires"):
+            if option in entry and entry[option] not in ("", *FROM_MODEL):
+                entry[option] = str(path.parent / str(entry[option]))
+        if not isinstance(model, str) or not all(isinstance(value, str | int | float) for value in entry.values()):
+            raise InputError(f"{source}: a model and its options are texts, numbers or true")
+        yield Found(path.parent / model, _folder_of(Path(model)), entry, source)
+
+
+def _folder_of(model: Path) -> Path:
+    """That of the model in the list, if it lies in the folder of the list."""
+    inside = not model.is_absolute() and ".." not in model.parts
+    return model.parent if inside else Path()

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is done with one model, and where it is written."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..pattern.nest_items import Grain
+
+MILLIMETERS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
+FROM_MODEL = ("uv", "sharp")
+
+
+@dataclass(frozen=True)
+class MarkerRequest:
+    """What the pieces are cut from, in millimeters, and how; see Pattern.nested."""
+
+    width: float
+    length: float | None
+    gap: float
+    grain: Grain
+    times: int
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Request:
+    """What is done with one model. Lengths are in millimeters."""
+
+    model: Path
+    folder: Path
+    seams: str  # "uv", "sharp", a path, or "" for none
+    wires: str  # a path, or "" for none
+    formats: tuple[str, ...]
+    page: str | float
+    allowance: float
+    hem: float | None
+    unit: str
+    imperial: bool
+    marker: MarkerRequest | None
+    picture: bool
+    blender: str  # the program, for .blend files
+    resume: bool
+
+    @property
+    def report_path(self) -> Path:
+        return self.folder / f"{self.model.stem}.json"
+
+    def pattern_path(self, kind: str) -> Path:
+        return self.folder / f"{self.model.stem}.{kind}"
+
+    @property
+    def picture_path(self) -> Path:
+        """Not NAME.png, which many models have as their texture."""
+        return self.folder / f"{self.model.stem}-strain.png"
+
+    def marker_path(self, kind: str) -> Path:
+        return self.folder / f"{self.model.stem}-marker.{kind}"
+
+    @property
+    def all_paths(self) -> list[Path]:
+        """What may be of an earlier run of this request."""
+        drawn = [path(kind) for kind in self.formats for path in (self.pattern_path, self.marker_path)]
+        return [*drawn, self.picture_path, self.report_path]
+
+    @property
+    def line_files(self) -> list[Path]:
+        """The files that seams and wires are read from."""
+        return [Path(name) for name in (self.seams, self.wires) if name not in ("", *FROM_MODEL)]

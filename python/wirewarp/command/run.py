@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flattens what was asked for, and prints what became of each model."""
+
+import json
+import os
+import sys
+import time
+from collections.abc import Iterator
+
+from tqdm import tqdm
+
+from .apart import Stopped, each_apart
+from .arguments import Arguments
+from .flatten import flatten_model
+from .request import Request
+from .staged import remove_staged
+from .verdicts import EXIT_CODES, STOPPED, Line, unfinished
+
+MODULES = ["trimesh", __name__]
+
+
+def run(arguments: Arguments) -> int:
+    """Prints one line of JSON for each model, in their order; returns the exit code, that of the worst."""
+    # Matrices are small here, and models many: threads for each would be in the way of others.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    worst = 0
+    # The bar is drawn where standard error is a terminal.
+    with tqdm(total=len(arguments.requests), unit="model", file=sys.stderr, disable=None) as bar:
+        for line in _in_order(arguments, bar):
+            with tqdm.external_write_mode(sys.stdout):
+                print(json.dumps(line), flush=True)  # ASCII: every console can show it
+            worst = max(worst, EXIT_CODES[line["verdict"]])
+    return worst
+
+
+def _in_order(arguments: Arguments, bar: "tqdm[None]") -> Iterator[Line]:
+    requests, ended, following = arguments.requests, {}, 0
+    for number, result in each_apart(timed, requests, arguments.jobs, arguments.limits, MODULES):
+        bar.update()
+        ended[number] = result
+        while following in ended:
+            yield _line(requests[following], ended.pop(following))
+            following += 1
+
+
+def timed(request: Request) -> Line:
+    begin = time.monotonic()
+    line = flatten_model(request)
+    return {**line, "seconds": round(time.monotonic() - begin, 3)}
+
+
+def _line(request: Request, result: Line | Stopped) -> Line:
+    if isinstance(result, Stopped):
+        remove_staged(request)
+        result = unfinished(STOPPED, result.code, result.sentence)
+    return {"model": str(request.model), **result}

@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which files are models."""
+
+BLEND = ".blend"
+READ_BY_TRIMESH = (".obj", ".ply", ".stl", ".gltf", ".glb")
+SUFFIXES = (*READ_BY_TRIMESH, BLEND)

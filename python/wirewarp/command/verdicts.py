@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What may become of a model, and the line that says it."""
+
+from typing import Any
+
+READY, FAILED, REFUSED, STOPPED = "ready to cut", "not ready to cut", "refused", "stopped"
+EXIT_CODES = {READY: 0, FAILED: 1, REFUSED: 2, STOPPED: 3}  # that of the worst ends the command
+Line = dict[str, Any]
+
+
+def unfinished(verdict: str, code: str, problem: str) -> Line:
+    """Of a model of which nothing was written."""
+    return {"verdict": verdict, "problems": [problem], "codes": [code]}

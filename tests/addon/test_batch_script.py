@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What `python -m wirewarp batch` has Blender do with a .blend file."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+from surfaces import bump, grid, mark, on_line
+
+SCRIPT = Path(__file__).resolve().parents[2] / "python" / "wirewarp" / "command" / "flatten_in_blender.py"
+RUN = "import runpy, sys, bpy; {enable}; runpy.run_path(sys.argv[-2])"
+ENABLE = "bpy.ops.preferences.addon_enable(module={module!r}); bpy.ops.wm.open_mainfile(filepath=sys.argv[-3])"
+
+
+def run_script(addon, tmp_path, formats, stdin):
+    """The folder that the script writes to, for the file that is open now, in a Blender of its own; and its code."""
+    path = tmp_path / "bag.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    saved = path.read_bytes()
+    folder = tmp_path / "out"
+    folder.mkdir()
+    job = {"folder": str(folder), "stem": "bag", "formats": formats, "answer": ".answer.json"}
+    expression = RUN.format(enable=ENABLE.format(module=addon.__name__))
+    if bpy.app.binary_path:
+        blender = [bpy.app.binary_path, "--background", "--factory-startup", "--python-exit-code", "1"]
+        command = [*blender, "--python-expr", expression, "--", path, SCRIPT, json.dumps(job)]
+    else:  # Blender as a Python module
+        command = [sys.executable, "-c", expression, path, SCRIPT, json.dumps(job)]
+    done = subprocess.run(command, stdin=stdin, capture_output=True, text=True)
+    print(done.stdout, done.stderr)
+    assert path.read_bytes() == saved
+    return folder, done.returncode
+
+
+def answer_of(addon, tmp_path, formats=("svg",)):
+    is_alive, until_closed = os.pipe()
+    folder, code = run_script(addon, tmp_path, formats, is_alive)
+    os.close(is_alive)
+    os.close(until_closed)
+    assert code == 0
+    answer = json.loads((folder / ".answer.json").read_text())
+    (folder / ".answer.json").unlink()
+    assert sorted(file.name for file in folder.iterdir()) == sorted(answer.get("files", []))
+    return answer
+
+
+def test_blender_ends_with_whoever_has_started_it(addon, tmp_path):
+    mark(grid("Bag", bump), on_line(1, 0.0))
+    folder, code = run_script(addon, tmp_path, ["svg"], subprocess.DEVNULL)
+    assert code == 1 and not (folder / ".answer.json").exists()
+
+
+def test_what_is_marked_is_flattened_by_the_settings_in_the_file(addon, tmp_path):
+    sheet = grid("Bag", bump)
+    mark(sheet, on_line(1, 0.0), kind="ELASTIC", tolerance=0.05)
+    grid("Without marks", bump)
+    bpy.context.scene.wirewarp.fairness = 0.3
+    bpy.context.scene.wirewarp.allowance = 15.0
+    answer = answer_of(addon, tmp_path, ("svg", "pdf"))
+    (report,) = answer["report"]["objects"]
+    assert (answer["refusal"], report["object"], report["ok"]) == ("", "Bag", True)
+    assert report["options"]["fairness"] == pytest.approx(0.3)
+    assert answer["files"] == ["bag.svg", "bag.pdf"]
+
+
+def test_several_models_have_files_of_their_own(addon, tmp_path):
+    for name in ("Left/right", "Strap"):
+        mark(grid(name, bump), on_line(1, 0.0))
+    answer = answer_of(addon, tmp_path)
+    assert answer["files"] == ["bag-Left_right.svg", "bag-Strap.svg"]
+
+
+def test_failed_pieces_are_in_the_report_and_nothing_is_exported(addon, tmp_path):
+    bpy.ops.mesh.primitive_uv_sphere_add()
+    ball = bpy.context.object
+    seams = np.zeros(len(ball.data.edges), dtype=bool)
+    seams[0] = True
+    ball.data.edges.foreach_set("use_seam", seams)
+    answer = answer_of(addon, tmp_path)
+    (report,) = answer["report"]["objects"]
+    assert (report["ok"], answer["files"]) == (False, [])
+    assert report["issues"][0]["sentence"]
+
+
+def test_a_file_without_marks_is_refused_in_a_sentence(addon, tmp_path):
+    grid("Bag", bump)
+    assert answer_of(addon, tmp_path)["refusal"].startswith("No mesh that can be seen in the file has a seam or a wire")

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Many small models, flattened once in peace, and once with five kill -9 in between: the same files must come out.
+
+python tests/bindings/many_models.py COUNT FOLDER [--jobs N]    all of it, with the seconds (Linux)
+"""
+
+import argparse
+import fcntl
+import hashlib
+import json
+import os
+import random
+import subprocess
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+import psutil
+
+KILLS = ("worker", "driver", "worker", "driver", "worker")
+SMALL_PIPE = 4096  # bytes, some ten lines: the run waits for whoever reads them, and cannot end before it is killed
+
+
+def write_models(folder, count):
+    """OBJ files of 50 to 200 triangles in folders of a hundred: bumpy sheets, some cut in two; every 20th is closed and
+    cannot be flat, every 50th is no model at all.
+    """
+    for number in range(count):
+        path = folder / f"{number // 100:03d}" / f"model {number:05d}.obj"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if number % 50 == 49:
+            path.write_text("nothing\n")
+        else:
+            path.write_text(_ball() if number % 20 == 19 else _sheet(np.random.default_rng(number)))
+
+
+def _sheet(random_numbers):
+    """100 mm wide, 5 to 10 squares each way; the map has one island, or two."""
+    columns, rows = random_numbers.integers(5, 11, 2)
+    x, y = np.meshgrid(np.linspace(0, 0.1, columns + 1), np.linspace(0, 0.1, rows + 1))
+    phase, bump = random_numbers.random(2) * 6, random_numbers.random() * 0.02
+    z = bump * np.sin(30 * x + phase[0]) * np.cos(30 * y + phase[1])
+    lines = [f"v {a!r} {b!r} {c!r}" for a, b, c in np.column_stack([x.ravel(), y.ravel(), z.ravel()]).tolist()]
+    lines += [f"vt {u!r} {v!r}" for u, v in np.column_stack([x.ravel(), y.ravel()]).tolist()]
+    lines += [f"vt {u + 1!r} {v!r}" for u, v in np.column_stack([x.ravel(), y.ravel()]).tolist()]
+    cut = random_numbers.integers(0, columns)  # 0: none
+    wide, count = columns + 1, (columns + 1) * (rows + 1)
+    for row in range(rows):
+        for column in range(columns):
+            first = row * wide + column + 1
+            island = count if column < cut else 0
+            corners = (first, first + 1, first + wide + 1, first + wide)
+            lines.append("f " + " ".join(f"{corner}/{corner + island}" for corner in corners))
+    return "\n".join(lines) + "\n"
+
+
+def _ball():
+    """A closed box, whose map is a single point."""
+    corners = [(x, y, z) for x in (0, 0.1) for y in (0, 0.1) for z in (0, 0.1)]
+    lines = [f"v {x} {y} {z}" for x, y, z in corners] + ["vt 0 0"]
+    for face in ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)):
+        lines.append("f " + " ".join(f"{corner}/1" for corner in face))
+    return "\n".join(lines) + "\n"
+
+
+def start(models, out, jobs):
+    words = ["batch", models, "--out", out, "--seams", "uv", "--format", "svg", "--jobs", jobs]
+    process = subprocess.Popen(
+        [sys.executable, "-m", "wirewarp", *map(str, words)],
+        stdout=subprocess.PIPE,
+        text=True,
+        env=os.environ | {"SOURCE_DATE_EPOCH": "0"},  # midnight may be between the two runs
+    )
+    fcntl.fcntl(process.stdout, fcntl.F_SETPIPE_SZ, SMALL_PIPE)
+    return process
+
+
+def run(models, out, jobs):
+    """The lines of a whole run."""
+    with start(models, out, jobs) as process:
+        return [json.loads(line) for line in process.stdout]
+
+
+def run_with_kills(models, out, jobs, seed=0):
+    """Kills workers and drivers and goes on until all is done; the lines of the last run, and what was killed."""
+    count = sum(1 for _ in models.rglob("*.obj"))
+    # In the first half of the models, each later than the last: a run that was killed is gone through again.
+    places = sorted(random.Random(seed).sample(range(1, count // 2), len(KILLS)))
+    killed = []
+    while len(killed) < len(KILLS):
+        with start(models, out, jobs) as process:
+            for number, _ in enumerate(process.stdout):
+                if len(killed) < len(KILLS) and number >= places[len(killed)]:
+                    killed += _kill(process.pid, KILLS[len(killed)])
+        assert process.returncode in (-9, 2, 3), process.returncode  # with models that are none, nothing is better
+    while True:  # until none is left that a kill has stopped
+        lines = run(models, out, jobs)
+        if not any(line["verdict"] == "stopped" for line in lines):
+            return lines, killed
+
+
+def _kill(driver, kind):
+    """[kind] if there was one to kill: between two models there may be no worker."""
+    if kind == "driver":
+        os.kill(driver, 9)
+        return [kind]
+    for process in psutil.Process(driver).children(recursive=True):
+        try:
+            if process.ppid() != driver and process.status() != psutil.STATUS_ZOMBIE:
+                process.kill()
+                return [kind]
+        except psutil.NoSuchProcess:
+            pass
+    return []
+
+
+def contents(folder):
+    """Digests of all files by their names, hidden ones too."""
+    files = (path for path in folder.rglob("*") if path.is_file() or path.name.startswith("."))
+    return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
+
+
+def told(lines):
+    """Lines by model, without what may differ."""
+    return {line["model"]: {key: line[key] for key in line if key not in ("seconds", "skipped")} for line in lines}
+
+
+def check_kills(folder, count, jobs):
+    """Asserts that nothing is lost, nothing is there twice, and all is as in one run; the seconds of both ways."""
+    models = folder / "models"
+    write_models(models, count)
+    begin = time.monotonic()
+    once = run(models, folder / "once", jobs)
+    between = time.monotonic()
+    lines, killed = run_with_kills(models, folder / "killed", jobs)
+    end = time.monotonic()
+    assert tuple(killed) == KILLS
+    assert len(once) == len(lines) == len(told(lines)) == count
+    assert told(lines) == told(once)
+    verdicts = Counter(line["verdict"] for line in lines)
+    refused = count // 50
+    failed = count // 20 - count // 100  # every 100th is both
+    expected = {"refused": refused, "not ready to cut": failed, "ready to cut": count - refused - failed}
+    assert verdicts == Counter({verdict: number for verdict, number in expected.items() if number})
+    assert contents(folder / "killed") == contents(folder / "once")
+    return between - begin, end - between, verdicts
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("count", type=int)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--jobs", type=int, default=2)
+    given = parser.parse_args()
+    seconds, seconds_killed, found = check_kills(given.folder, given.count, given.jobs)
+    print(f"{given.count} models, {dict(found)}: {seconds:.0f} s; {', '.join(KILLS)} killed: {seconds_killed:.0f} s")

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""python -m wirewarp batch: folders and lists of models, each in a process of its own, none lost and none twice."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import psutil
+import pytest
+from test_command import FOLDED
+from wirewarp.command import run as command_run
+from wirewarp.command.apart import Limits, Stopped, each_apart
+from wirewarp.command.arguments import parsed
+from works_apart import hang_or_wait, square_or_crash, take_memory_and_hang
+
+pytest.importorskip("trimesh")
+posix = pytest.mark.skipif(os.name != "posix", reason="shell scripts and limits of POSIX")
+NEVER = Limits(3600.0, 10**12)
+
+
+def run(*words, code=0, **how):
+    """The lines that are printed, and what is said besides."""
+    command = [sys.executable, "-m", "wirewarp", "batch", *map(str, words)]
+    done = subprocess.run(command, stderr=subprocess.PIPE, text=True, **{"stdout": subprocess.PIPE} | how)
+    assert done.returncode == code, done.stderr
+    return [json.loads(line) for line in (done.stdout or "").splitlines()], done.stderr
+
+
+@pytest.fixture
+def models(tmp_path):
+    """Two of one name in two folders, and what is no model."""
+    folder = tmp_path / "models"
+    for path in ("a.obj", "deep/er/a.obj", "notes.txt", ".hidden/b.obj", ".c.obj"):
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(FOLDED)
+    return folder
+
+
+def files(folder):
+    return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
+
+
+def test_models_of_folders_keep_their_places_and_are_done_once(models, tmp_path):
+    words = (models, "--out", tmp_path / "out", "--format", "svg", "--jobs", 2)
+    lines, errors = run(*words)
+    assert [line["model"] for line in lines] == [str(models / "a.obj"), str(models / "deep/er/a.obj")]
+    assert files(tmp_path / "out") == ["a.json", "a.svg", "deep/er/a.json", "deep/er/a.svg"] and errors == ""
+    assert lines[0]["figures"]["area_m2"] == pytest.approx(0.05 * 0.1 + 0.05 * 0.1 * 1.18, rel=0.01)
+    (models / "deep/er/a.obj").write_text(FOLDED.replace(".04", ".03"))
+    assert ["skipped" in line for line in run(*words)[0]] == [True, False]
+
+
+def test_models_of_a_list_have_options_of_their_own(models, tmp_path):
+    (models / "cuts.json").write_text("[[1, 4]]")
+    entries = [{"model": "a.obj", "seams": "cuts.json", "picture": True}, {"model": "deep/er/a.obj", "format": "dxf"}]
+    (models / "list.jsonl").write_text("\n".join(map(json.dumps, entries)) + "\n\n")
+    lines, _ = run(models / "list.jsonl", "--out", tmp_path / "out", "--format", "svg", "--jobs", 1)
+    assert [line["pieces"] for line in lines] == [2, 1]
+    assert files(tmp_path / "out") == ["a-strain.png", "a.json", "a.svg", "deep/er/a.dxf", "deep/er/a.json"]
+
+
+def test_parts_of_a_farm_have_every_model_once(models):
+    parts = [parsed(["batch", str(models), "--out", "out", "--part", f"{part}/3"]).requests for part in (1, 2, 3)]
+    whole = parsed(["batch", str(models), "--out", "out"]).requests
+    assert [len(part) for part in parts] == [1, 1, 0] and [*parts[0], *parts[1]] == whole
+
+
+@pytest.mark.parametrize("part", ["0/3", "4/3", "3", "1/0"])
+def test_a_part_that_is_none_is_one_sentence(models, tmp_path, part):
+    errors = run(models, "--out", tmp_path / "out", "--part", part, code=2)[1]
+    assert f"'{part}' is no part: give 1/20 to 20/20" in errors.splitlines()[-1]
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (None, 'there is no model in "'),
+        ("", 'there is no model in "'),
+        ("a.obj", "line 1, is no JSON like"),
+        ('["a.obj"]', "line 1, is no JSON like"),
+        ('{"seams": "uv"}', "line 1, is no JSON like"),
+        ('{"model": ["a.obj"]}', "line 1: a model and its options are texts"),
+        ('{"model": "a.obj", "colour": "red"}', "line 1: unrecognized arguments: --colour=red"),
+        ('{"model": "a.obj", "unit": "ft"}', "line 1: argument --unit: invalid choice: 'ft'"),
+        ('{"model": "a.obj"}\n{"model": "a.ply"}', "would both write"),
+    ],
+)
+def test_what_cannot_be_meant_is_one_sentence_and_nothing_is_begun(tmp_path, content, said):
+    given = tmp_path / ("empty" if content is None else "list.jsonl")
+    given.mkdir() if content is None else given.write_text(content)
+    _, errors = run(given, "--out", tmp_path / "out", code=2)
+    assert said in errors.splitlines()[-1] and not (tmp_path / "out").exists()
+
+
+def test_one_that_crashes_spares_the_others():
+    numbers = [*range(12, 16)]
+    results = dict(each_apart(square_or_crash, numbers, 2, NEVER, []))
+    assert [results[0], results[3]] == [12**2, 15**2]
+    assert [results[1].code, results[2].code] == ["crashed", "crashed"]
+    if os.name == "posix":
+        assert results[1].sentence == "Its process was ended by SIGSEGV."
+    assert results[2].sentence == "Its process ended with code 1."
+
+
+def test_what_hangs_ends_with_what_it_has_started(tmp_path):
+    path = tmp_path / "pid"
+    running = each_apart(hang_or_wait, [("hang", path), ("wait", path)], 2, NEVER, [])
+    assert next(running) == (1, None)
+    assert psutil.pid_exists(int(path.read_text()))
+    running.close()
+    assert is_gone(int(path.read_text()))
+
+
+def test_what_hangs_is_stopped_in_time(tmp_path):
+    results = dict(each_apart(hang_or_wait, [("wait", tmp_path / "never")], 1, Limits(0.0, 10**12), []))
+    assert results == {0: Stopped("time_limit", "It took longer than 0 seconds: see --time-limit.")}
+
+
+def is_gone(pid):
+    try:
+        return psutil.Process(pid).status() == psutil.STATUS_ZOMBIE  # in containers nobody may ask for its code
+    except psutil.NoSuchProcess:
+        return True
+
+
+def test_one_that_takes_all_memory_is_stopped():
+    results = dict(each_apart(take_memory_and_hang, [600 * 10**6], 1, Limits(3600.0, 500 * 10**6), []))
+    assert results == {0: Stopped("memory_limit", "It took more than 0.5 GB of memory: see --memory-limit.")}
+
+
+def test_lines_come_in_order_and_the_worst_counts(models, tmp_path, monkeypatch, capsys):
+    arguments = parsed(["batch", str(models), "--out", str(tmp_path / "out")])
+    ended = [(1, {"verdict": "not ready to cut"}), (0, Stopped("crashed", "It crashed."))]
+    monkeypatch.setattr(command_run, "each_apart", lambda *_: iter(ended))
+    assert command_run.run(arguments) == 3
+    first, second = map(json.loads, capsys.readouterr().out.splitlines())
+    assert (first["model"], first["codes"]) == (str(models / "a.obj"), ["crashed"])
+    assert (second["model"], second["verdict"]) == (str(models / "deep/er/a.obj"), "not ready to cut")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="sees processes and pipes as Linux has them")
+def test_kills_lose_nothing_and_do_nothing_twice(tmp_path):
+    from many_models import check_kills
+
+    check_kills(tmp_path, 60, 2)
+
+
+@posix
+def test_a_full_disk_is_one_sentence_and_leaves_what_was_there(models, tmp_path):
+    import resource
+
+    words = (models / "a.obj", "--out", tmp_path / "out", "--format", "svg")
+    run(*words)
+    before = {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")}
+    limit = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))}
+    ((line,), errors) = run(*words, "--allowance", "5mm", code=2, **limit)
+    assert (line["verdict"], line["codes"], errors) == ("refused", ["file"], "")
+    assert "File too large" in line["problems"][0]
+    assert {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")} == before
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")
+def test_lines_that_cannot_be_printed_are_one_sentence(models, tmp_path):
+    with Path("/dev/full").open("w") as full:
+        _, errors = run(models, "--out", tmp_path / "out", "--format", "svg", code=2, stdout=full)
+    assert errors == "The lines cannot be printed: No space left on device\n"
+
+
+def test_models_that_cannot_be_read_are_refused_each(tmp_path):
+    (tmp_path / "models").mkdir()
+    (tmp_path / "models" / "lost.obj").symlink_to(tmp_path / "nowhere.obj")
+    (tmp_path / "models" / "text.glb").write_text("no mesh")
+    lines, errors = run(tmp_path / "models", "--out", tmp_path / "out", code=2)
+    assert [line["codes"] for line in lines] == [["input"], ["input"]] and errors == ""
+    assert "There is no file" in lines[0]["problems"][0] and "cannot be read" in lines[1]["problems"][0]
+    assert files(tmp_path) == ["models/text.glb"]
+
+
+BLENDER = """#!{python}
+import json, sys, time
+from pathlib import Path
+job = json.loads(sys.argv[-1])
+folder = Path(job["folder"])
+kind = Path(sys.argv[sys.argv.index("--disable-autoexec") + 1]).stem
+if kind == "hangs":
+    time.sleep(3600)
+if kind == "crashes":
+    print("Segmentation fault")
+    sys.exit(11)
+piece = {{"triangles": 2, "area_3d_m2": 0.5, "arap_energy": 0.01}}
+report = {{"object": "Bag", "issues": [], "pieces": [piece, piece], "seams": [{{"mismatch_m": 1e-12}}], "seconds": 1}}
+report["notes"] = [{{"text": "It is inside out.", "is_warning": True}}]
+answer = {{"refusal": "No mesh." if kind == "empty" else "", "report": {{"objects": [report]}}, "files": []}}
+for form in job["formats"]:
+    answer["files"].append(job["stem"] + "." + form)
+    (folder / answer["files"][-1]).write_text(form)
+(folder / job["answer"]).write_text(json.dumps(answer))
+"""
+
+
+@pytest.fixture
+def blender(tmp_path):
+    """Answers as flatten_in_blender.py does, whose own test is in tests/addon."""
+    program = tmp_path / "blender"
+    program.write_text(BLENDER.format(python=sys.executable))
+    program.chmod(0o755)
+    return program
+
+
+@posix
+def test_files_of_blender_are_flattened_there(blender, tmp_path):
+    for name in ("bag", "crashes", "empty"):
+        (tmp_path / f"{name}.blend").write_bytes(b"BLENDER")
+    paths = [tmp_path / f"{name}.blend" for name in ("bag", "crashes", "empty")]
+    words = (*paths, "--out", tmp_path / "out", "--format", "svg", "--blender", blender)
+    (bag, crashed, empty), _ = run(*words, code=3)
+    assert (bag["verdict"], bag["pieces"], bag["warnings"]) == ("ready to cut", 2, ["It is inside out."])
+    figures = {"triangles": 4, "area_m2": 1.0, "energy": 0.01, "seam_mismatch_m": 1e-12}
+    assert bag["figures"] == pytest.approx(figures)
+    assert crashed["codes"] == ["crashed"]
+    assert crashed["problems"] == ["Blender ended with code 11: Segmentation fault"]
+    assert (empty["verdict"], empty["problems"]) == ("refused", ["No mesh."])
+    assert files(tmp_path / "out") == ["bag.json", "bag.svg"] == sorted(bag["files"])
+    assert run(paths[0], *words[3:])[0][0]["skipped"]
+
+
+@posix
+def test_of_what_is_stopped_nothing_is_left(blender, tmp_path):
+    (tmp_path / "hangs.blend").write_bytes(b"BLENDER")
+    words = (tmp_path / "hangs.blend", "--out", tmp_path / "out", "--blender", blender)
+    ((line,), _) = run(*words, "--time-limit", 0, code=3)
+    assert (line["verdict"], line["codes"]) == ("stopped", ["time_limit"])
+    assert list((tmp_path / "out").glob("*")) == []
+
+
+def test_without_blender_that_is_told(tmp_path):
+    (tmp_path / "a.blend").write_bytes(b"BLENDER")
+    ((line,), _) = run(tmp_path, "--out", tmp_path / "out", "--blender", "no-such-blender", code=2)
+    assert line["problems"] == ['There is no Blender at "no-such-blender": give --blender PATH.']

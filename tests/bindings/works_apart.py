@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What processes of tests do: one number comes in."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+
+def square_or_crash(number):
+    """The square; 13 crashes as C++ does, and 14 as Python does."""
+    if number == 13:
+        os.kill(os.getpid(), getattr(signal, "SIGSEGV", signal.SIGABRT))
+    if number == 14:
+        raise ZeroDivisionError
+    return number**2
+
+
+def hang_or_wait(task):
+    """("hang", path): starts another process, writes its number to the path, and hangs. ("wait", path): until then."""
+    kind, path = task
+    if kind == "hang":
+        other = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(3600)"])
+        path.with_suffix(".part").write_text(str(other.pid))
+        path.with_suffix(".part").replace(path)
+        time.sleep(3600)
+    while not path.is_file():
+        time.sleep(0.01)
+
+
+def take_memory_and_hang(size):
+    taken = bytearray(os.urandom(1) * size)
+    time.sleep(3600)
+    return len(taken)
