@@ -9,7 +9,18 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-SOURCE_FOLDERS = ("addon", "bench", "blend_samples", "docs", "native", "python", "results", "tests", "tools")
+SOURCE_FOLDERS = (
+    "addon",
+    "bench",
+    "blend_samples",
+    "docs",
+    "examples",
+    "native",
+    "python",
+    "results",
+    "tests",
+    "tools",
+)
 
 # Each folder of native/src may include from itself and from those before it.
 LAYERS = [

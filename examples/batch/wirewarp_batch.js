@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A job type of Flamenco 3: the models of a folder that all workers share, as tasks that each do a part of them.
+// It belongs in the folder `scripts` beside flamenco-manager. {python} is a variable of flamenco-manager.yaml: the Python
+// of each platform that has wirewarp[command].
+
+const JOB_TYPE = {
+    label: "WireWarp Patterns",
+    description: "Flatten every model in a folder, and write reports and patterns",
+    settings: [
+        { key: "models", type: "string", subtype: "dir_path", required: true,
+          description: "Folder with the models" },
+        { key: "patterns", type: "string", subtype: "dir_path", required: true,
+          description: "Folder for reports and patterns" },
+        { key: "options", type: "string", required: false, default: "--seams uv",
+          description: "Options of python -m wirewarp batch, apart by spaces; for .blend files --blender" },
+        { key: "parts", type: "int32", required: true, default: 20, propargs: { min: 1, max: 1000 },
+          description: "Number of tasks that share the models" },
+    ],
+};
+
+function compileJob(job) {
+    const settings = job.settings;
+    const options = (settings.options || "").split(" ").filter((word) => word !== "");
+    for (let part = 1; part <= settings.parts; part++) {
+        const task = author.Task(`models ${part} of ${settings.parts}`, "misc");
+        task.addCommand(author.Command("exec", {
+            exe: "{python}",
+            args: ["-m", "wirewarp", "batch", settings.models, "--out", settings.patterns,
+                   "--part", `${part}/${settings.parts}`].concat(options),
+        }));
+        job.addTask(task);
+    }
+}
