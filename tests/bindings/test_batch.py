@@ -3,6 +3,7 @@
 
 import json
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -133,7 +134,12 @@ def test_one_that_takes_all_memory_is_stopped():
 def test_lines_come_in_order_and_the_worst_counts(models, tmp_path, monkeypatch, capsys):
     arguments = parsed(["batch", str(models), "--out", str(tmp_path / "out")])
     ended = [(1, {"verdict": "not ready to cut"}), (0, Stopped("crashed", "It crashed."))]
-    monkeypatch.setattr(command_run, "each_apart", lambda *_: iter(ended))
+
+    def each_apart_of_two(_work, requests, *_):
+        assert len(list(requests)) == 2
+        yield from ended
+
+    monkeypatch.setattr(command_run, "each_apart", each_apart_of_two)
     assert command_run.run(arguments) == 3
     first, second = map(json.loads, capsys.readouterr().out.splitlines())
     assert (first["model"], first["codes"]) == (str(models / "a.obj"), ["crashed"])
@@ -233,6 +239,34 @@ def test_of_what_is_stopped_nothing_is_left(blender, tmp_path):
     ((line,), _) = run(*words, "--time-limit", 0, code=3)
     assert (line["verdict"], line["codes"]) == ("stopped", ["time_limit"])
     assert list((tmp_path / "out").glob("*")) == []
+
+
+@posix
+def test_nobody_who_reads_is_one_sentence_and_nothing_hidden_is_left(models, blender, tmp_path):
+    """As of `| head`: the second model hangs when the line of the first cannot be printed."""
+    (models / "b hangs").mkdir()
+    (models / "b hangs" / "hangs.blend").write_bytes(b"BLENDER")
+    shut, stdout = os.pipe()
+    os.close(shut)
+    words = (models, "--out", tmp_path / "out", "--format", "svg", "--blender", blender, "--jobs", 2)
+    _, errors = run(*words, code=2, stdout=stdout)
+    os.close(stdout)
+    assert errors == "The lines cannot be printed: Broken pipe\n"
+    assert all(not path.name.startswith(".") for path in (tmp_path / "out").rglob("*"))
+
+
+@posix
+def test_ctrl_c_ends_all_and_nothing_hidden_is_left(models, blender, tmp_path):
+    (models / "b hangs").mkdir()
+    (models / "b hangs" / "hangs.blend").write_bytes(b"BLENDER")
+    words = ["batch", models, "--out", tmp_path / "out", "--format", "svg", "--blender", blender, "--jobs", "2"]
+    command = [sys.executable, "-m", "wirewarp", *words]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert json.loads(process.stdout.readline())["verdict"] == "ready to cut"
+        process.send_signal(signal.SIGINT)
+        assert process.stderr.read() == "stopped\n"
+    assert process.returncode == 130
+    assert all(not path.name.startswith(".") for path in (tmp_path / "out").rglob("*"))
 
 
 def test_without_blender_that_is_told(tmp_path):

@@ -12,7 +12,7 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable
 from contextlib import suppress
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
@@ -49,7 +49,7 @@ class Stopped:
 
 def each_apart(
     work: Callable[[Item], Result], items: Iterable[Item], jobs: int, limits: Limits, modules: list[str]
-) -> Iterator[tuple[int, Result | Stopped]]:
+) -> Generator[tuple[int, Result | Stopped], None, None]:
     """The number and the result of each item, as they end; so many jobs at a time.
 
     work is a function of a module, for other processes to find; modules are what these are to have loaded.

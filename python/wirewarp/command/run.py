@@ -5,7 +5,8 @@ import json
 import os
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
+from contextlib import closing
 
 from tqdm import tqdm
 
@@ -25,22 +26,39 @@ def run(arguments: Arguments) -> int:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     worst = 0
     # The bar is drawn where standard error is a terminal.
-    with tqdm(total=len(arguments.requests), unit="model", file=sys.stderr, disable=None) as bar:
-        for line in _in_order(arguments, bar):
+    with (
+        tqdm(total=len(arguments.requests), unit="model", file=sys.stderr, disable=None) as bar,
+        closing(_in_order(arguments, bar)) as lines,
+    ):
+        for line in lines:
             with tqdm.external_write_mode(sys.stdout):
                 print(json.dumps(line), flush=True)  # ASCII: every console can show it
             worst = max(worst, EXIT_CODES[line["verdict"]])
     return worst
 
 
-def _in_order(arguments: Arguments, bar: "tqdm[None]") -> Iterator[Line]:
-    requests, ended, following = arguments.requests, {}, 0
-    for number, result in each_apart(timed, requests, arguments.jobs, arguments.limits, MODULES):
-        bar.update()
-        ended[number] = result
-        while following in ended:
-            yield _line(requests[following], ended.pop(following))
-            following += 1
+def _in_order(arguments: Arguments, bar: "tqdm[None]") -> Generator[Line, None, None]:
+    begun: dict[int, Request] = {}
+
+    def begin() -> Iterator[Request]:
+        for number, request in enumerate(arguments.requests):
+            begun[number] = request
+            yield request
+
+    ended: dict[int, Line] = {}
+    following = 0
+    results = each_apart(timed, begin(), arguments.jobs, arguments.limits, MODULES)
+    try:
+        for number, result in results:
+            ended[number] = _line(begun.pop(number), result)
+            bar.update()
+            while following in ended:
+                yield ended.pop(following)
+                following += 1
+    finally:
+        results.close()
+        for request in begun.values():  # of a run that is stopped
+            remove_staged(request)
 
 
 def timed(request: Request) -> Line:
