@@ -16,16 +16,18 @@ from pathlib import Path
 import bmesh
 import bpy
 import numpy as np
-from wirewarp_addon import core
-from wirewarp_addon.properties import choices_of
-from wirewarp_addon.run.models import solve_models
-from wirewarp_addon.run.read import read_models
-from wirewarp_addon.run.write import write_results
-from wirewarp_addon.solve.steps import in_one_go
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from surfaces import bumpy_sheet  # noqa: E402 (the folder must be on the path first)
+
+# As Debian 12's Blender has it, and Debian 13's, which knows extensions.
+addon = sys.modules.get("wirewarp_addon") or sys.modules["bl_ext.user_default.wirewarp"]
+core = addon.core
+choices_of = addon.properties.choices_of
+solve_models, read_models = addon.run.models.solve_models, addon.run.read.read_models
+write_results = addon.run.write.write_results
+in_one_go = addon.solve.steps.in_one_go
 
 TURNS = 3
 

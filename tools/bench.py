@@ -4,13 +4,13 @@
 import os
 from pathlib import Path
 
-from tools.blender import BLENDER_APT, BPY_APT, bpy_python, run_with_addon
-from tools.environment import BUILD, ROOT, require_apt, run, say
+from tools.blender import BLENDER_APT, BPY_APT, NUMPY, bpy_python, run_with_addon
+from tools.environment import BUILD, DEBIAN_VERSION, ROOT, require_apt, run, say
 from tools.native import CORE_APT, build_native
 from tools.package import venv_with_core
 
 APT = (*CORE_APT, *BLENDER_APT, *BPY_APT, "libbenchmark-dev")
-PACKAGES = ("numpy==1.26.4", "libigl==2.6.3", "matplotlib==3.10.9")
+PACKAGES = (NUMPY[DEBIAN_VERSION], "libigl==2.6.3", "matplotlib==3.10.9")
 PEER = "bpy==4.5.15"  # the Blender whose unwraps are compared
 FOLDER = BUILD / "bench"
 SHARED = {"PYTHONPATH": str(ROOT / "results")}  # modules that both pages use
@@ -52,7 +52,7 @@ def run_bench(is_full: bool) -> None:
     """Only the full run replaces the page of record."""
     require_apt(*APT)
     build_native("bench")
-    python = venv_with_core("bench", "3.11", *PACKAGES)
+    python = venv_with_core("bench", DEBIAN_VERSION, *PACKAGES)
     measured = [measure_the_core(is_full), measure_in_blender(), measure_peers(python, is_full)]
     real = measure_real_meshes(python)
     page = ROOT / "docs" / "benchmarks.md" if is_full else FOLDER / "benchmarks.md"

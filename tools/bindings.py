@@ -2,7 +2,7 @@
 """The tests of the Python package, on the installed wheel."""
 
 from tools.blender import NUMPY, PYTEST
-from tools.environment import run
+from tools.environment import DEBIAN_VERSION, run
 from tools.libraries import PATTERN
 from tools.package import venv_with_core
 
@@ -28,4 +28,4 @@ def bindings_tests(version: str, *options: str) -> None:
 
 def search_arguments() -> None:
     """Its tests of random arguments with examples that are new in each run, and with more of them."""
-    bindings_tests("3.11", "-m", "hypothesis", "--hypothesis-profile=search")
+    bindings_tests(DEBIAN_VERSION, "-m", "hypothesis", "--hypothesis-profile=search")

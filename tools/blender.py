@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The add-on's tests in every Blender there is to be had, on the zips that users install.
 
-Debian's Blender 3.4 is the whole program; the later ones are the module `bpy` in a Python of their own, which runs the
-same extension system without a window.
+Debian's Blender is the whole program, 3.4 in Debian 12 and 4.3 in Debian 13; the others are the module `bpy` in a
+Python of their own, which runs the same extension system without a window.
 """
 
 import shutil
@@ -10,14 +10,26 @@ from pathlib import Path
 
 from tools import addon_coverage
 from tools.blender_window import WINDOW_APT
-from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, require_apt, require_python, run, run_quietly, venv
-from tools.package import BUILD_APT, extension_zip, package, package_legacy
-from tools.zips import LEGACY_MODULE
+from tools.environment import (
+    BUILD,
+    DEBIAN_PYTHON,
+    DEBIAN_VERSION,
+    ROOT,
+    require_apt,
+    require_python,
+    run,
+    run_quietly,
+    venv,
+)
+from tools.package import BUILD_APT, LEGACY_PYTHON, extension_zip, package, package_legacy
+from tools.zips import EXTENSION_MODULE, LEGACY_MODULE
 
 PYTEST = "pytest==9.2.0"
 BLENDER_APT = ("blender", "python3-numpy", "python3-pytest")
 BPY_APT = ("libgl1", "libice6", "libsm6", "libxfixes3", "libxi6", "libxkbcommon0", "libxrender1")
 NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # both ABIs: those of Blender up to 5.0 and from 5.1 on
+DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")  # check_system() refuses all others
+ADDON_MODULE = LEGACY_MODULE if DEBIAN_VERSION == LEGACY_PYTHON else EXTENSION_MODULE  # in Debian's Blender
 BPY = {"bpy==4.2.23": "3.11", "bpy==4.5.15": "3.11", "bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
 
 
@@ -36,25 +48,38 @@ def blender(*arguments: str | Path) -> list[str | Path]:
     return ["/usr/bin/blender", "--background", "--factory-startup", "--python-exit-code", "1", *arguments]
 
 
+def debian_blender_zip() -> Path:
+    """What users of Debian's Blender install: in 3.4 the legacy zip, in later ones, which know extensions, those."""
+    if DEBIAN_VERSION == LEGACY_PYTHON:
+        return package_legacy()
+    package()
+    return extension_zip()
+
+
 def install_privately(name: str) -> dict[str, str]:
     """Settings of its own for Debian's Blender, with the add-on of this tree."""
     require_apt(*BUILD_APT, *BLENDER_APT)
     settings = blender_folder(name)
-    install = f"import bpy; bpy.ops.preferences.addon_install(filepath={str(package_legacy())!r})"
-    run_quietly("installing the add-on privately", blender("--python-expr", install), **settings)
+    file = str(debian_blender_zip())
+    if ADDON_MODULE == LEGACY_MODULE:
+        install = f"preferences.addon_install(filepath={file!r})"
+    else:
+        install = f"extensions.package_install_files(repo='user_default', filepath={file!r}, enable_on_install=False)"
+    command = blender("--python-expr", f"import bpy; bpy.ops.{install}")
+    run_quietly("installing the add-on privately", command, **settings)
     return settings
 
 
 def run_with_addon(name: str, script: Path, *arguments: str | Path) -> None:
     """Runs a script in Debian's Blender with the add-on, which is installed in a folder of this name."""
     settings = install_privately(name)
-    run(blender("--addons", LEGACY_MODULE, "--python", script, "--", *arguments), **settings)
+    run(blender("--addons", ADDON_MODULE, "--python", script, "--", *arguments), **settings)
 
 
 def debian_blender_tests() -> None:
     require_apt(*BLENDER_APT)
     runner = ROOT / "tests" / "addon" / "run_in_blender.py"
-    settings = blender_folder("test-debian") | {"WIREWARP_ZIP": str(package_legacy())}
+    settings = blender_folder("test-debian") | {"WIREWARP_ZIP": str(debian_blender_zip())}
     settings |= addon_coverage.begin("headless")
     run(blender("--python", runner, "--", "-q", "tests/addon"), **settings)
     addon_coverage.show("headless")
@@ -63,7 +88,7 @@ def debian_blender_tests() -> None:
 def window_tests() -> None:
     require_apt(*BLENDER_APT, *WINDOW_APT)
     python = venv("window", DEBIAN_PYTHON, PYTEST)
-    settings = {"WIREWARP_ZIP": str(package_legacy())} | addon_coverage.begin("window")
+    settings = {"WIREWARP_ZIP": str(debian_blender_zip())} | addon_coverage.begin("window")
     run([python, "-m", "pytest", "-q", "tests/window"], **settings)
     addon_coverage.show("window")
 

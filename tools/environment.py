@@ -6,6 +6,7 @@ Nothing here depends on the caller's PATH or HOME, and everything made lies unde
 
 import hashlib
 import os
+import platform
 import pwd
 import shutil
 import subprocess
@@ -16,7 +17,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build"
-DEBIAN_PYTHON = Path("/usr/bin/python3.11")
+DEBIAN_PYTHON = Path("/usr/bin/python3").resolve()  # as "/usr/bin/python3.11"; Debian's Blender runs on it
+DEBIAN_VERSION = DEBIAN_PYTHON.name.removeprefix("python")
 CORES = len(os.sched_getaffinity(0))
 TIME_STAMP = "315532800"  # of files in archives: 1980, the first a zip can hold
 SYSTEM_PATH = "/usr/local/sbin:/usr/sbin:/sbin:/usr/bin:/bin"  # dpkg needs the sbin folders
@@ -51,6 +53,17 @@ def clean_environment(**more: str) -> dict[str, str]:
         "CMAKE_CXX_COMPILER_LAUNCHER": "ccache",
     }
     return kept | settings | more
+
+
+def check_system() -> None:
+    """Raises StepError but on the systems that all this was tried on."""
+    if DEBIAN_VERSION in ("3.11", "3.13") and shutil.which("dpkg-query", path=SYSTEM_PATH):
+        return
+    name = platform.freedesktop_os_release()["PRETTY_NAME"]
+    raise StepError(
+        f"{name} has no apt and Python 3.11 or 3.13 as Debian 12 and 13 have them: work in one of these, for example by"
+        " `docker run -it -v .:/wirewarp -w /wirewarp debian:13`"
+    )
 
 
 def run(command: Sequence[str | Path], **more: str) -> None:
@@ -119,8 +132,6 @@ def set_current(stamp: str, key: str) -> None:
 
 def require_apt(*names: str) -> None:
     """Installs the missing ones of these Debian packages; without the right to, prints the command and stops."""
-    if not shutil.which("dpkg-query", path=SYSTEM_PATH):
-        raise StepError("this is not Debian; install by hand what its packages hold: " + " ".join(names))
     query = ["dpkg-query", "-W", "-f", "${Package} ${db:Status-Status}\n", *names]
     listed = subprocess.run(query, capture_output=True, text=True, env=clean_environment()).stdout.splitlines()
     installed = {line.split()[0] for line in listed if line.endswith(" installed")}

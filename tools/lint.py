@@ -6,7 +6,7 @@ from pathlib import Path
 
 from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, StepError, require_apt, run, venv
 
-TOOLS = ("ruff==0.17.6", "mypy==2.4.1", "numpy==2.3.5")
+TOOLS = ("clang-format==14.0.6", "ruff==0.17.6", "mypy==2.4.1", "numpy==2.3.5")
 PYTHON_SOURCES = (".", "dev")
 TYPED_SOURCES = ("dev", "tools", "python/wirewarp", "addon/wirewarp")
 Command = Sequence[str | Path]
@@ -23,12 +23,11 @@ def cpp_sources() -> list[Path]:
 
 
 def lint() -> None:
-    require_apt("clang-format")
     mypy: Command = [tool("mypy"), "--cache-dir", BUILD / "mypy", "--explicit-package-bases", "--scripts-are-modules"]
     commands: list[Command] = [
         [tool("ruff"), "check", "--no-cache", *PYTHON_SOURCES],
         [tool("ruff"), "format", "--no-cache", "--check", *PYTHON_SOURCES],
-        ["clang-format", "--dry-run", "-Werror", "--ferror-limit=20", *cpp_sources()],
+        [tool("clang-format"), "--dry-run", "-Werror", "--ferror-limit=20", *cpp_sources()],
         [*mypy, *TYPED_SOURCES],
     ]
     findings = []
@@ -42,7 +41,6 @@ def lint() -> None:
 
 
 def format_sources() -> None:
-    require_apt("clang-format")
     run([tool("ruff"), "check", "--no-cache", "--fix", *PYTHON_SOURCES])
     run([tool("ruff"), "format", "--no-cache", *PYTHON_SOURCES])
-    run(["clang-format", "-i", *cpp_sources()])
+    run([tool("clang-format"), "-i", *cpp_sources()])

@@ -16,7 +16,6 @@ from pathlib import Path
 from tools import old_glibc, zips
 from tools.environment import (
     BUILD,
-    DEBIAN_PYTHON,
     ROOT,
     TIME_STAMP,
     clean_environment,
@@ -37,7 +36,8 @@ from tools.zig import ZIG
 from tools.zips import LEGACY_TAG, VERSION
 
 DIST = ROOT / "dist"
-PYTHONS = ("3.11", "3.13")  # Blender 3.4 to 5.0; Blender 5.1 and later
+BLENDERS = {"3.11": "Blender 3.4 to 5.0", "3.13": "Blender 5.1 and later"}  # by their Python; Debian's 4.3 has 3.13
+PYTHONS = tuple(BLENDERS)
 LEGACY_PYTHON = "3.11"
 PLATFORM = "linux-x64"  # Blender's word for what is built here
 BUILD_APT = (
@@ -107,7 +107,7 @@ def keep_in_dist(wheels: Collection[Path]) -> None:
 def package_legacy() -> Path:
     """Builds the legacy zip alone, and returns it."""
     require_apt(*BUILD_APT)
-    wheel = build_wheel(LEGACY_PYTHON, DEBIAN_PYTHON)
+    wheel = build_wheel(LEGACY_PYTHON, require_python(LEGACY_PYTHON))
     return zips.write_legacy(DIST, PLATFORM, wheel, library_wheels(PLATFORM, LEGACY_TAG))
 
 
@@ -137,7 +137,7 @@ def missing_python_notice() -> str | None:
         return None
     return (
         f"dev: WARNING: no Python {' and '.join(missing)} was found on PATH or in pyenv: its wheel is NOT BUILT and"
-        " NOT TESTED, and the extension zip does not run in Blender 5.1 and later."
+        f" NOT TESTED, and no zip runs in {' and '.join(BLENDERS[version] for version in missing)}."
     )
 
 

@@ -23,6 +23,7 @@ if not re.fullmatch(r"\d+\.\d+\.\d+", VERSION):
     raise SystemExit(f"pyproject.toml: version {VERSION} is not three numbers, as Blender wants them")
 ADDON: dict[str, Any] = PROJECT["tool"]["wirewarp"]["addon"]
 LEGACY_MODULE = "wirewarp_addon"
+EXTENSION_MODULE = f"bl_ext.user_default.{ADDON['id']}"
 LEGACY_TAG = "cp311"
 NEWEST_TAG = "cp313"
 FIRST_BLENDER_ON_NEWEST = "5.1.0"

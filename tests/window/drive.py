@@ -26,8 +26,13 @@ Tour = Iterator[Callable[[], bool]]
 
 
 def install(path: str) -> None:
-    bpy.ops.preferences.addon_install(filepath=path, overwrite=True)
-    bpy.ops.preferences.addon_enable(module="wirewarp_addon")
+    """As add-on or as extension; either way scripts know it as wirewarp_addon."""
+    if "legacy" in Path(path).name:
+        bpy.ops.preferences.addon_install(filepath=path, overwrite=True)
+        bpy.ops.preferences.addon_enable(module="wirewarp_addon")
+    else:
+        bpy.ops.extensions.package_install_files(repo="user_default", filepath=path, enable_on_install=True)
+        sys.modules["wirewarp_addon"] = sys.modules["bl_ext.user_default.wirewarp"]
 
 
 def view_area() -> bpy.types.Area:
