@@ -70,14 +70,14 @@ TEST(ChartsAtOnce, TheThreadsThereAreDoAll) {
   }
 }
 
-/// Told in the caller's thread alone, from 0 to 1, and never less than before.
-void expect_progress(const FlattenInput& input, Method method) {
+/// Told in the caller's thread alone, from 0 to 1, and never less than before. Returns what flatten() does.
+FlattenResult expect_progress(const FlattenInput& input, Method method) {
   Options options;
   options.method = method;
   const std::thread::id caller = std::this_thread::get_id();
   std::vector<double> fractions;
   bool elsewhere = false;
-  flatten(input, options, [&](const std::string&, double fraction) {
+  FlattenResult result = flatten(input, options, [&](const std::string&, double fraction) {
     elsewhere = elsewhere || std::this_thread::get_id() != caller;
     fractions.push_back(fraction);
     return true;
@@ -86,16 +86,20 @@ void expect_progress(const FlattenInput& input, Method method) {
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_EQ(fractions.front(), 0);
   EXPECT_EQ(fractions.back(), 1);
+  return result;
 }
 
 TEST(ChartsAtOnce, ProgressIsToldInTheCallersThreadAndNeverFalls) {
-  FlattenInput infeasible = test::quarter_sphere(8);  // a net of rigid wires
+  const int n = 4;
+  FlattenInput infeasible = test::quarter_sphere(n);  // a net of rigid wires
   infeasible.wires.clear();
-  for (int i = 1; i < 8; ++i) test::add_wire(infeasible, test::grid_column(8, 16, i));
-  for (int j = 1; j < 16; ++j) test::add_wire(infeasible, test::grid_row(8, j));
+  for (int i = 1; i < n; ++i) test::add_wire(infeasible, test::grid_column(n, 2 * n, i));
+  for (int j = 1; j < 2 * n; ++j) test::add_wire(infeasible, test::grid_row(n, j));
   for (const Method method : {Method::refined, Method::wirewarp_plus_plus}) {
     expect_progress(many_gores(), method);
-    expect_progress(infeasible, method);
+    const FlattenResult refused = expect_progress(infeasible, method);
+    ASSERT_TRUE(refused.pieces.at(0).error);
+    EXPECT_EQ(refused.pieces[0].error->code, ErrorCode::infeasible_lengths);
   }
 }
 

@@ -53,13 +53,14 @@ bool has_exact_lengths(const Piece& piece) {
 
 bool is_refused(const Piece& piece) { return piece.error && piece.error->code == ErrorCode::infeasible_lengths; }
 
-/// Refuses it, and finds a good shape once the proposal is taken.
-void expect_mended(FlattenInput input) {
+/// Refuses it, and finds a good shape once the proposal is taken. Returns the piece that was refused.
+Piece expect_mended(FlattenInput input) {
   const Piece refused = flatten(input).pieces.at(0);
-  ASSERT_TRUE(is_refused(refused));
+  EXPECT_TRUE(is_refused(refused));
+  if (!is_refused(refused)) return refused;
   EXPECT_FALSE(refused.error->has_layout);
   const std::vector<ProposedTolerance>& proposed = refused.error->elements.proposed_tolerances;
-  ASSERT_FALSE(proposed.empty());
+  EXPECT_FALSE(proposed.empty());
   EXPECT_FALSE(refused.error->elements.edges.empty());
   for (const ProposedTolerance& p : proposed) {
     EXPECT_GT(p.tolerance, input.wires.at(p.wire).tolerance);
@@ -67,6 +68,7 @@ void expect_mended(FlattenInput input) {
   }
   const Piece mended = flatten(input).pieces.at(0);
   EXPECT_FALSE(mended.error) << mended.error->what();
+  return refused;
 }
 
 TEST(InfeasibleWires, EveryEdgeOfACurvedPatchIsMended) {
@@ -80,7 +82,7 @@ TEST(InfeasibleWires, EveryEdgeOfACurvedPatchIsMended) {
 
 TEST(InfeasibleWires, ANetThatIsDenseAllOverGetsOneToleranceThatDoes) {
   // A dome with a flat outline: single wires cannot give way enough, all of them by a little can.
-  const int n = 12;
+  const int n = 8;
   FlattenInput input = test::make_grid(
       n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 0.2 * std::sin(kPi * s) * std::sin(kPi * t)); });
   add_edges_as_wires(input, [](const Eigen::Vector3d&) { return true; });
@@ -106,8 +108,8 @@ TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
   });
   add_edges_as_wires(input,
                      [](const Eigen::Vector3d& m) { return std::abs(m.x() - 0.5) + std::abs(m.y() - 0.5) < 0.5; });
-  expect_mended(input);
-  const Piece piece = flatten(input).pieces.at(0);
+  const Piece piece = expect_mended(input);
+  ASSERT_TRUE(piece.error);
   for (const ProposedTolerance& p : piece.error->elements.proposed_tolerances) {
     EXPECT_LE(p.tolerance, 0.2);
     for (const int v : input.wires[p.wire].vertices) {

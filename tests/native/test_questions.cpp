@@ -74,7 +74,7 @@ TEST(Questions, ANoEndsARunOfManyChartsInAnyStage) {
 }
 
 TEST(Questions, AreAskedAmongOverlapsOfACrumpledPiece) {
-  const int n = 2000;  // triangles that lie on one another: two million pairs
+  const int n = 800;  // triangles that lie on one another: 320,000 pairs
   Triangles faces(n, 3);
   Positions2 uv(3 * n, 2);
   for (int f = 0; f < n; ++f) {

@@ -9,6 +9,7 @@
 
 #include "arap/free_boundary_arap.h"
 #include "count_fronts.h"
+#include "internal_options.h"
 #include "mesh/edge_table.h"
 #include "planar.h"
 #include "refine/injective_shape.h"
@@ -20,8 +21,8 @@ namespace wirewarp {
 namespace {
 
 /// Every inner edge a wire of its own: they contradict one another, and all starts fail.
-FlattenInput saddle_of_wires(double tolerance) {
-  FlattenInput input = test::saddle(4, 0.5);
+FlattenInput saddle_of_wires(int n, double tolerance) {
+  FlattenInput input = test::saddle(n, 0.5);
   const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
   for (int e = 0; e < edges.num_edges(); ++e) {
     const auto [a, b] = edges.vertices(e);
@@ -31,7 +32,7 @@ FlattenInput saddle_of_wires(double tolerance) {
 }
 
 TEST(RefineChart, CountsStartsThatFail) {
-  const Charts charts = test::charts_of(saddle_of_wires(1e-4));
+  const Charts charts = test::charts_of(saddle_of_wires(4, 1e-4));
   const Chart& chart = charts.charts.at(0);
   Options options;
   options.max_factorizations = 1000;
@@ -74,7 +75,7 @@ TEST(RefineChart, OptionsOfTheWiresAloneDoNotMatter) {
 }
 
 TEST(RefineChart, ASearchThatRanOutSaysSoAndProposesTheSame) {
-  const FlattenInput input = saddle_of_wires(0);
+  const FlattenInput input = saddle_of_wires(4, 0);
   const auto error_with = [&](int max_factorizations) {
     Options options;
     options.max_factorizations = max_factorizations;
@@ -117,7 +118,7 @@ long fronts_of(const FlattenInput& input) {
 
 TEST(RefineChart, CancellingIsHeardAtOnceWhateverIsTried) {
   for (const double tolerance : {0.0, 1e-4}) {
-    const FlattenInput input = saddle_of_wires(tolerance);
+    const FlattenInput input = saddle_of_wires(3, tolerance);
     const long fronts = fronts_of(input);
     const auto num_wires = static_cast<long>(input.wires.size());  // all elastic where tolerances are tried
     for (const Method method : {Method::refined, Method::wirewarp_plus_plus}) {
@@ -125,11 +126,13 @@ TEST(RefineChart, CancellingIsHeardAtOnceWhateverIsTried) {
       options.method = method;
       Silence whole;
       int questions = 0;
-      flatten(input, options, [&](const std::string& stage, double) {
+      const FlattenResult refused = flatten(input, options, [&](const std::string& stage, double) {
         whole.hear();
         questions += stage != "measure";
         return true;
       });
+      ASSERT_TRUE(refused.pieces.at(0).error);
+      EXPECT_EQ(refused.pieces[0].error->code, ErrorCode::infeasible_lengths);
       EXPECT_LE(whole.factored, 3 * fronts) << "the free shape, and before it the embedding on a circle";
       EXPECT_LE(whole.substituted, (35 + 2 * num_wires) * fronts) << "steps to exact lengths, and two for each wire";
       for (int last = 0; last < questions; last += 1 + questions / 20) {
@@ -208,18 +211,19 @@ TEST(RefineChart, StartsCoarselyFromTheTunedSizeOn) {
 /// The wires contradict one another, and one of them ends inside: the coarse chart goes through all its starts,
 /// topology processing included.
 TEST(RefineChart, WiresThatContradictOnTheCoarseChartAreLeftToTheFineOne) {
-  const int n = 104;
+  const int n = 52;
   FlattenInput input = test::make_grid(
       n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 0.8 * std::sin(kPi * s) * std::sin(kPi * t)); });
-  for (int i = 8; i < n; i += 8) {
+  for (int i = 4; i < n; i += 4) {
     test::add_wire(input, test::grid_row(n, i));
     test::add_wire(input, test::grid_column(n, n, i));
   }
-  const std::vector<int> row = test::grid_row(n, 4);
-  test::add_wire(input, {row.begin() + 20, row.begin() + 29});
-  Options options;
+  const std::vector<int> row = test::grid_row(n, 2);
+  test::add_wire(input, {row.begin() + 10, row.begin() + 15});
+  InternalOptions options;
+  options.large_chart = static_cast<std::size_t>(input.faces.rows());
   options.max_factorizations = 5;
-  const FlattenResult result = flatten(input, options);
+  const FlattenResult result = flatten_with(input, options);
   ASSERT_TRUE(result.pieces[0].error);
   EXPECT_EQ(result.pieces[0].error->code, ErrorCode::flipped_faces) << "exact lengths, and no more in five steps";
 }

@@ -27,8 +27,8 @@ FlattenInput two_domes() {
 
 /// A tube, for which seams are searched, with a wire around it.
 FlattenInput tube() {
-  FlattenInput input = test::cylinder_tube(16, 8, 1, 6);
-  test::add_wire(input, test::tube_ring(16, 4));
+  FlattenInput input = test::cylinder_tube(8, 4, 1, 6);
+  test::add_wire(input, test::tube_ring(8, 2));
   return input;
 }
 
