@@ -26,6 +26,7 @@
 #include "progress_report.h"
 #include "refine/infeasible_wires.h"
 #include "refine/lies_flat.h"
+#include "refine/refine_cloth.h"
 #include "stop_token.h"
 #include "topology/process_topology.h"
 #include "topology/unjoined_wires.h"
@@ -106,6 +107,7 @@ void flatten_by_refining(const Chart& chart, const Run& run, const StopToken& st
   const StageTimer timer(solved.report.seconds, "shape");
   solved.network = build_wire_network(chart);
   RefineResult refined = refine_chart(chart, run.options, stop);
+  if (run.options.cloth && refined.shape.is_exact) refine_cloth(chart, run.options, stop.in("shape"), refined);
   report_refinement(refined, stop.is_stopped(), solved.report);
   if (!refined.shape.is_exact) throw explain_infeasible(chart, run, refined, stop.in("shape"));
   solved.variation.assign(refined.shape.variation.begin(), refined.shape.variation.end());
@@ -203,7 +205,7 @@ void pack(const Charts& charts, const Options& options, const StopToken& stop,
 /// Of a run that was stopped before or after all charts: no piece has a layout.
 FlattenResult cancelled_result(const FlattenInput& input, const EdgeTable& edges) {
   const Charts charts = list_charts(input, edges, cancelled());
-  return assemble_result(input, charts, std::vector<SolvedChart>(charts.charts.size(), cancelled_chart()), false);
+  return assemble_result(input, charts, std::vector<SolvedChart>(charts.charts.size(), cancelled_chart()), {});
 }
 
 /// Pieces that are flat when the caller cancels are measured if that takes no more questions than these of a WorkMeter:
@@ -234,7 +236,7 @@ FlattenResult flatten_surface(const Run& run, const EdgeTable& edges, ProgressRe
     pack(charts, run.options, stop, solved_charts);
   }
   const StageTimer timer(seconds, "measure");
-  FlattenResult result = assemble_result(run.input, charts, std::move(solved_charts), run.options.mirror, stop);
+  FlattenResult result = assemble_result(run.input, charts, std::move(solved_charts), run.options, stop);
   result.reused_pieces = session.num_reused();
   return result;
 }

@@ -125,7 +125,7 @@ FlattenResult measure(const FlattenInput& input, const CornerUv& corner_uv) {
     const StageTimer timer(seconds, "measure");
     std::vector<SolvedChart> solved_charts;
     for (const Chart& chart : charts.charts) solved_charts.push_back(read_chart(chart, corner_uv));
-    result = assemble_result(input, charts, std::move(solved_charts), false);
+    result = assemble_result(input, charts, std::move(solved_charts), {});
   }
   result.corner_uv = corner_uv;
   result.seconds = std::move(seconds);

@@ -140,6 +140,61 @@ TEST_F(FairShapeErrorOnASaddle, DerivativesOfTheInfiniteBarrierEqualDifferences)
   EXPECT_GT(test::eigenvalues(convex).minCoeff(), -1e-12 * convex.norm());
 }
 
+/// The same sheet of a cloth that locks, its triangles open, stretched and squeezed.
+class FairShapeErrorOfACloth : public FairShapeErrorOnASaddle {
+ protected:
+  static ClothOnChart cloth_on_chart() {
+    ClothOnChart cloth;
+    cloth.cloth.weft = 0.3;
+    cloth.cloth.shear = 0.05;
+    cloth.cloth.squeeze = 2;
+    cloth.cloth.locking = 0.1;
+    return cloth;
+  }
+
+  Positions2 open_layout(unsigned seed) const {
+    const Positions2 flat = test::planar_positions(chart);
+    return flat + 0.04 * random_positions(flat.rows(), seed);
+  }
+
+  const ClothOnChart cloth = cloth_on_chart();
+  void SetUp() override { objective = FairShapeError({chart, network, 0.2, &cloth}, Injectivity::local); }
+};
+
+TEST_F(FairShapeErrorOfACloth, DerivativesEqualDifferences) {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    const Positions2 uv = open_layout(seed), d = random_positions(uv.rows(), seed + 100);
+    ASSERT_EQ(objective.count_flips(uv), 0);
+    Positions2 gradient, ahead, behind;
+    EXPECT_DOUBLE_EQ(objective.value_and_gradient(uv, gradient), objective.value(uv));
+    const double slope = (objective.value(uv + kStep * d) - objective.value(uv - kStep * d)) / (2 * kStep);
+    EXPECT_NEAR(dot(gradient, d), slope, kDifference * gradient.norm() * d.norm());
+    objective.value_and_gradient(uv + kStep * d, ahead);
+    objective.value_and_gradient(uv - kStep * d, behind);
+    const Eigen::VectorXd change = (ahead - behind).reshaped<Eigen::RowMajor>() / (2 * kStep);
+    const Eigen::VectorXd expected = hessian(uv, Curvature::exact) * d.reshaped<Eigen::RowMajor>();
+    EXPECT_LT((change - expected).norm(), 1e-5 * expected.norm()) << seed;
+  }
+}
+
+TEST_F(FairShapeErrorOfACloth, TheConvexCurvatureIsPositiveAndAboveTheExactOne) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const Eigen::MatrixXd exact = hessian(open_layout(seed), Curvature::exact),
+                          convex = hessian(open_layout(seed), Curvature::convex);
+    const double rounding = 1e-12 * convex.norm();
+    EXPECT_LT(test::eigenvalues(exact).minCoeff(), -rounding) << "nothing to mend";
+    EXPECT_GT(test::eigenvalues(convex).minCoeff(), -rounding);
+    EXPECT_GT(test::eigenvalues(convex - exact).minCoeff(), -rounding);
+  }
+}
+
+TEST_F(FairShapeErrorOfACloth, TrianglesTurnedOverAreInfinite) {
+  Positions2 mirrored = test::planar_positions(chart);
+  mirrored.col(0) *= -1;
+  const FairShapeError without_barrier({chart, network, 0.2, &cloth});
+  EXPECT_EQ(without_barrier.value(mirrored), std::numeric_limits<double>::infinity());
+}
+
 TEST(FairShapeError, AStepEndsWhereTheFirstTriangleTurnsOver) {
   const Charts charts = test::charts_of(test::flat_rectangle(1, 1, 1, 1));  // cut from (0, 0) to (1, 1)
   const Chart& chart = charts.charts.at(0);

@@ -28,6 +28,7 @@ LAYERS = [
     "optimize",
     "mesh",
     "errors",
+    "cloth",
     "check_input",
     "charts",
     "network",
@@ -36,9 +37,9 @@ LAYERS = [
     "feasibility",
     "inner",
     "outer",
+    "packing",
     "coarsen",
     "refine",
-    "packing",
     "metrics",
     "cache",
 ]

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
+
+#include "wirewarp/cloth.h"
 
 namespace wirewarp {
 
@@ -36,6 +39,7 @@ enum class Orientation {
   wire,      // its wire Options::grain; without wires the longest chain of its outline
   boundary,  // its longest straight stretch of outline, the piece on the left of it
   up,        // Options::up: the direction in which the surface rises most on average; where it is level as by wire
+  best,      // of a cloth: the direction in which it has the least energy
 };
 
 struct Options {
@@ -54,12 +58,21 @@ struct Options {
   /// wires contradict have limits of their own. >= 1.
   int max_factorizations = 100;
 
+  /// Of the refined method: what the pieces are cut from, x along its weft, y along its warp. None: a material that
+  /// resists alike in all directions, Eq. (4). The piece is turned as orientation says and then held so; under wire,
+  /// boundary and up by the direction between two of its vertices.
+  std::optional<Cloth> cloth;
+
   PieceLayout layout = PieceLayout::packed;
   Orientation orientation = Orientation::wire;
 
   /// Of Orientation::wire: index of the input's wire that stands upright in the pieces it runs through. -1, and in the
   /// other pieces: the piece's first wire. In [-1, number of wires).
   int grain = -1;
+
+  /// Of Orientation::wire: how far the chain is turned from +y, counter-clockwise, radians in [-π, π]. With a cloth, y
+  /// is its warp: π/4 cuts on the bias.
+  double grain_angle = 0;
 
   /// Of Orientation::up: a direction in space, of any length but 0; finite.
   std::array<double, 3> up = {0, 0, 1};

@@ -58,11 +58,16 @@ struct SeamReport {
 };
 
 /// Distortion of a piece (paper IV-A), on the input's own triangles and edges. Without a layout only area_3d is known:
-/// the other numbers are NaN, one per face in face_arap and face_aspect_ratio, and the lists are empty.
+/// the other numbers are NaN, one per face in what is of faces, and the lists are empty.
 struct Metrics {
-  double arap_energy = 0;                 // Eq. (4) divided by the 3D area
-  Eigen::VectorXd face_arap;              // Eq. (6), one per face; sums to arap_energy * area_3d
-  Eigen::VectorXd face_aspect_ratio;      // E_r = max(sigma_1, 1/sigma_2), one per face; 1 on isometries
+  double arap_energy = 0;             // Eq. (4) divided by the 3D area
+  Eigen::VectorXd face_arap;          // Eq. (6), one per face; sums to arap_energy * area_3d
+  Eigen::VectorXd face_aspect_ratio;  // E_r = max(sigma_1, 1/sigma_2), one per face; 1 on isometries
+  double cloth_energy = std::numeric_limits<double>::quiet_NaN();  // of Options::cloth over the 3D area; NaN without
+  Eigen::VectorXd face_weft_strain;  // of threads along x, from flat to worn: 0.1 is 10 % longer; one per face
+  Eigen::VectorXd face_warp_strain;  // the same along y
+  Eigen::VectorXd face_shear_angle;  // how far the worn threads leave the right angle, radians, positive where x and y
+                                     // come nearer; one per face
   std::vector<VertexPair> wire_edges;     // the edges of edge_length_variation, wires first, then the boundary
   Eigen::VectorXd edge_length_variation;  // E_L (Eq. 5) = |l0 - l| / l0, one per wire edge
   std::vector<int> flipped_faces;

@@ -61,6 +61,10 @@ class ShapeError {
 
     /// |J - L|² = 2(|z| - 1)² + 2|w|².
     double squared_distance_from_rotation() const { return 0.5 * ((norm_z - 2) * (norm_z - 2) + w1 * w1 + w2 * w2); }
+    /// J.
+    Eigen::Matrix2d matrix() const {
+      return 0.5 * (Eigen::Matrix2d() << z1 + w1, w2 - z2, z2 + w2, z1 - w1).finished();
+    }
     /// det J = |z|² - |w|².
     double determinant() const { return 0.25 * (norm_z * norm_z - w1 * w1 - w2 * w2); }
   };

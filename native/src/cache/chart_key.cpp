@@ -54,6 +54,20 @@ void write_mesh(const HalfEdgeMesh& mesh, KeyWriter& key) {
   for (const FaceHandle f : mesh.faces()) key.write(mesh.halfedge_handle(f).idx());
 }
 
+/// A chart of a cloth is solved as it is turned.
+void write_cloth(const Chart& chart, const Options& options, KeyWriter& key) {
+  key.write(options.cloth.has_value());
+  if (!options.cloth) return;
+  const Cloth& cloth = *options.cloth;
+  for (const double number : {cloth.weft, cloth.warp, cloth.shear, cloth.squeeze}) key.write(number);
+  key.write(cloth.locking.has_value());
+  if (cloth.locking) key.write(*cloth.locking);
+  key.write(options.orientation);
+  key.write(options.grain_angle);
+  for (const double coordinate : options.up) key.write(coordinate);
+  for (const WirePart& part : chart.wire_parts) key.write(part.wire_index == options.grain);
+}
+
 }  // namespace
 
 std::string solution_key(const Chart& chart, const Options& options) {
@@ -63,6 +77,7 @@ std::string solution_key(const Chart& chart, const Options& options) {
   key.write(options.inner);
   key.write(options.fairness);
   key.write(options.max_factorizations);
+  write_cloth(chart, options, key);
   key.write_list(chart.wire_parts, [&](const WirePart& part) {
     key.write(part.kind);
     key.write(part.tolerance);

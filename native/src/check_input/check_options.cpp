@@ -3,6 +3,7 @@
 
 #include "check_input/check_input.h"
 #include "errors/sentence.h"
+#include "planar.h"
 
 namespace wirewarp {
 namespace {
@@ -21,6 +22,17 @@ void check_range(const std::string& name, double value, double least, double mos
 void check_options(const Options& options) {
   check_range("gap", options.gap, 0, 1);
   check_range("fairness", options.fairness, Options::least_fairness, Options::most_fairness);
+  check_range("grain_angle", options.grain_angle, -kPi, kPi);
+  if (options.cloth) {
+    check_cloth(*options.cloth);
+    if (options.method != Method::refined) {
+      throw FlattenError(ErrorCode::invalid_option,
+                         "The option cloth needs the method refined: the paper's methods know no cloth.");
+    }
+  } else if (options.orientation == Orientation::best) {
+    throw FlattenError(ErrorCode::invalid_option,
+                       "The option orientation is best: it needs a cloth, without one all directions are alike.");
+  }
   if (options.max_factorizations < 1) {
     refuse("max_factorizations", std::to_string(options.max_factorizations), "be at least 1");
   }

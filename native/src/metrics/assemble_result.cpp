@@ -35,7 +35,8 @@ Metrics unknown_metrics(const FlattenInput& input, const std::vector<int>& faces
   Metrics metrics;
   metrics.arap_energy = metrics.angle_deviation_rms = metrics.angle_deviation_max = metrics.area_2d = kNaN;
   metrics.face_arap.setConstant(static_cast<Eigen::Index>(faces.size()), kNaN);
-  metrics.face_aspect_ratio = metrics.face_arap;
+  metrics.face_aspect_ratio = metrics.face_weft_strain = metrics.face_warp_strain = metrics.face_shear_angle =
+      metrics.face_arap;
   for (const int f : faces) {
     const Eigen::Vector3d origin = input.vertices.row(input.faces(f, 0));
     const Eigen::Vector3d along = input.vertices.row(input.faces(f, 1)).transpose() - origin;
@@ -45,7 +46,7 @@ Metrics unknown_metrics(const FlattenInput& input, const std::vector<int>& faces
   return metrics;
 }
 
-Piece assemble_piece(const FlattenInput& input, const Chart& chart, SolvedChart& solved, bool mirror,
+Piece assemble_piece(const FlattenInput& input, const Chart& chart, SolvedChart& solved, const Options& options,
                      const StopToken& stop) {
   Piece piece;
   piece.source_face = chart.source_face;
@@ -64,8 +65,13 @@ Piece assemble_piece(const FlattenInput& input, const Chart& chart, SolvedChart&
   } else {
     piece.helper_wires = place_helper_wires(std::move(solved.helper_wires), solved.uv);
     solved.uv.conservativeResize(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
-    const Positions2 seen_from_outside = mirror ? mirror_image(solved.uv) : solved.uv;
+    const Positions2 seen_from_outside = options.mirror ? mirror_image(solved.uv) : solved.uv;
     piece.metrics = measure_metrics(chart, *solved.network, seen_from_outside, stop);
+    if (options.cloth) {
+      piece.metrics.cloth_energy = measure_cloth_energy(chart, seen_from_outside, *options.cloth);
+      const std::optional<std::string> warning = warn_of_limits(chart, piece.metrics, *options.cloth);
+      if (warning) piece.report.warnings.push_back(*warning);
+    }
     piece.wires = measure_wire_parts(chart, input.wires, solved.uv, solved.variation);
     piece.boundaries = measure_boundaries(chart, solved.uv);
     if (!piece.error) {
@@ -90,13 +96,13 @@ void write_corners(const Piece& piece, CornerUv& corner_uv) {
 }  // namespace
 
 FlattenResult assemble_result(const FlattenInput& input, const Charts& charts, std::vector<SolvedChart> solved_charts,
-                              bool mirror, const StopToken& stop) {
+                              const Options& options, const StopToken& stop) {
   WorkMeter work(stop);
   FlattenResult result;
   result.corner_uv.setConstant(input.faces.rows(), 6, kNaN);
   for (std::size_t c = 0; c < charts.charts.size(); ++c) {
     work.did(charts.charts[c].source_face.size());
-    result.pieces.push_back(assemble_piece(input, charts.charts[c], solved_charts[c], mirror, stop));
+    result.pieces.push_back(assemble_piece(input, charts.charts[c], solved_charts[c], options, stop));
     write_corners(result.pieces.back(), result.corner_uv);
   }
   result.seams = measure_seams(charts, result.pieces, input.vertices);

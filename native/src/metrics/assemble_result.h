@@ -10,9 +10,9 @@
 
 namespace wirewarp {
 
-/// Measures every chart that has a layout. mirror: the layouts are handed over mirrored, and measured as seen from
-/// outside. Throws Stopped.
+/// Measures every chart that has a layout. options.mirror: the layouts are handed over mirrored, and measured as seen
+/// from outside; options.cloth: what it costs is measured, too. Throws Stopped.
 FlattenResult assemble_result(const FlattenInput& input, const Charts& charts, std::vector<SolvedChart> solved_charts,
-                              bool mirror, const StopToken& stop = {});
+                              const Options& options, const StopToken& stop = {});
 
 }  // namespace wirewarp

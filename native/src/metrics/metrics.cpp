@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "arap/shape_error.h"
+#include "cloth/cloth_law.h"
+#include "errors/sentence.h"
 #include "mesh/geometry.h"
 #include "mesh/overlap.h"
 #include "planar.h"
@@ -18,6 +21,9 @@ void measure_faces(const Chart& chart, const Positions2& uv, Metrics& metrics) {
   const auto num_faces = static_cast<Eigen::Index>(shape_error.triangles().size());
   metrics.face_arap.resize(num_faces);
   metrics.face_aspect_ratio.resize(num_faces);
+  metrics.face_weft_strain.resize(num_faces);
+  metrics.face_warp_strain.resize(num_faces);
+  metrics.face_shear_angle.resize(num_faces);
   for (Eigen::Index f = 0; f < num_faces; ++f) {
     const ShapeError::Triangle& triangle = shape_error.triangles()[static_cast<std::size_t>(f)];
     const ShapeError::LinearMap map = ShapeError::map_of(triangle, uv);
@@ -27,6 +33,11 @@ void measure_faces(const Chart& chart, const Positions2& uv, Metrics& metrics) {
     const double area_2d = cross(b - a, c - a) / 2;
     metrics.face_arap[f] = triangle.area * map.squared_distance_from_rotation();
     metrics.face_aspect_ratio[f] = std::max((twice_z + twice_w) / 2, 2 / std::abs(twice_z - twice_w));
+    const ClothLaw::Invariants threads(map.matrix());
+    const double size = std::abs(threads.determinant);
+    metrics.face_weft_strain[f] = threads.p / size - 1;
+    metrics.face_warp_strain[f] = threads.q / size - 1;
+    metrics.face_shear_angle[f] = -std::asin(std::clamp(threads.g / (threads.p * threads.q), -1.0, 1.0));
     metrics.area_3d += triangle.area;
     metrics.area_2d += area_2d;
     if (!(area_2d > 0)) metrics.flipped_faces.push_back(chart.source_face[static_cast<std::size_t>(f)]);
@@ -63,6 +74,22 @@ void measure_angles(const Chart& chart, const WireNetwork& network, const Positi
   if (count > 0) metrics.angle_deviation_rms = std::sqrt(sum_of_squares / count);
 }
 
+/// What 99 % of the area stay below.
+double widespread(const Chart& chart, const Eigen::VectorXd& of_faces) {
+  constexpr double kShare = 0.99;
+  const ShapeError shape_error(chart);  // knows the areas
+  std::vector<int> order(static_cast<std::size_t>(of_faces.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int f, int g) { return of_faces[f] < of_faces[g]; });
+  double area = 0, below = 0;
+  for (const ShapeError::Triangle& t : shape_error.triangles()) area += t.area;
+  for (const int f : order) {
+    below += shape_error.triangles()[static_cast<std::size_t>(f)].area;
+    if (below >= kShare * area) return of_faces[f];
+  }
+  return of_faces[order.back()];
+}
+
 }  // namespace
 
 double planar_angle(const Chart& chart, const WireNetwork& network, const WireNode& node, const Positions2& uv) {
@@ -74,6 +101,27 @@ double planar_angle(const Chart& chart, const WireNetwork& network, const WireNo
   // The sector lies to the left of both edges: counter-clockwise from the way ahead to the way back.
   const double angle = std::atan2(cross(ahead, back), ahead.dot(back));
   return angle + 2 * kPi * std::round((node.surface_angle - angle) / (2 * kPi));
+}
+
+double measure_cloth_energy(const Chart& chart, const Positions2& uv, const Cloth& cloth) {
+  const ClothLaw law(cloth);
+  const ShapeError shape_error(chart);
+  double energy = 0, area = 0;
+  for (const ShapeError::Triangle& t : shape_error.triangles()) {
+    energy += t.area * law.density(ShapeError::map_of(t, uv).matrix());
+    area += t.area;
+  }
+  return energy / area;
+}
+
+std::optional<std::string> warn_of_limits(const Chart& chart, const Metrics& metrics, const Cloth& cloth) {
+  if (!cloth.limits) return std::nullopt;
+  const double weft = widespread(chart, metrics.face_weft_strain);
+  const double warp = widespread(chart, metrics.face_warp_strain);
+  if (weft <= (*cloth.limits)[0] && warp <= (*cloth.limits)[1]) return std::nullopt;
+  return "The piece needs " + percent(std::max(weft, 0.0)) + " across and " + percent(std::max(warp, 0.0)) +
+         " along the grain; the cloth gives " + percent((*cloth.limits)[0]) + " and " + percent((*cloth.limits)[1]) +
+         ": it needs a dart, or another cloth.";
 }
 
 Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Positions2& uv, const StopToken& stop) {

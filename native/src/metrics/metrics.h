@@ -2,8 +2,12 @@
 // Distortion of one flat piece (paper IV-A).
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "network/wire_network.h"
 #include "stop_token.h"
+#include "wirewarp/cloth.h"
 #include "wirewarp/result.h"
 
 namespace wirewarp {
@@ -12,6 +16,13 @@ namespace wirewarp {
 /// Stopped.
 Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Positions2& uv,
                         const StopToken& stop = {});
+
+/// Metrics::cloth_energy. uv: x along the weft, y along the warp.
+double measure_cloth_energy(const Chart& chart, const Positions2& uv, const Cloth& cloth);
+
+/// What the cloth would have to bear beyond its limits, a sentence; nothing where it bears all. Of the 99th percentile
+/// of strain by area in each direction: single slivers tell nothing of a piece.
+std::optional<std::string> warn_of_limits(const Chart& chart, const Metrics& metrics, const Cloth& cloth);
 
 /// The planar angle θ of a wire-node's sector, radians, on the branch nearest to its surface angle.
 double planar_angle(const Chart& chart, const WireNetwork& network, const WireNode& node, const Positions2& uv);

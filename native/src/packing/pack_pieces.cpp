@@ -9,25 +9,6 @@
 #include "work_meter.h"
 
 namespace wirewarp {
-namespace {
-
-/// Turns a layout so that up becomes +y, with its lower-left corner at the origin.
-void stand_upright(Positions2& uv, const Eigen::Vector2d& up) {
-  Eigen::Matrix2d transposed_rotation = Eigen::Matrix2d::Identity();
-  if (up.norm() > 0) {
-    const Eigen::Vector2d y = up.normalized();
-    transposed_rotation << y.y(), y.x(), -y.x(), y.y();
-  }
-  const Eigen::RowVector2d center = (uv.colwise().minCoeff() + uv.colwise().maxCoeff()) / 2;
-  for (Eigen::Index v = 0; v < uv.rows(); ++v) {
-    uv.row(v) = ((uv.row(v) - center) * transposed_rotation).eval();  // small numbers round less
-  }
-  const Eigen::RowVector2d corner = uv.colwise().minCoeff();
-  uv.rowwise() -= corner;
-}
-
-}  // namespace
-
 Positions2 mirror_image(const Positions2& uv) {
   Positions2 mirrored = uv;
   mirrored.col(0) *= -1;
@@ -45,7 +26,8 @@ std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, std::vecto
     work.did(charts[i].source_face.size());
     pieces.push_back(i);
     area += std::abs(enclosed_area(charts[i], layouts[i]));
-    Eigen::Vector2d up = upright_direction(charts[i], layouts[i], options);
+    // Pieces of a cloth lie as they were solved: x is its weft, y its warp.
+    Eigen::Vector2d up = options.cloth ? Eigen::Vector2d(0, 1) : upright_direction(charts[i], layouts[i], options);
     if (options.mirror) {
       layouts[i] = mirror_image(layouts[i]);
       up.x() *= -1;

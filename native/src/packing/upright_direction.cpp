@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/upright_direction.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -67,15 +68,24 @@ Eigen::Vector2d long_side_of_smallest_box(const std::vector<Eigen::Vector2d>& po
   return best;
 }
 
-Eigen::Vector2d direction_of(const Chart& chart, const HalfEdgeChain& chain, const Positions2& uv) {
+std::vector<Eigen::Vector2d> points_along(const Chart& chart, const HalfEdgeChain& chain, const Positions2& uv) {
   std::vector<Eigen::Vector2d> points;
   points.push_back(uv.row(chart.mesh.from_vertex_handle(chain.front()).idx()));
   for (const HalfedgeHandle h : chain) points.push_back(uv.row(chart.mesh.to_vertex_handle(h).idx()));
+  return points;
+}
 
-  const Eigen::Vector2d chord = points.back() - points.front();
+/// The points of a chain say where it leads.
+bool is_open(const std::vector<Eigen::Vector2d>& points) {
   double length = 0;  // in the plane: free wires have another one there
   for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-  if (chord.norm() >= kShortChord * length) return chord;
+  return (points.back() - points.front()).norm() >= kShortChord * length;
+}
+
+Eigen::Vector2d direction_of(const Chart& chart, const HalfEdgeChain& chain, const Positions2& uv) {
+  const std::vector<Eigen::Vector2d> points = points_along(chart, chain, uv);
+  const Eigen::Vector2d chord = points.back() - points.front();
+  if (is_open(points)) return chord;
   const Eigen::Vector2d side = long_side_of_smallest_box(points);
   Eigen::Vector2d mean(0, 0);
   for (const Eigen::Vector2d& p : points) mean += p / static_cast<double>(points.size());
@@ -110,7 +120,38 @@ Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, cons
     const Eigen::Vector2d rising = rising_direction(chart, uv, {options.up[0], options.up[1], options.up[2]});
     if (!rising.isZero(0)) return rising;
   }
-  return direction_of(chart, grain_of(chart, options.grain), uv);
+  const Eigen::Vector2d along = direction_of(chart, grain_of(chart, options.grain), uv);
+  const double angle = options.orientation == Orientation::wire ? options.grain_angle : 0;
+  return angle == 0 ? along : Eigen::Vector2d(Eigen::Rotation2Dd(-angle) * along);
+}
+
+void stand_upright(Positions2& uv, const Eigen::Vector2d& up) {
+  Eigen::Matrix2d transposed_rotation = Eigen::Matrix2d::Identity();
+  if (up.norm() > 0) {
+    const Eigen::Vector2d y = up.normalized();
+    transposed_rotation << y.y(), y.x(), -y.x(), y.y();
+  }
+  const Eigen::RowVector2d center = (uv.colwise().minCoeff() + uv.colwise().maxCoeff()) / 2;
+  for (Eigen::Index v = 0; v < uv.rows(); ++v) {
+    uv.row(v) = ((uv.row(v) - center) * transposed_rotation).eval();  // small numbers round less
+  }
+  const Eigen::RowVector2d corner = uv.colwise().minCoeff();
+  uv.rowwise() -= corner;
+}
+
+VertexPair upright_pair(const Chart& chart, const Positions2& uv, const Options& options) {
+  if (options.orientation == Orientation::wire) {
+    const HalfEdgeChain& chain = grain_of(chart, options.grain);
+    if (is_open(points_along(chart, chain, uv))) {
+      return {chart.mesh.from_vertex_handle(chain.front()).idx(), chart.mesh.to_vertex_handle(chain.back()).idx()};
+    }
+  }
+  const HalfEdgeChain& outline = chart.boundary_loops.front();
+  const auto vertex = [&](HalfedgeHandle h) { return chart.mesh.from_vertex_handle(h).idx(); };
+  const auto [lowest, highest] =
+      std::minmax_element(outline.begin(), outline.end(),
+                          [&](HalfedgeHandle h, HalfedgeHandle i) { return uv(vertex(h), 1) < uv(vertex(i), 1); });
+  return {vertex(*lowest), vertex(*highest)};
 }
 
 }  // namespace wirewarp

@@ -56,6 +56,7 @@ FairShapeError::FairShapeError(const RefineTask& task, Injectivity injectivity, 
     : shape_error_(task.chart),
       bending_(task.chart, task.network, task.fairness, surface_area(task.chart.mesh)),
       injectivity_(injectivity) {
+  if (task.cloth) cloth_.emplace(ClothTerms{ClothLaw(task.cloth->cloth), ShearSmoothing(task.chart)});
   if (injectivity == Injectivity::global) outline_barrier_.emplace(task.chart, layout);
 }
 
@@ -70,6 +71,29 @@ FairShapeError::FlipBarrier FairShapeError::flip_barrier(double determinant) con
           kInfiniteWeight / (kSmallestDeterminant * kSmallestDeterminant) * barrier.curvature};
 }
 
+double FairShapeError::energy(const Positions2& uv) const {
+  if (!cloth_) return shape_error_.energy(uv);
+  double sum = cloth_->smoothing.value(uv);
+  for (const ShapeError::Triangle& t : shape_error_.triangles()) {
+    sum += t.area * cloth_->law.density(ShapeError::map_of(t, uv).matrix());
+  }
+  return sum;
+}
+
+/// The gradient is set.
+double FairShapeError::energy_and_gradient(const Positions2& uv, Positions2& gradient) const {
+  if (!cloth_) return shape_error_.energy_and_gradient(uv, gradient);
+  gradient.setZero(uv.rows(), 2);
+  double sum = cloth_->smoothing.add_gradient(uv, gradient);
+  for (const ShapeError::Triangle& t : shape_error_.triangles()) {
+    const Eigen::Matrix2d map = ShapeError::map_of(t, uv).matrix();
+    sum += t.area * cloth_->law.density(map);
+    const PerCorner by_corner = t.area * cloth_->law.gradient(map) * t.hat_gradients();
+    for (int i = 0; i < 3; ++i) gradient.row(t.vertices[i]) += by_corner.col(i).transpose();
+  }
+  return sum;
+}
+
 double FairShapeError::value(const Positions2& uv) const {
   double barrier = 0;
   for (const ShapeError::Triangle& t : shape_error_.triangles()) {
@@ -77,11 +101,11 @@ double FairShapeError::value(const Positions2& uv) const {
     if (determinant < kSmallestDeterminant) barrier += t.area * flip_barrier(determinant).value;
   }
   if (outline_barrier_) barrier += outline_barrier_->value(uv);
-  return shape_error_.energy(uv) + bending_.value(uv) + barrier;
+  return energy(uv) + bending_.value(uv) + barrier;
 }
 
 double FairShapeError::value_and_gradient(const Positions2& uv, Positions2& gradient) const {
-  const double energy = shape_error_.energy_and_gradient(uv, gradient);
+  const double energy = energy_and_gradient(uv, gradient);
   double barrier = 0;
   for (const ShapeError::Triangle& t : shape_error_.triangles()) {
     const ShapeError::LinearMap map = ShapeError::map_of(t, uv);
@@ -98,6 +122,7 @@ double FairShapeError::value_and_gradient(const Positions2& uv, Positions2& grad
 double FairShapeError::value_of_rounding(double error) const {
   double sum = 0;
   for (const ShapeError::Triangle& t : shape_error_.triangles()) sum += 2 * t.area * t.hat_gradients().squaredNorm();
+  if (cloth_) sum = cloth_->law.stiffness_at_rest() * sum + cloth_->smoothing.value_of_rounding(1);
   return error * error * sum + bending_.value_of_rounding(error);
 }
 
@@ -124,6 +149,7 @@ void FairShapeError::list_pairs(std::vector<VertexPair>& pairs) const {
     for (int i = 0; i < 3; ++i) pairs.push_back({t.vertices[i], t.vertices[(i + 1) % 3]});
   }
   bending_.list_pairs(pairs);
+  if (cloth_) cloth_->smoothing.list_pairs(pairs);
   if (outline_barrier_) outline_barrier_->list_pairs(pairs);
 }
 
@@ -153,29 +179,57 @@ void FairShapeError::add_triangle(std::size_t t, VertexMatrix& hessian, const Bl
   for (int corner = 0; corner < 3; ++corner) hessian.add_diagonal(vertices[corner], block_of(corner, corner));
 }
 
+void FairShapeError::add_laplacian(std::size_t i, VertexMatrix& hessian) const {
+  const ShapeError::Triangle& t = shape_error_.triangles()[i];
+  const HatGradients g = t.hat_gradients();
+  add_triangle(i, hessian, [&](int a, int b) -> Eigen::Matrix2d {
+    return 2 * t.area * g.col(a).dot(g.col(b)) * Eigen::Matrix2d::Identity();
+  });
+}
+
 void FairShapeError::add_constant_hessian(VertexMatrix& hessian) const {
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    const ShapeError::Triangle& t = shape_error_.triangles()[i];
-    const HatGradients g = t.hat_gradients();
-    add_triangle(i, hessian, [&](int a, int b) -> Eigen::Matrix2d {
-      return 2 * t.area * g.col(a).dot(g.col(b)) * Eigen::Matrix2d::Identity();
-    });
+  if (cloth_) {
+    cloth_->smoothing.add_hessian(hessian);
+  } else {
+    for (std::size_t i = 0; i < blocks_.size(); ++i) add_laplacian(i, hessian);
   }
   bending_.add_hessian(hessian);
+}
+
+/// Of E without its Laplacian, or of φ.
+void FairShapeError::add_energy_curvature(std::size_t i, const ShapeError::LinearMap& map, Curvature curvature,
+                                          VertexMatrix& hessian) const {
+  const ShapeError::Triangle& t = shape_error_.triangles()[i];
+  const HatGradients g = t.hat_gradients();
+  if (cloth_ && curvature == Curvature::none) {
+    add_laplacian(i, hessian);
+  } else if (cloth_) {
+    const bool is_convex = curvature == Curvature::convex;
+    const Eigen::Matrix4d of_map =
+        t.area * (is_convex ? cloth_->law.convex_hessian(map.matrix()) : cloth_->law.hessian(map.matrix()));
+    add_triangle(i, hessian, [&](int a, int b) -> Eigen::Matrix2d {
+      Eigen::Matrix2d block;
+      for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 2; ++column) {
+          block(row, column) = g.col(a).dot(of_map.block<2, 2>(2 * row, 2 * column) * g.col(b));
+        }
+      }
+      return block;
+    });
+  } else if (curvature != Curvature::none) {
+    const PerCorner s = turned_hats(g, map);
+    const double factor = -t.area * kappa(map.norm_z, curvature);
+    add_triangle(i, hessian, [&](int a, int b) -> Eigen::Matrix2d { return factor * s.col(a) * s.col(b).transpose(); });
+  }
 }
 
 void FairShapeError::add_curvature(const Positions2& uv, Curvature curvature, VertexMatrix& hessian) const {
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     const ShapeError::Triangle& t = shape_error_.triangles()[i];
     const ShapeError::LinearMap map = ShapeError::map_of(t, uv);
-    const HatGradients g = t.hat_gradients();
-    if (curvature != Curvature::none) {
-      const PerCorner s = turned_hats(g, map);
-      const double factor = -t.area * kappa(map.norm_z, curvature);
-      add_triangle(i, hessian,
-                   [&](int a, int b) -> Eigen::Matrix2d { return factor * s.col(a) * s.col(b).transpose(); });
-    }
+    add_energy_curvature(i, map, curvature, hessian);
     if (map.determinant() >= kSmallestDeterminant) continue;
+    const HatGradients g = t.hat_gradients();
     const PerCorner by_corner = determinant_gradient(g, map);
     const FlipBarrier barrier = flip_barrier(map.determinant());
     add_triangle(i, hessian, [&](int a, int b) -> Eigen::Matrix2d {

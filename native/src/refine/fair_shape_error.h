@@ -4,6 +4,10 @@
 //
 //   f(u) = E(u) + F(u) + Σ_t A β(det J)                   E: arap/shape_error.h, F: refine/bending.h
 //
+// Of a cloth, the energy of its threads and their shear instead of E,
+//
+//   f(u) = Σ_t A φ(J) + Z(u) + F(u) + Σ_t A β(det J)      φ: cloth/cloth_law.h, Z: refine/shear_smoothing.h
+//
 //   β(x) = ω max(0, ⅒ − x)²      finite: what the quick way to the minimum may go through
 //   β(x) = κ b(x / ⅒)            infinite where x <= 0, refine/log_barrier.h; to it belongs a step that ends where the
 //                                first triangle turns over (J. Smith, S. Schaefer, Bijective parameterization with
@@ -14,17 +18,19 @@
 //   H_ij = 2A g_i·g_j I − A κ s_i s_jᵀ,   κ = 1/|z|      κ > 1 where the triangle is compressed: there H may be
 //   indefinite
 //
-// The first term is the constant Laplacian. With det J = |z|² − |w|² the barrier has ∇_i det = g_i z − ḡ_i w, and its
-// Hessian without the term that could make it indefinite is A β″ ∇det ∇detᵀ − ½ A β′ M(ḡ_i g_j), M(a + ib) the matrix
-// of multiplication by a + ib.
+// The first term is the constant Laplacian; a cloth has none. With det J = |z|² − |w|² the barrier has ∇_i det = g_i z
+// − ḡ_i w, and its Hessian without the term that could make it indefinite is A β″ ∇det ∇detᵀ − ½ A β′ M(ḡ_i g_j), M(a +
+// ib) the matrix of multiplication by a + ib.
 #pragma once
 
 #include <optional>
 
 #include "arap/shape_error.h"
+#include "cloth/cloth_law.h"
 #include "refine/bending.h"
 #include "refine/outline_barrier.h"
 #include "refine/refine_task.h"
+#include "refine/shear_smoothing.h"
 
 namespace wirewarp {
 
@@ -58,6 +64,9 @@ class FairShapeError {
   /// Triangles turned over or without area.
   int count_flips(const Positions2& uv) const { return shape_error_.count_flips(uv); }
 
+  /// f is the same for every layout turned: without a cloth.
+  bool is_free_to_turn() const { return !cloth_; }
+
   /// The share of the step d from uv, at most 1, after which the injectivity is first lost.
   double longest_step(const Positions2& uv, const Positions2& d) const;
 
@@ -73,7 +82,7 @@ class FairShapeError {
   /// alone from then on.
   void attach_to(const VertexMatrix& hessian);
 
-  /// Adds what does not depend on positions: twice the cotangent Laplacian, and the Hessian of F.
+  /// Adds what does not depend on positions: twice the cotangent Laplacian, or the Hessian of Z, and that of F.
   void add_constant_hessian(VertexMatrix& hessian) const;
 
   /// Adds the rest.
@@ -89,11 +98,23 @@ class FairShapeError {
     double value, slope, curvature;  // β, β′, β″
   };
 
+  /// The energy of a cloth and what is against its zigzags.
+  struct ClothTerms {
+    ClothLaw law;
+    ShearSmoothing smoothing;
+  };
+
+  double energy(const Positions2& uv) const;
+  double energy_and_gradient(const Positions2& uv, Positions2& gradient) const;
+  void add_energy_curvature(std::size_t t, const ShapeError::LinearMap& map, Curvature curvature,
+                            VertexMatrix& hessian) const;
   FlipBarrier flip_barrier(double determinant) const;
+  void add_laplacian(std::size_t t, VertexMatrix& hessian) const;
   template <class BlockOf>
   void add_triangle(std::size_t t, VertexMatrix& hessian, const BlockOf& block_of) const;
 
   ShapeError shape_error_;
+  std::optional<ClothTerms> cloth_;
   Bending bending_;
   Injectivity injectivity_;
   std::optional<OutlineBarrier> outline_barrier_;

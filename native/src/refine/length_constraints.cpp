@@ -9,7 +9,8 @@
 
 namespace wirewarp {
 
-LengthConstraints::LengthConstraints(const Chart& chart, const HeldNetwork& network)
+LengthConstraints::LengthConstraints(const Chart& chart, const HeldNetwork& network,
+                                     const std::optional<GrainRow>& grain, const Positions2& layout)
     : rounding_length_(1e-5 * std::sqrt(surface_area(chart.mesh))) {
   std::vector<int> elastic_of_part(chart.wire_parts.size(), -1);
   for (int part = 0; part < static_cast<int>(chart.wire_parts.size()); ++part) {
@@ -21,6 +22,10 @@ LengthConstraints::LengthConstraints(const Chart& chart, const HeldNetwork& netw
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
     edges_.push_back({chart.mesh.from_vertex_handle(h).idx(), chart.mesh.to_vertex_handle(h).idx(), edge.length,
                       edge.part < 0 ? -1 : elastic_of_part[edge.part]});
+  }
+  if (grain) {
+    edges_.push_back({grain->a, grain->b, (layout.row(grain->b) - layout.row(grain->a)).norm(), -1});
+    grain_normal_ = grain->normal.transpose();
   }
   tolerance_.resize(num_elastic());
   for (int w = 0; w < num_elastic(); ++w) tolerance_[w] = chart.wire_parts[elastic_parts_[w]].tolerance;
@@ -46,6 +51,10 @@ Eigen::VectorXd LengthConstraints::residual(const Positions2& uv, const Eigen::V
   Eigen::VectorXd c(size());
   for (int e = 0; e < size(); ++e) {
     const Edge& edge = edges_[e];
+    if (is_linear(e)) {
+      c[e] = grain_normal_->dot(uv.row(edge.b) - uv.row(edge.a));
+      continue;
+    }
     const double h = edge.elastic < 0 ? 0 : variation[edge.elastic];
     const double x = uv(edge.b, 0) - uv(edge.a, 0), y = uv(edge.b, 1) - uv(edge.a, 1);
     c[e] = std::sqrt(x * x + y * y) - (1 + h) * edge.length;
@@ -65,6 +74,10 @@ double LengthConstraints::largest_error(const Eigen::VectorXd& residual) const {
 Positions2 LengthConstraints::directions(const Positions2& uv) const {
   Positions2 directions(size(), 2);
   for (int e = 0; e < size(); ++e) {
+    if (is_linear(e)) {
+      directions.row(e) = *grain_normal_;
+      continue;
+    }
     directions.row(e) = uv.row(edges_[e].b) - uv.row(edges_[e].a);
     const double length = directions.row(e).norm();
     if (length > 0) directions.row(e) /= length;

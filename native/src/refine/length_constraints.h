@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The promise as equations: every edge of the boundary and of a rigid or elastic wire has its length.
+// The promise as equations: every edge of the boundary and of a rigid or elastic wire has its length. Under a cloth
+// there is one more, last, which keeps the piece from turning.
 //
 //   c_e(u, h) = |d| − (1 + h) l,   d = u_b − u_a      h is 0 but on elastic parts, and shared evenly by their edges
 //   J = ∂c/∂u   row e: d̂ at b, −d̂ at a
 //   T = −∂c/∂h  column w: l at the edges of elastic part w
 //   ∂²c_e/∂d² = n nᵀ / |d|,   n ⊥ d̂
+//
+//   c_g(u) = m·d        with a fixed m in the place of d̂; ∂²c_g/∂d² = 0
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <optional>
 #include <vector>
 
-#include "network/wire_network.h"
+#include "refine/refine_task.h"
 #include "refine/vertex_matrix.h"
 
 namespace wirewarp {
@@ -19,14 +23,19 @@ class LengthConstraints {
  public:
   struct Edge {
     int a, b;       // chart vertices
-    double length;  // l, 3D
+    double length;  // l, 3D; of the row against turning: of d at first, which errors are measured against
     int elastic;    // index into elastic_parts(), -1: h is 0
   };
 
-  LengthConstraints(const Chart& chart, const HeldNetwork& network);
+  /// grain: the row against turning, if any; layout: one that tells its length.
+  LengthConstraints(const Chart& chart, const HeldNetwork& network, const std::optional<GrainRow>& grain = {},
+                    const Positions2& layout = {});
 
   const std::vector<Edge>& edges() const { return edges_; }
   int size() const { return static_cast<int>(edges_.size()); }
+
+  /// Has no curvature.
+  bool is_linear(int edge) const { return grain_normal_ && edge == size() - 1; }
 
   /// Wire parts of the chart that are elastic: entry w of h belongs to part elastic_parts()[w].
   const std::vector<int>& elastic_parts() const { return elastic_parts_; }
@@ -70,7 +79,8 @@ class LengthConstraints {
   std::vector<int> elastic_parts_;
   Eigen::VectorXd tolerance_;
   Eigen::SparseMatrix<double> elastic_lengths_;
-  double rounding_length_;  // 10⁻⁵ √area
+  std::optional<Eigen::RowVector2d> grain_normal_;  // m
+  double rounding_length_;                          // 10⁻⁵ √area
 };
 
 }  // namespace wirewarp

@@ -34,9 +34,12 @@ constexpr double kWellPositive = 1e-4;
 constexpr int kColumnsAtOnce = 4;     // what the Cholesky kernels take
 constexpr int kManyVariations = 200;  // beyond, eigenvalues cost more than the Newton system
 
-std::vector<VertexPair> coupled_vertices(const FairShapeError& objective) {
+std::vector<VertexPair> coupled_vertices(const FairShapeError& objective, const LengthConstraints& constraints) {
   std::vector<VertexPair> pairs;
   objective.list_pairs(pairs);
+  for (int e = 0; e < constraints.size(); ++e) {  // all others are edges of triangles
+    if (constraints.is_linear(e)) pairs.push_back({constraints.edges()[e].a, constraints.edges()[e].b});
+  }
   return pairs;
 }
 
@@ -111,7 +114,7 @@ NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const 
                            const Positions2& positions, const StopToken& stop)
     : objective_(objective),
       constraints_(constraints),
-      matrix_(static_cast<int>(chart.mesh.n_vertices()), coupled_vertices(objective)),
+      matrix_(static_cast<int>(chart.mesh.n_vertices()), coupled_vertices(objective, constraints)),
       pinned_(pinned_vertices(chart)) {
   objective_.attach_to(matrix_);
   objective_.add_constant_hessian(matrix_);
@@ -147,7 +150,7 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
   for (int e = 0; e < constraints_.size(); ++e) {
     const LengthConstraints::Edge& edge = constraints_.edges()[e];
     const double length = (uv.row(edge.b) - uv.row(edge.a)).norm();
-    const bool counts = length > 0 && (convexity.keep_compression || multipliers[e] > 0);
+    const bool counts = !constraints_.is_linear(e) && length > 0 && (convexity.keep_compression || multipliers[e] > 0);
     const double across = counts ? multipliers[e] / length : 0;
     const Eigen::Vector2d d = directions_.row(e).transpose(), n(-d.y(), d.x());
     const Eigen::Matrix2d block = stiffness_share * stiffness_[e] * d * d.transpose() + across * n * n.transpose();
@@ -156,6 +159,7 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
     matrix_.add(edge_blocks_[e], -block);
   }
   if (convexity.curvature == Curvature::none) return;  // the Laplacian resists turns: a pin would press a dent
+  if (!objective_.is_free_to_turn()) return;
   const Eigen::Vector2d arm = (uv.row(pinned_[1]) - uv.row(pinned_[0])).transpose().normalized();
   const Eigen::Vector2d turn(-arm.y(), arm.x());
   matrix_.add_diagonal(pinned_[1], kPin * turn * turn.transpose());

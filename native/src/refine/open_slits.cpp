@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "feasibility/isoperimetric.h"
 #include "mesh/geometry.h"
 #include "mesh/overlap.h"
 #include "planar.h"
+#include "refine/sewn_problem.h"
 
 namespace wirewarp {
 namespace {
@@ -19,51 +19,6 @@ namespace {
 constexpr double kOpening = 0.1;         // slope of opened rims against the shut slit
 constexpr double kOfHeight = 1.0 / 3;    // the most that a rim moves into the faces beside it
 constexpr double kOverlapDepth = 1e-10;  // a tenth of what counts as overlap in the end, when pieces have been turned
-
-/// A chart with some slits sewn, and the way to and from it.
-class SewnProblem {
- public:
-  SewnProblem(const RefineTask& open, SewnChart sewn)
-      : sewn_(std::move(sewn)), network_(build_held_network(sewn_.chart)), fairness_(open.fairness) {
-    for (const WireEdge& edge : open.network.edges) {
-      const HalfedgeHandle h = open.chart.mesh.halfedge_handle(edge.edge, 0);
-      const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn_.vertex[v.idx()]); };
-      const HalfedgeHandle there = sewn_.chart.mesh.find_halfedge(sewn_end(open.chart.mesh.from_vertex_handle(h)),
-                                                                  sewn_end(open.chart.mesh.to_vertex_handle(h)));
-      const int sewn_edge =
-          there.is_valid() ? network_.wire_edge_of_edge[sewn_.chart.mesh.edge_handle(there).idx()] : -1;
-      if (sewn_edge < 0) throw std::logic_error("an edge of a wire is none any more once slits are sewn");
-      edge_.push_back(sewn_edge);
-    }
-  }
-
-  RefineTask task() const { return {sewn_.chart, network_, fairness_}; }
-
-  /// Edges that are sewn together bear the forces of both.
-  RefinementStart to_sewn(const RefinementStart& open) const {
-    RefinementStart start{Positions2(static_cast<Eigen::Index>(sewn_.chart.mesh.n_vertices()), 2),
-                          Eigen::VectorXd::Zero(static_cast<Eigen::Index>(network_.edges.size()))};
-    for (int v = 0; v < open.uv.rows(); ++v) start.uv.row(sewn_.vertex[v]) = open.uv.row(v);
-    for (int e = 0; e < open.multipliers.size(); ++e) start.multipliers[edge_[e]] += open.multipliers[e];
-    return start;
-  }
-
-  RefinementStart to_open(const RefinedShape& sewn) const {
-    std::vector<int> num_open(network_.edges.size(), 0);
-    for (const int e : edge_) ++num_open[e];
-    RefinementStart start{sewn.uv(sewn_.vertex, Eigen::all), Eigen::VectorXd(static_cast<Eigen::Index>(edge_.size()))};
-    for (int e = 0; e < start.multipliers.size(); ++e) {
-      start.multipliers[e] = sewn.multipliers[edge_[e]] / num_open[edge_[e]];
-    }
-    return start;
-  }
-
- private:
-  SewnChart sewn_;
-  HeldNetwork network_;
-  double fairness_;
-  std::vector<int> edge_;  // of the sewn network, one per edge of the open one
-};
 
 /// Distance along the rims to the nearest tip, of the vertex where each half-edge begins.
 std::vector<double> distances_from_tips(const Chart& chart, const Slit& slit) {

@@ -11,7 +11,9 @@
 namespace wirewarp {
 
 RefineProblem::RefineProblem(const RefineTask& task, Injectivity injectivity, const Positions2& layout)
-    : chart_(task.chart), constraints_(task.chart, task.network), objective_(task, injectivity, layout) {
+    : chart_(task.chart),
+      constraints_(task.chart, task.network, task.cloth ? task.cloth->grain : std::nullopt, layout),
+      objective_(task, injectivity, layout) {
   // What rounding leaves of f is felt on slivers and edges of 1e-8 of the piece.
   const double extent = (layout.colwise().maxCoeff() - layout.colwise().minCoeff()).maxCoeff();
   isometric_value_ = std::max(RefineConstants::isometric * surface_area(task.chart.mesh),

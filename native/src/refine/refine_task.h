@@ -1,15 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "network/wire_network.h"
+#include "wirewarp/cloth.h"
 
 namespace wirewarp {
+
+/// Keeps a layout from turning: normal · (u_b − u_a) = 0.
+struct GrainRow {
+  int a, b;  // chart vertices
+  Eigen::Vector2d normal;
+};
+
+/// The cloth a chart is cut from; x is its weft, y its warp.
+struct ClothOnChart {
+  Cloth cloth;
+  std::optional<GrainRow> grain;  // none: free to turn
+};
 
 /// A chart to refine: what f and the lengths are made of.
 struct RefineTask {
   const Chart& chart;
   const HeldNetwork& network;
-  double fairness;  // shortest wiggle of wires that is left alone, over the square root of the area
+  double fairness;                      // shortest wiggle of wires that is left alone, over the square root of the area
+  const ClothOnChart* cloth = nullptr;  // null: f has the shape error of Eq. (4)
 };
 
 }  // namespace wirewarp

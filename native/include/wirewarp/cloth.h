@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wirewarp {
+
+/// What a cloth with a weft (x, across) and a warp (y, along the grain) resists, per area of the flat piece: threads of
+/// length f in the worn piece, 1 in the flat one, and the angle γ by which weft and warp leave the right angle cost
+///
+///   weft (f_weft − 1)² + warp (f_warp − 1)² + shear (f_weft f_warp sin γ)²
+///
+/// Only ratios count. With (1, 1, ½) it is, for small strains, the isotropic energy of a run without a cloth.
+struct Cloth {
+  double weft = 1;     // stiffness of the threads across; positive
+  double warp = 1;     // of those along the grain; positive
+  double shear = 0.5;  // against turning the two to one another; positive. Small for wovens
+
+  /// How much more than by stretching a thread costs when it is squeezed, as a factor: above 1 where the material
+  /// hardly compresses. In [least_squeeze, most_squeeze].
+  double squeeze = 1;
+  static constexpr double least_squeeze = 0.01;
+  static constexpr double most_squeeze = 100;
+
+  /// γ, radians, in (0, π/2), from which on the threads press on one another: more costs 10 max(weft, warp)
+  /// (|sin γ| − sin locking)². None: never.
+  std::optional<double> locking;
+
+  /// Strains that the cloth bears along weft and warp, dimensionless and not negative: a piece that needs more in
+  /// either direction has a warning. None: not checked.
+  std::optional<std::array<double, 2>> limits;
+
+  /// Any two stiffnesses are at most this far apart, as a factor: real cloths stay below 300.
+  static constexpr double most_anisotropy = 1e4;
+};
+
+/// Ratios of measured cloths; throws FlattenError (invalid_option) for another name than those below.
+Cloth cloth_preset(const std::string& name);
+
+/// "woven", "denim", "jersey", "swim", "leather", "neoprene".
+const std::vector<std::string>& cloth_preset_names();
+
+/// Throws FlattenError (invalid_option) unless every number is in its range.
+void check_cloth(const Cloth& cloth);
+
+}  // namespace wirewarp

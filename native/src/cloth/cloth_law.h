@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one triangle of a cloth costs, as a function of its map.
+//
+//   J = (a; b)      the map worn → flat, with the rows a = ∇x (weft) and b = ∇y (warp)
+//   p = |b|, q = |a|, g = a·b, D = det J
+//   F = J⁻¹         the map flat → worn: its columns f_u, f_v are a weft and a warp thread of length 1,
+//                   |f_u| = p/D, |f_v| = q/D, f_u·f_v = −g/D²
+//
+//   W = weft ρ(|f_u| − 1) + warp ρ(|f_v| − 1) + shear (f_u·f_v)² + 10 max(0, |sin γ| − sin γ₀)²     per flat area
+//   ρ(x) = x², squeeze · x² where x < 0;   sin γ = f_u·f_v / (|f_u| |f_v|) = −g/(pq);   γ₀ the locking angle
+//
+//   φ = D W = weft (p − D)²/D + warp (q − D)²/D + shear g²/D³ + 10 D max(0, |g|/(pq) − sin γ₀)²     per worn area
+//
+// Threads and shear of woven cloth as independent springs: D. E. Breen, D. H. House, M. J. Wozny (1994), J. McCartney
+// et al. (2000). As a → b → 0 together φ stays finite, and that of a mirror image is no larger: φ is no barrier. D <= 0
+// counts as infinite.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "wirewarp/cloth.h"
+
+namespace wirewarp {
+
+class ClothLaw {
+ public:
+  /// The stiffnesses count over the larger one of weft and warp: or other terms beside them would change their meaning.
+  explicit ClothLaw(const Cloth& cloth);
+
+  /// p, q, g and D of a map.
+  struct Invariants {
+    explicit Invariants(const Eigen::Matrix2d& map)
+        : p(map.row(1).norm()), q(map.row(0).norm()), g(map.row(0).dot(map.row(1))), determinant(map.determinant()) {}
+    double p, q, g, determinant;
+  };
+
+  /// φ; infinite where D <= 0.
+  double density(const Eigen::Matrix2d& map) const;
+
+  /// ∂φ/∂J; zero where D <= 0.
+  Eigen::Matrix2d gradient(const Eigen::Matrix2d& map) const;
+
+  /// ∂²φ/∂J² by (a, b) below one another. D > 0.
+  Eigen::Matrix4d hessian(const Eigen::Matrix2d& map) const;
+
+  /// The same without what is negative of it: the eigenvalues below zero are set to zero.
+  Eigen::Matrix4d convex_hessian(const Eigen::Matrix2d& map) const;
+
+  /// Bounds the Hessian of φ at rest by that of ARAP times this.
+  double stiffness_at_rest() const;
+
+ private:
+  /// φ and its derivatives by p, q, g and D.
+  struct Expansion {
+    double value;
+    Eigen::Vector4d slope;
+    Eigen::Matrix4d curvature;
+  };
+
+  Expansion expand(const Invariants& of) const;
+  void add_locking(const Invariants& of, Expansion& by) const;
+
+  double weft_, warp_, shear_, squeeze_;
+  std::optional<double> locking_sine_;  // sin γ₀
+};
+
+}  // namespace wirewarp

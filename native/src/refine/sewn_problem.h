@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "charts/slits.h"
+#include "refine/refine_shape.h"
+
+namespace wirewarp {
+
+/// A chart to refine with some slits sewn, and the way to and from it.
+class SewnProblem {
+ public:
+  SewnProblem(const RefineTask& open, SewnChart sewn);
+
+  /// Refers to this problem.
+  RefineTask task() const { return {sewn_.chart, network_, fairness_, cloth_ ? &*cloth_ : nullptr}; }
+
+  /// Edges that are sewn together bear the forces of both.
+  RefinementStart to_sewn(const RefinementStart& open) const;
+
+  RefinementStart to_open(const RefinedShape& sewn) const;
+
+ private:
+  SewnChart sewn_;
+  HeldNetwork network_;
+  double fairness_;
+  std::optional<ClothOnChart> cloth_;
+  std::vector<int> row_;  // of the sewn constraints, one per row of the open ones
+  int num_rows_;          // of the sewn constraints
+};
+
+}  // namespace wirewarp

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "cloth/cloth_law.h"
+#include "dense_algebra.h"
+#include "planar.h"
+
+namespace wirewarp {
+namespace {
+
+Cloth cloth_of(double weft, double warp, double shear) {
+  Cloth cloth;
+  cloth.weft = weft;
+  cloth.warp = warp;
+  cloth.shear = shear;
+  return cloth;
+}
+
+/// The map worn → flat of one that goes from flat to worn.
+Eigen::Matrix2d map_of(const Eigen::Matrix2d& flat_to_worn) { return flat_to_worn.inverse(); }
+
+Eigen::Matrix2d rows(double a, double b, double c, double d) { return (Eigen::Matrix2d() << a, b, c, d).finished(); }
+
+const Cloth kDenim = cloth_of(0.21, 1, 0.06);
+constexpr double kRounding = 1e-14;
+
+TEST(ClothLaw, ThreadsStretchedAlongTheGrainCostTheirStiffnessAlone) {
+  for (const double t : {0.2, -0.2}) {  // over the worn area, 1 + t times the flat one
+    EXPECT_NEAR(ClothLaw(kDenim).density(map_of(rows(1, 0, 0, 1 + t))), 1 * t * t / (1 + t), kRounding);
+    EXPECT_NEAR(ClothLaw(kDenim).density(map_of(rows(1 + t, 0, 0, 1))), 0.21 * t * t / (1 + t), kRounding);
+  }
+}
+
+TEST(ClothLaw, SqueezedThreadsCostTheirFactor) {
+  Cloth cloth = kDenim;
+  cloth.squeeze = 3;
+  EXPECT_NEAR(ClothLaw(cloth).density(map_of(rows(1, 0, 0, 0.8))), 3 * 0.04 / 0.8, kRounding);
+  EXPECT_NEAR(ClothLaw(cloth).density(map_of(rows(1, 0, 0, 1.2))), 0.04 / 1.2, kRounding);
+}
+
+TEST(ClothLaw, ThreadsThatTurnWithoutStretchingCostShearAlone) {
+  for (const double angle : {0.3, -0.5}) {
+    const double sine = std::sin(angle), cosine = std::cos(angle);
+    EXPECT_NEAR(ClothLaw(kDenim).density(map_of(rows(1, sine, 0, cosine))), 0.06 * sine * sine / cosine, kRounding);
+  }
+}
+
+TEST(ClothLaw, StretchOnTheBiasCostsBothThreadsAndShear) {
+  const double t = 0.3, both = std::pow(std::sqrt((1 + (1 + t) * (1 + t)) / 2) - 1, 2),
+               turn = ((1 + t) * (1 + t) - 1) / 2;
+  const Eigen::Matrix2d bias = Eigen::Rotation2Dd(kPi / 4).toRotationMatrix();
+  const Eigen::Matrix2d stretched = bias * Eigen::Vector2d(1 + t, 1).asDiagonal() * bias.transpose();
+  EXPECT_NEAR(ClothLaw(kDenim).density(map_of(stretched)), ((0.21 + 1) * both + 0.06 * turn * turn) / (1 + t),
+              kRounding);
+}
+
+TEST(ClothLaw, BeyondLockingTheSineOfShearCostsMore) {
+  Cloth cloth = kDenim;
+  cloth.locking = kPi / 6;  // of sine 1/2
+  const double sine = 0.8, cosine = 0.6, excess = sine - 0.5;
+  EXPECT_NEAR(ClothLaw(cloth).density(map_of(rows(1, -sine, 0, cosine))),
+              (0.06 * sine * sine + 10 * excess * excess) / cosine, kRounding);
+  EXPECT_NEAR(ClothLaw(cloth).density(map_of(rows(1, 0.4, 0, 1))), ClothLaw(kDenim).density(map_of(rows(1, 0.4, 0, 1))),
+              kRounding);
+}
+
+TEST(ClothLaw, OnlyRatiosOfStiffnessCount) {
+  const Eigen::Matrix2d map = rows(1.1, 0.2, -0.1, 0.9);
+  EXPECT_EQ(ClothLaw(cloth_of(0.21 * 1024, 1024, 0.06 * 1024)).density(map), ClothLaw(kDenim).density(map));
+}
+
+TEST(ClothLaw, TurningTheWornSideCostsNothingAndTurningTheFlatSideDoes) {
+  const Eigen::Matrix2d map = rows(1.1, 0.2, -0.1, 0.9), turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
+  const ClothLaw law(kDenim);
+  EXPECT_NEAR(law.density(map * turn), law.density(map), kRounding);
+  EXPECT_GT(std::abs(law.density(turn * map) - law.density(map)), 1e-3);
+}
+
+TEST(ClothLaw, WhatIsTurnedOverOrHasNoAreaIsInfinite) {
+  const ClothLaw law(kDenim);
+  EXPECT_EQ(law.density(rows(1, 0, 0, -1)), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(law.density(rows(1, 0, 2, 0)), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(law.density(Eigen::Matrix2d::Zero()), std::numeric_limits<double>::infinity());
+}
+
+/// ARAP is |J − R|²: at rest ½ dJ·H dJ is the square of the symmetric part of dJ.
+TEST(ClothLaw, IsotropicClothIsArapToSecondOrder) {
+  const ClothLaw law(cloth_of(1, 1, 0.5));
+  Eigen::Matrix4d arap;  // by J₁₁, J₁₂, J₂₁, J₂₂
+  arap << 2, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 2;
+  const Eigen::Matrix2d rest = Eigen::Matrix2d::Identity();
+  EXPECT_EQ(law.density(rest), 0);
+  EXPECT_TRUE(law.gradient(rest).isZero(kRounding));
+  EXPECT_TRUE(law.hessian(rest).isApprox(arap, kRounding));
+}
+
+class ClothLawOnRandomMaps : public testing::Test {
+ protected:
+  static Eigen::Vector4d flat(const Eigen::Matrix2d& m) { return {m(0, 0), m(0, 1), m(1, 0), m(1, 1)}; }
+
+  /// Stretched and squeezed, sheared to both sides, beyond locking and not.
+  static std::vector<Eigen::Matrix2d> maps() {
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    std::vector<Eigen::Matrix2d> result;
+    while (result.size() < 40) {
+      const Eigen::Matrix2d map =
+          Eigen::Matrix2d::Identity() + 0.3 * Eigen::Matrix2d::NullaryExpr([&] { return normal(random); });
+      if (map.determinant() > 0.3) result.push_back(map);
+    }
+    return result;
+  }
+
+  static ClothLaw law() {
+    Cloth cloth = kDenim;
+    cloth.squeeze = 2;
+    cloth.locking = 0.3;
+    return ClothLaw(cloth);
+  }
+};
+
+TEST_F(ClothLawOnRandomMaps, DerivativesEqualDifferences) {
+  const double step = 1e-6;
+  for (const Eigen::Matrix2d& map : maps()) {
+    for (int k = 0; k < 4; ++k) {
+      Eigen::Matrix2d d = Eigen::Matrix2d::Zero();
+      d(k / 2, k % 2) = step;
+      const double slope = (law().density(map + d) - law().density(map - d)) / (2 * step);
+      EXPECT_NEAR(law().gradient(map)(k / 2, k % 2), slope, 1e-7 * (1 + std::abs(slope)));
+      const Eigen::Vector4d bend = flat(law().gradient(map + d) - law().gradient(map - d)) / (2 * step);
+      EXPECT_LT((law().hessian(map).col(k) - bend).norm(), 1e-6 * (1 + bend.norm()));
+    }
+  }
+}
+
+TEST_F(ClothLawOnRandomMaps, TheConvexHessianIsPositiveAndAboveTheExactOne) {
+  bool is_anything_mended = false;
+  for (const Eigen::Matrix2d& map : maps()) {
+    const Eigen::MatrixXd exact = law().hessian(map), convex = law().convex_hessian(map);
+    const double rounding = 1e-13 * exact.norm();
+    EXPECT_GT(test::eigenvalues(convex).minCoeff(), -rounding);
+    EXPECT_GT(test::eigenvalues(convex - exact).minCoeff(), -rounding);
+    is_anything_mended = is_anything_mended || test::eigenvalues(exact).minCoeff() < -rounding;
+  }
+  EXPECT_TRUE(is_anything_mended);
+}
+
+}  // namespace
+}  // namespace wirewarp

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces of a cloth, flattened.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "planar.h"
+#include "test_meshes.h"
+#include "wirewarp/cache.h"
+
+namespace wirewarp {
+namespace {
+
+Options with_cloth(const Cloth& cloth) {
+  Options options;
+  options.cloth = cloth;
+  return options;
+}
+
+Cloth woven() {
+  Cloth cloth;
+  cloth.shear = 0.05;
+  return cloth;
+}
+
+/// The only piece, which keeps every promise.
+Piece flat_piece(const FlattenInput& input, const Options& options) {
+  FlattenResult result = flatten(input, options);
+  EXPECT_EQ(result.pieces.size(), 1u);
+  EXPECT_FALSE(result.pieces[0].error) << result.pieces[0].report.message;
+  EXPECT_EQ(result.pieces[0].report.termination, Termination::converged);
+  return std::move(result.pieces[0]);
+}
+
+/// From the first to the last vertex of a wire.
+Eigen::RowVector2d chord_of(const Piece& piece, const std::vector<int>& wire) {
+  const auto place = [&](int vertex) {
+    const auto found = std::find(piece.source_vertex.begin(), piece.source_vertex.end(), vertex);
+    return piece.vertices.row(found - piece.source_vertex.begin());
+  };
+  return place(wire.back()) - place(wire.front());
+}
+
+double largest_shear(const Piece& piece) { return piece.metrics.face_shear_angle.cwiseAbs().maxCoeff(); }
+
+TEST(RefineCloth, PiecesFoldedFromAPlaneHaveNoStrainInAnyCloth) {
+  FlattenInput cylinder = test::cylinder_patch(8, 6, 1, 2, 1.5);
+  test::add_wire(cylinder, test::grid_column(8, 6, 3));
+  for (const std::string& name : cloth_preset_names()) {
+    const Piece piece = flat_piece(cylinder, with_cloth(cloth_preset(name)));
+    EXPECT_LT(piece.metrics.cloth_energy, 1e-20) << name;
+    EXPECT_LT(piece.metrics.face_weft_strain.cwiseAbs().maxCoeff(), 1e-9) << name;
+    EXPECT_LT(piece.metrics.face_warp_strain.cwiseAbs().maxCoeff(), 1e-9) << name;
+    EXPECT_LT(largest_shear(piece), 1e-9) << name;
+  }
+}
+
+TEST(RefineCloth, AClothHasLessOfItsOwnEnergyThanThePieceOfNoCloth) {
+  const FlattenInput sphere = test::quarter_sphere(8);
+  const Options options = with_cloth(woven());
+  const Piece plain = flat_piece(sphere, {}), piece = flat_piece(sphere, options);
+  EXPECT_TRUE(std::isnan(plain.metrics.cloth_energy));
+  EXPECT_LT(piece.metrics.face_weft_strain.squaredNorm() + piece.metrics.face_warp_strain.squaredNorm(),
+            0.7 * (plain.metrics.face_weft_strain.squaredNorm() + plain.metrics.face_warp_strain.squaredNorm()));
+  EXPECT_GT(piece.metrics.arap_energy, plain.metrics.arap_energy);
+  EXPECT_GE(piece.report.objective, piece.metrics.cloth_energy);
+}
+
+TEST(RefineCloth, ForSmallStrainsTheIsotropicClothIsNoOtherThanNone) {
+  double difference_before = 0;
+  for (const double bend : {0.2, 0.1}) {
+    const FlattenInput saddle = test::saddle(8, bend);
+    const double plain = flat_piece(saddle, {}).metrics.arap_energy;
+    const double difference = std::abs(flat_piece(saddle, with_cloth({})).metrics.arap_energy - plain) / plain;
+    EXPECT_LT(difference, 0.1 * bend);
+    if (difference_before > 0) {
+      EXPECT_LT(difference, difference_before / 2);
+    }
+    difference_before = difference;
+  }
+}
+
+TEST(RefineCloth, TheGrainWireStandsAtItsAngle) {
+  const FlattenInput sphere = test::quarter_sphere(6);
+  for (const double angle : {0.0, kPi / 4}) {
+    Options options = with_cloth(woven());
+    options.grain_angle = angle;
+    const Eigen::RowVector2d chord = chord_of(flat_piece(sphere, options), sphere.wires[0].vertices).normalized();
+    EXPECT_NEAR(chord.x(), -std::sin(angle), 1e-9);
+    EXPECT_NEAR(chord.y(), std::cos(angle), 1e-9);
+  }
+}
+
+TEST(RefineCloth, OnTheBiasASphereHasAnotherEnergyAndTheBestDirectionHasTheLeast) {
+  const FlattenInput sphere = test::quarter_sphere(6);
+  Options options = with_cloth(woven());
+  const double straight = flat_piece(sphere, options).report.objective;
+  options.grain_angle = kPi / 4;
+  const double bias = flat_piece(sphere, options).report.objective;
+  options.orientation = Orientation::best;
+  const double best = flat_piece(sphere, options).report.objective;
+  EXPECT_GT(std::abs(bias - straight), 0.01 * straight);
+  EXPECT_LE(best, (1 + 1e-9) * std::min(straight, bias));
+}
+
+TEST(RefineCloth, ShearDoesNotGrowAsTheMeshIsRefined) {
+  const Options options = with_cloth(woven());
+  const double coarse = largest_shear(flat_piece(test::quarter_sphere(12), options));
+  const double fine = largest_shear(flat_piece(test::quarter_sphere(24), options));
+  EXPECT_LE(fine, coarse);
+}
+
+TEST(RefineCloth, ThreadsThatLockShearLess) {
+  const FlattenInput sphere = test::quarter_sphere(8);
+  Cloth cloth = woven();
+  const double free = largest_shear(flat_piece(sphere, with_cloth(cloth)));
+  cloth.locking = 0.6;
+  ASSERT_GT(free, *cloth.locking);
+  EXPECT_LT(largest_shear(flat_piece(sphere, with_cloth(cloth))) - *cloth.locking, 0.5 * (free - *cloth.locking));
+}
+
+TEST(RefineCloth, AnotherNumberingOfTheVerticesIsTheSamePiece) {
+  FlattenInput sphere = test::quarter_sphere(6);
+  const Piece piece = flat_piece(sphere, with_cloth(woven()));
+  const int n = static_cast<int>(sphere.vertices.rows());
+  std::vector<int> renumbered(n);
+  for (int v = 0; v < n; ++v) renumbered[v] = (v * 11 + 3) % n;
+  ASSERT_EQ(std::gcd(n, 11), 1);
+  FlattenInput other = sphere;
+  for (int v = 0; v < n; ++v) other.vertices.row(renumbered[v]) = sphere.vertices.row(v);
+  for (int& v : other.faces.reshaped()) v = renumbered[v];
+  for (Wire& wire : other.wires) {
+    for (int& v : wire.vertices) v = renumbered[v];
+  }
+  const Piece of_other = flat_piece(other, with_cloth(woven()));
+  EXPECT_NEAR(of_other.report.objective, piece.report.objective, 1e-8 * piece.report.objective);
+  const Eigen::VectorXd change = of_other.metrics.face_shear_angle - piece.metrics.face_shear_angle;
+  EXPECT_LT(change.cwiseAbs().maxCoeff(), 1e-3);
+}
+
+TEST(RefineCloth, ElasticWiresKeepTheirTolerance) {
+  FlattenInput sphere = test::quarter_sphere(6);
+  for (Wire& wire : sphere.wires) wire.tolerance = 0.03;
+  const Piece piece = flat_piece(sphere, with_cloth(woven()));
+  for (const WireReport& wire : piece.wires) {
+    EXPECT_LE(std::abs(wire.variation), 0.03);
+    EXPECT_LT(wire.max_edge_error, 1e-9);
+  }
+}
+
+/// On the saddle the slit stays shut, on the sphere it may open.
+TEST(RefineCloth, SlitsOpenOrStayShut) {
+  FlattenInput saddle = test::saddle(8, 0.4);
+  const std::vector<int> row = test::grid_row(8, 3);
+  test::add_seam(saddle, {row[3], row[4], row[5]});
+  flat_piece(saddle, with_cloth(woven()));
+  FlattenInput sphere = test::quarter_sphere(8);
+  const std::vector<int> parallel = test::grid_row(8, 12);
+  test::add_seam(sphere, {parallel[1], parallel[2], parallel[3]});
+  flat_piece(sphere, with_cloth(woven()));
+}
+
+TEST(RefineCloth, WhatAClothDoesNotBearIsSaid) {
+  const FlattenInput sphere = test::quarter_sphere(6);
+  Cloth cloth = woven();
+  cloth.limits = {1.0, 1.0};
+  EXPECT_TRUE(flat_piece(sphere, with_cloth(cloth)).report.warnings.empty());
+  cloth.limits = {0.03, 0.03};
+  const std::vector<std::string> warnings = flat_piece(sphere, with_cloth(cloth)).report.warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("the cloth gives 3% and 3%"), std::string::npos) << warnings[0];
+}
+
+TEST(RefineCloth, ACacheTellsClothsAndGrainApart) {
+  const FlattenInput sphere = test::quarter_sphere(4);
+  Cache cache;
+  Options options = with_cloth(woven());
+  const FlattenResult first = flatten(sphere, options, {}, &cache);
+  const FlattenResult again = flatten(sphere, options, {}, &cache);
+  EXPECT_EQ(again.reused_pieces, 1);
+  EXPECT_EQ(again.corner_uv, first.corner_uv);
+  options.grain = 1;
+  EXPECT_EQ(flatten(sphere, options, {}, &cache).reused_pieces, 0);
+  options.cloth->shear = 0.1;
+  EXPECT_EQ(flatten(sphere, options, {}, &cache).reused_pieces, 0);
+  options.cloth.reset();
+  EXPECT_EQ(flatten(sphere, options, {}, &cache).reused_pieces, 0);
+}
+
+void expect_refused(const Options& options, const std::string& words) {
+  try {
+    check_options(options);
+    ADD_FAILURE() << "accepted: " << words;
+  } catch (const FlattenError& error) {
+    EXPECT_EQ(error.code, ErrorCode::invalid_option);
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+TEST(RefineCloth, ClothsThatAreNoneAreRefused) {
+  const auto refused = [](const auto& change, const std::string& words) {
+    Cloth cloth;
+    change(cloth);
+    expect_refused(with_cloth(cloth), words);
+  };
+  refused([](Cloth& cloth) { cloth.weft = 0; }, "weft is 0");
+  refused([](Cloth& cloth) { cloth.warp = -1; }, "warp is -1");
+  refused([](Cloth& cloth) { cloth.shear = NAN; }, "shear is nan");
+  refused([](Cloth& cloth) { cloth.warp = INFINITY; }, "warp is inf");
+  refused([](Cloth& cloth) { cloth.shear = 1e-5; }, "too far apart");
+  refused([](Cloth& cloth) { cloth.squeeze = 0; }, "squeeze is 0");
+  refused([](Cloth& cloth) { cloth.locking = kPi / 2; }, "locking is");
+  refused([](Cloth& cloth) { cloth.limits = {0.03, -0.01}; }, "limit is -0.01");
+  EXPECT_THROW(cloth_preset("lace"), FlattenError);
+}
+
+TEST(RefineCloth, ThePapersMethodsKnowNoClothAndNoClothHasNoBestDirection) {
+  Options options = with_cloth({});
+  options.method = Method::wirewarp_plus_plus;
+  expect_refused(options, "needs the method refined");
+  Options best;
+  best.orientation = Orientation::best;
+  expect_refused(best, "needs a cloth");
+  Options turned;
+  turned.grain_angle = 4;
+  expect_refused(turned, "grain_angle");
+}
+
+}  // namespace
+}  // namespace wirewarp
