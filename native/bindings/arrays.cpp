@@ -141,6 +141,20 @@ std::vector<int> read_sequence(py::handle value) {
   return result;
 }
 
+template <std::size_t N>
+std::array<double, N> read_row(py::handle value, const std::string& name) {
+  const py::array array = as_array(value, name);
+  check_kind(array, value, name, "fiu", "real numbers");
+  if (array.ndim() != 1 || array.size() != N) {
+    throw FlattenError(ErrorCode::invalid_shape,
+                       name + " has the shape " + shape_text(array) + "; it must be (" + std::to_string(N) + ",).");
+  }
+  const py::array_t<double, kPlain> values(array);
+  std::array<double, N> row;
+  for (std::size_t i = 0; i < N; ++i) row[i] = values.at(static_cast<py::ssize_t>(i));
+  return row;
+}
+
 }  // namespace
 
 std::string type_name(py::handle value) { return text(py::type::handle_of(value).attr("__name__")); }
@@ -187,14 +201,8 @@ double read_number(py::handle value, const std::string& name) {
   return array.attr("item")().cast<double>();
 }
 
-std::array<double, 3> read_triple(py::handle value, const std::string& name) {
-  const py::array array = as_array(value, name);
-  check_kind(array, value, name, "fiu", "real numbers");
-  if (array.ndim() != 1 || array.size() != 3) {
-    throw FlattenError(ErrorCode::invalid_shape, name + " has the shape " + shape_text(array) + "; it must be (3,).");
-  }
-  const py::array_t<double, kPlain> values(array);
-  return {values.at(0), values.at(1), values.at(2)};
-}
+std::array<double, 3> read_triple(py::handle value, const std::string& name) { return read_row<3>(value, name); }
+
+std::array<double, 2> read_pair(py::handle value, const std::string& name) { return read_row<2>(value, name); }
 
 }  // namespace wirewarp::bindings

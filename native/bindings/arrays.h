@@ -37,6 +37,9 @@ double read_number(py::handle value, const std::string& name);
 /// Three real numbers in a row; throws invalid_type or invalid_shape, calling them `name`.
 std::array<double, 3> read_triple(py::handle value, const std::string& name);
 
+/// Two real numbers in a row, likewise.
+std::array<double, 2> read_pair(py::handle value, const std::string& name);
+
 /// The name of the type of a value, for messages.
 std::string type_name(py::handle value);
 

@@ -10,6 +10,7 @@ namespace wirewarp::bindings {
 
 namespace py = pybind11;
 
+void bind_cloth(py::module_& module);
 void bind_options(py::module_& module);
 void bind_wire(py::module_& module);
 void bind_results(py::module_& module);

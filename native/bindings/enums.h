@@ -26,8 +26,10 @@ inline constexpr Named<Inner> kInners[] = {{Inner::minimum, "minimum"}, {Inner::
 
 inline constexpr Named<PieceLayout> kPieceLayouts[] = {{PieceLayout::packed, "packed"}, {PieceLayout::row, "row"}};
 
-inline constexpr Named<Orientation> kOrientations[] = {
-    {Orientation::wire, "wire"}, {Orientation::boundary, "boundary"}, {Orientation::up, "up"}};
+inline constexpr Named<Orientation> kOrientations[] = {{Orientation::wire, "wire"},
+                                                       {Orientation::boundary, "boundary"},
+                                                       {Orientation::up, "up"},
+                                                       {Orientation::best, "best"}};
 
 inline constexpr Named<WireKind> kWireKinds[] = {{WireKind::boundary, "boundary"},
                                                  {WireKind::rigid, "rigid"},

@@ -9,6 +9,7 @@ PYBIND11_MODULE(in_main_interpreter, module) {
   module.doc() = "The compiled part of wirewarp; use the package.";
   module.attr("__version__") = WIREWARP_VERSION;
   bind_errors(module);
+  bind_cloth(module);
   bind_options(module);
   bind_wire(module);
   bind_results(module);

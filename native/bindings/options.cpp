@@ -66,6 +66,21 @@ void bind_enum(Record<Options>& record, const char* name, Enum Options::*member,
   record.listed(name);
 }
 
+/// None, a Cloth or the name of one.
+std::optional<Cloth> read_cloth(py::handle value) {
+  if (value.is_none()) return std::nullopt;
+  if (py::isinstance<py::str>(value)) return cloth_preset(value.cast<std::string>());
+  if (py::isinstance<Cloth>(value)) return value.cast<Cloth>();
+  refuse("cloth", value, "None, a Cloth or the name of one");
+}
+
+/// All options by their names, as they are set.
+py::dict values_of(const py::object& options) {
+  py::dict values;
+  for (const py::handle name : options.attr("_fields")) values[name] = options.attr(py::str(name));
+  return values;
+}
+
 }  // namespace
 
 void bind_options(py::module_& module) {
@@ -73,34 +88,38 @@ void bind_options(py::module_& module) {
   Record<Options> record(module, "Options",
                          "How to flatten. A value that is not known or out of range raises FlattenError "
                          "(invalid_option), here and when an attribute is set.");
-  record.def(py::init([](const py::object& method, const py::object& node_weight, const py::object& inner,
-                         const py::object& fairness, const py::object& max_factorizations, const py::object& layout,
-                         const py::object& orientation, const py::object& grain, const py::object& up,
-                         const py::object& gap, const py::object& mirror) {
-               Options options;
-               options.method = read_enum(method, "method", kMethods);
-               options.node_weight = read_enum(node_weight, "node_weight", kNodeWeights);
-               options.inner = read_enum(inner, "inner", kInners);
-               options.fairness = read_number(fairness, "Option fairness");
-               options.max_factorizations = read_whole_number(max_factorizations, "max_factorizations");
-               options.layout = read_enum(layout, "layout", kPieceLayouts);
-               options.orientation = read_enum(orientation, "orientation", kOrientations);
-               options.grain = read_whole_number(grain, "grain");
-               options.up = read_triple(up, "Option up");
-               options.gap = read_number(gap, "Option gap");
-               options.mirror = read_bool(mirror, "mirror");
-               check_options(options);
-               return options;
-             }),
-             py::kw_only(), py::arg("method") = name_of(defaults.method, kMethods),
-             py::arg("node_weight") = name_of(defaults.node_weight, kNodeWeights),
-             py::arg("inner") = name_of(defaults.inner, kInners), py::arg("fairness") = defaults.fairness,
-             py::arg("max_factorizations") = defaults.max_factorizations,
-             py::arg("layout") = name_of(defaults.layout, kPieceLayouts),
-             py::arg("orientation") = name_of(defaults.orientation, kOrientations), py::arg("grain") = defaults.grain,
-             py::arg("up") = up_of(defaults), py::arg("gap") = defaults.gap, py::arg("mirror") = defaults.mirror);
-  record.def(py::pickle(&record_to_dict,
-                        [](const py::dict& fields) { return py::type::of<Options>()(**fields).cast<Options>(); }));
+  record.def(
+      py::init([](const py::object& method, const py::object& node_weight, const py::object& inner,
+                  const py::object& fairness, const py::object& max_factorizations, const py::object& layout,
+                  const py::object& orientation, const py::object& grain, const py::object& up, const py::object& gap,
+                  const py::object& mirror, const py::object& cloth, const py::object& grain_angle) {
+        Options options;
+        options.method = read_enum(method, "method", kMethods);
+        options.node_weight = read_enum(node_weight, "node_weight", kNodeWeights);
+        options.inner = read_enum(inner, "inner", kInners);
+        options.fairness = read_number(fairness, "Option fairness");
+        options.max_factorizations = read_whole_number(max_factorizations, "max_factorizations");
+        options.layout = read_enum(layout, "layout", kPieceLayouts);
+        options.orientation = read_enum(orientation, "orientation", kOrientations);
+        options.grain = read_whole_number(grain, "grain");
+        options.up = read_triple(up, "Option up");
+        options.gap = read_number(gap, "Option gap");
+        options.mirror = read_bool(mirror, "mirror");
+        options.cloth = read_cloth(cloth);
+        options.grain_angle = read_number(grain_angle, "Option grain_angle");
+        check_options(options);
+        return options;
+      }),
+      py::kw_only(), py::arg("method") = name_of(defaults.method, kMethods),
+      py::arg("node_weight") = name_of(defaults.node_weight, kNodeWeights),
+      py::arg("inner") = name_of(defaults.inner, kInners), py::arg("fairness") = defaults.fairness,
+      py::arg("max_factorizations") = defaults.max_factorizations,
+      py::arg("layout") = name_of(defaults.layout, kPieceLayouts),
+      py::arg("orientation") = name_of(defaults.orientation, kOrientations), py::arg("grain") = defaults.grain,
+      py::arg("up") = up_of(defaults), py::arg("gap") = defaults.gap, py::arg("mirror") = defaults.mirror,
+      py::arg("cloth") = py::none(), py::arg("grain_angle") = defaults.grain_angle);
+  record.def(
+      py::pickle(&values_of, [](const py::dict& fields) { return py::type::of<Options>()(**fields).cast<Options>(); }));
 
   bind_enum(record, "method", &Options::method, kMethods, "How wire lengths and the shape are found.");
   bind_enum(record, "node_weight", &Options::node_weight, kNodeWeights,
@@ -128,7 +147,7 @@ void bind_options(py::module_& module) {
   bind_enum(record, "orientation", &Options::orientation, kOrientations,
             "What stands upright in each piece: 'wire', its wire grain, without wires its longest stretch of outline "
             "between junctions; 'boundary', its longest straight stretch of outline; 'up', the direction up in space, "
-            "where the piece is level as by 'wire'.");
+            "where the piece is level as by 'wire'; 'best', the direction in which the cloth has the least energy.");
   record.def_property(
       "grain", [](const Options& options) { return options.grain; },
       [](Options& options, const py::object& value) {
@@ -152,6 +171,20 @@ void bind_options(py::module_& module) {
       [](Options& options, const py::object& value) { options.mirror = read_bool(value, "mirror"); },
       "True: the pieces as seen from inside.");
   record.listed("mirror");
+  record.def_property(
+      "cloth", [](const Options& options) { return options.cloth; },
+      [](Options& options, const py::object& value) { set(options, &Options::cloth, read_cloth(value)); },
+      "Refined method: what the pieces are cut from, a Cloth or the name of one of its presets; x is its weft, y its "
+      "warp. None: a material that resists alike in all directions.");
+  record.listed("cloth");
+  record.def_property(
+      "grain_angle", [](const Options& options) { return options.grain_angle; },
+      [](Options& options, const py::object& value) {
+        set(options, &Options::grain_angle, read_number(value, "Option grain_angle"));
+      },
+      "For orientation 'wire': how far the wire is turned from upright, counter-clockwise, radians; pi / 4 cuts a "
+      "cloth on the bias.");
+  record.listed("grain_angle");
 }
 
 }  // namespace wirewarp::bindings

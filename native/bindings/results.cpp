@@ -100,6 +100,12 @@ void bind_piece_parts(py::module_& module) {
       .field("face_arap", &Metrics::face_arap, "(q,); sums to arap_energy * area_3d.")
       .field("face_aspect_ratio", &Metrics::face_aspect_ratio,
              "(q,) max(s1, 1 / s2) of the singular values of each face's map; 1 where nothing is stretched.")
+      .field("cloth_energy", &Metrics::cloth_energy, "Of Options.cloth over the 3D area; NaN without a cloth.")
+      .field("face_weft_strain", &Metrics::face_weft_strain,
+             "(q,) of threads along x, from flat to worn: 0.1 is 10 % longer.")
+      .field("face_warp_strain", &Metrics::face_warp_strain, "(q,) the same along y.")
+      .field("face_shear_angle", &Metrics::face_shear_angle,
+             "(q,) how far worn threads leave the right angle, radians; positive where x and y come nearer.")
       .field("wire_edges", &Metrics::wire_edges, "(e, 2) input vertices: wires first, then the boundary.")
       .field("edge_length_variation", &Metrics::edge_length_variation, "(e,) |l2 - l| / l of wire_edges.")
       .field("flipped_faces", &Metrics::flipped_faces, "Input faces that are turned over.")

@@ -5,6 +5,7 @@ from ._errors import ErrorCode, FlattenError
 from ._wirewarp import (
     BoundaryReport,
     Cache,
+    Cloth,
     FlattenResult,
     HelperWire,
     Job,
@@ -24,6 +25,7 @@ from ._wirewarp import (
 __all__ = [
     "BoundaryReport",
     "Cache",
+    "Cloth",
     "ErrorCode",
     "FlattenError",
     "FlattenResult",

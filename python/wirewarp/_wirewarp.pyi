@@ -9,6 +9,33 @@ from ._errors import FlattenError
 
 __version__: str
 
+class Cloth:
+    def __init__(
+        self,
+        weft: float = 1.0,
+        warp: float = 1.0,
+        shear: float = 0.5,
+        *,
+        squeeze: float = 1.0,
+        locking: float | None = None,
+        limits: npt.ArrayLike | None = None,
+    ) -> None: ...
+    @staticmethod
+    def preset(name: str) -> Cloth: ...
+    @property
+    def weft(self) -> float: ...
+    @property
+    def warp(self) -> float: ...
+    @property
+    def shear(self) -> float: ...
+    @property
+    def squeeze(self) -> float: ...
+    @property
+    def locking(self) -> float | None: ...
+    @property
+    def limits(self) -> tuple[float, float] | None: ...
+    def to_dict(self) -> dict[str, Any]: ...
+
 class Options:
     method: Literal["wirewarping", "wirewarp++", "refined"]
     node_weight: Literal["length", "uniform"]
@@ -16,7 +43,7 @@ class Options:
     fairness: float
     max_factorizations: int
     layout: Literal["packed", "row"]
-    orientation: Literal["wire", "boundary", "up"]
+    orientation: Literal["wire", "boundary", "up", "best"]
     grain: int
     @property
     def up(self) -> tuple[float, float, float]: ...
@@ -24,6 +51,11 @@ class Options:
     def up(self, value: npt.ArrayLike) -> None: ...
     gap: float
     mirror: bool
+    @property
+    def cloth(self) -> Cloth | None: ...
+    @cloth.setter
+    def cloth(self, value: Cloth | str | None) -> None: ...
+    grain_angle: float
     def __init__(
         self,
         *,
@@ -33,11 +65,13 @@ class Options:
         fairness: float = 0.05,
         max_factorizations: int = 100,
         layout: Literal["packed", "row"] = "packed",
-        orientation: Literal["wire", "boundary", "up"] = "wire",
+        orientation: Literal["wire", "boundary", "up", "best"] = "wire",
         grain: int = -1,
         up: npt.ArrayLike = (0.0, 0.0, 1.0),
         gap: float = 0.03,
         mirror: bool = False,
+        cloth: Cloth | str | None = None,
+        grain_angle: float = 0.0,
     ) -> None: ...
     def to_dict(self) -> dict[str, Any]: ...
 
@@ -122,6 +156,14 @@ class Metrics:
     def face_arap(self) -> npt.NDArray[np.float64]: ...
     @property
     def face_aspect_ratio(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def cloth_energy(self) -> float: ...
+    @property
+    def face_weft_strain(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def face_warp_strain(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def face_shear_angle(self) -> npt.NDArray[np.float64]: ...
     @property
     def wire_edges(self) -> npt.NDArray[np.int32]: ...
     @property

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a woven gains on the samples, at lengths as exact as without a cloth."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import wirewarp
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
+
+import shapes
+
+SAMPLES = {shape.name: shape for shape in shapes.all_shapes()}
+STRAINED = 1e-3  # samples below are unfolded: they have no strain to lower
+WOVEN = wirewarp.Cloth(1, 1, 0.05)
+
+
+def flatten(shape: shapes.Shape, **options) -> wirewarp.FlattenResult:
+    return wirewarp.flatten(
+        shape.vertices,
+        shape.triangles(),
+        seams=shape.seams,
+        wires=[wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires],
+        options=wirewarp.Options(**options),
+    )
+
+
+def thread_strain(shape: shapes.Shape, result: wirewarp.FlattenResult) -> float:
+    """99th percentile, by area on the model, of what the more strained thread of each triangle is off by."""
+    strain, area = [], []
+    for piece in result.pieces:
+        weft, warp = piece.metrics.face_weft_strain, piece.metrics.face_warp_strain
+        strain.append(np.maximum(np.abs(weft), np.abs(warp)))
+        corners = shape.vertices[shape.triangles()[piece.source_face]]
+        area.append(np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1))
+    order = np.argsort(np.concatenate(strain))
+    below = np.cumsum(np.concatenate(area)[order])
+    return float(np.concatenate(strain)[order][np.searchsorted(below, 0.99 * below[-1])])
+
+
+@pytest.fixture(scope="module")
+def ratios() -> dict[str, tuple[float, float]]:
+    """Of thread strain, woven over none: as the grain lies, and in the best direction."""
+    found = {}
+    for name, shape in SAMPLES.items():
+        plain = thread_strain(shape, flatten(shape))
+        if plain < STRAINED:
+            continue
+        results = [flatten(shape, cloth=WOVEN), flatten(shape, cloth=WOVEN, orientation="best")]
+        assert all(piece.error is None for result in results for piece in result.pieces), name
+        found[name] = tuple(thread_strain(shape, result) / plain for result in results)
+    return found
+
+
+def test_a_woven_is_strained_less(ratios):
+    as_grain = sorted(ratio for ratio, _ in ratios.values())
+    assert as_grain[-2] <= 0.8, ratios
+    assert as_grain[-1] <= 1.02, ratios
+
+
+def test_in_the_best_direction_it_is_strained_less_again(ratios):
+    best = sorted(ratio for _, ratio in ratios.values())
+    assert best[4] <= 0.6, ratios
+    assert best[-1] <= 1.02, ratios
