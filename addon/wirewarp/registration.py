@@ -13,6 +13,7 @@ from .model import wire_names
 from .operators import update
 from .overlay import cache as drawings
 from .run import auto_update, read, window_run
+from .solve import flatten
 
 CLASSES = (*properties.CLASSES, *operators.CLASSES, *ui.CLASSES)
 PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)  # each with attach() and detach()
@@ -22,7 +23,7 @@ HANDLERS: dict[str, tuple[Callable, ...]] = {  # by Blender's list of them
     "undo_post": (cache.drop_all, index.forget, reports.forget_incomparable, auto_update.note_undo),
     "redo_post": (cache.drop_all, index.forget, reports.forget_incomparable, auto_update.note_undo),
     "save_pre": (wire_names.write_brought_names,),
-    "load_pre": (window_run.stop, auto_update.forget),
+    "load_pre": (window_run.stop, flatten.drop_jobs, auto_update.forget),
     "load_post": (cache.drop_all, index.forget, drawings.forget, reports.forget, read.forget_solved),
 }
 FORGET = (*HANDLERS["load_pre"], *HANDLERS["load_post"])  # what is in memory goes with the add-on as with the file
@@ -42,7 +43,7 @@ def register() -> Callable[[], None]:
                 getattr(bpy.app.handlers, name).append(bpy.app.handlers.persistent(function))
                 undo.callback(_remove_handler, name, function)
         undo.callback(update.forget_joining)
-        for forget in FORGET:
+        for forget in reversed(FORGET):  # what is registered last goes first
             undo.callback(forget)
         return undo.pop_all().close
 

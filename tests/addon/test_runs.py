@@ -31,13 +31,16 @@ def test_a_run_tells_how_far_it_is(addon):
     assert {0.5, 1.0} <= set(told)
 
 
-def test_a_run_that_is_given_up_has_ended_in_the_core_too(addon, started):
-    """However much there is left to do."""
+def test_a_run_that_is_given_up_is_cancelled_in_the_core_too(addon, started):
     steps = solving(addon, grid("First", bump, size=200), grid("Second", bump))
     assert 0 <= next(steps) < 0.5
-    assert [job() is None for job in started] == [False]
+    (reference,) = started
+    job = reference()
     steps.close()
-    assert [job() is None for job in started] == [True]
+    assert [piece.error.code for piece in job.result().pieces] == ["cancelled"]
+    del job
+    addon.solve.flatten.drop_jobs()
+    assert reference() is None
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from types import ModuleType
 
 import numpy as np
 
-from ..core import Cache, FlattenError, FlattenResult, Piece, Wire
+from ..core import Cache, FlattenError, FlattenResult, Job, Piece, Wire
 from ..issues import Issue, LooserWire, ObjectError
 from ..pattern.chains import edge_keys
 from .arrays import MeshArrays, NamedWire, triangle_areas
@@ -26,6 +26,7 @@ COMMANDS = {
     "inconsistent_orientation": " In Edit Mode: Mesh > Normals > Recalculate Outside.",
     "non_manifold_vertex": " In Edit Mode: Mesh > Split > Selection, with the faces on one side selected.",
 }
+_ending: list[Job] = []  # cancelled jobs: whoever drops one waits for it
 
 
 @dataclass(frozen=True)
@@ -60,11 +61,25 @@ def flatten_arrays(
             options=library.Options(**_options(used_choices(choices, arrays), arrays)),
             cache=solved,
         )
-        while not job.is_done():
-            yield job.progress()[1]
-        return job.result()
+        try:
+            while not job.is_done():
+                yield job.progress()[1]
+            return job.result()
+        finally:
+            _let_end(job)
     except library.FlattenError as error:
         raise ObjectError(issue_of_error(error, arrays)) from error
+
+
+def _let_end(job: Job) -> None:
+    """Without waiting: with half a million faces that takes seconds."""
+    job.cancel()
+    _ending[:] = [each for each in (*_ending, job) if not each.is_done()]
+
+
+def drop_jobs(*_: object) -> None:
+    """Waits until nothing of ours runs any more."""
+    _ending.clear()
 
 
 def _options(choices: FlattenChoices, arrays: MeshArrays) -> dict:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Work in steps, between which the window goes on: generators that yield the share of the work that is done.
 
-To stop one close it: the solver's threads, which are in the core, have then ended, and files are as they were. Python
-threads are not used: Blender and its extension platform allow none. No Blender in here.
+To stop one close it: files are then as they were. There are no Python threads, which Blender does not allow; the solver
+has its own, in the core. No Blender in here.
 """
 
 import time
