@@ -30,7 +30,11 @@ def table() -> dict[str, str]:
     rows = [
         line.strip("|").split("|") for line in (ROOT / "THIRD_PARTY.md").read_text().splitlines() if line[:1] == "|"
     ]
-    return {re.match(r"\s*\[?([\w+.-]+)", name)[1]: license.strip() for name, _, license in rows[2:]}
+    found = {}
+    for names, _, license in rows[2:]:
+        for name in re.sub(r"\]\(.*?\)|\[", "", names).split(","):  # without the addresses
+            found[re.match(r"\s*([\w+-]+)", name)[1]] = license.strip()
+    return found
 
 
 def compiled(path) -> dict[str, bytes]:
