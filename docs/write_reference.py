@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the reference of the Python package as HTML into a folder: pdoc's, with the types of the stub.
+"""Writes the reference of the Python package as HTML into a folder: pdoc's, with the types of the stub for wirewarp;
+wirewarp.pattern is Python and has its own.
 
 Usage: python write_reference.py FOLDER. pdoc by itself shows what pybind11 makes of signatures and getters.
 """
@@ -12,6 +13,7 @@ from typing import Any
 import pdoc.doc
 import pdoc.render
 import wirewarp
+import wirewarp.pattern
 
 
 class Plain(str):
@@ -73,7 +75,11 @@ def main() -> None:
     for code in wirewarp.ErrorCode:
         codes.members[code.name].docstring = f"{code.meaning} {code.remedy}"
     pdoc.render.configure(docformat="markdown", show_source=False)
-    (folder / "index.html").write_text(pdoc.render.html_module(module, {"wirewarp": module}))
+    modules = {"wirewarp": module, "wirewarp.pattern": pdoc.doc.Module(wirewarp.pattern)}
+    (folder / "wirewarp").mkdir(exist_ok=True)
+    (folder / "index.html").write_text(pdoc.render.html_index(modules))
+    for name, each in modules.items():
+        (folder / f"{name.replace('.', '/')}.html").write_text(pdoc.render.html_module(each, modules))
 
 
 if __name__ == "__main__":

@@ -3,16 +3,13 @@
 #include "wirewarp/cache.h"
 
 #include "bind.h"
+#include "docs.h"
 #include "errors.h"
 
 namespace wirewarp::bindings {
 
 void bind_cache(py::module_& module) {
-  py::class_<Cache> cache(module, "Cache", py::module_local(),
-                          "Solved pieces kept from one run of flatten(cache=...) to the next: only those whose "
-                          "geometry, outline, wires, tolerances or solver options changed are solved again, the others "
-                          "come out the same bit for bit. It holds the pieces of the last run, about as much memory as "
-                          "they take; cancelled ones are not kept, failed ones are. Several threads may share one.");
+  py::class_<Cache> cache(module, "Cache", py::module_local(), doc_of("Cache"));
   cache.attr("__module__") = package_name();
   cache.def(py::init<>());
   cache.def_property_readonly("size", &Cache::size, "Number of pieces held.");

@@ -25,15 +25,9 @@ Cloth make_cloth(const py::object& weft, const py::object& warp, const py::objec
 }  // namespace
 
 void bind_cloth(py::module_& module) {
-  Record<Cloth> record(module, "Cloth",
-                       "What the pieces are cut from: how much it resists stretching across and along the grain, and "
-                       "shear. Only ratios count.");
+  Record<Cloth> record(module, "Cloth");
   record.def(py::init(&make_cloth), py::arg("weft") = 1.0, py::arg("warp") = 1.0, py::arg("shear") = 0.5, py::kw_only(),
-             py::arg("squeeze") = 1.0, py::arg("locking") = py::none(), py::arg("limits") = py::none(),
-             "weft, warp: stiffness of the threads across and along the grain; shear: against turning them to one "
-             "another. squeeze: how many times more a squeezed thread costs than a stretched one. locking: the shear "
-             "angle in radians from which on threads press on one another. limits: the strains (weft, warp) that the "
-             "cloth bears; a piece that needs more has a warning.");
+             py::arg("squeeze") = 1.0, py::arg("locking") = py::none(), py::arg("limits") = py::none());
   record.def_static(
       "preset", [](const std::string& name) { return cloth_preset(name); }, py::arg("name"),
       "'woven', 'denim', 'jersey', 'swim', 'leather' or 'neoprene'.");
@@ -51,11 +45,11 @@ void bind_cloth(py::module_& module) {
     return all(cloth) == all(other);
   });
   record.attr("__hash__") = py::none();
-  record.field("weft", &Cloth::weft, "Stiffness of the threads across, over that of the others.")
-      .field("warp", &Cloth::warp, "Of the threads along the grain.")
-      .field("shear", &Cloth::shear, "Against turning them to one another.")
-      .field("squeeze", &Cloth::squeeze, "How many times more a squeezed thread costs than a stretched one.")
-      .field("locking", &Cloth::locking, "The shear angle that locks the threads, radians; None: none does.")
+  record.field("weft", &Cloth::weft)
+      .field("warp", &Cloth::warp)
+      .field("shear", &Cloth::shear)
+      .field("squeeze", &Cloth::squeeze)
+      .field("locking", &Cloth::locking)
       .field(
           "limits",
           [](const Cloth& cloth, py::handle) -> py::object {
@@ -64,8 +58,7 @@ void bind_cloth(py::module_& module) {
           },
           [](Cloth& cloth, py::handle value) {
             if (!value.is_none()) cloth.limits = read_pair(value, "Cloth limits");
-          },
-          "(weft, warp): strains that the cloth bears; None: not checked.");
+          });
 }
 
 }  // namespace wirewarp::bindings

@@ -55,14 +55,14 @@ bool read_bool(py::handle value, const std::string& name) {
 }
 
 template <class Enum, std::size_t N>
-void bind_enum(Record<Options>& record, const char* name, Enum Options::*member, const Named<Enum> (&names)[N],
-               const char* doc) {
+void bind_enum(Record<Options>& record, const char* name, Enum Options::*member, const char* enumeration,
+               const Named<Enum> (&names)[N]) {
   record.def_property(
       name, [member, &names](const Options& options) { return name_of(options.*member, names); },
       [member, name, &names](Options& options, const py::object& value) {
         options.*member = read_enum(value, name, names);
       },
-      doc);
+      doc_of(record.own(name), enumeration, names).c_str());
   record.listed(name);
 }
 
@@ -85,9 +85,7 @@ py::dict values_of(const py::object& options) {
 
 void bind_options(py::module_& module) {
   const Options defaults;
-  Record<Options> record(module, "Options",
-                         "How to flatten. A value that is not known or out of range raises FlattenError "
-                         "(invalid_option), here and when an attribute is set.");
+  Record<Options> record(module, "Options");
   record.def(
       py::init([](const py::object& method, const py::object& node_weight, const py::object& inner,
                   const py::object& fairness, const py::object& max_factorizations, const py::object& layout,
@@ -105,8 +103,6 @@ void bind_options(py::module_& module) {
         options.up = read_triple(up, "Option up");
         options.gap = read_number(gap, "Option gap");
         options.mirror = read_bool(mirror, "mirror");
-        options.cloth = read_cloth(cloth);
-        options.grain_angle = read_number(grain_angle, "Option grain_angle");
         check_options(options);
         return options;
       }),
@@ -118,72 +114,61 @@ void bind_options(py::module_& module) {
       py::arg("orientation") = name_of(defaults.orientation, kOrientations), py::arg("grain") = defaults.grain,
       py::arg("up") = up_of(defaults), py::arg("gap") = defaults.gap, py::arg("mirror") = defaults.mirror,
       py::arg("cloth") = py::none(), py::arg("grain_angle") = defaults.grain_angle);
-  record.def(
-      py::pickle(&values_of, [](const py::dict& fields) { return py::type::of<Options>()(**fields).cast<Options>(); }));
+  record.def(py::pickle(&record_to_dict,
+                        [](const py::dict& fields) { return py::type::of<Options>()(**fields).cast<Options>(); }));
 
-  bind_enum(record, "method", &Options::method, kMethods, "How wire lengths and the shape are found.");
-  bind_enum(record, "node_weight", &Options::node_weight, kNodeWeights,
-            "Weight of a corner in Eq. (1): 'length', one over the mean length of its two edges, or 'uniform', 1.");
-  bind_enum(record, "inner", &Options::inner, kInners,
-            "'minimum' of Eq. (1), or its first feasible point 'least-norm' for comparison.");
+  bind_enum(record, "method", &Options::method, "Method", kMethods);
+  bind_enum(record, "node_weight", &Options::node_weight, "NodeWeight", kNodeWeights);
+  bind_enum(record, "inner", &Options::inner, "Inner", kInners);
   record.def_property(
       "fairness", [](const Options& options) { return options.fairness; },
       [](Options& options, const py::object& value) {
         set(options, &Options::fairness, read_number(value, "Option fairness"));
       },
-      "Refined method: the shortest wiggle of an outline or wire that is left alone, over the square root of the "
-      "piece's area, 0.001 to 10. Larger: smoother lines, more distortion inside.");
+      doc_of("Options.fairness"));
   record.listed("fairness");
   record.def_property(
       "max_factorizations", [](const Options& options) { return options.max_factorizations; },
       [](Options& options, const py::object& value) {
         set(options, &Options::max_factorizations, read_whole_number(value, "max_factorizations"));
       },
-      "Refined method: after so many factorizations a piece stops at the shape it has, at least 1. Not counted: up to "
-      "30 on the coarser mesh of a large piece, and those that find out which wires contradict one another.");
+      doc_of("Options.max_factorizations"));
   record.listed("max_factorizations");
-  bind_enum(record, "layout", &Options::layout, kPieceLayouts,
-            "Where the pieces lie: 'packed', near-square, or 'row', from left to right in their order on one line.");
-  bind_enum(record, "orientation", &Options::orientation, kOrientations,
-            "What stands upright in each piece: 'wire', its wire grain, without wires its longest stretch of outline "
-            "between junctions; 'boundary', its longest straight stretch of outline; 'up', the direction up in space, "
-            "where the piece is level as by 'wire'; 'best', the direction in which the cloth has the least energy.");
+  bind_enum(record, "layout", &Options::layout, "PieceLayout", kPieceLayouts);
+  bind_enum(record, "orientation", &Options::orientation, "Orientation", kOrientations);
   record.def_property(
       "grain", [](const Options& options) { return options.grain; },
       [](Options& options, const py::object& value) {
         set(options, &Options::grain, read_whole_number(value, "grain"));
       },
-      "Index of the wire that stands upright for orientation 'wire'. -1, and in pieces it does not run through: the "
-      "piece's first wire.");
+      doc_of("Options.grain"));
   record.listed("grain");
   record.def_property(
       "up", &up_of,
       [](Options& options, const py::object& value) { set(options, &Options::up, read_triple(value, "Option up")); },
-      "(3,) the direction in space that points up in each piece for orientation 'up'; finite, not zero.");
+      doc_of("Options.up"));
   record.listed("up");
   record.def_property(
       "gap", [](const Options& options) { return options.gap; },
       [](Options& options, const py::object& value) { set(options, &Options::gap, read_number(value, "Option gap")); },
-      "Space between pieces over the side of a square with the area of all pieces, 0 to 1.");
+      doc_of("Options.gap"));
   record.listed("gap");
   record.def_property(
       "mirror", [](const Options& options) { return options.mirror; },
       [](Options& options, const py::object& value) { options.mirror = read_bool(value, "mirror"); },
-      "True: the pieces as seen from inside.");
+      doc_of("Options.mirror"));
   record.listed("mirror");
   record.def_property(
       "cloth", [](const Options& options) { return options.cloth; },
       [](Options& options, const py::object& value) { set(options, &Options::cloth, read_cloth(value)); },
-      "Refined method: what the pieces are cut from, a Cloth or the name of one of its presets; x is its weft, y its "
-      "warp. None: a material that resists alike in all directions.");
+      doc_of("Options.cloth"));
   record.listed("cloth");
   record.def_property(
       "grain_angle", [](const Options& options) { return options.grain_angle; },
       [](Options& options, const py::object& value) {
         set(options, &Options::grain_angle, read_number(value, "Option grain_angle"));
       },
-      "For orientation 'wire': how far the wire is turned from upright, counter-clockwise, radians; pi / 4 cuts a "
-      "cloth on the bias.");
+      doc_of("Options.grain_angle"));
   record.listed("grain_angle");
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "docs.h"
 #include "initialized.h"
 #include "wirewarp/types.h"
 
@@ -90,12 +91,12 @@ py::dict record_to_dict(py::handle record);
 /// One line: the class and its fields, arrays by their shape.
 std::string record_repr(py::handle record);
 
-/// A Python class for the struct T.
+/// A Python class for the struct T, documented as that is.
 template <class T>
 class Record : public py::class_<T> {
  public:
-  Record(py::module_& module, const char* name, const char* doc)
-      : py::class_<T>(module, name, py::module_local(), doc) {
+  Record(py::module_& module, const char* name)
+      : py::class_<T>(module, name, py::module_local(), doc_of(name)), name_(name) {
     // The class belongs to the package; the extension module is a private part of it.
     const std::string module_name = py::str(module.attr("__name__"));
     this->attr("__module__") = module_name.substr(0, module_name.rfind('.'));
@@ -107,18 +108,28 @@ class Record : public py::class_<T> {
 
   /// A member of the struct.
   template <class Member>
-  Record& field(const char* name, Member T::*member, const char* doc) {
+  Record& field(const char* name, Member T::*member) {
     return field(
         name, [member](const T& record, py::handle owner) { return to_python(record.*member, owner); },
-        [member](T& record, py::handle value) { from_python(value, record.*member); }, doc);
+        [member](T& record, py::handle value) { from_python(value, record.*member); });
+  }
+
+  /// A member of the struct that is an enum, in Python a string.
+  template <class Enum, std::size_t N>
+  Record& field(const char* name, Enum T::*member, const char* enumeration, const Named<Enum> (&names)[N]) {
+    return field(
+        name, [member, &names](const T& record, py::handle) { return py::str(name_of(record.*member, names)); },
+        [member, &names](T& record, py::handle value) { record.*member = value_of(py::str(value), names); },
+        doc_of(own(name), enumeration, names));
   }
 
   /// A value made by get(record, owner), where owner is the Python object of the record; set(record, value) takes it
-  /// back.
+  /// back. doc: where the header has no such member.
   template <class Get, class Set>
-  Record& field(const char* name, Get get, Set set, const char* doc) {
+  Record& field(const char* name, Get get, Set set, const std::string& doc = "") {
+    const std::string text = doc.empty() ? doc_of(own(name)) : doc;
     this->def_property_readonly(
-        name, [get](py::object self) -> py::object { return get(self.cast<const T&>(), self); }, doc);
+        name, [get](py::object self) -> py::object { return get(self.cast<const T&>(), self); }, text.c_str());
     setters_.push_back(set);
     return listed(name);
   }
@@ -134,6 +145,9 @@ class Record : public py::class_<T> {
     return *this;
   }
 
+  /// "Struct.field".
+  std::string own(const std::string& field) const { return name_ + "." + field; }
+
   /// A property that is bound elsewhere.
   Record& listed(const char* name) {
     this->attr("_fields").attr("append")(name);
@@ -141,6 +155,7 @@ class Record : public py::class_<T> {
   }
 
  private:
+  std::string name_;
   std::vector<std::function<void(T&, py::handle)>> setters_;  // one per field
 };
 

@@ -29,7 +29,7 @@ Wire make_wire(const py::object& vertices, const py::object& tolerance, const py
 }  // namespace
 
 void bind_wire(py::module_& module) {
-  Record<Wire> record(module, "Wire", "A line that matters: a chain of mesh edges with a length tolerance.");
+  Record<Wire> record(module, "Wire");
   record.def(py::init(&make_wire), py::arg("vertices"), py::arg("tolerance") = 0.0, py::arg("name") = "",
              "vertices: any sequence or array of whole numbers, consecutive ones joined by an edge; a closed wire "
              "repeats its first. tolerance: 0 rigid, finite elastic, math.inf super-elastic.");
@@ -42,10 +42,8 @@ void bind_wire(py::module_& module) {
         vertices.attr("setflags")(py::arg("write") = false);  // a checked wire stays as it was checked
         return vertices;
       },
-      "(n,) int, read-only.");
-  record.listed("vertices")
-      .field("tolerance", &Wire::tolerance, "Dimensionless: the length may vary by this fraction.")
-      .field("name", &Wire::name, "For reports.");
+      doc_of("Wire.vertices"));
+  record.listed("vertices").field("tolerance", &Wire::tolerance).field("name", &Wire::name);
 }
 
 }  // namespace wirewarp::bindings

@@ -1,15 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The type stubs name what there is."""
+"""The type stubs name what there is, with its types, and the package has all that the C++ headers have."""
 
 import ast
 import inspect
+import sys
+import types
+import typing
 from pathlib import Path
 
+import numpy as np
 import pytest
 import wirewarp
+import wirewarp.pattern
+from surfaces import chain_edges, column_chain, spherical_patch
 from wirewarp import _errors, _wirewarp
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "native" / "bindings"))
+
+from write_docs import comments
+
 PACKAGE = Path(wirewarp.__file__).parent
+HEADERS = Path(__file__).resolve().parents[2] / "native" / "include"
 
 
 def stub(name: str) -> ast.Module:
@@ -70,6 +81,78 @@ def test_the_package_exports_what_it_names():
     assert (PACKAGE / "py.typed").exists()
 
 
-@pytest.mark.parametrize("name", sorted(set(wirewarp.__all__) - {"__version__"}))
-def test_everything_public_is_documented(name):
-    assert inspect.getdoc(getattr(wirewarp, name))
+@pytest.mark.parametrize("module", [wirewarp, wirewarp.pattern])
+def test_everything_public_is_documented(module):
+    names = set(module.__all__) - {"__version__"}
+    assert {name for name in names if not inspect.getdoc(getattr(module, name))} == set()
+
+
+def parameters(function: ast.FunctionDef) -> list[tuple[str, str]]:
+    """(name, default) of each, those by keyword alone after a star."""
+    arguments = function.args
+    plain = [*arguments.posonlyargs, *arguments.args]
+    defaults = [None] * (len(plain) - len(arguments.defaults)) + arguments.defaults
+    star = [(ast.arg("*"), None)] if arguments.kwonlyargs else []
+    by_keyword = zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)
+    pairs = [*zip(plain, defaults, strict=True), *star, *by_keyword]
+    return [(arg.arg, ast.unparse(default) if default else "") for arg, default in pairs]
+
+
+@pytest.mark.parametrize("name", ["flatten", "measure", "start"])
+def test_the_stub_knows_the_parameters_of_a_function(name):
+    (typed,) = (node for node in stub("_wirewarp.pyi").body if isinstance(node, ast.FunctionDef) and node.name == name)
+    signature = getattr(wirewarp, name).__doc__.splitlines()[0]  # pybind11 writes it
+    assert parameters(typed) == parameters(ast.parse(f"def {signature}: ...").body[0])
+
+
+def test_python_has_every_field_of_the_headers():
+    documented = {name for file in HEADERS.rglob("*.h") for name, _ in comments(file.read_text())}
+    bound = set(wirewarp.__all__) - {"Cache", "ErrorCode", "FlattenError"}
+    fields = {tuple(name.split(".")) for name in documented if "." in name and name.split(".")[0] in bound}
+    in_report = {("FlattenResult", name) for name in ("method", "reused_pieces", "seconds")}
+    assert len(fields) > 50
+    assert {(owner, name) for owner, name in fields - in_report if not hasattr(getattr(wirewarp, owner), name)} == set()
+
+
+def fits(value: object, hint: object) -> bool:
+    """Whether a value has the type that the stub gives it."""
+    origin, arguments = typing.get_origin(hint), typing.get_args(hint)
+    if origin is typing.Literal:
+        return value in arguments
+    if origin in (types.UnionType, typing.Union):
+        return any(fits(value, each) for each in arguments)
+    if origin is np.ndarray:
+        return isinstance(value, np.ndarray) and value.dtype == typing.get_args(arguments[1])[0]
+    if origin in (list, tuple):
+        return isinstance(value, origin) and all(fits(each, arguments[0]) for each in value)
+    if origin is dict:
+        return isinstance(value, dict)
+    return type(value).__name__ == hint.__name__  # classes of the stub are not those of the module
+
+
+def all_within(value: object) -> list:
+    """The object and all of ours that its attributes hold."""
+    if isinstance(value, list):
+        return [inner for each in value for inner in all_within(each)]
+    if type(value).__name__ not in CLASSES:
+        return []
+    return [value] + [inner for name in type(value)._fields for inner in all_within(getattr(value, name))]
+
+
+def test_results_have_the_types_of_the_stub():
+    vertices, faces = spherical_patch()
+    wires = [wirewarp.Wire(column_chain(8, 8, 2)[1:4], 0.02)]  # its ends need helper wires
+    seams = chain_edges(column_chain(8, 8, 4))
+    result = wirewarp.flatten(vertices, faces, wires=wires, seams=seams, options=wirewarp.Options(method="wirewarp++"))
+    typed = {"__package__": "wirewarp"}
+    exec("from __future__ import annotations\n" + (PACKAGE / "_wirewarp.pyi").read_text(), typed)
+    seen = all_within(result)
+    assert {type(each).__name__ for each in seen} == set(CLASSES) - {"Cache", "Job", "Options", "Wire"}
+    wrong = []
+    for each in seen:
+        kind = typed[type(each).__name__]
+        for name in type(each)._fields:
+            hint = typing.get_type_hints(getattr(kind, name).fget, typed)["return"]
+            if not fits(getattr(each, name), hint):
+                wrong.append((kind.__name__, name, getattr(each, name), hint))
+    assert wrong == []

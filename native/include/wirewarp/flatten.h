@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole public API: flatten() makes flat pieces, measure() judges any flattening by the same code.
+//
+// The method is that of Y. Zhang and C. C. L. Wang, "WireWarping++: Robust and Flexible Surface Flattening With Length
+// Control", IEEE Transactions on Automation Science and Engineering. "Paper", equations and sections are of it.
 #pragma once
 
 #include <functional>
@@ -13,8 +16,8 @@ namespace wirewarp {
 
 /// A line that matters: a chain of mesh edges with a length tolerance.
 struct Wire {
-  std::vector<int> vertices;  // consecutive ones joined by an edge; a closed wire repeats its first vertex
-  double tolerance = 0;       // 0 rigid; finite: |h| <= tolerance; infinity: super-elastic
+  std::vector<int> vertices;  // (n,) consecutive ones joined by an edge; a closed wire repeats its first vertex
+  double tolerance = 0;       // dimensionless; 0 rigid; finite: |h| <= tolerance; infinity: super-elastic
   std::string name;           // UTF-8, for reports
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// How to flatten. The comments are what the Python package says of its attributes, too.
 #pragma once
 
 #include <array>
@@ -42,13 +43,14 @@ enum class Orientation {
   best,      // of a cloth: the direction in which it has the least energy
 };
 
+/// How to flatten. A value out of its range is a FlattenError (invalid_option).
 struct Options {
-  Method method = Method::refined;
-  NodeWeight node_weight = NodeWeight::length;
-  Inner inner = Inner::minimum;
+  Method method = Method::refined;              // how wire lengths and the shape are found
+  NodeWeight node_weight = NodeWeight::length;  // weight of a wire-node in Eq. (1)
+  Inner inner = Inner::minimum;                 // which planar angles the inner problem returns
 
   /// Of the refined method: the shortest wiggle of an outline or wire that is left alone, over the square root of the
-  /// piece's area. Larger: smoother lines, more distortion inside. In [least_fairness, most_fairness].
+  /// piece's area. Larger: smoother lines, more distortion inside. In [0.001, 10].
   double fairness = 0.05;
   static constexpr double least_fairness = 0.001;
   static constexpr double most_fairness = 10;
@@ -63,8 +65,8 @@ struct Options {
   /// boundary and up by the direction between two of its vertices.
   std::optional<Cloth> cloth;
 
-  PieceLayout layout = PieceLayout::packed;
-  Orientation orientation = Orientation::wire;
+  PieceLayout layout = PieceLayout::packed;     // where the pieces lie
+  Orientation orientation = Orientation::wire;  // what stands upright in each piece
 
   /// Of Orientation::wire: index of the input's wire that stands upright in the pieces it runs through. -1, and in the
   /// other pieces: the piece's first wire. In [-1, number of wires).
@@ -80,7 +82,7 @@ struct Options {
   /// Space between pieces, as a fraction of the side of a square with the area of all pieces. In [0, 1].
   double gap = 0.03;
 
-  /// true: the pieces as seen from inside (from behind the front faces).
+  /// Whether the pieces are as seen from inside (from behind the front faces).
   bool mirror = false;
 };
 

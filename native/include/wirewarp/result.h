@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a flattening returns. Indices are of the input mesh unless a comment says "piece". Lengths in scene units.
+// What a flattening returns. Indices are of the input mesh unless a comment says "piece". Lengths in scene units, NaN
+// where there is no layout. The comments are what the Python package says of its attributes, too.
 #pragma once
 
 #include <limits>
@@ -13,47 +14,52 @@
 
 namespace wirewarp {
 
-enum class WireKind { boundary, rigid, elastic, super_elastic };
+enum class WireKind {
+  boundary,       // on a seam or outline, which keep their lengths
+  rigid,          // tolerance 0
+  elastic,        // a finite tolerance
+  super_elastic,  // free: an infinite tolerance
+};
 
 /// Length of one part of a wire inside one piece (parts end at seams and boundaries), or of a whole wire.
 struct WireReport {
-  std::string name;
-  int wire_index = -1;
-  int part = -1;  // -1: the whole wire
-  WireKind kind = WireKind::rigid;
-  double tolerance = 0;  // dimensionless, as the user wrote it; 0 for kind boundary
-  double length_3d = 0;
-  double length_2d = 0;
-  double variation = 0;       // h, the length variation the method chose: lengths are (1+h) times the 3D ones
-  double max_edge_error = 0;  // largest |l2 - (1+h) l| / l of its edges
-  std::vector<int> vertices;  // in order along the wire; a closed one repeats its first
+  std::string name;                 // the wire's name
+  int wire_index = -1;              // index into the input's wires
+  int part = -1;                    // counted along the wire; -1: the whole wire
+  WireKind kind = WireKind::rigid;  // of the wire, or that it lies on the boundary
+  double tolerance = 0;             // dimensionless, as the user wrote it; 0 on the boundary
+  double length_3d = 0;             // on the surface, scene units
+  double length_2d = 0;             // in the piece, scene units
+  double variation = 0;             // h, the length variation the method chose: lengths are (1+h) times the 3D ones
+  double max_edge_error = 0;        // largest |l2 - (1+h) l| / l of its edges
+  std::vector<int> vertices;        // (n,) in order along the wire; a closed one repeats its first
 };
 
 /// A super-elastic wire that the method added where the network of wires needs one (paper III). It runs across the
 /// input's faces, and promises nothing.
 struct HelperWire {
-  double length_3d = 0;
-  double length_2d = 0;
-  double variation = 0;  // h
-  Positions3 points_3d;  // on the surface, in order along the wire
-  Positions2 points_2d;  // in the piece
+  double length_3d = 0;  // on the surface, scene units
+  double length_2d = 0;  // in the piece, scene units
+  double variation = 0;  // h: its flat length is (1+h) times the 3D one
+  Positions3 points_3d;  // (n, 3) on the surface, in order along the wire
+  Positions2 points_2d;  // (n, 2) in the piece
 };
 
 /// One chain of the outline of a piece between junctions: hem, neckline, armhole, one side of a seam.
 struct BoundaryReport {
-  std::vector<int> vertices;  // in order along the outline, the piece on the left; a closed chain repeats its first
-  double length_3d = 0;
-  double length_2d = 0;
-  double max_edge_error = 0;
-  std::optional<int> seam;  // index into FlattenResult::seams
+  std::vector<int> vertices;  // (n,) in order along the outline, the piece on the left; a closed one repeats its first
+  double length_3d = 0;       // on the surface, scene units
+  double length_2d = 0;       // in the piece, scene units
+  double max_edge_error = 0;  // largest |l2 - l| / l of its edges
+  std::optional<int> seam;    // index into FlattenResult::seams; none where it is no seam
 };
 
 /// One chain of seam edges between junctions, with a side for each face that meets it.
 struct SeamReport {
   std::vector<int> pieces;        // one per side, ascending; the same piece twice along a dart
-  std::vector<VertexPair> edges;  // in order along the chain
-  double length_3d = 0;
-  std::vector<double> length_2d;  // one per side; NaN where the piece has no layout
+  std::vector<VertexPair> edges;  // (k, 2) in order along the chain
+  double length_3d = 0;           // on the surface, scene units
+  std::vector<double> length_2d;  // one per side, scene units; NaN where the piece has no layout
   double mismatch = 0;            // largest difference between sides with a layout; NaN if fewer than two have one
 };
 
@@ -61,43 +67,43 @@ struct SeamReport {
 /// the other numbers are NaN, one per face in what is of faces, and the lists are empty.
 struct Metrics {
   double arap_energy = 0;             // Eq. (4) divided by the 3D area
-  Eigen::VectorXd face_arap;          // Eq. (6), one per face; sums to arap_energy * area_3d
-  Eigen::VectorXd face_aspect_ratio;  // E_r = max(sigma_1, 1/sigma_2), one per face; 1 on isometries
+  Eigen::VectorXd face_arap;          // (q,) Eq. (6), one per face; sums to arap_energy * area_3d
+  Eigen::VectorXd face_aspect_ratio;  // (q,) E_r = max(sigma_1, 1/sigma_2), one per face; 1 on isometries
   double cloth_energy = std::numeric_limits<double>::quiet_NaN();  // of Options::cloth over the 3D area; NaN without
-  Eigen::VectorXd face_weft_strain;  // of threads along x, from flat to worn: 0.1 is 10 % longer; one per face
-  Eigen::VectorXd face_warp_strain;  // the same along y
-  Eigen::VectorXd face_shear_angle;  // how far the worn threads leave the right angle, radians, positive where x and y
-                                     // come nearer; one per face
-  std::vector<VertexPair> wire_edges;     // the edges of edge_length_variation, wires first, then the boundary
-  Eigen::VectorXd edge_length_variation;  // E_L (Eq. 5) = |l0 - l| / l0, one per wire edge
-  std::vector<int> flipped_faces;
-  std::vector<int> overlapping_faces;  // faces that cover a part of the piece a second time
-  double angle_deviation_rms = 0;      // of theta - alpha over the wire-nodes, radians
-  double angle_deviation_max = 0;      // radians
-  double area_3d = 0;
-  double area_2d = 0;
+  Eigen::VectorXd face_weft_strain;       // (q,) of threads along x, from flat to worn: 0.1 is 10 % longer
+  Eigen::VectorXd face_warp_strain;       // (q,) the same along y
+  Eigen::VectorXd face_shear_angle;       // (q,) how far worn threads leave the right angle, radians; positive where x
+                                          // and y come nearer
+  std::vector<VertexPair> wire_edges;     // (e, 2) the edges of edge_length_variation, wires first, then the boundary
+  Eigen::VectorXd edge_length_variation;  // (e,) E_L (Eq. 5) = |l0 - l| / l0, one per wire edge
+  std::vector<int> flipped_faces;         // faces that are turned over
+  std::vector<int> overlapping_faces;     // faces that cover a part of the piece a second time
+  double angle_deviation_rms = 0;         // of theta - alpha over the wire-nodes, radians
+  double angle_deviation_max = 0;         // of the same, radians
+  double area_3d = 0;                     // on the surface, square scene units
+  double area_2d = 0;                     // in the plane, square scene units
 };
 
 enum class Termination {
   converged,  // the method's own criterion is met
   stalled,    // exact lengths, but short of the method's criterion: see warnings
   failed,     // no layout: see error
-  cancelled,
-  measured,  // by measure(): nothing was solved
+  cancelled,  // before it was flat
+  measured,   // by measure(): nothing was solved
 };
 
 /// What the solver did for one piece. For a piece that failed too.
 struct PieceReport {
-  Termination termination = Termination::failed;
-  std::string message;  // one sentence
-  std::vector<std::string> warnings;
+  Termination termination = Termination::failed;  // how it ended
+  std::string message;                            // one sentence
+  std::vector<std::string> warnings;              // sentences
   std::string start;     // refined: where the shape began: "unfolded", "sewn" (slits sewn up first), "coarse", "free"
                          // (ARAP without wires), "wires" (flattened alone first),
                          // "injective" (nothing turned over on the way), "relaxed" (the least broken lengths).
                          // Empty: no shape was found, or another method
   int inner_solves = 0;  // factorizations of the inner problem (Eq. 1); refined: if its wires were flattened alone
-  int outer_iterations = 0;  // refined: of the start that led to the shape
-  int gradient_evaluations = 0;
+  int outer_iterations = 0;      // steps over the lengths of wires; refined: steps of the start that led to the shape
+  int gradient_evaluations = 0;  // gradients of the shape error by these lengths
 
   /// Of the interior placement and free flattening; refined: of Newton systems for all starts, those of a coarser mesh
   /// or of the piece with slits sewn up among them, as Options::max_factorizations counts them.
@@ -107,7 +113,8 @@ struct PieceReport {
   /// root of the piece's area). NaN: no shape was found, or nothing was solved.
   double constraint_residual = std::numeric_limits<double>::quiet_NaN();
 
-  /// Of Eq. (1) at the end; the weight of a node of mean length is 1. NaN for the refined method.
+  /// Of Eq. (1) at the end; the weight of a node of mean length is 1. NaN for the refined method, and for the first
+  /// feasible point.
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();
 
   /// Refined: arap_energy + angle term, + a barrier where triangles are about to turn over. NaN for other methods.
@@ -118,22 +125,23 @@ struct PieceReport {
 
 /// One flat piece: a chart's planar shape and everything measured on it.
 struct Piece {
-  Positions2 vertices;             // p by 2, NaN without a layout
-  Triangles faces;                 // q by 3, piece vertex indices
-  std::vector<int> source_vertex;  // p; a vertex on a seam can stand for several piece vertices, one per side
-  std::vector<int> source_face;    // q
-  std::vector<WireReport> wires;
-  std::vector<BoundaryReport> boundaries;
-  std::vector<HelperWire> helper_wires;
-  Metrics metrics;
-  PieceReport report;
-  std::optional<FlattenError> error;  // empty: every promise is kept
+  Positions2 vertices;                     // (p, 2) scene units; NaN without a layout
+  Triangles faces;                         // (q, 3) indices into this piece's vertices
+  std::vector<int> source_vertex;          // (p,) a vertex on a seam can stand for several piece vertices, one per side
+  std::vector<int> source_face;            // (q,) the input face of each face
+  std::vector<WireReport> wires;           // one per part of a wire in this piece
+  std::vector<BoundaryReport> boundaries;  // one per chain of its outline between junctions
+  std::vector<HelperWire> helper_wires;    // the wires that the method added
+  Metrics metrics;                         // distortion
+  PieceReport report;                      // what the solver did
+  std::optional<FlattenError> error;       // which promise is not kept; none: every promise is kept
 };
 
+/// All pieces of a flattening and how they fit together.
 struct FlattenResult {
-  std::vector<Piece> pieces;
-  CornerUv corner_uv;  // m by 6: u, v of the three corners; NaN where there is no layout
-  std::vector<SeamReport> seams;
+  std::vector<Piece> pieces;              // one per region between seams
+  CornerUv corner_uv;                     // (m, 3 corners, u and v) in scene units; NaN without a layout
+  std::vector<SeamReport> seams;          // one per chain of seam edges between junctions
   std::vector<WireReport> wires;          // whole wires
   std::string method;                     // the method used, or "measure"
   int reused_pieces = 0;                  // taken from the cache instead of being solved again

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the comments of the public headers as a C++ table, for Python's docstrings: there is one text for both.
+
+Usage: python write_docs.py OUTPUT HEADER...
+
+A struct or enum has the `///` comment above it. A field or enumerator has the `///` comment above or the `//` comment
+after it, with the lines that go on below that. The table has "Struct", "Struct.field" and "Enum.0", "Enum.1", ...
+"""
+
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+OPENING = re.compile(r"(?:struct|class|enum class) (\w+)(?: final)?(?: : [^{]*)? \{")
+FIELD = re.compile(r"  (?:static )?[\w:<>, ]+ (\w+)(?: = [^;]*|\{\})?;(?: +// (.*))?")
+ENUMERATOR = re.compile(r"  (\w+),(?: +// (.*))?")
+ABOVE = re.compile(r" *///? (.*)")  # "//" goes on with what stands after a field
+
+
+def comments(header: str) -> Iterator[tuple[str, str]]:
+    """(name, comment) of each struct, field and enumerator that has one."""
+    above, owner, last, is_enum, count = [], "", "", False, 0
+    found: dict[str, list[str]] = {}
+    for line in header.splitlines():
+        if match := re.fullmatch(r" *///(?: (.*))?", line):
+            above.append(match[1] or "")
+            continue
+        if match := re.fullmatch(r" +// (.*)", line):
+            if last:
+                found[last].append(match[1])
+            continue
+        last = ""
+        if match := OPENING.fullmatch(line):
+            owner, is_enum, count = match[1], line.startswith("enum"), 0
+            found[owner] = above
+        elif owner and (match := (ENUMERATOR if is_enum else FIELD).fullmatch(line)):
+            last = f"{owner}.{count if is_enum else match[1]}"
+            found[last] = above + [match[2]] * bool(match[2])
+            count += 1
+        elif line == "};":
+            owner = ""
+        above = []
+    for name, lines in found.items():
+        if text := " ".join(lines).strip():
+            yield name, text
+
+
+def sentence(text: str) -> str:
+    """As Python says it: members with a dot, a capital at the start unless that is a symbol, a period at the end."""
+    text = text.replace("::", ".")
+    if re.match(r"[a-z]{2}|a ", text):
+        text = text[0].upper() + text[1:]
+    return text if text.endswith(".") else text + "."
+
+
+def main() -> None:
+    output, *headers = map(Path, sys.argv[1:])
+    rows = [entry for header in headers for entry in comments(header.read_text())]
+    lines = [f'    {{"{name}", R"({sentence(text)})"}},' for name, text in rows]
+    text = "\n".join(["// Made by write_docs.py.", "constexpr Doc kDocs[] = {", *lines, "};", ""])
+    if not (output.is_file() and output.read_text() == text):  # or all that includes it would be compiled again
+        output.write_text(text)
+
+
+if __name__ == "__main__":
+    main()

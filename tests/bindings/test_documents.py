@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What documents say of the package is so: their examples run, their tables name what there is."""
+
+import json
+import re
+from pathlib import Path
+
+import wirewarp
+from patterns import flattened
+
+DOCUMENTS = Path(__file__).resolve().parents[2] / "docs"
+
+
+def test_the_examples_for_patterns_run(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    examples = re.findall(r"```python\n(.*?)```", (DOCUMENTS / "pattern.md").read_text(), re.DOTALL)
+    assert len(examples) == 3
+    names = {"result": flattened("Fitted top"), "json": json, "Path": Path}
+    for code in examples:
+        exec(code.replace("seconds=30", "seconds=0.1"), names)
+    assert {path.name for path in tmp_path.iterdir()} == {"top.pdf", "top-marker.pdf", "top.json"}
+
+
+def test_the_table_of_options_names_all_and_their_defaults():
+    text = (DOCUMENTS / "options.md").read_text()
+    written = dict(re.findall(r"^\| `(\w+)`[^|]*\|([^|]*)\|", text, re.MULTILINE))
+    defaults = wirewarp.Options().to_dict()
+    assert written.keys() == defaults.keys()
+    for name, default in defaults.items():
+        value = (
+            f'"{default}"' if isinstance(default, str) else str(tuple(map(int, default)) if name == "up" else default)
+        )
+        assert value in written[name], name
