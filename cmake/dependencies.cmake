@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Defines wirewarp_eigen and wirewarp_openmesh: each library as installed, else from its tagged release.
+# Where Eigen and OpenMesh are: each as installed, else its tagged release.
+#   eigen_headers       the folder to include from
+#   wirewarp_openmesh   target with the headers, and with the library where it is installed
+#   openmesh_sources    elsewhere: its half-edge mesh, to be compiled into ours
 # FETCHCONTENT_SOURCE_DIR_EIGEN and FETCHCONTENT_SOURCE_DIR_OPENMESH name folders to take the sources from; then no
-# installed one is looked for.
+# installed one is looked for. In the source package of PyPI both are inside.
 include(FetchContent)
 
 FetchContent_Declare(
@@ -16,43 +19,36 @@ FetchContent_Declare(
   GIT_REPOSITORY https://gitlab.vci.rwth-aachen.de:9000/OpenMesh/OpenMesh.git
   GIT_TAG OpenMesh-11.0
   GIT_SHALLOW ON
+  SOURCE_SUBDIR built-by-us  # there is no such folder, either: its own build makes much that we do not need
 )
+set(inside ${CMAKE_CURRENT_SOURCE_DIR}/libraries)
+if(EXISTS ${inside})
+  set(FETCHCONTENT_SOURCE_DIR_EIGEN ${inside}/eigen)
+  set(FETCHCONTENT_SOURCE_DIR_OPENMESH ${inside}/openmesh)
+endif()
 
-add_library(wirewarp_eigen INTERFACE)
 if(NOT FETCHCONTENT_SOURCE_DIR_EIGEN)
   find_package(Eigen3 3.4 QUIET NO_MODULE)
 endif()
 if(TARGET Eigen3::Eigen)
-  target_link_libraries(wirewarp_eigen INTERFACE Eigen3::Eigen)
+  get_target_property(eigen_headers Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 else()
   FetchContent_MakeAvailable(Eigen)
-  target_include_directories(wirewarp_eigen SYSTEM INTERFACE ${eigen_SOURCE_DIR})
+  set(eigen_headers ${eigen_SOURCE_DIR})
 endif()
 
-# A function, so that what OpenMesh's build needs to be set holds for it alone.
-function(build_openmesh)
-  set(BUILD_APPS OFF)
-  set(CMAKE_POLICY_DEFAULT_CMP0077 NEW)
-  set(CMAKE_POLICY_VERSION_MINIMUM 3.5)  # it asks for less than newer CMakes still know
-  set(CMAKE_COMPILE_WARNING_AS_ERROR OFF)
-  FetchContent_MakeAvailable(OpenMesh)
-  set_property(DIRECTORY ${openmesh_SOURCE_DIR} PROPERTY EXCLUDE_FROM_ALL ON)  # what nobody links is not built
-  set(library OpenMeshCoreStatic)
-  if(WIN32)
-    set(library OpenMeshCore)  # static there, and the only one
-  endif()
-  # Its headers do not keep to our warnings.
-  get_target_property(headers ${library} INTERFACE_INCLUDE_DIRECTORIES)
-  set_target_properties(${library} PROPERTIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${headers}")
-  target_link_libraries(wirewarp_openmesh INTERFACE ${library})
-endfunction()
-
 add_library(wirewarp_openmesh INTERFACE)
+set(openmesh_sources)
 if(NOT FETCHCONTENT_SOURCE_DIR_OPENMESH)
   find_package(OpenMesh QUIET)
 endif()
 if(TARGET OpenMeshCore)
   target_link_libraries(wirewarp_openmesh INTERFACE OpenMeshCore)
 else()
-  build_openmesh()
+  FetchContent_MakeAvailable(OpenMesh)
+  set(core ${openmesh_SOURCE_DIR}/src/OpenMesh/Core)
+  file(GLOB openmesh_sources ${core}/Mesh/*.cc ${core}/Utils/BaseProperty.cc ${core}/System/omstream.cc)
+  set_source_files_properties(${openmesh_sources} PROPERTIES COMPILE_OPTIONS -w SKIP_PRECOMPILE_HEADERS ON
+                              COMPILE_DEFINITIONS "NOMINMAX;_USE_MATH_DEFINES")  # as its own build for Windows has it
+  target_include_directories(wirewarp_openmesh SYSTEM INTERFACE ${core}/../..)  # they do not keep to our warnings
 endif()

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What `cmake --install` puts into a prefix, so that find_package(wirewarp) finds the target wirewarp::wirewarp there.
+# It needs no other library: OpenMesh is inside, unless an installed one was used, and Eigen's headers are those that
+# the library was compiled with.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/wirewarp)
+set(eigen_folder ${CMAKE_INSTALL_INCLUDEDIR}/wirewarp/eigen)
+set(find_openmesh)
+if(NOT openmesh_sources)
+  set(find_openmesh "find_dependency(OpenMesh)")
+  target_link_libraries(wirewarp PRIVATE $<INSTALL_INTERFACE:OpenMeshCore>)
+endif()
+configure_file(cmake/wirewarp-config.cmake.in wirewarp-config.cmake @ONLY)
+write_basic_package_version_file(wirewarp-config-version.cmake COMPATIBILITY SameMinorVersion)  # while it is 0.x
+
+# Wheels take the component `wirewarp` alone.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
+install(TARGETS wirewarp EXPORT wirewarp-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${eigen_folder})
+install(DIRECTORY native/include/wirewarp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY ${eigen_headers}/Eigen DESTINATION ${eigen_folder})
+install(EXPORT wirewarp-targets NAMESPACE wirewarp:: DESTINATION ${config_folder})
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/wirewarp-config.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/wirewarp-config-version.cmake DESTINATION ${config_folder})
+install(FILES LICENSE THIRD_PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

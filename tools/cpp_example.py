@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""examples/cpp, built as programs that use the core are: with the library as installed, and from its sources."""
+
+import re
+import shutil
+from pathlib import Path
+
+from tools.environment import BUILD, ROOT, StepError, output_of, require_apt, run_quietly
+from tools.native import NATIVE_APT, build_native
+from tools.old_glibc import openmesh_source
+
+FOLDER = BUILD / "example"
+
+
+def example_tests() -> None:
+    """Raises StepError unless both programs print what the README says."""
+    require_apt(*NATIVE_APT)
+    openmesh = {"FETCHCONTENT_SOURCE_DIR_OPENMESH": str(openmesh_source())}
+    build_native("release", "wirewarp", **openmesh)
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    prefix = FOLDER / "prefix"
+    install: list[str | Path] = ["cmake", "--install", BUILD / "release", "--prefix", prefix]
+    run_quietly("installing the library", [*install, "--component", "development"])
+    elsewhere = prefix.rename(FOLDER / "moved")  # nothing in it says where it was
+    # For this processor: what is compiled for AVX must still free the arrays that the library has allocated.
+    build_and_check("installed", CMAKE_PREFIX_PATH=str(elsewhere), CMAKE_CXX_FLAGS="-march=native")
+    commands = (FOLDER / "installed" / "compile_commands.json").read_text()
+    if "eigen3" in commands or "openmesh" in commands.lower():
+        raise StepError("the installed library needs headers from elsewhere: see build/example/installed")
+    # With the flags of build/release ccache has all objects.
+    build_and_check("from-source", WIREWARP_FROM_SOURCE="ON", CMAKE_COMPILE_WARNING_AS_ERROR="ON", **openmesh)
+
+
+def build_and_check(name: str, **definitions: str) -> None:
+    definitions |= {"CMAKE_BUILD_TYPE": "Release", "CMAKE_EXPORT_COMPILE_COMMANDS": "ON"}
+    defined = [f"-D{key}={value}" for key, value in definitions.items()]
+    folder = FOLDER / name
+    configure: list[str | Path] = ["cmake", "-G", "Ninja", "-S", ROOT / "examples" / "cpp", "-B", folder]
+    run_quietly(f"configuring build/example/{name}", [*configure, *defined])
+    run_quietly(f"building build/example/{name}", ["cmake", "--build", folder, "-j", "2", "--target", "flatten_dome"])
+    printed = output_of([folder / "flatten_dome"])
+    promised = re.findall(r"## In C\+\+\n.*?```\n(rigid: .*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+    if [printed] != promised:
+        raise StepError(f"build/example/{name}/flatten_dome prints other lines than the README has:\n{printed}")
