@@ -6,9 +6,10 @@ from pathlib import Path
 
 from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, StepError, require_apt, run, venv
 
-TOOLS = ("clang-format==14.0.6", "ruff==0.17.6", "mypy==2.4.1", "numpy==2.3.5")
+TOOLS = ("check-jsonschema==0.39.0", "clang-format==14.0.6", "ruff==0.17.6", "mypy==2.4.1", "numpy==2.3.5")
 PYTHON_SOURCES = (".", "dev")
 TYPED_SOURCES = ("dev", "tools", "python/wirewarp", "addon/wirewarp")
+WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
 Command = Sequence[str | Path]
 
 
@@ -29,6 +30,7 @@ def lint() -> None:
         [tool("ruff"), "format", "--no-cache", "--check", *PYTHON_SOURCES],
         [tool("clang-format"), "--dry-run", "-Werror", "--ferror-limit=20", *cpp_sources()],
         [*mypy, *TYPED_SOURCES],
+        [tool("check-jsonschema"), "--builtin-schema", "vendor.github-workflows", *WORKFLOWS],
     ]
     findings = []
     for command in commands:

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The source package for PyPI: the Python package and the core with the sources of Eigen and OpenMesh inside, so that
+pip builds it with nothing but what PyPI has.
+"""
+
+import shutil
+from pathlib import Path
+
+from tools.blender import NUMPY, PYTEST
+from tools.environment import (
+    BUILD,
+    DEBIAN_PYTHON,
+    DEBIAN_VERSION,
+    ROOT,
+    TIME_STAMP,
+    output_of,
+    require_apt,
+    run,
+    run_quietly,
+    venv,
+)
+from tools.libraries import PATTERN
+from tools.old_glibc import openmesh_source
+from tools.package import BUILD_APT, CORE_SOURCES, DIST, WHEEL_TOOLS
+from tools.zips import VERSION
+
+EIGEN = Path("/usr/include/eigen3")  # of Debian's libeigen3-dev, 3.4.0
+EIGEN_LICENSE = Path("/usr/share/doc/libeigen3-dev/copyright")
+FOLDER = BUILD / "source"
+PARTS = (*(name for name in CORE_SOURCES if not name.startswith("tools/")), "CHANGELOG.md", "examples")
+BUILD_SDIST = "import scikit_build_core.build, sys; scikit_build_core.build.build_sdist(sys.argv[1])"
+
+
+def source_package() -> Path:
+    """Writes dist/wirewarp-VERSION.tar.gz."""
+    require_apt(*BUILD_APT)
+    staged = FOLDER / "staged"
+    shutil.rmtree(staged, ignore_errors=True)
+    for name in PARTS:
+        (staged / name).parent.mkdir(parents=True, exist_ok=True)
+        if (ROOT / name).is_dir():
+            shutil.copytree(ROOT / name, staged / name, ignore=shutil.ignore_patterns("__pycache__"))
+        else:
+            shutil.copy(ROOT / name, staged / name)
+    shutil.copytree(EIGEN / "Eigen", staged / "libraries" / "eigen" / "Eigen")
+    shutil.copy(EIGEN_LICENSE, staged / "libraries" / "eigen")
+    core = Path("src", "OpenMesh", "Core")
+    shutil.copytree(openmesh_source() / core, staged / "libraries" / "openmesh" / core)
+    shutil.copy(openmesh_source() / "LICENSE", staged / "libraries" / "openmesh")
+    python = venv(f"build-{DEBIAN_VERSION}", DEBIAN_PYTHON, *WHEEL_TOOLS)
+    here = f"import os; os.chdir({str(staged)!r})"
+    output_of([python, "-c", f"{here}; {BUILD_SDIST}", DIST], SOURCE_DATE_EPOCH=TIME_STAMP)
+    return DIST / f"wirewarp-{VERSION}.tar.gz"
+
+
+def source_package_tests() -> None:
+    """Builds a wheel from the source package as pip does, fetching no sources, and runs the README's examples on it."""
+    unpacked = FOLDER / "unpacked"  # always the same, for ccache
+    shutil.rmtree(unpacked, ignore_errors=True)
+    shutil.unpack_archive(source_package(), unpacked)
+    python = venv("source", DEBIAN_PYTHON, PYTEST, NUMPY[DEBIAN_VERSION], *PATTERN)
+    options = ("--config-settings=cmake.define.FETCHCONTENT_FULLY_DISCONNECTED=ON", "--no-deps", "--force-reinstall")
+    (sources,) = unpacked.iterdir()
+    run_quietly("building a wheel from the source package", [python, "-m", "pip", "install", *options, sources])
+    run([python, "-m", "pytest", "-q", "tests/bindings/test_readme.py", "tests/bindings/test_stub.py"])
