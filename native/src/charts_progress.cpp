@@ -13,7 +13,7 @@ struct Span {
   double begin, end;
 };
 
-const Span& span_of(const std::string& stage) {
+Span span_of(const std::string& stage) {
   static const std::map<std::string, Span> spans{{"wires", {0.0, 0.1}},
                                                  {"interior", {0.1, 0.6}},
                                                  {"lengths", {0.6, 1.0}},
@@ -38,7 +38,7 @@ ChartsProgress::ChartsProgress(ProgressReport& report, const std::vector<Chart>&
 bool ChartsProgress::go_on(std::size_t chart, const char* stage) {
   {
     const std::lock_guard lock(mutex_);
-    const Span& span = span_of(stage);
+    const Span span = span_of(stage);
     const double share = share_done_[chart];
     const bool has_begun = span.begin <= share;
     advance(chart, has_begun ? share + kPerStep * std::max(0.0, span.end - share) : span.begin);
