@@ -27,8 +27,17 @@ from tools.zig import ZIG, cache_variables, zig
 OPENMESH = "openmesh==1.2.1"  # its C++ source is that of OpenMesh 9.1
 GLIBC = "2.28"  # that of the systems blender.org builds for
 POLICY = f"manylinux_{GLIBC.replace('.', '_')}_x86_64"
-# The one variable of newer glibcs that libstdc++ reads; 0 says that there may be several threads, which is always safe.
-NEWER_GLIBC = 'extern "C" { __attribute__((visibility("hidden"))) char __libc_single_threaded = 0; }\n'
+# What libstdc++ asks newer glibcs for. The variable: 0 says that there may be several threads, which is always safe.
+# The functions, in the place of strtol and its like with Debian 13's headers, know binary numbers besides.
+NEWER_GLIBC = """
+#define OURS extern "C" __attribute__((visibility("hidden")))
+OURS char __libc_single_threaded;
+char __libc_single_threaded = 0;
+extern "C" long strtol(const char*, char**, int);
+extern "C" unsigned long strtoul(const char*, char**, int);
+OURS long __isoc23_strtol(const char* text, char** end, int base) { return strtol(text, end, base); }
+OURS unsigned long __isoc23_strtoul(const char* text, char** end, int base) { return strtoul(text, end, base); }
+"""
 # Of libstdc++ only what is used, which is what needs no newer glibc, and none of it visible to other modules.
 SECTIONS = "-Wl,--gc-sections -Wl,--exclude-libs,ALL"
 
