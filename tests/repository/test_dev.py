@@ -4,6 +4,7 @@
 import importlib.machinery
 import importlib.util
 import os
+import platform
 import signal
 import subprocess
 import sys
@@ -233,6 +234,15 @@ def test_without_the_right_to_install_the_command_is_told(monkeypatch):
     monkeypatch.setattr(environment, "may_use_sudo", lambda: False)
     with pytest.raises(StepError, match=r"as root.*\n.*apt-get install .* no-such-package$"):
         environment.require_apt("base-files", "no-such-package")
+
+
+def test_elsewhere_one_sentence_says_what_is_needed(dev, monkeypatch, capfd):
+    monkeypatch.setattr(environment, "DEBIAN_VERSION", "3.12")
+    monkeypatch.setattr(platform, "freedesktop_os_release", lambda: {"PRETTY_NAME": "Ubuntu 24.04"})
+    monkeypatch.setattr(sys, "argv", ["dev", "demo"])
+    assert dev.main() == 1
+    (sentence,) = [line for line in capfd.readouterr().out.splitlines() if not line.startswith("dev: WARNING")]
+    assert sentence.startswith("dev: Ubuntu 24.04 has no apt and Python 3.11 or 3.13 as Debian 12 and 13 have them:")
 
 
 @pytest.mark.parametrize("words", [["lint", "window"], ["test", "--full"], ["bench", "--short"], ["no-such-command"]])
