@@ -25,7 +25,7 @@ from tools.package import BUILD_APT, LEGACY_PYTHON, extension_zip, package, pack
 from tools.zips import EXTENSION_MODULE, LEGACY_MODULE
 
 PYTEST = "pytest==9.2.0"
-BLENDER_APT = ("blender", "python3-numpy", "python3-pytest")
+BLENDER_APT = ("blender", "libegl1", "python3-numpy", "python3-pytest")  # it draws without a window by EGL
 BPY_APT = ("libgl1", "libice6", "libsm6", "libxfixes3", "libxi6", "libxkbcommon0", "libxrender1")
 NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # both ABIs: those of Blender up to 5.0 and from 5.1 on
 DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")  # check_system() refuses all others
