@@ -20,7 +20,12 @@ _INSIDE = "_core"
 _library: ModuleType | None = None
 _BINARIES = (".so", ".pyd")
 _MADE_FOR = re.compile(r"_wirewarp\.(?:cpython-|cp)(\d)(\d+)-(.+)\.(?:so|pyd)")
-_SYSTEMS = {"x86_64-linux-gnu": "Linux on x86-64", "win_amd64": "Windows on x86-64", "darwin": "macOS"}
+_SYSTEMS = {
+    "x86_64-linux-gnu": "Linux on x86-64",
+    "aarch64-linux-gnu": "Linux on ARM",
+    "win_amd64": "Windows on x86-64",
+    "darwin": "macOS",
+}
 _NEWER_GLIBC = re.compile(r"version `GLIBC_([0-9.]+)' not found")
 _AGAIN = "Remove WireWarp, restart Blender, and install the zip for your Blender and system again."
 
@@ -98,6 +103,8 @@ def loading_problem(error: Exception, folder: Path | None) -> str:
         made_for = " and ".join(_made_for(module.name) for module in modules)
         here = f"Python {sys.version_info.major}.{sys.version_info.minor} on {platform.system()}"
         return f"The WireWarp library that is installed is made for {made_for}; this Blender has {here}. {_AGAIN}"
+    if "incompatible architecture" in str(error):  # says macOS, where file names do not tell processors apart
+        return f"The WireWarp library that is installed is made for another kind of Mac's processor. {_AGAIN}"
     if newer := _NEWER_GLIBC.search(str(error)):
         return (
             f"The WireWarp library needs the C library glibc {newer[1]} or newer, and this system has "

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A library that is missing, foreign or broken: the add-on registers, says so in its panel, and goes again."""
 
+import platform
 import re
 import shutil
 import sys
@@ -96,7 +97,7 @@ def test_no_library(addon, library_copy, monkeypatch):
 def test_a_library_for_another_python_or_system(addon, library_copy, suffix, made_for):
     module = module_in(library_copy)
     module.rename(module.with_name(f"_wirewarp{suffix}"))
-    here = f"this Blender has Python 3.{sys.version_info.minor} on Linux"
+    here = f"this Blender has Python 3.{sys.version_info.minor} on {platform.system()}"
     check_sentence(addon, rf"is made for {made_for}; {here}\. Remove WireWarp")
 
 
@@ -122,12 +123,19 @@ def test_a_damaged_library(addon, library_copy, content):
     check_sentence(addon, r"library does not load \(.+\): it may be damaged\. Remove WireWarp")
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="this system's libraries have no versions to ask for")
 def test_a_library_for_a_newer_system(addon, library_copy):
     module = module_in(library_copy)
     content, count = re.subn(rb"GLIBC_2\.\d\d\0", b"GLIBC_2.99\0", module.read_bytes())
     assert count
     module.write_bytes(content)
     check_sentence(addon, r"needs the C library glibc 2\.99 or newer, and this system has 2\.\d+: use a newer Linux")
+
+
+def test_a_library_for_another_mac(addon, library_copy):
+    said = "dlopen(_wirewarp.so): mach-o file, but is an incompatible architecture (have 'x86_64', need 'arm64')"
+    (library_copy / "__init__.py").write_text(f'raise ImportError("{said}")\n')
+    check_sentence(addon, "is made for another kind of Mac's processor. Remove WireWarp")
 
 
 def test_no_numpy(addon, library_copy):

@@ -3,6 +3,7 @@
 
 import copy
 import math
+import os
 import pickle
 import subprocess
 import sys
@@ -171,6 +172,7 @@ def test_a_mesh_is_flattened_while_python_ends():
     assert ended.stdout == "None\n", ended.stderr
 
 
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system does not fork")
 def test_a_child_process_ends_although_its_parent_flattens():
     ended = run(
         *SHEET,

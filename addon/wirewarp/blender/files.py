@@ -12,6 +12,7 @@ import bpy
 # Options of a property that takes them; before 4.5 Blender asks for none.
 OPTIONS = {"SKIP_SAVE", "PATH_SUPPORTS_BLEND_RELATIVE"} if bpy.app.version >= (4, 5, 0) else {"SKIP_SAVE"}
 LONGEST_NAME = 200  # bytes; most systems allow 255
+DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\.|$)", re.IGNORECASE)  # on Windows, whatever its ending is
 NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # on one system or another
 
 
@@ -24,7 +25,7 @@ def given_file(path: str) -> Path:
 
 def file_name(name: str, ending: str) -> str:
     """For the file of an object of this name, in whatever folder."""
-    plain = NOT_IN_NAMES.sub("_", name).encode(errors="replace")
+    plain = NOT_IN_NAMES.sub("_", f"_{name}" if DEVICE.match(name) else name).encode(errors="replace")
     return plain[: LONGEST_NAME - len(ending)].decode(errors="ignore") + ending
 
 

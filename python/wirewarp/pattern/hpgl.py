@@ -32,7 +32,7 @@ def write_plt(path: Path, pattern: "Pattern") -> Steps[tuple[int, list[str]]]:
                 points = np.concatenate([stroke.points, stroke.points[:1]]) if stroke.closed else stroke.points
                 commands += _drawn(np.rint(points * UNITS).astype(int))
     commands += ["PU", "SP0"]
-    path.write_text(";\n".join(commands) + ";\n", encoding="ascii")
+    path.write_text(";\n".join(commands) + ";\n", encoding="ascii", newline="\n")
     return 1, []
 
 

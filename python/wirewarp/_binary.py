@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Imported first: raises ImportError if the compiled module beside it is none of this Python and system."""
+
+import sys
+import sysconfig
+from importlib.util import find_spec
+
+if find_spec(f"{__package__}._wirewarp") is None:
+    raise ImportError(
+        f"this copy of wirewarp is made for another Python or system than this Python {sys.version_info.major}."
+        f"{sys.version_info.minor} on {sysconfig.get_platform()}; install the wheel for it with its own pip"
+    )
