@@ -20,7 +20,7 @@ struct Cloth {
   double shear = 0.5;  // against turning the two to one another; positive. Small for wovens
 
   /// How much more than by stretching a thread costs when it is squeezed, as a factor: above 1 where the material
-  /// hardly compresses. In [least_squeeze, most_squeeze].
+  /// hardly compresses. In [0.01, 100].
   double squeeze = 1;
   static constexpr double least_squeeze = 0.01;
   static constexpr double most_squeeze = 100;
