@@ -103,6 +103,8 @@ void bind_options(py::module_& module) {
         options.up = read_triple(up, "Option up");
         options.gap = read_number(gap, "Option gap");
         options.mirror = read_bool(mirror, "mirror");
+        options.cloth = read_cloth(cloth);
+        options.grain_angle = read_number(grain_angle, "Option grain_angle");
         check_options(options);
         return options;
       }),
@@ -114,8 +116,8 @@ void bind_options(py::module_& module) {
       py::arg("orientation") = name_of(defaults.orientation, kOrientations), py::arg("grain") = defaults.grain,
       py::arg("up") = up_of(defaults), py::arg("gap") = defaults.gap, py::arg("mirror") = defaults.mirror,
       py::arg("cloth") = py::none(), py::arg("grain_angle") = defaults.grain_angle);
-  record.def(py::pickle(&record_to_dict,
-                        [](const py::dict& fields) { return py::type::of<Options>()(**fields).cast<Options>(); }));
+  record.def(
+      py::pickle(&values_of, [](const py::dict& fields) { return py::type::of<Options>()(**fields).cast<Options>(); }));
 
   bind_enum(record, "method", &Options::method, "Method", kMethods);
   bind_enum(record, "node_weight", &Options::node_weight, "NodeWeight", kNodeWeights);

@@ -42,7 +42,7 @@ def comments(header: str) -> Iterator[tuple[str, str]]:
             owner = ""
         above = []
     for name, lines in found.items():
-        if text := " ".join(lines).strip():
+        if text := "\n".join(lines).strip():
             yield name, text
 
 
@@ -57,7 +57,7 @@ def sentence(text: str) -> str:
 def main() -> None:
     output, *headers = map(Path, sys.argv[1:])
     rows = [entry for header in headers for entry in comments(header.read_text())]
-    lines = [f'    {{"{name}", R"({sentence(text)})"}},' for name, text in rows]
+    lines = [f'    {{"{name}", R"doc({sentence(text)})doc"}},' for name, text in rows]
     text = "\n".join(["// Made by write_docs.py.", "constexpr Doc kDocs[] = {", *lines, "};", ""])
     if not (output.is_file() and output.read_text() == text):  # or all that includes it would be compiled again
         output.write_text(text)

@@ -27,7 +27,12 @@ def test_the_table_of_options_names_all_and_their_defaults():
     defaults = wirewarp.Options().to_dict()
     assert written.keys() == defaults.keys()
     for name, default in defaults.items():
-        value = (
-            f'"{default}"' if isinstance(default, str) else str(tuple(map(int, default)) if name == "up" else default)
-        )
-        assert value in written[name], name
+        assert as_written(default) in written[name], name
+
+
+def as_written(value: object) -> str:
+    if isinstance(value, str):
+        return f'"{value}"'
+    if isinstance(value, list):
+        return f"({', '.join(map(as_written, value))})"
+    return f"{value:g}" if isinstance(value, float) else str(value)
