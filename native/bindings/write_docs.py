@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 OPENING = re.compile(r"(?:struct|class|enum class) (\w+)(?: final)?(?: : [^{]*)? \{")
-FIELD = re.compile(r"  (?:static )?[\w:<>, ]+ (\w+)(?: = [^;]*|\{\})?;(?: +// (.*))?")
+FIELD = re.compile(r"  (?!static )[\w:<>, ]+ (\w+)(?: = [^;]*|\{\})?;(?: +// (.*))?")
 ENUMERATOR = re.compile(r"  (\w+),(?: +// (.*))?")
 ABOVE = re.compile(r" *///? (.*)")  # "//" goes on with what stands after a field
 
