@@ -28,7 +28,7 @@ else:
     CONTEXT = multiprocessing.get_context("forkserver")
 MOST = 60  # processes: Windows waits for no more than 63 at once
 OFTEN = 0.5  # seconds between looks at time and memory; a look takes milliseconds
-LEAVE = 5.0  # seconds that a process has to end after its result
+LEAVE = 5.0  # seconds that a process has to end after its result, or once it is killed
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
@@ -45,6 +45,7 @@ class Stopped:
 
     code: str  # "time_limit", "memory_limit" or "crashed"
     sentence: str
+    seconds: float  # that it took
 
 
 def each_apart(
@@ -93,25 +94,32 @@ class _Run(Generic[Result]):
             result: Result | Stopped = self.results.recv()
         except (EOFError, OSError):
             self._process.join()
-            result = Stopped("crashed", _crash(self._process.exitcode))
+            result = Stopped("crashed", _crash(self._process.exitcode), self._seconds())
         self._close()
         return (result,)
 
     def stopped_by(self, limits: Limits) -> tuple[Stopped] | None:
-        if time.monotonic() - self._begin > limits.seconds:
-            stopped = Stopped("time_limit", f"It took longer than {limits.seconds:g} seconds: see --time-limit.")
+        seconds = self._seconds()
+        if seconds > limits.seconds:
+            sentence = f"It took longer than {limits.seconds:g} seconds: see --time-limit."
+            stopped = Stopped("time_limit", sentence, seconds)
         elif _memory(self._process.pid) > limits.memory:
             most = f"{limits.memory / 1e9:.3g} GB"
-            stopped = Stopped("memory_limit", f"It took more than {most} of memory: see --memory-limit.")
+            stopped = Stopped("memory_limit", f"It took more than {most} of memory: see --memory-limit.", seconds)
         else:
             return None
         self.kill()
         return (stopped,)
 
+    def _seconds(self) -> float:
+        return time.monotonic() - self._begin
+
     def kill(self) -> None:
-        for process in _family(self._process.pid):
+        family = _family(self._process.pid)
+        for process in family:
             with suppress(psutil.Error):  # it has ended by itself
                 process.kill()
+        psutil.wait_procs(family[1:], LEAVE)
         self._close()
 
     def _close(self) -> None:

@@ -20,6 +20,8 @@ from .staged import staged_folder, take_places
 from .suffixes import BLEND
 from .verdicts import FAILED, READY, REFUSED, STOPPED, Line, unfinished
 
+WHEREABOUTS = ("blender", "folder", "model", "resume", "seams", "wires")  # of which only names and contents count
+
 
 def flatten_model(request: Request) -> Line:
     """Never raises for what is wrong with the model, the folder or a file that was read again: the line says it."""
@@ -73,9 +75,9 @@ def _made_of(request: Request, model: Model | None) -> str:
 
     Of what Blender reads, of its file.
     """
-    settings = {key: str(value) for key, value in asdict(request).items() if key not in ("folder", "model", "resume")}
-    name = request.model.name
-    digest = hashlib.blake2b(json.dumps([__version__, name, settings], sort_keys=True).encode(), digest_size=16)
+    settings = {key: str(value) for key, value in asdict(request).items() if key not in WHEREABOUTS}
+    names = [request.model.name, *(name if name in FROM_MODEL else Path(name).name for name in request.lines)]
+    digest = hashlib.blake2b(json.dumps([__version__, names, settings], sort_keys=True).encode(), digest_size=16)
     if model is None:
         if not request.model.is_file():
             raise InputError(f'There is no file "{request.model}".')

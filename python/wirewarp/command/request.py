@@ -65,4 +65,8 @@ class Request:
     @property
     def line_files(self) -> list[Path]:
         """The files that seams and wires are read from."""
-        return [Path(name) for name in (self.seams, self.wires) if name not in ("", *FROM_MODEL)]
+        return [Path(name) for name in self.lines if name not in ("", *FROM_MODEL)]
+
+    @property
+    def lines(self) -> tuple[str, str]:
+        return self.seams, self.wires

@@ -70,5 +70,5 @@ def timed(request: Request) -> Line:
 def _line(request: Request, result: Line | Stopped) -> Line:
     if isinstance(result, Stopped):
         remove_staged(request)
-        result = unfinished(STOPPED, result.code, result.sentence)
+        result = {**unfinished(STOPPED, result.code, result.sentence), "seconds": round(result.seconds, 3)}
     return {"model": str(request.model), **result}
