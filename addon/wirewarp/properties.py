@@ -108,10 +108,11 @@ class FlattenSettings:
     )
     spacing: FloatProperty(
         name="Gap",
-        description="Space in millimeters between the pieces as they are laid out: at least twice the seam allowance",
+        description="Space in millimeters between the lines to cut of pieces as they are laid out. It counts from the "
+        "widest allowance there is; other allowances later move no piece until you lay out again",
         min=0.0,
         soft_max=200.0,
-        default=20.0,  # two allowances of 10 mm
+        default=10.0,  # for the scissors
         precision=1,
         step=100,
     )

@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Vector
-from surfaces import bump, flat_of, flatten, grid, mark_seam, on_line, select_only
+from surfaces import bump, flat_of, flatten, grid, mark_seam, on_line, read, select_only
 
 
 def test_models_flattened_together_have_their_pieces_at_one_height_and_under_none_of_them():
@@ -30,11 +30,14 @@ def world_box(target):
     return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
-@pytest.mark.parametrize(("size", "meters"), [(0.5, 1.0), (4.0, 1.0), (500.0, 0.001)])
-def test_the_gap_is_a_length_whatever_the_size_of_the_pieces_and_the_unit(size, meters):
+def gap_of_two(size, meters, marked=None):
+    """Between two pieces that are 50 mm apart, in meters; marked: the allowance of all edges, in Blender units."""
     bpy.context.scene.unit_settings.scale_length = meters
     source = grid("Plane", lambda x, y: (size * x, size * y, 0))
     mark_seam(source, on_line(0, 0.0))
+    if marked:
+        widths = source.data.attributes.new("wirewarp_allowance", "FLOAT", "EDGE")
+        widths.data.foreach_set("value", np.full(len(source.data.edges), marked, dtype=np.float32))
     flatten(source, spacing=50.0)
     mesh = flat_of(source).data
     boxes = []
@@ -44,4 +47,24 @@ def test_the_gap_is_a_length_whatever_the_size_of_the_pieces_and_the_unit(size, 
         boxes.append((places.min(axis=0), places.max(axis=0)))
     (low, high), (other_low, other_high) = boxes
     apart = np.maximum(other_low - high, low - other_high).max()
-    assert apart * meters == pytest.approx(0.05, abs=1e-5)
+    return apart * meters
+
+
+@pytest.mark.parametrize(("size", "meters"), [(0.5, 1.0), (4.0, 1.0), (500.0, 0.001)])
+def test_the_gap_is_a_length_whatever_the_size_of_the_pieces_and_the_unit(size, meters):
+    """From one line to cut to the other: here these are 10 mm away from the pieces."""
+    assert gap_of_two(size, meters) == pytest.approx(0.05 + 2 * 0.01, abs=1e-5)
+
+
+def test_the_gap_counts_from_the_widest_allowance_that_is_marked():
+    assert gap_of_two(0.5, 1.0, marked=0.04) == pytest.approx(0.05 + 2 * 0.04, abs=1e-5)
+
+
+def test_another_allowance_moves_no_piece_by_itself():
+    source = grid("Plane", lambda x, y: (x, y, 0))
+    mark_seam(source, on_line(0, 0.0))
+    flatten(source)
+    before = read(flat_of(source).data.vertices, "co", np.float32, 3)
+    bpy.context.scene.wirewarp.allowance = 40.0
+    flatten(source)
+    assert np.allclose(read(flat_of(source).data.vertices, "co", np.float32, 3), before, atol=1e-6)

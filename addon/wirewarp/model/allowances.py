@@ -76,6 +76,13 @@ def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
     return MarkedAllowances(*_set_ones(edges, widths), *_set_ones(sides, side_widths))
 
 
+def widest_allowance(mesh: bpy.types.Mesh) -> float:
+    """Of those marked, in Blender units; 0 where none is. Of a mesh that is not in Edit Mode."""
+    places = (ALLOWANCE, "EDGE"), (SIDE_WIDTH, "EDGE"), (SIDE_ALLOWANCE, "CORNER")
+    marked = [read_attribute(mesh, name, "FLOAT", domain) for name, domain in places]
+    return max((float(each[np.isfinite(each)].max(initial=0.0)) for each in marked if each is not None), default=0.0)
+
+
 def _set_ones(pairs: np.ndarray, widths: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
     if widths is None:
         return np.empty((0, 2), dtype=np.int64), np.empty(0)

@@ -12,6 +12,7 @@ from ..issues import object_error
 from ..names import PIECE, SEAM, UV_LAYER
 from ..pattern.chains import WireChain, chains_of_marks
 from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region
+from .allowances import widest_allowance
 from .attributes import own_ids, read_ids
 from .marked_mesh import MarkedMesh, read_marked
 from .wire_names import chain_names
@@ -74,6 +75,7 @@ def _to_arrays(mesh: bpy.types.Mesh, marked: MarkedMesh, source: bpy.types.Objec
         regions=face_regions(source, mesh),
         materials=_slots(mesh),
         uv_maps={layer.name: read_uv(layer) for layer in mesh.uv_layers if layer.name != UV_LAYER},
+        allowance=widest_allowance(mesh),
         loose_marks=len(marked.marks.take(~in_face).rows),
         mirrored=mirrored,
     )

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Objects in Object Mode to models that can be solved without Blender; and whether they are still the same."""
 
+from dataclasses import replace
 from typing import Protocol
 
 import bpy
@@ -8,7 +9,7 @@ import bpy
 from .. import core
 from ..blender.cache import read_anew
 from ..blender.mesh import element_counts
-from ..blender.units import length_text
+from ..blender.units import length_text, meters_per_blender_unit
 from ..flat.pieces import known_pieces
 from ..flat.reports import flattened_name
 from ..flat.seams import known_seams
@@ -36,7 +37,8 @@ def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], set
     """What cannot be flattened becomes a model with an issue."""
     context.view_layer.update()
     depsgraph, units = context.evaluated_depsgraph_get(), length_text(context.scene)
-    return [_read(source, depsgraph, units, settings) for source in sources]
+    allowance = context.scene.wirewarp.allowance / (1000 * meters_per_blender_unit(context.scene))
+    return [_read(source, depsgraph, units, allowance, settings) for source in sources]
 
 
 def find_source(model: Model) -> bpy.types.Object | None:
@@ -65,7 +67,14 @@ def _is_current(model: Model) -> bool:
     return source is not None and source.type == "MESH" and not has_changed(source, report, read_anew)
 
 
-def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph, units: LengthText, settings: RunSettings) -> Model:
+def _read(
+    source: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+    units: LengthText,
+    allowance: float,
+    settings: RunSettings,
+) -> Model:
+    """allowance: where none is marked, in Blender units."""
     use_modifiers = settings.use_modifiers
     names = {"object": source.name, "mesh": source.data.name, "with_modifiers": use_modifiers}
     names["shaped_by"] = shaped_by(source, depsgraph)
@@ -75,6 +84,7 @@ def _read(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph, units: Lengt
         _check(source, settings)
         base = marked_mesh(source)
         arrays = object_to_arrays(source, base, depsgraph if use_modifiers else None)
+        arrays = replace(arrays, allowance=max(arrays.allowance, allowance))
         # Results with modifiers are not written to the model, and of objects that share a mesh the last one's are on
         # it: only the flat pieces know this object's last ids.
         asks_flat_pieces = use_modifiers or source.data.users > 1

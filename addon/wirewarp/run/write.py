@@ -30,6 +30,7 @@ from ..model.wire_names import update_names
 from ..names import UV_LAYER
 from ..report.rows import piece_rows
 from ..solve.flat_mesh import FlatMesh
+from ..solve.flatten import gap_between
 from .models import Outcome
 from .read import RunSettings, find_source
 
@@ -103,7 +104,7 @@ def _kept_object(source: bpy.types.Object, outcome: Outcome, keep_places: bool) 
 def _place(source: bpy.types.Object, outcome: Outcome, earlier: bpy.types.Object | None) -> tuple[FlatMesh, np.ndarray]:
     """The pieces where they lay in the flat object `earlier`, and what was up then (3,)."""
     options = outcome.report["options"]
-    pieces, crowded = pieces_in_place(outcome.pieces, earlier, options["spacing"])
+    pieces, crowded = pieces_in_place(outcome.pieces, earlier, gap_between(outcome.arrays, options["spacing"]))
     outcome.is_elsewhere = bool(crowded) or earlier is None
     if crowded:
         name_of = {identity.piece_id: identity.name for identity in outcome.identities}

@@ -57,6 +57,7 @@ class MeshArrays:
     regions: FaceRegions
     materials: np.ndarray  # (f,) int32, the slot of each polygon
     uv_maps: dict[str, np.ndarray]  # (l,2) float32 each, the model's own maps by name
+    allowance: float  # the widest that the lines to cut have anywhere, in Blender units
     loose_marks: int  # edges without a face that are marked as wires: they are left out
     mirrored: bool
 

@@ -38,7 +38,7 @@ class FlattenChoices:
     node_weight: str
     layout: str
     orientation: str
-    spacing: float  # between pieces, in Blender units
+    spacing: float  # between the lines to cut of pieces, in Blender units
     mirror: bool
 
 
@@ -83,11 +83,20 @@ def drop_jobs(*_: object) -> None:
 
 
 def _options(choices: FlattenChoices, arrays: MeshArrays) -> dict:
-    """By the library's names; it takes the gap as a share of the side of a square as large as all pieces, up to 1."""
+    """By the library's names; it takes the gap as a share of the side of a square as large as all pieces."""
     options = asdict(choices)
-    side = math.sqrt(float(triangle_areas(arrays.vertices, arrays.triangles).sum()))
-    spacing = options.pop("spacing")
-    return options | {"gap": min(spacing / side, 1.0) if side > 0 else 0.0, "grain": _grain_index(arrays)}
+    side, gap = _side(arrays), gap_between(arrays, options.pop("spacing"))
+    return options | {"gap": gap / side if side > 0 else 0.0, "grain": _grain_index(arrays)}
+
+
+def gap_between(arrays: MeshArrays, spacing: float) -> float:
+    """Between pieces, with `spacing` between their lines to cut; at most what the library allows."""
+    return min(spacing + 2 * arrays.allowance, _side(arrays))
+
+
+def _side(arrays: MeshArrays) -> float:
+    """Of a square as large as all pieces."""
+    return math.sqrt(float(triangle_areas(arrays.vertices, arrays.triangles).sum()))
 
 
 def used_choices(choices: FlattenChoices, arrays: MeshArrays) -> FlattenChoices:
