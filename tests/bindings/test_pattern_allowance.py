@@ -64,10 +64,11 @@ def test_any_widths_round_any_outline_make_one_loop_at_these_widths(seed):
     places = places[shapely.distance(places, corners) > zone]
     distances = np.array([shapely.distance(places, line) for line in lines])
     vertices = shapely.MultiPoint(outline.exterior.coords)
-    for place, nearest in zip(places, distances.argmin(axis=0), strict=True):
-        foot = lines[nearest].interpolate(lines[nearest].project(place))
-        if foot.distance(vertices) > 1e-6:  # from a vertex the mitre is a little farther
-            assert foot.distance(place) == pytest.approx(loop[nearest].width, abs=0.01)
+    for number, (stretch, line) in enumerate(zip(loop, lines, strict=True)):
+        nearest = places[distances.argmin(axis=0) == number]
+        feet = shapely.line_interpolate_point(line, shapely.line_locate_point(line, nearest))
+        on_edges = shapely.distance(feet, vertices) > 1e-6  # from a vertex the mitre is a little farther
+        assert np.all(np.abs(shapely.distance(feet, nearest)[on_edges] - stretch.width) < 0.01)
 
 
 def square(widths, corner: Corner) -> list[Stretch]:

@@ -2,6 +2,7 @@
 """What is said of pages before they are written is what a reader finds on them."""
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pypdfium2
@@ -51,15 +52,18 @@ def test_the_pages_show_the_pattern_where_they_are_said_to(tmp_path, paper, marg
     assert len({page.name for page in pages}) == len(pages)
 
 
+@cache
+def whole_and_alone():
+    """60 straps of 60 by 2 mm, whose names stand beside them, and their lines to cut alone."""
+    pieces = straps(60)
+    return Pattern.from_pieces(pieces, [], allowance=0), Pattern.of_cut_lines(pieces, allowance=0)
+
+
 @pytest.mark.parametrize("keep_places", [False, True])
 @pytest.mark.parametrize("paper", ["a4", "a3", "36in"])
 def test_lines_to_cut_alone_have_the_same_pages(paper, keep_places):
-    """60 straps of 60 by 2 mm, whose names stand beside them."""
-    pieces = straps(60)
-    whole = Pattern.from_pieces(pieces, [], allowance=0)
-    assert all(piece.of_role("card leader") for piece in whole.pieces)
-    alone = Pattern.of_cut_lines(pieces, allowance=0)
-    drawn = [(each if keep_places else each.arranged()).pages(paper, keep_places) for each in (whole, alone)]
+    assert all(piece.of_role("card leader") for piece in whole_and_alone()[0].pieces)
+    drawn = [(each if keep_places else each.arranged()).pages(paper, keep_places) for each in whole_and_alone()]
     assert len({len(pages) for _, pages in drawn}) == 1
     frames = [[(*(page.low - laid.bounds[0]), *page.size) for page in pages] for laid, pages in drawn]
     assert np.array(frames[0]) == pytest.approx(np.array(frames[1]))
