@@ -94,12 +94,13 @@ def are_inside(points: np.ndarray, closed: Sequence[np.ndarray]) -> np.ndarray:
     return inside
 
 
-def distance_to(point: np.ndarray, line: np.ndarray) -> float:
-    """Of a point (2,) from a line (k,2)."""
-    ways = np.diff(line, axis=0)
+def distances_to(points: np.ndarray, line: np.ndarray) -> np.ndarray:
+    """(p,) of points (p,2) from a line (k,2)."""
+    begins, ways = line[:-1], np.diff(line, axis=0)
     squares = np.maximum((ways**2).sum(axis=1), 1e-12)  # of points that lie on one another, too
-    shares = np.clip(((point - line[:-1]) * ways).sum(axis=1) / squares, 0.0, 1.0)
-    return float(np.linalg.norm(line[:-1] + shares[:, None] * ways - point, axis=1).min())
+    shares = np.clip(((points[:, None] - begins) * ways).sum(axis=2) / squares, 0.0, 1.0)
+    distances: np.ndarray = np.linalg.norm(begins + shares[:, :, None] * ways - points[:, None], axis=2).min(axis=1)
+    return distances
 
 
 def sampled(line: np.ndarray, spacing: float) -> np.ndarray:

@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from .arrange import GAP
-from .interior import are_inside, distance_to, sampled, text_width
+from .interior import are_inside, distances_to, sampled, text_width
 from .model import LEADERS, Line, Text
 from .papers import OVERLAP
 from .room import CLEAR, axes, joined, strokes, touches
@@ -61,7 +61,7 @@ class Beside:
 
     def _centers(self, target: np.ndarray, outward: np.ndarray) -> Iterator[np.ndarray]:
         """The nearest first."""
-        nearest = max(NEAREST, min(distance_to(target, outline) for outline in self._outlines))
+        nearest = max(NEAREST, float(self._distances(target[None])[0]))
         for distance in np.arange(nearest, FARTHEST, STEP):
             for turn in np.radians(TURNS):
                 cosine, sine = math.cos(turn), math.sin(turn)
@@ -81,7 +81,12 @@ class Beside:
         edges = [np.array([first[row], last[row]]) for row in (0, -1)]
         points = np.concatenate([sampled(line, STEP) for line in (leader, *edges)])
         outside = points[~are_inside(points, self._outlines)]
-        return all(min(distance_to(point, outline) for outline in self._outlines) < NEAR for point in outside)
+        return bool(np.all(self._distances(outside) < NEAR))
+
+    def _distances(self, points: np.ndarray) -> np.ndarray:
+        """(p,) of points (p,2) from the piece's outlines."""
+        distances: np.ndarray = np.min([distances_to(points, outline) for outline in self._outlines], axis=0)
+        return distances
 
 
 def _leader(text: Text, target: np.ndarray) -> np.ndarray:
