@@ -62,6 +62,8 @@ FlattenError in Piece.error and spares the others.)";
 constexpr const char* kMeasureDoc =
     R"(Judges a flattening made elsewhere by the measures and promises of flatten().
 
+Nothing is solved: a million triangles take about a second, and there is no progress to cancel.
+
 corner_uv: (m, 3, 2) flat position of each corner of each face, scene units; returned as given.
 The other arguments are those of flatten().)";
 

@@ -51,6 +51,7 @@ FlattenResult flatten(const FlattenInput& input, const Options& options = {}, co
 
 /// The measures and the guarantee of flatten() for a flattening made elsewhere, in scene units. No packing, no scaling:
 /// corner_uv is returned as given. A chart with a corner that is not finite and below 1e60 in magnitude has no_layout.
+/// Nothing is solved: a million triangles take about a second, and there is no progress to cancel.
 FlattenResult measure(const FlattenInput& input, const CornerUv& corner_uv);
 
 }  // namespace wirewarp
