@@ -108,8 +108,8 @@ TEST(RefineCloth, OnTheBiasASphereHasAnotherEnergyAndTheBestDirectionHasTheLeast
 
 TEST(RefineCloth, ShearDoesNotGrowAsTheMeshIsRefined) {
   const Options options = with_cloth(woven());
-  const double coarse = largest_shear(flat_piece(test::quarter_sphere(12), options));
-  const double fine = largest_shear(flat_piece(test::quarter_sphere(24), options));
+  const double coarse = largest_shear(flat_piece(test::quarter_sphere(16), options));
+  const double fine = largest_shear(flat_piece(test::quarter_sphere(32), options));
   EXPECT_LE(fine, coarse);
 }
 

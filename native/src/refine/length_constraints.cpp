@@ -9,8 +9,8 @@
 
 namespace wirewarp {
 
-LengthConstraints::LengthConstraints(const Chart& chart, const HeldNetwork& network,
-                                     const std::optional<GrainRow>& grain, const Positions2& layout)
+LengthConstraints::LengthConstraints(const Chart& chart, const HeldNetwork& network, const GrainRow* grain,
+                                     const Positions2& layout)
     : rounding_length_(1e-5 * std::sqrt(surface_area(chart.mesh))) {
   std::vector<int> elastic_of_part(chart.wire_parts.size(), -1);
   for (int part = 0; part < static_cast<int>(chart.wire_parts.size()); ++part) {

@@ -27,8 +27,8 @@ class LengthConstraints {
     int elastic;    // index into elastic_parts(), -1: h is 0
   };
 
-  /// grain: the row against turning, if any; layout: one that tells its length.
-  LengthConstraints(const Chart& chart, const HeldNetwork& network, const std::optional<GrainRow>& grain = {},
+  /// grain: the row against turning, null: none; layout: one that tells its length.
+  LengthConstraints(const Chart& chart, const HeldNetwork& network, const GrainRow* grain = nullptr,
                     const Positions2& layout = {});
 
   const std::vector<Edge>& edges() const { return edges_; }

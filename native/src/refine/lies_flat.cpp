@@ -18,6 +18,7 @@ bool lies_flat(const Chart& chart, const InternalOptions& options, const StopTok
   if (chart.error || is_outline_too_short(chart)) return false;
   InternalOptions brief = options;
   brief.max_factorizations = kMaxFactorizations;  // whatever the user allows the piece itself
+  brief.cloth.reset();                            // what lies flat does so in any cloth
   try {
     const RefinedShape shape = refine_chart(chart, brief, stop).shape;
     return shape.is_exact && find_folded_faces(chart.mesh, shape.uv).empty();

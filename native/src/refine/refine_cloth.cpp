@@ -4,10 +4,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "factorization_failed.h"
+#include "mesh/geometry.h"
 #include "packing/upright_direction.h"
 #include "planar.h"
 #include "refine/injective_shape.h"
@@ -18,6 +20,8 @@ namespace {
 
 constexpr int kDirections = 36;  // every 5° of a half turn, after which a cloth is the same again
 constexpr std::size_t kBestStarts = 3;
+constexpr int kMaxTurns = 15;   // samples take 3 to 6
+constexpr double kShorter = 4;  // after a turn that does not go down, as in a line search
 
 // Rims of a slit that are nearer to one another than this share of the slit's length lie on one another: exact lengths
 // leave a millionth of that.
@@ -57,25 +61,6 @@ Positions2 turned(const Positions2& uv, double angle) {
   return uv * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose();
 }
 
-/// The layout turned to where the energy of the cloth is least: the best few of many, as far as they lie in valleys.
-std::vector<Positions2> best_turns(const RefineTask& task, const Positions2& uv) {
-  const FairShapeError objective(task);
-  std::array<double, kDirections> energy;
-  const auto turn = [&](int k) { return turned(uv, k * kPi / kDirections); };
-  for (int k = 0; k < kDirections; ++k) energy[k] = objective.value(turn(k));
-  std::vector<int> valleys;
-  for (int k = 0; k < kDirections; ++k) {
-    const double before = energy[(k + kDirections - 1) % kDirections], after = energy[(k + 1) % kDirections];
-    if (energy[k] <= before && energy[k] < after) valleys.push_back(k);
-  }
-  if (valleys.empty()) valleys.push_back(0);  // all directions are alike
-  std::stable_sort(valleys.begin(), valleys.end(), [&](int j, int k) { return energy[j] < energy[k]; });
-  valleys.resize(std::min(valleys.size(), kBestStarts));
-  std::vector<Positions2> layouts;
-  for (const int k : valleys) layouts.push_back(turn(k));
-  return layouts;
-}
-
 class ClothRefinement {
  public:
   ClothRefinement(const Chart& chart, const InternalOptions& options, const StopToken& stop)
@@ -84,55 +69,115 @@ class ClothRefinement {
   RefinedShape refine(const RefinedShape& upright, RefineBudget& budget);
 
  private:
+  /// A layout turned to a valley of its energy.
+  struct Turn {
+    Positions2 uv;
+    double energy;     // f over the area
+    double curvature;  // of that by the angle
+  };
+
+  std::vector<Turn> best_turns(const Positions2& uv) const;
   RefineTask task(const ClothOnChart& cloth) const { return {chart_, network_, options_.fairness, &cloth}; }
-  RefinedShape refine_held(const RefinedShape& upright, RefineBudget& budget) const;
-  RefinedShape refine_free(const RefinedShape& upright, RefineBudget& budget) const;
-  RefinedShape refine_from(const RefineTask& task, const RefinementStart& start, Injectivity injectivity,
-                           RefineBudget& budget) const;
+  ClothOnChart cloth_held_as(const Positions2& uv) const;
+  RefinedShape refine_held(const RefinementStart& start, RefineBudget& budget) const;
+  RefinedShape refine_turning(const RefinedShape& upright, RefineBudget& budget) const;
+  double slope_of(const RefinedShape& shape) const;
+  bool may_go_on(RefineBudget& budget) const { return !stop_.is_stopped() && budget.allows(); }
 
   const Chart& chart_;
   HeldNetwork network_;
   const InternalOptions& options_;
   StopToken stop_;
+  VertexPair pair_{};                            // whose direction is held
+  Injectivity injectivity_ = Injectivity::none;  // of the shape without a cloth
 };
 
-/// The piece may not cover itself where it did not before: where it does, once more with a barrier against that.
-RefinedShape ClothRefinement::refine_from(const RefineTask& task, const RefinementStart& start, Injectivity injectivity,
-                                          RefineBudget& budget) const {
-  RefinedShape shape = refine_with_shut_slits(task, start, {budget, stop_, Injectivity::local});
+ClothOnChart ClothRefinement::cloth_held_as(const Positions2& uv) const {
+  const Eigen::Vector2d chord = (uv.row(pair_[1]) - uv.row(pair_[0])).transpose().normalized();
+  return {*options_.cloth, {pair_[0], pair_[1], {chord.y(), -chord.x()}}};
+}
+
+/// Turned as the start is. The piece may not cover itself where it did not before: where it does, once more with a
+/// barrier against that.
+RefinedShape ClothRefinement::refine_held(const RefinementStart& start, RefineBudget& budget) const {
+  const ClothOnChart cloth = cloth_held_as(start.uv);
+  RefinedShape shape = refine_with_shut_slits(task(cloth), start, {budget, stop_, Injectivity::local});
   shape.injectivity = injectivity_of(chart_, shape.uv);
-  if (shape.injectivity >= injectivity || stop_.is_stopped() || !budget.allows()) return shape;
-  shape = refine_with_shut_slits(task, start, {budget, stop_, Injectivity::global});
+  if (shape.injectivity >= injectivity_ || !may_go_on(budget)) return shape;
+  shape = refine_with_shut_slits(task(cloth), start, {budget, stop_, Injectivity::global});
   shape.injectivity = injectivity_of(chart_, shape.uv);
   return shape;
 }
 
-RefinedShape ClothRefinement::refine_held(const RefinedShape& upright, RefineBudget& budget) const {
-  const VertexPair pair = upright_pair(chart_, upright.uv, options_);
-  const Eigen::Vector2d chord = (upright.uv.row(pair[1]) - upright.uv.row(pair[0])).transpose().normalized();
-  const ClothOnChart cloth{*options_.cloth, GrainRow{pair[0], pair[1], {chord.y(), -chord.x()}}};
-  Eigen::VectorXd multipliers(upright.multipliers.size() + 1);
-  multipliers << upright.multipliers, 0;
-  return refine_from(task(cloth), {upright.uv, std::move(multipliers)}, upright.injectivity, budget);
+/// Of f over the area by the angle at which the shape is held: with n turned by dθ, n·d changes by |d| dθ, at the price
+/// of its multiplier.
+double ClothRefinement::slope_of(const RefinedShape& shape) const {
+  const double length = (shape.uv.row(pair_[1]) - shape.uv.row(pair_[0])).norm();
+  return shape.multipliers[shape.multipliers.size() - 1] * length / surface_area(chart_.mesh);
 }
 
-RefinedShape ClothRefinement::refine_free(const RefinedShape& upright, RefineBudget& budget) const {
-  const ClothOnChart cloth{*options_.cloth, std::nullopt};
-  RefinedShape best;
-  for (Positions2& uv : best_turns(task(cloth), upright.uv)) {
-    RefinedShape shape = refine_from(task(cloth), {std::move(uv), upright.multipliers}, upright.injectivity, budget);
-    const bool is_better = shape.injectivity > best.injectivity ||
-                           (shape.injectivity == best.injectivity && shape.objective < best.objective);
-    if (!best.is_exact || is_better) best = std::move(shape);
-    if (stop_.is_stopped() || !budget.allows()) break;
+/// The best few of many directions.
+std::vector<ClothRefinement::Turn> ClothRefinement::best_turns(const Positions2& uv) const {
+  const ClothOnChart cloth = cloth_held_as(uv);
+  const FairShapeError objective(task(cloth));
+  const double area = surface_area(chart_.mesh), spacing = kPi / kDirections;
+  std::array<double, kDirections> energy;
+  for (int k = 0; k < kDirections; ++k) energy[k] = objective.value(turned(uv, k * spacing)) / area;
+  std::vector<Turn> turns;
+  for (int k = 0; k < kDirections; ++k) {
+    const double before = energy[(k + kDirections - 1) % kDirections], after = energy[(k + 1) % kDirections];
+    if (energy[k] > before || energy[k] >= after) continue;
+    turns.push_back({turned(uv, k * spacing), energy[k], (before - 2 * energy[k] + after) / (spacing * spacing)});
   }
-  // Weft and warp are the same after a half turn: what leads up is up.
-  if (upright_direction(chart_, best.uv, options_).y() < 0) best.uv *= -1;
+  if (turns.empty()) turns.push_back({uv, energy[0], 0});  // all directions are alike
+  std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.energy < b.energy; });
+  turns.resize(std::min(turns.size(), kBestStarts));
+  return turns;
+}
+
+/// Newton steps by the angle, from the best of the shapes held at a few.
+RefinedShape ClothRefinement::refine_turning(const RefinedShape& upright, RefineBudget& budget) const {
+  RefinedShape best;
+  double curvature = 0;
+  for (const Turn& turn : best_turns(upright.uv)) {
+    if (best.is_exact && !may_go_on(budget)) break;
+    RefinedShape shape = refine_held({turn.uv, upright.multipliers}, budget);
+    if (best.is_exact && shape.objective >= best.objective) continue;
+    best = std::move(shape);
+    curvature = turn.curvature;
+  }
+  const double longest = kPi / kDirections;
+  for (int i = 0; i < kMaxTurns; ++i) {
+    const double slope = slope_of(best);
+    double angle = curvature > 0 ? -slope / curvature : -std::copysign(longest, slope);
+    angle = std::clamp(angle, -longest, longest);
+    if (std::abs(slope * angle) < RefineConstants::worthwhile * best.objective || !best.converged) return best;
+    if (!may_go_on(budget)) break;
+    RefinedShape trial = refine_held({turned(best.uv, angle), best.multipliers}, budget);
+    if (trial.converged && trial.objective < best.objective) {
+      const double change = (slope_of(trial) - slope) / angle;
+      curvature = change > 0 ? change : 0;
+      best = std::move(trial);
+    } else {
+      curvature = kShorter * std::abs(slope / angle);
+    }
+  }
+  best.converged = false;
   return best;
 }
 
 RefinedShape ClothRefinement::refine(const RefinedShape& upright, RefineBudget& budget) {
-  return options_.orientation == Orientation::best ? refine_free(upright, budget) : refine_held(upright, budget);
+  pair_ = upright_pair(chart_, upright.uv, options_);
+  injectivity_ = upright.injectivity;
+  RefinementStart start{upright.uv, Eigen::VectorXd(upright.multipliers.size() + 1)};
+  start.multipliers << upright.multipliers, 0;
+  if (options_.orientation != Orientation::best) return refine_held(start, budget);
+  RefinedShape with_row = upright;
+  with_row.multipliers = start.multipliers;
+  RefinedShape shape = refine_turning(with_row, budget);
+  // Weft and warp are the same after a half turn: what leads up is up.
+  if (upright_direction(chart_, shape.uv, options_).y() < 0) shape.uv *= -1;
+  return shape;
 }
 
 }  // namespace

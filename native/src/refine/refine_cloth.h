@@ -4,9 +4,9 @@
 // starts, slits and coarser meshes are behind it by then. No step turns a triangle over: there a cloth has no energy
 // that would bring it back (cloth/cloth_law.h).
 //
-// The energy of a cloth depends on how the piece is turned. One row n·(u_b − u_a) = 0 keeps the direction between two
-// vertices (upright_pair()). Under Orientation::best there is none: of 36 directions of the shape without a cloth,
-// those in which the energy is least are starts, and the best end is the result.
+// The energy of a cloth depends on how the piece is turned. One row n·(u_b − u_a) = 0 holds the direction between two
+// vertices (upright_pair()). Its multiplier is the slope of the energy by the angle; under Orientation::best Newton
+// steps by the angle lead to where it vanishes, from the best of 36 directions.
 #pragma once
 
 #include "refine/refine_chart.h"

@@ -12,8 +12,9 @@ namespace wirewarp {
 
 RefineProblem::RefineProblem(const RefineTask& task, Injectivity injectivity, const Positions2& layout)
     : chart_(task.chart),
-      constraints_(task.chart, task.network, task.cloth ? task.cloth->grain : std::nullopt, layout),
-      objective_(task, injectivity, layout) {
+      constraints_(task.chart, task.network, task.cloth ? &task.cloth->grain : nullptr, layout),
+      objective_(task, injectivity, layout),
+      worthwhile_(task.worthwhile) {
   // What rounding leaves of f is felt on slivers and edges of 1e-8 of the piece.
   const double extent = (layout.colwise().maxCoeff() - layout.colwise().minCoeff()).maxCoeff();
   isometric_value_ = std::max(RefineConstants::isometric * surface_area(task.chart.mesh),
@@ -29,7 +30,7 @@ double RefineProblem::length_error(const RefineIterate& iterate) const {
 }
 
 double RefineProblem::worthwhile_decrease(const RefineIterate& iterate) const {
-  return std::max(RefineConstants::worthwhile * iterate.value, isometric_value_);
+  return std::max(worthwhile_ * iterate.value, isometric_value_);
 }
 
 RefinedShape RefineProblem::describe(const RefineIterate& iterate) const {

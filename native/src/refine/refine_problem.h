@@ -39,6 +39,7 @@ class RefineProblem {
   const Chart& chart_;
   LengthConstraints constraints_;
   FairShapeError objective_;
+  double worthwhile_;       // decrease of f that a step must promise, over f
   double isometric_value_;  // f, below which a layout is isometric but for rounding
 };
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-
 #include "network/wire_network.h"
+#include "refine/refine_constants.h"
 #include "wirewarp/cloth.h"
 
 namespace wirewarp {
@@ -17,7 +16,7 @@ struct GrainRow {
 /// The cloth a chart is cut from; x is its weft, y its warp.
 struct ClothOnChart {
   Cloth cloth;
-  std::optional<GrainRow> grain;  // none: free to turn
+  GrainRow grain;
 };
 
 /// A chart to refine: what f and the lengths are made of.
@@ -26,6 +25,9 @@ struct RefineTask {
   const HeldNetwork& network;
   double fairness;                      // shortest wiggle of wires that is left alone, over the square root of the area
   const ClothOnChart* cloth = nullptr;  // null: f has the shape error of Eq. (4)
+
+  /// Decrease of f that a step must promise, over f.
+  double worthwhile = RefineConstants::worthwhile;
 };
 
 }  // namespace wirewarp

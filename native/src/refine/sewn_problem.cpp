@@ -7,7 +7,10 @@
 namespace wirewarp {
 
 SewnProblem::SewnProblem(const RefineTask& open, SewnChart sewn)
-    : sewn_(std::move(sewn)), network_(build_held_network(sewn_.chart)), fairness_(open.fairness) {
+    : sewn_(std::move(sewn)),
+      network_(build_held_network(sewn_.chart)),
+      fairness_(open.fairness),
+      worthwhile_(open.worthwhile) {
   for (const WireEdge& edge : open.network.edges) {
     const HalfedgeHandle h = open.chart.mesh.halfedge_handle(edge.edge, 0);
     const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn_.vertex[v.idx()]); };
@@ -20,9 +23,8 @@ SewnProblem::SewnProblem(const RefineTask& open, SewnChart sewn)
   num_rows_ = static_cast<int>(network_.edges.size());
   if (!open.cloth) return;
   cloth_ = *open.cloth;
-  if (!cloth_->grain) return;
-  cloth_->grain->a = sewn_.vertex[cloth_->grain->a];
-  cloth_->grain->b = sewn_.vertex[cloth_->grain->b];
+  cloth_->grain.a = sewn_.vertex[cloth_->grain.a];
+  cloth_->grain.b = sewn_.vertex[cloth_->grain.b];
   row_.push_back(num_rows_++);
 }
 
