@@ -36,8 +36,8 @@ def libraries(tmp_path):
         for path in paths:
             with zipfile.ZipFile(path, "w") as wheel:
                 package = path.name.split("-")[0]
-                wheel.writestr(f"{package}/__init__.py", tag)
-                wheel.writestr(f"{package}.dist-info/METADATA", "")
+                wheel.writestr(zipfile.ZipInfo(f"{package}/__init__.py"), tag)  # which has no time of its own
+                wheel.writestr(zipfile.ZipInfo(f"{package}.dist-info/METADATA"), "")
         return paths
 
     return found
