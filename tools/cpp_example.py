@@ -5,7 +5,7 @@ import re
 import shutil
 from pathlib import Path
 
-from tools.environment import BUILD, ROOT, StepError, output_of, require_apt, run_quietly
+from tools.environment import BUILD, CORES, ROOT, StepError, output_of, require_apt, run_quietly
 from tools.native import NATIVE_APT, build_native
 from tools.old_glibc import openmesh_source
 
@@ -37,7 +37,8 @@ def build_and_check(name: str, **definitions: str) -> None:
     folder = FOLDER / name
     configure: list[str | Path] = ["cmake", "-G", "Ninja", "-S", ROOT / "examples" / "cpp", "-B", folder]
     run_quietly(f"configuring build/example/{name}", [*configure, *defined])
-    run_quietly(f"building build/example/{name}", ["cmake", "--build", folder, "-j", "2", "--target", "flatten_dome"])
+    build = ["cmake", "--build", folder, "-j", str(CORES), "--target", "flatten_dome"]
+    run_quietly(f"building build/example/{name}", build)
     printed = output_of([folder / "flatten_dome"])
     promised = re.findall(r"## In C\+\+\n.*?```\n(rigid: .*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
     if [printed] != promised:
