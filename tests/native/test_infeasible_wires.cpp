@@ -72,7 +72,7 @@ Piece expect_mended(FlattenInput input) {
 }
 
 TEST(InfeasibleWires, EveryEdgeOfACurvedPatchIsMended) {
-  FlattenInput sphere = test::quarter_sphere(5), saddle = test::saddle(6, 0.5);
+  FlattenInput sphere = test::quarter_sphere(4), saddle = test::saddle(5, 0.5);
   sphere.wires.clear();
   for (FlattenInput* input : {&sphere, &saddle}) {
     add_edges_as_wires(*input, [](const Eigen::Vector3d&) { return true; });
