@@ -241,7 +241,7 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
             """A job that is done, cancelled when its shape has taken so many steps."""
             stops = lambda stage, _: stage != "shape" or next(left, 0) > 0  # noqa: E731
             result = library.flatten(*what, progress=stops, **options)
-            return SimpleNamespace(is_done=lambda: True, result=lambda: result)
+            return SimpleNamespace(is_done=lambda: True, cancel=lambda: None, result=lambda: result)
 
         stopping = SimpleNamespace(**vars(library) | {"start": start})
         result = addon.solve.steps.in_one_go(addon.solve.flatten.flatten_arrays(stopping, arrays, choices))
