@@ -31,7 +31,10 @@ class ClothLaw {
   /// p, q, g and D of a map.
   struct Invariants {
     explicit Invariants(const Eigen::Matrix2d& map)
-        : p(map.row(1).norm()), q(map.row(0).norm()), g(map.row(0).dot(map.row(1))), determinant(map.determinant()) {}
+        : p(map.row(1).norm()),
+          q(map.row(0).norm()),
+          g(map.row(0).dot(map.row(1))),
+          determinant(map(0, 0) * map(1, 1) - map(0, 1) * map(1, 0)) {}
     double p, q, g, determinant;
   };
 
