@@ -90,7 +90,7 @@ def test_no_library(addon, library_copy, monkeypatch):
     ("suffix", "made_for"),
     [
         (".cpython-39-x86_64-linux-gnu.so", "Python 3.9 on Linux on x86-64"),
-        (".cp311-win_amd64.pyd", "Python 3.11 on Windows on x86-64"),
+        (".cp39-win_amd64.pyd", "Python 3.9 on Windows on x86-64"),
         (".cpython-27-amiga.so", "Python 2.7 on amiga"),
     ],
 )

@@ -3,6 +3,7 @@
 
 import json
 import math
+import os
 
 import bmesh
 import bpy
@@ -149,6 +150,7 @@ def test_results_follow_the_name_of_the_model_and_names_given_by_the_user_stay()
     assert "Band" in flatten(source)
 
 
+@pytest.mark.skipif("WINEPREFIX" in os.environ, reason="under Wine Blender does not read the library that it wrote")
 def test_a_linked_mesh_of_the_name_of_the_results_is_no_hindrance(tmp_path):
     source, path = grid("Sleeve", bump), str(tmp_path / "other.blend")
     flatten(source)

@@ -20,6 +20,8 @@ def test_the_file_that_a_link_leads_to_is_replaced(addon, tmp_path):
     path, link = tmp_path / "pattern.svg", tmp_path / "newest.svg"
     path.write_text("of yesterday")
     link.symlink_to(path)
+    if not link.is_symlink():
+        pytest.skip("Wine makes no links")
     with addon.blender.files.replaced_file(link) as unfinished:
         unfinished.write_text("of today")
     assert link.is_symlink()

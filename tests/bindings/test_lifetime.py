@@ -90,6 +90,7 @@ def flatten_patch(bend: float) -> wirewarp.FlattenResult:
     return wirewarp.flatten(vertices * [1, 1, bend], faces)
 
 
+@pytest.mark.skipif("WINEPREFIX" in os.environ, reason="Wine starts no executor of several processes")
 def test_a_process_pool_returns_results():
     bends = [0.5, 1.0]
     with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:

@@ -103,7 +103,7 @@ def test_svg_is_drawn_in_true_size_by_another_renderer(tmp_path, preset):
 
 def rendered_svg(path) -> np.ndarray:
     """(h,w) bool, as dark()."""
-    resvg = pytest.importorskip("resvg_py")
+    resvg = pytest.importorskip("resvg_py", exc_type=ImportError)
     image = Image.open(
         io.BytesIO(resvg.svg_to_bytes(svg_path=str(path), dpi=96, zoom=SCALE * 25.4 / 96, background="#ffffff"))
     )
