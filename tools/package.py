@@ -13,7 +13,8 @@ import shutil
 from collections.abc import Collection
 from pathlib import Path
 
-from tools import old_glibc, zips
+from tools import cross, old_glibc, zips
+from tools.cross import SYSTEMS, System
 from tools.environment import (
     BUILD,
     ROOT,
@@ -31,7 +32,6 @@ from tools.environment import (
     venv,
 )
 from tools.libraries import library_wheels
-from tools.windows_wheel import PLATFORM_TAG, build_windows_wheel
 from tools.zig import ZIG
 from tools.zips import LEGACY_TAG, VERSION
 
@@ -80,18 +80,27 @@ def build_wheels() -> dict[str, Path]:
     return {version: build_wheel(version, python) for version, python in found.items() if python}
 
 
-def package_with_windows() -> None:
+def package_for_all_systems() -> None:
     wheels = build_wheels()
-    keep_in_dist([*wheels.values(), *(windows_wheel(version, wheel) for version, wheel in wheels.items())])
+    others = [cross_wheel(system, version, wheel) for system in SYSTEMS for version, wheel in wheels.items()]
+    keep_in_dist([*wheels.values(), *others])
 
 
-def windows_wheel(version: str, wheel: Path) -> Path:
-    """The wheel for Windows, beside the one made here; from the last build if nothing it is made of has changed."""
-    made = wheel.with_name("-".join([*wheel.stem.split("-")[:-1], PLATFORM_TAG]) + ".whl")
-    key = fingerprint([*(ROOT / source for source in CORE_SOURCES), ROOT / "tools" / "windows_wheel.py"], ZIG)
+def extension_for(system: System) -> Path:
+    """The extension for another system, with the wheels of this tree."""
+    for version, wheel in build_wheels().items():
+        cross_wheel(system, version, wheel)
+    zips.write_zips(DIST)
+    return zips.extension_zip(DIST, system.platform)
+
+
+def cross_wheel(system: System, version: str, wheel: Path) -> Path:
+    """The wheel for another system, beside the one made here; from the last build if nothing it is made of changed."""
+    made = wheel.with_name("-".join([*wheel.stem.split("-")[:-1], system.wheel_tag]) + ".whl")
+    key = fingerprint([*(ROOT / source for source in CORE_SOURCES), ROOT / "tools" / "cross.py"], ZIG)
     if not (made.is_file() and is_current(f"wheel-{made.stem}", key)):
         made.unlink(missing_ok=True)
-        build_windows_wheel(version, venv_for_wheels(version, require_python(version)), wheel, made)
+        cross.build_wheel(system, version, venv_for_wheels(version, require_python(version)), wheel, made)
         set_current(f"wheel-{made.stem}", key)
     return made
 
@@ -126,8 +135,10 @@ def extension_zip() -> Path:
 
 
 def show_dist() -> None:
-    for path in sorted(DIST.iterdir()):
-        say(f"dist/{path.name}  {path.stat().st_size / 1e6:.2f} MB")
+    for path in sorted(DIST.glob("wirewarp-*")):
+        platform = zips.platform_of(path) if path.suffix == ".whl" else path.stem
+        state = ", built, not run" if platform.endswith(cross.NOT_RUN) else ""
+        say(f"dist/{path.name}  {path.stat().st_size / 1e6:.2f} MB{state}")
 
 
 def missing_python_notice() -> str | None:

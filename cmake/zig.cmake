@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds for another system with the compiler of the package `ziglang`, which has the headers and libraries of all of
+# them: -DWIREWARP_ZIG=path of zig, -DWIREWARP_TARGET=zig's word for the system, as x86_64-windows-gnu.
+set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES WIREWARP_ZIG WIREWARP_TARGET)
+if(WIREWARP_TARGET MATCHES "^([^-]+)-(windows|macos|linux)")
+  set(CMAKE_SYSTEM_PROCESSOR ${CMAKE_MATCH_1})
+  set(names_windows Windows)
+  set(names_macos Darwin)
+  set(names_linux Linux)
+  set(CMAKE_SYSTEM_NAME ${names_${CMAKE_MATCH_2}})
+else()
+  message(FATAL_ERROR "WIREWARP_TARGET=${WIREWARP_TARGET} is no target of zig for Windows, macOS or Linux")
+endif()
+set(CMAKE_CXX_COMPILER "${WIREWARP_ZIG}" c++ -target ${WIREWARP_TARGET})
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)  # to link, zig would first compile its libraries, not optimized
+set(CMAKE_CXX_FLAGS_INIT -g0)  # else zig adds what debuggers read, which takes a fifth of the time
+set(CMAKE_USER_MAKE_RULES_OVERRIDE_CXX "${CMAKE_CURRENT_LIST_DIR}/zig_rules.cmake")

