@@ -37,7 +37,7 @@ def build_and_check(name: str, **definitions: str) -> None:
     folder = FOLDER / name
     configure: list[str | Path] = ["cmake", "-G", "Ninja", "-S", ROOT / "examples" / "cpp", "-B", folder]
     run_quietly(f"configuring build/example/{name}", [*configure, *defined])
-    build = ["cmake", "--build", folder, "-j", str(CORES), "--target", "flatten_dome"]
+    build: list[str | Path] = ["cmake", "--build", folder, "-j", str(CORES), "--target", "flatten_dome"]
     run_quietly(f"building build/example/{name}", build)
     printed = output_of([folder / "flatten_dome"])
     promised = re.findall(r"## In C\+\+\n.*?```\n(rigid: .*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
