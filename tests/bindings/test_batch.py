@@ -275,12 +275,20 @@ def test_nobody_who_reads_is_one_sentence_and_nothing_hidden_is_left(models, ble
     assert all(not path.name.startswith(".") for path in (tmp_path / "out").rglob("*"))
 
 
+# A run of the tests in the background ignores SIGINT, and so do the programs that it starts.
+INTERRUPTIBLE = """
+import runpy, signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+runpy.run_module("wirewarp", run_name="__main__")
+"""
+
+
 @posix
 def test_ctrl_c_ends_all_and_nothing_hidden_is_left(models, blender, tmp_path):
     (models / "b hangs").mkdir()
     (models / "b hangs" / "hangs.blend").write_bytes(b"BLENDER")
     words = ["batch", models, "--out", tmp_path / "out", "--format", "svg", "--blender", blender, "--jobs", "2"]
-    command = [sys.executable, "-m", "wirewarp", *words]
+    command = [sys.executable, "-c", INTERRUPTIBLE, *words]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         assert json.loads(process.stdout.readline())["verdict"] == "ready to cut"
         process.send_signal(signal.SIGINT)
