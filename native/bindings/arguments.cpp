@@ -10,19 +10,23 @@
 namespace wirewarp::bindings {
 namespace {
 
-std::vector<Wire> read_wires(py::handle value) {
-  if (py::isinstance<Wire>(value) || !py::hasattr(value, "__iter__")) {
-    throw FlattenError(ErrorCode::invalid_type, "wires must be a list of Wire, not " + type_name(value) + ".");
+/// argument: "wires"; type: "Wire".
+template <class Item>
+std::vector<Item> read_list(py::handle value, const std::string& argument, const std::string& type) {
+  if (py::isinstance<Item>(value) || !py::hasattr(value, "__iter__")) {
+    throw FlattenError(ErrorCode::invalid_type,
+                       argument + " must be a list of " + type + ", not " + type_name(value) + ".");
   }
-  std::vector<Wire> wires;
+  std::vector<Item> items;
   for (const py::handle item : value) {
-    if (!py::isinstance<Wire>(item)) {
-      throw FlattenError(ErrorCode::invalid_type,
-                         "wires[" + std::to_string(wires.size()) + "] must be a Wire, not " + type_name(item) + ".");
+    if (!py::isinstance<Item>(item)) {
+      throw FlattenError(ErrorCode::invalid_type, argument + "[" + std::to_string(items.size()) + "] must be " +
+                                                      (type == "Ease" ? "an " : "a ") + type + ", not " +
+                                                      type_name(item) + ".");
     }
-    wires.push_back(item.cast<const Wire&>());
+    items.push_back(item.cast<const Item&>());
   }
-  return wires;
+  return items;
 }
 
 }  // namespace
@@ -39,8 +43,9 @@ Cache* read_cache(py::handle value) {
   throw FlattenError(ErrorCode::invalid_type, "cache must be a Cache or None, not " + type_name(value) + ".");
 }
 
-FlattenInput read_input(py::handle vertices, py::handle faces, py::handle seams, py::handle wires) {
-  return {read_vertices(vertices), read_faces(faces), read_seams(seams), read_wires(wires)};
+FlattenInput read_input(py::handle vertices, py::handle faces, py::handle seams, py::handle wires, py::handle eases) {
+  return {read_vertices(vertices), read_faces(faces), read_seams(seams), read_list<Wire>(wires, "wires", "Wire"),
+          read_list<Ease>(eases, "eases", "Ease")};
 }
 
 }  // namespace wirewarp::bindings

@@ -9,7 +9,7 @@
 
 namespace wirewarp::bindings {
 
-FlattenInput read_input(py::handle vertices, py::handle faces, py::handle seams, py::handle wires);
+FlattenInput read_input(py::handle vertices, py::handle faces, py::handle seams, py::handle wires, py::handle eases);
 
 /// None: the defaults.
 Options read_options(py::handle value);

@@ -168,6 +168,10 @@ VertexPairs read_seams(py::handle value) {
   return read_indices<VertexPairs>(value, "seams", "Seam edge");
 }
 
+VertexPairs read_half_edges(py::handle value) {
+  return read_indices<VertexPairs>(value, "Ease half_edges", "Half-edge");
+}
+
 CornerUv read_corner_uv(py::handle value) { return read_reals<CornerUv>(value, "corner_uv", {3, 2}); }
 
 std::vector<int> read_chain(py::handle value) {

@@ -13,6 +13,7 @@ namespace py = pybind11;
 void bind_cloth(py::module_& module);
 void bind_options(py::module_& module);
 void bind_wire(py::module_& module);
+void bind_ease(py::module_& module);
 void bind_results(py::module_& module);
 void bind_cache(py::module_& module);
 void bind_flatten(py::module_& module);

@@ -13,8 +13,8 @@ namespace {
 
 FlattenResult run_flatten(const py::object& vertices, const py::object& faces, const py::object& seams,
                           const py::object& wires, const py::object& options, const py::object& progress,
-                          const py::object& cache) {
-  const FlattenInput input = read_input(vertices, faces, seams, wires);
+                          const py::object& cache, const py::object& eases) {
+  const FlattenInput input = read_input(vertices, faces, seams, wires, eases);
   const Options checked_options = read_options(options);
   Cache* const solved_before = read_cache(cache);
   PythonProgress python_progress(progress);
@@ -35,8 +35,8 @@ FlattenResult run_flatten(const py::object& vertices, const py::object& faces, c
 }
 
 FlattenResult run_measure(const py::object& vertices, const py::object& faces, const py::object& corner_uv,
-                          const py::object& seams, const py::object& wires) {
-  const FlattenInput input = read_input(vertices, faces, seams, wires);
+                          const py::object& seams, const py::object& wires, const py::object& eases) {
+  const FlattenInput input = read_input(vertices, faces, seams, wires, eases);
   const CornerUv corners = read_corner_uv(corner_uv);
   const RunningCall running;
   const py::gil_scoped_release no_gil;
@@ -49,7 +49,8 @@ constexpr const char* kFlattenDoc =
 vertices: (n, 3) real numbers, scene units.
 faces: (m, 3) whole numbers, triangles.
 seams: (k, 2) vertex pairs along which the surface is cut.
-wires: Wire objects.
+wires: Wire objects. Along a seam or outline they say how long that is, on all its sides.
+eases: Ease objects: sides that are longer than their mates.
 options: Options; None for the defaults.
 progress: called as progress(stage, fraction); returning False cancels the pieces that are not flat yet; all pieces in
     the first stage, "charts", in the last, "measure", and where those that are flat take long to measure. An exception
@@ -72,9 +73,11 @@ The other arguments are those of flatten().)";
 void bind_flatten(py::module_& module) {
   module.def("flatten", &run_flatten, py::arg("vertices"), py::arg("faces"), py::kw_only(),
              py::arg("seams") = py::none(), py::arg("wires") = py::tuple(), py::arg("options") = py::none(),
-             py::arg("progress") = py::none(), py::arg("cache") = py::none(), kFlattenDoc);
+             py::arg("progress") = py::none(), py::arg("cache") = py::none(), py::arg("eases") = py::tuple(),
+             kFlattenDoc);
   module.def("measure", &run_measure, py::arg("vertices"), py::arg("faces"), py::arg("corner_uv"),
-             py::arg("seams") = py::none(), py::arg("wires") = py::tuple(), kMeasureDoc);
+             py::arg("seams") = py::none(), py::arg("wires") = py::tuple(), py::arg("eases") = py::tuple(),
+             kMeasureDoc);
 }
 
 }  // namespace wirewarp::bindings

@@ -135,8 +135,9 @@ class Job {
 namespace {
 
 std::unique_ptr<Job> start(const py::object& vertices, const py::object& faces, const py::object& seams,
-                           const py::object& wires, const py::object& options, const py::object& cache) {
-  return std::make_unique<Job>(read_input(vertices, faces, seams, wires), read_options(options), cache);
+                           const py::object& wires, const py::object& options, const py::object& cache,
+                           const py::object& eases) {
+  return std::make_unique<Job>(read_input(vertices, faces, seams, wires, eases), read_options(options), cache);
 }
 
 constexpr const char* kJobDoc =
@@ -166,7 +167,8 @@ void bind_job(py::module_& module) {
     throw py::type_error("a Job cannot be copied or pickled: its thread runs in this process");
   });
   module.def("start", &start, py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("seams") = py::none(),
-             py::arg("wires") = py::tuple(), py::arg("options") = py::none(), py::arg("cache") = py::none(), kStartDoc);
+             py::arg("wires") = py::tuple(), py::arg("options") = py::none(), py::arg("cache") = py::none(),
+             py::arg("eases") = py::tuple(), kStartDoc);
 }
 
 }  // namespace wirewarp::bindings

@@ -12,6 +12,7 @@ PYBIND11_MODULE(in_main_interpreter, module) {
   bind_cloth(module);
   bind_options(module);
   bind_wire(module);
+  bind_ease(module);
   bind_results(module);
   bind_cache(module);
   bind_flatten(module);

@@ -82,6 +82,10 @@ void bind_lengths(py::module_& module) {
       .field(
           "length_2d", [](const SeamReport& seam, py::handle) { return tuple_of(seam.length_2d); },
           [](SeamReport& seam, py::handle lengths) { seam.length_2d = lengths.cast<std::vector<double>>(); })
+      .field("variation", &SeamReport::variation)
+      .field(
+          "eases", [](const SeamReport& seam, py::handle) { return tuple_of(seam.eases); },
+          [](SeamReport& seam, py::handle eases) { seam.eases = eases.cast<std::vector<double>>(); })
       .field("mismatch", &SeamReport::mismatch)
       .picklable();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.Wire: checked when it is made, unchangeable afterwards.
+// wirewarp.Wire and wirewarp.Ease: checked when they are made, unchangeable afterwards.
 #include <cmath>
 
 #include "arrays.h"
@@ -10,7 +10,8 @@
 namespace wirewarp::bindings {
 namespace {
 
-Wire make_wire(const py::object& vertices, const py::object& tolerance, const py::object& name) {
+Wire make_wire(const py::object& vertices, const py::object& tolerance, const py::object& name,
+               const py::object& ease) {
   Wire wire;
   wire.vertices = read_chain(vertices);
   wire.tolerance = read_number(tolerance, "Wire tolerance");
@@ -22,8 +23,23 @@ Wire make_wire(const py::object& vertices, const py::object& tolerance, const py
   } catch (const py::cast_error&) {
     throw FlattenError(ErrorCode::invalid_type, "Wire name has characters that are no text (lone surrogates).");
   }
+  wire.ease = read_number(ease, "Wire ease");
   check_wire(wire);
   return wire;
+}
+
+Ease make_ease(const py::object& half_edges, const py::object& ratio) {
+  Ease ease{read_half_edges(half_edges), read_number(ratio, "Ease ratio")};
+  check_ease(ease);
+  return ease;
+}
+
+/// Of a field: what was checked stays as it was checked.
+template <class Values>
+py::object read_only(const Values& values, const py::object& owner) {
+  py::object array = to_python(values, owner);
+  array.attr("setflags")(py::arg("write") = false);
+  return array;
 }
 
 }  // namespace
@@ -31,19 +47,31 @@ Wire make_wire(const py::object& vertices, const py::object& tolerance, const py
 void bind_wire(py::module_& module) {
   Record<Wire> record(module, "Wire");
   record.def(py::init(&make_wire), py::arg("vertices"), py::arg("tolerance") = 0.0, py::arg("name") = "",
+             py::arg("ease") = 0.0,
              "vertices: any sequence or array of whole numbers, consecutive ones joined by an edge; a closed wire "
-             "repeats its first. tolerance: 0 rigid, finite elastic, math.inf super-elastic.");
-  record.def(py::pickle([](const Wire& wire) { return py::make_tuple(wire.vertices, wire.tolerance, wire.name); },
-                        [](const py::tuple& fields) { return make_wire(fields[0], fields[1], fields[2]); }));
+             "repeats its first. tolerance: 0 rigid, finite elastic, math.inf super-elastic. ease: the length asked "
+             "for is (1 + h) "
+             "times the 3D one, |h - ease| <= tolerance. Along a seam or outline all its sides have one h.");
+  record.def(
+      py::pickle([](const Wire& wire) { return py::make_tuple(wire.vertices, wire.tolerance, wire.name, wire.ease); },
+                 [](const py::tuple& fields) { return make_wire(fields[0], fields[1], fields[2], fields[3]); }));
   record.def_property_readonly(
-      "vertices",
-      [](const py::object& self) {
-        py::object vertices = to_python(self.cast<const Wire&>().vertices, self);
-        vertices.attr("setflags")(py::arg("write") = false);  // a checked wire stays as it was checked
-        return vertices;
-      },
+      "vertices", [](const py::object& self) { return read_only(self.cast<const Wire&>().vertices, self); },
       doc_of("Wire.vertices"));
-  record.listed("vertices").field("tolerance", &Wire::tolerance).field("name", &Wire::name);
+  record.listed("vertices").field("tolerance", &Wire::tolerance).field("name", &Wire::name).field("ease", &Wire::ease);
+}
+
+void bind_ease(py::module_& module) {
+  Record<Ease> record(module, "Ease");
+  record.def(py::init(&make_ease), py::arg("half_edges"), py::arg("ratio"),
+             "half_edges: (k, 2) vertex pairs. ratio: above -1; 0.05 for a sleeve head, 1 for gathers.");
+  record.def(
+      py::pickle([](const py::object& self) { return py::make_tuple(self.attr("half_edges"), self.attr("ratio")); },
+                 [](const py::tuple& fields) { return make_ease(fields[0], fields[1]); }));
+  record.def_property_readonly(
+      "half_edges", [](const py::object& self) { return read_only(self.cast<const Ease&>().half_edges, self); },
+      doc_of("Ease.half_edges"));
+  record.listed("half_edges").field("ratio", &Ease::ratio);
 }
 
 }  // namespace wirewarp::bindings

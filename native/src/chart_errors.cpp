@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "errors/sentence.h"
@@ -161,6 +162,46 @@ FlattenError needs_refinement(const Chart& chart) {
                       "Bent first, the wires of " + name_piece(chart.source_face) +
                           " find no flat shape: take the refined method, which keeps them within their tolerances.",
                       {{}, {}, chart.source_face});
+}
+
+namespace {
+
+/// Those along the outline that have a tolerance, and their edges there.
+struct GivingWires {
+  std::set<int> wires;
+  std::set<VertexPair> edges;
+};
+
+GivingWires find_giving_wires(const Chart& chart) {
+  GivingWires giving;
+  for (const WirePart& part : chart.wire_parts) {
+    if (!gives_on_boundary(part)) continue;
+    giving.wires.insert(part.wire_index);
+    for (const HalfedgeHandle h : part.half_edges) giving.edges.insert(source_edge(chart, h));
+  }
+  return giving;
+}
+
+FlattenError refuse_giving_wires(const Chart& chart, const std::vector<Wire>& wires, const std::string& begin,
+                                 const std::string& remedy) {
+  const GivingWires giving = find_giving_wires(chart);
+  return FlattenError(
+      ErrorCode::invalid_option,
+      begin + name_wires(wires, {giving.wires.begin(), giving.wires.end()}) + " with a tolerance: " + remedy,
+      {{}, {giving.edges.begin(), giving.edges.end()}, chart.source_face});
+}
+
+}  // namespace
+
+void check_outline_is_settled(const Chart& chart, const std::vector<Wire>& wires) {
+  if (find_giving_wires(chart).wires.empty()) return;
+  throw refuse_giving_wires(chart, wires, "WireWarping++ keeps seams and outlines at one length, but along them runs ",
+                            "take the refined method, or a tolerance of 0 and an ease.");
+}
+
+FlattenError no_cloth_beside_seams_that_give(const Chart& chart, const std::vector<Wire>& wires) {
+  return refuse_giving_wires(chart, wires, "Pieces of a cloth share no seam that gives, but along seams runs ",
+                             "take a tolerance of 0 and an ease there, or no cloth.");
 }
 
 FlattenError not_solvable(const Chart& chart) {

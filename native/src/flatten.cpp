@@ -10,6 +10,7 @@
 #include "cache/cache_session.h"
 #include "chart_errors.h"
 #include "charts/cut_into_charts.h"
+#include "charts/seams_that_give.h"
 #include "charts_progress.h"
 #include "check_input/check_input.h"
 #include "factorization_failed.h"
@@ -18,8 +19,10 @@
 #include "feasibility/propose_seams.h"
 #include "in_threads.h"
 #include "internal_options.h"
+#include "join_charts.h"
 #include "metrics/assemble_result.h"
 #include "metrics/helper_wires.h"
+#include "network/length_variation.h"
 #include "outer/choose_variation.h"
 #include "packing/pack_pieces.h"
 #include "piece_report.h"
@@ -63,6 +66,7 @@ FlattenError explain_infeasible(const Chart& chart, const Run& run, const Refine
 /// WireWarping and WireWarping++: the wires first, the surface follows (II).
 void flatten_by_warping(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved) {
   std::map<std::string, double>& seconds = solved.report.seconds;
+  if (run.options.method == Method::wirewarp_plus_plus) check_outline_is_settled(chart, run.input.wires);
   stop.in("wires").check();
   std::optional<Chart> split;
   WireNetwork network;
@@ -93,8 +97,7 @@ void flatten_by_warping(const Chart& chart, const Run& run, const StopToken& sto
     throw explain_infeasible(chart, run, refined, in_no_other_stage);
   }
   solved.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
-  solved.variation.assign(solution.variation.begin(),
-                          solution.variation.begin() + static_cast<std::ptrdiff_t>(chart.wire_parts.size()));
+  solved.variation = variations_of(chart, solution.variation);
   solved.uv = std::move(solution.shape.uv);
   const bool is_folded = !find_folded_faces(chart.mesh, solved.uv).empty();
   if (is_folded && !lies_flat(chart, run.options, stop)) solved.proposed_seams = propose_seams(chart, run, stop);
@@ -110,7 +113,8 @@ void flatten_by_refining(const Chart& chart, const Run& run, const StopToken& st
   if (run.options.cloth && refined.shape.is_exact) refine_cloth(chart, run.options, stop.in("shape"), refined);
   report_refinement(refined, stop.is_stopped(), solved.report);
   if (!refined.shape.is_exact) throw explain_infeasible(chart, run, refined, stop.in("shape"));
-  solved.variation.assign(refined.shape.variation.begin(), refined.shape.variation.end());
+  solved.variation = variations_of(chart, refined.shape.variation);
+  solved.multipliers = std::move(refined.shape.multipliers);
   solved.uv = std::move(refined.shape.uv);
   const bool is_folded = refined.shape.injectivity != Injectivity::global;
   if (is_folded && !stop.is_stopped()) solved.proposed_seams = propose_seams(chart, run, stop);
@@ -164,35 +168,135 @@ std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
   return order;
 }
 
-/// All charts, on all cores; each has the layout that it has alone.
-std::vector<SolvedChart> flatten_charts(const std::vector<Chart>& charts, const Run& run, ProgressReport& report,
-                                        CacheSession& session) {
-  std::vector<SolvedChart> solved_charts(charts.size());
-  ChartsProgress progress(report, charts);
-  const std::vector<std::size_t> order = largest_first(charts);
-  const auto flatten_chart = [&](std::size_t i) {
-    const std::size_t c = order[i];
-    const Chart& chart = charts[c];
-    const StopToken stop([&](const char* stage) { return progress.go_on(c, stage); });
-    if (chart.mesh.n_faces() == 0 || (chart.error && report.is_cancelled())) {
-      solved_charts[c].error = chart.error;
-    } else {
-      solved_charts[c] = session.solved(
-          chart, [&] { return report.is_cancelled() ? cancelled_chart() : solve_chart(chart, run, stop); });
-    }
-    progress.finish(c);
-  };
-  const auto flatten_or_stop_all = [&](std::size_t i) {
-    try {
-      flatten_chart(i);
-    } catch (...) {
-      report.cancel();
-      throw;
-    }
-  };
-  run_in_threads(charts.size(), num_cores(), flatten_or_stop_all, [&] { progress.tell(); });
-  return solved_charts;
+/// A chart beside seams that give, with these at h = ease; where it has no shape so, each as long as the chart would
+/// have it alone, and the error of before.
+struct SettledChart {
+  SolvedChart solved;
+  std::optional<FlattenError> settled_error;
+};
+
+SettledChart solve_settled(const Chart& chart, const Run& run, const StopToken& stop) {
+  if (run.options.cloth) {
+    SettledChart refused;
+    refused.solved.error = no_cloth_beside_seams_that_give(chart, run.input.wires);
+    return refused;
+  }
+  SettledChart result{solve_chart(with_settled_seams(chart), run, stop), {}};
+  const bool is_infeasible = result.solved.error && !stop.is_stopped();
+  if (is_infeasible) result = {solve_chart(chart, run, stop), result.solved.error};
+  if (result.solved.network) result.solved.network = build_wire_network(chart);
+  return result;
 }
+
+/// All charts, on all cores; each has the layout that it has alone, those beside seams that give the one that they have
+/// together.
+class ChartsSolver {
+ public:
+  ChartsSolver(const std::vector<Chart>& charts, const Run& run, ProgressReport& report, CacheSession& session)
+      : charts_(charts),
+        run_(run),
+        report_(report),
+        session_(session),
+        progress_(report, charts),
+        solved_(charts.size()),
+        is_done_(charts.size(), 0),
+        is_together_(charts.size(), 0),
+        settled_errors_(charts.size()) {
+    if (run.options.method != Method::refined) return;
+    for (std::vector<int>& group : group_by_seams_that_give(charts)) {
+      if (group.size() > 1) groups_.push_back(std::move(group));
+    }
+  }
+
+  std::vector<SolvedChart> solve() {
+    for (const std::vector<int>& group : groups_) recall(group);
+    const std::vector<std::size_t> order = largest_first(charts_);
+    run(charts_.size(), [&](std::size_t i) { solve_one(order[i]); });
+    run(groups_.size(), [&](std::size_t g) { join(groups_[g]); });
+    return std::move(solved_);
+  }
+
+ private:
+  template <typename Work>
+  void run(std::size_t count, const Work& work) {
+    const auto work_or_stop_all = [&](std::size_t i) {
+      try {
+        work(i);
+      } catch (...) {
+        report_.cancel();
+        throw;
+      }
+    };
+    if (count > 0) run_in_threads(count, num_cores(), work_or_stop_all, [&] { progress_.tell(); });
+  }
+
+  StopToken stop_token(std::size_t c) {
+    return StopToken([this, c](const char* stage) { return progress_.go_on(c, stage); });
+  }
+
+  std::vector<const Chart*> members(const std::vector<int>& group) const {
+    std::vector<const Chart*> members;
+    for (const int c : group) members.push_back(&charts_[c]);
+    return members;
+  }
+
+  void recall(const std::vector<int>& group) {
+    for (const int c : group) is_together_[c] = 1;
+    std::optional<std::vector<SolvedChart>> known = session_.known(members(group));
+    if (!known) return;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      solved_[group[k]] = std::move((*known)[k]);
+      is_done_[group[k]] = 1;
+    }
+  }
+
+  void solve_one(std::size_t c) {
+    const Chart& chart = charts_[c];
+    if (chart.mesh.n_faces() == 0 || (chart.error && report_.is_cancelled())) {
+      solved_[c].error = chart.error;
+    } else if (is_together_[c] == 0) {
+      solve_alone(c);
+    } else if (is_done_[c] == 0) {
+      SettledChart settled{cancelled_chart(), {}};
+      if (!report_.is_cancelled()) settled = solve_settled(chart, run_, stop_token(c));
+      solved_[c] = std::move(settled.solved);
+      settled_errors_[c] = std::move(settled.settled_error);
+    }
+    progress_.finish(c);
+  }
+
+  void solve_alone(std::size_t c) {
+    if (std::optional<std::vector<SolvedChart>> known = session_.known({&charts_[c]})) {
+      solved_[c] = std::move(known->front());
+      return;
+    }
+    solved_[c] = report_.is_cancelled() ? cancelled_chart() : solve_chart(charts_[c], run_, stop_token(c));
+    session_.keep({&charts_[c]}, {solved_[c]});
+  }
+
+  void join(const std::vector<int>& group) {
+    if (is_done_[group.front()] != 0) return;
+    std::vector<ChartToJoin> to_join;
+    for (const int c : group) {
+      if (solved_[c].uv.rows() > 0) to_join.push_back({charts_[c], solved_[c], settled_errors_[c]});
+    }
+    if (!to_join.empty()) join_charts(to_join, run_.options, stop_token(static_cast<std::size_t>(group.front())));
+    std::vector<SolvedChart> solved;
+    for (const int c : group) solved.push_back(solved_[c]);
+    session_.keep(members(group), solved);
+  }
+
+  const std::vector<Chart>& charts_;
+  const Run& run_;
+  ProgressReport& report_;
+  CacheSession& session_;
+  ChartsProgress progress_;
+  std::vector<std::vector<int>> groups_;  // of several charts
+  std::vector<SolvedChart> solved_;
+  std::vector<char> is_done_;      // taken from the cache with its group
+  std::vector<char> is_together_;  // in a group
+  std::vector<std::optional<FlattenError>> settled_errors_;
+};
 
 void pack(const Charts& charts, const Options& options, const StopToken& stop,
           std::vector<SolvedChart>& solved_charts) {
@@ -223,7 +327,7 @@ FlattenResult flatten_surface(const Run& run, const EdgeTable& edges, ProgressRe
     charts = cut_into_charts(run.input, edges, stop.in("charts"));
   }
   CacheSession session(cache, run.input, run.options);
-  std::vector<SolvedChart> solved_charts = flatten_charts(charts.charts, run, report, session);
+  std::vector<SolvedChart> solved_charts = ChartsSolver(charts.charts, run, report, session).solve();
   session.finish();
   const bool was_cancelled = report.is_cancelled();
   if (!was_cancelled) report.go_on("measure", 0.9);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same measures and promises for a flattening made elsewhere.
+#include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "charts/cut_into_charts.h"
 #include "check_input/check_input.h"
@@ -98,6 +101,27 @@ SolvedChart read_chart(const Chart& chart, const CornerUv& corner_uv) {
   return solved;
 }
 
+/// The sides of a seam that gives have one h: the mean of what each seems to follow.
+void share_variations(const std::vector<Chart>& charts, std::vector<SolvedChart>& solved) {
+  struct Mean {
+    double sum = 0;
+    int count = 0;
+  };
+  std::map<std::pair<int, int>, Mean> means;  // by wire and part
+  const auto for_each_side = [&](const auto& visit) {
+    for (std::size_t c = 0; c < charts.size(); ++c) {
+      for (std::size_t i = 0; i < solved[c].variation.size(); ++i) {
+        const WirePart& part = charts[c].wire_parts[i];
+        if (gives_on_boundary(part)) visit(part, means[{part.wire_index, part.part}], solved[c].variation[i]);
+      }
+    }
+  };
+  for_each_side([](const WirePart& /*part*/, Mean& mean, double h) { mean = {mean.sum + h, mean.count + 1}; });
+  for_each_side([](const WirePart& part, const Mean& mean, double& h) {
+    h = std::clamp(mean.sum / mean.count, part.ease - part.tolerance, part.ease + part.tolerance);
+  });
+}
+
 void check_corners(const FlattenInput& input, const CornerUv& corner_uv) {
   if (corner_uv.rows() == input.faces.rows()) return;
   throw FlattenError(ErrorCode::invalid_shape, "corner_uv has " + std::to_string(corner_uv.rows()) + " rows for " +
@@ -125,6 +149,7 @@ FlattenResult measure(const FlattenInput& input, const CornerUv& corner_uv) {
     const StageTimer timer(seconds, "measure");
     std::vector<SolvedChart> solved_charts;
     for (const Chart& chart : charts.charts) solved_charts.push_back(read_chart(chart, corner_uv));
+    share_variations(charts.charts, solved_charts);
     result = assemble_result(input, charts, std::move(solved_charts), {});
   }
   result.corner_uv = corner_uv;

@@ -14,6 +14,7 @@ struct SolvedChart {
   std::optional<WireNetwork> network;  // set where uv is
   Positions2 uv;  // one row per chart vertex, then those that helper wires need; scene units; no rows: no layout
   std::vector<double> variation;  // h, one per wire part of the chart
+  Eigen::VectorXd multipliers;    // λ of the refined method, one per held edge
   std::vector<PlacedHelperWire> helper_wires;
   PieceReport report;
   std::vector<VertexPair> proposed_seams;  // of a layout that is turned over or covers itself

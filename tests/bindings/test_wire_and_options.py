@@ -10,7 +10,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from wirewarp import ErrorCode, FlattenError, Options, Wire
+from wirewarp import Ease, ErrorCode, FlattenError, Options, Wire
 
 
 @pytest.mark.parametrize(
@@ -97,6 +97,40 @@ def test_what_is_no_tolerance_is_refused(tolerance, code):
     with pytest.raises(FlattenError) as caught:
         Wire([0, 1], tolerance)
     assert caught.value.code is code
+
+
+@pytest.mark.parametrize(
+    ("ratio", "code"),
+    [
+        (-1, ErrorCode.invalid_ease),
+        (math.inf, ErrorCode.invalid_ease),
+        (math.nan, ErrorCode.invalid_ease),
+        ("0.1", ErrorCode.invalid_type),
+    ],
+    ids=repr,
+)
+def test_what_is_no_ease_is_refused(ratio, code):
+    with pytest.raises(FlattenError) as caught:
+        Wire([0, 1], ease=ratio)
+    assert caught.value.code is code
+    with pytest.raises(FlattenError) as caught:
+        Ease([(0, 1)], ratio)
+    assert caught.value.code is code
+
+
+def test_an_ease_knows_its_sides_and_is_pickled():
+    ease = pickle.loads(pickle.dumps(Ease(np.array([[3, 4], [4, 5]]), 0.05)))
+    assert ease.half_edges.tolist() == [[3, 4], [4, 5]]
+    assert ease.ratio == 0.05
+    assert ease.to_dict() == {"half_edges": [[3, 4], [4, 5]], "ratio": 0.05}
+    assert pickle.loads(pickle.dumps(Wire([0, 1], ease=-0.1))).ease == -0.1
+
+
+@pytest.mark.parametrize("half_edges", [[0, 1], [(0, 1, 2)]])
+def test_half_edges_are_pairs(half_edges):
+    with pytest.raises(FlattenError) as caught:
+        Ease(half_edges, 0.1)
+    assert caught.value.code is ErrorCode.invalid_shape
 
 
 @pytest.mark.parametrize(("name", "why"), [(3, "int"), ("\ud800", "lone surrogates")])

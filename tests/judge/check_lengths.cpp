@@ -48,8 +48,8 @@ std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire&
 
 /// All edges of a part have planar lengths (1+h) l for one h: the intervals of h that they leave must meet.
 void check_part(Judged& judged, const Wire& wire, double tolerance, const std::vector<EdgeLengths>& edges) {
-  double low = -tolerance;
-  double high = tolerance;
+  double low = wire.ease - tolerance;
+  double high = wire.ease + tolerance;
   for (const EdgeLengths& edge : edges) {
     const double slack = 1.0001e-9 + edge.rounding / edge.in_space;
     low = std::max(low, edge.planar / edge.in_space - 1 - slack);
@@ -58,18 +58,52 @@ void check_part(Judged& judged, const Wire& wire, double tolerance, const std::v
   if (low > high) judged.say("wire \"" + wire.name + "\" breaks its tolerance by " + std::to_string(low - high));
 }
 
+const Wire* wire_along(const FlattenInput& input, const Edge& edge) {
+  for (const Wire& wire : input.wires) {
+    for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
+      if (edge_of(wire.vertices[i], wire.vertices[i + 1]) == edge) return &wire;
+    }
+  }
+  return nullptr;
+}
+
+/// r of a side.
+double ease_of(const Judged& judged, const Side& side) {
+  const int from = judged.vertex(side.face, side.corner), to = judged.vertex(side.face, side.corner + 1);
+  for (const Ease& ease : judged.input.eases) {
+    for (const auto& ends : ease.half_edges.rowwise()) {
+      if (ends[0] == from && ends[1] == to) return ease.ratio;
+    }
+  }
+  return 0;
+}
+
+/// All sides of an outline edge in good pieces have planar lengths (1+r)(1+h) l for one h.
+void check_outline_edge(Judged& judged, const Edge& edge) {
+  const Wire* wire = wire_along(judged.input, edge);
+  const Wire none;
+  std::vector<EdgeLengths> sides;
+  for (const Side& side : judged.sides().at(edge)) {
+    const Piece& piece = judged.result.pieces[judged.piece_of(side.face)];
+    const double eased = 1 + ease_of(judged, side);
+    if (piece.error) continue;
+    sides.push_back({judged.length_3d(edge), judged.length_2d(side) / eased,
+                     kRounding * judged.uv_size(piece) / std::min(eased, 1.0)});
+  }
+  const double tolerance = !wire || is_all_rigid(judged.options) ? 0 : wire->tolerance;
+  const std::size_t num_before = judged.num_sentences();
+  check_part(judged, wire ? *wire : none, tolerance, sides);
+  if (judged.num_sentences() > num_before) judged.say("outline " + name(edge) + " is off");
+}
+
 }  // namespace
 
 void check_outline(Judged& judged, const Piece& piece) {
-  const double rounding = kRounding * judged.uv_size(piece);
   for (const int face : piece.source_face) {
     for (int k = 0; k < 3; ++k) {
       const Edge edge = edge_of(judged.vertex(face, k), judged.vertex(face, k + 1));
       if (judged.is_outline(edge)) {
-        const double wrong = std::abs(judged.length_2d({face, k}) - judged.length_3d(edge)) - rounding;
-        if (wrong > 1.0001e-9 * judged.length_3d(edge)) {
-          judged.say("outline " + name(edge) + " is off by " + std::to_string(wrong));
-        }
+        check_outline_edge(judged, edge);
         continue;
       }
       for (const Side& other : judged.sides().at(edge)) {  // the same ends from both sides

@@ -8,7 +8,7 @@ namespace wirewarp::test {
 /// Outline edges of a piece without an error are exact, its inner edges are not torn.
 void check_outline(Judged& judged, const Piece& piece);
 
-/// Rigid wires are exact; the edges of each part of an elastic one change alike, within its tolerance.
+/// Rigid wires are exact; the edges of each part of an elastic one change alike, within its tolerance about its ease.
 void check_wires(Judged& judged);
 
 }  // namespace wirewarp::test

@@ -96,9 +96,29 @@ double energy(const PlanarTriangle& from, const PlanarTriangle& to) {
   return triangle_area(from) * (2 * (z - 1) * (z - 1) + 2 * w * w);
 }
 
+/// Its outline may get, or gets, other lengths than those of the surface.
+bool has_other_outline(const Judged& judged, const Piece& piece) {
+  const int number = judged.piece_of(piece.source_face.front());
+  const auto lies_in_piece = [&](const Edge& edge) { return !judged.sides_in(edge, number).empty(); };
+  for (const Wire& wire : judged.input.wires) {
+    for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
+      const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
+      const bool is_other = wire.tolerance > 0 || wire.ease != 0;
+      if (is_other && judged.is_outline(edge) && lies_in_piece(edge)) return true;
+    }
+  }
+  for (const Ease& ease : judged.input.eases) {
+    for (const auto& ends : ease.half_edges.rowwise()) {
+      if (lies_in_piece(edge_of(ends[0], ends[1]))) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void check_unfolding(Judged& judged, const Piece& piece) {
+  if (has_other_outline(judged, piece)) return;
   const bool is_refined = judged.options.method == Method::refined;
   if (is_refined && judged.options.max_factorizations < kFewFactorizations) return;
   // The paper's methods turn faces over now and then, or stop short, and say so.

@@ -187,7 +187,7 @@ TEST(Charts, AWireAlongTheOutlineIsABoundaryPart) {
   const Charts charts = charts_of(input);
   ASSERT_EQ(charts.charts[0].wire_parts.size(), 1u);
   EXPECT_EQ(charts.charts[0].wire_parts[0].kind, WireKind::boundary);
-  EXPECT_EQ(charts.charts[0].wire_parts[0].tolerance, 0);
+  EXPECT_EQ(charts.charts[0].wire_parts[0].tolerance, 0.1);
   ASSERT_EQ(charts.charts[1].wire_parts.size(), 2u);
   EXPECT_EQ(charts.charts[1].wire_parts[0].kind, WireKind::boundary);
   EXPECT_EQ(charts.charts[1].wire_parts[0].part, 0);

@@ -57,8 +57,12 @@ struct Case {
   /// Largest |l₂ - (1 + h) l| / l, h as the shape says.
   double length_error(const RefinedShape& shape) const {
     const LengthConstraints constraints(chart, network);
-    return constraints.largest_error(
-        constraints.residual(shape.uv, Eigen::VectorXd(shape.variation(constraints.elastic_parts()))));
+    Eigen::VectorXd variation(constraints.num_elastic());
+    for (std::size_t i = 0; i < constraints.elastic_of_part().size(); ++i) {
+      const int elastic = constraints.elastic_of_part()[i];
+      if (elastic >= 0) variation[elastic] = shape.variation[static_cast<Eigen::Index>(i)];
+    }
+    return constraints.largest_error(constraints.residual(shape.uv, variation));
   }
 
   double shortest_edge() const {

@@ -33,7 +33,8 @@ FlattenInput tube() {
 }
 
 std::string key_of(const FlattenInput& input, std::size_t chart) {
-  return solution_key(test::charts_of(input).charts.at(chart), {});
+  const Charts charts = test::charts_of(input);
+  return solution_key({&charts.charts.at(chart)}, {});
 }
 
 TEST(SolutionKey, KnowsWhatTheShapeDependsOnAndNothingElse) {

@@ -26,6 +26,9 @@ enum class ErrorCode {
   wire_too_short,
   edge_in_two_wires,
   invalid_tolerance,
+  invalid_ease,
+  ease_without_side,
+  side_in_two_eases,
   // Carried by the piece: this chart fails, the others do not.
   repeated_vertex_in_face,
   repeated_face,

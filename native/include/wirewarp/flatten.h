@@ -14,16 +14,28 @@
 
 namespace wirewarp {
 
-/// A line that matters: a chain of mesh edges with a length tolerance.
+/// A line that matters: a chain of mesh edges with a length (1 + h) l, |h - ease| <= tolerance. Along a seam or the
+/// edge of the surface it says how long that stretch is, on all its sides alike.
 struct Wire {
   std::vector<int> vertices;  // (n,) consecutive ones joined by an edge; a closed wire repeats its first vertex
-  double tolerance = 0;       // dimensionless; 0 rigid; finite: |h| <= tolerance; infinity: super-elastic
-  std::string name;           // UTF-8, for reports
+  double tolerance = 0;  // dimensionless; 0 rigid; finite: elastic; infinity: super-elastic, along an outline any h
+  std::string name;      // UTF-8, for reports
+  double ease = 0;       // dimensionless, how much longer it is to be: finite, above -1
 };
 
-/// Throws FlattenError (wire_too_short, invalid_tolerance) where a wire fits no mesh; invalid_type if its name has a
-/// NUL character.
+/// Throws FlattenError (wire_too_short, invalid_tolerance, invalid_ease) where a wire fits no mesh; invalid_type if its
+/// name has a NUL character.
 void check_wire(const Wire& wire);
+
+/// One side of a seam, or a stretch of the edge of the surface, that is longer than its 3D length or its mate: (1 +
+/// ratio) times what it would be, evenly. Sleeve heads have 0.05, gathers 1.
+struct Ease {
+  VertexPairs half_edges;  // (k, 2) a, b: the side of the triangle that has b after a
+  double ratio = 0;        // dimensionless: finite, above -1
+};
+
+/// Throws FlattenError (invalid_ease) where an ease fits no mesh.
+void check_ease(const Ease& ease);
 
 /// A triangle mesh, the seams that cut it and the wires on it.
 struct FlattenInput {
@@ -31,6 +43,7 @@ struct FlattenInput {
   Triangles faces;
   VertexPairs seams;  // edges along which the surface is cut
   std::vector<Wire> wires;
+  std::vector<Ease> eases{};
 };
 
 class Cache;

@@ -27,11 +27,11 @@ struct WireReport {
   int wire_index = -1;              // index into the input's wires
   int part = -1;                    // counted along the wire; -1: the whole wire
   WireKind kind = WireKind::rigid;  // of the wire, or that it lies on the boundary
-  double tolerance = 0;             // dimensionless, as the user wrote it; 0 on the boundary
+  double tolerance = 0;             // dimensionless, as the user wrote it
   double length_3d = 0;             // on the surface, scene units
   double length_2d = 0;             // in the piece, scene units
   double variation = 0;             // h, the length variation the method chose: lengths are (1+h) times the 3D ones
-  double max_edge_error = 0;        // largest |l2 - (1+h) l| / l of its edges
+  double max_edge_error = 0;        // largest |l2 - (1+r)(1+h) l| / l of its edges, r the ease of their side
   std::vector<int> vertices;        // (n,) in order along the wire; a closed one repeats its first
 };
 
@@ -50,7 +50,7 @@ struct BoundaryReport {
   std::vector<int> vertices;  // (n,) in order along the outline, the piece on the left; a closed one repeats its first
   double length_3d = 0;       // on the surface, scene units
   double length_2d = 0;       // in the piece, scene units
-  double max_edge_error = 0;  // largest |l2 - l| / l of its edges
+  double max_edge_error = 0;  // largest |l2 - (1+r)(1+h) l| / l of its edges
   std::optional<int> seam;    // index into FlattenResult::seams; none where it is no seam
 };
 
@@ -60,7 +60,10 @@ struct SeamReport {
   std::vector<VertexPair> edges;  // (k, 2) in order along the chain
   double length_3d = 0;           // on the surface, scene units
   std::vector<double> length_2d;  // one per side, scene units; NaN where the piece has no layout
-  double mismatch = 0;            // largest difference between sides with a layout; NaN if fewer than two have one
+  double variation = 0;           // h, one for all sides: the mean where a wire runs along a part of it; NaN if no side
+                                  // has a layout
+  std::vector<double> eases;  // r, one per side: by how much it is longer than (1+h) length_3d; NaN without a layout
+  double mismatch = 0;  // largest difference of l2 / (1+r) between sides with a layout; NaN if fewer than two have one
 };
 
 /// Distortion of a piece (paper IV-A), on the input's own triangles and edges. Without a layout only area_3d is known:
@@ -113,8 +116,9 @@ struct PieceReport {
   /// root of the piece's area). NaN: no shape was found, or nothing was solved.
   double constraint_residual = std::numeric_limits<double>::quiet_NaN();
 
-  /// Of Eq. (1) at the end; the weight of a node of mean length is 1. NaN for the refined method, and for the first
-  /// feasible point.
+  /// Of Eq. (1) at the end; the weight of a node of mean length is 1; NaN for the first feasible point. Refined: of f +
+  /// λᵀc for all pieces that seams which give hold together, over the root of their area, and by h over it; at bounds
+  /// only what points inside; NaN else.
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();
 
   /// Refined: arap_energy + angle term, + a barrier where triangles are about to turn over. NaN for other methods.

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cache/cache_session.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "cache/chart_key.h"
 
 namespace wirewarp {
 
 Cache::Cache() : solved_(std::make_shared<CachedCharts>()) {}
 
-int Cache::size() const { return static_cast<int>(solved()->by_key.size()); }
+int Cache::size() const {
+  const std::shared_ptr<const CachedCharts> held = solved();
+  std::size_t size = 0;
+  for (const auto& [key, group] : held->by_key) size += group->solved.size();
+  return static_cast<int>(size);
+}
 
 void Cache::clear() { hold(std::make_shared<CachedCharts>()); }
 
@@ -24,24 +32,29 @@ void Cache::hold(std::shared_ptr<const CachedCharts> solved) {
 CacheSession::CacheSession(Cache* cache, const FlattenInput& input, const Options& options)
     : cache_(cache), input_(input), options_(options), known_(cache ? cache->solved() : nullptr) {}
 
-SolvedChart CacheSession::solved(const Chart& chart, const std::function<SolvedChart()>& solve) {
-  if (!cache_) return solve();
-  std::string key = solution_key(chart, options_);
-  std::string names = name_key(chart, input_.wires);
-  const auto known = known_->by_key.find(key);
-  if (known != known_->by_key.end() && (!known->second->solved.error || known->second->name_key == names)) {
-    const std::lock_guard lock(mutex_);
-    ++num_reused_;
-    of_this_run_.by_key.insert(*known);
-    return known->second->solved;
-  }
-  auto cached = std::make_shared<CachedChart>(CachedChart{solve(), std::move(names)});
-  SolvedChart solved = cached->solved;
-  if (solved.report.termination == Termination::cancelled) return solved;
-  cached->solved.report.seconds.clear();  // no time is spent on it again
+std::optional<std::vector<SolvedChart>> CacheSession::known(const std::vector<const Chart*>& group) {
+  if (!cache_) return std::nullopt;
+  const auto known = known_->by_key.find(solution_key(group, options_));
+  if (known == known_->by_key.end()) return std::nullopt;
+  const std::vector<SolvedChart>& solved = known->second->solved;
+  const bool has_error = std::any_of(solved.begin(), solved.end(), [](const SolvedChart& one) { return one.error; });
+  if (has_error && known->second->name_key != name_key(group, input_.wires)) return std::nullopt;
+  const std::lock_guard lock(mutex_);
+  num_reused_ += static_cast<int>(solved.size());
+  of_this_run_.by_key.insert(*known);
+  return solved;
+}
+
+void CacheSession::keep(const std::vector<const Chart*>& group, const std::vector<SolvedChart>& solved) {
+  const bool is_cancelled = std::any_of(solved.begin(), solved.end(), [](const SolvedChart& one) {
+    return one.report.termination == Termination::cancelled;
+  });
+  if (!cache_ || is_cancelled) return;
+  auto cached = std::make_shared<CachedGroup>(CachedGroup{solved, name_key(group, input_.wires)});
+  for (SolvedChart& one : cached->solved) one.report.seconds.clear();  // no time is spent on it again
+  std::string key = solution_key(group, options_);
   const std::lock_guard lock(mutex_);
   of_this_run_.by_key.insert_or_assign(std::move(key), std::move(cached));
-  return solved;
 }
 
 void CacheSession::finish() {

@@ -1,35 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "solved_chart.h"
 #include "wirewarp/cache.h"
 
 namespace wirewarp {
 
-/// A solution and what its error speaks of.
-struct CachedChart {
-  SolvedChart solved;
+/// Solutions of charts that were solved together, mostly of one, and what their errors speak of.
+struct CachedGroup {
+  std::vector<SolvedChart> solved;
   std::string name_key;
 };
 
 struct CachedCharts {
-  std::map<std::string, std::shared_ptr<const CachedChart>> by_key;  // solution_key()
+  std::map<std::string, std::shared_ptr<const CachedGroup>> by_key;  // solution_key()
 };
 
-/// The charts of one run of flatten(), looked up in its cache and collected for it.
+/// The charts of one run of flatten(), looked up in its cache and collected for it. In any thread.
 class CacheSession {
  public:
-  /// cache: null: every chart is solved.
+  /// cache: null: nothing is known, and nothing kept.
   CacheSession(Cache* cache, const FlattenInput& input, const Options& options);
 
-  /// A sound chart, solved: as it is known, or by solve(). What was not cancelled is kept. In any thread.
-  SolvedChart solved(const Chart& chart, const std::function<SolvedChart()>& solve);
+  /// Sound charts that are solved together, solved in the last run; then they are kept. None: they are not known.
+  std::optional<std::vector<SolvedChart>> known(const std::vector<const Chart*>& group);
+
+  /// Keeps them, where none of them was cancelled.
+  void keep(const std::vector<const Chart*>& group, const std::vector<SolvedChart>& solved);
 
   /// Hands all charts of this run to the cache, in place of those it held.
   void finish();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cache/chart_key.h"
 
+#include <map>
 #include <type_traits>
+#include <utility>
 
 #include "charts/slits.h"
 
@@ -68,21 +70,26 @@ void write_cloth(const Chart& chart, const Options& options, KeyWriter& key) {
   for (const WirePart& part : chart.wire_parts) key.write(part.wire_index == options.grain);
 }
 
-}  // namespace
+/// Numbers the runs along seams that give: their sides have one length.
+class SharedLengths {
+ public:
+  int number_of(const WirePart& part) {
+    return numbers_.insert({{part.wire_index, part.part}, static_cast<int>(numbers_.size())}).first->second;
+  }
 
-std::string solution_key(const Chart& chart, const Options& options) {
-  KeyWriter key;
-  key.write(options.method);
-  key.write(options.node_weight);
-  key.write(options.inner);
-  key.write(options.fairness);
-  key.write(options.max_factorizations);
-  write_cloth(chart, options, key);
+ private:
+  std::map<std::pair<int, int>, int> numbers_;
+};
+
+void write_chart(const Chart& chart, SharedLengths& shared, KeyWriter& key) {
   key.write_list(chart.wire_parts, [&](const WirePart& part) {
     key.write(part.kind);
     key.write(part.tolerance);
+    key.write(part.ease);
+    if (gives_on_boundary(part)) key.write(shared.number_of(part));
     key.write_chain(part.half_edges);
   });
+  key.write_list(chart.length_ratio, [&](double ratio) { key.write(ratio); });
   key.write_list(chart.boundary_loops, [&](const HalfEdgeChain& loop) { key.write_chain(loop); });
   key.write_list(chart.boundary_chains, [&](const BoundaryChain& chain) { key.write_chain(chain.half_edges); });
   key.write_list(find_slits(chart), [&](const Slit& slit) {  // told by the input's vertices, which are not in the key
@@ -90,16 +97,34 @@ std::string solution_key(const Chart& chart, const Options& options) {
     key.write_list(slit.mate);
   });
   write_mesh(chart.mesh, key);
+}
+
+}  // namespace
+
+std::string solution_key(const std::vector<const Chart*>& group, const Options& options) {
+  KeyWriter key;
+  key.write(options.method);
+  key.write(options.node_weight);
+  key.write(options.inner);
+  key.write(options.fairness);
+  key.write(options.max_factorizations);
+  SharedLengths shared;
+  key.write_list(group, [&](const Chart* chart) {
+    write_cloth(*chart, options, key);
+    write_chart(*chart, shared, key);
+  });
   return key.take();
 }
 
-std::string name_key(const Chart& chart, const std::vector<Wire>& wires) {
+std::string name_key(const std::vector<const Chart*>& group, const std::vector<Wire>& wires) {
   KeyWriter key;
-  key.write_list(chart.source_vertex);
-  key.write_list(chart.source_face);
-  key.write_list(chart.wire_parts, [&](const WirePart& part) {
-    key.write(part.wire_index);
-    key.write_list(wires[part.wire_index].name, [&](char letter) { key.write(letter); });
+  key.write_list(group, [&](const Chart* chart) {
+    key.write_list(chart->source_vertex);
+    key.write_list(chart->source_face);
+    key.write_list(chart->wire_parts, [&](const WirePart& part) {
+      key.write(part.wire_index);
+      key.write_list(wires[part.wire_index].name, [&](char letter) { key.write(letter); });
+    });
   });
   return key.take();
 }

@@ -9,12 +9,12 @@
 
 namespace wirewarp {
 
-/// All that the solution of a sound chart depends on, in the chart's own numbering, so that a change elsewhere in the
-/// input does not alter it: mesh, outline, slits, wire parts and the options of the solver, bit for bit. Only the words
-/// of an error may differ, see name_key().
-std::string solution_key(const Chart& chart, const Options& options);
+/// All that the solutions of sound charts that are solved together depend on, in their own numbering, so that a change
+/// elsewhere in the input does not alter it: meshes, outlines, slits, wire parts, which of them share a length, and the
+/// options of the solver, bit for bit. Only the words of an error may differ, see name_key().
+std::string solution_key(const std::vector<const Chart*>& group, const Options& options);
 
-/// How the input numbers and names what is in the chart: vertices, faces and wires.
-std::string name_key(const Chart& chart, const std::vector<Wire>& wires);
+/// How the input numbers and names what is in the charts: vertices, faces and wires.
+std::string name_key(const std::vector<const Chart*>& group, const std::vector<Wire>& wires);
 
 }  // namespace wirewarp

@@ -44,6 +44,7 @@ Charts cut_into_charts(const FlattenInput& input, const EdgeTable& edges, const 
   result.seams = assign_boundary_chains(edges, cut, outline, result.charts);
   stop.check();
   result.is_boundary_wire = assign_wire_parts(input, edges, cut, outline, half_edge_of_side, result.charts);
+  assign_eases(input.eases, edges, cut, half_edge_of_side, result.charts);
   return result;
 }
 

@@ -56,12 +56,15 @@ std::vector<HalfEdgeChain> chains_of(const Slit& slit) {
   return chains;
 }
 
+HalfedgeHandle sewn_half_edge(const Chart& chart, const SewnChart& sewn, HalfedgeHandle h) {
+  const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn.vertex[v.idx()]); };
+  return sewn.chart.mesh.find_halfedge(sewn_end(chart.mesh.from_vertex_handle(h)),
+                                       sewn_end(chart.mesh.to_vertex_handle(h)));
+}
+
 /// Sewing merges vertices and could make another loop turn more than the outer one.
 void keep_outer_loop(const Chart& chart, SewnChart& sewn) {
-  const HalfedgeHandle h = chart.boundary_loops.front().front();
-  const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn.vertex[v.idx()]); };
-  const HalfedgeHandle there = sewn.chart.mesh.find_halfedge(sewn_end(chart.mesh.from_vertex_handle(h)),
-                                                             sewn_end(chart.mesh.to_vertex_handle(h)));
+  const HalfedgeHandle there = sewn_half_edge(chart, sewn, chart.boundary_loops.front().front());
   std::vector<HalfEdgeChain>& loops = sewn.chart.boundary_loops;
   const auto outer = std::find_if(loops.begin(), loops.end(), [&](const HalfEdgeChain& loop) {
     return std::find(loop.begin(), loop.end(), there) != loop.end();
@@ -83,9 +86,19 @@ std::optional<Slit> as_slit(const Chart& chart, const HalfEdgeChain& loop) {
 }
 
 std::vector<Slit> find_slits(const Chart& chart) {
+  std::vector<char> gives(chart.mesh.n_edges(), 0);
+  for (const WirePart& part : chart.wire_parts) {
+    if (!gives_on_boundary(part)) continue;
+    for (const HalfedgeHandle h : part.half_edges) gives[chart.mesh.edge_handle(h).idx()] = 1;
+  }
+  const auto asks_otherwise = [&](HalfedgeHandle h) {
+    return gives[chart.mesh.edge_handle(h).idx()] != 0 || length_ratio(chart, h) != 1;
+  };
   std::vector<Slit> slits;
   for (std::size_t l = 1; l < chart.boundary_loops.size(); ++l) {
-    if (std::optional<Slit> slit = as_slit(chart, chart.boundary_loops[l])) slits.push_back(std::move(*slit));
+    const bool is_eased = std::any_of(chart.boundary_loops[l].begin(), chart.boundary_loops[l].end(), asks_otherwise);
+    std::optional<Slit> slit = is_eased ? std::nullopt : as_slit(chart, chart.boundary_loops[l]);
+    if (slit) slits.push_back(std::move(*slit));
   }
   return slits;
 }
@@ -110,7 +123,7 @@ std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits)
   surface.faces = triangles_of(mesh).unaryExpr([&](int v) { return sewn.vertex[v]; });
   for (const WirePart& part : chart.wire_parts) {
     if (part.kind == WireKind::boundary) continue;
-    surface.wires.push_back({vertices_of(mesh, part.half_edges, sewn.vertex), part.tolerance, {}});
+    surface.wires.push_back({vertices_of(mesh, part.half_edges, sewn.vertex), part.tolerance, {}, part.ease});
   }
   for (const Slit& slit : slits) {
     for (const HalfEdgeChain& chain : chains_of(slit)) {
@@ -125,6 +138,12 @@ std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits)
   // Two rims of one edge that were left open are one edge now: the outer loop may be such a slit in a closed surface.
   if (sewn.chart.boundary_loops.size() + slits.size() != chart.boundary_loops.size()) return std::nullopt;
   keep_outer_loop(chart, sewn);
+  inherit_lengths(chart, sewn.chart);
+  for (const WirePart& part : chart.wire_parts) {
+    if (!gives_on_boundary(part)) continue;
+    sewn.chart.wire_parts.push_back(part);
+    for (HalfedgeHandle& h : sewn.chart.wire_parts.back().half_edges) h = sewn_half_edge(chart, sewn, h);
+  }
   return sewn;
 }
 

@@ -17,7 +17,7 @@ struct Slit {
 /// A boundary loop as a slit; none where an edge has no other rim in the loop, or the rims never turn back.
 std::optional<Slit> as_slit(const Chart& chart, const HalfEdgeChain& loop);
 
-/// Boundary loops, the outer one apart, that are slits.
+/// Boundary loops, the outer one apart, that are slits with both rims at their 3D lengths.
 std::vector<Slit> find_slits(const Chart& chart);
 
 /// A chart with slits sewn up.
@@ -26,8 +26,8 @@ struct SewnChart {
   std::vector<int> vertex;  // of the sewn chart, one per vertex of the open one
 };
 
-/// Makes each slit a rigid wire. Wire parts keep their order, those on the boundary are left out; the outer loop stays
-/// the outer one. None where the sewn surface is no chart. Slits of one edge may not be left open: sew all of them.
+/// Makes each slit a rigid wire, the last ones but those that give on the boundary. The outer loop stays the outer one.
+/// None where the sewn surface is no chart. Slits of one edge may not be left open: sew all of them.
 std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits);
 
 }  // namespace wirewarp

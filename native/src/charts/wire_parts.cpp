@@ -76,6 +76,13 @@ HalfEdgeChain follow_run(const std::vector<int>& vertices, const Run& run, int f
   return chain;
 }
 
+/// ratio 1 leaves a chart that asks for its 3D lengths without a list.
+void multiply_length(Chart& chart, HalfedgeHandle h, double ratio) {
+  if (ratio == 1) return;
+  chart.length_ratio.resize(chart.mesh.n_edges(), 1);
+  chart.length_ratio[static_cast<std::size_t>(chart.mesh.edge_handle(h).idx())] *= ratio;
+}
+
 }  // namespace
 
 WireKind kind_of(double tolerance) {
@@ -95,23 +102,38 @@ std::vector<char> assign_wire_parts(const FlattenInput& input, const EdgeTable& 
     for (int part = 0; part < static_cast<int>(runs.size()); ++part) {
       const Run& run = runs[part];
       const int edge = edges.find(vertices[run.begin], vertices[run.begin + 1]);
-      std::vector<int> seen_charts;
-      for (int j = 0; j < edges.num_sides(edge); ++j) {
+      for (int j = 0; j < (run.is_outline ? edges.num_sides(edge) : 1); ++j) {
         const int side = edges.side(edge, j);
-        const int c = cut.chart_of_face[side / 3];
-        if (charts[c].error || std::find(seen_charts.begin(), seen_charts.end(), c) != seen_charts.end()) continue;
-        seen_charts.push_back(c);
+        Chart& chart = charts[cut.chart_of_face[side / 3]];
+        if (chart.error) continue;
         WirePart wire_part;
         wire_part.wire_index = w;
         wire_part.part = part;
         wire_part.kind = run.is_outline ? WireKind::boundary : kind_of(wire.tolerance);
-        wire_part.tolerance = run.is_outline ? 0 : wire.tolerance;
-        wire_part.half_edges = follow_run(vertices, run, side, edges, cut, half_edge_of_side, charts[c].mesh);
-        charts[c].wire_parts.push_back(std::move(wire_part));
+        wire_part.tolerance = wire.tolerance;
+        wire_part.ease = wire.ease;
+        wire_part.half_edges = follow_run(vertices, run, side, edges, cut, half_edge_of_side, chart.mesh);
+        for (const HalfedgeHandle h : wire_part.half_edges) multiply_length(chart, h, 1 + wire.ease);
+        chart.wire_parts.push_back(std::move(wire_part));
       }
     }
   }
   return is_boundary_wire;
+}
+
+void assign_eases(const std::vector<Ease>& eases, const EdgeTable& edges, const SurfaceCut& cut,
+                  const std::vector<HalfedgeHandle>& half_edge_of_side, std::vector<Chart>& charts) {
+  for (const Ease& ease : eases) {
+    for (const auto& ends : ease.half_edges.rowwise()) {
+      const int edge = edges.find(ends[0], ends[1]);
+      for (int j = 0; j < edges.num_sides(edge); ++j) {
+        const int side = edges.side(edge, j);
+        Chart& chart = charts[cut.chart_of_face[side / 3]];
+        if (edges.from(side) == ends[0] && !chart.error)
+          multiply_length(chart, half_edge_of_side[side], 1 + ease.ratio);
+      }
+    }
+  }
 }
 
 }  // namespace wirewarp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check_input/check_input.h"
 
+#include <cmath>
 #include <set>
 
 #include "disjoint_sets.h"
@@ -43,6 +44,14 @@ void check_name(const Wire& wire) {
   throw FlattenError(ErrorCode::invalid_type, "The name of a wire has a NUL character: leave it out.");
 }
 
+/// owner: "The wire 2 has an ease".
+void check_ratio(double ratio, const std::string& owner, const ErrorElements& named) {
+  if (std::isfinite(ratio) && ratio > -1) return;
+  throw FlattenError(ErrorCode::invalid_ease,
+                     owner + " of " + shortest(ratio) + ": use a finite fraction above -1, such as 0.05 (5% longer).",
+                     named);
+}
+
 /// vertices: of the mesh, to be named.
 void check_chain_and_tolerance(const Wire& wire, const std::string& label, const std::vector<int>& vertices) {
   if (wire.vertices.size() < 2) {
@@ -55,6 +64,7 @@ void check_chain_and_tolerance(const Wire& wire, const std::string& label, const
                            ": use 0 (rigid), a positive fraction such as 0.03 (3%), or infinity (free).",
                        {vertices, {}, {}});
   }
+  check_ratio(wire.ease, "The " + label + " has an ease", {vertices, {}, {}});
 }
 
 void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::size_t w,
@@ -92,6 +102,52 @@ void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::
   }
 }
 
+std::vector<VertexPair> pairs_of(const VertexPairs& rows) {
+  std::vector<VertexPair> pairs;
+  for (const auto& ends : rows.rowwise()) pairs.push_back({ends[0], ends[1]});
+  return pairs;
+}
+
+/// Sides of edge a-b whose triangles have b after a, if it is a seam or the edge of the surface.
+int num_sides_named(const EdgeTable& edges, const std::set<int>& seams, const VertexPair& ends) {
+  const int edge = edges.find(ends[0], ends[1]);
+  if (edge < 0 || (edges.num_sides(edge) > 1 && seams.count(edge) == 0)) return 0;
+  int num_sides = 0;
+  for (int j = 0; j < edges.num_sides(edge); ++j) num_sides += edges.from(edges.side(edge, j)) == ends[0] ? 1 : 0;
+  return num_sides;
+}
+
+/// Each half-edge is one side of the outline, and no other ease has it.
+void check_eases(const FlattenInput& input, const EdgeTable& edges) {
+  if (input.eases.empty()) return;
+  std::set<int> seams;
+  for (const VertexPair& ends : pairs_of(input.seams)) seams.insert(edges.find(ends[0], ends[1]));
+  std::set<VertexPair> eased;
+  std::vector<VertexPair> without_side, twice;
+  for (const Ease& ease : input.eases) {
+    check_vertices_in_range({ease.half_edges.data(), ease.half_edges.data() + ease.half_edges.size()},
+                            input.vertices.rows(), "An ease");
+    check_ratio(ease.ratio, "The ease along " + name_elements("edge", pairs_of(ease.half_edges)) + " has a ratio",
+                {{}, pairs_of(ease.half_edges), {}});
+    for (const VertexPair& ends : pairs_of(ease.half_edges)) {
+      if (num_sides_named(edges, seams, ends) != 1) without_side.push_back(ends);
+      if (!eased.insert(ends).second) twice.push_back(ends);
+    }
+  }
+  if (!without_side.empty()) {
+    throw FlattenError(ErrorCode::ease_without_side,
+                       "An ease names " + name_elements("edge", without_side) +
+                           ", where there is not just one triangle with these vertices in this order, on a seam or at "
+                           "the edge of the surface: name the sides of seams and outlines.",
+                       {{}, without_side, {}});
+  }
+  if (twice.empty()) return;
+  throw FlattenError(ErrorCode::side_in_two_eases,
+                     "The sides along " + name_elements("edge", twice) +
+                         " are in two eases: a side has one length, so leave each in one ease only.",
+                     {{}, twice, {}});
+}
+
 /// So many parts and less are taken as they are, whatever they are.
 constexpr int kManyParts = 1000;
 
@@ -104,6 +160,8 @@ void check_wire(const Wire& wire) {
   check_name(wire);
   check_chain_and_tolerance(wire, wire.name.empty() ? "wire" : "wire (" + wire.name + ")", {});
 }
+
+void check_ease(const Ease& ease) { check_ratio(ease.ratio, "An ease has a ratio", {}); }
 
 void check_mesh(const FlattenInput& input) {
   if (input.faces.rows() == 0 || input.vertices.rows() == 0) {
@@ -161,6 +219,7 @@ void check_seams_and_wires(const FlattenInput& input, const EdgeTable& edges) {
   check_seams(input, edges);
   std::vector<int> wire_of_edge(edges.num_edges(), -1);
   for (std::size_t w = 0; w < input.wires.size(); ++w) check_wire_on_mesh(input, edges, w, wire_of_edge);
+  check_eases(input, edges);
 }
 
 }  // namespace wirewarp

@@ -19,8 +19,8 @@ void check_mesh(const FlattenInput& input);
 /// Throws loose_faces where the faces are a soup, of which each would be a piece of its own.
 void check_faces_share_edges(const FlattenInput& input, const EdgeTable& edges);
 
-/// Throws seam_not_an_edge, wire_too_short, wire_not_an_edge, edge_in_two_wires, invalid_tolerance or, of a wire's
-/// name, invalid_type.
+/// Throws seam_not_an_edge, wire_too_short, wire_not_an_edge, edge_in_two_wires, invalid_tolerance, invalid_ease,
+/// ease_without_side, side_in_two_eases or, of a wire's name, invalid_type.
 void check_seams_and_wires(const FlattenInput& input, const EdgeTable& edges);
 
 }  // namespace wirewarp

@@ -23,7 +23,7 @@ VertexPairs cut_and_outline(const HalfEdgeMesh& mesh, const CutMask& cut) {
 }
 
 Wire wire_of(const HalfEdgeMesh& mesh, const WirePart& part) {
-  Wire wire{{mesh.from_vertex_handle(part.half_edges.front()).idx()}, part.tolerance, {}};
+  Wire wire{{mesh.from_vertex_handle(part.half_edges.front()).idx()}, part.tolerance, {}, part.ease};
   if (part.kind == WireKind::super_elastic) wire.tolerance = std::numeric_limits<double>::infinity();
   for (const HalfedgeHandle h : part.half_edges) wire.vertices.push_back(mesh.to_vertex_handle(h).idx());
   return wire;
@@ -34,7 +34,12 @@ Wire wire_of(const HalfEdgeMesh& mesh, const WirePart& part) {
 std::vector<Chart> cut_apart(const Chart& chart, const CutMask& cut) {
   FlattenInput input{points_of(chart.mesh), triangles_of(chart.mesh), cut_and_outline(chart.mesh, cut), {}};
   for (const WirePart& part : chart.wire_parts) input.wires.push_back(wire_of(chart.mesh, part));
-  return cut_into_charts(input, EdgeTable(input.faces, static_cast<int>(input.vertices.rows()))).charts;
+  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+  std::vector<Chart> pieces = cut_into_charts(input, edges).charts;
+  for (Chart& piece : pieces) {
+    if (!piece.error) inherit_lengths(chart, piece);
+  }
+  return pieces;
 }
 
 }  // namespace wirewarp

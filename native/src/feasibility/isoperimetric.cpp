@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "mesh/geometry.h"
 #include "planar.h"
@@ -21,8 +22,19 @@ constexpr double kRequiredOfTube = 0.45;
 }  // namespace
 
 double isoperimetric_ratio(const Chart& chart) {
+  std::vector<double> stretch(chart.mesh.n_edges(), 1);
+  for (const WirePart& part : chart.wire_parts) {
+    if (!gives_on_boundary(part)) continue;
+    for (const HalfedgeHandle h : part.half_edges) stretch[chart.mesh.edge_handle(h).idx()] += solver_tolerance(part);
+  }
   double longest = 0;
-  for (const HalfEdgeChain& loop : chart.boundary_loops) longest = std::max(longest, length_of(chart.mesh, loop));
+  for (const HalfEdgeChain& loop : chart.boundary_loops) {
+    double length = 0;
+    for (const HalfedgeHandle h : loop) {
+      length += stretch[chart.mesh.edge_handle(h).idx()] * length_ratio(chart, h) * edge_length(chart.mesh, h);
+    }
+    longest = std::max(longest, length);
+  }
   return longest * longest / (4 * kPi * surface_area(chart.mesh));
 }
 

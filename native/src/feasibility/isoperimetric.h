@@ -7,7 +7,8 @@
 
 namespace wirewarp {
 
-/// p: the largest part of its area that a chart can have when flat, by its longest loop. Above 1: no bound. 0: closed.
+/// p: the largest part of its area that a chart can have when flat, by the longest that a loop may be. Above 1: no
+/// bound. 0: closed.
 double isoperimetric_ratio(const Chart& chart);
 
 /// The least E (Eq. 4) over the 3D area with this share of the area: 1 - 2p for p <= 1/4 (singular values that sum to

@@ -73,7 +73,7 @@ Piece assemble_piece(const FlattenInput& input, const Chart& chart, SolvedChart&
       if (warning) piece.report.warnings.push_back(*warning);
     }
     piece.wires = measure_wire_parts(chart, input.wires, solved.uv, solved.variation);
-    piece.boundaries = measure_boundaries(chart, solved.uv);
+    piece.boundaries = measure_boundaries(chart, solved.uv, solved.variation);
     if (!piece.error) {
       piece.error = check_guarantee(chart, *solved.network, input.wires, solved.uv, solved.variation, piece.metrics,
                                     solved.proposed_seams);
@@ -105,7 +105,7 @@ FlattenResult assemble_result(const FlattenInput& input, const Charts& charts, s
     result.pieces.push_back(assemble_piece(input, charts.charts[c], solved_charts[c], options, stop));
     write_corners(result.pieces.back(), result.corner_uv);
   }
-  result.seams = measure_seams(charts, result.pieces, input.vertices);
+  result.seams = measure_seams(input, charts, result.pieces);
   result.wires = measure_whole_wires(input, charts, result.pieces);
   return result;
 }

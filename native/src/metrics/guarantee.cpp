@@ -17,7 +17,7 @@ constexpr double kRelativeLengthError = 1e-9;
 struct WrongEdge {
   VertexPair vertices;  // input
   int part;             // index into chart.wire_parts, -1 boundary
-  double difference;    // (l2 - (1+h) l) / l
+  double difference;    // (l2 - (1+r)(1+h) l) / l
 };
 
 std::vector<WrongEdge> find_wrong_edges(const Chart& chart, const WireNetwork& network, const Positions2& uv,
@@ -25,13 +25,15 @@ std::vector<WrongEdge> find_wrong_edges(const Chart& chart, const WireNetwork& n
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * uv.cwiseAbs().maxCoeff();
   std::vector<WrongEdge> wrong;
   for (const WireEdge& edge : network.edges) {
-    const int part = edge.is_boundary ? -1 : edge.part;
+    const int part = edge.part;
     if (part >= 0 && chart.wire_parts[part].kind == WireKind::super_elastic) continue;
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
-    const double promised = (1 + (part >= 0 ? variation[part] : 0)) * edge.length;
+    const double promised =
+        part < 0 ? edge.length : (1 + variation[part]) / (1 + chart.wire_parts[part].ease) * edge.length;
+    const double length_3d = edge_length(chart.mesh, h);
     const double difference = planar_length(chart.mesh, h, uv) - promised;
-    if (std::abs(difference) <= kRelativeLengthError * edge.length + rounding) continue;
-    wrong.push_back({source_edge(chart, h), part, difference / edge.length});
+    if (std::abs(difference) <= kRelativeLengthError * length_3d + rounding) continue;
+    wrong.push_back({source_edge(chart, h), part, difference / length_3d});
   }
   // The worst first, so that a message that names a few names these.
   std::stable_sort(wrong.begin(), wrong.end(), [](const WrongEdge& a, const WrongEdge& b) {
@@ -44,7 +46,8 @@ std::vector<int> parts_beyond_tolerance(const Chart& chart, const std::vector<do
   std::vector<int> parts;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     const WirePart& part = chart.wire_parts[i];
-    if (part.kind == WireKind::elastic && !(std::abs(variation[i]) <= part.tolerance)) {
+    const bool is_bounded = part.kind == WireKind::elastic || gives_on_boundary(part);
+    if (is_bounded && !(variation[i] >= part.ease - part.tolerance && variation[i] <= part.ease + part.tolerance)) {
       parts.push_back(static_cast<int>(i));
     }
   }

@@ -9,8 +9,8 @@
 namespace wirewarp {
 
 /// The first broken promise, or nothing if all are kept:
-///   lengths_not_kept   |l2 - (1+h) l| > 1e-9 l + 8 machine epsilon max|uv| on a boundary, rigid or elastic edge, or
-///                      |h| > tolerance on an elastic part
+///   lengths_not_kept   |l2 - (1+r)(1+h) l| > 1e-9 l + 8 machine epsilon max|uv| on a boundary, rigid or elastic edge,
+///                      r the ease of its side, or |h - ease| > tolerance on an elastic part
 ///   flipped_faces      metrics.flipped_faces is not empty
 ///   overlapping_faces  metrics.overlapping_faces is not empty
 /// The message mentions the others too; has_layout is true. uv, variation (h per wire part) and metrics

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "charts/wire_parts.h"
 #include "mesh/geometry.h"
@@ -20,17 +21,69 @@ struct ChainLength {
   double max_edge_error = 0;
 };
 
-/// h: the length variation that the edges should have.
-ChainLength measure_chain(const Chart& chart, const HalfEdgeChain& chain, const Positions2& uv, double h) {
+/// (1 + r)(1 + h) l of each edge of the chart. variation: h, one per wire part.
+std::vector<double> promised_lengths(const Chart& chart, const std::vector<double>& variation) {
+  std::vector<double> lengths;
+  for (const EdgeHandle e : chart.mesh.edges()) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(e, 0);
+    lengths.push_back(length_ratio(chart, h) * edge_length(chart.mesh, h));
+  }
+  for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
+    const WirePart& part = chart.wire_parts[i];
+    for (const HalfedgeHandle h : part.half_edges) {
+      lengths[chart.mesh.edge_handle(h).idx()] *= (1 + variation[i]) / (1 + part.ease);
+    }
+  }
+  return lengths;
+}
+
+ChainLength measure_chain(const Chart& chart, const HalfEdgeChain& chain, const Positions2& uv,
+                          const std::vector<double>& promised) {
   ChainLength result;
   for (const HalfedgeHandle half_edge : chain) {
     const double length = edge_length(chart.mesh, half_edge);
     const double planar = planar_length(chart.mesh, half_edge, uv);
+    const double error = std::abs(planar - promised[chart.mesh.edge_handle(half_edge).idx()]) / length;
     result.length_3d += length;
     result.length_2d += planar;
-    result.max_edge_error = std::max(result.max_edge_error, std::abs(planar - (1 + h) * length) / length);
+    result.max_edge_error = std::max(result.max_edge_error, error);
   }
   return result;
+}
+
+/// r of the sides that have one, by their directed edges.
+std::map<VertexPair, double> list_side_eases(const std::vector<Ease>& eases) {
+  std::map<VertexPair, double> ratios;
+  for (const Ease& ease : eases) {
+    for (const auto& ends : ease.half_edges.rowwise()) ratios[{ends[0], ends[1]}] = ease.ratio;
+  }
+  return ratios;
+}
+
+/// One side of a seam: sums over its edges.
+struct SideLength {
+  double unstretched = 0;   // l
+  double shared = 0;        // (1 + h) l
+  double promised = 0;      // (1 + r)(1 + h) l
+  double without_ease = 0;  // l2 / (1 + r)
+};
+
+SideLength measure_side(const Chart& chart, const HalfEdgeChain& chain, const Piece& piece,
+                        const std::map<VertexPair, double>& side_eases) {
+  std::vector<double> variation;
+  for (const WireReport& wire : piece.wires) variation.push_back(wire.variation);
+  const std::vector<double> promised = promised_lengths(chart, variation);
+  SideLength side;
+  for (const HalfedgeHandle h : chain) {
+    const auto ease = side_eases.find({chart.source_vertex[chart.mesh.from_vertex_handle(h).idx()],
+                                       chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]});
+    const double ratio = ease == side_eases.end() ? 1 : 1 + ease->second;
+    side.unstretched += edge_length(chart.mesh, h);
+    side.shared += promised[chart.mesh.edge_handle(h).idx()] / ratio;
+    side.promised += promised[chart.mesh.edge_handle(h).idx()];
+    side.without_ease += planar_length(chart.mesh, h, piece.vertices) / ratio;
+  }
+  return side;
 }
 
 VertexPair sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
@@ -65,7 +118,7 @@ void collect_part(const Chart& chart, const WirePart& part, const WireReport& re
 WireReport measure_whole_wire(const Wire& wire, bool is_boundary, const WireEdges& known, const Positions3& vertices) {
   WireReport report;
   report.name = wire.name;
-  report.tolerance = is_boundary ? 0 : wire.tolerance;
+  report.tolerance = wire.tolerance;
   report.kind = is_boundary ? WireKind::boundary : kind_of(wire.tolerance);
   double intended = 0;
   for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
@@ -88,10 +141,11 @@ bool has_layout(const Piece& piece) { return !piece.boundaries.empty(); }
 
 std::vector<WireReport> measure_wire_parts(const Chart& chart, const std::vector<Wire>& wires, const Positions2& uv,
                                            const std::vector<double>& variation) {
+  const std::vector<double> promised = promised_lengths(chart, variation);
   std::vector<WireReport> reports;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     const WirePart& part = chart.wire_parts[i];
-    const ChainLength chain = measure_chain(chart, part.half_edges, uv, variation[i]);
+    const ChainLength chain = measure_chain(chart, part.half_edges, uv, promised);
     reports.push_back({wires[part.wire_index].name, part.wire_index, part.part, part.kind, part.tolerance,
                        chain.length_3d, chain.length_2d, variation[i], chain.max_edge_error,
                        source_vertices(chart, part.half_edges)});
@@ -99,10 +153,12 @@ std::vector<WireReport> measure_wire_parts(const Chart& chart, const std::vector
   return reports;
 }
 
-std::vector<BoundaryReport> measure_boundaries(const Chart& chart, const Positions2& uv) {
+std::vector<BoundaryReport> measure_boundaries(const Chart& chart, const Positions2& uv,
+                                               const std::vector<double>& variation) {
+  const std::vector<double> promised = promised_lengths(chart, variation);
   std::vector<BoundaryReport> reports;
   for (const BoundaryChain& boundary : chart.boundary_chains) {
-    const ChainLength chain = measure_chain(chart, boundary.half_edges, uv, 0);
+    const ChainLength chain = measure_chain(chart, boundary.half_edges, uv, promised);
     BoundaryReport report;
     report.vertices = source_vertices(chart, boundary.half_edges);
     report.length_3d = chain.length_3d;
@@ -114,19 +170,28 @@ std::vector<BoundaryReport> measure_boundaries(const Chart& chart, const Positio
   return reports;
 }
 
-std::vector<SeamReport> measure_seams(const Charts& charts, const std::vector<Piece>& pieces,
-                                      const Positions3& vertices) {
+std::vector<SeamReport> measure_seams(const FlattenInput& input, const Charts& charts,
+                                      const std::vector<Piece>& pieces) {
+  const std::map<VertexPair, double> side_eases = list_side_eases(input.eases);
   std::vector<SeamReport> reports;
   for (const Seam& seam : charts.seams) {
     SeamReport report;
     report.edges = seam.edges;
-    for (const VertexPair& edge : seam.edges) report.length_3d += distance(vertices, edge[0], edge[1]);
+    for (const VertexPair& edge : seam.edges) report.length_3d += distance(input.vertices, edge[0], edge[1]);
+    report.variation = kNaN;
     std::vector<double> known;
     for (const Seam::Side& side : seam.sides) {
       const Piece& piece = pieces[side.chart];
       report.pieces.push_back(side.chart);
       report.length_2d.push_back(has_layout(piece) ? piece.boundaries[side.boundary_chain].length_2d : kNaN);
-      if (has_layout(piece)) known.push_back(report.length_2d.back());
+      report.eases.push_back(kNaN);
+      if (!has_layout(piece)) continue;
+      const Chart& chart = charts.charts[side.chart];
+      const SideLength length =
+          measure_side(chart, chart.boundary_chains[side.boundary_chain].half_edges, piece, side_eases);
+      known.push_back(length.without_ease);
+      report.eases.back() = length.promised / length.shared - 1;
+      if (std::isnan(report.variation)) report.variation = length.shared / length.unstretched - 1;
     }
     const auto [shortest, longest] = std::minmax_element(known.begin(), known.end());
     report.mismatch = known.size() < 2 ? kNaN : *longest - *shortest;
@@ -155,12 +220,28 @@ std::vector<WireReport> measure_whole_wires(const FlattenInput& input, const Cha
 }
 
 std::vector<double> fit_variation(const Chart& chart, const Positions2& uv) {
-  std::vector<double> variation;
+  struct Lengths {
+    double asked = 0, flat = 0;
+  };
+  std::map<std::pair<int, int>, Lengths> sides;  // of runs along the boundary, all those in this chart
+  std::vector<Lengths> lengths;
   for (const WirePart& part : chart.wire_parts) {
-    const bool is_fixed = part.kind == WireKind::rigid || part.kind == WireKind::boundary;
-    const ChainLength chain = measure_chain(chart, part.half_edges, uv, 0);
-    variation.push_back(is_fixed ? 0
-                                 : std::clamp(chain.length_2d / chain.length_3d - 1, -part.tolerance, part.tolerance));
+    Lengths of_part;
+    for (const HalfedgeHandle h : part.half_edges) {
+      of_part.asked += length_ratio(chart, h) * edge_length(chart.mesh, h);
+      of_part.flat += planar_length(chart.mesh, h, uv);
+    }
+    lengths.push_back(of_part);
+    if (part.kind != WireKind::boundary) continue;
+    Lengths& of_run = sides[{part.wire_index, part.part}];
+    of_run.asked += of_part.asked;
+    of_run.flat += of_part.flat;
+  }
+  std::vector<double> variation;
+  for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
+    const WirePart& part = chart.wire_parts[i];
+    const Lengths& fitted = part.kind == WireKind::boundary ? sides.at({part.wire_index, part.part}) : lengths[i];
+    variation.push_back(part.tolerance > 0 ? variation_of(part, fitted.flat / fitted.asked - 1) : part.ease);
   }
   return variation;
 }

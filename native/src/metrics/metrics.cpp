@@ -49,7 +49,7 @@ void measure_faces(const Chart& chart, const Positions2& uv, Metrics& metrics) {
 void measure_wire_edges(const Chart& chart, const WireNetwork& network, const Positions2& uv, Metrics& metrics) {
   std::vector<const WireEdge*> edges;
   for (const WireEdge& edge : network.edges) edges.push_back(&edge);
-  std::stable_partition(edges.begin(), edges.end(), [](const WireEdge* edge) { return edge->part >= 0; });
+  std::stable_partition(edges.begin(), edges.end(), [](const WireEdge* edge) { return !edge->is_boundary; });
 
   metrics.edge_length_variation.resize(static_cast<Eigen::Index>(edges.size()));
   for (std::size_t i = 0; i < edges.size(); ++i) {

@@ -8,12 +8,20 @@ namespace wirewarp {
 Eigen::VectorXd length_variation(const Chart& chart, const Positions2& uv) {
   Eigen::VectorXd variation(static_cast<Eigen::Index>(chart.wire_parts.size()));
   for (int i = 0; i < variation.size(); ++i) {
-    double length_3d = 0, length_2d = 0;
+    double asked = 0, flat = 0;
     for (const HalfedgeHandle h : chart.wire_parts[i].half_edges) {
-      length_3d += edge_length(chart.mesh, h);
-      length_2d += planar_length(chart.mesh, h, uv);
+      asked += length_ratio(chart, h) * edge_length(chart.mesh, h);
+      flat += planar_length(chart.mesh, h, uv);
     }
-    variation[i] = length_2d / length_3d - 1;
+    variation[i] = flat / asked - 1;
+  }
+  return variation;
+}
+
+std::vector<double> variations_of(const Chart& chart, const Eigen::VectorXd& solver) {
+  std::vector<double> variation;
+  for (const WirePart& part : chart.wire_parts) {
+    variation.push_back(variation_of(part, solver[static_cast<Eigen::Index>(variation.size())]));
   }
   return variation;
 }

@@ -13,7 +13,8 @@ void add_wire_edges(const Chart& chart, bool with_free_wires, WireNetwork& netwo
     const EdgeHandle edge = mesh.edge_handle(h);
     network.wire_edge_of_edge[edge.idx()] = static_cast<int>(network.edges.size());
     const auto middle = (mesh.point(mesh.from_vertex_handle(h)) + mesh.point(mesh.to_vertex_handle(h))) / 2;
-    network.edges.push_back({edge, part, is_boundary, edge_length(mesh, h), {middle[0], middle[1], middle[2]}});
+    network.edges.push_back(
+        {edge, part, is_boundary, length_ratio(chart, h) * edge_length(mesh, h), {middle[0], middle[1], middle[2]}});
   };
   for (int part = 0; part < static_cast<int>(chart.wire_parts.size()); ++part) {
     const WireKind kind = chart.wire_parts[part].kind;
@@ -22,6 +23,12 @@ void add_wire_edges(const Chart& chart, bool with_free_wires, WireNetwork& netwo
   }
   for (const HalfEdgeChain& loop : chart.boundary_loops) {
     for (const HalfedgeHandle h : loop) add(h, -1, true);
+  }
+  for (int part = 0; part < static_cast<int>(chart.wire_parts.size()); ++part) {
+    if (!gives_on_boundary(chart.wire_parts[part])) continue;
+    for (const HalfedgeHandle h : chart.wire_parts[part].half_edges) {
+      network.edges[network.wire_edge_of_edge[mesh.edge_handle(h).idx()]].part = part;
+    }
   }
 }
 

@@ -7,7 +7,7 @@
 //   q_i        nodes[i], one corner of one wire-patch
 //   Γ_p(b)     patches[p].loops[..][b].node
 //   α_i        nodes[i].surface_angle
-//   l⁰         edges[e].length
+//   l⁰         edges[e].length, at h = ease
 #pragma once
 
 #include <vector>
@@ -19,9 +19,9 @@ namespace wirewarp {
 /// A chart edge on a wire or on the boundary.
 struct WireEdge {
   EdgeHandle edge;
-  int part = -1;  // index into Chart::wire_parts, -1: no wire, only boundary
+  int part = -1;  // index into Chart::wire_parts, -1: boundary whose length is settled
   bool is_boundary = false;
-  double length = 0;                                 // 3D, scene units
+  double length = 0;                                 // in 3D, times what eases ask for; scene units
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // 3D, where it lies on the surface
 };
 
@@ -40,7 +40,7 @@ struct WireNode {
   WireHalfEdge in;           // arrives at the vertex, the patch on its left
   WireHalfEdge out;          // leaves it, the patch on its left
   double surface_angle = 0;  // α, radians
-  double length = 0;         // ℓ, mean 3D length of its two edges
+  double length = 0;         // ℓ, mean length of its two edges
   bool is_tail = false;      // in and out are the same edge: the vertex has no other wire edge
 };
 

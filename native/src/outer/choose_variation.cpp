@@ -91,8 +91,8 @@ VariationBounds variation_bounds(const Chart& chart, const Options& options) {
     const WirePart& part = chart.wire_parts[i];
     const bool is_helper = part.wire_index < 0;
     if (options.method == Method::wirewarping && !is_helper) continue;
-    bounds.lower[i] = std::max(-part.tolerance, kShortest);
-    bounds.upper[i] = std::min(part.tolerance, kLongest);
+    bounds.lower[i] = std::max(-solver_tolerance(part), kShortest);
+    bounds.upper[i] = std::min(solver_tolerance(part), kLongest);
   }
   return bounds;
 }

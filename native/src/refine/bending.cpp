@@ -10,8 +10,8 @@
 
 namespace wirewarp {
 
-Bending::Bending(const Chart& chart, const WireNetwork& network, double fairness, double area) {
-  const double shortest_wiggle = fairness * std::sqrt(area);
+Bending::Bending(const Chart& chart, const WireNetwork& network, double fairness, const std::vector<double>& area_at) {
+  const auto shortest_wiggle = [&](const WireNode& node) { return fairness * std::sqrt(area_at[node.vertex.idx()]); };
   const auto add = [&](const WireNode& turn, double weight) {
     const double length_in = network.edges[turn.in.edge].length;
     const double length_out = network.edges[turn.out.edge].length;
@@ -25,13 +25,15 @@ Bending::Bending(const Chart& chart, const WireNetwork& network, double fairness
     node.to_b = -node.to_c - node.to_a;
     nodes_.push_back(node);
   };
-  const auto weight_at = [&](double length) { return std::pow(shortest_wiggle, 3) / length; };
-  const double shortest_corner = shortest_wiggle / 8;
+  const auto weight_of_line = [&](const WireNode& node) { return std::pow(shortest_wiggle(node), 3) / node.length; };
+  const auto weight_of_corner = [&](const WireNode& node) {
+    return std::pow(shortest_wiggle(node), 3) / std::max(node.length, shortest_wiggle(node) / 8);
+  };
   const WireLines lines = find_lines(chart, network);
-  for (const WireNode& corner : lines.corners) add(corner, weight_at(std::max(corner.length, shortest_corner)));
+  for (const WireNode& corner : lines.corners) add(corner, weight_of_corner(corner));
   for (const LineBend& bend : lines.bends) {
-    const double weight = weight_at(bend.node.length);
-    const double of_its_corners = weight_at(std::max(bend.node.length, shortest_corner));
+    const double weight = weight_of_line(bend.node);
+    const double of_its_corners = weight_of_corner(bend.node);
     const bool passes_corners = bend.num_sectors > 1;
     if (!passes_corners) add(bend.node, weight);
     if (passes_corners && weight > of_its_corners) add(bend.node, (weight - of_its_corners) / bend.num_sectors);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fairness of wires: how far the corners of the flat wire network are from those of the surface.
 //
-//   node  a → b → c, the surface on its left; α its surface angle, l the 3D lengths, ℓ their mean
+//   node  a → b → c, the surface on its left; α its surface angle, l the lengths asked for, ℓ their mean
 //   r     = (u_c − u_b) / l_bc − R(π − α) (u_b − u_a) / l_ab
 //   F(u)  = ½ Σ w |r|²,  w about D³/ℓ as told below,  D = fairness · √area
 //
@@ -29,8 +29,9 @@ namespace wirewarp {
 
 class Bending {
  public:
-  /// network: of the edges whose length is held. Where a wire ends inside there is no node. area: of the chart in 3D.
-  Bending(const Chart& chart, const WireNetwork& network, double fairness, double area);
+  /// network: of the edges whose length is held. Where a wire ends inside there is no node. area_at: per vertex, the 3D
+  /// area of the connected surface it lies on.
+  Bending(const Chart& chart, const WireNetwork& network, double fairness, const std::vector<double>& area_at);
 
   /// F, and adds ∂F/∂u to the gradient. uv, gradient: one row per chart vertex.
   double value(const Positions2& uv) const;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/geometry.h"
+#include "mesh/connected_parts.h"
 #include "planar.h"
 #include "refine/log_barrier.h"
 
@@ -50,11 +50,20 @@ Eigen::Matrix2d conjugate_product(const HatGradients& g, int i, int j) {
   return (Eigen::Matrix2d() << dot, -cross, cross, dot).finished();
 }
 
+/// Of the connected part that each vertex lies on.
+std::vector<double> area_at_vertices(const HalfEdgeMesh& mesh) {
+  std::vector<double> area(mesh.n_vertices());
+  for (const ConnectedPart& part : find_connected_parts(mesh)) {
+    for (const int v : part.vertices) area[v] = part.area;
+  }
+  return area;
+}
+
 }  // namespace
 
 FairShapeError::FairShapeError(const RefineTask& task, Injectivity injectivity, const Positions2& layout)
     : shape_error_(task.chart),
-      bending_(task.chart, task.network, task.fairness, surface_area(task.chart.mesh)),
+      bending_(task.chart, task.network, task.fairness, area_at_vertices(task.chart.mesh)),
       injectivity_(injectivity) {
   if (task.cloth) cloth_.emplace(ClothTerms{ClothLaw(task.cloth->cloth), ShearSmoothing(task.chart)});
   if (injectivity == Injectivity::global) outline_barrier_.emplace(task.chart, layout);

@@ -73,7 +73,7 @@ Tolerances free_wires_that_change(const Chart& chart, const RefinedShape& free) 
   Tolerances tolerances;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     const WirePart& part = chart.wire_parts[i];
-    const bool changes = std::abs(free.variation[static_cast<Eigen::Index>(i)]) > part.tolerance + kLadder[0];
+    const bool changes = std::abs(free.variation[static_cast<Eigen::Index>(i)]) > solver_tolerance(part) + kLadder[0];
     if (is_held(part) && changes) tolerances[part.wire_index] = kFree;
   }
   return tolerances;

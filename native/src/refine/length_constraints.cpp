@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "mesh/geometry.h"
 
@@ -12,23 +14,27 @@ namespace wirewarp {
 LengthConstraints::LengthConstraints(const Chart& chart, const HeldNetwork& network, const GrainRow* grain,
                                      const Positions2& layout)
     : rounding_length_(1e-5 * std::sqrt(surface_area(chart.mesh))) {
-  std::vector<int> elastic_of_part(chart.wire_parts.size(), -1);
-  for (int part = 0; part < static_cast<int>(chart.wire_parts.size()); ++part) {
-    if (chart.wire_parts[part].kind != WireKind::elastic) continue;
-    elastic_of_part[part] = num_elastic();
-    elastic_parts_.push_back(part);
+  std::vector<double> tolerance;
+  std::map<std::pair<int, int>, int> elastic_of_run;  // of wires along the boundary, by wire and part
+  for (const WirePart& part : chart.wire_parts) {
+    elastic_of_part_.push_back(-1);
+    if (part.kind != WireKind::elastic && !gives_on_boundary(part)) continue;
+    const auto next = static_cast<int>(tolerance.size());
+    elastic_of_part_.back() = part.kind == WireKind::elastic
+                                  ? next
+                                  : elastic_of_run.insert({{part.wire_index, part.part}, next}).first->second;
+    if (elastic_of_part_.back() == next) tolerance.push_back(solver_tolerance(part));
   }
+  tolerance_ = Eigen::Map<const Eigen::VectorXd>(tolerance.data(), static_cast<Eigen::Index>(tolerance.size()));
   for (const WireEdge& edge : network.edges) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
     edges_.push_back({chart.mesh.from_vertex_handle(h).idx(), chart.mesh.to_vertex_handle(h).idx(), edge.length,
-                      edge.part < 0 ? -1 : elastic_of_part[edge.part]});
+                      edge.part < 0 ? -1 : elastic_of_part_[edge.part]});
   }
   if (grain) {
     edges_.push_back({grain->a, grain->b, (layout.row(grain->b) - layout.row(grain->a)).norm(), -1});
     grain_normal_ = grain->normal.transpose();
   }
-  tolerance_.resize(num_elastic());
-  for (int w = 0; w < num_elastic(); ++w) tolerance_[w] = chart.wire_parts[elastic_parts_[w]].tolerance;
   std::vector<Eigen::Triplet<double>> entries;
   for (int e = 0; e < size(); ++e) {
     const Edge& edge = edges_[e];

@@ -2,9 +2,10 @@
 // The promise as equations: every edge of the boundary and of a rigid or elastic wire has its length. Under a cloth
 // there is one more, last, which keeps the piece from turning.
 //
-//   c_e(u, h) = |d| − (1 + h) l,   d = u_b − u_a      h is 0 but on elastic parts, and shared evenly by their edges
+//   c_e(u, h) = |d| − (1 + h) l,   d = u_b − u_a      h is 0 but on elastic parts, and shared evenly by their edges;
+//                                                     here it is the solver's g (charts/chart.h), l what is asked for
 //   J = ∂c/∂u   row e: d̂ at b, −d̂ at a
-//   T = −∂c/∂h  column w: l at the edges of elastic part w
+//   T = −∂c/∂h  column w: l at the edges of the elastic parts with h_w
 //   ∂²c_e/∂d² = n nᵀ / |d|,   n ⊥ d̂
 //
 //   c_g(u) = m·d        with a fixed m in the place of d̂; ∂²c_g/∂d² = 0
@@ -23,8 +24,8 @@ class LengthConstraints {
  public:
   struct Edge {
     int a, b;       // chart vertices
-    double length;  // l, 3D; of the row against turning: of d at first, which errors are measured against
-    int elastic;    // index into elastic_parts(), -1: h is 0
+    double length;  // l; of the row against turning: of d at first, which errors are measured against
+    int elastic;    // entry of h, -1: h is 0
   };
 
   /// grain: the row against turning, null: none; layout: one that tells its length.
@@ -37,9 +38,9 @@ class LengthConstraints {
   /// Has no curvature.
   bool is_linear(int edge) const { return grain_normal_ && edge == size() - 1; }
 
-  /// Wire parts of the chart that are elastic: entry w of h belongs to part elastic_parts()[w].
-  const std::vector<int>& elastic_parts() const { return elastic_parts_; }
-  int num_elastic() const { return static_cast<int>(elastic_parts_.size()); }
+  /// The entry of h that a wire part of the chart has, -1 none. One for all sides of a seam that gives.
+  const std::vector<int>& elastic_of_part() const { return elastic_of_part_; }
+  int num_elastic() const { return static_cast<int>(tolerance_.size()); }
 
   /// ε. #elastic.
   const Eigen::VectorXd& tolerance() const { return tolerance_; }
@@ -76,7 +77,7 @@ class LengthConstraints {
 
  private:
   std::vector<Edge> edges_;
-  std::vector<int> elastic_parts_;
+  std::vector<int> elastic_of_part_;
   Eigen::VectorXd tolerance_;
   Eigen::SparseMatrix<double> elastic_lengths_;
   std::optional<Eigen::RowVector2d> grain_normal_;  // m

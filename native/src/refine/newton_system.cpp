@@ -5,9 +5,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "in_threads.h"
-#include "mesh/geometry.h"
+#include "mesh/connected_parts.h"
 
 namespace wirewarp {
 namespace {
@@ -31,8 +32,8 @@ constexpr double kAccuracy = 1e-9;
 constexpr double kRough = 1e-5;  // the same, for ∂λ/∂h: what one solve gives; steps are corrected after it
 // Least pivot over the largest diagonal entry: ten times the error that kRough leaves.
 constexpr double kWellPositive = 1e-4;
-constexpr int kColumnsAtOnce = 4;     // what the Cholesky kernels take
-constexpr int kManyVariations = 200;  // beyond, eigenvalues cost more than the Newton system
+constexpr std::size_t kColumnsAtOnce = 4;  // what the Cholesky kernels take
+constexpr int kManyVariations = 200;       // beyond, eigenvalues cost more than the Newton system
 
 std::vector<VertexPair> coupled_vertices(const FairShapeError& objective, const LengthConstraints& constraints) {
   std::vector<VertexPair> pairs;
@@ -43,8 +44,8 @@ std::vector<VertexPair> coupled_vertices(const FairShapeError& objective, const 
   return pairs;
 }
 
-/// A third of the faces around each vertex, over the area of all.
-Eigen::VectorXd lumped_mass(const Chart& chart) {
+/// A third of the faces around each vertex, over the area of all in its connected part.
+Eigen::VectorXd lumped_mass(const Chart& chart, const std::vector<ConnectedPart>& parts) {
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chart.mesh.n_vertices()));
   for (const FaceHandle f : chart.mesh.faces()) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(f), next = chart.mesh.next_halfedge_handle(h);
@@ -56,24 +57,29 @@ Eigen::VectorXd lumped_mass(const Chart& chart) {
       mass[v.idx()] += (along % back).norm();
     }
   }
-  return mass / mass.sum();
+  for (const ConnectedPart& part : parts) {
+    const Eigen::VectorXd own = mass(part.vertices);
+    mass(part.vertices) = own / own.sum();
+  }
+  return mass;
 }
 
-/// A vertex near the middle of the surface, and the one farthest away from it.
-VertexPair pinned_vertices(const Chart& chart) {
-  OpenMesh::Vec3d center(0, 0, 0);
-  for (const VertexHandle v : chart.mesh.vertices()) center += chart.mesh.point(v);
-  center /= static_cast<double>(chart.mesh.n_vertices());
-  const auto nearer_to = [&](const OpenMesh::Vec3d& point) {
-    return [&chart, point](VertexHandle a, VertexHandle b) {
-      return (chart.mesh.point(a) - point).sqrnorm() < (chart.mesh.point(b) - point).sqrnorm();
-    };
+/// A vertex near the middle of each connected part, and the one farthest away from it.
+std::vector<VertexPair> pinned_vertices(const Chart& chart, const std::vector<ConnectedPart>& parts) {
+  const auto point = [&](int v) { return chart.mesh.point(VertexHandle(v)); };
+  const auto nearer_to = [&](const OpenMesh::Vec3d& place) {
+    return [&point, place](int a, int b) { return (point(a) - place).sqrnorm() < (point(b) - place).sqrnorm(); };
   };
-  const VertexHandle middle =
-      *std::min_element(chart.mesh.vertices_begin(), chart.mesh.vertices_end(), nearer_to(center));
-  const VertexHandle farthest =
-      *std::max_element(chart.mesh.vertices_begin(), chart.mesh.vertices_end(), nearer_to(chart.mesh.point(middle)));
-  return {middle.idx(), farthest.idx()};
+  std::vector<VertexPair> pinned;
+  for (const ConnectedPart& part : parts) {
+    OpenMesh::Vec3d center(0, 0, 0);
+    for (const int v : part.vertices) center += point(v);
+    center /= static_cast<double>(part.vertices.size());
+    const int middle = *std::min_element(part.vertices.begin(), part.vertices.end(), nearer_to(center));
+    const int farthest = *std::max_element(part.vertices.begin(), part.vertices.end(), nearer_to(point(middle)));
+    pinned.push_back({middle, farthest});
+  }
+  return pinned;
 }
 
 /// With so much more on the diagonal that it is positive, from 1e-5 of the largest entry on: ten times as much each
@@ -114,8 +120,14 @@ NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const 
                            const Positions2& positions, const StopToken& stop)
     : objective_(objective),
       constraints_(constraints),
-      matrix_(static_cast<int>(chart.mesh.n_vertices()), coupled_vertices(objective, constraints)),
-      pinned_(pinned_vertices(chart)) {
+      matrix_(static_cast<int>(chart.mesh.n_vertices()), coupled_vertices(objective, constraints)) {
+  const std::vector<ConnectedPart> parts = find_connected_parts(chart.mesh);
+  pinned_ = pinned_vertices(chart, parts);
+  std::vector<int> part_of_vertex(chart.mesh.n_vertices());
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    for (const int v : parts[p].vertices) part_of_vertex[v] = static_cast<int>(p);
+  }
+  for (const LengthConstraints::Edge& edge : constraints.edges()) part_of_edge_.push_back(part_of_vertex[edge.a]);
   objective_.attach_to(matrix_);
   objective_.add_constant_hessian(matrix_);
   stiffness_.resize(constraints.size());
@@ -125,9 +137,9 @@ NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const 
     const double largest = std::max(matrix_.largest_diagonal(edge.a), matrix_.largest_diagonal(edge.b));
     stiffness_[e] = std::max(kSmallestStiffness, kStiffness * largest);
   }
-  const Eigen::VectorXd mass = kMass * lumped_mass(chart);
+  const Eigen::VectorXd mass = kMass * lumped_mass(chart, parts);
   for (int v = 0; v < mass.size(); ++v) matrix_.add_diagonal(v, mass[v] * Eigen::Matrix2d::Identity());
-  matrix_.add_diagonal(pinned_[0], kPin * Eigen::Matrix2d::Identity());
+  for (const VertexPair& pin : pinned_) matrix_.add_diagonal(pin[0], kPin * Eigen::Matrix2d::Identity());
   constant_ = matrix_.values();
   stop.check();
   const DissectionTree tree = nested_dissection(matrix_.graph(), positions);
@@ -160,9 +172,11 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
   }
   if (convexity.curvature == Curvature::none) return;  // the Laplacian resists turns: a pin would press a dent
   if (!objective_.is_free_to_turn()) return;
-  const Eigen::Vector2d arm = (uv.row(pinned_[1]) - uv.row(pinned_[0])).transpose().normalized();
-  const Eigen::Vector2d turn(-arm.y(), arm.x());
-  matrix_.add_diagonal(pinned_[1], kPin * turn * turn.transpose());
+  for (const VertexPair& pin : pinned_) {
+    const Eigen::Vector2d arm = (uv.row(pin[1]) - uv.row(pin[0])).transpose().normalized();
+    const Eigen::Vector2d turn(-arm.y(), arm.x());
+    matrix_.add_diagonal(pin[1], kPin * turn * turn.transpose());
+  }
 }
 
 bool NewtonSystem::factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
@@ -247,15 +261,55 @@ NewtonSystem::Solution NewtonSystem::solve_on_wires(const Positions2& r1, const 
   return solution;
 }
 
+/// The connected parts that a column of T has edges in.
+std::set<int> NewtonSystem::parts_of_column(int w) const {
+  std::set<int> parts;
+  for (Eigen::SparseMatrix<double>::InnerIterator entry(constraints_.elastic_lengths(), w); entry; ++entry) {
+    parts.insert(part_of_edge_[entry.row()]);
+  }
+  return parts;
+}
+
+/// The columns of T in groups of such as have no connected part in common: those of one group are solved for as one.
+std::vector<std::vector<int>> NewtonSystem::columns_apart() const {
+  const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
+  std::vector<std::vector<int>> groups;
+  std::vector<std::set<int>> parts_of_group;
+  for (int w = 0; w < lengths.cols(); ++w) {
+    const std::set<int> parts = parts_of_column(w);
+    const auto is_apart = [&](const std::set<int>& others) {
+      return std::none_of(parts.begin(), parts.end(), [&](int part) { return others.count(part) > 0; });
+    };
+    const auto g = std::find_if(parts_of_group.begin(), parts_of_group.end(), is_apart) - parts_of_group.begin();
+    groups.resize(std::max(groups.size(), static_cast<std::size_t>(g) + 1));
+    parts_of_group.resize(groups.size());
+    groups[g].push_back(w);
+    parts_of_group[g].insert(parts.begin(), parts.end());
+  }
+  return groups;
+}
+
 Eigen::MatrixXd NewtonSystem::dlambda_dh(const StopToken& stop) const {
   const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
   Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(lengths.rows(), lengths.cols());
-  for (Eigen::Index first = 0; first < lengths.cols() && stop.may_go_on(); first += kColumnsAtOnce) {
-    const Eigen::Index columns = std::min<Eigen::Index>(kColumnsAtOnce, lengths.cols() - first);
+  const std::vector<std::vector<int>> groups = columns_apart();
+  for (std::size_t first = 0; first < groups.size() && stop.may_go_on(); first += kColumnsAtOnce) {
+    const auto columns = static_cast<Eigen::Index>(std::min(kColumnsAtOnce, groups.size() - first));
     const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(lengths.rows(), columns);
     Solution solution{Eigen::MatrixXd::Zero(matrix_.lower().rows(), columns), none, none};
-    improve(lengths.middleCols(first, columns).toDense(), kRough, solution);
-    multipliers.middleCols(first, columns) = solution.multipliers;
+    Eigen::MatrixXd changes = none;
+    for (Eigen::Index c = 0; c < columns; ++c) {
+      for (const int w : groups[first + c]) changes.col(c) += lengths.col(w);
+    }
+    improve(changes, kRough, solution);
+    for (Eigen::Index c = 0; c < columns; ++c) {
+      for (const int w : groups[first + c]) {
+        const std::set<int> parts = parts_of_column(w);
+        for (int e = 0; e < constraints_.size(); ++e) {
+          if (parts.count(part_of_edge_[e]) > 0) multipliers(e, w) = solution.multipliers(e, c);
+        }
+      }
+    }
   }
   return multipliers;
 }
@@ -264,8 +318,9 @@ Eigen::MatrixXd NewtonSystem::stiffness_by_variation() const {
   const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
   const Eigen::SparseMatrix<double> stretched = stiffness_.asDiagonal() * lengths;
   Eigen::MatrixXd result = Eigen::SparseMatrix<double>(lengths.transpose() * stretched).toDense();
-  for (Eigen::Index first = 0; first < lengths.cols(); first += kColumnsAtOnce) {
-    const Eigen::Index columns = std::min<Eigen::Index>(kColumnsAtOnce, lengths.cols() - first);
+  constexpr Eigen::Index kColumns = kColumnsAtOnce;
+  for (Eigen::Index first = 0; first < lengths.cols(); first += kColumns) {
+    const Eigen::Index columns = std::min(kColumns, lengths.cols() - first);
     const Eigen::MatrixXd tensions = stretched.middleCols(first, columns).toDense();
     result.middleCols(first, columns) -= stretched.transpose() * changes_of_length(response(tensions));
   }

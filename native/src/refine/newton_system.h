@@ -4,7 +4,8 @@
 //   [ H  Jᵀ ] [ d ]   [ r₁ ]      H   Hessian of f + λᵀc, made positive where that is asked for
 //   [ J  0  ] [ λ ] = [ r₂ ]      J   Jacobian of the lengths
 //
-// in the positive definite form A = H + 10⁻⁴ M + Jᵀ ρ J + pins, with M the lumped areas over the whole area. For large
+// in the positive definite form A = H + 10⁻⁴ M + Jᵀ ρ J + pins, with M the lumped areas over the whole area, of each
+// connected part. For large
 // ρ, A has a Cholesky factor exactly where H is positive on the null space of J: a failed factorization is the test of
 // the inertia. The method of multipliers takes two or three solves with it to the solution for ρ → ∞ (M. J. D. Powell,
 // A method for nonlinear constraints in minimization problems, 1969).
@@ -13,7 +14,9 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "cholesky/multifrontal_cholesky.h"
 #include "refine/fair_shape_error.h"
@@ -95,6 +98,8 @@ class NewtonSystem {
  private:
   void assemble(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
                 double stiffness_share);
+  std::set<int> parts_of_column(int w) const;
+  std::vector<std::vector<int>> columns_apart() const;
   Eigen::MatrixXd response(const Eigen::MatrixXd& tensions) const;
   Eigen::MatrixXd changes_of_length(const Eigen::MatrixXd& d) const;
   double relative_motion(const Eigen::MatrixXd& d) const;
@@ -103,7 +108,9 @@ class NewtonSystem {
   FairShapeError& objective_;
   const LengthConstraints& constraints_;
   VertexMatrix matrix_;
-  VertexPair pinned_;  // hold the rigid motions: the first altogether, the second against turning
+  std::vector<VertexPair> pinned_;  // one a connected part, hold its rigid motions: the first altogether, the second
+                                    // against turning
+  std::vector<int> part_of_edge_;   // the connected part of each edge whose length is held
   std::vector<VertexMatrix::Block> edge_blocks_;
   Eigen::ArrayXd constant_;    // values of L + the Hessian of F + 10⁻⁴ M + the pin that never turns
   Eigen::VectorXd stiffness_;  // ρ

@@ -38,9 +38,10 @@ RefinedShape RefineProblem::describe(const RefineIterate& iterate) const {
   shape.uv = iterate.uv;
   shape.variation = length_variation(chart_, iterate.uv);
   for (int i = 0; i < shape.variation.size(); ++i) {
+    const int elastic = constraints_.elastic_of_part()[i];
     if (chart_.wire_parts[i].kind != WireKind::super_elastic) shape.variation[i] = 0;
+    if (elastic >= 0) shape.variation[i] = iterate.variation[elastic];
   }
-  shape.variation(constraints_.elastic_parts()) = iterate.variation;
   shape.objective = iterate.value / surface_area(chart_.mesh);
   shape.length_error = length_error(iterate);
   return shape;

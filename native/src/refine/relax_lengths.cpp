@@ -101,7 +101,7 @@ void RelaxedLengths::make_groups(const HeldNetwork& network) {
       if (is_shared) group_of_part[edge.part] = group;
     }
     if (!edge.is_boundary && !is_shared) {
-      slack_[e] = kWithinTolerance * chart_.wire_parts[edge.part].tolerance * edge.length;
+      slack_[e] = kWithinTolerance * solver_tolerance(chart_.wire_parts[edge.part]) * edge.length;
     }
     groups_[group].length += edge.length;
     group_of_edge_.push_back(group);
@@ -213,7 +213,11 @@ RelaxedShape RelaxedLengths::shape() const {
   shape.uv = now_.uv;
   const auto num_parts = static_cast<Eigen::Index>(chart_.wire_parts.size());
   shape.tolerance_violation = shape.strain_rms = Eigen::VectorXd::Zero(num_parts);
-  shape.tolerance_violation(constraints_.elastic_parts()) = tolerance_violation(now_.variation).cwiseAbs();
+  const Eigen::VectorXd violation = tolerance_violation(now_.variation).cwiseAbs();
+  for (Eigen::Index i = 0; i < num_parts; ++i) {
+    const int elastic = constraints_.elastic_of_part()[i];
+    if (elastic >= 0) shape.tolerance_violation[i] = violation[elastic];
+  }
   const Eigen::VectorXd squares = mean_squares(residual(now_));
   for (int e = 0; e < constraints_.size(); ++e) {
     const Group& group = groups_[group_of_edge_[e]];

@@ -42,13 +42,18 @@ def wires_of(path: str) -> list[Wire]:
         raise InputError(f'"{path}" must be a JSON list of wires, as [{{"vertices": [0, 1], "tolerance": 0.03}}].')
     wires = []
     for number, entry in enumerate(entries, start=1):
-        unknown = set(entry) - {"vertices", "tolerance", "name"}
+        unknown = set(entry) - {"vertices", "tolerance", "name", "ease"}
         if unknown or not _is_chain(entry.get("vertices")):
             what = f"has {min(unknown)!r}" if unknown else "has no list of vertices"
-            raise InputError(f'Wire {number} of "{path}" {what}: give vertices, tolerance, name.')
+            raise InputError(f'Wire {number} of "{path}" {what}: give vertices, tolerance, name, ease.')
         tolerance = entry.get("tolerance", 0.0)
         try:
-            wire = Wire(entry["vertices"], math.inf if tolerance == "inf" else tolerance, entry.get("name", ""))
+            wire = Wire(
+                entry["vertices"],
+                math.inf if tolerance == "inf" else tolerance,
+                entry.get("name", ""),
+                entry.get("ease", 0.0),
+            )
         except (FlattenError, TypeError) as error:
             raise InputError(f'Wire {number} of "{path}": {error}') from error
         wires.append(wire)

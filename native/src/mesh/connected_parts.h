@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "mesh/half_edge_mesh.h"
+
+namespace wirewarp {
+
+/// One connected part of a mesh. A chart is one; charts that are refined together are several.
+struct ConnectedPart {
+  std::vector<int> vertices;  // ascending
+  double area = 0;            // scene units squared
+};
+
+/// By their lowest vertex.
+std::vector<ConnectedPart> find_connected_parts(const HalfEdgeMesh& mesh);
+
+}  // namespace wirewarp

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine/refine_together.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "charts/seams_that_give.h"
+#include "mesh/geometry.h"
+#include "refine/length_constraints.h"
+
+namespace wirewarp {
+namespace {
+
+/// All starts side by side, so that the order of elimination tells the charts apart.
+RefinementStart place_side_by_side(const UnitedCharts& united, const HeldNetwork& network,
+                                   const std::vector<Chart>& charts, const std::vector<RefinementStart>& starts) {
+  RefinementStart all{Positions2(static_cast<Eigen::Index>(united.chart.mesh.n_vertices()), 2),
+                      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(network.edges.size()))};
+  double right = 0;
+  for (std::size_t c = 0; c < charts.size(); ++c) {
+    const Eigen::RowVector2d low = starts[c].uv.colwise().minCoeff();
+    const Positions2 uv = starts[c].uv.rowwise() + (Eigen::RowVector2d(right, 0) - low);
+    right = uv.col(0).maxCoeff();
+    all.uv.middleRows(united.first_vertex[c], uv.rows()) = uv;
+    const HeldNetwork own = build_held_network(charts[c]);
+    for (std::size_t e = 0; e < own.edges.size(); ++e) {
+      const int there = network.wire_edge_of_edge[united.first_edge[c] + own.edges[e].edge.idx()];
+      all.multipliers[there] = starts[c].multipliers[static_cast<Eigen::Index>(e)];
+    }
+  }
+  return all;
+}
+
+/// What is left of the first-order conditions.
+double projected_gradient(const RefineTask& task, const RefinedShape& shape) {
+  const LengthConstraints constraints(task.chart, task.network);
+  const double area = surface_area(task.chart.mesh);
+  Positions2 gradient;
+  FairShapeError(task).value_and_gradient(shape.uv, gradient);
+  constraints.add_transposed(constraints.directions(shape.uv), shape.multipliers, gradient);
+  double largest = gradient.cwiseAbs().maxCoeff() / std::sqrt(area);
+  const Eigen::VectorXd pull = constraints.elastic_lengths().transpose() * shape.multipliers / area;
+  for (std::size_t i = 0; i < task.chart.wire_parts.size(); ++i) {
+    const int w = constraints.elastic_of_part()[i];
+    if (w < 0) continue;
+    const double h = shape.variation[static_cast<Eigen::Index>(i)], most = constraints.tolerance()[w];
+    const bool is_held = pull[w] > 0 ? h >= most : h <= -most;
+    if (!is_held) largest = std::max(largest, std::abs(pull[w]));
+  }
+  return largest;
+}
+
+}  // namespace
+
+JoinedShapes refine_together(const std::vector<Chart>& charts, double fairness,
+                             const std::vector<RefinementStart>& starts, const RefinementLimits& limits) {
+  const UnitedCharts united = unite(charts);
+  const HeldNetwork network = build_held_network(united.chart);
+  const RefineTask task{united.chart, network, fairness};
+  const RefinedShape whole = refine_shape(task, place_side_by_side(united, network, charts, starts), limits);
+  JoinedShapes joined;
+  joined.projected_gradient = projected_gradient(task, whole);
+  for (std::size_t c = 0; c < charts.size(); ++c) {
+    const HeldNetwork own = build_held_network(charts[c]);
+    RefinedShape shape = whole;
+    shape.multipliers.resize(0);
+    shape.uv = whole.uv.middleRows(united.first_vertex[c], starts[c].uv.rows());
+    shape.variation =
+        whole.variation.segment(united.first_part[c], static_cast<Eigen::Index>(charts[c].wire_parts.size()));
+    shape.objective = FairShapeError({charts[c], own, fairness}).value(shape.uv) / surface_area(charts[c].mesh);
+    joined.shapes.push_back(std::move(shape));
+  }
+  return joined;
+}
+
+}  // namespace wirewarp

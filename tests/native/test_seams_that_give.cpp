@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Eases, and seams whose sides have one length that is not settled beforehand.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "judge.h"
+#include "test_meshes.h"
+#include "wirewarp/cache.h"
+#include "wirewarp/flatten.h"
+
+namespace wirewarp {
+namespace {
+
+using Code = ErrorCode;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+ErrorCode code_thrown_by(const FlattenInput& input) {
+  try {
+    flatten(input);
+  } catch (const FlattenError& error) {
+    return error.code;
+  }
+  return Code::cancelled;
+}
+
+Ease ease_along(const std::vector<int>& chain, double ratio) {
+  Ease ease{VertexPairs(static_cast<Eigen::Index>(chain.size()) - 1, 2), ratio};
+  for (Eigen::Index i = 0; i < ease.half_edges.rows(); ++i) ease.half_edges.row(i) << chain[i], chain[i + 1];
+  return ease;
+}
+
+void expect_good(const FlattenInput& input, const FlattenResult& result) {
+  EXPECT_EQ(test::broken_promises(input, {}, result), std::vector<std::string>{});
+  for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
+}
+
+/// Of all pieces, over their area.
+double objective_of(const FlattenResult& result) {
+  double sum = 0, area = 0;
+  for (const Piece& piece : result.pieces) {
+    sum += piece.report.objective * piece.metrics.area_3d;
+    area += piece.metrics.area_3d;
+  }
+  return sum / area;
+}
+
+/// A sheet of 4 by 2 whose left half is level and right half a saddle, with a seam between them.
+FlattenInput two_sheets() {
+  const int n = 8;
+  FlattenInput input = test::make_grid(2 * n, n, [](double s, double t) {
+    const double x = 4 * s - 2, y = 2 * t - 1;
+    return Eigen::Vector3d(x, y, x > 0 ? 0.2 * x * x * y * y : 0);
+  });
+  test::add_seam(input, test::grid_column(2 * n, n, n));
+  return input;
+}
+
+std::vector<int> seam_of_sheets() { return test::grid_column(16, 8, 8); }
+
+/// Seams as wires with a tolerance.
+FlattenInput gores(double tolerance, double ease = 0) {
+  const int num_gores = 6, n = 3, rings = 12;
+  FlattenInput input = test::sphere_of_gores(num_gores, n, rings);
+  const int nx = num_gores * n, south = nx * (rings - 1), north = south + 1;
+  for (int g = 0; g < num_gores; ++g) {
+    std::vector<int> chain = test::tube_line(nx, rings - 2, g * n);
+    chain.insert(chain.begin(), south);
+    chain.push_back(north);
+    test::add_wire(input, chain, tolerance);
+    input.wires.back().ease = ease;
+  }
+  return input;
+}
+
+/// A grid of wires that are all shorter holds the most area where its squares stay squares.
+TEST(Ease, OfAllLinesOfASheetScalesIt) {
+  const int n = 6;
+  const double ease = -0.1;
+  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+  for (int i = 0; i <= n; ++i) {
+    test::add_wire(input, test::grid_row(n, i));
+    test::add_wire(input, test::grid_column(n, n, i));
+  }
+  for (Wire& wire : input.wires) wire.ease = ease;
+  const FlattenResult result = flatten(input);
+  expect_good(input, result);
+  const Metrics& metrics = result.pieces.at(0).metrics;
+  EXPECT_NEAR(metrics.area_2d, (1 + ease) * (1 + ease), 1e-8);
+  EXPECT_NEAR(result.pieces[0].report.objective, 2 * ease * ease, 1e-8) << "the ease costs no bending";
+  EXPECT_NEAR(metrics.angle_deviation_max, 0, 1e-5);
+  for (const WireReport& wire : result.wires) EXPECT_NEAR(wire.variation, ease, 1e-12);
+}
+
+TEST(Ease, OfASeamIsThatOfAllItsSides) {
+  for (const Method method : {Method::refined, Method::wirewarp_plus_plus, Method::wirewarping}) {
+    FlattenInput input = two_sheets();
+    test::add_wire(input, seam_of_sheets());
+    input.wires.back().ease = 0.05;
+    Options options;
+    options.method = method;
+    const FlattenResult result = flatten(input, options);
+    const SeamReport& seam = result.seams.at(0);
+    EXPECT_NEAR(seam.variation, 0.05, 1e-12);
+    for (const double length : seam.length_2d) EXPECT_NEAR(length, 1.05 * seam.length_3d, 1e-8 * seam.length_3d);
+    EXPECT_LT(seam.mismatch, 1e-9 * seam.length_3d);
+    for (const Piece& piece : result.pieces) {
+      EXPECT_FALSE(piece.error && piece.error->code == Code::lengths_not_kept);
+    }
+  }
+}
+
+TEST(Ease, OfOneSideLeavesTheOther) {
+  FlattenInput input = two_sheets();
+  input.eases.push_back(ease_along(seam_of_sheets(), 0.05));
+  const FlattenResult result = flatten(input);
+  expect_good(input, result);
+  const SeamReport& seam = result.seams.at(0);
+  ASSERT_EQ(seam.length_2d.size(), 2u);
+  // Upwards along the seam the sheet on the left lies on the left: piece 0.
+  EXPECT_NEAR(seam.length_2d[0], 1.05 * seam.length_3d, 1e-9);
+  EXPECT_NEAR(seam.length_2d[1], seam.length_3d, 1e-9);
+  EXPECT_NEAR(seam.eases[0], 0.05, 1e-12);
+  EXPECT_NEAR(seam.eases[1], 0, 1e-12);
+  EXPECT_LT(seam.mismatch, 1e-9);
+}
+
+TEST(Ease, BetweenTwoMarksIsThatOfItsEdges) {
+  FlattenInput input = two_sheets();
+  std::vector<int> marked = seam_of_sheets();
+  marked = {marked.begin() + 2, marked.begin() + 6};  // three of eight edges
+  input.eases.push_back(ease_along(marked, 0.1));
+  const FlattenResult result = flatten(input);
+  expect_good(input, result);
+  EXPECT_NEAR(result.seams.at(0).eases[0], 0.1 * 3 / 8, 1e-9);
+}
+
+TEST(Ease, BadOnesAreNamed) {
+  const std::vector<int> seam = seam_of_sheets();
+  FlattenInput wire = two_sheets();
+  test::add_wire(wire, seam);
+  for (const double ease : {-1.0, -2.0, kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
+    wire.wires[0].ease = ease;
+    EXPECT_EQ(code_thrown_by(wire), Code::invalid_ease);
+    FlattenInput side = two_sheets();
+    side.eases.push_back(ease_along(seam, ease));
+    EXPECT_EQ(code_thrown_by(side), Code::invalid_ease);
+  }
+  const auto with_ease = [](const std::vector<int>& chain) {
+    FlattenInput input = two_sheets();
+    input.eases.push_back(ease_along(chain, 0.1));
+    return input;
+  };
+  EXPECT_EQ(code_thrown_by(with_ease(test::grid_column(16, 8, 4))), Code::ease_without_side) << "no outline";
+  EXPECT_EQ(code_thrown_by(with_ease({0, 40})), Code::ease_without_side) << "no edge";
+  EXPECT_EQ(code_thrown_by(with_ease(test::grid_column(16, 8, 0))), Code::ease_without_side) << "the other way";
+  EXPECT_EQ(code_thrown_by(with_ease({-1, 0})), Code::vertex_out_of_range);
+  FlattenInput twice = with_ease(seam);
+  twice.eases.push_back(ease_along({seam[2], seam[3]}, 0.2));
+  EXPECT_EQ(code_thrown_by(twice), Code::side_in_two_eases);
+}
+
+TEST(SeamsThatGive, AreRefusedByWireWarpingPlusPlus) {
+  FlattenInput input = two_sheets();
+  test::add_wire(input, seam_of_sheets(), 0.03);
+  Options options;
+  options.method = Method::wirewarp_plus_plus;
+  for (const Piece& piece : flatten(input, options).pieces) {
+    ASSERT_TRUE(piece.error);
+    EXPECT_EQ(piece.error->code, Code::invalid_option);
+    EXPECT_EQ(piece.error->elements.edges.size(), 8u);
+  }
+}
+
+TEST(SeamsThatGive, AnOutlineOfOnePieceGivesWhereThatHelps) {
+  const int n = 8;
+  FlattenInput input = test::saddle(n, 0.3);
+  const double rigid = objective_of(flatten(input));
+  test::add_wire(input, test::grid_row(n, 0), 0.05);
+  const FlattenResult result = flatten(input);
+  expect_good(input, result);
+  EXPECT_LT(objective_of(result), rigid);
+  EXPECT_NEAR(result.wires.at(0).length_2d, (1 + result.wires[0].variation) * result.wires[0].length_3d, 1e-8);
+  EXPECT_GT(std::abs(result.wires[0].variation), 1e-3);
+  EXPECT_LE(std::abs(result.wires[0].variation), 0.05 + 1e-12);
+}
+
+TEST(SeamsThatGive, TheSidesOfADartHaveOneLength) {
+  const int n = 8;
+  FlattenInput input = test::saddle(n, 0.3);
+  std::vector<int> dart = test::grid_column(n, n, 3);
+  dart.resize(4);
+  test::add_seam(input, dart);
+  test::add_wire(input, dart, 0.05);
+  const FlattenResult result = flatten(input);
+  expect_good(input, result);
+  const SeamReport& seam = result.seams.at(0);
+  EXPECT_GT(std::abs(seam.variation), 1e-4);
+  EXPECT_LT(seam.mismatch, 1e-9);
+}
+
+TEST(SeamsThatGive, TheObjectiveNeverRisesWithTheTolerance) {
+  double before = kInfinity;
+  for (const double tolerance : {0.0, 0.01, 0.03, 0.1, kInfinity}) {
+    const FlattenInput input = gores(tolerance);
+    const FlattenResult result = flatten(input);
+    expect_good(input, result);
+    const double objective = objective_of(result);
+    EXPECT_LE(objective, before * (1 + 1e-9)) << tolerance;
+    before = objective;
+    for (const SeamReport& seam : result.seams) {
+      EXPECT_LE(std::abs(seam.variation), tolerance + 1e-12);
+      EXPECT_LT(seam.mismatch, 1e-9 * seam.length_3d);
+    }
+    if (tolerance == 0) continue;
+    for (const Piece& piece : result.pieces) EXPECT_LT(piece.report.projected_gradient, 1e-4);
+  }
+}
+
+/// All gores are alike, so that their seams have one length: that of a single gore whose two sides have one.
+TEST(SeamsThatGive, ABallOfGoresIsAsOneGoreWithBothSidesAlike) {
+  const FlattenResult ball = flatten(gores(kInfinity));
+  for (const SeamReport& seam : ball.seams) EXPECT_NEAR(seam.variation, ball.seams[0].variation, 1e-4);
+  // A wider gore, cut as long as these want to be, has their shape already.
+  const FlattenResult eased = flatten(gores(0, ball.seams[0].variation));
+  EXPECT_NEAR(eased.pieces[0].metrics.arap_energy, ball.pieces[0].metrics.arap_energy,
+              1e-4 * ball.pieces[0].metrics.arap_energy);
+  EXPECT_NEAR(eased.seams[0].length_2d[0], ball.seams[0].length_2d[0], 1e-3 * ball.seams[0].length_3d);
+}
+
+TEST(SeamsThatGive, DoNotDependOnTheNumbersOfVerticesFacesAndWires) {
+  FlattenInput input = two_sheets();
+  test::add_wire(input, seam_of_sheets(), 0.03);
+  const FlattenResult result = flatten(input);
+  expect_good(input, result);
+  const auto last = static_cast<int>(input.vertices.rows()) - 1;
+  FlattenInput other = input;
+  other.vertices = input.vertices.colwise().reverse().eval();
+  other.faces = (last - input.faces.array()).matrix().colwise().reverse().eval();
+  other.seams = (last - input.seams.array()).matrix();
+  for (int& v : other.wires[0].vertices) v = last - v;
+  const FlattenResult renumbered = flatten(other);
+  EXPECT_NEAR(renumbered.seams.at(0).variation, result.seams.at(0).variation, 1e-4);
+  EXPECT_NEAR(objective_of(renumbered), objective_of(result), 1e-7 * objective_of(result));
+  FlattenInput mirrored = input;
+  mirrored.vertices.col(1) *= -1;
+  mirrored.faces.col(1).swap(mirrored.faces.col(2));
+  EXPECT_NEAR(flatten(mirrored).seams.at(0).variation, result.seams.at(0).variation, 1e-4);
+}
+
+TEST(SeamsThatGive, ComeOutOfACacheTogether) {
+  const FlattenInput input = gores(0.02);
+  Cache cache;
+  const FlattenResult fresh = flatten(input, {}, {}, &cache);
+  EXPECT_EQ(cache.size(), 6);
+  const FlattenResult known = flatten(input, {}, {}, &cache);
+  EXPECT_EQ(known.reused_pieces, 6);
+  EXPECT_EQ(known.corner_uv, fresh.corner_uv);
+  EXPECT_EQ(flatten(input).corner_uv, fresh.corner_uv) << "the same without a cache";
+  FlattenInput other = input;
+  other.wires[0].tolerance = 0.01;
+  const FlattenResult changed = flatten(other, {}, {}, &cache);
+  EXPECT_EQ(changed.reused_pieces, 0);
+  EXPECT_EQ(changed.corner_uv, flatten(other).corner_uv);
+}
+
+TEST(SeamsThatGive, MeasureFindsTheirLengthAgain) {
+  const FlattenInput input = gores(0.02);
+  const FlattenResult result = flatten(input);
+  const FlattenResult measured = measure(input, result.corner_uv);
+  for (std::size_t s = 0; s < result.seams.size(); ++s) {
+    EXPECT_NEAR(measured.seams[s].variation, result.seams[s].variation, 1e-9);
+  }
+  for (const Piece& piece : measured.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
+}
+
+TEST(SeamsThatGive, CancelledTheyKeepThePromisesOfTheirEase) {
+  const FlattenInput input = gores(0.05);
+  int asked = 0;
+  flatten(input, {}, [&](const std::string&, double) { return ++asked > 0; });
+  for (const int last : {asked / 2, asked - 3}) {
+    int left = last;
+    const FlattenResult result = flatten(input, {}, [&](const std::string&, double) { return left-- > 0; });
+    EXPECT_EQ(test::broken_promises(input, {}, result), std::vector<std::string>{});
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp
