@@ -18,10 +18,11 @@ class Job;
 /// T is a class of the Python module.
 template <class T>
 inline constexpr bool is_bound =
-    std::disjunction_v<std::is_same<T, Wire>, std::is_same<T, Options>, std::is_same<T, Cache>, std::is_same<T, Job>,
-                       std::is_same<T, WireReport>, std::is_same<T, HelperWire>, std::is_same<T, BoundaryReport>,
-                       std::is_same<T, SeamReport>, std::is_same<T, Metrics>, std::is_same<T, PieceReport>,
-                       std::is_same<T, Piece>, std::is_same<T, FlattenResult>>;
+    std::disjunction_v<std::is_same<T, Wire>, std::is_same<T, Cloth>, std::is_same<T, Ease>, std::is_same<T, Options>,
+                       std::is_same<T, Cache>, std::is_same<T, Job>, std::is_same<T, WireReport>,
+                       std::is_same<T, HelperWire>, std::is_same<T, BoundaryReport>, std::is_same<T, SeamReport>,
+                       std::is_same<T, Metrics>, std::is_same<T, PieceReport>, std::is_same<T, Piece>,
+                       std::is_same<T, FlattenResult>>;
 
 }  // namespace wirewarp::bindings
 

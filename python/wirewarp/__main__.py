@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """python -m wirewarp flatten MODEL... --out DIR, and batch FOLDER... --out DIR"""
 
+import os
 import sys
 
 
@@ -19,6 +20,7 @@ def main() -> int:
         return 130
     except OSError as error:  # of the standard output: what is wrong with models is in their lines
         print(f"The lines cannot be printed: {error.strerror or error}", file=sys.stderr)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python fails again with them as it ends
         return 2
 
 

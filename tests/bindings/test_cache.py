@@ -112,6 +112,8 @@ CHANGED = {
     "up": ((0, 1, 0), 3),
     "gap": (0.2, 3),
     "mirror": (True, 3),
+    "cloth": ("woven", 0),
+    "grain_angle": (0.1, 3),
 }
 
 

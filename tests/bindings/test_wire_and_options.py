@@ -293,6 +293,7 @@ def test_options_and_wires_as_plain_values():
         "vertices": [0, 1],
         "tolerance": None,
         "name": "bust",
+        "ease": 0.0,
     }
-    assert repr(Wire(np.arange(5), 0.25, "hem")) == "Wire(vertices=array(5,), tolerance=0.25, name='hem')"
+    assert repr(Wire(np.arange(5), 0.25, "hem")) == "Wire(vertices=array(5,), tolerance=0.25, name='hem', ease=0)"
     assert "gap=0.5" in repr(Options(gap=0.5))

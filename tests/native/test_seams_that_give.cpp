@@ -173,6 +173,18 @@ TEST(SeamsThatGive, AreRefusedByWireWarpingPlusPlus) {
   }
 }
 
+TEST(SeamsThatGive, AreRefusedBetweenPiecesOfACloth) {
+  FlattenInput input = two_sheets();
+  test::add_wire(input, seam_of_sheets(), 0.03);
+  Options options;
+  options.cloth = cloth_preset("woven");
+  for (const Piece& piece : flatten(input, options).pieces) {
+    ASSERT_TRUE(piece.error);
+    EXPECT_EQ(piece.error->code, Code::invalid_option);
+    EXPECT_NE(std::string(piece.error->what()).find("or no cloth"), std::string::npos);
+  }
+}
+
 TEST(SeamsThatGive, AnOutlineOfOnePieceGivesWhereThatHelps) {
   const int n = 8;
   FlattenInput input = test::saddle(n, 0.3);
