@@ -8,7 +8,7 @@ import sys
 def main() -> int:
     try:
         from .command.arguments import parsed
-        from .command.run import run
+        from .command.run import PrintError, run
     except ModuleNotFoundError as error:
         print(f"The command needs {error.name}, which is missing: pip install wirewarp[command]", file=sys.stderr)
         return 2
@@ -18,8 +18,8 @@ def main() -> int:
     except KeyboardInterrupt:
         print("stopped", file=sys.stderr)
         return 130
-    except OSError as error:  # of the standard output: what is wrong with models is in their lines
-        print(f"The lines cannot be printed: {error.strerror or error}", file=sys.stderr)
+    except PrintError as error:
+        print(error, file=sys.stderr)
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python fails again with them as it ends
         return 2
 

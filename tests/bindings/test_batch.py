@@ -63,6 +63,11 @@ def test_models_of_a_list_have_options_of_their_own(models, tmp_path):
     assert files(tmp_path / "out") == ["a-strain.png", "a.json", "a.svg", "deep/er/a.dxf", "deep/er/a.json"]
 
 
+def test_each_command_has_its_own_number_of_jobs(models):
+    jobs = [parsed([command, str(models / "a.obj"), "--out", "out"]).jobs for command in ("flatten", "batch")]
+    assert jobs == [1, os.cpu_count()]
+
+
 def test_parts_of_a_farm_have_every_model_once(models):
     parts = [parsed(["batch", str(models), "--out", "out", "--part", f"{part}/3"]).requests for part in (1, 2, 3)]
     whole = parsed(["batch", str(models), "--out", "out"]).requests

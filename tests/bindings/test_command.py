@@ -240,7 +240,6 @@ def test_a_file_that_is_off_when_read_again_is_refused_and_does_not_end_the_batc
     assert list((tmp_path / "out").iterdir()) == []
 
 
-@pytest.mark.skipif("WINEPREFIX" in os.environ, reason="Wine starts no executor of several processes")
 def test_several_at_a_time_and_the_worst_counts(model, tmp_path):
     (tmp_path / "empty.ply").write_text("")
     trimesh.creation.icosphere(2, 0.1).export(tmp_path / "ball.ply")

@@ -24,9 +24,10 @@ import psutil
 # fork of this process: the threads of a library are not for children.
 if sys.platform == "win32":
     CONTEXT = multiprocessing.get_context("spawn")
+    MOST = 60  # processes: Windows waits for no more than 63 at once
 else:
     CONTEXT = multiprocessing.get_context("forkserver")
-MOST = 60  # processes: Windows waits for no more than 63 at once
+    MOST = sys.maxsize
 OFTEN = 0.5  # seconds between looks at time and memory; a look takes milliseconds
 LEAVE = 5.0  # seconds that a process has to end after its result, or once it is killed
 Item = TypeVar("Item")

@@ -46,10 +46,9 @@ def parsed(words: Sequence[str]) -> Arguments:
     """Ends the program with code 2 and a sentence where they cannot be meant."""
     parser = argparse.ArgumentParser(prog="python -m wirewarp", description="Flat patterns with exact lengths.")
     commands = parser.add_subparsers(required=True, metavar="flatten|batch")
-    options, running = _model_options(), _running_options()
     flatten = commands.add_parser(
         "flatten",
-        parents=[options, running],
+        parents=[_model_options(), _running_options()],  # of its own: their defaults differ
         help="flatten the models named, and write reports and patterns",
         description="Flattens models (OBJ, PLY, STL, glTF, Blender) and writes for each a report and a pattern. "
         + VERDICTS,
@@ -59,7 +58,7 @@ def parsed(words: Sequence[str]) -> Arguments:
     flatten.set_defaults(command=flatten, jobs=1, part=(1, 1))
     batch = commands.add_parser(
         "batch",
-        parents=[options, running],
+        parents=[_model_options(), _running_options()],  # of its own: their defaults differ
         help="the same for folders and lists of models, as often as it takes",
         description="As flatten --resume, with all models of folders and lists: run again, it goes on where it was "
         "stopped, and does what has changed. " + VERDICTS,

@@ -6,7 +6,7 @@ import os
 import sys
 import time
 from collections.abc import Generator, Iterator
-from contextlib import closing
+from contextlib import closing, suppress
 
 from tqdm import tqdm
 
@@ -20,8 +20,15 @@ from .verdicts import EXIT_CODES, STOPPED, Line, unfinished
 MODULES = ["trimesh", __name__]
 
 
+class PrintError(Exception):
+    """The standard output takes no lines. str() is a sentence."""
+
+
 def run(arguments: Arguments) -> int:
-    """Prints one line of JSON for each model, in their order; returns the exit code, that of the worst."""
+    """Prints one line of JSON for each model, in their order; returns the exit code, that of the worst.
+
+    Raises PrintError.
+    """
     # Matrices are small here, and models many: threads for each would be in the way of others.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     worst = 0
@@ -32,9 +39,16 @@ def run(arguments: Arguments) -> int:
     ):
         for line in lines:
             with tqdm.external_write_mode(sys.stdout):
-                print(json.dumps(line), flush=True)  # ASCII: every console can show it
+                _print(line)
             worst = max(worst, EXIT_CODES[line["verdict"]])
     return worst
+
+
+def _print(line: Line) -> None:
+    try:
+        print(json.dumps(line), flush=True)  # ASCII: every console can show it
+    except OSError as error:
+        raise PrintError(f"The lines cannot be printed: {error.strerror or error}") from error
 
 
 def _in_order(arguments: Arguments, bar: "tqdm[None]") -> Generator[Line, None, None]:
@@ -58,7 +72,7 @@ def _in_order(arguments: Arguments, bar: "tqdm[None]") -> Generator[Line, None, 
     finally:
         results.close()
         for request in begun.values():  # of a run that is stopped
-            remove_staged(request)
+            _remove_staged(request)
 
 
 def timed(request: Request) -> Line:
@@ -69,6 +83,11 @@ def timed(request: Request) -> Line:
 
 def _line(request: Request, result: Line | Stopped) -> Line:
     if isinstance(result, Stopped):
-        remove_staged(request)
+        _remove_staged(request)
         result = {**unfinished(STOPPED, result.code, result.sentence), "seconds": round(result.seconds, 3)}
     return {"model": str(request.model), **result}
+
+
+def _remove_staged(request: Request) -> None:
+    with suppress(OSError):  # the next run of this model tries again, and its line tells what is wrong
+        remove_staged(request)
