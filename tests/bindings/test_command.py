@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """python -m wirewarp: models from files, the same result as through Python, a sentence for whatever is wrong."""
 
+import errno
+import itertools
 import json
 import os
 import subprocess
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,6 +15,7 @@ import pypdfium2
 import pytest
 from patterns import SAMPLES, flattened
 from PIL import Image
+from wirewarp.command import staged
 from wirewarp.command.arguments import parsed
 from wirewarp.command.flatten import flatten_model
 from wirewarp.command.picture import strain
@@ -206,6 +210,66 @@ def test_no_old_picture_stays(model, tmp_path):
     assert (tmp_path / "out" / "Folded-strain.png").exists()
     ((line,), _) = run(*words)
     assert set(line["files"]) == {path.name for path in (tmp_path / "out").iterdir()} == {"Folded.json", "Folded.svg"}
+
+
+def contents(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def failing_at(number):
+    """As Path.replace, which fails once: at the move of that number to or from the folder "out"."""
+    replace, count = Path.replace, itertools.count()
+
+    def failing(self, target):
+        if "out" in (self.parent.name, Path(target).parent.name) and next(count) == number:
+            raise PermissionError(errno.EACCES, "Permission denied", str(target))
+        return replace(self, target)
+
+    return failing
+
+
+@pytest.mark.parametrize("is_killed", [False, True])
+@pytest.mark.parametrize("number", range(6))  # three files go, three come; the second that comes is the fifth of all
+def test_files_of_two_runs_are_never_mixed(model, tmp_path, monkeypatch, number, is_killed):
+    words = ["flatten", str(model), "--out", str(tmp_path / "out")]
+    flatten_model(parsed([*words, "--format", "svg,dxf"]).requests[0])
+    before = contents(tmp_path / "out")
+    (request,) = parsed([*words, "--format", "svg,plt", "--allowance", "5mm"]).requests
+    with monkeypatch.context() as patched:
+        patched.setattr(Path, "replace", failing_at(number))
+        if is_killed:  # nobody is left to put the old files back
+            patched.setattr(staged, "_remove", lambda *_: None)
+        line = flatten_model(request)
+    assert (line["verdict"], line["codes"]) == ("refused", ["file"]) and "Permission denied" in line["problems"][0]
+    if is_killed:
+        staged.remove_staged(request)
+    assert contents(tmp_path / "out") == before
+    assert flatten_model(request)["verdict"] == "ready to cut"
+    assert set(contents(tmp_path / "out")) == {"Folded.json", "Folded.svg", "Folded.plt"}
+
+
+@pytest.mark.parametrize("name", ["Folded.svg", "Folded.json"])
+def test_files_of_others_stay_as_they_are(model, tmp_path, name):
+    theirs = tmp_path / "out" / name
+    theirs.parent.mkdir()
+    theirs.write_text("{}")
+    (tmp_path / "out" / "Folded.pdf").write_text("theirs")  # in no way of a run that writes SVG
+    words = (model, "--out", tmp_path / "out", "--format", "svg")
+    ((line,), _) = run(*words, code=2)
+    (problem,) = line["problems"]
+    assert f'"{theirs}" would be replaced, but no earlier report of "{model}" lists it' in problem
+    assert contents(tmp_path / "out") == {name: b"{}", "Folded.pdf": b"theirs"}
+    theirs.unlink()
+    run(*words)
+    assert set(contents(tmp_path / "out")) == {"Folded.json", "Folded.pdf", "Folded.svg"}
+
+
+def test_a_report_speaks_of_no_files_elsewhere(model, tmp_path):
+    (tmp_path / "out").mkdir()
+    report = {"line": {"files": ["Folded.json", "../Folded.obj"], "made_of": ""}}
+    (tmp_path / "out" / "Folded.json").write_text(json.dumps(report))
+    run(model, "--out", tmp_path / "out", "--format", "svg")
+    assert model.exists()
 
 
 def test_what_was_done_before_is_found_from_any_folder(model, tmp_path, monkeypatch):

@@ -66,7 +66,7 @@ def _done_before(request: Request, made_of: str) -> Line | None:
         line: Line = json.loads(path.read_text(encoding="utf-8"))["line"]
         is_same = line["made_of"] == made_of and all((request.folder / name).is_file() for name in line["files"])
     except (ValueError, KeyError, TypeError):
-        return None  # no report of ours: it is written anew
+        return None  # no report of ours, and not replaced
     return {**line, "skipped": True} if is_same else None
 
 

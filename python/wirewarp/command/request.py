@@ -58,7 +58,7 @@ class Request:
 
     @property
     def all_paths(self) -> list[Path]:
-        """What may be of an earlier run of this request."""
+        """What may be written, but for the names of several objects of Blender, which only the file has."""
         drawn = [path(kind) for kind in self.formats for path in (self.pattern_path, self.marker_path)]
         return [*drawn, self.picture_path, self.report_path]
 
