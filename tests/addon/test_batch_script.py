@@ -7,6 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import bmesh
 import bpy
 import numpy as np
 import pytest
@@ -73,6 +74,28 @@ def test_several_models_have_files_of_their_own(addon, tmp_path):
         mark(grid(name, bump), on_line(1, 0.0))
     answer = answer_of(addon, tmp_path)
     assert answer["files"] == ["bag-Left_right.svg", "bag-Strap.svg"]
+
+
+@pytest.mark.parametrize("names", [("Left/right", "Left_right"), ("Coat", "coat")])
+def test_models_whose_patterns_would_be_one_file_are_refused(addon, tmp_path, names):
+    for name in names:
+        mark(grid(name, bump), on_line(1, 0.0))
+    refusal = answer_of(addon, tmp_path)["refusal"]
+    assert refusal == f'The patterns of "{names[0]}" and "{names[1]}" would be one file: rename one of them.'
+
+
+def test_warnings_of_the_export_are_in_the_answer(addon, tmp_path):
+    sheet = grid("Bag", bump)
+    mark(sheet, on_line(1, 0.0))
+    mesh = bmesh.new()
+    mesh.from_mesh(sheet.data)
+    mesh.faces.ensure_lookup_table()
+    bmesh.ops.delete(mesh, geom=[mesh.faces[9]], context="FACES_ONLY")  # a hole of 250 mm
+    mesh.to_mesh(sheet.data)
+    bpy.context.scene.wirewarp.allowance = 200.0
+    answer = answer_of(addon, tmp_path, ("svg", "pdf"))
+    (warning,) = answer["warnings"]  # once for both
+    assert warning.endswith("the allowance fills 1 of 1 holes; they are not cut.")
 
 
 def test_failed_pieces_are_in_the_report_and_nothing_is_exported(addon, tmp_path):

@@ -224,6 +224,7 @@ piece = {{"triangles": 2, "area_3d_m2": 0.5, "arap_energy": 0.01}}
 report = {{"object": "Bag", "issues": [], "pieces": [piece, piece], "seams": [{{"mismatch_m": 1e-12}}], "seconds": 1}}
 report["notes"] = [{{"text": "It is inside out.", "is_warning": True}}]
 answer = {{"refusal": "No mesh." if kind == "empty" else "", "report": {{"objects": [report]}}, "files": []}}
+answer["warnings"] = ["It is cut small."]
 for form in job["formats"]:
     answer["files"].append(job["stem"] + "." + form)
     (folder / answer["files"][-1]).write_text(form)
@@ -247,7 +248,8 @@ def test_files_of_blender_are_flattened_there(blender, tmp_path):
     paths = [tmp_path / f"{name}.blend" for name in ("bag", "crashes", "empty")]
     words = (*paths, "--out", tmp_path / "out", "--format", "svg", "--blender", blender)
     (bag, crashed, empty), _ = run(*words, code=3)
-    assert (bag["verdict"], bag["pieces"], bag["warnings"]) == ("ready to cut", 2, ["It is inside out."])
+    assert (bag["verdict"], bag["pieces"]) == ("ready to cut", 2)
+    assert bag["warnings"] == ["It is inside out.", "It is cut small."]
     figures = {"triangles": 4, "area_m2": 1.0, "energy": 0.01, "seam_mismatch_m": 1e-12}
     assert bag["figures"] == pytest.approx(figures)
     assert crashed["codes"] == ["crashed"]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What exporting operators have in common: a dialog that says the sizes beforehand, and a run that writes the file."""
 
+import json
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
@@ -41,6 +42,12 @@ class PatternExport(WindowSteps, ExportHelper):
 
     # Skipped when settings are kept for the next time: the next model gets a name of its own.
     filepath: StringProperty(name="File Path", description="The file to write", subtype="FILE_PATH", options=OPTIONS)
+    report_path: StringProperty(
+        name="Report File",
+        description="Of scripts: write the warnings to this JSON file",
+        subtype="FILE_PATH",
+        options=OPTIONS | {"HIDDEN"},
+    )
     notch_spacing: FloatProperty(
         name="Notches Every",
         description="Distance in millimeters (25.4 to the inch) of notches along seams, from the same end on both "
@@ -174,6 +181,8 @@ class PatternExport(WindowSteps, ExportHelper):
         sizes = " ".join(self.size_sentences(made))
         said = f'"{written.path.name}": {sizes} Read again: {written.off:.2f} mm off. Print at 100%.'
         warnings = [sentence for sentence in [crossing_sentence(made), *written.warnings] if sentence]
+        if self.report_path:
+            given_file(self.report_path).write_text(json.dumps({"warnings": warnings}), encoding="utf-8")
         lines = [*warnings, f"{said} {only}".rstrip(), settings]
         self.report({"WARNING" if warnings else "INFO"}, "\n".join(filter(None, lines)))
         return {"FINISHED"}

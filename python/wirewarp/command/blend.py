@@ -53,13 +53,14 @@ def _told(request: Request, told: dict[str, Any]) -> tuple[Line, dict[str, Any]]
     issues = [(report["object"], issue) for report in reports for issue in report["issues"]]
     for report in reports:
         report.pop("seconds", None)  # the same model gives the same report again
+    notes = [note["text"] for report in reports for note in report["notes"] if note["is_warning"]]
     line: Line = {
         "verdict": FAILED if issues else READY,
         "pieces": sum(len(report["pieces"]) for report in reports),
         "figures": report_figures(reports),
         "problems": [f"{name}: {issue['sentence']}" for name, issue in issues],
         "codes": [issue["code"] for _, issue in issues],
-        "warnings": [note["text"] for report in reports for note in report["notes"] if note["is_warning"]],
+        "warnings": [*notes, *told["warnings"]],  # those of the export come last
         "files": [request.report_path.name, *told["files"]],
     }
     return line, told["report"]

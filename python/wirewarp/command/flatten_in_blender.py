@@ -49,6 +49,16 @@ def file_name(text: str) -> str:
     return "".join("_" if letter in '<>:"/\\|?*' or ord(letter) < 32 else letter for letter in text)
 
 
+def clash_sentence(models: list[bpy.types.Object]) -> str:
+    """Empty if every model has a file of its own, also where upper and lower case are the same."""
+    owners: dict[str, bpy.types.Object] = {}
+    for model in models:
+        other = owners.setdefault(file_name(model.name).casefold(), model)
+        if other != model:  # of a library it may have the same name
+            return f'The patterns of "{other.name_full}" and "{model.name_full}" would be one file: rename one of them.'
+    return ""
+
+
 def flatten(job: dict[str, Any]) -> dict[str, Any]:
     if not hasattr(bpy.types, "OBJECT_OT_wirewarp_flatten"):
         return {"refusal": NO_ADD_ON}
@@ -57,6 +67,9 @@ def flatten(job: dict[str, Any]) -> dict[str, Any]:
     models = [each for each in bpy.context.view_layer.objects if is_marked(each)]
     if not models:
         return {"refusal": NOTHING_MARKED}
+    clash = clash_sentence(models)
+    if clash:
+        return {"refusal": clash}
     for each in bpy.context.view_layer.objects:
         each.select_set(each in models)
     bpy.context.view_layer.objects.active = models[0]
@@ -71,21 +84,25 @@ def flatten(job: dict[str, Any]) -> dict[str, Any]:
     report_path.unlink()
     if not any(each["pieces"] for each in report["objects"]):
         return {"refusal": " ".join(issue["sentence"] for each in report["objects"] for issue in each["issues"])}
-    files = export(job, models, folder) if report["ok"] else []
-    return {"refusal": "", "report": report, "files": files}
+    files, warnings = export(job, models, folder) if report["ok"] else ([], [])
+    return {"refusal": "", "report": report, "files": files, "warnings": warnings}
 
 
-def export(job: dict[str, Any], models: list[bpy.types.Object], folder: Path) -> list[str]:
-    """The names of the files, STEM.pdf of one model, STEM-OBJECT.pdf of each of several."""
-    files = []
+def export(job: dict[str, Any], models: list[bpy.types.Object], folder: Path) -> tuple[list[str], list[str]]:
+    """The names of the files, STEM.pdf of one model, STEM-OBJECT.pdf of each of several; and warnings."""
+    files: list[str] = []
+    warnings: list[str] = []
+    report_path = folder / "export.part"
     for model in models:
         bpy.context.view_layer.objects.active = model
         stem = job["stem"] if len(models) == 1 else f"{job['stem']}-{file_name(model.name)}"
         for kind in job["formats"]:
             files.append(f"{stem}.{kind}")
-            path = str(folder / files[-1])
-            bpy.ops.object.wirewarp_export(filepath=path, **settings_of(bpy.ops.object.wirewarp_export))
-    return files
+            paths = {"filepath": str(folder / files[-1]), "report_path": str(report_path)}
+            bpy.ops.object.wirewarp_export(**paths, **settings_of(bpy.ops.object.wirewarp_export))
+            warnings += json.loads(report_path.read_text(encoding="utf-8"))["warnings"]
+            report_path.unlink()
+    return files, list(dict.fromkeys(warnings))  # most are of every format
 
 
 threading.Thread(target=end_with_caller, daemon=True).start()
