@@ -34,7 +34,7 @@ def main() -> int:
     with connected(given.server) as client:
         # A task fails where a model is not ready to cut: no reason to stop the others.
         client.wait_for_jobs([client.submit(job)], raise_on_error=False)
-    return subprocess.call([*BATCH, *words])  # finds everything done: the lines of all
+    return subprocess.call([*BATCH, *words])  # the lines of all; what was refused, stopped or lost is done again here
 
 
 @contextmanager
