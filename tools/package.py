@@ -32,6 +32,7 @@ from tools.environment import (
     venv,
 )
 from tools.libraries import library_wheels
+from tools.module_needs import LIEF
 from tools.zig import ZIG
 from tools.zips import LEGACY_TAG, VERSION
 
@@ -97,7 +98,8 @@ def extension_for(system: System) -> Path:
 def cross_wheel(system: System, version: str, wheel: Path) -> Path:
     """The wheel for another system, beside the one made here; from the last build if nothing it is made of changed."""
     made = wheel.with_name("-".join([*wheel.stem.split("-")[:-1], system.wheel_tag]) + ".whl")
-    key = fingerprint([*(ROOT / source for source in CORE_SOURCES), ROOT / "tools" / "cross.py"], ZIG)
+    sources = [ROOT / source for source in (*CORE_SOURCES, "tools/cross.py", "tools/module_needs.py")]
+    key = fingerprint(sources, ZIG, LIEF, *WHEEL_TOOLS)
     if not (made.is_file() and is_current(f"wheel-{made.stem}", key)):
         made.unlink(missing_ok=True)
         cross.build_wheel(system, version, venv_for_wheels(version, require_python(version)), wheel, made)
