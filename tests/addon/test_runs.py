@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs beside Blender, and what is made again by itself. The window's part of both: tests/window."""
 
+import inspect
 import subprocess
 import sys
 import weakref
@@ -132,6 +133,44 @@ def test_a_run_that_is_done_may_still_be_cancelled(addon):
     run.go_on()
     assert run.is_done
     window_run.cancel()
+    with pytest.raises(window_run.CancelledError):
+        run.result()
+    assert not window_run.is_running()
+
+
+@pytest.mark.parametrize("driver", ["in_one_go", "in_slices", "told_as"])
+def test_steps_are_closed_where_what_hears_of_them_raises(addon, driver):
+    def working():
+        while True:
+            yield 0.5
+
+    def fail(_told):
+        raise ZeroDivisionError
+
+    steps, work = addon.solve.steps, working()  # which this function keeps alive
+    drive = {
+        "in_one_go": lambda: steps.in_one_go(work, fail),
+        "in_slices": lambda: steps.in_one_go(steps.in_slices(work), fail),
+        "told_as": lambda: steps.in_one_go(steps.told_as(work, fail)),
+    }
+    with pytest.raises(ZeroDivisionError):
+        drive[driver]()
+    assert inspect.getgeneratorstate(work) == inspect.GEN_CLOSED
+
+
+def test_a_run_that_cannot_clean_up_is_cancelled_all_the_same(addon):
+    def stubborn():
+        try:
+            yield 0.5
+        finally:
+            raise OSError("no disk")
+
+    window_run = addon.run.window_run
+    run = window_run.begin(FakeWindow(), window_run.EXPORT, "Nothing", stubborn())
+    run.go_on()
+    with pytest.raises(OSError, match="no disk"):
+        window_run.cancel()
+    assert run.is_done
     with pytest.raises(window_run.CancelledError):
         run.result()
     assert not window_run.is_running()

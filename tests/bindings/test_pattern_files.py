@@ -255,6 +255,20 @@ def test_a_stop_at_any_moment_leaves_the_old_file(tmp_path, monkeypatch, ending)
         assert path.read_bytes() == old and list(tmp_path.iterdir()) == [path]
 
 
+def test_what_progress_raises_leaves_the_old_file(tmp_path, monkeypatch):
+    monkeypatch.setattr("wirewarp.pattern.progress.OFTEN", 0.0)
+    path = tmp_path / "hat.pdf"
+    path.write_bytes(b"old")
+
+    def progress(*_):
+        if len(list(tmp_path.iterdir())) > 1:  # the new one is being written
+            raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError) as raised:  # whose traceback is kept
+        sample("Hat").write(path, progress=progress)
+    assert path.read_bytes() == b"old" and list(tmp_path.iterdir()) == [path], raised
+
+
 def test_a_pattern_can_be_stopped_while_it_is_made(monkeypatch):
     monkeypatch.setattr("wirewarp.pattern.progress.OFTEN", 0.0)
     asked: list[str] = []

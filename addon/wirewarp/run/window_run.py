@@ -83,8 +83,10 @@ class WindowRun(Generic[T]):
         self.is_done = self._is_cancelled = False
 
     def cancel(self) -> None:
-        self._steps.close()
-        self.is_done = self._is_cancelled = True
+        try:
+            self._steps.close()
+        finally:  # whatever that raises, the operator ends the run
+            self.is_done = self._is_cancelled = True
 
     def go_on(self) -> None:
         """By a step; also shows how far it is."""

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Work in steps, between which the window goes on: generators that yield the share of the work that is done.
 
-To stop one close it: files are then as they were. There are no Python threads, which Blender does not allow; the solver
-has its own, in the core. No Blender in here.
+To stop one close it: files are then as they were. Whoever drives one closes it: the traceback of an error would keep it
+alive. There are no Python threads, which Blender does not allow; the solver has its own, in the core. No Blender here.
 """
 
 import time
 from collections.abc import Callable, Generator
+from contextlib import closing
 from typing import TypeVar
 
 SLICE = 0.04  # seconds of work between two looks at the window: it is drawn 20 times a second
@@ -18,35 +19,38 @@ Steps = Generator[float, None, T]  # yields from 0 to 1
 
 def told_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> Steps[T]:
     """The same steps; share: of the whole, by what they yield."""
-    while True:
-        try:
-            told = next(steps)
-        except StopIteration as end:
-            result: T = end.value
-            return result
-        yield share(told)
+    with closing(steps):
+        while True:
+            try:
+                told = next(steps)
+            except StopIteration as end:
+                result: T = end.value
+                return result
+            yield share(told)
 
 
 def in_slices(steps: Generator[S, None, T]) -> Generator[S, None, T]:
     """As many steps at once as a slice of time holds."""
-    while True:
-        end = time.monotonic() + SLICE
-        try:
-            told = next(steps)
-            while time.monotonic() < end:
+    with closing(steps):
+        while True:
+            end = time.monotonic() + SLICE
+            try:
                 told = next(steps)
-        except StopIteration as done:
-            result: T = done.value
-            return result
-        yield told
+                while time.monotonic() < end:
+                    told = next(steps)
+            except StopIteration as done:
+                result: T = done.value
+                return result
+            yield told
 
 
 def in_one_go(steps: Generator[S, None, T], tell: Callable[[S], object] = lambda _told: None) -> T:
     """All steps, while Blender waits; tell: is called with what they yield."""
-    while True:
-        try:
-            tell(next(steps))
-        except StopIteration as end:
-            result: T = end.value
-            return result
-        time.sleep(POLL)
+    with closing(steps):
+        while True:
+            try:
+                tell(next(steps))
+            except StopIteration as end:
+                result: T = end.value
+                return result
+            time.sleep(POLL)

@@ -3,6 +3,7 @@
 
 import time
 from collections.abc import Callable, Generator
+from contextlib import closing
 from typing import TypeVar
 
 from .._errors import FlattenError
@@ -16,13 +17,14 @@ Steps = Generator[tuple[str, float], None, T]  # yields the same before each ste
 def in_one_go(steps: Steps[T], progress: Progress | None = None) -> T:
     """All steps. Raises FlattenError ("cancelled") where progress says False, unless the steps know better."""
     asked = 0.0
-    try:
-        while True:
-            stage, fraction = next(steps)
-            if progress and time.monotonic() - asked >= OFTEN:
-                asked = time.monotonic()
-                if progress(stage, fraction) is False:
-                    steps.throw(FlattenError("cancelled", "Stopped before it was done."))
-    except StopIteration as end:
-        result: T = end.value
-        return result
+    with closing(steps):  # also where progress raises
+        try:
+            while True:
+                stage, fraction = next(steps)
+                if progress and time.monotonic() - asked >= OFTEN:
+                    asked = time.monotonic()
+                    if progress(stage, fraction) is False:
+                        steps.throw(FlattenError("cancelled", "Stopped before it was done."))
+        except StopIteration as end:
+            result: T = end.value
+            return result
