@@ -6,11 +6,11 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import psutil
 import pytest
+from processes import wait_until_gone
 from test_command import FOLDED
 from wirewarp.command import run as command_run
 from wirewarp.command.apart import Limits, Stopped, each_apart
@@ -129,9 +129,7 @@ def test_what_hangs_ends_with_what_it_has_started(tmp_path):
     assert next(running) == (1, None)
     assert psutil.pid_exists(int(path.read_text()))
     running.close()
-    end = time.monotonic() + 60  # a system that has much to do takes a while to end it
-    while not is_gone(int(path.read_text())):
-        assert time.monotonic() < end
+    wait_until_gone(int(path.read_text()))
 
 
 def test_what_hangs_is_stopped_in_time(tmp_path):
@@ -139,13 +137,6 @@ def test_what_hangs_is_stopped_in_time(tmp_path):
     (stopped,) = results.values()
     assert (stopped.code, stopped.sentence) == ("time_limit", "It took longer than 0 seconds: see --time-limit.")
     assert stopped.seconds > 0
-
-
-def is_gone(pid):
-    try:
-        return psutil.Process(pid).status() == psutil.STATUS_ZOMBIE  # in containers nobody may ask for its code
-    except psutil.NoSuchProcess:
-        return True
 
 
 def test_one_that_takes_all_memory_is_stopped():

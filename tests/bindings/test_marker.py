@@ -3,14 +3,21 @@
 
 import json
 import math
+import os
+import subprocess
+import sys
+import time
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
+import psutil
 import pypdfium2
 import pytest
 import shapely
 import wirewarp
 from patterns import cut_polygon, quads, rectangle, sample
+from processes import wait_until_gone
 from wirewarp.pattern import Marker, Pattern
 from wirewarp.pattern.flat_piece import flat_piece
 from wirewarp.pattern.motion import Motion
@@ -222,6 +229,51 @@ def test_what_spyrrow_stumbles_over_is_told_and_pieces_are_packed_all_the_same(m
     (warning,) = marker.warnings
     assert warning.startswith("spyrrow failed, so pieces were packed without it: ")
     assert sample("Hat").laid_on(marker).warnings[-1] == warning
+
+
+@pytest.fixture
+def searches(monkeypatch):
+    """The processes that have been started since."""
+    pytest.importorskip("spyrrow")
+    started = []
+
+    class Noted(subprocess.Popen):
+        def __init__(self, *what, **how):
+            super().__init__(*what, **how)
+            started.append(self)
+
+    monkeypatch.setattr("wirewarp.pattern.spyrrow_nesting.subprocess.Popen", Noted)
+    return started
+
+
+def test_no_process_searches_on_where_progress_raises(searches):
+    def progress(*_):
+        if searches:
+            raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError) as raised:  # whose traceback is kept
+        sample("Hat").nested(1400, seconds=600, progress=progress)
+    (search,) = searches
+    assert search.returncode is not None and not Path(search.args[-1]).parent.exists(), raised
+
+
+def test_a_search_ends_with_the_process_that_was_killed(tmp_path):
+    pytest.importorskip("spyrrow")
+    code = "from patterns import sample; sample('Toy').nested(1000, times=4, seconds=3600)"  # for more than a minute
+    temporary = dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(tmp_path))
+    caller = subprocess.Popen([sys.executable, "-c", code], cwd=Path(__file__).parent, env=os.environ | temporary)
+    while not any(found.stat().st_size for found in tmp_path.glob("*/found")):
+        assert caller.poll() is None
+        time.sleep(0.01)
+    (search,) = (
+        process.pid
+        for process in psutil.Process(caller.pid).children(recursive=True)
+        if any(word.endswith("spyrrow_process.py") for word in process.cmdline())
+    )
+    caller.kill()
+    caller.wait()
+    wait_until_gone(search)
+    assert os.name != "posix" or not list(tmp_path.iterdir())  # Windows keeps files that are open
 
 
 @pytest.mark.parametrize(

@@ -50,25 +50,25 @@ def searched(
     with TemporaryDirectory(prefix="wirewarp-") as folder:
         given, found, said = (Path(folder) / name for name in ("given", "found", "said"))
         given.write_text(json.dumps(task), encoding="utf-8")
-        with given.open("rb") as reads, found.open("wb") as writes, said.open("wb") as complains:
+        with found.open("wb") as writes, said.open("wb") as complains:
             try:
                 process = subprocess.Popen(
-                    [sys.executable, "-I", str(PROGRAM)],
-                    stdin=reads,
+                    [sys.executable, "-I", str(PROGRAM), str(given)],
+                    stdin=subprocess.PIPE,  # never written to: the search reads its end when this process is killed
                     stdout=writes,
                     stderr=complains,
                     creationflags=NO_WINDOW,
                 )
             except OSError as error:
                 raise SpyrrowError(f"{sys.executable} does not run: {error.strerror}") from error
-        try:
-            yield from _read(process, found, seconds + OVERTIME, width)
-            if process.poll():
-                lines = said.read_text(encoding="utf-8", errors="replace").strip().splitlines()
-                raise SpyrrowError(lines[-1] if lines else f"its process ended with {process.returncode}")
-        finally:
-            process.kill()
-            process.wait()
+        with process:
+            try:
+                yield from _read(process, found, seconds + OVERTIME, width)
+                if process.poll():
+                    lines = said.read_text(encoding="utf-8", errors="replace").strip().splitlines()
+                    raise SpyrrowError(lines[-1] if lines else f"its process ended with {process.returncode}")
+            finally:
+                process.kill()
 
 
 def _described(item: Item, grain: Grain) -> dict[str, object]:

@@ -1,23 +1,29 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A program, not a module: runs spyrrow, and prints each better solution as a line of JSON.
 
+Its argument is the file with the task, in a folder of its own; spyrrow_nesting.py starts it.
 In a process of its own, because spyrrow cannot be stopped, and because what it stumbles over ends its process.
 """
 
 import json
+import os
+import shutil
 import sys
 import threading
 import time
+from pathlib import Path
 from typing import Any
 
 OFTEN = 0.1  # seconds between looks for better solutions
 
 
 def main() -> None:
-    task = json.load(sys.stdin)
+    path = Path(sys.argv[1])
+    task = json.loads(path.read_text(encoding="utf-8"))
     sys.path.insert(0, task["library"])
     import spyrrow
 
+    threading.Thread(target=_end_with_caller, args=(path.parent,), daemon=True).start()
     items = [
         spyrrow.Item(str(number), [tuple(point) for point in each["outline"]], each["count"], each["angles"])
         for number, each in enumerate(task["items"])
@@ -44,6 +50,13 @@ def main() -> None:
         if is_over:
             return
         time.sleep(OFTEN)
+
+
+def _end_with_caller(folder: Path) -> None:
+    """Nobody writes to the standard input: it ends when whoever has started this ends, however that happens."""
+    os.read(0, 1)  # sys.stdin would be locked when Python ends
+    shutil.rmtree(folder, ignore_errors=True)  # Windows keeps the files that this process has open
+    os._exit(1)
 
 
 def _solve(instance: Any, config: object, reports: object, failures: list[BaseException]) -> None:  # noqa: ANN401
