@@ -2,6 +2,8 @@
 """Markers: found by an export, kept with the model, and drawn where they lie."""
 
 import re
+import subprocess
+from pathlib import Path
 
 import bpy
 import numpy as np
@@ -91,8 +93,39 @@ def test_the_preview_draws_the_marker_that_is_kept(source, tmp_path, addon):
     assert not preview().places
 
 
-def test_a_search_that_is_stopped_writes_nothing(source, tmp_path, addon):
-    path = tmp_path / "a.pdf"
+SPYRROW = """
+import time
+
+Item = StripPackingConfig = ProgressQueue = lambda *_, **__: None
+
+
+class StripPackingInstance:
+    def __init__(self, *_):
+        time.sleep(3600)
+"""
+
+
+@pytest.fixture
+def searches(tmp_path, monkeypatch):
+    """The processes of a spyrrow that finds nothing, which no Blender has."""
+    started = []
+
+    class Noted(subprocess.Popen):
+        def __init__(self, *what, **how):
+            super().__init__(*what, **how)
+            started.append(self)
+
+    monkeypatch.setattr(subprocess, "Popen", Noted)
+    package = tmp_path / "library" / "spyrrow"
+    package.mkdir(parents=True)
+    (package / "__init__.py").write_text(SPYRROW)
+    monkeypatch.syspath_prepend(package.parent)
+    return started
+
+
+def test_a_search_that_is_stopped_writes_nothing(source, tmp_path, addon, searches):
+    path = tmp_path / "files" / "a.pdf"
+    path.parent.mkdir()
     path.write_bytes(b"of an earlier export")
     parts = addon.flat.pattern.read_pattern(bpy.context.scene, source)
     module = addon.run.export
@@ -100,6 +133,13 @@ def test_a_search_that_is_stopped_writes_nothing(source, tmp_path, addon):
     cloth = addon.solve.pattern_parts.Cloth(400.0, 4.0, "free")
     choices = module.ExportChoices(made, frozenset(), cloth=cloth, seconds=600.0)
     steps = module.export(parts, choices, path)
-    told = [next(steps) for _ in range(20)]
+    told = [next(steps)]
+    while not searches:
+        told.append(next(steps))
+    (search,) = searches
+    assert search.poll() is None and told == sorted(told)
+    told.append(next(steps))
+    assert told[-1] > module._share("nesting", 0.0, True)
     steps.close()
-    assert path.read_bytes() == b"of an earlier export" and told == sorted(told) and told[-1] > 0
+    assert search.returncode is not None and not Path(search.args[-1]).parent.exists()
+    assert path.read_bytes() == b"of an earlier export" and list(path.parent.iterdir()) == [path]

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tours through the export: its dialog, its run, and what is left when it is cancelled."""
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
+from contextlib import closing
 from pathlib import Path
 
 import bpy
@@ -11,6 +12,7 @@ from stage import flatten, marked_bump, window_run
 from surfaces import select_only
 
 export = wirewarp_addon.run.export
+Stages = Generator[tuple[str, float], None, object]
 
 
 def open_dialog(path: Path) -> drive.Tour:
@@ -74,10 +76,23 @@ def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
     assert source.mode == "EDIT"
 
 
-def wait(*_: object) -> Generator[tuple[str, float], None, None]:
-    """An export that does not come to its end."""
-    while True:
-        yield "allowance", 0.5
+def halting(exporting: Callable[..., Stages]) -> Callable[..., Stages]:
+    """This export, but it does not come to its end: it stands still as soon as its file is there, unfinished."""
+
+    def export_and_wait(parts: object, choices: object, path: Path) -> Stages:
+        with closing(exporting(parts, choices, path)) as steps:
+            while not unfinished(path):
+                stage = next(steps)
+                yield stage
+            while True:
+                yield stage
+
+    return export_and_wait
+
+
+def unfinished(path: Path) -> list[Path]:
+    """What is written beside the file until it is whole."""
+    return list(path.parent.glob(".wirewarp-*.part"))
 
 
 def escape_leaves_the_file_as_it_was() -> drive.Tour:
@@ -90,10 +105,10 @@ def escape_leaves_the_file_as_it_was() -> drive.Tour:
     path = folder / "pattern.pdf"
     path.write_bytes(b"of an earlier export")
     exporting = export._exporting
-    export._exporting = wait
+    export._exporting = halting(exporting)
     yield from open_dialog(path)
     yield from press_export()
-    yield lambda: browser() is None and window_run.is_running(window_run.EXPORT)
+    yield lambda: browser() is None and window_run.is_running(window_run.EXPORT) and bool(unfinished(path))
     try:
         bpy.ops.object.wirewarp_flatten()
     except RuntimeError as error:
