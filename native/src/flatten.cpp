@@ -261,6 +261,7 @@ class ChartsSolver {
       if (!report_.is_cancelled()) settled = solve_settled(chart, run_, stop_token(c));
       solved_[c] = std::move(settled.solved);
       settled_errors_[c] = std::move(settled.settled_error);
+      return;  // join() goes on with it
     }
     progress_.finish(c);
   }
@@ -271,19 +272,20 @@ class ChartsSolver {
       return;
     }
     solved_[c] = report_.is_cancelled() ? cancelled_chart() : solve_chart(charts_[c], run_, stop_token(c));
-    session_.keep({&charts_[c]}, {solved_[c]});
+    session_.keep({&charts_[c]}, {&solved_[c]});
   }
 
   void join(const std::vector<int>& group) {
-    if (is_done_[group.front()] != 0) return;
+    if (is_done_[group.front()] != 0) return;  // from the cache
     std::vector<ChartToJoin> to_join;
     for (const int c : group) {
       if (solved_[c].uv.rows() > 0) to_join.push_back({charts_[c], solved_[c], settled_errors_[c]});
     }
     if (!to_join.empty()) join_charts(to_join, run_.options, stop_token(static_cast<std::size_t>(group.front())));
-    std::vector<SolvedChart> solved;
-    for (const int c : group) solved.push_back(solved_[c]);
+    std::vector<const SolvedChart*> solved;
+    for (const int c : group) solved.push_back(&solved_[c]);
     session_.keep(members(group), solved);
+    for (const int c : group) progress_.finish(static_cast<std::size_t>(c));
   }
 
   const std::vector<Chart>& charts_;

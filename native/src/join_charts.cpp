@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "join_charts.h"
 
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
 
+#include "chart_errors.h"
 #include "charts/seams_that_give.h"
 #include "factorization_failed.h"
 #include "feasibility/folded_faces.h"
@@ -29,27 +31,39 @@ std::optional<JoinedShapes> find_shapes(const std::vector<ChartToJoin>& charts, 
   RefineBudget budget(options.max_factorizations);
   try {
     JoinedShapes joined = refine_together(copies, options.fairness, starts, {budget, stop.in("shape")});
-    if (joined.shapes.front().is_exact) return joined;
-  } catch (const FactorizationFailed&) {  // the shapes at h = ease are good
+    return joined.shapes.front().is_exact ? std::optional(std::move(joined)) : std::nullopt;
+  } catch (const FactorizationFailed&) {
+    return std::nullopt;
   } catch (const Stopped&) {
+    return std::nullopt;
   }
-  return std::nullopt;
 }
 
-/// The chart alone with its seams at these lengths, if that shape is neither turned over nor over itself.
+/// None where nothing that is neither turned over nor over itself is found.
+std::optional<RefineResult> refine_unfolded(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
+  try {
+    RefineResult refined = refine_chart(chart, options, stop);
+    const bool is_good = refined.shape.is_exact && refined.shape.injectivity == Injectivity::global;
+    return is_good ? std::optional(std::move(refined)) : std::nullopt;
+  } catch (const FactorizationFailed&) {
+    return std::nullopt;
+  } catch (const Stopped&) {
+    return std::nullopt;
+  }
+}
+
+/// The chart alone with its seams at these lengths, if that shape is good.
 void replace_folded(const Chart& chart, const InternalOptions& options, const StopToken& stop, SolvedChart& solved) {
   if (find_folded_faces(chart.mesh, solved.uv).empty() || stop.is_stopped()) return;
   const Chart settled = with_settled_seams(chart, solved.variation);
-  try {
-    RefineResult refined = refine_chart(settled, options, stop);
-    solved.report.factorizations += refined.factorizations;
-    if (!refined.shape.is_exact || refined.shape.injectivity != Injectivity::global) return;
-    solved.variation = variations_of(settled, refined.shape.variation);
-    solved.uv = std::move(refined.shape.uv);
-    solved.report.start = refined.start;
-  } catch (const FactorizationFailed&) {  // it keeps the shape that it has
-  } catch (const Stopped&) {
-  }
+  std::optional<RefineResult> refined = refine_unfolded(settled, options, stop);
+  if (!refined) return;
+  refined->factorizations += solved.report.factorizations;
+  solved.report.warnings.clear();
+  report_refinement(*refined, stop.is_stopped(), solved.report);
+  solved.report.projected_gradient = std::numeric_limits<double>::quiet_NaN();
+  solved.variation = variations_of(settled, refined->shape.variation);
+  solved.uv = std::move(refined->shape.uv);
 }
 
 void take_shape(RefinedShape shape, double projected_gradient, bool was_stopped, const Chart& chart,
@@ -67,13 +81,18 @@ void take_shape(RefinedShape shape, double projected_gradient, bool was_stopped,
   solved.uv = std::move(refined.shape.uv);
 }
 
-void refuse(const ChartToJoin& one) {
-  if (!one.settled_error) return;
-  PieceReport report = std::move(one.solved.report);
-  report.termination = Termination::failed;
-  one.solved = {};
-  one.solved.report = std::move(report);
-  one.solved.error = one.settled_error;
+/// Without common lengths a chart keeps those at h = ease; without a shape at these it has the error of before.
+void keep_settled(const ChartToJoin& one, bool was_stopped) {
+  PieceReport& report = one.solved.report;
+  if (one.settled_error) {
+    report.termination = was_stopped ? Termination::cancelled : Termination::failed;
+    one.solved.uv.resize(0, 2);
+    one.solved.network.reset();
+    one.solved.error = was_stopped ? cancelled() : *one.settled_error;
+  } else if (!was_stopped) {
+    report.warnings.push_back("No common lengths were found for the seams that give: they have those of their ease.");
+    report.termination = Termination::stalled;
+  }
 }
 
 }  // namespace
@@ -89,12 +108,16 @@ void join_charts(const std::vector<ChartToJoin>& charts, const InternalOptions& 
   for (std::size_t k = 0; k < charts.size(); ++k) {
     const ChartToJoin& one = charts[k];
     if (!joined) {
-      refuse(one);
-      if (stop.is_stopped()) one.solved.report.termination = Termination::cancelled;
+      keep_settled(one, stop.is_stopped());
       continue;
     }
     take_shape(std::move(joined->shapes[k]), joined->projected_gradient, stop.is_stopped(), one.chart, one.solved);
     replace_folded(one.chart, options, stop, one.solved);
+    if (find_folded_faces(one.chart.mesh, one.solved.uv).empty()) one.solved.proposed_seams.clear();
+  }
+  if (!stop.is_stopped()) return;
+  for (const ChartToJoin& one : charts) {  // also of those that were done: together they are not
+    if (one.solved.report.termination != Termination::cancelled) report_cancelled(one.solved.report);
   }
 }
 

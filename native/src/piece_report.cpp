@@ -25,14 +25,16 @@ void report_refinement(const RefineResult& refined, bool was_stopped, PieceRepor
   if (!refined.shape.is_exact) return;
   report.constraint_residual = refined.shape.length_error;
   report.objective = refined.shape.objective;
-  if (was_stopped) {
-    report.warnings.push_back("Cancelled: the lengths are exact, but the shape could be less distorted.");
-  } else if (!refined.shape.converged) {
+  if (!was_stopped && !refined.shape.converged) {
     report.warnings.push_back("The shape stopped short of the least distortion.");
   }
-  report.termination = was_stopped               ? Termination::cancelled
-                       : report.warnings.empty() ? Termination::converged
-                                                 : Termination::stalled;
+  report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
+  if (was_stopped) report_cancelled(report);
+}
+
+void report_cancelled(PieceReport& report) {
+  report.warnings.push_back("Cancelled: the lengths are exact, but the shape could be less distorted.");
+  report.termination = Termination::cancelled;
 }
 
 }  // namespace wirewarp

@@ -11,4 +11,7 @@ void report_solution(const OuterSolution& solution, PieceReport& report);
 
 void report_refinement(const RefineResult& refined, bool was_stopped, PieceReport& report);
 
+/// Of a shape that has exact lengths when the caller stops.
+void report_cancelled(PieceReport& report);
+
 }  // namespace wirewarp

@@ -21,7 +21,8 @@ enum class WireKind {
   super_elastic,  // free: an infinite tolerance
 };
 
-/// Length of one part of a wire inside one piece (parts end at seams and boundaries), or of a whole wire.
+/// Length of one part of a wire inside one piece (parts end at seams and boundaries), or of a whole wire. A part along a
+/// dart has one for each side.
 struct WireReport {
   std::string name;                 // the wire's name
   int wire_index = -1;              // index into the input's wires
@@ -72,7 +73,8 @@ struct Metrics {
   double arap_energy = 0;             // Eq. (4) divided by the 3D area
   Eigen::VectorXd face_arap;          // (q,) Eq. (6), one per face; sums to arap_energy * area_3d
   Eigen::VectorXd face_aspect_ratio;  // (q,) E_r = max(sigma_1, 1/sigma_2), one per face; 1 on isometries
-  double cloth_energy = std::numeric_limits<double>::quiet_NaN();  // of Options::cloth over the 3D area; NaN without
+  /// Of Options::cloth over the 3D area: NaN without one, infinite where a triangle is turned over.
+  double cloth_energy = std::numeric_limits<double>::quiet_NaN();
   Eigen::VectorXd face_weft_strain;       // (q,) of threads along x, from flat to worn: 0.1 is 10 % longer
   Eigen::VectorXd face_warp_strain;       // (q,) the same along y
   Eigen::VectorXd face_shear_angle;       // (q,) how far worn threads leave the right angle, radians; positive where x
@@ -121,7 +123,8 @@ struct PieceReport {
   /// only what points inside; NaN else.
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();
 
-  /// Refined: arap_energy + angle term, + a barrier where triangles are about to turn over. NaN for other methods.
+  /// Refined: arap_energy, or cloth_energy with a cloth, + angle term, + barriers where triangles are about to turn
+  /// over or threads to shear in zigzags. NaN for other methods.
   double objective = std::numeric_limits<double>::quiet_NaN();
 
   std::map<std::string, double> seconds;  // per stage

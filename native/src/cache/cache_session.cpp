@@ -45,13 +45,17 @@ std::optional<std::vector<SolvedChart>> CacheSession::known(const std::vector<co
   return solved;
 }
 
-void CacheSession::keep(const std::vector<const Chart*>& group, const std::vector<SolvedChart>& solved) {
-  const bool is_cancelled = std::any_of(solved.begin(), solved.end(), [](const SolvedChart& one) {
-    return one.report.termination == Termination::cancelled;
+void CacheSession::keep(const std::vector<const Chart*>& group, const std::vector<const SolvedChart*>& solved) {
+  const bool is_cancelled = std::any_of(solved.begin(), solved.end(), [](const SolvedChart* one) {
+    return one->report.termination == Termination::cancelled;
   });
   if (!cache_ || is_cancelled) return;
-  auto cached = std::make_shared<CachedGroup>(CachedGroup{solved, name_key(group, input_.wires)});
-  for (SolvedChart& one : cached->solved) one.report.seconds.clear();  // no time is spent on it again
+  auto cached = std::make_shared<CachedGroup>();
+  cached->name_key = name_key(group, input_.wires);
+  for (const SolvedChart* one : solved) {
+    cached->solved.push_back(*one);
+    cached->solved.back().report.seconds.clear();  // no time is spent on it again
+  }
   std::string key = solution_key(group, options_);
   const std::lock_guard lock(mutex_);
   of_this_run_.by_key.insert_or_assign(std::move(key), std::move(cached));

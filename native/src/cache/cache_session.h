@@ -33,7 +33,7 @@ class CacheSession {
   std::optional<std::vector<SolvedChart>> known(const std::vector<const Chart*>& group);
 
   /// Keeps them, where none of them was cancelled.
-  void keep(const std::vector<const Chart*>& group, const std::vector<SolvedChart>& solved);
+  void keep(const std::vector<const Chart*>& group, const std::vector<const SolvedChart*>& solved);
 
   /// Hands all charts of this run to the cache, in place of those it held.
   void finish();

@@ -12,7 +12,7 @@ namespace wirewarp {
 /// them, by their first one. Charts with an error are alone.
 std::vector<std::vector<int>> group_by_seams_that_give(const std::vector<Chart>& charts);
 
-/// The chart with its seams to other charts settled at h = ease.
+/// The chart with all seams and outlines that give settled at h = ease.
 Chart with_settled_seams(Chart chart);
 
 /// The same at the given h, one per wire part.

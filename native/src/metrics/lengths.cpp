@@ -68,11 +68,9 @@ struct SideLength {
   double without_ease = 0;  // l2 / (1 + r)
 };
 
+/// promised: (1 + r)(1 + h) l, one per chart edge.
 SideLength measure_side(const Chart& chart, const HalfEdgeChain& chain, const Piece& piece,
-                        const std::map<VertexPair, double>& side_eases) {
-  std::vector<double> variation;
-  for (const WireReport& wire : piece.wires) variation.push_back(wire.variation);
-  const std::vector<double> promised = promised_lengths(chart, variation);
+                        const std::vector<double>& promised, const std::map<VertexPair, double>& side_eases) {
   SideLength side;
   for (const HalfedgeHandle h : chain) {
     const auto ease = side_eases.find({chart.source_vertex[chart.mesh.from_vertex_handle(h).idx()],
@@ -173,6 +171,12 @@ std::vector<BoundaryReport> measure_boundaries(const Chart& chart, const Positio
 std::vector<SeamReport> measure_seams(const FlattenInput& input, const Charts& charts,
                                       const std::vector<Piece>& pieces) {
   const std::map<VertexPair, double> side_eases = list_side_eases(input.eases);
+  std::vector<std::vector<double>> promised(pieces.size());
+  for (std::size_t c = 0; c < pieces.size(); ++c) {
+    std::vector<double> variation;
+    for (const WireReport& wire : pieces[c].wires) variation.push_back(wire.variation);
+    if (has_layout(pieces[c])) promised[c] = promised_lengths(charts.charts[c], variation);
+  }
   std::vector<SeamReport> reports;
   for (const Seam& seam : charts.seams) {
     SeamReport report;
@@ -187,8 +191,8 @@ std::vector<SeamReport> measure_seams(const FlattenInput& input, const Charts& c
       report.eases.push_back(kNaN);
       if (!has_layout(piece)) continue;
       const Chart& chart = charts.charts[side.chart];
-      const SideLength length =
-          measure_side(chart, chart.boundary_chains[side.boundary_chain].half_edges, piece, side_eases);
+      const SideLength length = measure_side(chart, chart.boundary_chains[side.boundary_chain].half_edges, piece,
+                                             promised[side.chart], side_eases);
       known.push_back(length.without_ease);
       report.eases.back() = length.promised / length.shared - 1;
       if (std::isnan(report.variation)) report.variation = length.shared / length.unstretched - 1;

@@ -106,10 +106,10 @@ class FairShapeError {
 
   double energy(const Positions2& uv) const;
   double energy_and_gradient(const Positions2& uv, Positions2& gradient) const;
-  void add_energy_curvature(std::size_t t, const ShapeError::LinearMap& map, Curvature curvature,
+  void add_energy_curvature(std::size_t i, const ShapeError::LinearMap& map, Curvature curvature,
                             VertexMatrix& hessian) const;
   FlipBarrier flip_barrier(double determinant) const;
-  void add_laplacian(std::size_t t, VertexMatrix& hessian) const;
+  void add_laplacian(std::size_t i, VertexMatrix& hessian) const;
   template <class BlockOf>
   void add_triangle(std::size_t t, VertexMatrix& hessian, const BlockOf& block_of) const;
 

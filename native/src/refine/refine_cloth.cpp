@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -66,7 +67,8 @@ class ClothRefinement {
   ClothRefinement(const Chart& chart, const InternalOptions& options, const StopToken& stop)
       : chart_(chart), network_(build_held_network(chart)), options_(options), stop_(stop) {}
 
-  RefinedShape refine(const RefinedShape& upright, RefineBudget& budget);
+  /// None where no shape for the cloth is sound.
+  std::optional<RefinedShape> refine(const RefinedShape& upright, RefineBudget& budget);
 
  private:
   /// A layout turned to a valley of its energy.
@@ -82,6 +84,8 @@ class ClothRefinement {
   RefinedShape refine_held(const RefinementStart& start, RefineBudget& budget) const;
   RefinedShape refine_turning(const RefinedShape& upright, RefineBudget& budget) const;
   double slope_of(const RefinedShape& shape) const;
+  /// No less than the shape without a cloth: its promises come first.
+  bool is_sound(const RefinedShape& shape) const { return shape.is_exact && shape.injectivity >= injectivity_; }
   bool may_go_on(RefineBudget& budget) const { return !stop_.is_stopped() && budget.allows(); }
 
   const Chart& chart_;
@@ -140,12 +144,13 @@ RefinedShape ClothRefinement::refine_turning(const RefinedShape& upright, Refine
   RefinedShape best;
   double curvature = 0;
   for (const Turn& turn : best_turns(upright.uv)) {
-    if (best.is_exact && !may_go_on(budget)) break;
+    if (!may_go_on(budget)) break;
     RefinedShape shape = refine_held({turn.uv, upright.multipliers}, budget);
-    if (best.is_exact && shape.objective >= best.objective) continue;
+    if (!is_sound(shape) || (is_sound(best) && shape.objective >= best.objective)) continue;
     best = std::move(shape);
     curvature = turn.curvature;
   }
+  if (!is_sound(best)) return best;
   const double longest = kPi / kDirections;
   for (int i = 0; i < kMaxTurns; ++i) {
     const double slope = slope_of(best);
@@ -154,7 +159,7 @@ RefinedShape ClothRefinement::refine_turning(const RefinedShape& upright, Refine
     if (std::abs(slope * angle) < RefineConstants::worthwhile * best.objective || !best.converged) return best;
     if (!may_go_on(budget)) break;
     RefinedShape trial = refine_held({turned(best.uv, angle), best.multipliers}, budget);
-    if (trial.converged && trial.objective < best.objective) {
+    if (trial.converged && is_sound(trial) && trial.objective < best.objective) {
       const double change = (slope_of(trial) - slope) / angle;
       curvature = change > 0 ? change : 0;
       best = std::move(trial);
@@ -166,34 +171,46 @@ RefinedShape ClothRefinement::refine_turning(const RefinedShape& upright, Refine
   return best;
 }
 
-RefinedShape ClothRefinement::refine(const RefinedShape& upright, RefineBudget& budget) {
+std::optional<RefinedShape> ClothRefinement::refine(const RefinedShape& upright, RefineBudget& budget) {
   pair_ = upright_pair(chart_, upright.uv, options_);
   injectivity_ = upright.injectivity;
   RefinementStart start{upright.uv, Eigen::VectorXd(upright.multipliers.size() + 1)};
   start.multipliers << upright.multipliers, 0;
-  if (options_.orientation != Orientation::best) return refine_held(start, budget);
+  const bool is_turned = options_.orientation == Orientation::best;
   RefinedShape with_row = upright;
   with_row.multipliers = start.multipliers;
-  RefinedShape shape = refine_turning(with_row, budget);
+  RefinedShape shape = is_turned ? refine_turning(with_row, budget) : refine_held(start, budget);
+  if (!is_sound(shape)) return std::nullopt;
+  if (!is_turned) return shape;
   // Weft and warp are the same after a half turn: what leads up is up.
   if (upright_direction(chart_, shape.uv, options_).y() < 0) shape.uv *= -1;
   return shape;
+}
+
+/// None, too, where the caller stops or a factorization fails.
+std::optional<RefinedShape> refine_from_upright(const Chart& chart, const InternalOptions& options,
+                                                const StopToken& stop, const RefinedShape& upright,
+                                                RefineBudget& budget) {
+  try {
+    return ClothRefinement(chart, options, stop).refine(upright, budget);
+  } catch (const Stopped&) {
+    return std::nullopt;
+  } catch (const FactorizationFailed&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
 
 void refine_cloth(const Chart& chart, const InternalOptions& options, const StopToken& stop, RefineResult& result) {
   stand_upright(result.shape.uv, upright_direction(chart, result.shape.uv, options));
+  result.shape.converged = false;  // until its energy is least for the cloth
   if (result.shape.injectivity == Injectivity::none) return;
   RefineBudget budget(std::max(0, options.max_factorizations - result.factorizations));
-  const int iterations = result.shape.iterations;
-  result.shape.converged = false;  // until its energy is least for the cloth
   if (stop.is_stopped() || !budget.allows()) return;
-  try {
-    result.shape = ClothRefinement(chart, options, stop).refine(result.shape, budget);
-    result.shape.iterations += iterations;
-  } catch (const Stopped&) {  // the shape at hand has exact lengths
-  } catch (const FactorizationFailed&) {
+  if (std::optional<RefinedShape> shape = refine_from_upright(chart, options, stop, result.shape, budget)) {
+    shape->iterations += result.shape.iterations;
+    result.shape = std::move(*shape);
   }
   result.factorizations += budget.spent();
 }

@@ -15,8 +15,8 @@
 namespace wirewarp {
 
 /// result: the shape of refine_chart(), exact; upright afterwards, x along the weft, and refined for options.cloth
-/// unless it has triangles turned over. Where the caller stops or the factorizations of options are spent, the shape at
-/// hand.
+/// unless it has triangles turned over. Where the caller stops, the factorizations of options are spent, or the cloth
+/// would turn a triangle over or lay the piece over itself, the shape at hand.
 void refine_cloth(const Chart& chart, const InternalOptions& options, const StopToken& stop, RefineResult& result);
 
 }  // namespace wirewarp

@@ -64,6 +64,7 @@ JoinedShapes refine_together(const std::vector<Chart>& charts, double fairness,
     const HeldNetwork own = build_held_network(charts[c]);
     RefinedShape shape = whole;
     shape.multipliers.resize(0);
+    if (c > 0) shape.factorizations = 0;  // told once
     shape.uv = whole.uv.middleRows(united.first_vertex[c], starts[c].uv.rows());
     shape.variation =
         whole.variation.segment(united.first_part[c], static_cast<Eigen::Index>(charts[c].wire_parts.size()));

@@ -14,7 +14,7 @@
 namespace wirewarp {
 
 struct JoinedShapes {
-  std::vector<RefinedShape> shapes;  // one per chart, as refine_shape gives it; without multipliers
+  std::vector<RefinedShape> shapes;  // one per chart, without multipliers; the first tells the factorizations of all
   double projected_gradient = 0;     // PieceReport::projected_gradient
 };
 
