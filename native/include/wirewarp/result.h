@@ -21,8 +21,8 @@ enum class WireKind {
   super_elastic,  // free: an infinite tolerance
 };
 
-/// Length of one part of a wire inside one piece (parts end at seams and boundaries), or of a whole wire. A part along a
-/// dart has one for each side.
+/// Length of one part of a wire inside one piece (parts end at seams and boundaries), or of a whole wire. A part along
+/// a dart has one for each side.
 struct WireReport {
   std::string name;                 // the wire's name
   int wire_index = -1;              // index into the input's wires
