@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "join_charts.h"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <string>
@@ -90,14 +91,21 @@ void keep_settled(const ChartToJoin& one, bool was_stopped) {
     one.solved.network.reset();
     one.solved.error = was_stopped ? cancelled() : *one.settled_error;
   } else if (!was_stopped) {
-    report.warnings.push_back("No common lengths were found for the seams that give: they have those of their ease.");
+    report.warnings.push_back(
+        "No good shapes were found with other lengths of the seams that give: they have those of their ease.");
     report.termination = Termination::stalled;
   }
 }
 
+bool is_folded(const ChartToJoin& one) { return !find_folded_faces(one.chart.mesh, one.solved.uv).empty(); }
+
 }  // namespace
 
 void join_charts(const std::vector<ChartToJoin>& charts, const InternalOptions& options, const StopToken& stop) {
+  std::vector<SolvedChart> settled;
+  for (const ChartToJoin& one : charts) settled.push_back(one.solved);
+  const bool were_good = std::none_of(charts.begin(), charts.end(),
+                                      [](const ChartToJoin& one) { return one.settled_error || is_folded(one); });
   std::optional<JoinedShapes> joined;
   std::map<std::string, double> seconds;
   {
@@ -113,7 +121,13 @@ void join_charts(const std::vector<ChartToJoin>& charts, const InternalOptions& 
     }
     take_shape(std::move(joined->shapes[k]), joined->projected_gradient, stop.is_stopped(), one.chart, one.solved);
     replace_folded(one.chart, options, stop, one.solved);
-    if (find_folded_faces(one.chart.mesh, one.solved.uv).empty()) one.solved.proposed_seams.clear();
+    if (!is_folded(one)) one.solved.proposed_seams.clear();
+  }
+  if (were_good && std::any_of(charts.begin(), charts.end(), is_folded)) {  // good pieces come before less distortion
+    for (std::size_t k = 0; k < charts.size(); ++k) {
+      charts[k].solved = std::move(settled[k]);
+      keep_settled(charts[k], stop.is_stopped());
+    }
   }
   if (!stop.is_stopped()) return;
   for (const ChartToJoin& one : charts) {  // also of those that were done: together they are not

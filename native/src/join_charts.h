@@ -20,7 +20,8 @@ struct ChartToJoin {
 
 /// The lengths of these seams, and the shapes with them, of the least objective together. Where no common lengths are
 /// found, those at h = ease are left, and the charts that have no shape then get their error. A chart that turns over
-/// or covers itself with the lengths found is solved anew with them alone.
+/// or covers itself with the lengths found is solved anew with them alone; where that does not help and all were good
+/// at h = ease, they stay so.
 void join_charts(const std::vector<ChartToJoin>& charts, const InternalOptions& options, const StopToken& stop);
 
 }  // namespace wirewarp
