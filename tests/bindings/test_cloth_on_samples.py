@@ -1,33 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a woven gains on the samples, at lengths as exact as without a cloth."""
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
 import wirewarp
+from samples import SAMPLES, Shape, flatten
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
-
-import shapes
-
-SAMPLES = {shape.name: shape for shape in shapes.all_shapes()}
 STRAINED = 1e-3  # samples below are unfolded: they have no strain to lower
 WOVEN = wirewarp.Cloth(1, 1, 0.05)
 
 
-def flatten(shape: shapes.Shape, **options) -> wirewarp.FlattenResult:
-    return wirewarp.flatten(
-        shape.vertices,
-        shape.triangles(),
-        seams=shape.seams,
-        wires=[wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires],
-        options=wirewarp.Options(**options),
-    )
-
-
-def thread_strain(shape: shapes.Shape, result: wirewarp.FlattenResult) -> float:
+def thread_strain(shape: Shape, result: wirewarp.FlattenResult) -> float:
     """99th percentile, by area on the model, of what the more strained thread of each triangle is off by."""
     strain, area = [], []
     for piece in result.pieces:

@@ -1,28 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The samples keep every promise: lengths, seams, wires across pieces and darts, no distortion where none is needed."""
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
-import wirewarp
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
-
-import shapes
-
-SAMPLES = {shape.name: shape for shape in shapes.all_shapes()}
-
-
-def flatten(shape: shapes.Shape, **options) -> wirewarp.FlattenResult:
-    return wirewarp.flatten(
-        shape.vertices,
-        shape.triangles(),
-        seams=shape.seams,
-        wires=[wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires],
-        options=wirewarp.Options(**options),
-    )
+from samples import SAMPLES, flatten
 
 
 @pytest.fixture(scope="module")
