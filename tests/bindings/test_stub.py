@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import wirewarp
 import wirewarp.pattern
+from numpy.typing import NDArray
 from surfaces import chain_edges, column_chain, spherical_patch
 from wirewarp import _errors, _wirewarp
 
@@ -121,8 +122,8 @@ def fits(value: object, hint: object) -> bool:
         return value in arguments
     if origin in (types.UnionType, typing.Union):
         return any(fits(value, each) for each in arguments)
-    if origin is np.ndarray:
-        return isinstance(value, np.ndarray) and value.dtype == typing.get_args(arguments[1])[0]
+    if isinstance(value, np.ndarray):
+        return hint == NDArray[value.dtype.type]  # an alias from numpy 2.5 on, which typing does not look into
     if origin in (list, tuple):
         return isinstance(value, origin) and all(fits(each, arguments[0]) for each in value)
     if origin is dict:
