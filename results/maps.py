@@ -55,6 +55,11 @@ def piece_lines(shape: Shape, piece: wirewarp.Piece) -> PieceLines:
     return PieceLines(edges, is_outline, length_2d / length_3d - 1)
 
 
+def thread_strain(piece: wirewarp.Piece) -> np.ndarray:
+    """(q,) what the more strained thread of each triangle is off by, across or along, as a fraction."""
+    return np.maximum(np.abs(piece.metrics.face_weft_strain), np.abs(piece.metrics.face_warp_strain))
+
+
 LENGTHS = Map(
     "length of outline\nand wires, %",
     LENGTH_MAP,
@@ -77,6 +82,15 @@ ARAP_ENERGY = Map(
     "ARAP energy $E_A$\nover area",
     ENERGY_MAP,
     lambda shape, piece: piece.metrics.face_arap / piece_areas(shape.vertices, piece),
+    base=0.0,
+    shown=0.96,
+    is_signed=False,
+    on_lines=False,
+)
+THREAD_STRAIN = Map(
+    "strain of the more\nstrained thread, %",
+    ENERGY_MAP,
+    lambda shape, piece: 100 * thread_strain(piece),
     base=0.0,
     shown=0.96,
     is_signed=False,

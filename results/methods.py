@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import wirewarp
@@ -18,13 +18,13 @@ def wires_of(shape: Shape) -> list[wirewarp.Wire]:
     return [wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires]
 
 
-def flatten(shape: Shape, **options: str | float) -> wirewarp.FlattenResult:
-    """By WireWarp; options are those of wirewarp.Options."""
+def flatten(shape: Shape, more_wires: Sequence[wirewarp.Wire] = (), **options: str | float) -> wirewarp.FlattenResult:
+    """By WireWarp, with the sample's wires and more; options are those of wirewarp.Options."""
     return wirewarp.flatten(
         shape.vertices,
         shape.triangles(),
         seams=shape.seams,
-        wires=wires_of(shape),
+        wires=[*wires_of(shape), *more_wires],
         options=wirewarp.Options(**options),
     )
 

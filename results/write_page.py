@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes docs/results.md and its pictures: the paper's section IV again, on our own geometry.
+"""Writes docs/results.md and its pictures: the paper's section IV again, on our own geometry, and what is beyond it.
 
 python results/write_page.py UNWRAPS ERROR_CURVES [--output FILE]
 
@@ -17,6 +17,7 @@ os.environ["IGL_NUM_THREADS"] = os.environ["OMP_NUM_THREADS"] = "1"  # the same 
 
 import all_samples  # noqa: E402 (threads are set when the modules are loaded)
 import beyond_the_paper  # noqa: E402
+import cloths  # noqa: E402
 import figure_1  # noqa: E402
 import figure_3  # noqa: E402
 import figure_6  # noqa: E402
@@ -24,6 +25,7 @@ import figure_8  # noqa: E402
 import figure_9  # noqa: E402
 import figure_11  # noqa: E402
 import numpy as np  # noqa: E402
+import seams_that_give  # noqa: E402
 from inputs import Inputs  # noqa: E402
 from methods import METHODS  # noqa: E402
 from palette import use_style  # noqa: E402
@@ -32,7 +34,8 @@ from text import wrap  # noqa: E402
 from which_commit import commit  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
-SECTIONS = [figure_1, figure_3, figure_6, figure_8, figure_9, figure_11, beyond_the_paper, all_samples]
+PAPER = [figure_1, figure_3, figure_6, figure_8, figure_9, figure_11]
+SECTIONS = [*PAPER, beyond_the_paper, cloths, seams_that_give, all_samples]
 
 
 def contents(sections: list[str]) -> str:

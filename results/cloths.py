@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the threads of a cloth must give when a model is flattened for it, beside what they give without one."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+
+import numpy as np
+import wirewarp
+from inputs import Inputs
+from maps import THREAD_STRAIN, thread_strain
+from measures import piece_areas, summarize
+from methods import flatten
+from palette import plain_percent
+from shapes import Shape
+from sheet import Column, draw_sheet
+from text import degrees, picture, table
+
+STRAINED = 1e-3  # samples below are unfolded: they ask nothing of any cloth
+CHOICES: dict[str, dict[str, str]] = {
+    "No cloth": {},
+    "Woven": {"cloth": "woven"},
+    "Woven, best direction": {"cloth": "woven", "orientation": "best"},
+    "Jersey": {"cloth": "jersey"},
+}
+DRAWN = {  # degrees the model is turned and tipped, inches for a flattening, its wished width over height
+    "Fitted top": ((-28, 8), 3.6, 1.4),
+    "Hat": ((-30, 24), 2.8, 1.0),
+}
+
+
+@dataclass(frozen=True)
+class Strained:
+    """A sample cut from a cloth. Each number is a 99th percentile by area on the model."""
+
+    result: wirewarp.FlattenResult
+    weft: float  # what threads across are off by, as a fraction
+    warp: float  # along the grain
+    thread: float  # the more strained of the two
+    shear: float  # how far they leave the right angle, radians
+    energy: float  # ARAP energy over area, Eq. (4): not what a cloth makes small
+    seconds: float  # of the processor
+
+
+def percentile_99(values: list[np.ndarray], areas: np.ndarray) -> float:
+    magnitudes = np.abs(np.concatenate(values))
+    order = np.argsort(magnitudes)
+    below = np.cumsum(areas[order])
+    return float(magnitudes[order][np.searchsorted(below, 0.99 * below[-1])])
+
+
+def cut_from(shape: Shape, options: dict[str, str]) -> Strained:
+    begin = time.process_time()
+    result = flatten(shape, **options)
+    seconds = time.process_time() - begin
+    areas = np.concatenate([piece_areas(shape.vertices, piece) for piece in result.pieces])
+    metrics = [piece.metrics for piece in result.pieces]
+    return Strained(
+        result=result,
+        weft=percentile_99([m.face_weft_strain for m in metrics], areas),
+        warp=percentile_99([m.face_warp_strain for m in metrics], areas),
+        thread=percentile_99([thread_strain(piece) for piece in result.pieces], areas),
+        shear=percentile_99([m.face_shear_angle for m in metrics], areas),
+        energy=summarize(shape.vertices, result).energy,
+        seconds=seconds,
+    )
+
+
+def strains(found: Strained) -> str:
+    return f"{plain_percent(found.weft)} / {plain_percent(found.warp)} / {degrees(found.shear)}"
+
+
+def draw(inputs: Inputs, name: str, found: dict[str, Strained]) -> str:
+    view, cell_width, aspect = DRAWN[name]
+    columns = [Column(choice, inputs.shapes[name], found[choice].result) for choice in CHOICES]
+    path = inputs.pictures / f"cloth_{name.lower().replace(' ', '_')}.png"
+    draw_sheet(path, columns, [THREAD_STRAIN], view, cell_width, aspect)
+    return picture(f"{name}: model, and how far the threads of each cloth are strained", path)
+
+
+def range_of(values: list[float]) -> str:
+    return f"{min(values):.2f} to {max(values):.2f}"
+
+
+def section(inputs: Inputs) -> str:
+    every = {
+        name: {choice: cut_from(shape, options) for choice, options in CHOICES.items()}
+        for name, shape in inputs.shapes.items()
+    }
+    found = {name: row for name, row in every.items() if row["No cloth"].thread > STRAINED}
+    share = {choice: [row[choice].thread / row["No cloth"].thread for row in found.values()] for choice in CHOICES}
+    energy = [row["Woven"].energy / row["No cloth"].energy for row in found.values()]
+    seconds = {choice: sum(row[choice].seconds for row in every.values()) for choice in CHOICES}
+    times = ", ".join(
+        f"{seconds[choice] / seconds['No cloth']:.1f} times as long for {choice[0].lower()}{choice[1:]}"
+        for choice in CHOICES
+        if choice != "No cloth"
+    )
+    woven, best = range_of(share["Woven"]), range_of(share["Woven, best direction"])
+    lower = sum(row["Jersey"].warp < row["No cloth"].warp for row in found.values())
+    unfolded = [name for name in every if name not in found]
+    rows = [[name, *(strains(row[choice]) for choice in CHOICES)] for name, row in found.items()]
+    return f"""## Cloths
+
+What each cloth must give: strain of the threads across (weft) and along the grain (warp), and the angle by which they
+leave the right angle. In all columns the lengths of outlines, seams and wires are the same and exact; only the shape
+between them differs. Each number is the 99th percentile by area: a hundredth of the piece asks for more.
+
+{table(["across / along / shear", *CHOICES], rows)}
+
+{chr(10).join(draw(inputs, name, found[name]) for name in DRAWN)}
+
+A woven has stiff threads and is easily sheared. Flattened for it, the more strained thread of a place is strained
+{woven} times as much as without a cloth (99th percentiles), and {best} times in the direction in which the energy is
+least. Shear and the ARAP energy, which count all directions alike, pay for it: *E* is {range_of(energy)} times as
+large. A jersey gives more across than along: its strain along is lower than without a cloth on {lower} of the
+{len(found)} samples. {", ".join(unfolded)} are unfolded and ask nothing of any cloth. In time of the processor, all
+samples together take {times} as without a cloth.
+
+**What to choose.** Without a cloth, for materials that resist alike in all directions: felt, paper, leather of unknown
+direction, foam. A preset where the material is known: the numbers above are then what *it* must give, and a warning
+says where it cannot. The best direction where the fabric has no nap or print and the pieces may lie as they like on it;
+otherwise a grain line, which holds each piece as a tailor lays it.
+"""
