@@ -15,6 +15,7 @@ from shapes import Shape
 class Inputs:
     shapes: dict[str, Shape]  # the samples by name
     unwraps: Unwraps
+    worn: dict[str, dict[str, dict[str, float]]]  # what wear_in_newton.py wrote
     error_curves: Path  # the program of native/bench/error_curves
     pictures: Path  # the folder they are written to
     _flattened: dict[str, dict[str, wirewarp.FlattenResult]] = field(default_factory=dict)

@@ -58,6 +58,13 @@ def piece_areas(vertices: np.ndarray, piece: wirewarp.Piece) -> np.ndarray:
     return face_areas(vertices[piece.source_vertex], piece.faces)
 
 
+def percentile_99(values: np.ndarray, areas: np.ndarray) -> float:
+    """The value that a hundredth of the area exceeds; both (m,)."""
+    order = np.argsort(values)
+    below = np.cumsum(areas[order])
+    return float(values[order][np.searchsorted(below, 0.99 * below[-1])])
+
+
 def summarize(vertices: np.ndarray, result: wirewarp.FlattenResult) -> Summary:
     """vertices: of the surface, (n, 3) meters."""
     metrics = [piece.metrics for piece in result.pieces]

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes docs/results.md and its pictures: the paper's section IV again, on our own geometry, and what is beyond it.
 
-python results/write_page.py UNWRAPS ERROR_CURVES [--output FILE]
+python results/write_page.py UNWRAPS WORN ERROR_CURVES [--output FILE]
 
-UNWRAPS is what unwrap_in_blender.py wrote, ERROR_CURVES the program built from native/bench/error_curves.
+UNWRAPS is what unwrap_in_blender.py wrote, WORN what wear_in_newton.py wrote, ERROR_CURVES the program built from
+native/bench/error_curves.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import re
 from pathlib import Path
@@ -71,6 +73,7 @@ at all: [Beyond the paper](#beyond-the-paper) says what it does.
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("unwraps", type=Path)
+    parser.add_argument("worn", type=Path)
     parser.add_argument("error_curves", type=Path)
     parser.add_argument("--output", type=Path, default=ROOT / "docs" / "results.md")
     arguments = parser.parse_args()
@@ -82,6 +85,7 @@ def main() -> None:
     inputs = Inputs(
         shapes={shape.name: shape for shape in all_shapes()},
         unwraps=dict(np.load(arguments.unwraps)),
+        worn=json.loads(arguments.worn.read_text()),
         error_curves=arguments.error_curves,
         pictures=pictures,
     )
