@@ -110,6 +110,8 @@ def windows_python(name: str, version: str, requirements: tuple[str, ...]) -> Pa
 def install(python: Path, version: str, *arguments: str | Path) -> None:
     """By Debian's pip, for Windows."""
     where = ("--target", python.parent / "packages", "--platform=win_amd64", f"--python-version={version}")
-    pip = ("pip", "install", "--quiet", "--implementation=cp", "--only-binary=:all:", *where)
+    # Of the Python that a package requires, pip's install takes its own for ours.
+    options = ("--implementation=cp", "--only-binary=:all:", "--ignore-requires-python")
+    pip = ("pip", "install", "--quiet", *options, *where)
     what = "pip install for Windows: " + " ".join(str(a) for a in arguments if not str(a).startswith("-"))
     run_quietly(what, [venv("download", DEBIAN_PYTHON, "pip"), "-m", *pip, *arguments])
