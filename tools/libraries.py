@@ -2,10 +2,9 @@
 """The packages that wirewarp.pattern needs, as wheels for each Blender: no Blender has them."""
 
 import shutil
-import sys
 from pathlib import Path
 
-from tools.environment import BUILD, fingerprint, is_current, run_quietly, set_current, venv
+from tools.environment import BUILD, DEBIAN_PYTHON, fingerprint, is_current, run_quietly, set_current, venv
 
 PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0", "uharfbuzz==0.57.0")  # none needs another package
 PIP_PLATFORMS = {  # pip's word for the oldest system that Blender runs on, by Blender's word
@@ -24,7 +23,7 @@ def library_wheels(platform: str, tag: str) -> list[Path]:
     key = fingerprint([], PIP_PLATFORMS[platform], *PATTERN)
     if not (is_current(name, key) and len(list(folder.glob("*.whl"))) == len(PATTERN)):
         shutil.rmtree(folder, ignore_errors=True)
-        python = venv("download", Path(sys.executable), "pip")
+        python = venv("download", DEBIAN_PYTHON, "pip")
         version = f"{tag[2]}.{tag[3:]}"
         options = ("--quiet", "--no-deps", "--only-binary=:all:", "--implementation=cp", f"--python-version={version}")
         download = ("pip", "download", *options, f"--platform={PIP_PLATFORMS[platform]}", "--dest", folder)
