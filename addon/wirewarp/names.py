@@ -7,11 +7,15 @@ Scripts and earlier files rely on these; what it is for stands beside it, and in
 # On the model's mesh, the truth: edges.
 WIRE = "wirewarp_wire"  # INT, random 31-bit id of the wire, 0 none
 TOLERANCE = "wirewarp_tolerance"  # FLOAT, 0 rigid, finite elastic, inf super-elastic
+EASE = "wirewarp_ease"  # FLOAT: by how much the wire is to be longer, as a fraction; 0.05 is 5%
+SIDE_EASE = "wirewarp_side_ease"  # on corners, FLOAT: the same for the side of the face whose corner begins the edge
+SIDE_RATIO = "wirewarp_side_ratio"  # FLOAT: the same for one side of the edge, see model.side_eases
+EASED_SIDE = "wirewarp_eased_side"  # INT, the number of the face on that side, 0 where none is eased
 ALLOWANCE = "wirewarp_allowance"  # FLOAT, Blender units: the seam allowance; below 0 none; 0 and NaN the default
 SIDE_ALLOWANCE = "wirewarp_side_allowance"  # on corners: the same for the side of the face whose corner begins the edge
 SIDE_WIDTH = "wirewarp_side_width"  # FLOAT: the same for one side of the edge, see model.side_allowances
 SIDE = "wirewarp_side"  # INT, the number of the face on that side, 0 where both sides are alike
-FACE = "wirewarp_face"  # on faces: INT, random 31-bit number where such an edge is, 0 elsewhere
+FACE = "wirewarp_face"  # on faces: INT, random 31-bit number where a side is marked, 0 elsewhere
 
 # On the model's mesh, written by a run.
 PIECE = "wirewarp_piece"  # face attribute INT, random 31-bit id of the piece, 0 none; on the flat mesh too

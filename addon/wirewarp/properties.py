@@ -136,6 +136,43 @@ class FlattenSettings:
     )
 
 
+LEAST_EASE = -0.99  # a line needs some length
+
+
+class EaseAmount:
+    """By how much lines are to be longer: shared by the scene's settings and the operator."""
+
+    ease_unit: EnumProperty(
+        name="In",
+        description="What an ease is given in",
+        items=[
+            ("PERCENT", "%", "Percent of the length of each line"),
+            ("LENGTH", "mm", "Each line gets so many millimeters longer"),
+        ],
+        default="PERCENT",
+    )
+    ease_percent: FloatProperty(
+        name="Ease (%)",
+        description="By how much a line is to be longer than it would be; below 0 shorter",
+        min=100 * LEAST_EASE,
+        max=1000.0,
+        soft_min=-50.0,
+        soft_max=100.0,
+        default=5.0,  # of a sleeve head
+        precision=2,
+        step=100,
+    )
+    ease_length: FloatProperty(
+        name="Ease (mm)",
+        description="By how many millimeters a line is to be longer than it would be; below 0 shorter",
+        soft_min=-100.0,
+        soft_max=500.0,
+        default=10.0,
+        precision=2,
+        step=100,
+    )
+
+
 class PatternSettings:
     """What Export asks for and the preview of pages shows: shared by the scene's settings and the operator."""
 
@@ -259,7 +296,7 @@ def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Con
         note_change(settings.id_data.name_full)
 
 
-class WIREWARP_PG_settings(FlattenSettings, PatternSettings, bpy.types.PropertyGroup):
+class WIREWARP_PG_settings(FlattenSettings, PatternSettings, EaseAmount, bpy.types.PropertyGroup):
     auto_update: BoolProperty(
         name="Auto",
         description="Flatten again by itself when seams, wires, shape or scale change, or with Modifiers what they "

@@ -26,6 +26,18 @@ def paragraph(sentences: Iterable[str]) -> str:
     return " ".join(each if each.endswith((".", "?", ":")) else f"{each}." for each in sentences)
 
 
+def ease_text(ease: float) -> str:
+    """ "+5%", "-2.5%"."""
+    return f"{100 * ease:+.3g}%"
+
+
+def wire_text(tolerance: float, ease: float) -> str:
+    """Of a wire with its ease, if it has one: "±3%", "+5%", "+5% ±3%", "free"."""
+    if ease == 0 or math.isinf(tolerance):
+        return tolerance_text(tolerance)
+    return ease_text(ease) if tolerance == 0 else f"{ease_text(ease)} {tolerance_text(tolerance)}"
+
+
 def tolerance_text(tolerance: float) -> str:
     """A rigid, an elastic or a free (super-elastic) wire: "rigid", "±3%", "free"."""
     if tolerance == 0:

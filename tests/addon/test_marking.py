@@ -130,46 +130,14 @@ def test_elastic_without_a_tolerance():
     assert wire_marks(target.data) == {}
 
 
-@pytest.mark.parametrize("kind", ["ELASTIC", "SUPER_ELASTIC"])
+@pytest.mark.parametrize(("kind", "tolerance"), [("RIGID", 0.0), ("ELASTIC", 0.05), ("SUPER_ELASTIC", math.inf)])
 @pytest.mark.parametrize("place", ["seam", "outline"])
-def test_no_tolerance_on_seams_and_outlines(kind, place):
+def test_seams_and_outlines_are_marked_as_any_line(kind, tolerance, place):
     target = grid("Bump", bump)
     mark_seam(target, EAST_WEST)
-    select_edges(target, EAST_WEST if place == "seam" else on_line(1, 1.0))
-    with pytest.raises(RuntimeError, match='8 selected edges lie on a seam or outline of "Bump".*rigid'):
-        bpy.ops.mesh.wirewarp_mark(kind=kind)
-    bpy.ops.object.mode_set(mode="OBJECT")
-    assert wire_marks(target.data) == {}
-
-
-@pytest.mark.parametrize("place", ["seam", "outline"])
-def test_a_tolerance_is_marked_on_the_rest_of_a_line_that_meets_a_seam_or_outline(place, capfd):
-    target = grid("Bump", bump)
-    mark_seam(target, NORTH_SOUTH)
-    beside = NORTH_SOUTH if place == "seam" else on_line(0, 1.0)
-    select_edges(target, EAST_WEST, beside)
-    assert bpy.ops.mesh.wirewarp_mark(kind="ELASTIC", tolerance=0.05) == {"FINISHED"}
-    assert "1 wire marked. 8 edges on seams or outlines were left out" in capfd.readouterr().out
-    bpy.ops.object.mode_set(mode="OBJECT")
-    assert list(wire_marks(target.data).values()) == [8]
-    assert not any(beside(*ends) for ends in ends_of_marked(target))
-
-
-def test_a_rigid_wire_keeps_its_marks_on_a_seam_when_it_is_marked_elastic():
-    target = grid("Bump", bump)
-    mark_seam(target, lambda a, b: EAST_WEST(a, b) and a.x + b.x > 0)
-    mark(target, EAST_WEST)
-    mark(target, EAST_WEST, kind="ELASTIC", tolerance=0.05)
-    assert sorted((round(tolerance, 4), count) for (_, tolerance), count in wire_marks(target.data).items()) == [
-        (0.0, 4),
-        (0.05, 4),
-    ]
-
-
-def ends_of_marked(target):
-    mesh = target.data
-    ids = mesh.attributes["wirewarp_wire"].data
-    return [tuple(mesh.vertices[v].co for v in edge.vertices) for edge in mesh.edges if ids[edge.index].value]
+    mark(target, EAST_WEST if place == "seam" else on_line(1, 1.0), kind=kind, tolerance=0.05)
+    ((_, found),) = wire_marks(target.data)
+    assert found == pytest.approx(tolerance, rel=1e-6)
 
 
 def grid_with_a_loose_edge():
@@ -201,12 +169,6 @@ def test_a_marked_edge_that_lost_its_face_is_left_out_and_said(addon):
     assert [wire["name"] for wire in report["wires"]] == ["Wire 1"]
     (note,) = report["notes"]
     assert note["text"] == "1 marked edge ignored: it has no face."
-
-
-def test_rigid_on_an_outline_is_as_good_as_said():
-    target = grid("Bump", bump)
-    mark(target, on_line(1, 1.0))
-    assert list(wire_marks(target.data).values()) == [8]
 
 
 def test_an_attribute_of_our_name_that_is_not_ours():

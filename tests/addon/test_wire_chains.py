@@ -66,15 +66,17 @@ def test_the_fifth_line_ends(chains):
     assert vertices_of(chains, spokes(5), star(0, 90, 180, 270, 45)) == [[0, 5], [1, 0, 3], [2, 0, 4]]
 
 
-def test_marks_of_one_id_with_two_tolerances_are_two_wires(chains):
-    edges = np.array([(0, 1), (1, 2), (2, 3)])
-    ids, tolerances = np.array([7, 7, 7]), np.array([0, 0.03, 0.03], dtype=np.float32)
-    wires = chains.chains_of_marks(edges, chains.EdgeMarks(ids, tolerances), np.eye(4, 3))
-    assert [(wire.wire_id, wire.tolerance, wire.vertices) for wire in wires] == [(7, 0, [0, 1]), (7, 0.03, [1, 2, 3])]
+def test_marks_of_one_id_with_two_tolerances_or_two_eases_are_two_wires(chains):
+    edges, ids = np.array([(0, 1), (1, 2), (2, 3)]), np.array([7, 7, 7])
+    differing, alike = np.array([0, 0.03, 0.03], dtype=np.float32), np.zeros(3, dtype=np.float32)
+    for kinds in ((differing, alike), (alike, differing)):
+        wires = chains.chains_of_marks(edges, chains.EdgeMarks(ids, *kinds), np.eye(4, 3))
+        assert [(wire.wire_id, wire.vertices) for wire in wires] == [(7, [0, 1]), (7, [1, 2, 3])]
+        assert [(wire.tolerance, wire.ease) for wire in wires][1] == (kinds[0][1] and 0.03, kinds[1][1] and 0.03)
 
 
 def test_one_id_in_two_places_is_two_wires_and_unmarked_edges_are_none(chains):
     edges = np.array([(0, 1), (1, 2), (2, 3)])
-    marks = chains.EdgeMarks(np.array([9, 0, 9]), np.full(3, np.inf, np.float32))
+    marks = chains.EdgeMarks(np.array([9, 0, 9]), np.full(3, np.inf, np.float32), np.zeros(3, np.float32))
     wires = chains.chains_of_marks(edges, marks, np.eye(4, 3))
     assert [(wire.tolerance, wire.vertices) for wire in wires] == [(math.inf, [0, 1]), (math.inf, [2, 3])]

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels, sidebar
-from surfaces import bump, grid, mark, mark_seam, on_line, read, select_edges, select_only, wire_marks
+from surfaces import bump, grid, mark, on_line, read, select_edges, select_only, wire_marks
 
 EAST_WEST, NORTH_SOUTH = on_line(1, 0.0), on_line(0, 0.0)
 
@@ -111,23 +111,6 @@ def test_joined_copies_are_wires_of_their_own(addon, source):
 def test_a_wire_whose_edges_are_gone_vanishes(addon, source):
     in_edit_mode(source, EAST_WEST, bpy.ops.mesh.delete, type="EDGE")
     assert listed(addon, source) == [("Middle", 0.05, 8)]
-
-
-def test_part_of_a_wire_on_a_seam_gets_no_tolerance(addon, source, capfd):
-    mark_seam(source, lambda a, b: EAST_WEST(a, b) and a.x + b.x > 0)
-    edge = edge_of(addon, source, "Bust")
-    assert bpy.ops.mesh.wirewarp_change_wire(edge=edge, kind="ELASTIC", tolerance=0.03) == {"FINISHED"}
-    assert "Changed, except 4 edges on seams or outlines" in capfd.readouterr().out
-    assert sorted(tolerance for _, tolerance, _ in listed(addon, source)) == [0, 0.03, 0.05]
-
-
-def test_a_wire_all_on_a_seam_stays_rigid(addon, source):
-    mark_seam(source, EAST_WEST)
-    before = wire_marks(source.data)
-    with pytest.raises(RuntimeError, match='All of this wire lies on a seam or outline of "Bump".*leave it rigid'):
-        bpy.ops.mesh.wirewarp_change_wire(edge=edge_of(addon, source, "Bust"), name="No", kind="SUPER_ELASTIC")
-    assert wire_marks(source.data) == before
-    assert listed(addon, source)[0][0] == "Bust"
 
 
 def test_what_was_marked_last_is_chosen_in_the_list(source):

@@ -50,7 +50,7 @@ def check(raw: bytes) -> None:
         if wire_id
     }
     seen: collections.Counter[tuple[int, int]] = collections.Counter()
-    for chain in chains.chains_of_marks(edges, chains.EdgeMarks(ids, tolerances), positions):
+    for chain in chains.chains_of_marks(edges, chains.EdgeMarks(ids, tolerances, np.zeros_like(tolerances)), positions):
         for edge in edges_of_chain(chain.vertices):
             wire_id, tolerance = marks[edge]
             assert chain.wire_id == wire_id

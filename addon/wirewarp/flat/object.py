@@ -14,6 +14,7 @@ from ..blender.selection import deselect_all
 from ..issues import note, warning
 from ..model.attributes import write_ids, write_marks
 from ..model.owners import find_flat_object, flat_name, model_of
+from ..model.side_eases import write_corner_eases
 from ..model.wire_names import write_names
 from ..names import (
     COLLECTION,
@@ -133,6 +134,7 @@ def _write_mesh(target: bpy.types.Object, source: bpy.types.Object, flat: FlatMe
     _write_attributes(mesh, flat, arrays)
     write_maps(mesh, flat, edge_length_variation(lengths, flat.source_edge, arrays))
     _write_marks(mesh, flat_marks(flat.source_edge, arrays))
+    write_corner_eases(mesh, flat.side_eases)
     remember_shape(mesh, lengths, flat.piece_areas)
     write_names(mesh, {wire.chain.wire_id: wire.name for wire in arrays.wires})
     write_flat_maps(mesh, flat, arrays)

@@ -3,7 +3,8 @@
 which seam an edge.
 
 wirewarp_wire INT: random 31-bit id of the wire, 0 on edges that are no wire. wirewarp_tolerance FLOAT: 0 rigid, finite
-elastic, inf super-elastic. wirewarp_piece INT, on faces: random 31-bit id of the piece, 0 none; it stays with the faces
+elastic, inf super-elastic. wirewarp_ease FLOAT: by how much the wire is to be longer, 0.05 is 5%; absent where no wire
+is. wirewarp_piece INT, on faces: random 31-bit id of the piece, 0 none; it stays with the faces
 when they are subdivided, duplicated or joined, so that a piece keeps its name and its place. wirewarp_seam INT, on
 edges: the same of seams.
 """
@@ -16,11 +17,11 @@ import numpy as np
 
 from ..blender.attributes import check_attribute, check_room
 from ..blender.mesh import read_attribute
-from ..names import PIECE, SEAM, TOLERANCE, WIRE
+from ..names import EASE, PIECE, SEAM, TOLERANCE, WIRE
 from ..pattern.chains import EdgeMarks
 from ..solve.identity import MAX_ID
 
-_EXPECTED = {WIRE: "INT", TOLERANCE: "FLOAT"}
+_EXPECTED = {WIRE: "INT", TOLERANCE: "FLOAT", EASE: "FLOAT"}
 _ID_DOMAINS = {PIECE: "FACE", SEAM: "EDGE"}
 
 
@@ -43,14 +44,16 @@ def read_marks(mesh: bpy.types.Mesh) -> EdgeMarks:
     marks = EdgeMarks.none(len(mesh.edges))
     if WIRE in mesh.attributes:
         mesh.attributes[WIRE].data.foreach_get("value", marks.wire_ids)
-    if TOLERANCE in mesh.attributes:
-        mesh.attributes[TOLERANCE].data.foreach_get("value", marks.tolerances)
+    for name, values in ((TOLERANCE, marks.tolerances), (EASE, marks.eases)):
+        if name in mesh.attributes:
+            mesh.attributes[name].data.foreach_get("value", values)
     return marks
 
 
 def write_marks(mesh: bpy.types.Mesh, marks: EdgeMarks) -> None:
     """To a mesh that is not in Edit Mode."""
-    for name, values in ((WIRE, marks.wire_ids), (TOLERANCE, marks.tolerances)):
+    eases = [(EASE, marks.eases)] if EASE in mesh.attributes or marks.eases.any() else []
+    for name, values in ((WIRE, marks.wire_ids), (TOLERANCE, marks.tolerances), *eases):
         attribute = mesh.attributes.get(name) or mesh.attributes.new(name, _EXPECTED[name], "EDGE")
         attribute.data.foreach_set("value", values)
     mesh.update()
@@ -63,7 +66,9 @@ def wires_on(mesh: bpy.types.Mesh) -> list[int]:
 
 
 def edit_layers(mesh: bpy.types.Mesh) -> tuple:
-    """(bmesh, wire layer, tolerance layer) of a mesh in Edit Mode; missing layers are made.
+    """(bmesh, wire layer, tolerance layer, ease layer) of a mesh in Edit Mode; missing layers are made.
+
+    But for that of eases, which is None where no wire has had one.
 
     Making a layer invalidates every edge reference taken before. Attributes of our names are ours: check_attributes.
     """
@@ -73,7 +78,7 @@ def edit_layers(mesh: bpy.types.Mesh) -> tuple:
         layers.int.new(WIRE)
     if TOLERANCE not in layers.float:
         layers.float.new(TOLERANCE)
-    return edit, layers.int[WIRE], layers.float[TOLERANCE]
+    return edit, layers.int[WIRE], layers.float[TOLERANCE], layers.float.get(EASE)
 
 
 def own_ids(wire_ids: Sequence[int]) -> list[int]:

@@ -4,11 +4,10 @@
 import bpy
 import numpy as np
 
-from ..blender.mesh import add_seams, edge_vertices, faces_at_edges, read_seams
+from ..blender.mesh import add_seams, edge_vertices, read_seams
 from ..issues import object_error
 from ..pattern.chains import EdgeMarks, edge_keys
 from .attributes import read_marks, write_marks
-from .mark import OUTLINES_ARE_RIGID
 from .wire_names import find_name
 from .wires import WireSummary, find_wires, repair_names
 
@@ -22,48 +21,35 @@ def wire_at(target: bpy.types.Object, edge: int) -> WireSummary:
     raise object_error("no_wire", sentence)
 
 
-def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float) -> int:
-    """Changes the wire that this edge belongs to; name "": it keeps its own.
-
-    Returns how many of its edges lie on seams and outlines, which stay as they are if a tolerance is asked for. Raises
-    ObjectError, with nothing changed, if those are all.
-    """
+def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float, ease: float | None) -> None:
+    """Changes the wire of this edge; name "", ease None: it keeps its own. Raises ObjectError as wire_at does."""
     mesh = target.data
     rows = np.array(wire_at(target, edge).edges)
-    outline = _outline_mask(mesh)[rows] if tolerance > 0 else np.zeros(len(rows), dtype=bool)
-    if outline.all():
-        sentence = (
-            f'All of this wire lies on a seam or outline of "{target.name}". {OUTLINES_ARE_RIGID}: leave it rigid.'
-        )
-        raise object_error("tolerance_on_outline", sentence)
     marks = read_marks(mesh)
-    marks.tolerances[rows[~outline]] = tolerance
+    marks.tolerances[rows] = tolerance
+    if ease is not None:
+        marks.eases[rows] = ease
     write_marks(mesh, marks)
-    marks = _repair(target)
+    marks = repair_marks(target)
     if name:
-        find_name(mesh, int(marks.wire_ids[rows[~outline][0]])).name = name
-    return int(outline.sum())
+        find_name(mesh, int(marks.wire_ids[rows[0]])).name = name
 
 
 def change_grain(target: bpy.types.Object, edge: int) -> None:
     """Makes the wire that this edge belongs to the grain wire, or none if it is. Raises ObjectError as wire_at does."""
     mesh = target.data
     wire_at(target, edge)
-    wire_id = int(_repair(target).wire_ids[edge])
+    wire_id = int(repair_marks(target).wire_ids[edge])
     mesh.wirewarp_grain = 0 if mesh.wirewarp_grain == wire_id else wire_id
 
 
-def _repair(target: bpy.types.Object) -> EdgeMarks:
+def repair_marks(target: bpy.types.Object) -> EdgeMarks:
     """Gives each wire an id of its own; returns the marks as they are then."""
     marks = read_marks(target.data)
     for row, wire_id in repair_names(target).items():
         marks.wire_ids[row] = wire_id
     write_marks(target.data, marks)
     return marks
-
-
-def _outline_mask(mesh: bpy.types.Mesh) -> np.ndarray:
-    return read_seams(mesh) | (faces_at_edges(mesh) != 2)
 
 
 def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:

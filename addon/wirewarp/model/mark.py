@@ -18,30 +18,23 @@ from .attributes import check_attributes, edit_layers
 from .wire_names import list_places
 from .wires import repair_names
 
-OUTLINES_ARE_RIGID = "Outlines are rigid, or the two sides of a seam would not match"
 
+def mark_selected(targets: Sequence[bpy.types.Object], tolerance: float) -> int:
+    """The selected edges become wires, one a chain; along seams and outlines, too. Returns how many.
 
-def mark_selected(targets: Sequence[bpy.types.Object], tolerance: float) -> tuple[int, int]:
-    """The selected edges become wires, one a chain. Returns the numbers of wires and of edges that were left out.
-
-    Where a tolerance is asked for, edges of seams and outlines are left out: they are rigid anyway. Raises ObjectError,
-    with nothing marked on any, if no other edge is selected, on an edge without a face, and on attributes that are not
-    ours.
+    Raises ObjectError, with nothing marked on any, on an edge without a face, and on attributes that are not ours.
     """
     for target in targets:
         check_attributes(target.data)
         _refuse_loose(target)
-    left_out = [edge for target in targets for edge in _outline_edges(target)] if tolerance > 0 else []
-    if left_out and len(left_out) == sum(map(_count_selected, targets)):
-        raise _all_on_outlines(targets, left_out)
-    return sum(_mark_object(target, tolerance) for target in targets), len(left_out)
+    return sum(_mark_object(target, tolerance) for target in targets)
 
 
 def _mark_object(target: bpy.types.Object, tolerance: float) -> int:
-    if not _edges_to_mark(bmesh.from_edit_mesh(target.data), tolerance):
+    if not _selected_edges(bmesh.from_edit_mesh(target.data)):
         return 0
-    edit, wire_layer, tolerance_layer = edit_layers(target.data)
-    selected = _edges_to_mark(edit, tolerance)
+    edit, wire_layer, tolerance_layer, ease_layer = edit_layers(target.data)
+    selected = _selected_edges(edit)
     _repair(target, edit, wire_layer)
     edit.verts.index_update()
     edges = np.array([[vertex.index for vertex in edge.verts] for edge in selected])
@@ -50,6 +43,11 @@ def _mark_object(target: bpy.types.Object, tolerance: float) -> int:
     planned = plan_wires(edges, present, counts, _positions(target, edit))
     for wire in planned:
         wire_id = wire.kept_id or new_id()
+        if ease_layer:
+            eases = {selected[row][ease_layer] for row in wire.rows if selected[row][wire_layer] == wire_id}
+            ease = eases.pop() if len(eases) == 1 else 0.0  # a wire that is new, or was two, has none
+            for row in wire.rows:
+                selected[row][ease_layer] = ease
         for row in wire.rows:
             selected[row][wire_layer] = wire_id
             selected[row][tolerance_layer] = tolerance
@@ -57,10 +55,6 @@ def _mark_object(target: bpy.types.Object, tolerance: float) -> int:
     # What was marked last is chosen in the list, so that the buttons below that act on it.
     target.data.wirewarp_active_wire = list_places(target.data)[wire_id]
     return len(planned)
-
-
-def _edges_to_mark(edit: bmesh.types.BMesh, tolerance: float) -> list[bmesh.types.BMEdge]:
-    return [edge for edge in _selected_edges(edit) if tolerance == 0 or not _is_outline(edge)]
 
 
 def clear_selected(targets: Sequence[bpy.types.Object]) -> int:
@@ -73,26 +67,19 @@ def clear_selected(targets: Sequence[bpy.types.Object]) -> int:
 def _clear_object(target: bpy.types.Object) -> int:
     if WIRE not in bmesh.from_edit_mesh(target.data).edges.layers.int:
         return 0
-    edit, wire_layer, tolerance_layer = edit_layers(target.data)
+    edit, wire_layer, tolerance_layer, ease_layer = edit_layers(target.data)
     cleared = [edge for edge in _selected_edges(edit) if edge[wire_layer]]
     for edge in cleared:
         edge[wire_layer] = 0
         edge[tolerance_layer] = 0.0
+        if ease_layer:
+            edge[ease_layer] = 0.0
     _finish(target, edit, wire_layer)
     return len(cleared)
 
 
 def _selected_edges(edit: bmesh.types.BMesh) -> list[bmesh.types.BMEdge]:
     return [edge for edge in edit.edges if edge.select and not edge.hide]
-
-
-def _count_selected(target: bpy.types.Object) -> int:
-    edit = bmesh.from_edit_mesh(target.data)
-    return len(_selected_edges(edit))
-
-
-def _is_outline(edge: bmesh.types.BMEdge) -> bool:
-    return edge.seam or len(edge.link_faces) != 2
 
 
 def _refuse_loose(target: bpy.types.Object) -> None:
@@ -106,19 +93,6 @@ def _refuse_loose(target: bpy.types.Object) -> None:
             "Delete Loose."
         )
         raise ObjectError(Issue("loose_edge", sentence, edges=_pairs(loose)))
-
-
-def _outline_edges(target: bpy.types.Object) -> list[tuple[int, int]]:
-    """Those of the selected edges that lie on a seam or outline, as vertex pairs."""
-    edit = bmesh.from_edit_mesh(target.data)
-    return _pairs([edge for edge in _selected_edges(edit) if _is_outline(edge)])
-
-
-def _all_on_outlines(targets: Sequence[bpy.types.Object], edges: list[tuple[int, int]]) -> ObjectError:
-    count = counted(len(edges), "selected edge lies", "selected edges lie")
-    names = " and ".join(f'"{target.name}"' for target in targets)
-    sentence = f"{count} on a seam or outline of {names}. {OUTLINES_ARE_RIGID}: select other edges, or mark them rigid."
-    return ObjectError(Issue("tolerance_on_outline", sentence, edges=edges))
 
 
 def _pairs(edges: list[bmesh.types.BMEdge]) -> list[tuple[int, int]]:

@@ -18,6 +18,7 @@ from ..blender.mesh import (
 )
 from ..pattern.chains import EdgeMarks
 from .attributes import read_marks
+from .side_eases import read_side_eases
 
 
 @dataclass(frozen=True)
@@ -29,10 +30,11 @@ class MarkedMesh:
     face_sizes: np.ndarray  # (f,) int32
     seams: np.ndarray  # (e,) bool
     marks: EdgeMarks  # (e,)
+    side_eases: np.ndarray  # (l,) float32, of the edge that begins at each corner, on the side of its face; 0 none
 
 
 def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:
-    """Of a mesh that is not in Edit Mode. Raises ObjectError if an attribute of our name is another's."""
+    """Of a mesh that is not in Edit Mode. Raises ObjectError as read_marks and read_side_eases do."""
     return MarkedMesh(
         vertex_places(mesh),
         edge_vertices(mesh),
@@ -41,6 +43,7 @@ def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:
         face_sizes(mesh),
         read_seams(mesh),
         read_marks(mesh),
+        read_side_eases(mesh),
     )
 
 

@@ -70,6 +70,7 @@ def _to_arrays(mesh: bpy.types.Mesh, marked: MarkedMesh, source: bpy.types.Objec
         seam_ids=read_ids(mesh, SEAM)[seams],
         outline=edges[face_count == 1],
         wires=_name_wires(source.data, chains_of_marks(edges, marked.marks.without(~in_face), vertices)),
+        side_eases=marked.side_eases,
         grain_wire=source.data.wirewarp_grain,
         piece_ids=read_ids(mesh, PIECE),
         regions=face_regions(source, mesh),

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Seam allowances of one side of an edge alone, as they are marked on flat pieces.
 
-A value on the face's corner, as scripts may write it (wirewarp_side_allowance), is blended when the edge is split, and
-comes to lie on another edge when the face is turned over or mirrored. What is on edges and faces goes with them whole.
-So both sides of an edge share the width in wirewarp_allowance, but for the side whose face has the number that is on
-the edge (wirewarp_side and wirewarp_face INT, random, 0 none): its width is in wirewarp_side_width FLOAT.
+Both sides of an edge share the width in wirewarp_allowance, but for the side whose face has the number that is on the
+edge (wirewarp_side): its width is in wirewarp_side_width FLOAT. See sides.
 """
 
 from collections.abc import Sequence
@@ -14,17 +12,13 @@ import bpy
 import numpy as np
 
 from ..blender.attributes import check_attribute
-from ..blender.mesh import corner_edges, face_sizes, read_attribute
+from ..blender.mesh import corner_edges, face_sizes
 from ..names import ALLOWANCE, FACE, SIDE, SIDE_ALLOWANCE, SIDE_WIDTH
 from ..solve.identity import new_id
+from .sides import SideNames, is_set, read_values, values_at_edges, write_values
 
-_KINDS = {
-    ALLOWANCE: ("FLOAT", "EDGE"),
-    SIDE_WIDTH: ("FLOAT", "EDGE"),
-    SIDE: ("INT", "EDGE"),
-    FACE: ("INT", "FACE"),
-    SIDE_ALLOWANCE: ("FLOAT", "CORNER"),
-}
+_NAMES = SideNames(SIDE_WIDTH, SIDE, SIDE_ALLOWANCE)
+_KINDS = _NAMES.kinds | {ALLOWANCE: ("FLOAT", "EDGE")}
 
 
 def check_allowances(mesh: bpy.types.Mesh) -> None:
@@ -80,10 +74,8 @@ def side_widths_of(mesh: bpy.types.Mesh) -> np.ndarray:
     Of a mesh that is not in Edit Mode.
     """
     corners = _values(mesh, SIDE_ALLOWANCE).astype(np.float64)
-    loop_edges = corner_edges(mesh)
-    sides = _values(mesh, SIDE)[loop_edges]
-    is_marked = (sides != 0) & (sides == np.repeat(_values(mesh, FACE), face_sizes(mesh)))
-    return np.where(_is_set(corners) | ~is_marked, corners, _values(mesh, SIDE_WIDTH)[loop_edges])
+    marked = values_at_edges(mesh, _NAMES)
+    return np.where(is_set(corners) | (marked == 0), corners, marked)
 
 
 def clear_sides(edit: bmesh.types.BMesh, edges: Sequence[bmesh.types.BMEdge]) -> None:
@@ -97,28 +89,15 @@ def clear_sides(edit: bmesh.types.BMesh, edges: Sequence[bmesh.types.BMEdge]) ->
                 loop[corner] = 0.0
 
 
-def _is_set(widths: np.ndarray) -> np.ndarray:
-    return np.isfinite(widths) & (widths != 0)
-
-
 def _where_set(widths: np.ndarray) -> np.ndarray:
     """0 where they are none."""
-    return np.where(_is_set(widths), widths, 0).astype(widths.dtype)
+    return np.where(is_set(widths), widths, 0).astype(widths.dtype)
 
 
 def _values(mesh: bpy.types.Mesh, name: str) -> np.ndarray:
     """Zeros where there is no such attribute."""
-    data_type, domain = _KINDS[name]
-    found = read_attribute(mesh, name, data_type, domain)
-    if found is not None:
-        return found
-    count = {"EDGE": len(mesh.edges), "FACE": len(mesh.polygons), "CORNER": len(mesh.loops)}[domain]
-    return np.zeros(count, dtype=np.int32 if data_type == "INT" else np.float32)
+    return read_values(mesh, name, *_KINDS[name])
 
 
 def _write(mesh: bpy.types.Mesh, name: str, values: np.ndarray) -> None:
-    data_type, domain = _KINDS[name]
-    if name not in mesh.attributes and values.any():
-        mesh.attributes.new(name, data_type, domain)
-    if name in mesh.attributes:
-        mesh.attributes[name].data.foreach_set("value", values)
+    write_values(mesh, name, values, *_KINDS[name])

@@ -122,10 +122,12 @@ def _faces(mesh: MarkedMesh) -> list[np.ndarray]:
 
 
 def _marks(mesh: MarkedMesh) -> list[np.ndarray]:
-    """Seams and wires."""
+    """Seams, wires and eases; without any of these, as reports have them that were made before there were eases."""
     rows = mesh.marks.rows
     wires = mesh.marks.take(rows)
-    return [np.flatnonzero(mesh.seams).astype(np.int32), rows.astype(np.int32), wires.wire_ids, wires.tolerances]
+    marks = [np.flatnonzero(mesh.seams).astype(np.int32), rows.astype(np.int32), wires.wire_ids, wires.tolerances]
+    eased = np.flatnonzero(mesh.side_eases)
+    return marks + [each for each in (wires.eases, eased.astype(np.int32), mesh.side_eases[eased]) if each.any()]
 
 
 def place_sums(points: np.ndarray) -> list[float]:

@@ -15,10 +15,11 @@ from .wire_names import chain_names, find_name, list_places, write_names
 
 @dataclass(frozen=True)
 class WireSummary:
-    """A wire as flattening will see it: one run of edges with one id and one tolerance."""
+    """A wire as flattening will see it: one run of edges with one id, one tolerance and one ease."""
 
     wire_id: int
     tolerance: float
+    ease: float
     edges: list[int]  # of the mesh, in order along the wire
     edge_vectors: np.ndarray  # (k,3) in the mesh's own space
     shares_id: bool  # with an earlier one: a wire that was copied or cut in two
@@ -53,7 +54,7 @@ def find_wires(target: bpy.types.Object, take: Take = read_anew) -> list[WireSum
     for chain in chains_of_marks(mesh.edges, mesh.marks, places):
         ends = places[mesh.edges[chain.edges]]
         vectors, shares_id = ends[:, 1] - ends[:, 0], chain.wire_id in seen
-        wires.append(WireSummary(chain.wire_id, chain.tolerance, chain.edges, vectors, shares_id))
+        wires.append(WireSummary(chain.wire_id, chain.tolerance, chain.ease, chain.edges, vectors, shares_id))
         seen.add(chain.wire_id)
     return wires
 

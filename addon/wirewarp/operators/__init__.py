@@ -4,6 +4,7 @@
 May import: ui, run, flat, model, blender, report, solve, properties, core, issues, words.
 """
 
+from .ease import MESH_OT_wirewarp_ease
 from .export import OBJECT_OT_wirewarp_export, OBJECT_OT_wirewarp_export_svg
 from .flatten import OBJECT_OT_wirewarp_cancel, OBJECT_OT_wirewarp_flatten
 from .mark import (
@@ -29,6 +30,7 @@ CLASSES = (
     MESH_OT_wirewarp_mark,
     MESH_OT_wirewarp_clear,
     MESH_OT_wirewarp_allowance,
+    MESH_OT_wirewarp_ease,
     MESH_OT_wirewarp_change_wire,
     MESH_OT_wirewarp_grain_wire,
     MESH_OT_wirewarp_select_wire,

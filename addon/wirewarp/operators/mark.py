@@ -8,11 +8,11 @@ from bpy.props import EnumProperty, FloatProperty
 
 from ..blender.modes import hold_whole_file, in_object_mode
 from ..blender.units import meters_per_blender_unit
-from ..flat.side_allowances import mark_selected_sides
+from ..flat.sides import mark_selected_sides
 from ..issues import ObjectError, object_error
 from ..model.allowances import NONE
 from ..model.allowances import mark_selected as mark_allowance
-from ..model.mark import OUTLINES_ARE_RIGID, clear_selected, mark_selected
+from ..model.mark import clear_selected, mark_selected
 from ..model.owners import model_of
 from ..model.seams import seams_from_uv
 from ..words import counted, quoted
@@ -97,19 +97,14 @@ class MESH_OT_wirewarp_mark(WireKind, bpy.types.Operator):
             self.report({"ERROR"}, NEEDS_TOLERANCE)
             return {"CANCELLED"}
         try:
-            count, left_out = mark_selected(context.objects_in_mode_unique_data, self.chosen_tolerance())
+            count = mark_selected(context.objects_in_mode_unique_data, self.chosen_tolerance())
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         if count == 0:
             self.report({"ERROR"}, "Nothing to mark: select the edges of the wire first.")
             return {"CANCELLED"}
-        marked = f"{counted(count, 'wire')} marked"
-        if left_out:
-            skipped = counted(left_out, "edge on a seam or outline was", "edges on seams or outlines were")
-            self.report({"WARNING"}, f"{marked}. {skipped} left out. {OUTLINES_ARE_RIGID}.")
-        else:
-            self.report({"INFO"}, marked)
+        self.report({"INFO"}, f"{counted(count, 'wire')} marked")
         return {"FINISHED"}
 
     def draw(self, _context: bpy.types.Context) -> None:

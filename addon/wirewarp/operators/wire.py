@@ -4,7 +4,7 @@
 import math
 
 import bpy
-from bpy.props import IntProperty, StringProperty
+from bpy.props import FloatProperty, IntProperty, StringProperty
 
 from ..blender.mesh import current_mesh, edge_vertices, read_selected_edges
 from ..blender.modes import hold_whole_file, in_object_mode
@@ -12,10 +12,9 @@ from ..blender.objects import check_local
 from ..blender.selection import select_elements
 from ..issues import ObjectError, object_error
 from ..model.change import change_grain, change_wire, wire_at
-from ..model.mark import OUTLINES_ARE_RIGID
 from ..model.owners import model_of
 from ..model.wires import find_wires, listed_wires
-from ..words import counted
+from ..properties import LEAST_EASE
 from .mark import NEEDS_TOLERANCE, WireKind
 
 
@@ -50,13 +49,35 @@ class WireOperator:
 
 
 class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
-    """Change the name, the kind or the tolerance of this wire"""
+    """Change the name, the kind, the tolerance or the ease of this wire"""
 
     bl_idname = "mesh.wirewarp_change_wire"
     bl_label = "Change Wire"
     on_model = "change the wire"
 
     name: StringProperty(name="Name", description="What the wire is called; left empty, it keeps its name")
+    ease: FloatProperty(
+        name="Ease",
+        description="By how much the wire is to be longer than on the model, as a fraction; below 0 shorter. "
+        "Left out, the wire keeps its own",
+        min=LEAST_EASE,
+        soft_min=-0.5,
+        soft_max=1.0,
+        precision=4,
+        step=1,
+    )
+    ease_percent: FloatProperty(
+        name="Ease",
+        description="By how much the wire is to be longer than on the model, in percent; below 0 shorter",
+        subtype="PERCENTAGE",
+        min=100 * LEAST_EASE,
+        soft_min=-50.0,
+        soft_max=100.0,
+        precision=2,
+        get=lambda operator: 100 * operator.ease,
+        set=lambda operator, percent: setattr(operator, "ease", percent / 100),
+        options={"SKIP_SAVE"},
+    )
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         try:
@@ -76,6 +97,7 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
             self.kind = "SUPER_ELASTIC" if math.isinf(wire.tolerance) else "ELASTIC"
         elastic = self.kind == "ELASTIC"
         self.tolerance = wire.tolerance if elastic else context.scene.wirewarp.tolerance_percent / 100
+        self.ease = wire.ease
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         if self.is_tolerance_missing():
@@ -84,15 +106,16 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
         return super().execute(context)
 
     def act(self, target: bpy.types.Object) -> None:
-        left_out = change_wire(target, self.edge, self.name, self.chosen_tolerance())
-        if left_out:
-            skipped = counted(left_out, "edge on a seam or outline", "edges on seams or outlines")
-            self.report({"WARNING"}, f"Changed, except {skipped}. {OUTLINES_ARE_RIGID}.")
+        change_wire(target, self.edge, self.name, self.chosen_tolerance(), self._ease())
+
+    def _ease(self) -> float | None:
+        return self.ease if self.properties.is_property_set("ease") else None
 
     def draw(self, _context: bpy.types.Context) -> None:
         self.layout.use_property_split = True
         self.layout.prop(self, "name")
         self.draw_kind(self.layout)
+        self.layout.prop(self, "ease_percent")
 
 
 class MESH_OT_wirewarp_grain_wire(WireOperator, bpy.types.Operator):

@@ -26,7 +26,9 @@ from ..blender.mesh import (
 )
 from ..flat.read import has_flat_attributes, read_flat_attribute
 from ..model.attributes import read_ids, read_marks
+from ..model.side_eases import read_side_eases
 from ..names import PIECE, PIECE_INDEX, SEAM, SOURCE_VERTEX, UV_LAYER
+from .eases import SideEases
 from .lines import LineEdges
 from .surfaces import Triangles
 
@@ -65,6 +67,29 @@ def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
         marks=marks.take(rows),
         selected=read_selected_edges(mesh)[rows] if is_edited else np.zeros(len(rows), dtype=bool),
     )
+
+
+def gather_side_eases(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> SideEases | None:
+    """None where there are none. Raises ObjectError as read_side_eases does."""
+    with shown_mesh(target, depsgraph) as mesh:
+        ratios = read_side_eases(mesh)
+        corners = np.flatnonzero(ratios)
+        if not len(corners):
+            return None
+        places, faces = vertex_places(mesh), np.repeat(np.arange(len(mesh.polygons)), face_sizes(mesh))[corners]
+        vertices = corner_vertices(mesh)[np.column_stack([corners, next_loops(mesh)[corners]])]
+        ends, normals = places[vertices], read(mesh.polygons, "normal", np.float32, 3)[faces]
+        inward = np.cross(normals, ends[:, 1] - ends[:, 0])
+        is_flat = has_flat_attributes(mesh, PIECE_INDEX)
+        return SideEases(
+            vertices=vertices,
+            ends=ends,
+            inward=inward / np.maximum(np.linalg.norm(inward, axis=1), np.finfo(np.float32).tiny)[:, None],
+            normals=normals,
+            ratios=ratios[corners],
+            pieces=read_flat_attribute(mesh, PIECE_INDEX)[faces] if is_flat else np.zeros(len(faces), dtype=np.int32),
+            size=float(np.ptp(places, axis=0).max()),
+        )
 
 
 def _piece_of_edge(mesh: bpy.types.Mesh) -> np.ndarray:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..pattern.chains import EdgeMarks, chains_of_marks
-from ..words import tolerance_text
+from ..words import wire_text
 
 ALONG = (0.25, 0.5, 0.75)  # of the edges of a line, nearest to its middle first: where else its name may stand
 HEAD = 0.25  # of half an arrow's length: its head
@@ -47,6 +47,7 @@ STYLES = {
     "proposed": LineStyle("Proposed seam", _hex("#890089"), 6.0),
     "page": LineStyle("Page", _hex("#9c78fc"), 1.5),
     "cut": LineStyle("Line to cut", _hex("#99bb77"), 2.0),
+    "ease": LineStyle("Side with ease", _hex("#ff4bb4"), 3.0),
     "grain": LineStyle("Grain", _hex("#0a8f7a"), 3.0),
     "default grain": LineStyle("Grain, not chosen", _hex("#7fc4b5"), 1.2),
     "outline": LineStyle("Outline", _hex("#786068"), 2.5),
@@ -65,6 +66,7 @@ class WireRun:
 
     wire_id: int
     tolerance: float
+    ease: float
     rows: np.ndarray  # (k,) of the marked edges
     ends: np.ndarray  # (k,2,3) of these rows, turned to go along the wire
     offsets: np.ndarray  # (k,) length of wire before each row
@@ -94,7 +96,7 @@ def wire_runs(vertices: np.ndarray, ends: np.ndarray, marks: EdgeMarks) -> list[
         backward = np.repeat(edges[chain.edges, 0] != chain.vertices[:-1], sizes)
         run_ends = np.where(backward[:, None, None], turned[rows][:, ::-1], turned[rows])
         offsets = np.repeat(along - lengths[first[chain.edges]], sizes)
-        runs.append(WireRun(chain.wire_id, chain.tolerance, rows, run_ends, offsets))
+        runs.append(WireRun(chain.wire_id, chain.tolerance, chain.ease, rows, run_ends, offsets))
     return runs
 
 
@@ -188,7 +190,8 @@ def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[s
     """Of each wire in each piece, in the middle of it; elastic ones with their tolerance. names: one for each run."""
     named = []
     for run, name in zip(runs, names, strict=True):
-        text = f"{name} {tolerance_text(run.tolerance)}" if 0 < run.tolerance < np.inf else name
+        has_text = 0 < run.tolerance < np.inf or run.ease != 0
+        text = f"{name} {wire_text(run.tolerance, run.ease)}" if has_text else name
         for piece in np.unique(lines.pieces[run.rows]).tolist():
             named.append(_name_on_line((text,), lines, run.rows[lines.pieces[run.rows] == piece], rooms))
     return named

@@ -20,7 +20,8 @@ from ..model.wire_names import chain_names
 from ..names import PIECE, PIECE_INDEX, RANGE, SOURCE_CORNER
 from ..report.names import joined_pieces
 from ..solve.maps import ColorMap
-from .gather import gather_lines, gather_triangles, shown_mesh
+from .eases import ease_arrows
+from .gather import gather_lines, gather_side_eases, gather_triangles, shown_mesh
 from .lines import (
     LineEdges,
     Name,
@@ -49,6 +50,9 @@ def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
     edges = gather_lines(target, depsgraph)
     is_flat = model_of(target) is not None
     lines = lines_of(target, edges, is_flat)
+    if eases := gather_side_eases(target, depsgraph):
+        lines.places["ease"], names = ease_arrows(eases)
+        lines.names[:0] = names
     if is_flat and not target.data.is_editmode and has_flat_attributes(target.data, PIECE, PIECE_INDEX):
         middles = _middles(target.data)
         lines.names[:0] = _piece_names(target, middles, piece_rooms(edges))

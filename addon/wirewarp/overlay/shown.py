@@ -17,7 +17,7 @@ from ..flat.reports import last_report, pieces_report
 from ..flat.seams import seam_names
 from ..issues import ObjectError
 from ..model.owners import find_flat_object, model_of, model_or_self
-from ..names import WIRE
+from ..names import SIDE_EASE, SIDE_RATIO, WIRE
 from ..solve.maps import COLOR_MAPS, ColorMap
 from ..solve.pattern_parts import GRAINS, Cloth
 from .cache import Same, kept_drawing
@@ -71,7 +71,9 @@ def drawings(context: bpy.types.Context) -> Iterator[Drawing]:
 def _concerns_us(target: bpy.types.Object) -> bool:
     if target.type != "MESH":
         return False
-    return bool(WIRE in target.data.attributes or model_of(target) or last_report(target))
+    attributes = target.data.attributes
+    is_marked = any(name in attributes for name in (WIRE, SIDE_RATIO, SIDE_EASE))
+    return bool(is_marked or model_of(target) or last_report(target))
 
 
 def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: ColorMap | None) -> Drawing:

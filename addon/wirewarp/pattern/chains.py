@@ -26,14 +26,15 @@ class Chain:
 
 @dataclass(frozen=True)
 class EdgeMarks:
-    """Which edges are wires: one entry an edge, of a whole mesh or of some of its edges."""
+    """Which edges are wires, and of what length: one entry an edge, of a whole mesh or of some of its edges."""
 
     wire_ids: np.ndarray  # (e,) int32, 0 none
     tolerances: np.ndarray  # (e,) float32: 0 rigid, finite elastic, inf super-elastic
+    eases: np.ndarray  # (e,) float32: by how much they are to be longer, 0.05 is 5%
 
     @classmethod
     def none(cls, count: int) -> "EdgeMarks":
-        return cls(np.zeros(count, dtype=np.int32), np.zeros(count, dtype=np.float32))
+        return cls(np.zeros(count, dtype=np.int32), *(np.zeros(count, dtype=np.float32) for _ in range(2)))
 
     @property
     def are_wires(self) -> np.ndarray:
@@ -47,19 +48,20 @@ class EdgeMarks:
 
     def take(self, rows: np.ndarray) -> "EdgeMarks":
         """Of these edges, by their numbers or by a mask."""
-        return EdgeMarks(self.wire_ids[rows], self.tolerances[rows])
+        return EdgeMarks(self.wire_ids[rows], self.tolerances[rows], self.eases[rows])
 
     def without(self, mask: np.ndarray) -> "EdgeMarks":
         """As many edges, those of the mask being no wires."""
-        return EdgeMarks(np.where(mask, 0, self.wire_ids), self.tolerances)
+        return EdgeMarks(np.where(mask, 0, self.wire_ids), self.tolerances, self.eases)
 
 
 @dataclass(frozen=True)
 class WireChain:
-    """One run of the edges that carry one id and one tolerance."""
+    """One run of the edges that carry one id, one tolerance and one ease."""
 
     wire_id: int
     tolerance: float
+    ease: float
     edges: list[int]  # rows of the edge array, in order along the run
     vertices: list[int]  # one more than edges
 
@@ -80,18 +82,15 @@ def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
 
 
 def chains_of_marks(edges: np.ndarray, marks: EdgeMarks, positions: np.ndarray) -> list[WireChain]:
-    """All marked edges as wires: one id and one tolerance a wire, one wire for each run of its edges."""
+    """All marked edges as wires: one id, one tolerance and one ease a wire, one wire for each run of its edges."""
     marked = marks.rows
-    kinds, kind_of_edge = np.unique(marks.tolerances[marked], return_inverse=True)
-    doubles = [shortest_double(tolerance) for tolerance in kinds]
-    groups: dict[tuple[int, float], list[int]] = {}
-    for edge, wire_id, kind in zip(
-        marked.tolist(), marks.wire_ids[marked].tolist(), kind_of_edge.tolist(), strict=True
-    ):
-        groups.setdefault((wire_id, doubles[kind]), []).append(edge)
+    ids, tolerances = marks.wire_ids[marked].tolist(), _shortest_doubles(marks.tolerances[marked])
+    groups: dict[tuple[int, float, float], list[int]] = {}
+    for edge, *kind in zip(marked.tolist(), ids, tolerances, _shortest_doubles(marks.eases[marked]), strict=True):
+        groups.setdefault(tuple(kind), []).append(edge)
     return [
-        WireChain(wire_id, tolerance, [members[edge] for edge in chain.edges], chain.vertices)
-        for (wire_id, tolerance), members in groups.items()
+        WireChain(*kind, [members[edge] for edge in chain.edges], chain.vertices)
+        for kind, members in groups.items()
         for chain in split_into_chains(edges[members], positions)
     ]
 
@@ -100,6 +99,13 @@ def shortest_double(value: np.float32) -> float:
     """The float32 0.03 as the double 0.03, not 0.029999999329: what the user wrote."""
     number = float(str(np.float32(value)))
     return math.nan if math.isnan(number) else number  # one and the same object, or no two edges are of one wire
+
+
+def _shortest_doubles(values: np.ndarray) -> list[float]:
+    """Equal ones are one and the same object, NaN too, or no two edges are of one wire."""
+    kinds, kind_of_value = np.unique(values, return_inverse=True)
+    doubles = [shortest_double(kind) for kind in kinds]
+    return [doubles[kind] for kind in kind_of_value.ravel().tolist()]
 
 
 def _pair_sides(edges: np.ndarray, positions: np.ndarray) -> np.ndarray:

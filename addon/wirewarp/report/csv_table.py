@@ -38,6 +38,7 @@ def _header(units: LengthText) -> list[str]:
         "Largest stretch (%)",
         "Largest ease (%)",
         "Kept",
+        "Ease (%)",
     ]
 
 
@@ -68,6 +69,7 @@ def _length_row(kind: str, name: str, piece: str, entry: dict, side: int, units:
         _tolerance(entry),
         *[""] * 5,
         _kept(entry),
+        _number(entry["eases"][side] if "eases" in entry else entry.get("ease", 0.0), 100),
     ]
 
 
@@ -83,6 +85,7 @@ def _piece_row(name: str, piece: dict, units: LengthText) -> list[str]:
         _number(piece["stretch_max"], 100),
         _number(piece["ease_max"], 100),
         _kept(piece),
+        "",
     ]
 
 

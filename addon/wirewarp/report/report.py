@@ -55,7 +55,7 @@ def object_report(
     ]
     at_limit = {part["wire"] for piece in pieces for part in piece["wires"] if part["at_limit"]}
     wires = [
-        _wire(wire, meters)
+        _wire(wire, arrays, meters)
         | {
             "at_limit": wire.wire_index in at_limit,
             "vertices": arrays.wires[wire.wire_index].chain.vertices,
@@ -128,7 +128,7 @@ def _piece(piece: Piece, arrays: MeshArrays, meters: float) -> dict:
         "angle_deviation_max": number(metrics.angle_deviation_max),
         "flipped_faces": len(polygons_of(arrays, metrics.flipped_faces)),
         "overlapping_faces": len(polygons_of(arrays, metrics.overlapping_faces)),
-        "wires": [_wire(wire, meters) for wire in piece.wires],
+        "wires": [_wire(wire, arrays, meters) for wire in piece.wires],
         "helper_wires": [_helper(wire, meters) for wire in piece.helper_wires],
         "outline": [_outline(chain, meters) for chain in piece.boundaries],
         "termination": str(piece.report.termination),
@@ -159,20 +159,23 @@ def _strain(piece: Piece, strain: PieceStrain | None, arrays: MeshArrays) -> dic
     return found
 
 
-def _wire(wire: WireReport, meters: float) -> dict:
+def _wire(wire: WireReport, arrays: MeshArrays, meters: float) -> dict:
+    ease = arrays.wires[wire.wire_index].chain.ease
+    given = abs(wire.variation - ease)
     if str(wire.kind) == "super_elastic":
         kept = math.isfinite(wire.length_2d)  # nothing else is promised
     else:
-        kept = wire.max_edge_error <= LENGTH_LIMIT and abs(wire.variation) <= wire.tolerance + LENGTH_LIMIT
+        kept = wire.max_edge_error <= LENGTH_LIMIT and given <= wire.tolerance + LENGTH_LIMIT
     return {
         "name": wire.name,
         "wire": wire.wire_index,
         "part": wire.part if wire.part >= 0 else None,
         "kind": str(wire.kind),
         "tolerance": _tolerance(wire.tolerance),
+        "ease": ease,
         **lengths(wire.length_3d, [wire.length_2d], meters),
         "ok": bool(kept),
-        "at_limit": str(wire.kind) == "elastic" and bool(abs(wire.variation) >= wire.tolerance - AT_LIMIT),
+        "at_limit": bool(0 < wire.tolerance < math.inf and given >= wire.tolerance - AT_LIMIT),
     }
 
 
@@ -190,12 +193,16 @@ def _outline(chain: BoundaryReport, meters: float) -> dict:
 
 
 def _seam(seam: SeamReport, failed: set, meters: float) -> dict:
-    sides = lengths(seam.length_3d, seam.length_2d, meters)
-    within = all(percent is not None and abs(percent) <= 100 * LENGTH_LIMIT for percent in sides["percent"])
+    """variation: by how much all sides are longer than on the model, eases: by how much more each side is."""
+    asked = [seam.length_3d * (1 + seam.variation) * (1 + ease) for ease in seam.eases]
+    pairs = zip(seam.length_2d, asked, strict=True)
+    within = all(abs(length - wanted) <= LENGTH_LIMIT * seam.length_3d for length, wanted in pairs)  # NaN is not
     return {
         "pieces": [int(piece) for piece in seam.pieces],
         "edges": np.asarray(seam.edges).tolist(),
-        **sides,
+        **lengths(seam.length_3d, seam.length_2d, meters),
+        "variation": number(seam.variation),
+        "eases": [number(ease) for ease in seam.eases],
         "mismatch": number(seam.mismatch),
         "mismatch_m": number(seam.mismatch * meters),
         "ok": within and not failed.intersection(seam.pieces),

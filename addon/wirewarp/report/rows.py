@@ -2,12 +2,15 @@
 """The stored report as rows of a table, worst first."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ..words import tolerance_text
+from ..words import ease_text, tolerance_text
 from .cloth import aspect_ratio, is_strained, largest
 from .names import joined_pieces, open_edges, piece_name, piece_names, pieces_of_wires, side_names
 from .verdict import VerdictLine, verdict
+
+LEAST = 5e-5  # of eases: less is shown as none
 
 
 @dataclass(frozen=True)
@@ -17,6 +20,21 @@ class Side:
     length_2d: float | None  # None: no layout
     difference: float | None
     percent: float | None
+    asked: float = 0.0  # by how much it was to be longer than on the model, in percent
+
+    @property
+    def off(self) -> float | None:
+        """By how much it is longer than it was to be."""
+        return None if self.difference is None else self.difference - self.asked / 100 * self.length_3d
+
+
+@dataclass(frozen=True)
+class EasedSide:
+    """A side of a seam that is longer, or shorter, than what it is sewn to."""
+
+    label: str
+    ease: float  # as a fraction
+    length: float  # by so much, in Blender units
 
 
 @dataclass(frozen=True)
@@ -29,11 +47,12 @@ class ReportRow:
     note: str = ""  # of a seam: what it joins; of a wire: where it lies, its tolerance and what came of that
     seam_id: int = 0  # of a seam, by which its name is found in the list where it can be changed
     at_limit: bool = False
+    eased: Sequence[EasedSide] = ()  # of a seam
 
     @property
     def badness(self) -> float:
         """Failures first, then the largest difference in percent."""
-        worst = max((abs(side.percent) if side.percent is not None else math.inf) for side in self.sides)
+        worst = max((abs(side.percent - side.asked) if side.percent is not None else math.inf) for side in self.sides)
         return math.inf if not self.ok else round(worst, 6)  # rounding errors do not make an order
 
 
@@ -60,11 +79,12 @@ def seam_rows(report: dict) -> list[ReportRow]:
         ReportRow(
             name=seam["name"],
             ok=seam["ok"],
-            sides=_sides(seam, side_names(report, seam)),
+            sides=_sides(seam, side_names(report, seam), _asked(seam)),
             what="SEAM",
             index=seam["index"],
-            note=joined_pieces(report, seam),
+            note=_note(joined_pieces(report, seam), _variation(seam)),
             seam_id=seam["seam_id"],
+            eased=eased_sides(report, seam),
         )
         for seam in report["seams"]
     ])  # fmt: skip
@@ -77,7 +97,7 @@ def wire_rows(report: dict) -> list[ReportRow]:
         ReportRow(
             name=wire["name"],
             ok=wire["ok"],
-            sides=_sides(wire, ["Flat"]),
+            sides=_sides(wire, ["Flat"], [100 * wire.get("ease", 0.0)]),
             what="WIRE",
             index=index,
             note=_note(piece_names(report, pieces[wire["wire"]]), _tolerance(report["method"], wire)),
@@ -92,9 +112,11 @@ def _note(places: str, tolerance: str) -> str:
 
 
 def _tolerance(method: str, wire: dict) -> str:
-    text = tolerance_text(float(wire["tolerance"]))
+    text, ease = tolerance_text(float(wire["tolerance"])), wire.get("ease", 0.0)
     if text == "rigid":
-        return ""
+        return f"ease {ease_text(ease)}" if ease else ""
+    if ease and text != "free":
+        text = f"{text} about {ease_text(ease)}"
     if method == "wirewarping":
         return f"{text}, kept rigid"
     if text == "free" or wire["length_2d"] == [None]:
@@ -103,7 +125,7 @@ def _tolerance(method: str, wire: dict) -> str:
         return f"outside {text}"
     if not wire["at_limit"]:
         return f"within {text}"
-    as_a_whole = any(abs(percent) >= 99 * float(wire["tolerance"]) for percent in wire["percent"])
+    as_a_whole = any(abs(percent - 100 * ease) >= 99 * float(wire["tolerance"]) for percent in wire["percent"])
     return f"at its limit of {text}" if as_a_whole else f"a part is at its limit of {text}"
 
 
@@ -141,14 +163,42 @@ def merged(sides: list[Side], texts: list[tuple[str, ...]]) -> list[tuple[str, t
 
 
 def largest_difference(rows: list[ReportRow]) -> float | None:
-    """Of all sides that have a layout, without its sign."""
-    differences = [side.difference for row in rows for side in row.sides]
+    """From what they were to be, of all sides that have a layout, without its sign."""
+    differences = [side.off for row in rows for side in row.sides]
     return max((abs(difference) for difference in differences if difference is not None), default=None)
 
 
-def _sides(entry: dict, labels: list[str]) -> list[Side]:
-    values = zip(labels, entry["length_2d"], entry["difference"], entry["percent"], strict=True)
-    return [Side(label, entry["length_3d"], *rest) for label, *rest in values]
+def _sides(entry: dict, labels: list[str], asked: list[float] | None = None) -> list[Side]:
+    """asked: of each, 0 where it is None."""
+    shares = asked or [0.0] * len(labels)
+    columns = zip(labels, entry["length_2d"], entry["difference"], entry["percent"], shares, strict=True)
+    return [
+        Side(label, entry["length_3d"], length, difference, percent, share)
+        for label, length, difference, percent, share in columns
+    ]
+
+
+def _asked(seam: dict) -> list[float]:
+    """In percent. Reports that were made before there were eases have none."""
+    shared = 1 + (seam.get("variation") or 0.0)
+    return [100 * (shared * (1 + (ease or 0.0)) - 1) for ease in seam.get("eases", [0.0] * len(seam["length_2d"]))]
+
+
+def _variation(seam: dict) -> str:
+    variation = seam.get("variation") or 0.0
+    return f"{ease_text(variation)} on all sides" if abs(variation) >= LEAST else ""
+
+
+def eased_sides(report: dict, seam: dict) -> list[EasedSide]:
+    """Of a seam of the report; sides that have a layout."""
+    if "eases" not in seam:
+        return []
+    sides = zip(side_names(report, seam), seam["eases"], seam["length_2d"], strict=True)
+    return [
+        EasedSide(label, ease, length * ease / (1 + ease))
+        for label, ease, length in sides
+        if ease is not None and length is not None and abs(ease) >= LEAST
+    ]
 
 
 def _worst_first(rows: list[ReportRow]) -> list[ReportRow]:

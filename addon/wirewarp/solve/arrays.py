@@ -52,6 +52,7 @@ class MeshArrays:
     seam_ids: np.ndarray  # (k,) int32, of the seams that these edges were in when last flattened; 0 none
     outline: np.ndarray  # (k,2) int32, edges of one face
     wires: list[NamedWire]
+    side_eases: np.ndarray  # (l,) float32, of the edge that begins at each corner, on the side of its face; 0 none
     grain_wire: int  # id of the wire that stands upright in its pieces; 0: none was chosen
     piece_ids: np.ndarray  # (f,) int32, of the pieces that the polygons were in when last flattened; 0 none
     regions: FaceRegions

@@ -31,6 +31,7 @@ class FlatMesh:
     face_starts: np.ndarray  # (f,) int32
     face_sizes: np.ndarray  # (f,) int32
     source_corner: np.ndarray  # (l,) int32, corner (loop) of the source
+    side_eases: np.ndarray  # (l,) float32, as MeshArrays has them
     source_face: np.ndarray  # (f,) int32, face of the source
     face_piece: np.ndarray  # (f,) int32, index of the piece
     piece_id: np.ndarray  # (f,) int32, by which the piece is known again in the next run
@@ -77,6 +78,7 @@ def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[Pi
         face_starts=(np.cumsum(sizes) - sizes).astype(np.int32),
         face_sizes=sizes,
         source_corner=source_corner.astype(np.int32),
+        side_eases=arrays.side_eases[_edge_corners(source_corner, sizes, arrays)],
         source_face=np.flatnonzero(kept).astype(np.int32),
         face_piece=piece,
         piece_id=np.array([identity.piece_id for identity in identities], dtype=np.int32)[piece],
@@ -140,6 +142,22 @@ def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
     return starts + (np.repeat(sizes, sizes) - 1 - step if arrays.mirrored else step)
 
 
+def _following(sizes: np.ndarray) -> np.ndarray:
+    """(l,) the next corner of the same face; sizes (f,): of the faces."""
+    starts = np.cumsum(sizes) - sizes
+    following = np.arange(1, sizes.sum() + 1)
+    following[starts + sizes - 1] = starts
+    return following
+
+
+def _edge_corners(source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays) -> np.ndarray:
+    """(l,) the corner of the source at which the side begins there that begins at each corner here.
+
+    Where faces are run through backwards, a side begins where it ends on the source.
+    """
+    return source_corner[_following(sizes)] if arrays.mirrored else source_corner
+
+
 def _edges(
     loop_vertices: np.ndarray, source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -147,11 +165,8 @@ def _edges(
 
     Sides of faces are one edge where they are of one edge of the source and have the same ends.
     """
-    starts = np.cumsum(sizes) - sizes
-    following = np.arange(1, len(loop_vertices) + 1)
-    following[starts + sizes - 1] = starts
-    # Where faces are run through backwards, a side begins where it ends on the source.
-    source_edge = arrays.loop_edges[source_corner[following] if arrays.mirrored else source_corner]
+    following = _following(sizes)
+    source_edge = arrays.loop_edges[_edge_corners(source_corner, sizes, arrays)]
     ends = loop_vertices, loop_vertices[following]
     low, high = np.minimum(*ends), np.maximum(*ends)
     first = np.empty(len(arrays.edges), dtype=np.int64)
@@ -189,5 +204,7 @@ def flat_marks(source_edges: np.ndarray, arrays: MeshArrays) -> FlatMarks:
     seams[arrays.seam_edges], seam_ids[arrays.seam_edges] = True, arrays.seam_ids
     marks = EdgeMarks.none(len(arrays.edges))
     for wire in arrays.wires:
-        marks.wire_ids[wire.chain.edges], marks.tolerances[wire.chain.edges] = wire.chain.wire_id, wire.chain.tolerance
+        rows = wire.chain.edges
+        marks.wire_ids[rows], marks.tolerances[rows] = wire.chain.wire_id, wire.chain.tolerance
+        marks.eases[rows] = wire.chain.ease
     return FlatMarks(seams[source_edges], seam_ids[source_edges], marks.take(source_edges))

@@ -9,9 +9,10 @@ from types import ModuleType
 
 import numpy as np
 
-from ..core import Cache, FlattenError, FlattenResult, Job, Piece, Wire
+from ..core import Cache, Ease, FlattenError, FlattenResult, Job, Piece, Wire
 from ..issues import Issue, LooserWire, ObjectError
-from ..pattern.chains import edge_keys
+from ..pattern.chains import edge_keys, shortest_double
+from ..words import counted
 from .arrays import MeshArrays, NamedWire, triangle_areas
 from .sentences import count_faces, name_elements
 from .steps import Steps
@@ -26,6 +27,7 @@ COMMANDS = {
     "inconsistent_orientation": " In Edit Mode: Mesh > Normals > Recalculate Outside.",
     "non_manifold_vertex": " In Edit Mode: Mesh > Split > Selection, with the faces on one side selected.",
 }
+EASE_AGAIN = "Mark the ease again: anything above -100%, 0 for none."
 _ending: list[Job] = []  # cancelled jobs: whoever drops one waits for it
 
 
@@ -60,6 +62,7 @@ def flatten_arrays(
             wires=[_library_wire(library, wire) for wire in arrays.wires],
             options=library.Options(**_options(used_choices(choices, arrays), arrays)),
             cache=solved,
+            eases=_library_eases(library, arrays),
         )
         try:
             while not job.is_done():
@@ -114,13 +117,31 @@ def _grain_index(arrays: MeshArrays) -> int:
 
 def _library_wire(library: ModuleType, wire: NamedWire) -> Wire:
     try:
-        return library.Wire(wire.chain.vertices, tolerance=wire.chain.tolerance, name=wire.name)
+        return library.Wire(wire.chain.vertices, tolerance=wire.chain.tolerance, name=wire.name, ease=wire.chain.ease)
     except library.FlattenError as error:  # knows neither the wire's name nor where it is
         edges = list(pairwise(wire.chain.vertices))
-        sentence = (
-            f'Wire "{wire.name}" has an invalid tolerance. Click it in the list of wires and choose Rigid, Elastic or '
-            "Free."
-        )
+        is_ease = str(error.code) == "invalid_ease"
+        remedy = EASE_AGAIN if is_ease else "Click it in the list of wires and choose Rigid, Elastic or Free."
+        sentence = f'Wire "{wire.name}" has an invalid {"ease" if is_ease else "tolerance"}. {remedy}'
+        raise ObjectError(Issue(str(error.code), sentence, edges=edges)) from error
+
+
+def _library_eases(library: ModuleType, arrays: MeshArrays) -> list[Ease]:
+    """One for each ratio there is."""
+    corners = np.flatnonzero(arrays.side_eases)
+    starts = arrays.loop_vertices[corners]
+    ends = arrays.edges[arrays.loop_edges[corners]].sum(axis=1, dtype=np.int32) - starts
+    half_edges = np.column_stack([ends, starts] if arrays.mirrored else [starts, ends])
+    ratios, number = np.unique(arrays.side_eases[corners], return_inverse=True)
+    return [_library_ease(library, half_edges[number == k], shortest_double(ratio)) for k, ratio in enumerate(ratios)]
+
+
+def _library_ease(library: ModuleType, half_edges: np.ndarray, ratio: float) -> Ease:
+    try:
+        return library.Ease(half_edges, ratio)
+    except library.FlattenError as error:  # does not know where it is
+        edges = [tuple(pair) for pair in half_edges.tolist()]
+        sentence = f"The ease of one side is invalid along {counted(len(edges), 'edge')}. {EASE_AGAIN}"
         raise ObjectError(Issue(str(error.code), sentence, edges=edges)) from error
 
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 import bpy
 
 from ..blender.units import length_text
+from ..report.eases import longer_text
 from ..report.rows import ReportRow, Side, merged
 from ..words import LengthText
 from .layout import broken, draw_cells, is_wide, mark_of
@@ -33,6 +34,8 @@ def draw_table(
             draw_heading(context, column, row.name, mark_of(row.ok), row.what, row.index)
         if row.note:
             draw_note(context, column, row.note, "INFO" if row.at_limit else "BLANK1")
+        for side in row.eased:
+            draw_note(context, column, longer_text(side, text), "INFO")
         (_draw_wide if wide else _draw_narrow)(column, row, text)
         column.separator(factor=0.7)
     draw_more(context, layout, len(rows))

@@ -6,7 +6,7 @@ from dataclasses import asdict
 import bpy
 
 from ..blender.units import meters_per_blender_unit
-from ..properties import FlattenSettings, WIREWARP_PG_settings, choices_of
+from ..properties import EaseAmount, FlattenSettings, WIREWARP_PG_settings, choices_of
 
 LINES_FIRST = {"WIREWARP_PLUS_PLUS", "WIREWARPING"}
 WHOLE_WIDTH = {"fairness"}  # its name does not fit half a narrow sidebar
@@ -23,6 +23,14 @@ NAMES = {  # of the choices in a report, as the panel calls them
     "mirror": "Mirrored",
 }
 OF_REFINED, OF_OTHERS = {"fairness"}, {"node_weight"}
+
+
+def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:
+    """The amount and its unit."""
+    row = layout.row(align=True)
+    in_percent = settings.ease_unit == "PERCENT"
+    row.prop(settings, "ease_percent" if in_percent else "ease_length", text="Ease")
+    row.prop(settings, "ease_unit", expand=True)
 
 
 def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings) -> None:

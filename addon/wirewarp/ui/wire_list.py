@@ -10,7 +10,7 @@ from ..issues import ObjectError
 from ..model.owners import model_of
 from ..model.wires import WireSummary, editable_name, listed_wires
 from ..overlay.cache import kept_drawing
-from ..words import counted, tolerance_text
+from ..words import counted, wire_text
 from .layout import SidebarPanel, draw_sentence, is_wide
 
 ROWS = 5  # of the list, however many wires there are: what stands below stays where it is
@@ -71,7 +71,7 @@ def _wire_of(target: bpy.types.Object, entry: bpy.types.PropertyGroup) -> WireSu
 
 
 def _figures(context: bpy.types.Context, wire: WireSummary) -> str:
-    return f"{tolerance_text(wire.tolerance)}  {_length(context, wire)}"
+    return f"{wire_text(wire.tolerance, wire.ease)}  {_length(context, wire)}"
 
 
 def _length(context: bpy.types.Context, wire: WireSummary) -> str:
@@ -111,7 +111,7 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
 def _draw_buttons(layout: bpy.types.UILayout, mesh: bpy.types.Mesh, wire: WireSummary) -> None:
     row = layout.row(align=True)
     row.operator("mesh.wirewarp_select_wire", text="Select", icon="RESTRICT_SELECT_OFF").edge = wire.edges[0]
-    row.operator("mesh.wirewarp_change_wire", text=tolerance_text(wire.tolerance)).edge = wire.edges[0]
+    row.operator("mesh.wirewarp_change_wire", text=wire_text(wire.tolerance, wire.ease)).edge = wire.edges[0]
     grain = row.row(align=True)
     is_grain = mesh.wirewarp_grain == wire.wire_id
     grain.operator(

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seam allowances marked on flat pieces, where the sides of a seam lie apart: they are kept on the model."""
+"""Marks of one side of a seam, made on flat pieces, where its sides lie apart: they are kept on the model."""
+
+from dataclasses import dataclass
 
 import bpy
 import numpy as np
@@ -20,8 +22,36 @@ WITH_MODIFIERS = (
 )
 
 
+@dataclass(frozen=True)
+class SelectedSides:
+    """Of the model: edges and the face on the selected side of each."""
+
+    model: bpy.types.Object
+    edges: np.ndarray  # (k,)
+    faces: np.ndarray  # (k,)
+    left_out: int  # selected edges inside of pieces
+
+    @property
+    def corners(self) -> np.ndarray:
+        """(k,) of these faces, at which these edges begin, in the order of the mesh."""
+        mesh = self.model.data
+        loop_faces = np.repeat(np.arange(len(mesh.polygons)), face_sizes(mesh))
+        sides, loops = np.column_stack([self.edges, self.faces]), np.column_stack([corner_edges(mesh), loop_faces])
+        count = len(mesh.polygons)
+        return np.flatnonzero(np.isin(loops @ (count, 1), sides @ (count, 1)))
+
+
 def mark_selected_sides(flat: bpy.types.Object, width: float) -> tuple[int, int]:
     """The selected outline edges of flat pieces in Object Mode get this width; see model.allowances.mark_selected."""
+    sides = selected_sides(flat)
+    mesh = sides.model.data
+    marked = mark_sides(mesh, sides.edges.tolist(), sides.faces.tolist(), width)
+    mesh.update()
+    return marked, len(sides.edges) - marked + sides.left_out
+
+
+def selected_sides(flat: bpy.types.Object) -> SelectedSides:
+    """Of the selected outline edges of flat pieces in Object Mode. Raises ObjectError if these are not true."""
     source = model_of(flat)
     if is_earlier(flat):
         raise object_error("earlier_pieces", earlier_sentence(flat))
@@ -40,6 +70,4 @@ def mark_selected_sides(flat: bpy.types.Object, width: float) -> tuple[int, int]
     keys = edge_keys(edge_vertices(model), len(model.vertices))
     order = np.argsort(keys)
     edges = order[np.searchsorted(keys[order], edge_keys(ends, len(model.vertices)))]
-    marked = mark_sides(model, edges.tolist(), face_of_edge[rows].tolist(), width)
-    model.update()
-    return marked, int(selected.sum()) - marked
+    return SelectedSides(source, edges, face_of_edge[rows].astype(np.int64), int(selected.sum()) - len(rows))

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Marking eases on edges of a model in Object Mode: of wires, on all sides alike, or of one side alone."""
+
+import math
+from collections.abc import Callable, Collection
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+from ..blender.mesh import corner_edges, edge_vertices, faces_at_edges, vertex_places
+from ..blender.objects import linear_part
+from ..issues import object_error
+from ..pattern.chains import split_into_chains
+from ..solve.flat_mesh import edge_lengths
+from ..solve.identity import new_id
+from .attributes import read_marks, write_marks
+from .change import repair_marks
+from .side_eases import clear_side_eases, outline_rows, sides_of_lines, write_side_eases
+from .wire_names import list_places
+
+Amount = Callable[[float], float]  # the ease of a line as a fraction, by its length in Blender units
+
+
+@dataclass(frozen=True)
+class Change:
+    """Of one line; an ease that was cleared is 0."""
+
+    ratio: float
+    length: float  # by how much it is longer, in Blender units
+
+
+@dataclass(frozen=True)
+class Eased:
+    changes: list[Change]
+    left_out: int  # edges
+
+
+def ease_lines(target: bpy.types.Object, rows: np.ndarray, amount: Amount) -> Eased:
+    """Lines of these edges are to be longer by this, all their sides alike; what is no wire becomes a rigid one.
+
+    Raises ObjectError where a line would have no length left.
+    """
+    mesh = target.data
+    used = rows[faces_at_edges(mesh)[rows] > 0]
+    marks, lengths = read_marks(mesh), _lengths(target)
+    changes = []
+    for chain in split_into_chains(edge_vertices(mesh)[used], _places(target)) if len(used) else ():
+        own = used[chain.edges]
+        changes.append(_change(float(lengths[own].sum()), amount))
+        new = own[marks.wire_ids[own] == 0]
+        marks.wire_ids[new], marks.tolerances[new] = new_id(), 0
+        marks.eases[own] = changes[-1].ratio
+    if len(used):
+        write_marks(mesh, marks)
+        wire_id = int(repair_marks(target).wire_ids[used[0]])
+        mesh.wirewarp_active_wire = list_places(mesh)[wire_id]  # what was marked last is chosen in the list
+    return Eased(changes, len(rows) - len(used))
+
+
+def ease_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side: int) -> Eased:
+    """The lines of these edges are to be longer by this on one side alone, 0 or 1, and on the other as they would be.
+
+    Of outlines on the only side there is. What is no seam or outline is left out, and where a side has several faces.
+    Raises ObjectError where a line would have no length left.
+    """
+    mesh = target.data
+    lines = sides_of_lines(mesh, outline_rows(mesh, rows), _places(target))
+    return _ease(target, [line[side] or line[1 - side] for line in lines], amount, len(rows))
+
+
+def ease_corners(target: bpy.types.Object, corners: Collection[int], amount: Amount) -> Eased:
+    """The edges that begin at these corners are to be longer by this, on the side of their faces alone.
+
+    Raises ObjectError as ease_sides does, and where both sides of an edge are among them.
+    """
+    mesh, chosen = target.data, set(corners)
+    rows = np.unique(corner_edges(mesh)[list(chosen)])
+    if len(rows) < len(chosen):
+        raise object_error(
+            "both_sides",
+            "Both sides of a seam are selected. Select one; or mark an ease of both sides on the model.",
+        )
+    lines = sides_of_lines(mesh, outline_rows(mesh, rows), _places(target))
+    return _ease(
+        target, [[each for side in line for each in side if each in chosen] for line in lines], amount, len(rows)
+    )
+
+
+def clear_eases(target: bpy.types.Object, rows: np.ndarray) -> Eased:
+    """None of these edges has an ease any more, on any side. Returns a change for each line that had one."""
+    mesh = target.data
+    marks = read_marks(mesh)
+    had = (marks.eases[rows] != 0) | clear_side_eases(mesh, rows)
+    if marks.eases[rows].any():
+        marks.eases[rows] = 0
+        write_marks(mesh, marks)
+        repair_marks(target)
+    cleared = rows[had]
+    lines = split_into_chains(edge_vertices(mesh)[cleared], _places(target)) if len(cleared) else []
+    return Eased([Change(0.0, 0.0)] * len(lines), 0)
+
+
+def _ease(target: bpy.types.Object, lines: list[list[int]], amount: Amount, selected: int) -> Eased:
+    """lines: corners at which their edges begin; selected: how many edges were to be eased."""
+    mesh = target.data
+    loop_edges, lengths = corner_edges(mesh), _lengths(target) * (1 + read_marks(mesh).eases)
+    found = [line for line in lines if line]
+    changes = [_change(float(lengths[loop_edges[line]].sum()), amount) for line in found]
+    for line, change in zip(found, changes, strict=True):
+        write_side_eases(mesh, line, change.ratio)
+    return Eased(changes, selected - sum(map(len, found)))
+
+
+def _change(length: float, amount: Amount) -> Change:
+    ratio = amount(length) if length > 0 else math.nan
+    if not -1 < ratio < math.inf:
+        raise object_error("invalid_ease", "So much shorter, a line would have no length left: choose a smaller ease.")
+    return Change(ratio, ratio * length)
+
+
+def _places(target: bpy.types.Object) -> np.ndarray:
+    return vertex_places(target.data).astype(np.float64) @ linear_part(target).T
+
+
+def _lengths(target: bpy.types.Object) -> np.ndarray:
+    """(e,) in Blender units."""
+    return edge_lengths(_places(target), edge_vertices(target.data))

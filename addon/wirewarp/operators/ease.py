@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The buttons below Ease: lines that are sewn to shorter or longer ones."""
+
+from dataclasses import replace
+
+import bpy
+import numpy as np
+from bpy.props import EnumProperty
+
+from ..blender.mesh import read_hidden_edges, read_selected_edges
+from ..blender.modes import hold_whole_file, in_object_mode
+from ..blender.objects import check_local
+from ..blender.units import length_text, meters_per_blender_unit
+from ..flat.sides import selected_sides
+from ..issues import ObjectError
+from ..model.ease import Amount, Eased, clear_eases, ease_corners, ease_lines, ease_sides
+from ..model.owners import model_of
+from ..properties import EaseAmount, take_settings
+from ..ui.settings import draw_ease
+from ..words import LengthText, counted, ease_text
+
+SIDES = [
+    ("ALL", "All Sides", "The selected lines, all sides of seams alike: they become wires if they are none"),
+    ("ONE", "One Side", "One side of the selected seams alone, the one with the arrow: a sleeve head, gathers"),
+    ("OTHER", "Other Side", "The other side of the selected seams alone"),
+    ("NONE", "None", "The selected lines have no ease any more, on any side"),
+]
+NO_SIDES = "select edges on a seam or outline, with one face on that side"
+NOTHING = {
+    "ALL": "select the edges of a line first",
+    "ONE": NO_SIDES,
+    "OTHER": NO_SIDES,
+    "NONE": "none of the selected edges has an ease",
+}
+
+
+class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
+    """Make the selected lines longer or shorter than on the model"""
+
+    bl_idname = "mesh.wirewarp_ease"
+    bl_label = "Mark Ease"
+    bl_options = {"REGISTER", "UNDO"}
+
+    sides: EnumProperty(name="Sides", description="Of seams; outlines have one", items=SIDES, default="ALL")
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        return next(description for kind, _, description in SIDES if kind == properties.sides)
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return context.mode == "EDIT_MESH"
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        take_settings(self, context.scene.wirewarp, EaseAmount)
+        return self.execute(context)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        targets, amount = list(context.objects_in_mode_unique_data), self._amount(context.scene)
+        try:
+            for target in targets:
+                check_local(target, target.data)
+            with in_object_mode(context):
+                found = [self._mark(target, amount) for target in targets]
+                hold_whole_file()
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return self._told(found, length_text(context.scene))
+
+    def _amount(self, scene: bpy.types.Scene) -> Amount:
+        share, length = self.ease_percent / 100, self.ease_length / (1000 * meters_per_blender_unit(scene))
+        return (lambda line: length / line) if self.ease_unit == "LENGTH" else lambda _: share
+
+    def _mark(self, target: bpy.types.Object, amount: Amount) -> Eased:
+        """On flat pieces, where sides lie apart, of the selected side whatever side is chosen."""
+        if model_of(target):
+            found = selected_sides(target)
+            if self.sides == "NONE":
+                eased = clear_eases(found.model, found.edges)
+            else:
+                eased = ease_corners(found.model, found.corners, amount)
+            found.model.data.update()
+            return replace(eased, left_out=eased.left_out + found.left_out)
+        mesh = target.data
+        rows = np.flatnonzero(read_selected_edges(mesh) & ~read_hidden_edges(mesh))
+        if self.sides == "NONE":
+            eased = clear_eases(target, rows)
+        elif self.sides == "ALL":
+            eased = ease_lines(target, rows, amount)
+        else:
+            eased = ease_sides(target, rows, amount, ("ONE", "OTHER").index(self.sides))
+        mesh.update()
+        return eased
+
+    def _told(self, found: list[Eased], units: LengthText) -> set[str]:
+        left_out = sum(each.left_out for each in found)
+        changes = [change for each in found for change in each.changes]
+        if not changes:
+            self.report({"ERROR"}, f"Nothing to mark: {NOTHING[self.sides]}.")
+            return {"CANCELLED"}
+        if self.sides == "NONE":
+            self.report({"INFO"}, f"No ease any more on {counted(len(changes), 'line')}")
+            return {"FINISHED"}
+        texts = [f"{ease_text(each.ratio)}, {units.difference(each.length)} {units.unit}" for each in changes]
+        told = "; ".join(dict.fromkeys(texts))
+        sentence = f"{counted(len(changes), 'line')} eased: {told}"
+        if left_out:
+            self.report({"WARNING"}, f"{sentence}. {counted(left_out, 'selected edge')} left out.")
+        else:
+            self.report({"INFO"}, sentence)
+        return {"FINISHED"}
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        self.layout.use_property_split = True
+        self.layout.prop(self, "sides")
+        if self.sides != "NONE":
+            draw_ease(self.layout, self)
