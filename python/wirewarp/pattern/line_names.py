@@ -54,7 +54,8 @@ def _choices(line: Line) -> Iterator[Text]:
     along = lengths_along(points)
     is_seam = line.role == "sew"
     for height in HEIGHTS:
-        texts = [f"{line.name}: {line.joins}", line.name] if line.joins else [line.name]
+        named = [f"{line.name}: {line.joins}", line.name] if line.joins else [line.name]
+        texts = [f"{text}, {line.note}" for text in named if line.note] + named
         text = next((each for each in texts if text_width(each, height) <= along[-1] / 2), _short(line))
         if text_width(text, height) > along[-1]:
             continue

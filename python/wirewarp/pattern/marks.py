@@ -3,6 +3,7 @@
 
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from .outline import Side
 from .pieces import Laid
 from .rays import Rays
 from .records import SeamWalk
-from .seams import SewnSide
+from .seams import SewnLengths, SewnSide
 
 ON_LINE = 1e-6  # millimeters between a point of a side and the end of a wire there
 APART = 0.01  # millimeters: places along a seam that lie closer are one, told by two of its sides
@@ -29,16 +30,16 @@ def marks(laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], spacing: fl
     for number, sides in enumerate(seams):
         if not sides or any(id(own.side) in closed for own in sides):
             continue
-        length = float(sides[0].along[-1])
-        places = _places(sides, wire_ends, spacing)
+        sewn = SewnLengths.of(sides)
+        length, places = sewn.whole, _places(sides, sewn, wire_ends, spacing)
         if any(own.side.piece in at_back for own in sides):  # two beside each other
             doubled = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
             places = [place % length for place in doubled] if sides[0].side.is_closed else doubled
-        for own in sides:
-            index, share = own.side.piece, own.along[-1] / length  # of a side that is eased, at equal shares
+        for which, own in enumerate(sides):
+            index = own.side.piece
             for order, place in enumerate(place for place in places if 0 <= place < length):
-                point = notch(own, place * share, rays[index], widths[id(own.side)], (number, order))
-                found[index] += [point] if point else []
+                point = notch(own, sewn.on(own, place), rays[index], widths[id(own.side)], (number, order))
+                found[index] += [replace(point, side=which)] if point else []
     for piece in laid:
         own_rays = rays[piece.index]
         for outline, loop in zip(piece.outlines, piece.loops, strict=True):
@@ -59,15 +60,14 @@ def walks_of(
             tuple(laid[own.side.piece].name for own in sides),
             tuple(float(own.along[-1]) for own in sides),
             tuple(laid[own.side.piece].allowances(own.side) for own in sides),
-            tuple(_notches_along(points[own.side.piece], seam) for own in sides),
+            tuple(_notches_along(points[own.side.piece], seam, which) for which, own in enumerate(sides)),
         )
         for seam, (name, sides) in enumerate(zip(names, seams, strict=True))
     ]
 
 
-def _notches_along(points: Sequence[Point], seam: int) -> tuple[float, ...]:
-    """Of one piece; where it is sewn to itself, its two sides have theirs at the same lengths."""
-    own = {point.pair[1]: point.along for point in points if point.pair and point.pair[0] == seam}
+def _notches_along(points: Sequence[Point], seam: int, side: int) -> tuple[float, ...]:
+    own = {point.pair[1]: point.along for point in points if point.pair and (point.pair[0], point.side) == (seam, side)}
     return tuple(along for _, along in sorted(own.items()) if along is not None)
 
 
@@ -85,11 +85,14 @@ def _legs(laid: Sequence[Laid]) -> set[int]:
     return {id(side) for dart in darts for side in (dart.first, dart.second)}
 
 
-def _places(sides: Sequence[SewnSide], wire_ends: Mapping[int, np.ndarray], spacing: float) -> list[float]:
-    """Lengths from the start of a seam at which all its sides have notches; a closed seam begins at one."""
-    length = float(sides[0].along[-1])
+def _places(
+    sides: Sequence[SewnSide], sewn: SewnLengths, wire_ends: Mapping[int, np.ndarray], spacing: float
+) -> list[float]:
+    """Lengths from the start of a seam, as sewn, at which all its sides have notches; a closed seam begins at one."""
+    length = sewn.whole
     taken: list[float] = []
-    for place in sorted(place for own in sides for place in _places_of(own, wire_ends[own.side.piece])):
+    ends = [sewn.of_side(own, np.array(_places_of(own, wire_ends[own.side.piece]))) for own in sides]
+    for place in sorted(np.concatenate(ends).tolist()):
         if APART < place < length - APART and (not taken or place > taken[-1] + APART):
             taken.append(place)
     begin = [0.0] if spacing and sides[0].side.is_closed else []

@@ -25,6 +25,7 @@ class Line:
     seam: int | None = None  # of sew lines: index into the result's seams; None where nothing is sewn to it
     joins: str = ""  # of sew lines: the names of the other pieces that are sewn to it
     kind: str = ""  # of wires: "rigid", "elastic" or "super_elastic"
+    note: str = ""  # of sew lines: "12 mm longer, ease between notches"
 
     def placed(self, motion: Motion) -> "Line":
         return replace(self, points=motion.points(self.points))
@@ -40,6 +41,7 @@ class Point:
     depth: float = 0.0  # of notches and clips; of holes the diameter
     pair: tuple[int, int] | None = None  # seam, and number along it: notches of one pair are sewn onto each other
     along: float | None = None  # of these the length from the start of the seam, on the sew line of this side
+    side: int | None = None  # of these, which of the sides of the seam
 
     def placed(self, motion: Motion) -> "Point":
         return replace(self, at=motion.points(self.at), direction=motion.directions(self.direction))

@@ -24,7 +24,7 @@ from .nest_items import Grain
 from .nesting import Cloth, Preview, nesting
 from .notches import check_spacing
 from .papers import Page
-from .pieces import finished, joined_by, lay_all, outlined, warnings_of
+from .pieces import finished, joined_by, lay_all, notes_on_sides, outlined, warnings_of
 from .progress import Progress, Steps, in_one_go
 from .records import SeamWalk, Written
 from .roles import KINDS
@@ -158,11 +158,11 @@ class Pattern:
         system = UnitSystem(units)
         text = system.range_of([run.width for piece in laid for own in piece.outlines for run in own.runs if run.width])
         points = marks(laid, seams, notch_spacing)
-        joined = joined_by(laid)
+        joined, notes = joined_by(laid), notes_on_sides(seams, system)
         done = []
         for own in laid:
             yield "marks and lines", own.index / len(laid)
-            done.append(finished(own, points[own.index], seam_names, joined, material))
+            done.append(finished(own, points[own.index], seam_names, joined, notes, material))
         warnings = [warning for own in laid for warning in warnings_of(own)]
         walks = walks_of(laid, seam_names, seams, points)
         low = np.min([piece.bounds[0] for piece in done], axis=0)

@@ -7,13 +7,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from .allowance import CutLines, cut_lines, signed_area
+from .eases import longer_texts
 from .flat_piece import FlatPiece
 from .interior import innermost_point
 from .model import Line, PatternPiece, Point
 from .outline import Side, outlines_of
 from .progress import Steps
 from .rays import Rays
+from .seams import SewnSide
 from .stretches import Outline, Rules, outline
+from .units import UnitSystem
 from .widths import Widths
 
 GRAIN = 0.7  # of the way across the piece
@@ -100,13 +103,24 @@ def joined_by(pieces: Sequence[Laid]) -> dict[int, list[str]]:
     return names
 
 
+def notes_on_sides(seams: Sequence[Sequence[SewnSide]], units: UnitSystem) -> dict[int, str]:
+    """By the side's id(), what is told of those that are longer than what they are sewn to."""
+    notes: dict[int, str] = {}
+    for sides in (own for own in seams if own):
+        texts = longer_texts([float(own.along[-1]) for own in sides], units)
+        notes |= {id(own.side): text for own, text in zip(sides, texts, strict=True) if text}
+    return notes
+
+
 def closed_cuts(laid: Laid) -> list[Line]:
     lines = [Line("cut", points, closed=True) for points in laid.cut.outer]
     return lines + [Line("inner_cut", points, closed=True) for points in laid.cut.holes]
 
 
-def lines_of(laid: Laid, seam_names: Sequence[str], joined: Mapping[int, list[str]]) -> list[Line]:
-    """joined: see joined_by."""
+def lines_of(
+    laid: Laid, seam_names: Sequence[str], joined: Mapping[int, list[str]], notes: Mapping[int, str]
+) -> list[Line]:
+    """joined: see joined_by; notes: see notes_on_sides."""
     lines = closed_cuts(laid)
     for own in laid.outlines:
         lines += [Line("inner_cut", slit) for slit in own.slits]
@@ -120,7 +134,8 @@ def lines_of(laid: Laid, seam_names: Sequence[str], joined: Mapping[int, list[st
                 name = "" if seam is None else seam_names[seam]
                 others = [] if seam is None else [other for other in joined[seam] if other != laid.name]
                 joins = " – ".join(dict.fromkeys(others))
-                lines.append(Line("sew", points, is_whole, name, run.width, seam, joins=joins))
+                note = notes.get(id(run.side), "")
+                lines.append(Line("sew", points, is_whole, name, run.width, seam, joins=joins, note=note))
     return [*lines, *laid.wires]
 
 
@@ -133,10 +148,15 @@ def grain_line(laid: Laid) -> Line:
 
 
 def finished(
-    laid: Laid, points: Sequence[Point], seam_names: Sequence[str], joined: Mapping[int, list[str]], material: str
+    laid: Laid,
+    points: Sequence[Point],
+    seam_names: Sequence[str],
+    joined: Mapping[int, list[str]],
+    notes: Mapping[int, str],
+    material: str,
 ) -> PatternPiece:
-    """The piece, still without a text. joined: see joined_by."""
-    lines = [*lines_of(laid, seam_names, joined), grain_line(laid)]
+    """The piece, still without a text. joined: see joined_by; notes: see notes_on_sides."""
+    lines = [*lines_of(laid, seam_names, joined, notes), grain_line(laid)]
     area = abs(sum(map(signed_area, laid.sew_loops)))
     on_fold = any(run.is_fold for outline in laid.outlines for run in outline.runs)
     return PatternPiece(laid.index + 1, laid.name, lines, list(points), [], (1, 0), material, on_fold, area)

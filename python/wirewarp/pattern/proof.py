@@ -8,6 +8,7 @@ import numpy as np
 
 from . import helvetica
 from .card import how_to_cut
+from .eases import longer_texts
 from .glyphs import NoLettersError, line_of
 from .model import Text
 from .papers import MARGIN
@@ -59,6 +60,8 @@ def _seam_rows(pattern: "Pattern") -> list[Row]:
             allowance = pattern.units.range_of(widths)
             told = pattern.units.difference_text(difference) if side == 0 else ""
             rows.append((walk.name if side == 0 else "", name, pattern.units.measured(length), allowance, told))
+        eased = zip(walk.pieces, longer_texts(walk.lengths, pattern.units), strict=True)
+        rows += [("", f"{name} {text}") for name, text in eased if text]
         rows += _notch_rows(walk, pattern.units)
     return rows
 

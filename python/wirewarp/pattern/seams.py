@@ -43,6 +43,34 @@ class SewnSide:
         return points[row] + share * (points[row + 1] - points[row]), normal if self.is_forward else -normal
 
 
+@dataclass(frozen=True)
+class SewnLengths:
+    """Lengths along a seam as it is sewn: along the shortest of its sides, which nothing is eased in of.
+
+    What is sewn together was one edge of the model, so that edges of the sides correspond one by one, and within an
+    edge lengths are to each other as the edges are: all that was eased of it is spread evenly.
+    """
+
+    along: np.ndarray  # (k,) to each vertex of the seam
+
+    @classmethod
+    def of(cls, sides: Sequence[SewnSide]) -> "SewnLengths":
+        lengths = [side.along for side in sides]
+        return cls(min(lengths, key=lambda along: round(float(along[-1]) / SAME_LENGTH)))  # the first of equal ones
+
+    @property
+    def whole(self) -> float:
+        return float(self.along[-1])
+
+    def on(self, side: SewnSide, place: float) -> float:
+        """The length along this side at which it is sewn to the others at this place."""
+        return float(np.interp(place, self.along, side.along))
+
+    def of_side(self, side: SewnSide, lengths: np.ndarray) -> np.ndarray:
+        """(p,) where lengths (p,) along this side are sewn."""
+        return np.interp(lengths, side.along, self.along)
+
+
 def sewn_sides(loops: Sequence[Sequence[Side]], count: int) -> list[list[SewnSide]]:
     """Of each of the `count` seams the sides, over the outlines of all pieces."""
     sides: list[list[Side]] = [[] for _ in range(count)]

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Seams with a side that is longer: notches are sewn onto each other all the same, and the paper says what to do."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+import wirewarp
+from patterns import quads
+from wirewarp.pattern import Pattern
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "addon"))
+
+from drawing import Drawing
+
+COUNT, LENGTH = 20, 400.0  # edges of the seam, and its millimeters
+SEAM = [(x, x + 1) for x in range(COUNT)]
+
+
+def two_strips(eased, **options) -> wirewarp.FlattenResult:
+    """Of 150 mm each, below and above of a seam in steps of 20 mm; eased: (begin, end, ratio) of edges on the lower."""
+    row = COUNT + 1
+    points = [(x * LENGTH / COUNT, y) for y in (0, 150, -150) for x in range(row)]
+    above = [(x, x + 1, row + x + 1, row + x) for x in range(COUNT)]
+    below = [(2 * row + x, 2 * row + x + 1, x + 1, x) for x in range(COUNT)]
+    eases = [wirewarp.Ease([(x + 1, x) for x in range(begin, end)], ratio) for begin, end, ratio in eased]
+    return quads(points, above + below, seams=SEAM, eases=eases, **options)
+
+
+def notches_in_file(path: Path, name: str) -> list[float]:
+    """Lengths from the end of the seam with the farther notch at which those of a piece, made longer, meet it."""
+    drawing = Drawing(path)
+    (seam,) = [line for line in drawing.lines(name, "Sew") if len(line) == COUNT + 1]
+    line = shapely.LineString(seam)
+    found = []
+    for start, end in drawing.lines(name, "Notches"):
+        ray = shapely.LineString([start, start + 20 * (end - start) / np.linalg.norm(end - start)])
+        if ray.intersects(line):
+            found.append(line.project(shapely.Point(ray.intersection(line).coords[0])))
+    return sorted(found) if min(found) > line.length - max(found) else sorted(line.length - place for place in found)
+
+
+@pytest.mark.parametrize("eased", [[(0, COUNT, 0.04)], [(5, 15, 0.08)], [(0, 10, 0.3), (12, 18, 0.05)]])
+def test_notches_of_an_eased_seam_are_at_equal_sewn_lengths(tmp_path, eased):
+    result = two_strips(eased)
+    pattern = Pattern.from_result(result, piece_names=["Above", "Below"], notch_spacing=50.0)
+    pattern.write(tmp_path / "a.svg")
+    above, below = (notches_in_file(tmp_path / "a.svg", name) for name in ("Above", "Below"))
+    ratios = np.ones(COUNT)
+    for begin, end, ratio in eased:
+        ratios[begin:end] += ratio
+    step = LENGTH / COUNT
+    ends_below = np.concatenate([[0.0], np.cumsum(step * ratios)])
+    assert above == pytest.approx(np.arange(40, LENGTH, 50), abs=0.02) and len(below) == len(above)
+    sewn = np.interp(below, ends_below, np.arange(COUNT + 1) * step)  # each edge's length divided by 1 + r
+    assert sewn == pytest.approx(above, abs=0.02)
+    (walk,) = pattern.walks
+    assert np.interp(walk.notches[1], ends_below, np.arange(COUNT + 1) * step) == pytest.approx(walk.notches[0])
+
+
+def test_the_longer_side_says_so_on_its_line_and_on_the_proof():
+    pattern = Pattern.from_result(two_strips([(0, COUNT, 0.03)]), piece_names=["Above", "Below"])
+    notes = {
+        piece.name: {line.note for line in piece.of_role("sew") if line.seam is not None} for piece in pattern.pieces
+    }
+    assert notes == {"Above": {""}, "Below": {"12 mm longer, ease between notches"}}
+    texts = [
+        line for piece in pattern.pieces for text in piece.texts for line in text.lines if text.role == "line name"
+    ]
+    assert "Seam 1: Above, 12 mm longer, ease between notches" in texts and "Seam 1: Below" in texts
+
+
+def test_much_longer_sides_are_gathered_and_alike_ones_are_not_told():
+    for eased, expected in (([(0, COUNT, 0.5)], "200 mm longer, gather between notches"), ([], "")):
+        pattern = Pattern.from_result(two_strips(eased), piece_names=["Above", "Below"])
+        (note,) = [line.note for line in pattern.pieces[1].of_role("sew") if line.seam is not None]
+        assert note == expected
+
+
+def test_a_seam_that_is_eased_alike_on_both_sides_has_equal_notches():
+    wires = [wirewarp.Wire([*range(COUNT + 1)], ease=-0.1)]
+    pattern = Pattern.from_result(two_strips([], wires=wires), notch_spacing=50.0)
+    (walk,) = pattern.walks
+    assert walk.lengths == pytest.approx((0.9 * LENGTH, 0.9 * LENGTH))
+    assert walk.notches[0] == pytest.approx(walk.notches[1]) and len(walk.notches[0]) > 4
