@@ -85,6 +85,21 @@ def test_islands_of_the_map_are_pieces_and_the_files_are_read_back(model, tmp_pa
     assert "9.525 mm" in page.get_textpage().get_text_range()
 
 
+def test_eases_and_a_cloth_change_what_is_made(model, tmp_path):
+    words = (model, "--out", tmp_path / "out", "--seams", "uv", "--format", "svg", "--resume")
+    lines = tmp_path / "lines.json"
+    lines.write_text(json.dumps([{"vertices": [1, 4], "ease": -0.1}, {"side": [1, 4], "ease": 0.2}]))
+    ((plain,), _) = run(*words)
+    ((eased,), _) = run(*words, "--wires", lines)
+    (seam,) = json.loads((tmp_path / "out" / "Folded.json").read_text())["seams"]
+    assert seam["variation"] == pytest.approx(-0.1) and seam["eases"] == pytest.approx([0.2, 0.0])
+    assert seam["length_2d"] == pytest.approx([0.1 * 0.9 * 1.2, 0.1 * 0.9])
+    ((woven,), _) = run(*words, "--wires", lines, "--cloth", "woven", "--orientation", "best")
+    pieces = json.loads((tmp_path / "out" / "Folded.json").read_text())["pieces"]
+    assert all(piece["metrics"]["cloth_energy"] >= 0 for piece in pieces)  # which is NaN without a cloth
+    assert len({line["made_of"] for line in (plain, eased, woven)}) == 3
+
+
 def test_sharp_edges_are_seams(tmp_path):
     trimesh.creation.box((0.1, 0.1, 0.1)).export(tmp_path / "box.stl")
     ((line,), _) = run(tmp_path / "box.stl", "--out", tmp_path, "--seams", "sharp", "--format", "dxf")
@@ -328,6 +343,8 @@ def test_several_at_a_time_and_the_worst_counts(model, tmp_path):
         ("a.obj", FOLDED, ("--seams", "lines.json"), "must be a JSON list of lines of vertices"),
         ("a.obj", FOLDED, ("--wires", "lines.json"), "must be a JSON list of wires"),
         ("a.obj", FOLDED, ("--wires", "wire.json"), "Wire 1 of"),
+        ("a.obj", FOLDED, ("--wires", "ease.json"), 'Ease 1 of "ease.json" has \'tolerance\': give ease, side'),
+        ("a.obj", FOLDED, ("--orientation", "best"), "needs a cloth"),
         ("a.obj", FOLDED, ("--marker", "1in", "--imperial"), "too large for a roll of 1 in"),
         ("a.obj", FOLDED, ("--page", "120mm", "--format", "pdf"), "too large for a roll of 120 mm"),
     ],
@@ -336,6 +353,7 @@ def test_bad_input_is_one_sentence(tmp_path, monkeypatch, name, content, words, 
     monkeypatch.chdir(tmp_path)
     (tmp_path / name).write_text(content)
     (tmp_path / "lines.json").write_text("[1, 2]")
+    (tmp_path / "ease.json").write_text('[{"side": [0, 1], "tolerance": 1}]')
     (tmp_path / "wire.json").write_text('[{"vertices": [0, 1], "tolerence": 1}]')
     ((line,), errors) = run(name, "--out", "out", *words, code=2)
     (problem,) = line["problems"]
@@ -349,6 +367,7 @@ def test_bad_input_is_one_sentence(tmp_path, monkeypatch, name, content, words, 
         (("--allowance", "3/00in"), "'3/00in' is no length: give 10mm"),
         (("--page", "a9"), "paper is 'a9'"),
         (("--format", "png"), "'png' is no format"),
+        (("--cloth", "silk"), "invalid choice: 'silk'"),
         (("--jobs", "0"), "give 1 or more"),
         (("--times", "-1"), "give 1 or more"),
         (("--marker", "wide"), "'wide' is no length"),

@@ -7,7 +7,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NoReturn
+from typing import NoReturn, get_args
 
 import psutil
 
@@ -18,7 +18,7 @@ from ..pattern.write import WRITERS
 from .apart import Limits
 from .input_error import InputError
 from .inputs import Found, found_models
-from .request import MILLIMETERS, MarkerRequest, Request
+from .request import MILLIMETERS, MarkerRequest, Orientation, Request
 
 LENGTH = re.compile(r"(\d+(?:\.\d*)?)(?:/(\d+))?\s*(mm|cm|m|in)")
 SHEET = re.compile(r"(\d+(?:\.\d*)?)x(\d+(?:\.\d*)?)\s*(mm|cm|m|in)")
@@ -29,6 +29,8 @@ GRAINS: dict[str, Grain] = {
     "both-ways": "both ways",
     "free": "free",
 }  # as Pattern.nested knows them
+CLOTHS = ("woven", "denim", "jersey", "swim", "leather", "neoprene")
+ORIENTATIONS = get_args(Orientation)
 VERDICTS = (
     "Prints one line of JSON for each model. The exit code is 0 if all are ready to cut, 1 if a piece is not, 2 if a "
     "model is refused, 3 if one was stopped: it crashed or took more time or memory than it may."
@@ -96,7 +98,11 @@ def _model_options() -> argparse.ArgumentParser:
         metavar="uv|sharp|FILE",
         help="around UV islands, sharp edges, or of a JSON file",
     )
-    options.add_argument("--wires", default="", metavar="FILE", help="JSON file with wires")
+    options.add_argument("--wires", default="", metavar="FILE", help="JSON file with wires and eases")
+    options.add_argument("--cloth", default="", choices=CLOTHS, help="what the pieces are cut from (distortion alone)")
+    options.add_argument(
+        "--orientation", default="wire", choices=ORIENTATIONS, help="what stands upright, along the grain (wire)"
+    )
     options.add_argument(
         "--format", default="pdf,svg", metavar="F,F", type=_formats, help="of pdf, svg, dxf, plt (pdf,svg)"
     )
@@ -158,6 +164,8 @@ def _request(found: Found, given: argparse.Namespace) -> Request:
         folder=given.out / found.folder,
         seams=given.seams,
         wires=given.wires,
+        cloth=given.cloth,
+        orientation=given.orientation,
         formats=given.format,
         page=given.page,
         allowance=given.allowance,

@@ -7,13 +7,13 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from .. import FlattenError, FlattenResult, __version__, flatten
+from .. import FlattenError, FlattenResult, Options, __version__, flatten
 from ..pattern import Marker, Pattern, Written
 from ..pattern.today import today
 from .blend import BlenderError, flatten_blend
 from .figures import result_figures
 from .input_error import InputError
-from .lines import seams_of, wires_of
+from .lines import lines_of, seams_of
 from .model import Model, read_model
 from .request import FROM_MODEL, MILLIMETERS, MarkerRequest, Request
 from .staged import staged_folder, take_places
@@ -95,8 +95,9 @@ def _made_of(request: Request, model: Model | None) -> str:
 
 def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict[str, Any]]:
     """Writes patterns and picture to the folder; the line, and what the report says besides."""
-    seams, wires = seams_of(model, request.seams), wires_of(request.wires)
-    result = flatten(model.vertices, model.faces, seams=seams, wires=wires)
+    seams, lines = seams_of(model, request.seams), lines_of(request.wires)
+    chosen = Options(cloth=request.cloth or None, orientation=request.orientation)
+    result = flatten(model.vertices, model.faces, seams=seams, wires=lines.wires, eases=lines.eases, options=chosen)
     failed = [(n, piece.error) for n, piece in enumerate(result.pieces, start=1) if piece.error]
     line: Line = {
         "verdict": FAILED if failed else READY,

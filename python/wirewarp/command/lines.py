@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams and wires of a model: from its UV map, from its sharp edges, or from JSON files."""
+"""Seams, wires and eases of a model: from its UV map, from its sharp edges, or from JSON files."""
 
 import json
 import math
+from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from .. import FlattenError, Wire
+from .. import Ease, FlattenError, Wire
 from .input_error import InputError
 from .model import Model
 
 SHARP = math.radians(30)  # as in Blender's Select Sharp Edges
+KEYS = {"vertices": {"vertices", "tolerance", "name", "ease"}, "side": {"side", "ease"}}
 SAME_UV = 1e-6  # of the unit square: files have about as many decimals
 
 
@@ -33,31 +36,42 @@ def seams_of(model: Model, wanted: str) -> np.ndarray:
     return np.array(pairs, dtype=np.int64).reshape(-1, 2)
 
 
-def wires_of(path: str) -> list[Wire]:
-    """Raises InputError."""
+@dataclass(frozen=True)
+class Lines:
+    wires: list[Wire] = field(default_factory=list)
+    eases: list[Ease] = field(default_factory=list)
+
+
+def lines_of(path: str) -> Lines:
+    """Wires, and eases of one side. Raises InputError."""
     if not path:
-        return []
+        return Lines()
     entries = _read(Path(path))
     if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
         raise InputError(f'"{path}" must be a JSON list of wires, as [{{"vertices": [0, 1], "tolerance": 0.03}}].')
-    wires = []
+    lines = Lines()
     for number, entry in enumerate(entries, start=1):
-        unknown = set(entry) - {"vertices", "tolerance", "name", "ease"}
-        if unknown or not _is_chain(entry.get("vertices")):
-            what = f"has {min(unknown)!r}" if unknown else "has no list of vertices"
-            raise InputError(f'Wire {number} of "{path}" {what}: give vertices, tolerance, name, ease.')
-        tolerance = entry.get("tolerance", 0.0)
+        kind, add, noun = ("side", _add_ease, "Ease") if "side" in entry else ("vertices", _add_wire, "Wire")
+        unknown = set(entry) - KEYS[kind]
+        if unknown or not _is_chain(entry.get(kind)):
+            what = f"has {min(unknown)!r}" if unknown else f"has no list of {kind}"
+            raise InputError(f'{noun} {number} of "{path}" {what}: give {", ".join(sorted(KEYS[kind]))}.')
         try:
-            wire = Wire(
-                entry["vertices"],
-                math.inf if tolerance == "inf" else tolerance,
-                entry.get("name", ""),
-                entry.get("ease", 0.0),
-            )
+            add(lines, entry)
         except (FlattenError, TypeError) as error:
-            raise InputError(f'Wire {number} of "{path}": {error}') from error
-        wires.append(wire)
-    return wires
+            raise InputError(f'{noun} {number} of "{path}": {error}') from error
+    return lines
+
+
+def _add_wire(lines: Lines, entry: dict[str, Any]) -> None:
+    tolerance = entry.get("tolerance", 0.0)
+    number = math.inf if tolerance == "inf" else tolerance
+    lines.wires.append(Wire(entry["vertices"], number, entry.get("name", ""), entry.get("ease", 0.0)))
+
+
+def _add_ease(lines: Lines, entry: dict[str, Any]) -> None:
+    """Each step of the list is an edge as the triangle on that side has it."""
+    lines.eases.append(Ease(list(pairwise(entry["side"])), entry.get("ease", 0.0)))
 
 
 def _read(path: Path) -> Any:  # noqa: ANN401

@@ -3,10 +3,12 @@
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 from ..pattern.nest_items import Grain
 
 MILLIMETERS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
+Orientation = Literal["wire", "boundary", "up", "best"]  # as Options knows them
 FROM_MODEL = ("uv", "sharp")
 
 
@@ -30,6 +32,8 @@ class Request:
     folder: Path
     seams: str  # "uv", "sharp", a path, or "" for none
     wires: str  # a path, or "" for none
+    cloth: str  # of Cloth.preset, or "" for none
+    orientation: Orientation
     formats: tuple[str, ...]
     page: str | float
     allowance: float
