@@ -10,7 +10,8 @@ from ..words import ease_text
 from .lines import HEAD, Name
 
 SHARE = 0.25  # of the line that is eased, an arrow's length
-LONGEST = 0.06  # of the object's size
+LONGEST = 0.12  # of the object's size
+BEYOND = 2.2  # arrow's lengths from the edge to the middle of the text, which hides no arrow there
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ def ease_arrows(eases: SideEases) -> tuple[np.ndarray, list[Name]]:
         heads = [tip + HEAD * length * (side * aside - 1.5 * inward) for side in (-1, 1)]
         strokes.append(np.array([base, tip, tip, heads[0], tip, heads[1]], dtype=np.float32))
         text, reach = ease_text(float(eases.ratios[row])), float(lengths.sum() / 2)
-        place = (base + 1.6 * length * inward)[None]
+        place = (base + BEYOND * length * inward)[None]
         names.append(Name((text,), place, eases.normals[row][None], reach, int(eases.pieces[row])))
     return np.concatenate(strokes), names
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marking, and what the overlay shows."""
 
+from collections.abc import Sequence
+
 import bpy
 
 from ..flat.reports import last_report
@@ -8,7 +10,8 @@ from ..model.owners import DELETED, is_deleted, model_of, model_or_self
 from .layout import SidebarPanel, draw_sentence
 from .settings import draw_ease
 
-SIDES = (("ALL", "All"), ("ONE", "One Side"), ("OTHER", "Other"), ("NONE", "None"))
+SIDES = (("ALL", "All Sides"), ("NONE", "None"), ("ONE", "One Side"), ("OTHER", "Other Side"))
+OF_PIECES = (("ONE", "Ease"), ("NONE", "None"))  # where a side is what is selected
 
 
 class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
@@ -31,7 +34,7 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
             else:
                 draw_sentence(context, layout, sentence, "INFO")
                 if context.mode == "EDIT_MESH":
-                    _draw_ease(layout, context, "Ease on this side of seams", flat=True)
+                    _draw_ease(layout, context, "Ease on this side of seams", OF_PIECES)
                     _draw_allowances(layout, "Allowance on this side of seams")
             return
         if context.mode != "EDIT_MESH":
@@ -55,18 +58,20 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         column.operator("mesh.wirewarp_mark", text="Free").kind = "SUPER_ELASTIC"
         column.operator("mesh.wirewarp_clear", text="Clear Wire")
 
-        _draw_ease(layout, context, "Ease of the selected lines")
+        _draw_ease(layout, context, "Ease of the selected lines", SIDES)
         _draw_allowances(layout, "Allowance outside of seams")
 
 
-def _draw_ease(layout: bpy.types.UILayout, context: bpy.types.Context, title: str, flat: bool = False) -> None:
-    """flat: on flat pieces, where a side is what is selected."""
+def _draw_ease(
+    layout: bpy.types.UILayout, context: bpy.types.Context, title: str, buttons: Sequence[tuple[str, str]]
+) -> None:
+    """buttons: sides and text of each, two in a row."""
     layout.label(text=title)
     column = layout.column(align=True)
     draw_ease(column, context.scene.wirewarp)
-    row = column.row(align=True)
-    for sides, text in (("ONE", "Ease"), ("NONE", "None")) if flat else SIDES:
-        row.operator("mesh.wirewarp_ease", text=text).sides = sides
+    grid = column.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
+    for sides, text in buttons:
+        grid.operator("mesh.wirewarp_ease", text=text).sides = sides
 
 
 def _draw_allowances(layout: bpy.types.UILayout, title: str) -> None:

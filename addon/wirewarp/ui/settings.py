@@ -28,8 +28,9 @@ OF_REFINED, OF_OTHERS = {"fairness"}, {"node_weight"}
 def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:
     """The amount and its unit."""
     row = layout.row(align=True)
+    row.use_property_split = False
     in_percent = settings.ease_unit == "PERCENT"
-    row.prop(settings, "ease_percent" if in_percent else "ease_length", text="Ease")
+    row.prop(settings, "ease_percent" if in_percent else "ease_length", text="")
     row.prop(settings, "ease_unit", expand=True)
 
 
