@@ -14,126 +14,12 @@ from bpy.props import (
 
 from .blender.views import redraw_views
 from .run.auto_update import note_change
-from .solve.flatten import FlattenChoices
+from .run.settings import FlattenSettings
 from .solve.papers import PAPERS
-
-METHODS = [
-    (
-        "REFINED",
-        "Refined: least distortion",
-        "Lay out lines and cloth together, with the least distortion that these lengths allow. Elastic wires stay "
-        "within their tolerance; free wires get the best length. Use this one",
-    ),
-    (
-        "WIREWARP_PLUS_PLUS",
-        "WireWarping++: lines first",
-        "The paper's method: lay out the lines first, bent as on the model, and let the cloth follow. More distortion, "
-        "and faces may flip. Elastic wires stay within their tolerance; free wires get the best length",
-    ),
-    (
-        "WIREWARPING",
-        "WireWarping: all wires rigid",
-        "Like WireWarping++, but every wire keeps exactly its length, whatever its tolerance",
-    ),
-]
-LIBRARY_METHODS = {"REFINED": "refined", "WIREWARP_PLUS_PLUS": "wirewarp++", "WIREWARPING": "wirewarping"}
 
 
 def _redraw(_settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
     redraw_views()
-
-
-class FlattenSettings:
-    """What Flatten asks for: shared by the scene's settings and the operator."""
-
-    method: EnumProperty(
-        name="Method",
-        description="How the flat shape is found. Seams and outlines always keep their exact length",
-        items=METHODS,
-        default="REFINED",
-    )
-    fairness: FloatProperty(
-        name="Smooth Outlines",
-        description="Smooth wiggles shorter than this share of the piece. Lengths stay exact. More: smoother lines; "
-        "less: less distortion of the cloth, but lines may come out wavy",
-        min=0.001,
-        max=10.0,
-        soft_min=0.02,
-        soft_max=0.5,
-        default=0.05,
-        precision=3,
-        step=1,
-    )
-    node_weight: EnumProperty(
-        name="Angles",
-        description="For the methods that lay out the lines first: where a line cannot keep all its bends, which of "
-        "them count more",
-        items=[
-            (
-                "LENGTH",
-                "By Length",
-                "Every stretch of a line counts by its length, however fine its mesh is. Best for most models",
-            ),
-            (
-                "UNIFORM",
-                "By Vertex",
-                "Every vertex counts the same, so finely meshed stretches of a line count more",
-            ),
-        ],
-        default="LENGTH",
-    )
-    layout_kind: EnumProperty(
-        name="Layout",
-        description="How the pieces lie beside each other",
-        items=[
-            ("PACKED", "Packed", "Close together in about a square"),
-            ("ROW", "One Row", "Side by side from left to right, standing on one line"),
-        ],
-        default="PACKED",
-    )
-    orientation: EnumProperty(
-        name="Upright",
-        description="What stands upright in each flat piece",
-        items=[
-            (
-                "WIRE",
-                "Grain Wire",
-                "The wire with the arrow in the list of wires; in pieces that it does not cross their first wire. "
-                "While no wire has the arrow, as World Up",
-            ),
-            ("BOUNDARY", "Longest Straight Edge", "The longest straight stretch of the outline"),
-            ("UP", "World Up", "What points up on the model, along Z; in level pieces their first wire"),
-        ],
-        default="WIRE",
-    )
-    spacing: FloatProperty(
-        name="Gap",
-        description="Space in millimeters between the lines to cut of pieces as they are laid out. It counts from the "
-        "widest allowance there is; other allowances later move no piece until you lay out again",
-        min=0.0,
-        soft_max=200.0,
-        default=10.0,  # for the scissors
-        precision=1,
-        step=100,
-    )
-    keep_places: BoolProperty(
-        name="Keep Places",
-        description="Pieces stay where they lie in the flat object, moved or turned as you have left them; new pieces "
-        "go beside them. Another Layout, Upright, grain wire, Gap or Mirrored moves them all; a model that was turned "
-        "does not. Off: all pieces are laid out again",
-        default=True,
-    )
-    mirror: BoolProperty(
-        name="Mirrored",
-        description="Draw the pieces as seen from inside, from behind the faces, instead of from outside",
-        default=False,
-    )
-    use_modifiers: BoolProperty(
-        name="Modifiers",
-        description="Flatten the mesh as modifiers and shape keys leave it. This makes flat pieces, but no UV map on "
-        "the model. Later changes of the modifiers are noticed in Object Mode only",
-        default=False,
-    )
 
 
 LEAST_EASE = -0.99  # a line needs some length
@@ -266,19 +152,6 @@ class PatternSettings:
     )
 
 
-def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
-    """Of the scene's settings, or of an operator's. meters: in a Blender unit."""
-    return FlattenChoices(
-        method=LIBRARY_METHODS[settings.method],
-        fairness=settings.fairness,
-        node_weight=settings.node_weight.lower(),
-        layout=settings.layout_kind.lower(),
-        orientation=settings.orientation.lower(),
-        spacing=settings.spacing / (1000 * meters),
-        mirror=settings.mirror,
-    )
-
-
 def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
     """What the caller left out is taken from the scene's settings; kind: FlattenSettings or PatternSettings.
 
@@ -336,6 +209,17 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, EaseAmount, bpy.typ
         description="Measure by which models and flat pieces are colored in Object Mode",
         items=[
             ("NONE", "No Map", "Faces look as always"),
+            (
+                "WEFT_STRAIN_COLOR",
+                "Across",
+                "Of a cloth: how much its threads across the grain (weft) are stretched, in percent",
+            ),
+            (
+                "WARP_STRAIN_COLOR",
+                "Along",
+                "Of a cloth: how much its threads along the grain (warp) are stretched, in percent",
+            ),
+            ("SHEAR_ANGLE_COLOR", "Shear", "Of a cloth: how far its threads are turned to one another, in degrees"),
             (
                 "STRETCH_COLOR",
                 "Stretch",

@@ -27,10 +27,11 @@ def drawn(draw):
 
 
 def test_the_methods_of_the_paper_and_their_settings_are_apart(addon):
+    bpy.context.scene.wirewarp.cloth = "CUSTOM"  # which has the most settings
     main, advanced = drawn(addon.ui.settings.draw_settings), drawn(addon.ui.settings.draw_advanced)
     assert advanced == {"method", "node_weight"}
     assert not main & advanced
-    assert main | advanced == set(addon.properties.FlattenSettings.__annotations__)
+    assert main | advanced == set(addon.run.settings.FlattenSettings.__annotations__)
 
 
 def give(addon, source, **settings):
@@ -48,6 +49,8 @@ def give(addon, source, **settings):
         ({"method": "WIREWARPING"}, "Method"),
         ({"fairness": 0.2, "spacing": 100.0}, "Smooth Outlines, Gap"),
         ({"layout_kind": "ROW", "orientation": "BOUNDARY"}, "Layout, Upright"),
+        ({"cloth": "WOVEN"}, "Cloth"),
+        ({"cloth": "CUSTOM", "gives_along": 3.0}, "Cloth"),
     ],
 )
 def test_what_would_make_other_pieces_is_named(addon, source, settings, names, tmp_path, capfd):

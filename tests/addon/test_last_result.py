@@ -72,7 +72,7 @@ def test_a_failed_report_stays_with_its_object(addon, tmp_path):
 def test_a_piece_renamed_during_a_run_keeps_its_new_name(source, addon):
     models = addon.run.read.read_models(bpy.context, [source], bpy.context.scene.wirewarp)
     settings = bpy.context.scene.wirewarp
-    choices, library = addon.properties.choices_of(settings, 1.0), addon.core.library()
+    choices, library = addon.run.settings.choices_of(settings, 1.0), addon.core.library()
     outcomes = addon.solve.steps.in_one_go(addon.run.models.solve_models(library, models, choices, 1.0))
     source.wirewarp_pieces[0].name = "Sleeve"
     addon.run.write.write_results(bpy.context, outcomes, settings)

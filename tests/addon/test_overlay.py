@@ -163,6 +163,7 @@ def test_every_map_can_be_shown(addon, source):
     items = bpy.context.scene.wirewarp.bl_rna.properties["shown_map"].enum_items
     wanted = {item.identifier for item in items if item.identifier != "NONE"}
     assert wanted == {each.attribute.upper() for each in addon.solve.maps.COLOR_MAPS}
+    bpy.ops.object.wirewarp_flatten(cloth="WOVEN")  # which has them all
     for color_map in addon.solve.maps.COLOR_MAPS:
         assert surface_of(addon, source, color_map).colors.shape == (3 * 128, 4)
 
@@ -179,9 +180,14 @@ def test_a_missing_map_is_explained(addon, source):
     bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
 
     def notes():
-        return addon.overlay.shown.missing_maps(list(addon.overlay.shown.drawings(view_context())))
+        shown, context = addon.overlay.shown, view_context()
+        return shown.missing_maps(list(shown.drawings(context)), shown.shown_map(context))
 
     assert notes() == []
+    bpy.context.scene.wirewarp.shown_map = "WEFT_STRAIN_COLOR"
+    addon.overlay.cache.forget()
+    assert notes() == ["No cloth was chosen: no such map"]
+    bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
     source.data.vertices[40].co.z += 0.1
     source.data.update()
     bpy.context.view_layer.update()

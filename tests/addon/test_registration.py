@@ -144,7 +144,7 @@ def test_the_methods_are_those_of_the_library(addon):
     method = bpy.ops.object.wirewarp_flatten.get_rna_type().properties["method"]
     assert method.default == bpy.context.scene.wirewarp.method == "REFINED"
     library = addon.core.library()
-    methods = addon.properties.LIBRARY_METHODS
+    methods = addon.run.settings.LIBRARY_METHODS
     assert methods.keys() == set(method.enum_items.keys())
     assert methods[method.default] == library.Options().method
     for name in methods.values():

@@ -19,7 +19,7 @@ def read_models(addon, *sources):
 
 
 def solving(addon, *sources):
-    choices = addon.properties.choices_of(bpy.context.scene.wirewarp, 1.0)
+    choices = addon.run.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
     return addon.run.models.solve_models(addon.core.library(), read_models(addon, *sources), choices, 1.0)
 
 
@@ -107,7 +107,7 @@ sys.path.insert(0, {folder!r})
 bpy.ops.preferences.addon_enable(module={module!r})
 from surfaces import bump, grid
 addon = sys.modules[{module!r}]
-choices = addon.properties.choices_of(bpy.context.scene.wirewarp, 1.0)
+choices = addon.run.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
 models = addon.run.read.read_models(bpy.context, [grid("Large", bump, size=200)], bpy.context.scene.wirewarp)
 kept = addon.run.models.solve_models(addon.core.library(), models, choices, 1.0)
 next(kept)

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures as attributes and as colors on the flat mesh."""
 
+from collections.abc import Mapping
+
 import bpy
 import numpy as np
 
 from ..names import RANGE
 from ..solve.flat_mesh import FlatMesh
-from ..solve.maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION, STRETCH
+from ..solve.maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION, SHEAR, STRETCH, WARP, WEFT, ColorMap
 
+OF_THREADS = {WEFT: "weft_strain", WARP: "warp_strain", SHEAR: "shear_angle"}  # of solve.flat_mesh.Threads
 VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "stretch": "FACE", "length_variation": "EDGE"}
 
 
@@ -16,15 +19,21 @@ def write_maps(mesh: bpy.types.Mesh, flat: FlatMesh, variation: np.ndarray) -> N
     for name, domain in VALUES.items():
         values = variation if name == "length_variation" else getattr(flat, name)
         mesh.attributes.new(name, "FLOAT", domain).data.foreach_set("value", values)
-    _write_colors(mesh, flat, variation)
     measures = {ASPECT_RATIO: flat.aspect_ratio, STRETCH: flat.stretch, ARAP_ENERGY: flat.energy_density}
+    for color_map, name in OF_THREADS.items() if flat.threads else ():
+        measures[color_map] = getattr(flat.threads, name)
+        mesh.attributes.new(name, "FLOAT", "FACE").data.foreach_set("value", measures[color_map])
+    _write_colors(mesh, flat, measures, variation)
     for color_map, values in (measures | {LENGTH_VARIATION: variation}).items():
         mesh[f"{RANGE}{color_map.attribute}"] = [float(values.min()), float(values.max())]
     shown = mesh.color_attributes.find(COLOR_MAPS[0].attribute)
     mesh.color_attributes.active_color_index = mesh.color_attributes.render_color_index = shown
 
 
-def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, variation: np.ndarray) -> None:
+def _write_colors(
+    mesh: bpy.types.Mesh, flat: FlatMesh, measures: Mapping[ColorMap, np.ndarray], variation: np.ndarray
+) -> None:
+    """measures: (f,) by their map."""
     ends = flat.edges.ravel()
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
     at_vertex = np.bincount(ends, np.repeat(variation, 2), minlength=len(mesh.vertices)) / edges_at  # their mean
@@ -33,9 +42,7 @@ def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, variation: np.ndarray) -
     # maps use the same memory, for new memory is slower still.
     taken = np.empty(len(face), dtype=np.complex128)
     for color_map, values, at_corner in (
-        (ASPECT_RATIO, flat.aspect_ratio, face),
-        (STRETCH, flat.stretch, face),
-        (ARAP_ENERGY, flat.energy_density, face),
+        *((color_map, values, face) for color_map, values in measures.items()),
         (LENGTH_VARIATION, at_vertex, flat.loop_vertices),
     ):
         own = color_map.colors(values).view(np.complex128).ravel()

@@ -25,7 +25,7 @@ LARGE = 5.0  # times that: a room or a landscape, in which the pieces may lie
 SOLID = {"MESH", "CURVE", "SURFACE", "META"}
 Box = np.ndarray  # (2,3), the lowest and the highest corner
 # Of the report: with other ones the user wants another layout.
-LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "spacing", "mirror")
+LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "grain_angle", "spacing", "mirror")
 MOST = 2.0**53  # what a float holds as a whole number
 TURNED = 0.999  # cosine of the angle, 2.5 degrees, from which on another direction is up
 TURNED_TEXT = (

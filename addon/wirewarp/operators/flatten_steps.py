@@ -14,11 +14,12 @@ from ..blender.units import meters_per_blender_unit
 from ..blender.views import is_over_sidebar, redraw_views, show_objects, work_area
 from ..issues import Issue, ObjectError
 from ..model.owners import find_flat_object
-from ..properties import FlattenSettings, choices_of, preferences
+from ..properties import preferences
 from ..report.verdict import run_message, run_report
 from ..run import window_run
 from ..run.models import Model, Outcome, failed_report, solve_models
 from ..run.read import check_current, find_source, read_models
+from ..run.settings import FlattenSettings, choices_of
 from ..run.window_run import CancelledError
 from ..run.write import write_results
 from ..solve.steps import Steps

@@ -18,7 +18,7 @@ from ..flat.seams import seam_names
 from ..issues import ObjectError
 from ..model.owners import find_flat_object, model_of, model_or_self
 from ..names import SIDE_EASE, SIDE_RATIO, WIRE
-from ..solve.maps import COLOR_MAPS, ColorMap
+from ..solve.maps import CLOTH_MAPS, COLOR_MAPS, ColorMap
 from ..solve.pattern_parts import GRAINS, Cloth
 from .cache import Same, kept_drawing
 from .failures import Failures, failures, uv_failures
@@ -43,12 +43,20 @@ def shown_map(context: bpy.types.Context) -> ColorMap | None:
     return next((each for each in COLOR_MAPS if each.attribute.upper() == wanted), None)
 
 
-def missing_maps(shown: Sequence[Drawing]) -> list[str]:
+def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
     """Why the map that is wanted is not on all of them, as sentences."""
     without = [each.target for each in shown if each.surface is None and not each.target.data.is_editmode]
-    never = [target for target in without if last_report(model_or_self(target)) is None]
-    notes = ["Not flattened yet: no map"] if never else []
-    return notes + (["Changed since: flatten again"] if len(never) < len(without) else [])
+    reports = [last_report(model_or_self(target)) for target in without]
+    whys = {"Not flattened yet: no map": None in reports}
+    has_no_cloth = [report is not None and color_map in CLOTH_MAPS and not _has_cloth(report) for report in reports]
+    whys["No cloth was chosen: no such map"] = any(has_no_cloth)
+    others = [report for report, no_cloth in zip(reports, has_no_cloth, strict=True) if report and not no_cloth]
+    whys["Changed since: flatten again"] = bool(others)
+    return [why for why, is_so in whys.items() if is_so]
+
+
+def _has_cloth(report: dict) -> bool:
+    return bool(report.get("options", {}).get("cloth"))
 
 
 def extremes(shown: Sequence[Drawing]) -> Extremes | None:

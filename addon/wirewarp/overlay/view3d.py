@@ -89,7 +89,9 @@ def draw_screen() -> None:
     if shown:
         names = (name for drawing in shown for name in _names_in_view(context, drawing))
         color_map = shown_map(context)
-        write_over(context, shown, names, missing_maps(shown) if color_map else [], color_map, extremes(shown))
+        write_over(
+            context, shown, names, missing_maps(shown, color_map) if color_map else [], color_map, extremes(shown)
+        )
 
 
 def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[PlacedName]:

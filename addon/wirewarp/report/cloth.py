@@ -30,8 +30,9 @@ def aspect_ratio(piece: dict) -> float:
 
 
 def is_strained(piece: dict) -> bool:
-    """A good piece beyond what cloth can follow."""
-    return piece["ok"] and aspect_ratio(piece) > CLOTH_LIMIT
+    """A good piece beyond what cloth can follow: the one that was chosen, or hardly any."""
+    threads = piece.get("threads")  # which reports before there were cloths have not
+    return piece["ok"] and (threads["over"] if threads else aspect_ratio(piece) > CLOTH_LIMIT)
 
 
 def is_unsewable(piece: dict) -> bool:

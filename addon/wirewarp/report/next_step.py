@@ -6,6 +6,7 @@ from typing import NamedTuple
 from ..words import counted
 from .cloth import is_strained
 from .hints import STRAINED
+from .threads import BEYOND_CLOTH
 
 MEND = "object.wirewarp_mend"
 SHOW = "mesh.wirewarp_select_result"
@@ -61,7 +62,7 @@ def _shown(report: dict, entries: list[dict]) -> list[int]:
 def _strained_places(report: dict) -> list[int]:
     """Of the worst piece, the largest first: the very worst may be a single face, in which nobody finds the way."""
     hints = report["hints"]
-    places = [index for index in _shown(report, hints) if hints[index]["code"] == STRAINED]
+    places = [index for index in _shown(report, hints) if hints[index]["code"] in {STRAINED, BEYOND_CLOTH}]
     own = [index for index in places if hints[index]["piece"] == hints[places[0]]["piece"]]
     return sorted(own, key=lambda index: -len(hints[index]["faces"]))
 

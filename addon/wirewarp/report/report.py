@@ -15,12 +15,13 @@ import numpy as np
 from ..core import BoundaryReport, FlattenResult, HelperWire, Piece, SeamReport, WireReport
 from ..issues import Issue, note, warning
 from ..solve.arrays import MeshArrays
-from ..solve.flatten import issue_of_piece, polygons_of
+from ..solve.flatten import ClothChoice, issue_of_piece, polygons_of
 from ..solve.identity import PieceIdentity
 from ..solve.seams import SeamIdentity
 from ..words import quoted
 from .cloth import PieceStrain, piece_strain, triangles_around
 from .hints import strain_hints, wire_hints
+from .threads import thread_hints, threads_of
 from .twins import with_twins
 
 SCHEMA = "wirewarp-report-4"
@@ -40,8 +41,9 @@ def object_report(
     identities: Sequence[PieceIdentity],
     seams: Sequence[SeamIdentity],
     meters: float,
+    cloth: ClothChoice | None = None,
 ) -> dict:
-    """The report of one object; identities of its pieces; meters: metres in a Blender unit."""
+    """The report of one object; identities of its pieces; meters: metres in a Blender unit; cloth: as chosen."""
     issues = [
         issue_of_piece(piece, index, arrays) for index, piece in enumerate(result.pieces) if piece.error is not None
     ]
@@ -53,6 +55,9 @@ def object_report(
         {"index": index, **asdict(identity), **_piece(piece, arrays, meters), **_strain(piece, strain, arrays)}
         for index, (identity, piece, strain) in enumerate(zip(identities, result.pieces, strains, strict=True))
     ]
+    threads = [threads_of(piece, arrays, cloth) if cloth and _has_layout(piece) else None for piece in result.pieces]
+    for entry, own in zip(pieces, threads, strict=True):
+        entry["threads"] = own
     at_limit = {part["wire"] for piece in pieces for part in piece["wires"] if part["at_limit"]}
     wires = [
         _wire(wire, arrays, meters)
@@ -65,7 +70,9 @@ def object_report(
         for wire in result.wires
     ]
     good = [None if index in failed else strain for index, strain in enumerate(strains)]
-    hints = wire_hints(wires) + strain_hints(result.pieces, good, arrays)
+    good_threads = [None if index in failed else own for index, own in enumerate(threads)]
+    hints = wire_hints(wires)
+    hints += thread_hints(result.pieces, good_threads, arrays) if cloth else strain_hints(result.pieces, good, arrays)
     return {
         "schema": SCHEMA,
         "ok": not issues,
@@ -123,6 +130,7 @@ def _piece(piece: Piece, arrays: MeshArrays, meters: float) -> dict:
         "area_2d": number(metrics.area_2d),
         "area_2d_m2": number(metrics.area_2d * meters**2),
         "arap_energy": number(metrics.arap_energy),
+        "cloth_energy": number(metrics.cloth_energy),
         "aspect_ratio_max": number(np.max(aspect)) if len(aspect) else None,
         "angle_deviation_rms": number(metrics.angle_deviation_rms),
         "angle_deviation_max": number(metrics.angle_deviation_max),

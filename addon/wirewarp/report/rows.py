@@ -67,11 +67,12 @@ class PieceRow:
     area_2d: float | None
     stretch: float  # largest, as shares of the flat length; inf where a face has no area
     ease: float
+    threads: dict | None = None  # of a cloth: see threads.threads_of
 
     @property
     def strain(self) -> float:
-        """The greater of both."""
-        return max(self.stretch, self.ease)
+        """The greatest."""
+        return max(self.threads["across"], self.threads["along"]) if self.threads else max(self.stretch, self.ease)
 
 
 def seam_rows(report: dict) -> list[ReportRow]:
@@ -150,6 +151,7 @@ def piece_rows(report: dict) -> list[PieceRow]:
             area_2d=piece["area_2d"],
             stretch=largest(piece["stretch_max"]),
             ease=largest(piece["ease_max"]),
+            threads=piece.get("threads"),
         )
         for piece in sorted(report["pieces"], key=lambda piece: (piece["ok"], -aspect_ratio(piece)))
     ]

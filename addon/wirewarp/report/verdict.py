@@ -8,6 +8,7 @@ from ..words import counted, paragraph
 from .cloth import aspect_ratio, is_strained, is_unsewable, largest, ready_text, strain_words
 from .hints import TORN
 from .report import SCHEMA
+from .threads import beyond_text, ready_words
 
 SHOWN_NAMES = 4
 SHOWN_SENTENCES = 4
@@ -36,12 +37,17 @@ def verdict(*reports: dict) -> list[VerdictLine]:
     if unsewable:
         names = _shown_names(_worst_first(unsewable), len(reports) > 1)
         lines.append(VerdictLine(f"{names}: no cloth stretches that far. Add seams.", "AMBER"))
-    if strained:
-        lines.append(_strained_line(_worst_first(strained), len(reports) > 1))
+    of_cloth = [entry for entry in strained if entry[1].get("threads")]
+    lines += [VerdictLine(text, "AMBER") for text in _beyond_texts(_worst_first(of_cloth), len(reports) > 1)]
+    others = [entry for entry in strained if entry not in of_cloth]
+    if others:
+        lines.append(_strained_line(_worst_first(others), len(reports) > 1))
     if not good:
         return lines
     which = f"{count}, {kept_text(reports)}" if len(good) == len(entries) else _others(good, len(reports) > 1)
-    return [*lines, VerdictLine(f"{ready_text([piece for _, piece in good])}: {which}", "TICK")]
+    threads = [piece["threads"] for _, piece in good if piece.get("threads")]
+    ready = ready_words(threads) if threads else ready_text([piece for _, piece in good])
+    return [*lines, VerdictLine(f"{ready}: {which}", "TICK")]
 
 
 def as_seen(lines: list[VerdictLine], makers: Iterable[str]) -> list[VerdictLine]:
@@ -68,6 +74,13 @@ def _strained_line(strained: list[Entry], with_objects: bool) -> VerdictLine:
     keep, remedy = ("keeps its", "a dart or seam") if len(strained) == 1 else ("keep their", "darts or seams")
     names = _shown_names(strained, with_objects)
     return VerdictLine(f"{names} {keep} lengths, but the cloth must {words}. Add {remedy} there.", "AMBER")
+
+
+def _beyond_texts(strained: list[Entry], with_objects: bool) -> list[str]:
+    """Of pieces that need more than their cloth gives, a sentence each."""
+    shown = [beyond_text(_names([entry], with_objects), entry[1]["threads"]) for entry in strained[:SHOWN_NAMES]]
+    hidden = len(strained) - len(shown)
+    return shown + ([f"And {counted(hidden, 'more piece')}"] if hidden else [])
 
 
 def _shown_names(entries: list[Entry], with_objects: bool) -> str:

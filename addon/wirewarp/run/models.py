@@ -6,7 +6,7 @@ from dataclasses import asdict, dataclass, replace
 from types import ModuleType
 
 from ..core import Cache, FlattenResult
-from ..issues import Issue, ObjectError, warning
+from ..issues import Issue, ObjectError, note, warning
 from ..report.hints import torn_hints
 from ..report.report import failure_report, object_report
 from ..solve.arrays import INWARD, MeshArrays, faces_inward
@@ -17,6 +17,8 @@ from ..solve.seams import KnownSeams, SeamIdentity, identify_seams, ids_by_edge
 from ..solve.sentences import plain_sentence
 from ..solve.steps import Steps, told_as
 from ..words import LengthText
+
+NO_ANGLE = "Grain Angle was not used: it is of pieces that stand by a grain wire."
 
 
 @dataclass(frozen=True)
@@ -74,9 +76,11 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
     except ObjectError as error:
         outcome = Outcome(model, failed_report(model, error.issue))
     else:
-        outcome = _outcome(model, result, meters)
+        outcome = _outcome(model, result, choices, meters)
     if model.arrays:  # of what could not be read nobody knows the grain wire
         used = used_choices(choices, model.arrays)
+        if choices.grain_angle and used.orientation != "wire":
+            outcome.report["notes"].append(note(NO_ANGLE))
         outcome.report["options"] = asdict(used) | {"grain_wire": model.arrays.grain_wire}
     outcome.report["notes"] += model.notes
     if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored, they are as seen from outside
@@ -88,10 +92,10 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
     return outcome
 
 
-def _outcome(model: Model, result: FlattenResult, meters: float) -> Outcome:
+def _outcome(model: Model, result: FlattenResult, choices: FlattenChoices, meters: float) -> Outcome:
     identities = identify_pieces(result, model.arrays, model.known, model.facts["object"])
     seams = identify_seams(result, model.arrays, model.seams)
-    report = object_report(result, model.arrays, identities, seams, meters)
+    report = object_report(result, model.arrays, identities, seams, meters, choices.cloth)
     arrays = replace(model.arrays, seam_ids=ids_by_edge(result, model.arrays, seams))
     any_layout = bool(has_layout(result.corner_uv).any())
     pieces = flat_mesh(result, model.arrays, identities) if any_layout else None

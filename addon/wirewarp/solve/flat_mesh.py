@@ -13,7 +13,7 @@ import numpy as np
 from ..core import FlattenResult
 from ..pattern.chains import EdgeMarks
 from .arrays import MeshArrays, triangle_areas
-from .flatten import has_layout
+from .flatten import has_cloth, has_layout
 from .identity import PieceIdentity
 
 
@@ -40,7 +40,17 @@ class FlatMesh:
     energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
     aspect_ratio: np.ndarray  # (f,) float32
     stretch: np.ndarray  # (f,) float32: 0.1 is cloth that the model stretches by 10%, in the mean of all directions
+    threads: "Threads | None"  # with a cloth
     piece_areas: np.ndarray  # (n,) by index of the piece; below 0 where it lies upside down
+
+
+@dataclass(frozen=True)
+class Threads:
+    """(f,) float32 each, of the triangle of the face where it is most."""
+
+    weft_strain: np.ndarray  # 0.1: the threads across the grain are stretched by 10%
+    warp_strain: np.ndarray
+    shear_angle: np.ndarray  # radians, by which they leave the right angle; without its sign
 
 
 def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[PieceIdentity]) -> FlatMesh:
@@ -87,6 +97,7 @@ def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[Pi
         energy_density=(face_energy / face_area).astype(np.float32),
         aspect_ratio=np.maximum.reduceat(ratio, first_triangle)[kept].astype(np.float32),
         stretch=(np.sqrt(face_area / np.maximum(flat_area, 1e-12 * face_area)) - 1).astype(np.float32),
+        threads=_threads(result, first_triangle, kept) if has_cloth(result) else None,
         piece_areas=np.bincount(piece_of_triangle[placed], signed_areas[placed]),
     )
 
@@ -102,6 +113,21 @@ def edge_lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
     a, b = edges.T
     columns = (np.ascontiguousarray(column) for column in points.T)
     return np.sqrt(sum((column[a] - column[b]) ** 2 for column in columns))
+
+
+def _threads(result: FlattenResult, first_triangle: np.ndarray, kept: np.ndarray) -> Threads:
+    """first_triangle (f,) and kept (f,): of the polygons of the model."""
+    count = sum(len(piece.source_face) for piece in result.pieces)
+    measures = []
+    for name in ("face_weft_strain", "face_warp_strain", "face_shear_angle"):
+        values = np.zeros(count)
+        for piece in result.pieces:
+            own = getattr(piece.metrics, name)
+            values[piece.source_face] = np.where(np.isfinite(own), own, 0)
+        most, least = (each.reduceat(values, first_triangle)[kept] for each in (np.maximum, np.minimum))
+        measures.append(np.where(most >= -least, most, least).astype(np.float32))
+    weft, warp, shear = measures
+    return Threads(weft, warp, np.abs(shear))
 
 
 def _join_pieces(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, ...]:

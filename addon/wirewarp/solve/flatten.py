@@ -9,7 +9,7 @@ from types import ModuleType
 
 import numpy as np
 
-from ..core import Cache, Ease, FlattenError, FlattenResult, Job, Piece, Wire
+from ..core import Cache, Ease, FlattenError, FlattenResult, Job, Options, Piece, Wire
 from ..issues import Issue, LooserWire, ObjectError
 from ..pattern.chains import edge_keys, shortest_double
 from ..words import counted
@@ -32,6 +32,18 @@ _ending: list[Job] = []  # cancelled jobs: whoever drops one waits for it
 
 
 @dataclass(frozen=True)
+class ClothChoice:
+    """A cloth of the library by its name, or one's own."""
+
+    name: str  # "woven" and so on, or "custom"
+    gives_across: float  # as a fraction; 0: not known
+    gives_along: float
+    weft: float | None = None  # stiffness of a custom one
+    warp: float | None = None
+    shear: float | None = None
+
+
+@dataclass(frozen=True)
 class FlattenChoices:
     """The operator's settings by the core library's names."""
 
@@ -40,8 +52,10 @@ class FlattenChoices:
     node_weight: str
     layout: str
     orientation: str
+    grain_angle: float
     spacing: float  # between the lines to cut of pieces, in Blender units
     mirror: bool
+    cloth: ClothChoice | None
 
 
 def flatten_arrays(
@@ -60,7 +74,7 @@ def flatten_arrays(
             arrays.triangles,
             seams=arrays.seams,
             wires=[_library_wire(library, wire) for wire in arrays.wires],
-            options=library.Options(**_options(used_choices(choices, arrays), arrays)),
+            options=_library_options(library, used_choices(choices, arrays), arrays),
             cache=solved,
             eases=_library_eases(library, arrays),
         )
@@ -85,11 +99,19 @@ def drop_jobs(*_: object) -> None:
     _ending.clear()
 
 
-def _options(choices: FlattenChoices, arrays: MeshArrays) -> dict:
-    """By the library's names; it takes the gap as a share of the side of a square as large as all pieces."""
+def _library_options(library: ModuleType, choices: FlattenChoices, arrays: MeshArrays) -> Options:
+    """The library takes the gap as a share of the side of a square as large as all pieces.
+
+    What the cloth gives is none of its business: report.threads says where that is not enough.
+    """
     options = asdict(choices)
     side, gap = _side(arrays), gap_between(arrays, options.pop("spacing"))
-    return options | {"gap": gap / side if side > 0 else 0.0, "grain": _grain_index(arrays)}
+    options |= {"gap": gap / side if side > 0 else 0.0, "grain": _grain_index(arrays)}
+    if cloth := choices.cloth:
+        is_own = cloth.name == "custom"
+        own = library.Cloth(cloth.weft, cloth.warp, cloth.shear) if is_own else library.Cloth.preset(cloth.name)
+        options["cloth"] = own
+    return library.Options(**options)
 
 
 def gap_between(arrays: MeshArrays, spacing: float) -> float:
@@ -179,6 +201,11 @@ def polygons_of(arrays: MeshArrays, triangles: Sequence[int] | np.ndarray) -> li
 def has_layout(corner_uv: np.ndarray) -> np.ndarray:
     """(m,) bool: triangles with coordinates."""
     return np.isfinite(corner_uv.reshape(-1, 6) @ np.ones(6))  # a sum is finite where its terms are
+
+
+def has_cloth(result: FlattenResult) -> bool:
+    """Whether it was made for a cloth, and a piece has a layout."""
+    return any(math.isfinite(piece.metrics.cloth_energy) for piece in result.pieces)
 
 
 def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> list[tuple[int, int]]:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures to colors that are told apart without hue: by lightness, or by warm and cold."""
 
+import math
 from dataclasses import dataclass
 from functools import cache
 
@@ -31,6 +32,7 @@ class ColorMap:
     low: float
     high: float
     is_percent: bool = False
+    is_angle: bool = False  # values are radians, written as degrees
     stops: tuple[tuple[float, float, float], ...] = _RISING
 
     def colors(self, values: np.ndarray) -> np.ndarray:
@@ -41,6 +43,8 @@ class ColorMap:
     def number(self, value: float, digits: int = 4) -> str:
         """A value as the scale writes it; of a scale with two sides, with its sign."""
         sign = "+" if self.low < 0 < value else ""
+        if self.is_angle:
+            return f"{math.degrees(value):.{digits}g}°"
         return f"{sign}{100 * value:.{digits}g}%" if self.is_percent else f"{sign}{value:.{digits}g}"
 
 
@@ -48,5 +52,9 @@ ASPECT_RATIO = ColorMap("aspect_ratio_color", "Worst direction, as a factor", 1.
 STRETCH = ColorMap("stretch_color", "Stretch, mean of all directions", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
 LENGTH_VARIATION = ColorMap("length_variation_color", "Change of length", 0.0, 0.1, is_percent=True)
 ARAP_ENERGY = ColorMap("arap_energy_color", "Distortion", 0.0, 0.1)
-COLOR_MAPS = (ASPECT_RATIO, STRETCH, LENGTH_VARIATION, ARAP_ENERGY)
+WEFT = ColorMap("weft_strain_color", "Across the grain", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
+WARP = ColorMap("warp_strain_color", "Along the grain", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
+SHEAR = ColorMap("shear_angle_color", "Shear", 0.0, math.radians(45), is_angle=True)  # from there on wovens lock
+CLOTH_MAPS = (WEFT, WARP, SHEAR)
+COLOR_MAPS = (ASPECT_RATIO, STRETCH, LENGTH_VARIATION, ARAP_ENERGY, *CLOTH_MAPS)
 NO_LAYOUT = np.array([0.16, 0.18, 0.22, 1.0], dtype=np.float32)  # on none of the scales

@@ -9,6 +9,7 @@ from ..model.owners import find_flat_object
 from ..overlay.shown import shown_pages
 from ..report.cloth import percent_text
 from ..report.rows import PieceRow, tables_of
+from ..report.threads import needs_text
 from ..run.window_run import EXPORT
 from .layout import SidebarPanel, draw_cells, draw_sentence, mark_of
 from .progress import draw_progress
@@ -125,7 +126,9 @@ def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: Pi
     draw_cells(column, "Area, flat", [text.area(row.area_2d)], 0.45)
     change = row.area_2d / row.area_3d - 1
     draw_cells(column, " diff.", [f"{100 * change:+.2f}%" if abs(change) >= 5e-5 else "0.00%"], 0.45)
-    if row.strain < NO_STRAIN:
+    if row.threads:
+        draw_sentence(context, column, f"{needs_text(row.threads)}, in {row.threads['cloth']}")
+    elif row.strain < NO_STRAIN:
         draw_sentence(context, column, "Lies flat without any stretch")
     if row.stretch >= NO_STRAIN:
         _draw_place(column, "Stretch up to", row.stretch, "STRETCH", row.index)

@@ -7,6 +7,7 @@ from ..report.hints import ADVICE as TORN_ADVICE
 from ..report.hints import STRAINED, TORN
 from ..report.names import with_piece
 from ..report.next_step import is_shown
+from ..report.threads import BEYOND_CLOTH
 from ..words import counted, tolerance_text
 from .layout import draw_sentence
 from .report_table import SHOWN_ROWS, draw_select
@@ -15,6 +16,7 @@ SHOWN_HINTS = 5
 ADVICE = {
     TORN: f"{TORN_ADVICE}:",
     "wire_at_limit": "A wider tolerance on these wires would lower the distortion:",
+    BEYOND_CLOTH: "The threads of the cloth must give much in here. Where yours do not, add a dart or seam:",
     STRAINED: "The cloth must stretch or ease in here. Where yours does not, add a dart or seam:",
 }
 

@@ -6,12 +6,15 @@ from dataclasses import asdict
 import bpy
 
 from ..blender.units import meters_per_blender_unit
-from ..properties import EaseAmount, FlattenSettings, WIREWARP_PG_settings, choices_of
+from ..properties import EaseAmount, WIREWARP_PG_settings
+from ..run.settings import FlattenSettings, choices_of
 
 LINES_FIRST = {"WIREWARP_PLUS_PLUS", "WIREWARPING"}
 WHOLE_WIDTH = {"fairness"}  # its name does not fit half a narrow sidebar
 ADVANCED = {"method", "node_weight"}  # the paper's methods, for comparison
-ONLY_FOR = {"fairness": {"REFINED"}, "node_weight": LINES_FIRST}
+ONLY_FOR = {"fairness": {"REFINED"}, "cloth": {"REFINED"}, "node_weight": LINES_FIRST}
+OF_CUSTOM = {"cloth_across", "cloth_along", "cloth_shear"}
+OF_CLOTHS = {"gives_across", "gives_along"}
 TEXTS = {"spacing": {"text": "Gap (mm)"}}
 NAMES = {  # of the choices in a report, as the panel calls them
     "method": "Method",
@@ -19,9 +22,12 @@ NAMES = {  # of the choices in a report, as the panel calls them
     "node_weight": "Angles",
     "layout": "Layout",
     "orientation": "Upright",
+    "grain_angle": "Grain Angle",
+    "cloth": "Cloth",
     "spacing": "Gap",
     "mirror": "Mirrored",
 }
+BEFORE = {"cloth": None, "grain_angle": 0.0}  # in reports of versions that knew neither
 OF_REFINED, OF_OTHERS = {"fairness"}, {"node_weight"}
 
 
@@ -45,11 +51,14 @@ def draw_advanced(layout: bpy.types.UILayout, settings: FlattenSettings) -> None
 
 
 def _draw(layout: bpy.types.UILayout, settings: FlattenSettings, names: list[str]) -> None:
-    for name in names:
+    hidden = (OF_CUSTOM if settings.cloth != "CUSTOM" else set()) | (OF_CLOTHS if settings.cloth == "NONE" else set())
+    for name in (each for each in names if each not in hidden):
         row = layout.row()
         row.use_property_split = name not in WHOLE_WIDTH
         row.use_property_decorate = False
         row.enabled = settings.method in ONLY_FOR.get(name, {settings.method})
+        if name == "grain_angle":
+            row.enabled = settings.orientation == "WIRE"
         row.prop(settings, name, **TEXTS.get(name, {}))
 
 
@@ -63,13 +72,13 @@ def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP
 
 
 def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> list[str]:
-    choices = (settings.method, settings.node_weight, settings.layout_kind, settings.orientation)
+    choices = (settings.method, settings.node_weight, settings.layout_kind, settings.orientation, settings.cloth)
     if "options" not in report or "" in choices:  # which this version does not know: see take_settings
         return []
     now = asdict(choices_of(settings, meters_per_blender_unit(settings.id_data))) | {
         "grain_wire": source.data.wirewarp_grain
     }
-    then = now | report["options"]
+    then = now | BEFORE | report["options"]
     unused = OF_OTHERS if now["method"] == "refined" else OF_REFINED
     had_grain = then["grain_wire"] in {wire["wire_id"] for wire in report["wires"]}
     if (now["orientation"], then["orientation"]) == ("wire", "up") and not had_grain:

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cloths with a grain: chosen in the panel, solved for, measured along their threads, and told."""
+
+import json
+import math
+
+import bpy
+import numpy as np
+import pytest
+from everything import draw_panels
+from surfaces import bump, flat_of, grid, half_cylinder, mark, on_line, read
+
+THREADS = ("weft_strain", "warp_strain", "shear_angle")
+
+
+@pytest.fixture
+def source():
+    """Of triangles, in one piece, with a wire along its middle."""
+    target = grid("Bump", bump, faces="triangles")
+    mark(target, on_line(0, 0.0))
+    return target
+
+
+def last_report(addon, source):
+    return addon.flat.reports.last_report(source)
+
+
+def places(source):
+    return read(flat_of(source).data.vertices, "co", np.float32, 3)[:, :2]
+
+
+def test_the_shape_of_a_cloth_is_the_librarys(source, addon):
+    bpy.ops.object.wirewarp_flatten(cloth="DENIM", orientation="UP")
+    library, mesh = addon.core.library(), source.data
+    vertices = read(mesh.vertices, "co", np.float32, 3).astype(np.float64)
+    faces = read(mesh.loops, "vertex_index", np.int32).reshape(-1, 3)
+    wire = library.Wire([4 + 9 * k for k in range(9)])
+    options = library.Options(cloth="denim", orientation="up")
+    (piece,) = library.flatten(vertices, faces, wires=[wire], options=options).pieces
+    (entry,) = last_report(addon, source)["pieces"]
+    assert entry["arap_energy"] == pytest.approx(piece.metrics.arap_energy, rel=1e-6)
+    of_flat = read(flat_of(source).data.attributes["source_face"].data, "value", np.int32)
+    for name in THREADS:
+        expected = np.empty(len(faces))
+        expected[piece.source_face] = getattr(piece.metrics, f"face_{name}")
+        found = read(flat_of(source).data.attributes[name].data, "value", np.float32)
+        wanted = np.abs(expected) if name == "shear_angle" else expected
+        assert found == pytest.approx(wanted[of_flat], abs=1e-5)
+
+
+def test_a_custom_cloth_of_the_same_ratios_is_the_same(source):
+    bpy.ops.object.wirewarp_flatten(cloth="DENIM", keep_places=False)
+    denim = places(source)
+    bpy.ops.object.wirewarp_flatten(
+        cloth="CUSTOM", cloth_across=2.1, cloth_along=10.0, cloth_shear=0.6, keep_places=False
+    )
+    assert places(source) == pytest.approx(denim, abs=1e-5)
+    bpy.ops.object.wirewarp_flatten(keep_places=False)
+    assert np.abs(places(source) - denim).max() > 1e-3
+
+
+def test_maps_of_threads_are_there_with_a_cloth_alone(source, addon):
+    bpy.ops.object.wirewarp_flatten(cloth="WOVEN")
+    flat = flat_of(source).data
+    for color_map in addon.solve.maps.CLOTH_MAPS:
+        assert color_map.attribute in flat.color_attributes and f"wirewarp_range_{color_map.attribute}" in flat
+    bpy.ops.object.wirewarp_flatten()
+    assert not {*THREADS, *(color_map.attribute for color_map in addon.solve.maps.CLOTH_MAPS)} & {
+        *flat.attributes.keys()
+    }
+
+
+def test_shear_is_written_in_degrees(addon):
+    assert addon.solve.maps.SHEAR.number(math.radians(18)) == "18°"
+
+
+def test_a_cloth_that_does_not_give_enough_is_told_with_its_place(source, addon, capfd):
+    bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=1.0, gives_along=1.0)
+    report = last_report(addon, source)
+    (piece,), (hint,) = report["pieces"], [each for each in report["hints"] if each["code"] == "beyond_cloth"]
+    threads = piece["threads"]
+    assert threads["over"] and max(threads["across"], threads["along"]) > 0.01
+    figures = addon.report.threads.needs_text(threads)
+    told = f"Bump: {figures}: this woven gives 1.0%: needs a dart"
+    assert told in capfd.readouterr().out and told in draw_panels(addon)
+    assert 0 < len(hint["faces"]) < len(source.data.polygons)
+    (line,) = addon.report.verdict.verdict(report)
+    assert (line.text, line.icon) == (told, "AMBER")
+    assert bpy.ops.mesh.wirewarp_select_result(what="HINT", index=report["hints"].index(hint)) == {"FINISHED"}
+
+
+def test_a_cloth_that_gives_enough_is_ready_to_cut(source, addon):
+    bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=90.0, gives_along=90.0)
+    report = last_report(addon, source)
+    (line,) = addon.report.verdict.verdict(report)
+    assert line.icon == "TICK" and line.text.startswith("Ready to cut: 1 piece")
+    assert [each for each in report["hints"] if each["code"] in ("beyond_cloth", "strained")] == []
+
+
+def test_where_it_is_not_known_what_the_cloth_gives_the_report_says_what_it_must(source, addon):
+    bpy.ops.object.wirewarp_flatten(cloth="JERSEY")
+    report = last_report(addon, source)
+    (line,) = addon.report.verdict.verdict(report)
+    threads = report["pieces"][0]["threads"]
+    across, along = (addon.report.cloth.percent_text(threads[way]) for way in ("across", "along"))
+    assert f"from jersey that gives {across} across and {along} along" in line.text
+
+
+def test_what_unfolds_asks_nothing_of_any_cloth(addon):
+    target = grid("Half", half_cylinder)
+    for cloth in ("WOVEN", "NEOPRENE"):
+        bpy.ops.object.wirewarp_flatten(cloth=cloth, gives_across=0.1, gives_along=0.1)
+        (piece,) = last_report(addon, target)["pieces"]
+        assert not piece["threads"]["over"]
+        assert piece["threads"]["shear"] < 1e-3
+
+
+@pytest.mark.parametrize(
+    ("settings", "said"),
+    [
+        ({"cloth": "WOVEN", "method": "WIREWARPING"}, "know no cloth"),
+        ({"orientation": "BEST"}, "needs a cloth"),
+    ],
+)
+def test_what_does_not_go_together_is_a_sentence(source, settings, said):
+    with pytest.raises(RuntimeError, match=said):
+        bpy.ops.object.wirewarp_flatten(**settings)
+
+
+def grain(source):
+    """Degrees of the middle wire in the flat piece, counterclockwise from upright."""
+    sources = read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32).tolist()
+    along = places(source)[sources.index(4 + 9 * 8)] - places(source)[sources.index(4)]
+    return math.degrees(math.atan2(-along[0], along[1]))
+
+
+def test_the_grain_angle_turns_the_grain_wire(source, addon, capfd):
+    bpy.ops.object.wirewarp_flatten(cloth="WOVEN", grain_angle=math.radians(45))
+    assert "Grain Angle was not used" in capfd.readouterr().out
+    ((_, wire),) = addon.model.wires.listed_wires(source)
+    bpy.ops.mesh.wirewarp_grain_wire(edge=wire.edges[0])
+    bpy.ops.object.wirewarp_flatten(cloth="WOVEN")
+    assert grain(source) % 180 == pytest.approx(0, abs=1e-3) or grain(source) % 180 == pytest.approx(180, abs=1e-3)
+    bpy.ops.object.wirewarp_flatten(cloth="WOVEN", grain_angle=math.radians(45))
+    assert grain(source) % 180 == pytest.approx(45, abs=1e-3)
+
+
+def test_the_best_direction_is_not_worse(source, addon):
+    energies = []
+    for orientation in ("UP", "BEST"):
+        bpy.ops.object.wirewarp_flatten(cloth="DENIM", orientation=orientation)
+        energies.append(last_report(addon, source)["pieces"][0]["cloth_energy"])
+    assert energies[1] <= energies[0] * (1 + 1e-6)
+
+
+def test_the_report_holds_the_cloth_and_is_plain_json(source, addon, tmp_path):
+    bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=3.0, report_path=str(tmp_path / "report.json"))
+    (report,) = json.loads((tmp_path / "report.json").read_text())["objects"]
+    assert report["options"]["cloth"]["name"] == "woven" and report["options"]["cloth"]["gives_across"] == 0.03
+    assert report["pieces"][0]["threads"]["gives"] == {"across": 0.03, "along": None}
