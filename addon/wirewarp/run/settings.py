@@ -100,7 +100,7 @@ class FlattenSettings:
         precision=3,
     )
     cloth_shear: FloatProperty(
-        name="Stiff in Shear",
+        name="Stiff Shear",
         description="Of a custom cloth: how hard it is to shear, to turn the threads to one another; small for wovens",
         min=0.001,
         max=1000.0,
@@ -108,7 +108,8 @@ class FlattenSettings:
         precision=3,
     )
     gives_across: FloatProperty(
-        name="Gives Across %",
+        name="Gives Across",
+        subtype="PERCENTAGE",
         description="By how much the cloth can be stretched across the grain. The report tells which pieces need more. "
         "0: not known",
         min=0.0,
@@ -118,7 +119,8 @@ class FlattenSettings:
         step=100,
     )
     gives_along: FloatProperty(
-        name="Gives Along %",
+        name="Gives Along",
+        subtype="PERCENTAGE",
         description="By how much the cloth can be stretched along the grain. 0: not known",
         min=0.0,
         soft_max=50.0,
