@@ -18,5 +18,6 @@ void bind_results(py::module_& module);
 void bind_cache(py::module_& module);
 void bind_flatten(py::module_& module);
 void bind_job(py::module_& module);
+void bind_propose(py::module_& module);
 
 }  // namespace wirewarp::bindings

@@ -46,6 +46,7 @@ struct Run {
 /// Seams along which a chart lies flat that has no good shape without. Throws Stopped: what was found by then is not
 /// what a whole search finds.
 std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop) {
+  if (!run.options.with_proposals) return {};
   std::vector<VertexPair> seams =
       propose_seams(chart, {[&](const Chart& piece) { return lies_flat(piece, run.options, stop); },
                             [stop = stop.in("shape")] { return stop.may_go_on(); }});
@@ -56,7 +57,8 @@ std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const 
 /// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
 FlattenError explain_infeasible(const Chart& chart, const Run& run, const RefineResult& refined,
                                 const StopToken& stop) {
-  std::vector<ProposedTolerance> tolerances = propose_tolerances(chart, run.options, refined, stop);
+  std::vector<ProposedTolerance> tolerances;
+  if (run.options.with_proposals) tolerances = propose_tolerances(chart, run.options, refined, stop);
   stop.check();
   if (tolerances.empty())
     return infeasible_outline(chart, run.options, propose_seams(chart, run, stop), refined.ran_out);

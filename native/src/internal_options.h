@@ -7,11 +7,13 @@
 
 namespace wirewarp {
 
-/// Options, and figures that users do not choose; tests do, to reach with small input what large input meets.
+/// Options, and what users do not choose: tests do, to reach with small input what large input meets, and trials that
+/// want the shape alone.
 struct InternalOptions : Options {
   InternalOptions(const Options& options = {}) : Options(options) {}  // NOLINT(google-explicit-constructor)
 
   std::size_t large_chart = 8'000;  // faces: from here on a coarse start saves more than it costs
+  bool with_proposals = true;       // what would mend a piece that fails is looked for: that takes far longer
 };
 
 /// flatten() with such options; the same ones in all runs with one cache.

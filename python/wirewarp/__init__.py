@@ -7,6 +7,7 @@ from ._wirewarp import (
     BoundaryReport,
     Cache,
     Cloth,
+    DartProposal,
     Ease,
     FlattenResult,
     HelperWire,
@@ -21,6 +22,8 @@ from ._wirewarp import (
     __version__,
     flatten,
     measure,
+    propose_darts,
+    propose_seams,
     start,
 )
 
@@ -28,6 +31,7 @@ __all__ = [
     "BoundaryReport",
     "Cache",
     "Cloth",
+    "DartProposal",
     "Ease",
     "ErrorCode",
     "FlattenError",
@@ -44,5 +48,7 @@ __all__ = [
     "__version__",
     "flatten",
     "measure",
+    "propose_darts",
+    "propose_seams",
     "start",
 ]

@@ -36,6 +36,7 @@ class ErrorCode(StrEnum):
     lengths_not_kept = "lengths_not_kept"
     flipped_faces = "flipped_faces"
     overlapping_faces = "overlapping_faces"
+    no_proposal = "no_proposal"
     @property
     def meaning(self) -> str: ...
     @property

@@ -263,6 +263,25 @@ class FlattenResult:
     def report(self) -> dict[str, Any]: ...
     def to_dict(self) -> dict[str, Any]: ...
 
+class DartProposal:
+    @property
+    def piece(self) -> int: ...
+    @property
+    def edges(self) -> npt.NDArray[np.int32]: ...
+    @property
+    def length(self) -> float: ...
+    @property
+    def energy(self) -> float: ...
+    @property
+    def energy_before(self) -> float: ...
+    @property
+    def strain(self) -> float: ...
+    @property
+    def strain_before(self) -> float: ...
+    @property
+    def twin(self) -> int | None: ...
+    def to_dict(self) -> dict[str, Any]: ...
+
 class Cache:
     def __init__(self) -> None: ...
     @property
@@ -306,3 +325,31 @@ def measure(
     wires: Iterable[Wire] = (),
     eases: Iterable[Ease] = (),
 ) -> FlattenResult: ...
+def propose_darts(
+    vertices: npt.ArrayLike,
+    faces: npt.ArrayLike,
+    *,
+    seams: npt.ArrayLike | None = None,
+    wires: Iterable[Wire] = (),
+    options: Options | None = None,
+    eases: Iterable[Ease] = (),
+    piece: int | None = None,
+    count: int = 5,
+    strain: float = 0.005,
+    longest: float | None = None,
+    progress: Callable[[str, float], bool | None] | None = None,
+) -> list[DartProposal]: ...
+def propose_seams(
+    vertices: npt.ArrayLike,
+    faces: npt.ArrayLike,
+    *,
+    seams: npt.ArrayLike | None = None,
+    wires: Iterable[Wire] = (),
+    options: Options | None = None,
+    eases: Iterable[Ease] = (),
+    piece: int | None = None,
+    count: int = 5,
+    strain: float = 0.005,
+    longest: float | None = None,
+    progress: Callable[[str, float], bool | None] | None = None,
+) -> list[DartProposal]: ...

@@ -99,7 +99,7 @@ def parameters(function: ast.FunctionDef) -> list[tuple[str, str]]:
     return [(arg.arg, ast.unparse(default) if default else "") for arg, default in pairs]
 
 
-@pytest.mark.parametrize("name", ["flatten", "measure", "start"])
+@pytest.mark.parametrize("name", ["flatten", "measure", "propose_darts", "propose_seams", "start"])
 def test_the_stub_knows_the_parameters_of_a_function(name):
     (typed,) = (node for node in stub("_wirewarp.pyi").body if isinstance(node, ast.FunctionDef) and node.name == name)
     signature = getattr(wirewarp, name).__doc__.splitlines()[0]  # pybind11 writes it
@@ -147,7 +147,7 @@ def test_results_have_the_types_of_the_stub():
     result = wirewarp.flatten(vertices, faces, wires=wires, seams=seams, options=wirewarp.Options(method="wirewarp++"))
     typed = {"__package__": "wirewarp"}
     exec("from __future__ import annotations\n" + (PACKAGE / "_wirewarp.pyi").read_text(), typed)
-    seen = all_within(result)
+    seen = all_within(result) + all_within(wirewarp.propose_darts(vertices, faces, count=1))
     assert {type(each).__name__ for each in seen} == set(CLASSES) - {"Cache", "Cloth", "Ease", "Job", "Options", "Wire"}
     wrong = []
     for each in seen:

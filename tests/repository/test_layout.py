@@ -42,6 +42,7 @@ LAYERS = [
     "refine",
     "metrics",
     "cache",
+    "propose",
 ]
 
 

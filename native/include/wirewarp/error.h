@@ -47,6 +47,8 @@ enum class ErrorCode {
   lengths_not_kept,
   flipped_faces,
   overlapping_faces,
+  // Raised by propose_darts() and propose_seams().
+  no_proposal,
 };
 
 struct ErrorDescription {

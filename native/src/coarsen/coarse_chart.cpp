@@ -2,8 +2,11 @@
 #include "coarsen/coarse_chart.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
+
+#include "mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
@@ -123,6 +126,17 @@ CoarseChart Coarsening::run() {
 }
 
 }  // namespace
+
+double typical_edge_length(const HalfEdgeMesh& mesh) {
+  return std::sqrt(4 / std::sqrt(3.0) * surface_area(mesh) / static_cast<double>(mesh.n_faces()));
+}
+
+bool can_coarsen(const Chart& chart) {
+  const HalfEdgeMesh& mesh = chart.mesh;
+  return std::none_of(mesh.halfedges_begin(), mesh.halfedges_end(), [&](const HalfedgeHandle h) {
+    return mesh.is_boundary(h) && mesh.next_halfedge_handle(mesh.next_halfedge_handle(h)) == h;
+  });
+}
 
 CoarseChart coarsen(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop) {
   return Coarsening(chart, network, edge_length, stop).run();

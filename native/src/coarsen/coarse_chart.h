@@ -24,6 +24,12 @@ struct CoarseChart {
   std::vector<CoarseWirePlace> wire_places;  // per fine wire edge
 };
 
+/// Of the edges of as many equilateral triangles with the same area, scene units.
+double typical_edge_length(const HalfEdgeMesh& mesh);
+
+/// False where a slit of one edge has two sides between the same two vertices: coarsening knows an edge by its ends.
+bool can_coarsen(const Chart& chart);
+
 /// edge_length: wanted, scene units. Throws Stopped.
 CoarseChart coarsen(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop = {});
 

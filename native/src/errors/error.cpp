@@ -109,6 +109,9 @@ constexpr Entry kEntries[] = {
     {ErrorCode::overlapping_faces,
      {"overlapping_faces", "The flat piece covers itself, so it cannot be cut from one layer.",
       "Cut the piece in two with a seam, or add a dart near the named faces."}},
+    {ErrorCode::no_proposal,
+     {"no_proposal", "No dart or seam is found that helps a piece: it is flat enough, has no room, or gains nothing.",
+      "Leave the piece as it is, mark a seam by hand, or clear wires that are in the way."}},
 };
 
 constexpr std::size_t kCount = sizeof(kEntries) / sizeof(kEntries[0]);
@@ -120,7 +123,7 @@ constexpr bool in_declaration_order() {
   return true;
 }
 
-static_assert(in_declaration_order() && static_cast<std::size_t>(ErrorCode::overlapping_faces) + 1 == kCount,
+static_assert(in_declaration_order() && static_cast<std::size_t>(ErrorCode::no_proposal) + 1 == kCount,
               "every ErrorCode needs one entry, in declaration order");
 
 }  // namespace

@@ -12,4 +12,7 @@ namespace wirewarp {
 /// faces and wire parts.
 std::vector<Chart> cut_apart(const Chart& chart, const CutMask& cut);
 
+/// The same chart with its vertices and faces in this order.
+Chart renumbered(const Chart& chart, const std::vector<VertexHandle>& vertices, const std::vector<FaceHandle>& faces);
+
 }  // namespace wirewarp

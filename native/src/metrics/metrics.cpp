@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "arap/shape_error.h"
 #include "cloth/cloth_law.h"
 #include "errors/sentence.h"
 #include "mesh/geometry.h"
 #include "mesh/overlap.h"
+#include "metrics/widespread.h"
 #include "planar.h"
 
 namespace wirewarp {
@@ -74,22 +74,6 @@ void measure_angles(const Chart& chart, const WireNetwork& network, const Positi
   if (count > 0) metrics.angle_deviation_rms = std::sqrt(sum_of_squares / count);
 }
 
-/// What 99 % of the area stay below.
-double widespread(const Chart& chart, const Eigen::VectorXd& of_faces) {
-  constexpr double kShare = 0.99;
-  const ShapeError shape_error(chart);  // knows the areas
-  std::vector<int> order(static_cast<std::size_t>(of_faces.size()));
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int f, int g) { return of_faces[f] < of_faces[g]; });
-  double area = 0, below = 0;
-  for (const ShapeError::Triangle& t : shape_error.triangles()) area += t.area;
-  for (const int f : order) {
-    below += shape_error.triangles()[static_cast<std::size_t>(f)].area;
-    if (below >= kShare * area) return of_faces[f];
-  }
-  return of_faces[order.back()];
-}
-
 }  // namespace
 
 double planar_angle(const Chart& chart, const WireNetwork& network, const WireNode& node, const Positions2& uv) {
@@ -116,8 +100,10 @@ double measure_cloth_energy(const Chart& chart, const Positions2& uv, const Clot
 
 std::optional<std::string> warn_of_limits(const Chart& chart, const Metrics& metrics, const Cloth& cloth) {
   if (!cloth.limits) return std::nullopt;
-  const double weft = widespread(chart, metrics.face_weft_strain);
-  const double warp = widespread(chart, metrics.face_warp_strain);
+  std::vector<double> areas;
+  for (const FaceHandle f : chart.mesh.faces()) areas.push_back(face_area(chart.mesh, f));
+  const double weft = widespread(areas, metrics.face_weft_strain);
+  const double warp = widespread(areas, metrics.face_warp_strain);
   if (weft <= (*cloth.limits)[0] && warp <= (*cloth.limits)[1]) return std::nullopt;
   return "The piece needs " + percent(std::max(weft, 0.0)) + " across and " + percent(std::max(warp, 0.0)) +
          " along the grain; the cloth gives " + percent((*cloth.limits)[0]) + " and " + percent((*cloth.limits)[1]) +

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// wirewarp.propose_darts and wirewarp.propose_seams: where to cut.
+#include "wirewarp/propose.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arguments.h"
+#include "bind.h"
+#include "progress.h"
+#include "record.h"
+#include "running_call.h"
+
+namespace wirewarp::bindings {
+namespace {
+
+using Propose = std::vector<DartProposal> (*)(const FlattenInput&, const Options&, const CutWishes&, const Progress&);
+
+constexpr const char* kDartsDoc =
+    R"(Darts that lower the distortion of a piece that lies flat, those that take most from the model first.
+
+Each runs from the outline to a point inside, along edges that run on smoothly, and cuts no wire. Every figure is of a
+run of flatten() with the edges of the dart as seams: flatten(..., seams=[*seams, *proposal.edges]).
+
+piece: the piece to cut, as flatten() numbers them; None for any, whichever gains most.
+count: proposals at most, the mirror images of one another counted once.
+strain: what may stay: pieces with no more (DartProposal.strain) are left as they are.
+longest: no cut is longer on the surface, scene units; None for any length.
+progress: called as progress("cuts", fraction); returning False cancels, which raises FlattenError.
+The other arguments are those of flatten().
+
+Raises what flatten() raises; the error of the piece asked for, if it does not lie flat, with the seams that mend it;
+FlattenError "no_proposal" where a piece is flat already, has no room or gains nothing.)";
+
+constexpr const char* kSeamsDoc =
+    R"(Seams across a piece, from outline to outline, that lower its distortion, those that take most first.
+
+Arguments, figures and errors are those of propose_darts().)";
+
+template <Propose propose>
+std::vector<DartProposal> run(const py::object& vertices, const py::object& faces, const py::object& seams,
+                              const py::object& wires, const py::object& options, const py::object& eases,
+                              std::optional<int> piece, int count, double strain, std::optional<double> longest,
+                              const py::object& progress) {
+  const FlattenInput input = read_input(vertices, faces, seams, wires, eases);
+  const Options checked_options = read_options(options);
+  PythonProgress python_progress(progress);
+  const RunningCall running;
+  std::vector<DartProposal> proposals;
+  try {
+    const py::gil_scoped_release no_gil;
+    const auto report = [&](const std::string& stage, double fraction) {
+      return python_progress.report(stage, fraction);
+    };
+    proposals = propose(input, checked_options, {piece, count, strain, longest.value_or(CutWishes().longest)}, report);
+  } catch (...) {
+    python_progress.rethrow();
+    throw;
+  }
+  python_progress.rethrow();
+  return proposals;
+}
+
+template <Propose propose>
+void bind(py::module_& module, const char* name, const char* doc) {
+  module.def(name, &run<propose>, py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("seams") = py::none(),
+             py::arg("wires") = py::tuple(), py::arg("options") = py::none(), py::arg("eases") = py::tuple(),
+             py::arg("piece") = py::none(), py::arg("count") = CutWishes().count,
+             py::arg("strain") = CutWishes().strain, py::arg("longest") = py::none(), py::arg("progress") = py::none(),
+             doc);
+}
+
+}  // namespace
+
+void bind_propose(py::module_& module) {
+  Record<DartProposal>(module, "DartProposal")
+      .field("piece", &DartProposal::piece)
+      .field("edges", &DartProposal::edges)
+      .field("length", &DartProposal::length)
+      .field("energy", &DartProposal::energy)
+      .field("energy_before", &DartProposal::energy_before)
+      .field("strain", &DartProposal::strain)
+      .field("strain_before", &DartProposal::strain_before)
+      .field("twin", &DartProposal::twin)
+      .picklable();
+  bind<propose_darts>(module, "propose_darts", kDartsDoc);
+  bind<propose_seams>(module, "propose_seams", kSeamsDoc);
+}
+
+}  // namespace wirewarp::bindings

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace wirewarp {
+
+/// What 99 % of the area stay below: single slivers tell nothing of a piece. Both arguments: one per face.
+double widespread(const std::vector<double>& areas, const Eigen::VectorXd& of_faces);
+
+}  // namespace wirewarp

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "propose/coarse_copy.h"
+
+#include <cmath>
+#include <utility>
+
+#include "coarsen/coarse_chart.h"
+#include "mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+/// Ends of cuts then lie a twentieth of the piece's width apart, and a trial takes milliseconds.
+constexpr double kFaces = 600;
+constexpr double kLeastCoarsening = 1.3;  // of the edges: with less the copy has nearly as many faces
+
+}  // namespace
+
+CoarseCopy coarse_copy(const Chart& chart, const StopToken& stop) {
+  const double wanted = std::sqrt(4 / std::sqrt(3.0) * surface_area(chart.mesh) / kFaces);
+  if (wanted < kLeastCoarsening * typical_edge_length(chart.mesh) || !can_coarsen(chart)) {
+    return {chart, std::vector<VertexHandle>(chart.mesh.vertices_begin(), chart.mesh.vertices_end())};
+  }
+  CoarseChart coarse = coarsen(chart, build_held_network(chart), wanted, stop);
+  CoarseCopy copy{std::move(coarse.chart), {}};
+  copy.fine_vertex.resize(copy.chart.mesh.n_vertices());
+  for (const VertexHandle v : chart.mesh.vertices()) {
+    const CoarsePlace& place = coarse.places[v.idx()];
+    if (place.weights[0] == 1) copy.fine_vertex[place.vertices[0]] = v;
+  }
+  return copy;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a chart could be cut.
+#pragma once
+
+#include <vector>
+
+#include "propose/smooth_paths.h"
+
+namespace wirewarp {
+
+enum class CutKind {
+  dart,  // from the outline to a point inside
+  seam,  // from the outline to the outline
+};
+
+/// A line to cut along, told by its ends.
+struct CutEnds {
+  VertexHandle start;  // on the outline
+  VertexHandle end;    // inside, or of a seam on the outline
+
+  bool operator==(const CutEnds& other) const { return start == other.start && end == other.end; }
+  bool operator<(const CutEnds& other) const { return start == other.start ? end < other.end : start < other.start; }
+};
+
+/// Darts: from points spread over the inside to where ways to the outline are the shortest of their neighborhood, and
+/// to its corners. Seams likewise, from points spread along the outline.
+std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind);
+
+/// Cuts with one end moved to a neighboring vertex.
+std::vector<CutEnds> neighbors_of(const Chart& chart, const SmoothPathFinder& paths, CutEnds cut);
+
+/// Both ends are near those of the other: the same cut to a tailor.
+bool are_beside(const Chart& chart, CutEnds a, CutEnds b);
+
+/// The edges of a cut, from its start. Empty where no way leads along.
+HalfEdgeChain chain_of(const SmoothPathFinder& paths, CutEnds cut);
+
+}  // namespace wirewarp

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "propose/cut_trial.h"
+
+#include <limits>
+
+#include "arap/shape_error.h"
+#include "factorization_failed.h"
+#include "feasibility/cut_apart.h"
+#include "feasibility/folded_faces.h"
+#include "refine/refine_chart.h"
+
+namespace wirewarp {
+namespace {
+
+/// Good cuts take 3 to 8; what takes many has wires that hardly fit.
+constexpr int kMaxFactorizations = 20;
+
+}  // namespace
+
+double energy_when_cut(const Chart& chart, const HalfEdgeChain& chain, const InternalOptions& options,
+                       const StopToken& stop) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  CutMask cut(chart.mesh.n_edges(), 0);
+  for (const HalfedgeHandle h : chain) cut[chart.mesh.edge_handle(h).idx()] = 1;
+  InternalOptions brief = options;
+  brief.max_factorizations = kMaxFactorizations;
+  brief.cloth.reset();
+  double energy = 0;
+  for (const Chart& piece : cut_apart(chart, cut)) {
+    if (piece.error) return kInfinity;
+    try {
+      const RefinedShape shape = refine_chart(piece, brief, stop).shape;
+      if (!shape.is_exact || !find_folded_faces(piece.mesh, shape.uv).empty()) return kInfinity;
+      energy += ShapeError(piece).energy(shape.uv);
+    } catch (const FactorizationFailed&) {
+      return kInfinity;
+    }
+  }
+  return energy;
+}
+
+}  // namespace wirewarp

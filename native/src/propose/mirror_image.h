@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "charts/chart.h"
+
+namespace wirewarp {
+
+/// For each vertex of a chart that a plane mirrors onto itself the vertex opposite; none where no plane does. The plane
+/// lies across a principal direction of the vertices, so that surfaces with many planes, as of revolution, may have
+/// theirs missed.
+std::vector<VertexHandle> mirror_image(const Chart& chart);
+
+/// A chain's mirror image. Empty where the edges are not mirrored with their vertices.
+HalfEdgeChain mirrored(const Chart& chart, const std::vector<VertexHandle>& image, const HalfEdgeChain& chain);
+
+}  // namespace wirewarp

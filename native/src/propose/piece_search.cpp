@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "propose/piece_search.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "errors/sentence.h"
+#include "in_threads.h"
+#include "mesh/geometry.h"
+#include "propose/canonical_order.h"
+#include "propose/coarse_copy.h"
+#include "propose/mirror_image.h"
+#include "propose/rank_cuts.h"
+#include "stop_token.h"
+
+namespace wirewarp {
+namespace {
+
+/// The coarse copy may mistake the order of cuts that are nearly as good: so many more are flattened than are asked
+/// for.
+constexpr int kMoreInFull = 3;
+
+/// Less than this part of the energy is not worth a cut and the sewing of it.
+constexpr double kLeastGain = 0.02;
+
+/// A way on the fine mesh may be longer than on the coarse one, by this factor; where it is more, wires bar it.
+constexpr double kDetour = 1.25;
+
+FlattenError no_proposal(const Chart& chart, const std::string& reason) {
+  return FlattenError(ErrorCode::no_proposal, introduce_piece(chart.source_face) + " " + reason,
+                      {{}, {}, chart.source_face});
+}
+
+FlattenError flat_enough(const Chart& chart, double strain, double may_stay) {
+  return no_proposal(
+      chart, "is flat enough: it is strained by " + percent(strain) + ", and " + percent(may_stay) + " may stay.");
+}
+
+FlattenError no_room(const Chart& chart, CutKind kind) {
+  const std::string what = kind == CutKind::dart ? "a dart: no way along edges leads from its outline to a point inside"
+                                                 : "a seam: no way along edges leads across it";
+  return no_proposal(chart, "has no room for " + what +
+                                " without meeting a wire or the outline. Subdivide it, or mark a seam by hand.");
+}
+
+FlattenError none_helps(const Chart& chart, CutKind kind) {
+  const std::string what = kind == CutKind::dart ? "dart" : "seam";
+  return no_proposal(chart, "gains nothing by a " + what + ": none of those tried takes 2% off its distortion.");
+}
+
+/// Vertices on wires inside a chart.
+std::vector<char> vertices_on_wires(const Chart& chart) {
+  std::vector<char> is_on_wire(chart.mesh.n_vertices(), 0);
+  for (const WirePart& part : chart.wire_parts) {
+    if (part.kind == WireKind::boundary) continue;
+    for (const HalfedgeHandle h : part.half_edges) {
+      for (const VertexHandle v : {chart.mesh.from_vertex_handle(h), chart.mesh.to_vertex_handle(h)}) {
+        if (!chart.mesh.is_boundary(v)) is_on_wire[v.idx()] = 1;
+      }
+    }
+  }
+  return is_on_wire;
+}
+
+bool have_same_edges(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const HalfEdgeChain& b) {
+  std::set<EdgeHandle> of_a, of_b;
+  for (const HalfedgeHandle h : a) of_a.insert(mesh.edge_handle(h));
+  for (const HalfedgeHandle h : b) of_b.insert(mesh.edge_handle(h));
+  return of_a == of_b;
+}
+
+}  // namespace
+
+PieceSearch::PieceSearch(const Chart& chart, CutKind kind, const CutWishes& wishes, FullTrials& trials,
+                         const std::function<bool()>& go_on)
+    : input_chart_(chart),
+      chart_(in_canonical_order(chart)),
+      image_(mirror_image(chart_)),
+      kind_(kind),
+      wishes_(wishes),
+      trials_(trials),
+      go_on_(go_on) {}
+
+std::vector<VertexPair> PieceSearch::edges_of(const HalfEdgeChain& chain) const {
+  const auto input_vertex = [&](VertexHandle v) { return input_chart_.source_vertex[chart_.source_vertex[v.idx()]]; };
+  std::vector<VertexPair> edges;
+  for (const HalfedgeHandle h : chain) {
+    edges.push_back({input_vertex(chart_.mesh.from_vertex_handle(h)), input_vertex(chart_.mesh.to_vertex_handle(h))});
+  }
+  return edges;
+}
+
+/// Empty where there is none but the chain itself.
+HalfEdgeChain PieceSearch::twin_of(const HalfEdgeChain& chain) const {
+  if (image_.empty()) return {};
+  HalfEdgeChain twin = mirrored(chart_, image_, chain);
+  if (have_same_edges(chart_.mesh, chain, twin)) twin.clear();
+  return twin;
+}
+
+/// The best cuts of the coarse copy, on the chart.
+std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
+  const SmoothPathFinder paths(chart_, vertices_on_wires(chart_));
+  const CoarseCopy copy = coarse_copy(chart_, StopToken([&](const char*) { return go_on_(); }));
+  std::vector<char> barred;
+  for (const VertexHandle v : copy.fine_vertex) barred.push_back(paths.is_barred(v) ? 1 : 0);
+  const SmoothPathFinder coarse_paths(copy.chart, std::move(barred));
+  const std::vector<CutEnds> candidates = list_candidates(copy.chart, coarse_paths, kind_);
+  if (candidates.empty()) throw no_room(input_chart_, kind_);
+  std::vector<HalfEdgeChain> chains;
+  const CutLimits limits{wishes_.count + kMoreInFull, wishes_.longest};
+  for (const RankedCut& cut : rank_cuts(copy.chart, coarse_paths, candidates, trials_.options(), limits, go_on_)) {
+    HalfEdgeChain chain =
+        chain_of(paths, {copy.fine_vertex[cut.ends.start.idx()], copy.fine_vertex[cut.ends.end.idx()]});
+    const double most = kDetour * length_of(copy.chart.mesh, chain_of(coarse_paths, cut.ends));
+    const double length = length_of(chart_.mesh, chain);
+    if (!chain.empty() && length <= std::min(most, wishes_.longest)) chains.push_back(std::move(chain));
+  }
+  return chains;
+}
+
+/// The first of those that lie beside each other's mirror images.
+std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<HalfEdgeChain>& chains) const {
+  std::vector<HalfEdgeChain> kept;
+  for (const HalfEdgeChain& chain : chains) {
+    const bool is_image = std::any_of(kept.begin(), kept.end(), [&](const HalfEdgeChain& other) {
+      const HalfEdgeChain twin = twin_of(other);
+      return !twin.empty() && are_beside(chart_, ends_of(chain), ends_of(twin));
+    });
+    if (!is_image) kept.push_back(chain);
+  }
+  return kept;
+}
+
+/// One for each chain; none where it does not help.
+std::vector<std::optional<PieceSearch::Tried>> PieceSearch::flatten(const std::vector<HalfEdgeChain>& chains,
+                                                                    const PieceFigures& before) {
+  std::vector<std::optional<Tried>> tried(chains.size());
+  run_in_threads(chains.size(), num_cores(), [&](std::size_t i) {
+    if (chains[i].empty()) return;
+    DartProposal proposal;
+    proposal.edges = edges_of(chains[i]);
+    const PieceFigures after = figures_of(trials_.run(proposal.edges), input_chart_, trials_.options());
+    if (after.error || !(after.energy <= (1 - kLeastGain) * before.energy)) return;
+    proposal.length = length_of(chart_.mesh, chains[i]);
+    proposal.energy = after.energy;
+    proposal.energy_before = before.energy;
+    proposal.strain = after.strain;
+    proposal.strain_before = before.strain;
+    tried[i] = Tried{chains[i], std::move(proposal)};
+  });
+  return tried;
+}
+
+std::vector<DartProposal> PieceSearch::search(const PieceFigures& before) {
+  if (before.strain <= wishes_.strain) throw flat_enough(input_chart_, before.strain, wishes_.strain);
+  std::vector<Tried> best;
+  for (std::optional<Tried>& tried : flatten(without_mirror_images(best_chains()), before)) {
+    if (tried) best.push_back(std::move(*tried));
+  }
+  if (best.empty()) throw none_helps(input_chart_, kind_);
+  std::stable_sort(best.begin(), best.end(),
+                   [](const Tried& a, const Tried& b) { return a.proposal.energy < b.proposal.energy; });
+  if (static_cast<int>(best.size()) > wishes_.count) best.resize(wishes_.count);
+  std::vector<HalfEdgeChain> twin_chains;
+  for (const Tried& tried : best) twin_chains.push_back(twin_of(tried.chain));
+  std::vector<std::optional<Tried>> twins = flatten(twin_chains, before);
+  std::vector<DartProposal> proposals;
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    const int place = static_cast<int>(proposals.size());
+    proposals.push_back(std::move(best[i].proposal));
+    if (!twins[i]) continue;
+    proposals.push_back(std::move(twins[i]->proposal));
+    proposals[place].twin = place + 1;
+    proposals[place + 1].twin = place;
+  }
+  return proposals;
+}
+
+}  // namespace wirewarp

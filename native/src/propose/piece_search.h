@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "propose/cut_candidates.h"
+#include "propose/full_trial.h"
+#include "wirewarp/propose.h"
+
+namespace wirewarp {
+
+/// The search in one piece: candidates are ranked on a coarse copy, and the best of them flattened in full.
+class PieceSearch {
+ public:
+  /// All but the kind are kept by reference.
+  PieceSearch(const Chart& chart, CutKind kind, const CutWishes& wishes, FullTrials& trials,
+              const std::function<bool()>& go_on);
+
+  /// The best first; without piece. Throws no_proposal.
+  std::vector<DartProposal> search(const PieceFigures& before);
+
+ private:
+  struct Tried {
+    HalfEdgeChain chain;
+    DartProposal proposal;
+  };
+
+  std::vector<HalfEdgeChain> best_chains() const;
+  std::vector<HalfEdgeChain> without_mirror_images(const std::vector<HalfEdgeChain>& chains) const;
+  std::vector<std::optional<Tried>> flatten(const std::vector<HalfEdgeChain>& chains, const PieceFigures& before);
+  HalfEdgeChain twin_of(const HalfEdgeChain& chain) const;
+  std::vector<VertexPair> edges_of(const HalfEdgeChain& chain) const;
+  CutEnds ends_of(const HalfEdgeChain& chain) const {
+    return {chart_.mesh.from_vertex_handle(chain.front()), chart_.mesh.to_vertex_handle(chain.back())};
+  }
+
+  const Chart& input_chart_;
+  const Chart chart_;  // in canonical order; its sources are the other one's
+  const std::vector<VertexHandle> image_;
+  const CutKind kind_;
+  const CutWishes& wishes_;
+  FullTrials& trials_;
+  const std::function<bool()>& go_on_;
+};
+
+}  // namespace wirewarp

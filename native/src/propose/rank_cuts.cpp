@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "propose/rank_cuts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+
+#include "in_threads.h"
+#include "mesh/geometry.h"
+#include "propose/cut_trial.h"
+
+namespace wirewarp {
+namespace {
+
+class CutSearch {
+ public:
+  CutSearch(const Chart& chart, const SmoothPathFinder& paths, const InternalOptions& options, double longest,
+            const std::function<bool()>& go_on)
+      : chart_(chart), paths_(paths), options_(options), longest_(longest), go_on_(go_on) {}
+
+  void try_all(const std::vector<CutEnds>& cuts);
+  RankedCut improve(RankedCut cut);
+  std::vector<RankedCut> ranked() const;
+
+ private:
+  const Chart& chart_;
+  const SmoothPathFinder& paths_;
+  const InternalOptions& options_;
+  const double longest_;
+  const std::function<bool()>& go_on_;
+  std::map<CutEnds, double> energies_;  // of all cuts that were tried
+};
+
+void CutSearch::try_all(const std::vector<CutEnds>& cuts) {
+  std::vector<CutEnds> fresh;
+  std::copy_if(cuts.begin(), cuts.end(), std::back_inserter(fresh),
+               [&](const CutEnds& cut) { return energies_.count(cut) == 0; });
+  std::vector<double> energies(fresh.size(), std::numeric_limits<double>::infinity());
+  run_in_threads(fresh.size(), num_cores(), [&](std::size_t i) {
+    const StopToken stop([&](const char*) { return go_on_(); });
+    stop.check();
+    const HalfEdgeChain chain = chain_of(paths_, fresh[i]);
+    if (!chain.empty() && length_of(chart_.mesh, chain) <= longest_)
+      energies[i] = energy_when_cut(chart_, chain, options_, stop);
+  });
+  for (std::size_t i = 0; i < fresh.size(); ++i) energies_[fresh[i]] = energies[i];
+}
+
+/// Goes to the best neighbor as long as that is better.
+RankedCut CutSearch::improve(RankedCut cut) {
+  while (true) {
+    const std::vector<CutEnds> neighbors = neighbors_of(chart_, paths_, cut.ends);
+    try_all(neighbors);
+    RankedCut best = cut;
+    for (const CutEnds& ends : neighbors) {
+      if (energies_.at(ends) < best.energy) best = {ends, energies_.at(ends)};
+    }
+    if (best.ends == cut.ends) return cut;
+    cut = best;
+  }
+}
+
+std::vector<RankedCut> CutSearch::ranked() const {
+  std::vector<RankedCut> cuts;
+  for (const auto& [ends, energy] : energies_) {
+    if (std::isfinite(energy)) cuts.push_back({ends, energy});
+  }
+  std::stable_sort(cuts.begin(), cuts.end(),
+                   [](const RankedCut& a, const RankedCut& b) { return a.energy < b.energy; });
+  return cuts;
+}
+
+}  // namespace
+
+std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
+                                 const std::vector<CutEnds>& candidates, const InternalOptions& options,
+                                 const CutLimits& limits, const std::function<bool()>& go_on) {
+  CutSearch search(chart, paths, options, limits.longest, go_on);
+  const double uncut = energy_when_cut(chart, {}, options, StopToken([&](const char*) { return go_on(); }));
+  search.try_all(candidates);
+  std::vector<RankedCut> best;
+  const auto is_beside_best = [&](const RankedCut& cut) {
+    return std::any_of(best.begin(), best.end(),
+                       [&](const RankedCut& b) { return are_beside(chart, b.ends, cut.ends); });
+  };
+  for (const RankedCut& cut : search.ranked()) {
+    if (static_cast<int>(best.size()) == limits.count || cut.energy >= uncut) break;
+    if (is_beside_best(cut)) continue;
+    const RankedCut improved = search.improve(cut);
+    if (!is_beside_best(improved)) best.push_back(improved);
+  }
+  std::stable_sort(best.begin(), best.end(),
+                   [](const RankedCut& a, const RankedCut& b) { return a.energy < b.energy; });
+  return best;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "internal_options.h"
+#include "propose/cut_candidates.h"
+
+namespace wirewarp {
+
+struct RankedCut {
+  CutEnds ends;
+  double energy = 0;  // E of Eq. (4) when cut so, scene units squared
+};
+
+struct CutLimits {
+  int count;       // of cuts that are ranked
+  double longest;  // of one, scene units
+};
+
+/// The best candidates of a chart with their ends moved to where they serve best, the best first; no two of them beside
+/// each other, none that does not lower E. go_on: asked in any thread, false ends the search with Stopped.
+std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
+                                 const std::vector<CutEnds>& candidates, const InternalOptions& options,
+                                 const CutLimits& limits, const std::function<bool()>& go_on);
+
+}  // namespace wirewarp

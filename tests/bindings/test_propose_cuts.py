@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Darts and seams that are proposed for pieces that lie flat, but distorted."""
+
+import json
+import pickle
+
+import numpy as np
+import pytest
+from surfaces import chain_edges, column_chain, half_cylinder, spherical_patch
+from wirewarp import ErrorCode, FlattenError, Options, Wire, flatten, propose_darts, propose_seams
+
+DOME = spherical_patch(12, 12)
+
+
+@pytest.mark.parametrize("propose", [propose_darts, propose_seams])
+def test_the_figures_are_those_of_a_run_with_the_edges_as_seams(propose):
+    wires = [Wire(column_chain(12, 12, 6)[3:7])]
+    before = flatten(*DOME, wires=wires).pieces[0].metrics.arap_energy
+    proposals = propose(*DOME, wires=wires, count=2)
+    for proposal in proposals:
+        pieces = flatten(*DOME, wires=wires, seams=proposal.edges).pieces
+        assert [piece.error for piece in pieces if piece.error] == []
+        areas = [piece.metrics.area_3d for piece in pieces]
+        energy = np.average([piece.metrics.arap_energy for piece in pieces], weights=areas)
+        assert proposal.energy == pytest.approx(energy, abs=1e-6 * before)
+        assert proposal.energy_before == pytest.approx(before, rel=1e-6)
+        assert proposal.energy < proposal.energy_before
+    assert len(proposals) in (2, 3, 4)  # twins counted once
+
+
+def test_proposals_are_plain_values():
+    (proposal, *_) = propose_darts(*DOME, count=1)
+    assert json.loads(json.dumps(proposal.to_dict()))["edges"] == proposal.edges.tolist()
+    assert pickle.loads(pickle.dumps(proposal)).to_dict() == proposal.to_dict()
+
+
+def test_seams_that_are_there_stay():
+    seams = chain_edges(column_chain(12, 12, 6))
+    proposals = propose_darts(*DOME, seams=seams, piece=1)
+    assert {proposal.piece for proposal in proposals} == {1}
+    vertices = set(flatten(*DOME, seams=seams).pieces[1].source_vertex)
+    assert all(set(proposal.edges.ravel()) <= vertices for proposal in proposals)
+
+
+def test_the_method_and_the_cloth_asked_for_are_what_is_measured():
+    options = Options(cloth="woven")
+    (proposal, *_) = propose_darts(*DOME, options=options, count=1)
+    cut = flatten(*DOME, seams=proposal.edges, options=options).pieces[0].metrics
+    assert proposal.energy == pytest.approx(cut.cloth_energy, rel=1e-6)
+
+
+def test_a_piece_that_is_flat_needs_none():
+    with pytest.raises(FlattenError, match="is flat enough") as raised:
+        propose_darts(*half_cylinder())
+    assert raised.value.code is ErrorCode.no_proposal
+
+
+def test_progress_is_told_and_can_cancel():
+    told = []
+    propose_darts(*DOME, count=1, progress=lambda stage, fraction: told.append((stage, fraction)))
+    assert {stage for stage, _ in told} == {"cuts"}
+    fractions = [fraction for _, fraction in told]
+    assert fractions == sorted(fractions) and fractions[0] >= 0 and fractions[-1] < 1
+    with pytest.raises(FlattenError, match="Cancelled") as raised:
+        propose_darts(*DOME, progress=lambda *_: False)
+    assert raised.value.code is ErrorCode.cancelled
+
+
+def test_wrong_wishes_are_refused():
+    for wish in ({"count": 0}, {"strain": -1.0}, {"longest": 0.0}, {"piece": 1}):
+        with pytest.raises(FlattenError) as raised:
+            propose_darts(*DOME, **wish)
+        assert raised.value.code is ErrorCode.invalid_option

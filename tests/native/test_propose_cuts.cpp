@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Darts and seams that are proposed: they do what is claimed, and are the same however the input is given.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <string>
+
+#include "planar.h"
+#include "test_meshes.h"
+#include "wirewarp/propose.h"
+
+namespace wirewarp {
+namespace {
+
+/// A hill off the middle of a square of side 2: no symmetry.
+FlattenInput hill(int n) {
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    const double x = 2 * s - 1, y = 2 * t - 1;
+    return Eigen::Vector3d(x, y, 0.5 * std::exp(-3 * ((x - 0.2) * (x - 0.2) + 2 * (y + 0.1) * (y + 0.1))));
+  });
+  test::alternate_diagonals(input, n);
+  return input;
+}
+
+FlattenInput with_seams(FlattenInput input, const std::vector<VertexPair>& edges) {
+  for (const VertexPair& edge : edges) test::add_seam(input, {edge[0], edge[1]});
+  return input;
+}
+
+double energy_of(const FlattenResult& result) {
+  double energy = 0, area = 0;
+  for (const Piece& piece : result.pieces) {
+    energy += piece.metrics.arap_energy * piece.metrics.area_3d;
+    area += piece.metrics.area_3d;
+  }
+  return energy / area;
+}
+
+TEST(ProposeCuts, FiguresAreThoseOfAFreshRun) {
+  const FlattenInput input = hill(12);
+  for (const auto& propose : {propose_darts, propose_seams}) {
+    const std::vector<DartProposal> proposals = propose(input, {}, {}, {});
+    ASSERT_FALSE(proposals.empty());
+    const double before = energy_of(flatten(input));
+    for (const DartProposal& proposal : proposals) {
+      const FlattenInput cut = with_seams(input, proposal.edges);
+      const FlattenResult result = flatten(cut);
+      for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error);
+      EXPECT_NEAR(proposal.energy, energy_of(result), 1e-6 * before);
+      EXPECT_NEAR(proposal.energy_before, before, 1e-6 * before);
+      EXPECT_LT(proposal.energy, proposal.energy_before);
+      double length = 0;
+      for (const VertexPair& edge : proposal.edges) {
+        length += (input.vertices.row(edge[0]) - input.vertices.row(edge[1])).norm();
+      }
+      EXPECT_NEAR(proposal.length, length, 1e-12);
+      EXPECT_EQ(result.pieces.size(), propose == propose_darts ? 1 : 2);
+    }
+    EXPECT_TRUE(std::is_sorted(proposals.begin(), proposals.end(),
+                               [](const DartProposal& a, const DartProposal& b) { return a.energy < b.energy; }));
+  }
+}
+
+/// The same surface turned, mirrored and with its vertices and faces in another order.
+FlattenInput disguised(const FlattenInput& input) {
+  FlattenInput result = input;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const int count = static_cast<int>(input.vertices.rows());
+  const auto place = [&](int v) { return (v * 7 + 3) % count; };  // 7 does not divide the count
+  for (int v = 0; v < count; ++v) {
+    const Eigen::Vector3d p = input.vertices.row(v).transpose();
+    result.vertices.row(place(v)) = (turn * Eigen::Vector3d(-p.x(), p.y(), p.z())).transpose();
+  }
+  const auto num_faces = input.faces.rows();
+  for (Eigen::Index f = 0; f < num_faces; ++f) {
+    const auto face = input.faces.row(num_faces - 1 - f);
+    result.faces.row(f) << place(face[1]), place(face[0]), place(face[2]);
+  }
+  return result;
+}
+
+TEST(ProposeCuts, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
+  const FlattenInput input = hill(12);
+  ASSERT_NE(input.vertices.rows() % 7, 0);
+  const FlattenInput other = disguised(input);
+  const std::vector<DartProposal> here = propose_darts(input), there = propose_darts(other);
+  ASSERT_EQ(here.size(), there.size());
+  const int count = static_cast<int>(input.vertices.rows());
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    std::vector<VertexPair> edges;
+    for (const VertexPair& edge : here[i].edges) {
+      edges.push_back({(edge[0] * 7 + 3) % count, (edge[1] * 7 + 3) % count});
+    }
+    EXPECT_EQ(edges, there[i].edges);
+    EXPECT_NEAR(here[i].energy, there[i].energy, 1e-6 * here[i].energy_before);
+  }
+}
+
+TEST(ProposeCuts, OfASymmetricPieceComeWithTheirMirrorImages) {
+  const int n = 12;
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    const double x = 2 * s - 1, y = 1.5 * (2 * t - 1);
+    return Eigen::Vector3d(x, y, 0.6 * std::exp(-4 * ((std::abs(x) - 0.4) * (std::abs(x) - 0.4) + y * y)) + 0.1 * y);
+  });
+  test::alternate_diagonals(input, n);
+  const std::vector<DartProposal> darts = propose_darts(input);
+  int num_twins = 0;
+  for (std::size_t i = 0; i < darts.size(); ++i) {
+    if (!darts[i].twin) continue;
+    ++num_twins;
+    const DartProposal& twin = darts[*darts[i].twin];
+    EXPECT_EQ(twin.twin, static_cast<int>(i));
+    EXPECT_NEAR(twin.energy, darts[i].energy, 1e-6 * twin.energy_before);
+    ASSERT_EQ(twin.edges.size(), darts[i].edges.size());
+    for (std::size_t k = 0; k < twin.edges.size(); ++k) {
+      for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+        const Eigen::Vector3d p = input.vertices.row(darts[i].edges[k][end]),
+                              q = input.vertices.row(twin.edges[k][end]);
+        EXPECT_NEAR((p - Eigen::Vector3d(-q.x(), q.y(), q.z())).norm(), 0, 1e-12);
+      }
+    }
+  }
+  EXPECT_GT(num_twins, 0);
+}
+
+TEST(ProposeCuts, CutNoWire) {
+  const int n = 12;
+  FlattenInput input = hill(n);
+  test::add_wire(input, test::grid_column(n, n, 6));
+  const std::vector<int> wire = input.wires[0].vertices;
+  for (const DartProposal& dart : propose_darts(input)) {
+    for (std::size_t k = 1; k < dart.edges.size(); ++k) {
+      EXPECT_EQ(std::count(wire.begin(), wire.end(), dart.edges[k][0]), 0);
+    }
+    EXPECT_EQ(std::count(wire.begin(), wire.end(), dart.edges.back()[1]), 0);
+  }
+}
+
+TEST(ProposeCuts, AreNoLongerAndNoMoreThanWished) {
+  CutWishes wishes;
+  wishes.count = 2;
+  wishes.longest = 0.5;
+  const std::vector<DartProposal> darts = propose_darts(hill(12), {}, wishes);
+  EXPECT_LE(darts.size(), 2U);
+  for (const DartProposal& dart : darts) EXPECT_LE(dart.length, wishes.longest);
+}
+
+TEST(ProposeCuts, LoseLittleAgainstAllDarts) {
+  const int n = 8;
+  const FlattenInput input = hill(n);
+  double best = 1;
+  for (int i = 1; i < n; ++i) {  // along rows and columns, all there are
+    for (int length = 1; length < n; ++length) {
+      for (const bool reversed : {false, true}) {
+        for (std::vector<int> line : {test::grid_row(n, i), test::grid_column(n, n, i)}) {
+          if (reversed) std::reverse(line.begin(), line.end());
+          line.resize(static_cast<std::size_t>(length) + 1);
+          FlattenInput cut = input;
+          test::add_seam(cut, line);
+          const FlattenResult result = flatten(cut);
+          if (!result.pieces[0].error) best = std::min(best, energy_of(result));
+        }
+      }
+    }
+  }
+  const DartProposal found = propose_darts(input).front();
+  EXPECT_LE(found.energy - best, 0.1 * (found.energy_before - best));
+}
+
+std::string refusal(const FlattenInput& input, const CutWishes& wishes = {}, ErrorCode code = ErrorCode::no_proposal) {
+  try {
+    propose_darts(input, {}, wishes);
+  } catch (const FlattenError& error) {
+    EXPECT_EQ(error.code, code);
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return "";
+}
+
+TEST(ProposeCuts, SayWhyThereAreNone) {
+  EXPECT_NE(refusal(test::cylinder_patch(6, 4, 1, 2, 1)).find("is flat enough"), std::string::npos);
+  // Six triangles around a tip and six below: whatever the cut, no vertex inside is more than an edge away.
+  const FlattenInput tent = test::keep_faces(hill(4), [](const Eigen::Vector3d& p) { return p.x() > 0.5; });
+  EXPECT_NE(refusal(tent).find("(8 triangles)"), std::string::npos);
+}
+
+TEST(ProposeCuts, RefuseWishesOutOfRange) {
+  CutWishes wishes;
+  wishes.piece = 1;
+  EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option), "piece must be one of 0 to 0, not 1.");
+  wishes = {};
+  wishes.count = 0;
+  EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option), "count must be 1 or more, not 0.");
+  wishes = {};
+  wishes.longest = -1;
+  EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option), "longest must be above 0, not -1.");
+}
+
+TEST(ProposeCuts, OfAPieceThatDoesNotLieFlatThrowItsError) {
+  refusal(test::cylinder_tube(12, 6, 1, 6), {}, ErrorCode::boundary_too_short);
+}
+
+TEST(ProposeCuts, CanBeCancelled) {
+  int asked = 0;
+  try {
+    propose_darts(hill(8), {}, {}, [&](const std::string&, double) { return ++asked < 20; });
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const FlattenError& error) {
+    EXPECT_EQ(error.code, ErrorCode::cancelled);
+  }
+  EXPECT_EQ(asked, 20);
+}
+
+}  // namespace
+}  // namespace wirewarp
