@@ -3,6 +3,7 @@
 
 from . import _binary as _binary
 from ._errors import ErrorCode, FlattenError
+from ._plan import plan_cuts
 from ._wirewarp import (
     BoundaryReport,
     Cache,
@@ -48,6 +49,7 @@ __all__ = [
     "__version__",
     "flatten",
     "measure",
+    "plan_cuts",
     "propose_darts",
     "propose_seams",
     "start",

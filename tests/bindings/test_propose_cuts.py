@@ -7,7 +7,7 @@ import pickle
 import numpy as np
 import pytest
 from surfaces import chain_edges, column_chain, half_cylinder, spherical_patch
-from wirewarp import ErrorCode, FlattenError, Options, Wire, flatten, propose_darts, propose_seams
+from wirewarp import ErrorCode, FlattenError, Options, Wire, flatten, plan_cuts, propose_darts, propose_seams
 
 DOME = spherical_patch(12, 12)
 
@@ -71,3 +71,34 @@ def test_wrong_wishes_are_refused():
         with pytest.raises(FlattenError) as raised:
             propose_darts(*DOME, **wish)
         assert raised.value.code is ErrorCode.invalid_option
+
+
+def test_a_plan_ends_where_its_aim_is_met():
+    before = propose_darts(*DOME, count=1)[0].strain_before
+    first, *rest = plan_cuts(*DOME, strain=0.8 * before, most=3)
+    assert first.strain_before == pytest.approx(before)
+    for previous, cut in zip([first, *rest], rest, strict=False):
+        assert cut.strain_before == pytest.approx(previous.strain, rel=1e-6)
+        assert previous.strain > 0.8 * before
+
+
+def test_a_plan_keeps_to_its_number_and_total_length():
+    assert len(plan_cuts(*DOME, strain=0.0, most=2)) == 2
+    cuts = plan_cuts(*DOME, strain=0.0, most=3, total_length=1.0)
+    assert sum(cut.length for cut in cuts) <= 1
+    told = []
+    plan_cuts(*DOME, strain=0.0, most=2, progress=lambda _, fraction: told.append(fraction))
+    assert told == sorted(told) and told[-1] > 0.5
+
+
+def test_a_plan_of_seams_cuts_pieces_of_pieces():
+    cuts = plan_cuts(*DOME, kind="seam", strain=0.0, most=2)
+    edges = np.concatenate([cut.edges for cut in cuts])
+    assert len(flatten(*DOME, seams=edges).pieces) == 3
+
+
+def test_a_plan_needs_a_kind_of_cut_and_a_piece_that_is_strained():
+    with pytest.raises(FlattenError, match="kind must be dart or seam"):
+        plan_cuts(*DOME, kind="zip")
+    with pytest.raises(FlattenError, match="may stay"):
+        plan_cuts(*DOME, strain=1.0)

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cuts to be taken together, towards an aim in numbers."""
+
+import math
+from collections.abc import Callable, Iterable
+from typing import Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from ._errors import ErrorCode, FlattenError
+from ._wirewarp import DartProposal, Ease, Options, Wire, propose_darts, propose_seams
+
+_PROPOSE = {"dart": propose_darts, "seam": propose_seams}
+
+
+def plan_cuts(
+    vertices: npt.ArrayLike,
+    faces: npt.ArrayLike,
+    *,
+    kind: Literal["dart", "seam"] = "dart",
+    strain: float = 0.05,
+    most: int = 2,
+    total_length: float | None = None,
+    seams: npt.ArrayLike | None = None,
+    wires: Iterable[Wire] = (),
+    options: Options | None = None,
+    eases: Iterable[Ease] = (),
+    progress: Callable[[str, float], bool | None] | None = None,
+) -> list[DartProposal]:
+    """Cuts one after the other, each the best there is beside those before it, until no piece is strained more.
+
+    kind: "dart" or "seam", as propose_darts() and propose_seams() propose them.
+    strain: the aim, 0.05 for 5%: pieces strained by no more (DartProposal.strain) are left as they are.
+    most: cuts at most.
+    total_length: of all cuts together at most, on the surface, scene units; None for any length.
+    The other arguments are those of flatten().
+
+    The figures of each, and the number of its piece, are those beside the cuts before it. Fewer cuts than are allowed
+    mean that the aim is met, or that no further one helps. Raises what propose_darts() raises for the first cut:
+    FlattenError "no_proposal" where the aim is met without any.
+    """
+    if kind not in _PROPOSE:
+        raise FlattenError(ErrorCode.invalid_option, f"kind must be dart or seam, not {kind}.")
+    taken: list[DartProposal] = []
+    wires, eases = list(wires), list(eases)
+    lines = [np.zeros((0, 2), dtype=np.int32) if seams is None else np.asarray(seams)]
+    while len(taken) < most:
+        left = math.inf if total_length is None else total_length - sum(cut.length for cut in taken)
+        if taken and left <= 0:
+            break
+        done = len(taken)
+
+        def report(stage: str, fraction: float, done: int = done) -> bool | None:
+            return None if progress is None else progress(stage, (done + fraction) / most)
+
+        try:
+            best = _PROPOSE[kind](
+                vertices,
+                faces,
+                seams=np.concatenate(lines),
+                wires=wires,
+                options=options,
+                eases=eases,
+                count=1,
+                strain=strain,
+                longest=left,
+                progress=report,
+            )[0]
+        except FlattenError as error:
+            if taken and error.code == ErrorCode.no_proposal:
+                break
+            raise
+        taken.append(best)
+        lines.append(best.edges)
+    return taken
