@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check_lengths.h"
 
+#include <algorithm>
 #include <limits>
+#include <set>
 
 namespace wirewarp::test {
 namespace {
@@ -11,8 +13,16 @@ constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 struct EdgeLengths {
   double in_space;
   double planar;
-  double rounding;
+  double slack;  // what the promise leaves of the planar length
 };
+
+/// Of a side that is (1+r) times what it would be, without that.
+EdgeLengths lengths_of(const Judged& judged, const Edge& edge, const Side& side, double ease) {
+  const Piece& piece = judged.result.pieces[judged.piece_of(side.face)];
+  const double in_space = judged.length_3d(edge);
+  const double slack = 1.0001e-9 * in_space + kRounding * judged.uv_size(piece);
+  return {in_space, judged.length_2d(side) / (1 + ease), slack / (1 + ease)};
+}
 
 bool is_all_rigid(const Options& options) {
   if (options.method == Method::refined) return false;
@@ -36,7 +46,7 @@ std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire&
     const Side side = judged.sides().at(edge).front();
     const Piece& piece = judged.result.pieces[piece_at(i)];
     if (judged.is_outline(edge) || piece.error) continue;  // outlines are checked; failed pieces promise nothing
-    parts.back().push_back({judged.length_3d(edge), judged.length_2d(side), kRounding * judged.uv_size(piece)});
+    parts.back().push_back(lengths_of(judged, edge, side, 0));
   }
   const bool goes_on = wire.vertices.front() == wire.vertices.back() && !begins_part(0);
   if (goes_on && parts.size() > 1) {  // across the wire's begin
@@ -46,25 +56,28 @@ std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire&
   return parts;
 }
 
-/// All edges of a part have planar lengths (1+h) l for one h: the intervals of h that they leave must meet.
-void check_part(Judged& judged, const Wire& wire, double tolerance, const std::vector<EdgeLengths>& edges) {
-  double low = wire.ease - tolerance;
-  double high = wire.ease + tolerance;
-  for (const EdgeLengths& edge : edges) {
-    const double slack = 1.0001e-9 + edge.rounding / edge.in_space;
-    low = std::max(low, edge.planar / edge.in_space - 1 - slack);
-    high = std::min(high, edge.planar / edge.in_space - 1 + slack);
-  }
-  if (low > high) judged.say("wire \"" + wire.name + "\" breaks its tolerance by " + std::to_string(low - high));
-}
+/// The h that edges leave which all have planar lengths (1+h) l.
+struct Variations {
+  double low, high;
 
-const Wire* wire_along(const FlattenInput& input, const Edge& edge) {
-  for (const Wire& wire : input.wires) {
-    for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
-      if (edge_of(wire.vertices[i], wire.vertices[i + 1]) == edge) return &wire;
-    }
+  /// Within the tolerance of a wire about its ease, none: rigid.
+  explicit Variations(double tolerance, double ease = 0) : low(ease - tolerance), high(ease + tolerance) {}
+
+  void meet(const EdgeLengths& edge) {
+    low = std::max(low, (edge.planar - edge.slack) / edge.in_space - 1);
+    high = std::min(high, (edge.planar + edge.slack) / edge.in_space - 1);
   }
-  return nullptr;
+
+  /// By how much they miss one another; not above 0: not at all.
+  double gap() const { return low - high; }
+};
+
+void check_part(Judged& judged, const Wire& wire, double tolerance, const std::vector<EdgeLengths>& edges) {
+  Variations variations(tolerance, wire.ease);
+  for (const EdgeLengths& edge : edges) variations.meet(edge);
+  if (variations.gap() > 0) {
+    judged.say("wire \"" + wire.name + "\" breaks its tolerance by " + std::to_string(variations.gap()));
+  }
 }
 
 /// r of a side.
@@ -78,32 +91,99 @@ double ease_of(const Judged& judged, const Side& side) {
   return 0;
 }
 
-/// All sides of an outline edge in good pieces have planar lengths (1+r)(1+h) l for one h.
-void check_outline_edge(Judged& judged, const Edge& edge) {
-  const Wire* wire = wire_along(judged.input, edge);
-  const Wire none;
+/// The sides of an outline edge in good pieces, without their eases.
+std::vector<EdgeLengths> uneased_sides(const Judged& judged, const Edge& edge) {
   std::vector<EdgeLengths> sides;
   for (const Side& side : judged.sides().at(edge)) {
-    const Piece& piece = judged.result.pieces[judged.piece_of(side.face)];
-    const double eased = 1 + ease_of(judged, side);
-    if (piece.error) continue;
-    sides.push_back({judged.length_3d(edge), judged.length_2d(side) / eased,
-                     kRounding * judged.uv_size(piece) / std::min(eased, 1.0)});
+    const bool is_good = !judged.result.pieces[judged.piece_of(side.face)].error;
+    if (is_good) sides.push_back(lengths_of(judged, edge, side, ease_of(judged, side)));
   }
-  const double tolerance = !wire || is_all_rigid(judged.options) ? 0 : wire->tolerance;
-  const std::size_t num_before = judged.num_sentences();
-  check_part(judged, wire ? *wire : none, tolerance, sides);
-  if (judged.num_sentences() > num_before) judged.say("outline " + name(edge) + " is off");
+  return sides;
+}
+
+/// The least face that is reached from a face around one of its vertices without crossing an outline.
+int least_face_around(const Judged& judged, int face, int vertex) {
+  std::set<int> reached{face};
+  std::vector<int> front{face};
+  while (!front.empty()) {
+    const int at = front.back();
+    front.pop_back();
+    for (int k = 0; k < 3; ++k) {
+      const Edge edge = edge_of(judged.vertex(at, k), judged.vertex(at, k + 1));
+      if (std::find(edge.begin(), edge.end(), vertex) == edge.end() || judged.is_outline(edge)) continue;
+      for (const Side& side : judged.sides().at(edge)) {
+        if (reached.insert(side.face).second) front.push_back(side.face);
+      }
+    }
+  }
+  return *reached.begin();
+}
+
+/// What lies beside an edge at one of its ends.
+std::multiset<int> fans_beside(const Judged& judged, const Edge& edge, int vertex) {
+  std::multiset<int> fans;
+  for (const Side& side : judged.sides().at(edge)) fans.insert(least_face_around(judged, side.face, vertex));
+  return fans;
+}
+
+/// The edges of a wire along outlines, run by run: runs end inside pieces and at the outline's junctions, where other
+/// than two of its edges meet or what lies beside it changes.
+std::vector<std::vector<Edge>> runs_along_outlines(const Judged& judged, const Wire& wire) {
+  std::vector<std::vector<Edge>> runs;
+  const std::size_t count = wire.vertices.size() - 1;
+  const auto edge_at = [&](std::size_t i) { return edge_of(wire.vertices[i], wire.vertices[i + 1]); };
+  const auto goes_on = [&](std::size_t before, std::size_t after) {
+    return judged.is_outline(edge_at(before)) && judged.is_outline(edge_at(after)) &&
+           judged.num_outline_edges(wire.vertices[after]) == 2 &&
+           fans_beside(judged, edge_at(before), wire.vertices[after]) ==
+               fans_beside(judged, edge_at(after), wire.vertices[after]);
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!judged.is_outline(edge_at(i))) continue;
+    if (i == 0 || !goes_on(i - 1, i)) runs.emplace_back();
+    runs.back().push_back(edge_at(i));
+  }
+  const bool is_closed = wire.vertices.front() == wire.vertices.back();
+  if (is_closed && runs.size() > 1 && goes_on(count - 1, 0)) {  // across the wire's begin
+    runs.front().insert(runs.front().end(), runs.back().begin(), runs.back().end());
+    runs.pop_back();
+  }
+  return runs;
+}
+
+/// All sides of all edges of a run have planar lengths (1+r)(1+h) l for one h.
+void check_run(Judged& judged, const Wire& wire, const std::vector<Edge>& run) {
+  Variations variations(is_all_rigid(judged.options) ? 0 : wire.tolerance, wire.ease);
+  for (const Edge& edge : run) {
+    for (const EdgeLengths& side : uneased_sides(judged, edge)) variations.meet(side);
+  }
+  if (variations.gap() > 0) {
+    judged.say("wire \"" + wire.name + "\" breaks its tolerance by " + std::to_string(variations.gap()) +
+               " along the outline from " + name(run.front()));
+  }
+}
+
+/// Where no wire lies: all sides of an outline edge have planar lengths (1+r) l.
+void check_plain_edge(Judged& judged, const Edge& edge) {
+  Variations variations(0);
+  for (const EdgeLengths& side : uneased_sides(judged, edge)) variations.meet(side);
+  if (variations.gap() > 0) judged.say("outline " + name(edge) + " is off by " + std::to_string(variations.gap()));
 }
 
 }  // namespace
 
 void check_outline(Judged& judged, const Piece& piece) {
+  std::set<Edge> with_wire;
+  for (const Wire& wire : judged.input.wires) {
+    for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
+      with_wire.insert(edge_of(wire.vertices[i], wire.vertices[i + 1]));
+    }
+  }
   for (const int face : piece.source_face) {
     for (int k = 0; k < 3; ++k) {
       const Edge edge = edge_of(judged.vertex(face, k), judged.vertex(face, k + 1));
       if (judged.is_outline(edge)) {
-        check_outline_edge(judged, edge);
+        if (with_wire.count(edge) == 0) check_plain_edge(judged, edge);
         continue;
       }
       for (const Side& other : judged.sides().at(edge)) {  // the same ends from both sides
@@ -117,6 +197,7 @@ void check_outline(Judged& judged, const Piece& piece) {
 
 void check_wires(Judged& judged) {
   for (const Wire& wire : judged.input.wires) {
+    for (const std::vector<Edge>& run : runs_along_outlines(judged, wire)) check_run(judged, wire, run);
     const double tolerance = is_all_rigid(judged.options) ? 0 : wire.tolerance;
     if (std::isinf(tolerance)) continue;
     for (const auto& part : parts_of(judged, wire)) check_part(judged, wire, tolerance, part);

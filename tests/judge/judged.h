@@ -52,6 +52,7 @@ class Judged {
   bool is_edge(const Edge& edge) const { return sides_.count(edge) > 0; }
   bool is_outline(const Edge& edge) const { return seams_.count(edge) || sides_.at(edge).size() == 1; }
   bool is_outline_vertex(int vertex) const { return outline_vertices_.count(vertex) > 0; }
+  int num_outline_edges(int vertex) const { return static_cast<int>(outline_vertices_.count(vertex)); }
 
   /// The sides of an edge that belong to a piece.
   std::vector<Side> sides_in(const Edge& edge, int piece) const;
@@ -72,7 +73,7 @@ class Judged {
  private:
   std::map<Edge, std::vector<Side>> sides_;
   std::set<Edge> seams_;
-  std::set<int> outline_vertices_;
+  std::multiset<int> outline_vertices_;  // once an edge
   std::vector<int> piece_of_;
   Sentences sentences_;
 };
