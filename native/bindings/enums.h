@@ -31,6 +31,9 @@ inline constexpr Named<Orientation> kOrientations[] = {{Orientation::wire, "wire
                                                        {Orientation::up, "up"},
                                                        {Orientation::best, "best"}};
 
+inline constexpr Named<Surface> kSurfaces[] = {
+    {Surface::inside, "inside"}, {Surface::middle, "middle"}, {Surface::outside, "outside"}};
+
 inline constexpr Named<WireKind> kWireKinds[] = {{WireKind::boundary, "boundary"},
                                                  {WireKind::rigid, "rigid"},
                                                  {WireKind::elastic, "elastic"},

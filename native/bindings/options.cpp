@@ -60,7 +60,7 @@ void bind_enum(Record<Options>& record, const char* name, Enum Options::*member,
   record.def_property(
       name, [member, &names](const Options& options) { return name_of(options.*member, names); },
       [member, name, &names](Options& options, const py::object& value) {
-        options.*member = read_enum(value, name, names);
+        set(options, member, read_enum(value, name, names));
       },
       doc_of(record.own(name), enumeration, names).c_str());
   record.listed(name);
@@ -86,36 +86,39 @@ py::dict values_of(const py::object& options) {
 void bind_options(py::module_& module) {
   const Options defaults;
   Record<Options> record(module, "Options");
-  record.def(
-      py::init([](const py::object& method, const py::object& node_weight, const py::object& inner,
-                  const py::object& fairness, const py::object& max_factorizations, const py::object& layout,
-                  const py::object& orientation, const py::object& grain, const py::object& up, const py::object& gap,
-                  const py::object& mirror, const py::object& cloth, const py::object& grain_angle) {
-        Options options;
-        options.method = read_enum(method, "method", kMethods);
-        options.node_weight = read_enum(node_weight, "node_weight", kNodeWeights);
-        options.inner = read_enum(inner, "inner", kInners);
-        options.fairness = read_number(fairness, "Option fairness");
-        options.max_factorizations = read_whole_number(max_factorizations, "max_factorizations");
-        options.layout = read_enum(layout, "layout", kPieceLayouts);
-        options.orientation = read_enum(orientation, "orientation", kOrientations);
-        options.grain = read_whole_number(grain, "grain");
-        options.up = read_triple(up, "Option up");
-        options.gap = read_number(gap, "Option gap");
-        options.mirror = read_bool(mirror, "mirror");
-        options.cloth = read_cloth(cloth);
-        options.grain_angle = read_number(grain_angle, "Option grain_angle");
-        check_options(options);
-        return options;
-      }),
-      py::kw_only(), py::arg("method") = name_of(defaults.method, kMethods),
-      py::arg("node_weight") = name_of(defaults.node_weight, kNodeWeights),
-      py::arg("inner") = name_of(defaults.inner, kInners), py::arg("fairness") = defaults.fairness,
-      py::arg("max_factorizations") = defaults.max_factorizations,
-      py::arg("layout") = name_of(defaults.layout, kPieceLayouts),
-      py::arg("orientation") = name_of(defaults.orientation, kOrientations), py::arg("grain") = defaults.grain,
-      py::arg("up") = up_of(defaults), py::arg("gap") = defaults.gap, py::arg("mirror") = defaults.mirror,
-      py::arg("cloth") = py::none(), py::arg("grain_angle") = defaults.grain_angle);
+  record.def(py::init([](const py::object& method, const py::object& node_weight, const py::object& inner,
+                         const py::object& fairness, const py::object& max_factorizations, const py::object& layout,
+                         const py::object& orientation, const py::object& grain, const py::object& up,
+                         const py::object& gap, const py::object& mirror, const py::object& cloth,
+                         const py::object& grain_angle, const py::object& thickness, const py::object& surface) {
+               Options options;
+               options.method = read_enum(method, "method", kMethods);
+               options.node_weight = read_enum(node_weight, "node_weight", kNodeWeights);
+               options.inner = read_enum(inner, "inner", kInners);
+               options.fairness = read_number(fairness, "Option fairness");
+               options.max_factorizations = read_whole_number(max_factorizations, "max_factorizations");
+               options.layout = read_enum(layout, "layout", kPieceLayouts);
+               options.orientation = read_enum(orientation, "orientation", kOrientations);
+               options.grain = read_whole_number(grain, "grain");
+               options.up = read_triple(up, "Option up");
+               options.gap = read_number(gap, "Option gap");
+               options.mirror = read_bool(mirror, "mirror");
+               options.cloth = read_cloth(cloth);
+               options.grain_angle = read_number(grain_angle, "Option grain_angle");
+               options.thickness = read_number(thickness, "Option thickness");
+               options.surface = read_enum(surface, "surface", kSurfaces);
+               check_options(options);
+               return options;
+             }),
+             py::kw_only(), py::arg("method") = name_of(defaults.method, kMethods),
+             py::arg("node_weight") = name_of(defaults.node_weight, kNodeWeights),
+             py::arg("inner") = name_of(defaults.inner, kInners), py::arg("fairness") = defaults.fairness,
+             py::arg("max_factorizations") = defaults.max_factorizations,
+             py::arg("layout") = name_of(defaults.layout, kPieceLayouts),
+             py::arg("orientation") = name_of(defaults.orientation, kOrientations), py::arg("grain") = defaults.grain,
+             py::arg("up") = up_of(defaults), py::arg("gap") = defaults.gap, py::arg("mirror") = defaults.mirror,
+             py::arg("cloth") = py::none(), py::arg("grain_angle") = defaults.grain_angle,
+             py::arg("thickness") = defaults.thickness, py::arg("surface") = name_of(defaults.surface, kSurfaces));
   record.def(
       py::pickle(&values_of, [](const py::dict& fields) { return py::type::of<Options>()(**fields).cast<Options>(); }));
 
@@ -172,6 +175,14 @@ void bind_options(py::module_& module) {
       },
       doc_of("Options.grain_angle"));
   record.listed("grain_angle");
+  record.def_property(
+      "thickness", [](const Options& options) { return options.thickness; },
+      [](Options& options, const py::object& value) {
+        set(options, &Options::thickness, read_number(value, "Option thickness"));
+      },
+      doc_of("Options.thickness"));
+  record.listed("thickness");
+  bind_enum(record, "surface", &Options::surface, "Surface", kSurfaces);
 }
 
 }  // namespace wirewarp::bindings

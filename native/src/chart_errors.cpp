@@ -59,13 +59,13 @@ int source_of_loop(const Chart& chart, const HalfEdgeChain& loop) {
   return chart.source_vertex[chart.mesh.from_vertex_handle(loop.front()).idx()];
 }
 
-/// The longest few: "its outline, 0.4 units long at vertex 3," or "its outlines, 0.4 units long at vertex 3 and 0.2
-/// units long at vertex 7,".
+/// The longest few, as long as eases and tolerances let them be: "its outline, 0.4 units long at vertex 3," or "its
+/// outlines, 0.4 units long at vertex 3 and 0.2 units long at vertex 7,".
 std::string name_loops(const Chart& chart, const std::vector<HalfEdgeChain>& loops) {
   constexpr std::size_t kMostNamed = 5;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < std::min(loops.size(), kMostNamed); ++i) {
-    names.push_back(rounded(length_of(chart.mesh, loops[i])) + " units long at vertex " +
+    names.push_back(rounded(longest_length(chart, loops[i])) + " units long at vertex " +
                     std::to_string(source_of_loop(chart, loops[i])));
   }
   return std::string(loops.size() == 1 ? "its outline, " : "its outlines, ") + listed(names, loops.size()) + ",";
@@ -114,7 +114,7 @@ FlattenError with_proposed_seams(FlattenError error, std::vector<VertexPair> pro
 FlattenError outline_too_short(const Chart& chart, std::vector<VertexPair> proposed_seams) {
   std::vector<HalfEdgeChain> loops = chart.boundary_loops;
   std::stable_sort(loops.begin(), loops.end(), [&](const HalfEdgeChain& a, const HalfEdgeChain& b) {
-    return length_of(chart.mesh, a) > length_of(chart.mesh, b);
+    return longest_length(chart, a) > longest_length(chart, b);
   });
   ErrorElements elements;
   for (const HalfEdgeChain& loop : loops) elements.vertices.push_back(source_of_loop(chart, loop));
@@ -182,26 +182,16 @@ GivingWires find_giving_wires(const Chart& chart) {
   return giving;
 }
 
-FlattenError refuse_giving_wires(const Chart& chart, const std::vector<Wire>& wires, const std::string& begin,
-                                 const std::string& remedy) {
-  const GivingWires giving = find_giving_wires(chart);
-  return FlattenError(
-      ErrorCode::invalid_option,
-      begin + name_wires(wires, {giving.wires.begin(), giving.wires.end()}) + " with a tolerance: " + remedy,
-      {{}, {giving.edges.begin(), giving.edges.end()}, chart.source_face});
-}
-
 }  // namespace
 
 void check_outline_is_settled(const Chart& chart, const std::vector<Wire>& wires) {
-  if (find_giving_wires(chart).wires.empty()) return;
-  throw refuse_giving_wires(chart, wires, "WireWarping++ keeps seams and outlines at one length, but along them runs ",
-                            "take the refined method, or a tolerance of 0 and an ease.");
-}
-
-FlattenError no_cloth_beside_seams_that_give(const Chart& chart, const std::vector<Wire>& wires) {
-  return refuse_giving_wires(chart, wires, "Pieces of a cloth share no seam that gives, but along seams runs ",
-                             "take a tolerance of 0 and an ease there, or no cloth.");
+  const GivingWires giving = find_giving_wires(chart);
+  if (giving.wires.empty()) return;
+  throw FlattenError(ErrorCode::invalid_option,
+                     "WireWarping++ keeps seams and outlines at one length, but along them runs " +
+                         name_wires(wires, {giving.wires.begin(), giving.wires.end()}) +
+                         " with a tolerance: take the refined method, or a tolerance of 0 and an ease.",
+                     {{}, {giving.edges.begin(), giving.edges.end()}, chart.source_face});
 }
 
 FlattenError not_solvable(const Chart& chart) {

@@ -31,9 +31,6 @@ FlattenError needs_refinement(const Chart& chart);
 /// Throws invalid_option where a wire gives the outline a tolerance, which WireWarping++ cannot use.
 void check_outline_is_settled(const Chart& chart, const std::vector<Wire>& wires);
 
-/// The seams between pieces that give take no cloth into account.
-FlattenError no_cloth_beside_seams_that_give(const Chart& chart, const std::vector<Wire>& wires);
-
 /// A factorization broke down: faces differ too much in size, and the error names those that are small.
 FlattenError not_solvable(const Chart& chart);
 

@@ -3,6 +3,7 @@
 #include "wirewarp/flatten.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -22,6 +23,7 @@
 #include "join_charts.h"
 #include "metrics/assemble_result.h"
 #include "metrics/helper_wires.h"
+#include "middle_surface.h"
 #include "network/length_variation.h"
 #include "outer/choose_variation.h"
 #include "packing/pack_pieces.h"
@@ -31,6 +33,7 @@
 #include "refine/lies_flat.h"
 #include "refine/refine_cloth.h"
 #include "stop_token.h"
+#include "stretch_charts.h"
 #include "topology/process_topology.h"
 #include "topology/unjoined_wires.h"
 
@@ -170,24 +173,17 @@ std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
   return order;
 }
 
-/// A chart beside seams that give, with these at h = ease; where it has no shape so, each as long as the chart would
-/// have it alone, and the error of before.
-struct SettledChart {
-  SolvedChart solved;
-  std::optional<FlattenError> settled_error;
-};
+/// The chart with the seams beside it that give at h = ease.
+SolvedChart solve_settled(const Chart& chart, const Run& run, const StopToken& stop) {
+  SolvedChart solved = solve_chart(with_settled_seams(chart), run, stop);
+  if (solved.network) solved.network = build_wire_network(chart);
+  return solved;
+}
 
-SettledChart solve_settled(const Chart& chart, const Run& run, const StopToken& stop) {
-  if (run.options.cloth) {
-    SettledChart refused;
-    refused.solved.error = no_cloth_beside_seams_that_give(chart, run.input.wires);
-    return refused;
-  }
-  SettledChart result{solve_chart(with_settled_seams(chart), run, stop), {}};
-  const bool is_infeasible = result.solved.error && !stop.is_stopped();
-  if (is_infeasible) result = {solve_chart(chart, run, stop), result.solved.error};
-  if (result.solved.network) result.solved.network = build_wire_network(chart);
-  return result;
+/// Options for shapes that others begin at. The best direction of a cloth stays, so it has to be exact.
+InternalOptions on_the_way(InternalOptions options) {
+  if (options.orientation != Orientation::best) options.worthwhile = RefineConstants::worthwhile_on_the_way;
+  return options;
 }
 
 /// All charts, on all cores; each has the layout that it has alone, those beside seams that give the one that they have
@@ -203,7 +199,7 @@ class ChartsSolver {
         solved_(charts.size()),
         is_done_(charts.size(), 0),
         is_together_(charts.size(), 0),
-        settled_errors_(charts.size()) {
+        is_settled_(charts.size(), 0) {
     if (run.options.method != Method::refined) return;
     for (std::vector<int>& group : group_by_seams_that_give(charts)) {
       if (group.size() > 1) groups_.push_back(std::move(group));
@@ -259,13 +255,25 @@ class ChartsSolver {
     } else if (is_together_[c] == 0) {
       solve_alone(c);
     } else if (is_done_[c] == 0) {
-      SettledChart settled{cancelled_chart(), {}};
-      if (!report_.is_cancelled()) settled = solve_settled(chart, run_, stop_token(c));
-      solved_[c] = std::move(settled.solved);
-      settled_errors_[c] = std::move(settled.settled_error);
+      begin_beside_seams_that_give(c);
       return;  // join() goes on with it
     }
     progress_.finish(c);
+  }
+
+  /// With these at h = ease; where the chart has no shape so, each as long as it would have it alone.
+  void begin_beside_seams_that_give(std::size_t c) {
+    if (report_.is_cancelled()) {
+      solved_[c] = cancelled_chart();
+      return;
+    }
+    const InternalOptions options = on_the_way(run_.options);
+    InternalOptions trial = options;
+    trial.with_proposals = false;  // nobody is told of its errors
+    const StopToken stop = stop_token(c);
+    solved_[c] = solve_settled(charts_[c], {run_.input, trial}, stop);
+    is_settled_[c] = solved_[c].error ? 0 : 1;
+    if (solved_[c].error && !stop.is_stopped()) solved_[c] = solve_chart(charts_[c], {run_.input, options}, stop);
   }
 
   void solve_alone(std::size_t c) {
@@ -274,6 +282,7 @@ class ChartsSolver {
       return;
     }
     solved_[c] = report_.is_cancelled() ? cancelled_chart() : solve_chart(charts_[c], run_, stop_token(c));
+    solved_[c].multipliers.resize(0);
     session_.keep({&charts_[c]}, {&solved_[c]});
   }
 
@@ -281,13 +290,59 @@ class ChartsSolver {
     if (is_done_[group.front()] != 0) return;  // from the cache
     std::vector<ChartToJoin> to_join;
     for (const int c : group) {
-      if (solved_[c].uv.rows() > 0) to_join.push_back({charts_[c], solved_[c], settled_errors_[c]});
+      if (solved_[c].uv.rows() > 0) to_join.push_back({charts_[c], solved_[c], is_settled_[c] != 0});
     }
-    if (!to_join.empty()) join_charts(to_join, run_.options, stop_token(static_cast<std::size_t>(group.front())));
+    if (!to_join.empty()) {
+      const JoinOutcome outcome =
+          join_charts(to_join, run_.options, stop_token(static_cast<std::size_t>(group.front())));
+      to_join.front().solved.report.factorizations += outcome.factorizations;
+      std::size_t next = 0;  // of those to join
+      for (const int c : group) {
+        if (solved_[c].uv.rows() == 0) continue;
+        finish_joined(static_cast<std::size_t>(c), outcome.is_joined, !outcome.is_joined || outcome.is_folded[next++]);
+      }
+    }
     std::vector<const SolvedChart*> solved;
     for (const int c : group) solved.push_back(&solved_[c]);
     session_.keep(members(group), solved);
     for (const int c : group) progress_.finish(static_cast<std::size_t>(c));
+  }
+
+  /// Without common lengths a chart has those at h = ease, or the error that it has so.
+  void finish_joined(std::size_t c, bool is_joined, bool is_folded) {
+    SolvedChart& solved = solved_[c];
+    solved.multipliers.resize(0);
+    if (is_joined) {
+      if (is_folded) propose_seams_for(c);
+    } else if (!report_.is_cancelled()) {
+      finish_settled(c);
+    } else if (is_settled_[c] == 0) {
+      solved = cancelled_chart();
+    } else if (solved.report.termination != Termination::cancelled) {
+      report_cancelled(solved.report);
+    }
+  }
+
+  void propose_seams_for(std::size_t c) {
+    SolvedChart& solved = solved_[c];
+    if (report_.is_cancelled()) return;
+    try {
+      solved.proposed_seams = propose_seams(charts_[c], run_, stop_token(c));
+    } catch (const Stopped&) {
+      report_cancelled(solved.report);
+    }
+  }
+
+  void finish_settled(std::size_t c) {
+    SolvedChart& solved = solved_[c];
+    const int spent = solved.report.factorizations;
+    solved = solve_settled(charts_[c], run_, stop_token(c));
+    solved.multipliers.resize(0);
+    solved.report.factorizations += spent;
+    if (solved.error || solved.report.termination == Termination::cancelled) return;
+    solved.report.warnings.push_back(
+        "No good shapes were found with other lengths of the seams that give: they have those of their ease.");
+    solved.report.termination = Termination::stalled;
   }
 
   const std::vector<Chart>& charts_;
@@ -299,7 +354,7 @@ class ChartsSolver {
   std::vector<SolvedChart> solved_;
   std::vector<char> is_done_;      // taken from the cache with its group
   std::vector<char> is_together_;  // in a group
-  std::vector<std::optional<FlattenError>> settled_errors_;
+  std::vector<char> is_settled_;   // begins with the seams that give at h = ease
 };
 
 void pack(const Charts& charts, const Options& options, const StopToken& stop,
@@ -333,6 +388,10 @@ FlattenResult flatten_surface(const Run& run, const EdgeTable& edges, ProgressRe
   CacheSession session(cache, run.input, run.options);
   std::vector<SolvedChart> solved_charts = ChartsSolver(charts.charts, run, report, session).solve();
   session.finish();
+  if (run.options.cloth && run.options.cloth->stretch != std::array<double, 2>{0, 0}) {
+    const StopToken stop([&](const char* stage) { return report.go_on(stage, 0.9); });
+    stretch_charts(charts, run.options, stop.in("shape"), solved_charts);
+  }
   const bool was_cancelled = report.is_cancelled();
   if (!was_cancelled) report.go_on("measure", 0.9);
   int questions_left = was_cancelled ? kQuestionsAfterCancel : 0;
@@ -369,7 +428,9 @@ FlattenResult flatten_with(const FlattenInput& input, const InternalOptions& opt
     check_faces_share_edges(input, edges);
     check_seams_and_wires(input, edges);
     try {
-      result = flatten_surface({input, options}, edges, report, cache, seconds);
+      std::optional<FlattenInput> middle;
+      if (options.thickness > 0) middle = move_to_middle(input, options);
+      result = flatten_surface({middle ? *middle : input, options}, edges, report, cache, seconds);
     } catch (const Stopped&) {
       result = cancelled_result(input, edges);
     }

@@ -4,34 +4,49 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
-#include "chart_errors.h"
 #include "charts/seams_that_give.h"
 #include "factorization_failed.h"
 #include "feasibility/folded_faces.h"
 #include "network/length_variation.h"
+#include "orientation/upright_direction.h"
 #include "piece_report.h"
 #include "progress_report.h"
 #include "refine/refine_chart.h"
+#include "refine/refine_cloth.h"
 #include "refine/refine_together.h"
 
 namespace wirewarp {
 namespace {
 
+std::vector<char> find_folded(const std::vector<ChartToJoin>& charts) {
+  std::vector<char> is_folded;
+  for (const ChartToJoin& one : charts) {
+    is_folded.push_back(find_folded_faces(one.chart.mesh, one.solved.uv).empty() ? 0 : 1);
+  }
+  return is_folded;
+}
+
 /// None where no common lengths are found.
 std::optional<JoinedShapes> find_shapes(const std::vector<ChartToJoin>& charts, const InternalOptions& options,
-                                        const StopToken& stop) {
+                                        RefineBudget& budget, const StopToken& stop) {
   std::vector<Chart> copies;
+  std::vector<ClothOnChart> cloths;
   std::vector<RefinementStart> starts;
   for (const ChartToJoin& one : charts) {
+    const Positions2& uv = one.solved.uv;
     copies.push_back(one.chart);
-    starts.emplace_back(one.solved.uv, one.solved.multipliers);
+    starts.emplace_back(uv, one.solved.multipliers);
+    if (!options.cloth) continue;
+    cloths.push_back({without_stretch(*options.cloth), {hold_direction(upright_pair(one.chart, uv, options), uv)}, {}});
   }
-  RefineBudget budget(options.max_factorizations);
   try {
-    JoinedShapes joined = refine_together(copies, options.fairness, starts, {budget, stop.in("shape")});
+    const Injectivity injectivity = options.cloth ? Injectivity::local : Injectivity::none;
+    JoinedShapes joined =
+        refine_together(copies, options.fairness, cloths, starts, {budget, stop.in("shape"), injectivity});
     return joined.shapes.front().is_exact ? std::optional(std::move(joined)) : std::nullopt;
   } catch (const FactorizationFailed&) {
     return std::nullopt;
@@ -45,6 +60,7 @@ std::optional<RefineResult> refine_unfolded(const Chart& chart, const InternalOp
   try {
     RefineResult refined = refine_chart(chart, options, stop);
     const bool is_good = refined.shape.is_exact && refined.shape.injectivity == Injectivity::global;
+    if (is_good && options.cloth) refine_cloth(chart, options, stop.in("shape"), refined);
     return is_good ? std::optional(std::move(refined)) : std::nullopt;
   } catch (const FactorizationFailed&) {
     return std::nullopt;
@@ -53,86 +69,74 @@ std::optional<RefineResult> refine_unfolded(const Chart& chart, const InternalOp
   }
 }
 
-/// The chart alone with its seams at these lengths, if that shape is good.
-void replace_folded(const Chart& chart, const InternalOptions& options, const StopToken& stop, SolvedChart& solved) {
-  if (find_folded_faces(chart.mesh, solved.uv).empty() || stop.is_stopped()) return;
-  const Chart settled = with_settled_seams(chart, solved.variation);
+/// The chart alone with its seams at these lengths, if that shape is good. Whether it is.
+bool replace_folded(const ChartToJoin& one, const InternalOptions& options, const StopToken& stop) {
+  if (stop.is_stopped()) return false;
+  SolvedChart& solved = one.solved;
+  const Chart settled = with_settled_seams(one.chart, solved.variation);
   std::optional<RefineResult> refined = refine_unfolded(settled, options, stop);
-  if (!refined) return;
+  if (!refined) return false;
   refined->factorizations += solved.report.factorizations;
   solved.report.warnings.clear();
   report_refinement(*refined, stop.is_stopped(), solved.report);
   solved.report.projected_gradient = std::numeric_limits<double>::quiet_NaN();
   solved.variation = variations_of(settled, refined->shape.variation);
   solved.uv = std::move(refined->shape.uv);
+  return true;
 }
 
-void take_shape(RefinedShape shape, double projected_gradient, bool was_stopped, const Chart& chart,
-                SolvedChart& solved) {
-  const std::string start = solved.report.start;
-  RefineResult refined;
-  refined.shape = std::move(shape);
-  refined.shape.iterations += solved.report.outer_iterations;
-  refined.start = start.c_str();
-  refined.factorizations = solved.report.factorizations + refined.shape.factorizations;
-  solved.report.warnings.clear();
-  report_refinement(refined, was_stopped, solved.report);
+void take_shape(RefinedShape shape, double projected_gradient, bool was_stopped, const ChartToJoin& one) {
+  SolvedChart& solved = one.solved;
+  report_next_refinement(shape, was_stopped, solved.report);
   solved.report.projected_gradient = projected_gradient;
-  solved.variation = variations_of(chart, refined.shape.variation);
-  solved.uv = std::move(refined.shape.uv);
+  solved.variation = variations_of(one.chart, shape.variation);
+  solved.uv = std::move(shape.uv);
 }
 
-/// Without common lengths a chart keeps those at h = ease; without a shape at these it has the error of before.
-void keep_settled(const ChartToJoin& one, bool was_stopped) {
-  PieceReport& report = one.solved.report;
-  if (one.settled_error) {
-    report.termination = was_stopped ? Termination::cancelled : Termination::failed;
-    one.solved.uv.resize(0, 2);
-    one.solved.network.reset();
-    one.solved.error = was_stopped ? cancelled() : *one.settled_error;
-  } else if (!was_stopped) {
-    report.warnings.push_back(
-        "No good shapes were found with other lengths of the seams that give: they have those of their ease.");
-    report.termination = Termination::stalled;
+/// All at h = ease, and none turned over or over itself.
+bool were_good(const std::vector<ChartToJoin>& charts, const std::vector<SolvedChart>& before) {
+  for (std::size_t k = 0; k < charts.size(); ++k) {
+    if (!charts[k].is_settled || !find_folded_faces(charts[k].chart.mesh, before[k].uv).empty()) return false;
   }
+  return true;
 }
-
-bool is_folded(const ChartToJoin& one) { return !find_folded_faces(one.chart.mesh, one.solved.uv).empty(); }
 
 }  // namespace
 
-void join_charts(const std::vector<ChartToJoin>& charts, const InternalOptions& options, const StopToken& stop) {
-  std::vector<SolvedChart> settled;
-  for (const ChartToJoin& one : charts) settled.push_back(one.solved);
-  const bool were_good = std::none_of(charts.begin(), charts.end(),
-                                      [](const ChartToJoin& one) { return one.settled_error || is_folded(one); });
+JoinOutcome join_charts(const std::vector<ChartToJoin>& charts, const InternalOptions& options, const StopToken& stop) {
+  std::vector<SolvedChart> before;
+  for (const ChartToJoin& one : charts) before.push_back(one.solved);
+  RefineBudget budget(options.max_factorizations);
   std::optional<JoinedShapes> joined;
   std::map<std::string, double> seconds;
   {
     const StageTimer timer(seconds, "shape");
-    joined = find_shapes(charts, options, stop);
+    joined = find_shapes(charts, options, budget, stop);
   }
   charts.front().solved.report.seconds["shape"] += seconds["shape"];
+  if (!joined) return {false, budget.spent(), {}};
   for (std::size_t k = 0; k < charts.size(); ++k) {
-    const ChartToJoin& one = charts[k];
-    if (!joined) {
-      keep_settled(one, stop.is_stopped());
-      continue;
-    }
-    take_shape(std::move(joined->shapes[k]), joined->projected_gradient, stop.is_stopped(), one.chart, one.solved);
-    replace_folded(one.chart, options, stop, one.solved);
-    if (!is_folded(one)) one.solved.proposed_seams.clear();
+    take_shape(std::move(joined->shapes[k]), joined->projected_gradient, stop.is_stopped(), charts[k]);
   }
-  if (were_good && std::any_of(charts.begin(), charts.end(), is_folded)) {  // good pieces come before less distortion
+  std::vector<char> is_folded = find_folded(charts);
+  for (std::size_t k = 0; k < charts.size(); ++k) {
+    if (is_folded[k] != 0 && replace_folded(charts[k], options, stop)) is_folded[k] = 0;
+  }
+  const bool is_any_folded =
+      std::count(is_folded.begin(), is_folded.end(), 0) < static_cast<std::ptrdiff_t>(is_folded.size());
+  if (is_any_folded && were_good(charts, before)) {
+    int spent = 0;
     for (std::size_t k = 0; k < charts.size(); ++k) {
-      charts[k].solved = std::move(settled[k]);
-      keep_settled(charts[k], stop.is_stopped());
+      spent += charts[k].solved.report.factorizations - before[k].report.factorizations;
+      charts[k].solved = std::move(before[k]);
     }
+    return {false, spent, {}};
   }
-  if (!stop.is_stopped()) return;
   for (const ChartToJoin& one : charts) {  // also of those that were done: together they are not
-    if (one.solved.report.termination != Termination::cancelled) report_cancelled(one.solved.report);
+    const bool is_told = one.solved.report.termination == Termination::cancelled;
+    if (stop.is_stopped() && !is_told) report_cancelled(one.solved.report);
   }
+  return {true, 0, std::move(is_folded)};
 }
 
 }  // namespace wirewarp

@@ -17,19 +17,34 @@ void report_solution(const OuterSolution& solution, PieceReport& report) {
   report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
 }
 
+namespace {
+
+/// Of a shape with exact lengths. The warnings say what keeps it from being converged.
+void report_shape(const RefinedShape& shape, bool was_stopped, PieceReport& report) {
+  report.constraint_residual = shape.length_error;
+  report.objective = shape.objective;
+  if (!was_stopped && !shape.converged) {
+    report.warnings.push_back("The shape stopped short of the least distortion.");
+  }
+  report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
+  if (was_stopped) report_cancelled(report);
+}
+
+}  // namespace
+
 void report_refinement(const RefineResult& refined, bool was_stopped, PieceReport& report) {
   report.inner_solves = refined.inner.num_solves;
   report.outer_iterations = refined.shape.iterations;
   report.factorizations = refined.factorizations;
   report.start = refined.start;
-  if (!refined.shape.is_exact) return;
-  report.constraint_residual = refined.shape.length_error;
-  report.objective = refined.shape.objective;
-  if (!was_stopped && !refined.shape.converged) {
-    report.warnings.push_back("The shape stopped short of the least distortion.");
-  }
-  report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
-  if (was_stopped) report_cancelled(report);
+  if (refined.shape.is_exact) report_shape(refined.shape, was_stopped, report);
+}
+
+void report_next_refinement(const RefinedShape& shape, bool was_stopped, PieceReport& report) {
+  report.warnings.clear();
+  report.outer_iterations += shape.iterations;
+  report.factorizations += shape.factorizations;
+  report_shape(shape, was_stopped, report);
 }
 
 void report_cancelled(PieceReport& report) {

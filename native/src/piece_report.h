@@ -11,6 +11,9 @@ void report_solution(const OuterSolution& solution, PieceReport& report);
 
 void report_refinement(const RefineResult& refined, bool was_stopped, PieceReport& report);
 
+/// Of an exact shape that was refined from that of the report.
+void report_next_refinement(const RefinedShape& shape, bool was_stopped, PieceReport& report);
+
 /// Of a shape that has exact lengths when the caller stops.
 void report_cancelled(PieceReport& report);
 

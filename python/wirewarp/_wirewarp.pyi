@@ -17,6 +17,7 @@ class Cloth:
         shear: float = 0.5,
         *,
         squeeze: float = 1.0,
+        stretch: npt.ArrayLike = (0.0, 0.0),
         locking: float | None = None,
         limits: npt.ArrayLike | None = None,
     ) -> None: ...
@@ -30,6 +31,8 @@ class Cloth:
     def shear(self) -> float: ...
     @property
     def squeeze(self) -> float: ...
+    @property
+    def stretch(self) -> tuple[float, float]: ...
     @property
     def locking(self) -> float | None: ...
     @property
@@ -56,6 +59,8 @@ class Options:
     @cloth.setter
     def cloth(self, value: Cloth | str | None) -> None: ...
     grain_angle: float
+    thickness: float
+    surface: Literal["inside", "middle", "outside"]
     def __init__(
         self,
         *,
@@ -72,6 +77,8 @@ class Options:
         mirror: bool = False,
         cloth: Cloth | str | None = None,
         grain_angle: float = 0.0,
+        thickness: float = 0.0,
+        surface: Literal["inside", "middle", "outside"] = "inside",
     ) -> None: ...
     def to_dict(self) -> dict[str, Any]: ...
 

@@ -3,7 +3,7 @@
 // the mean over it.
 #include <gtest/gtest.h>
 
-#include "packing/rising_direction.h"
+#include "orientation/rising_direction.h"
 #include "test_meshes.h"
 
 namespace wirewarp {

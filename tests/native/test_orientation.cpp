@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "packing/rising_direction.h"
-#include "packing/straightest_outline.h"
-#include "packing/upright_direction.h"
+#include "orientation/rising_direction.h"
+#include "orientation/straightest_outline.h"
+#include "orientation/upright_direction.h"
 #include "test_meshes.h"
 
 namespace wirewarp {

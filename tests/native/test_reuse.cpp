@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <set>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -57,6 +60,36 @@ TEST(SolutionKey, KnowsWhatTheShapeDependsOnAndNothingElse) {
   EXPECT_EQ(key_of(changed, 0), key_of(input, 0)) << "a wire's number is a name only";
   changed.faces.row(0) << input.faces(0, 1), input.faces(0, 2), input.faces(0, 0);
   EXPECT_NE(key_of(changed, 0), key_of(input, 0));
+}
+
+TEST(SolutionKey, TellsOptionsApartThatDifferInAnyOfTheirNumbers) {
+  const FlattenInput input = two_domes();
+  const Charts charts = test::charts_of(input);
+  const std::vector<std::function<void(Options&)>> changes = {
+      [](Options& o) { o.fairness = 0.1; },
+      [](Options& o) { o.max_factorizations = 50; },
+      [](Options& o) { o.cloth->weft = 0.5; },
+      [](Options& o) { o.cloth->warp = 0.5; },
+      [](Options& o) { o.cloth->shear = 0.1; },
+      [](Options& o) { o.cloth->squeeze = 0.1; },
+      [](Options& o) { o.cloth->locking = 0.5; },
+      [](Options& o) { o.orientation = Orientation::up; },
+      [](Options& o) { o.grain = 0; },
+      [](Options& o) { o.grain_angle = 0.5; },
+      [](Options& o) {
+        o.up = {0, 1, 0};
+      },
+  };
+  std::set<std::string> keys;
+  for (unsigned made = 0; made < 1U << changes.size(); ++made) {  // every choice of them together
+    Options options;
+    options.cloth.emplace();
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      if ((made >> i & 1U) != 0) changes[i](options);
+    }
+    keys.insert(solution_key({&charts.charts.at(0)}, options));
+  }
+  EXPECT_EQ(keys.size(), std::size_t{1} << changes.size());
 }
 
 TEST(Cache, ThreadsMayShareIt) {

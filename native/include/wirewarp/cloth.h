@@ -25,6 +25,13 @@ struct Cloth {
   static constexpr double least_squeeze = 0.01;
   static constexpr double most_squeeze = 100;
 
+  /// How much longer than flat the cloth is when it is worn, along weft and warp: 0.2 is 20 %, negative ease. Threads
+  /// and the angle between them cost what they deviate from that, and lengths are promised so much shorter, each by
+  /// its direction; the sides of a seam alike. Dimensionless, in [-0.5, 4].
+  std::array<double, 2> stretch = {0, 0};
+  static constexpr double least_stretch = -0.5;
+  static constexpr double most_stretch = 4;
+
   /// γ, radians, in (0, π/2), from which on the threads press on one another: more costs 10 max(weft, warp)
   /// (|sin γ| − sin locking)². None: never.
   std::optional<double> locking;

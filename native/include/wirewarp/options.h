@@ -43,6 +43,13 @@ enum class Orientation {
   best,      // of a cloth: the direction in which it has the least energy
 };
 
+/// Where in the thickness of the material the surface lies.
+enum class Surface {
+  inside,   // behind the front faces there is no material: the skin that something worn must fit
+  middle,   // the material lies half on either side
+  outside,  // the material lies behind the front faces
+};
+
 /// How to flatten. A value out of its range is a FlattenError (invalid_option).
 struct Options {
   Method method = Method::refined;              // how wire lengths and the shape are found
@@ -64,6 +71,12 @@ struct Options {
   /// resists alike in all directions, Eq. (4). The piece is turned as orientation says and then held so; under wire,
   /// boundary and up by the direction between two of its vertices.
   std::optional<Cloth> cloth;
+
+  /// How thick the material is, scene units. Foam and neoprene bend around the middle of their thickness: that is what
+  /// is flattened, and all lengths and areas are of it. 0 or above and finite.
+  double thickness = 0;
+
+  Surface surface = Surface::inside;  // where in the thickness the given surface lies
 
   PieceLayout layout = PieceLayout::packed;     // where the pieces lie
   Orientation orientation = Orientation::wire;  // what stands upright in each piece

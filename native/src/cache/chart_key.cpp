@@ -56,7 +56,7 @@ void write_mesh(const HalfEdgeMesh& mesh, KeyWriter& key) {
   for (const FaceHandle f : mesh.faces()) key.write(mesh.halfedge_handle(f).idx());
 }
 
-/// A chart of a cloth is solved as it is turned.
+/// A chart of a cloth is solved as it is turned. What is kept comes before the cloth's stretch.
 void write_cloth(const Chart& chart, const Options& options, KeyWriter& key) {
   key.write(options.cloth.has_value());
   if (!options.cloth) return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
+#include <cmath>
 
 #include "check_input/check_input.h"
 #include "errors/sentence.h"
@@ -23,6 +24,9 @@ void check_options(const Options& options) {
   check_range("gap", options.gap, 0, 1);
   check_range("fairness", options.fairness, Options::least_fairness, Options::most_fairness);
   check_range("grain_angle", options.grain_angle, -kPi, kPi);
+  if (!(options.thickness >= 0 && std::isfinite(options.thickness))) {
+    refuse("thickness", shortest(options.thickness), "be 0 or above and finite, in scene units");
+  }
   if (options.cloth) {
     check_cloth(*options.cloth);
     if (options.method != Method::refined) {

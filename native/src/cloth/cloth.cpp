@@ -29,9 +29,9 @@ void check_stiffness(const std::string& name, double value) {
 // compress: nobody publishes by how much, so these two factors are chosen, not measured.
 const std::map<std::string, Cloth>& presets() {
   static const std::map<std::string, Cloth> all = {
-      {"woven", {1, 1, 0.05, 1, kPi / 4, {}}}, {"denim", {0.21, 1, 0.06, 1, {}, {}}},
-      {"jersey", {0.3, 0.6, 0.15, 1, {}, {}}}, {"swim", {0.29, 1, 0.17, 1, {}, {}}},
-      {"leather", {1, 1, 0.5, 4, {}, {}}},     {"neoprene", {1, 1, 0.5, 2, {}, {}}},
+      {"woven", {1, 1, 0.05, 1, {}, kPi / 4, {}}}, {"denim", {0.21, 1, 0.06, 1, {}, {}, {}}},
+      {"jersey", {0.3, 0.6, 0.15, 1, {}, {}, {}}}, {"swim", {0.29, 1, 0.17, 1, {}, {}, {}}},
+      {"leather", {1, 1, 0.5, 4, {}, {}, {}}},     {"neoprene", {1, 1, 0.5, 2, {}, {}, {}}},
   };
   return all;
 }
@@ -65,6 +65,12 @@ void check_cloth(const Cloth& cloth) {
   if (!(cloth.squeeze >= Cloth::least_squeeze && cloth.squeeze <= Cloth::most_squeeze)) {
     refuse("squeeze", cloth.squeeze,
            "lie between " + shortest(Cloth::least_squeeze) + " and " + shortest(Cloth::most_squeeze));
+  }
+  for (const double stretch : cloth.stretch) {
+    if (!(stretch >= Cloth::least_stretch && stretch <= Cloth::most_stretch)) {
+      refuse("stretch", stretch,
+             "lie between " + shortest(Cloth::least_stretch) + " and " + shortest(Cloth::most_stretch));
+    }
   }
   if (cloth.locking && !(*cloth.locking > 0 && *cloth.locking < kPi / 2)) {
     refuse("locking", *cloth.locking, "be an angle above 0 and below a quarter turn, in radians");

@@ -14,6 +14,10 @@
 // Threads and shear of woven cloth as independent springs: D. E. Breen, D. H. House, M. J. Wozny (1994), J. McCartney
 // et al. (2000). As a → b → 0 together φ stays finite, and that of a mirror image is no larger: φ is no barrier. D <= 0
 // counts as infinite.
+//
+// Of a cloth that is worn stretched by S = diag(1 + c_weft, 1 + c_warp) J is the map to the stretched cloth, S times
+// the one to the flat piece: threads and angle then deviate from what they are meant to be, and the flat area is 1 /
+// det S of that on which W counts here.
 #pragma once
 
 #include <Eigen/Core>

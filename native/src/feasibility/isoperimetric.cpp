@@ -21,20 +21,22 @@ constexpr double kRequiredOfTube = 0.45;
 
 }  // namespace
 
-double isoperimetric_ratio(const Chart& chart) {
+double longest_length(const Chart& chart, const HalfEdgeChain& loop) {
   std::vector<double> stretch(chart.mesh.n_edges(), 1);
   for (const WirePart& part : chart.wire_parts) {
     if (!gives_on_boundary(part)) continue;
     for (const HalfedgeHandle h : part.half_edges) stretch[chart.mesh.edge_handle(h).idx()] += solver_tolerance(part);
   }
-  double longest = 0;
-  for (const HalfEdgeChain& loop : chart.boundary_loops) {
-    double length = 0;
-    for (const HalfedgeHandle h : loop) {
-      length += stretch[chart.mesh.edge_handle(h).idx()] * length_ratio(chart, h) * edge_length(chart.mesh, h);
-    }
-    longest = std::max(longest, length);
+  double length = 0;
+  for (const HalfedgeHandle h : loop) {
+    length += stretch[chart.mesh.edge_handle(h).idx()] * length_ratio(chart, h) * edge_length(chart.mesh, h);
   }
+  return length;
+}
+
+double isoperimetric_ratio(const Chart& chart) {
+  double longest = 0;
+  for (const HalfEdgeChain& loop : chart.boundary_loops) longest = std::max(longest, longest_length(chart, loop));
   return longest * longest / (4 * kPi * surface_area(chart.mesh));
 }
 

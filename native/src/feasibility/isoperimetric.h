@@ -7,6 +7,9 @@
 
 namespace wirewarp {
 
+/// The longest that eases and tolerances let a boundary loop be, scene units.
+double longest_length(const Chart& chart, const HalfEdgeChain& loop);
+
 /// p: the largest part of its area that a chart can have when flat, by the longest that a loop may be. Above 1: no
 /// bound. 0: closed.
 double isoperimetric_ratio(const Chart& chart);

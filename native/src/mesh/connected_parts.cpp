@@ -25,4 +25,12 @@ std::vector<ConnectedPart> find_connected_parts(const HalfEdgeMesh& mesh) {
   return parts;
 }
 
+std::vector<double> area_at_vertices(const HalfEdgeMesh& mesh) {
+  std::vector<double> area(mesh.n_vertices());
+  for (const ConnectedPart& part : find_connected_parts(mesh)) {
+    for (const int v : part.vertices) area[v] = part.area;
+  }
+  return area;
+}
+
 }  // namespace wirewarp

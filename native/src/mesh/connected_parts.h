@@ -16,4 +16,7 @@ struct ConnectedPart {
 /// By their lowest vertex.
 std::vector<ConnectedPart> find_connected_parts(const HalfEdgeMesh& mesh);
 
+/// Per vertex, the area of the connected part that it lies on, scene units squared.
+std::vector<double> area_at_vertices(const HalfEdgeMesh& mesh);
+
 }  // namespace wirewarp

@@ -87,7 +87,9 @@ double planar_angle(const Chart& chart, const WireNetwork& network, const WireNo
   return angle + 2 * kPi * std::round((node.surface_angle - angle) / (2 * kPi));
 }
 
-double measure_cloth_energy(const Chart& chart, const Positions2& uv, const Cloth& cloth) {
+double measure_cloth_energy(const Chart& chart, const Positions2& flat, const Cloth& cloth) {
+  const Eigen::Vector2d stretched(1 + cloth.stretch[0], 1 + cloth.stretch[1]);
+  const Positions2 uv = flat * stretched.asDiagonal();
   const ClothLaw law(cloth);
   const ShapeError shape_error(chart);
   double energy = 0, area = 0;
@@ -95,7 +97,7 @@ double measure_cloth_energy(const Chart& chart, const Positions2& uv, const Clot
     energy += t.area * law.density(ShapeError::map_of(t, uv).matrix());
     area += t.area;
   }
-  return energy / area;
+  return energy / area / stretched.prod();  // per flat area
 }
 
 std::optional<std::string> warn_of_limits(const Chart& chart, const Metrics& metrics, const Cloth& cloth) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "packing/rising_direction.h"
+#include "orientation/rising_direction.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

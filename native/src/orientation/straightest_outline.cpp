@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "packing/straightest_outline.h"
+#include "orientation/straightest_outline.h"
 
 #include <cmath>
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "packing/upright_direction.h"
+#include "orientation/upright_direction.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "mesh/geometry.h"
-#include "packing/rising_direction.h"
-#include "packing/straightest_outline.h"
+#include "orientation/rising_direction.h"
+#include "orientation/straightest_outline.h"
 #include "planar.h"
 
 namespace wirewarp {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "charts/enclosed_area.h"
+#include "orientation/upright_direction.h"
 #include "packing/pack_boxes.h"
-#include "packing/upright_direction.h"
 #include "work_meter.h"
 
 namespace wirewarp {

@@ -50,15 +50,6 @@ Eigen::Matrix2d conjugate_product(const HatGradients& g, int i, int j) {
   return (Eigen::Matrix2d() << dot, -cross, cross, dot).finished();
 }
 
-/// Of the connected part that each vertex lies on.
-std::vector<double> area_at_vertices(const HalfEdgeMesh& mesh) {
-  std::vector<double> area(mesh.n_vertices());
-  for (const ConnectedPart& part : find_connected_parts(mesh)) {
-    for (const int v : part.vertices) area[v] = part.area;
-  }
-  return area;
-}
-
 }  // namespace
 
 FairShapeError::FairShapeError(const RefineTask& task, Injectivity injectivity, const Positions2& layout)

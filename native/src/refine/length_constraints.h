@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The promise as equations: every edge of the boundary and of a rigid or elastic wire has its length. Under a cloth
-// there is one more, last, which keeps the piece from turning.
+// there is one more for each connected part, last, which keeps it from turning.
 //
 //   c_e(u, h) = |d| − (1 + h) l,   d = u_b − u_a      h is 0 but on elastic parts, and shared evenly by their edges;
 //                                                     here it is the solver's g (charts/chart.h), l what is asked for
@@ -9,10 +9,15 @@
 //   ∂²c_e/∂d² = n nᵀ / |d|,   n ⊥ d̂
 //
 //   c_g(u) = m·d        with a fixed m in the place of d̂; ∂²c_g/∂d² = 0
+//
+// Of a cloth that is worn stretched u is the layout of the stretched cloth (refine/refine_task.h), and the flat edge is
+// w = S⁻¹ d:
+//
+//   c_e(u, h) = |w| − (1 + h) l;   ∂c_e/∂d = S⁻¹ ŵ, which is meant by d̂;   ∂²c_e/∂d² = m mᵀ / |w|³,   m ⊥ d, |m| = |d|
+//   / det S
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <optional>
 #include <vector>
 
 #include "refine/refine_task.h"
@@ -28,15 +33,15 @@ class LengthConstraints {
     int elastic;    // entry of h, -1: h is 0
   };
 
-  /// grain: the row against turning, null: none; layout: one that tells its length.
-  LengthConstraints(const Chart& chart, const HeldNetwork& network, const GrainRow* grain = nullptr,
+  /// cloth: with its rows against turning, null: none; layout: one that tells their lengths.
+  LengthConstraints(const Chart& chart, const HeldNetwork& network, const ClothOnChart* cloth = nullptr,
                     const Positions2& layout = {});
 
   const std::vector<Edge>& edges() const { return edges_; }
   int size() const { return static_cast<int>(edges_.size()); }
 
   /// Has no curvature.
-  bool is_linear(int edge) const { return grain_normal_ && edge == size() - 1; }
+  bool is_linear(int edge) const { return edge >= size() - static_cast<int>(grain_normals_.size()); }
 
   /// The entry of h that a wire part of the chart has, -1 none. One for all sides of a seam that gives.
   const std::vector<int>& elastic_of_part() const { return elastic_of_part_; }
@@ -68,6 +73,9 @@ class LengthConstraints {
   /// d̂, one row per edge; zero where an edge has no length.
   Positions2 directions(const Positions2& uv) const;
 
+  /// λ ∂²c/∂d² of an edge; zero where it has no length.
+  Eigen::Matrix2d curvature(int edge, const Positions2& uv, double multiplier) const;
+
   /// J d for the directions of a linearization. #edges.
   Eigen::VectorXd apply(const Positions2& directions, const Eigen::Ref<const Positions2>& d) const;
 
@@ -76,12 +84,22 @@ class LengthConstraints {
                       Eigen::Ref<Positions2> result) const;
 
  private:
+  const Eigen::RowVector2d& grain_normal(int edge) const {
+    return grain_normals_[edge - (size() - static_cast<int>(grain_normals_.size()))];
+  }
+
+  /// w.
+  Eigen::RowVector2d flat_edge(const Edge& edge, const Positions2& uv) const {
+    return (uv.row(edge.b) - uv.row(edge.a)).cwiseProduct(flat_share_);
+  }
+
   std::vector<Edge> edges_;
   std::vector<int> elastic_of_part_;
   Eigen::VectorXd tolerance_;
   Eigen::SparseMatrix<double> elastic_lengths_;
-  std::optional<Eigen::RowVector2d> grain_normal_;  // m
-  double rounding_length_;                          // 10⁻⁵ √area
+  std::vector<Eigen::RowVector2d> grain_normals_;  // m
+  Eigen::RowVector2d flat_share_{1, 1};            // the diagonal of S⁻¹
+  double rounding_length_;                         // 10⁻⁵ √area
 };
 
 }  // namespace wirewarp

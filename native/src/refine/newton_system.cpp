@@ -161,11 +161,10 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
   directions_ = constraints_.directions(uv);
   for (int e = 0; e < constraints_.size(); ++e) {
     const LengthConstraints::Edge& edge = constraints_.edges()[e];
-    const double length = (uv.row(edge.b) - uv.row(edge.a)).norm();
-    const bool counts = !constraints_.is_linear(e) && length > 0 && (convexity.keep_compression || multipliers[e] > 0);
-    const double across = counts ? multipliers[e] / length : 0;
-    const Eigen::Vector2d d = directions_.row(e).transpose(), n(-d.y(), d.x());
-    const Eigen::Matrix2d block = stiffness_share * stiffness_[e] * d * d.transpose() + across * n * n.transpose();
+    const bool counts = convexity.keep_compression || multipliers[e] > 0;
+    const Eigen::Vector2d d = directions_.row(e).transpose();
+    Eigen::Matrix2d block = stiffness_share * stiffness_[e] * d * d.transpose();
+    if (counts) block += constraints_.curvature(e, uv, multipliers[e]);
     matrix_.add_diagonal(edge.a, block);
     matrix_.add_diagonal(edge.b, block);
     matrix_.add(edge_blocks_[e], -block);

@@ -86,7 +86,7 @@ RefineResult without_flips_and_overlaps(RefineResult result, const StartProblem&
 RefineResult refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
   const HeldNetwork network = build_held_network(chart);
   RefineBudget budget(options.max_factorizations);
-  const double worthwhile = options.cloth ? RefineConstants::worthwhile_on_the_way : RefineConstants::worthwhile;
+  const double worthwhile = options.cloth ? RefineConstants::worthwhile_on_the_way : options.worthwhile;
   const StartProblem problem{
       {chart, network, options.fairness, nullptr, worthwhile}, budget, stop, options.large_chart};
   RefineResult result;

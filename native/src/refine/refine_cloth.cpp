@@ -11,10 +11,10 @@
 
 #include "factorization_failed.h"
 #include "mesh/geometry.h"
-#include "packing/upright_direction.h"
+#include "orientation/upright_direction.h"
 #include "planar.h"
 #include "refine/injective_shape.h"
-#include "refine/sewn_problem.h"
+#include "refine/shut_slits.h"
 
 namespace wirewarp {
 namespace {
@@ -23,39 +23,6 @@ constexpr int kDirections = 36;  // every 5° of a half turn, after which a clot
 constexpr std::size_t kBestStarts = 3;
 constexpr int kMaxTurns = 15;   // samples take 3 to 6
 constexpr double kShorter = 4;  // after a turn that does not go down, as in a line search
-
-// Rims of a slit that are nearer to one another than this share of the slit's length lie on one another: exact lengths
-// leave a millionth of that.
-constexpr double kShut = 1e-7;
-
-bool is_shut(const Chart& chart, const Slit& slit, const Positions2& uv) {
-  const auto place = [&](VertexHandle v) { return uv.row(v.idx()); };
-  double length = 0, gap = 0;
-  for (std::size_t i = 0; i < slit.rims.size(); ++i) {
-    const HalfedgeHandle rim = slit.rims[i], mate = slit.rims[slit.mate[i]];
-    const auto begin = place(chart.mesh.from_vertex_handle(rim)), end = place(chart.mesh.to_vertex_handle(rim));
-    length += (end - begin).norm();
-    gap = std::max(gap, (place(chart.mesh.to_vertex_handle(mate)) - begin).norm());
-  }
-  return gap < kShut * length;
-}
-
-/// Slits that are shut stay so, sewn: open rims that lie on one another are no smooth point (refine/open_slits.h).
-RefinedShape refine_with_shut_slits(const RefineTask& task, const RefinementStart& start,
-                                    const RefinementLimits& limits) {
-  std::vector<Slit> slits = find_slits(task.chart);
-  const auto is_open = [&](const Slit& slit) { return !is_shut(task.chart, slit, start.uv); };
-  slits.erase(std::remove_if(slits.begin(), slits.end(), is_open), slits.end());
-  std::optional<SewnChart> sewn;
-  if (!slits.empty()) sewn = sew(task.chart, slits);
-  if (!sewn) return refine_shape(task, start, limits);
-  const SewnProblem problem(task, std::move(*sewn));
-  const RefinedShape of_sewn = refine_shape(problem.task(), problem.to_sewn(start), limits);
-  RefinedShape shape = evaluate_shape(task, problem.to_open(of_sewn));
-  shape.converged = of_sewn.converged;
-  shape.iterations = of_sewn.iterations;
-  return shape;
-}
 
 /// Turned about the origin by an angle, counter-clockwise.
 Positions2 turned(const Positions2& uv, double angle) {
@@ -79,7 +46,9 @@ class ClothRefinement {
   };
 
   std::vector<Turn> best_turns(const Positions2& uv) const;
-  RefineTask task(const ClothOnChart& cloth) const { return {chart_, network_, options_.fairness, &cloth}; }
+  RefineTask task(const ClothOnChart& cloth) const {
+    return {chart_, network_, options_.fairness, &cloth, options_.worthwhile};
+  }
   ClothOnChart cloth_held_as(const Positions2& uv) const;
   RefinedShape refine_held(const RefinementStart& start, RefineBudget& budget) const;
   RefinedShape refine_turning(const RefinedShape& upright, RefineBudget& budget) const;
@@ -97,8 +66,7 @@ class ClothRefinement {
 };
 
 ClothOnChart ClothRefinement::cloth_held_as(const Positions2& uv) const {
-  const Eigen::Vector2d chord = (uv.row(pair_[1]) - uv.row(pair_[0])).transpose().normalized();
-  return {*options_.cloth, {pair_[0], pair_[1], {chord.y(), -chord.x()}}};
+  return {without_stretch(*options_.cloth), {hold_direction(pair_, uv)}, {}};
 }
 
 /// Turned as the start is. The piece may not cover itself where it did not before: where it does, once more with a

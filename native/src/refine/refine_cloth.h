@@ -14,9 +14,21 @@
 
 namespace wirewarp {
 
+inline Cloth without_stretch(Cloth cloth) {
+  cloth.stretch = {0, 0};
+  return cloth;
+}
+
+/// Holds the direction that two vertices have in a layout.
+inline GrainRow hold_direction(const VertexPair& pair, const Positions2& uv) {
+  const Eigen::Vector2d chord = (uv.row(pair[1]) - uv.row(pair[0])).transpose().normalized();
+  return {pair[0], pair[1], {chord.y(), -chord.x()}};
+}
+
 /// result: the shape of refine_chart(), exact; upright afterwards, x along the weft, and refined for options.cloth
-/// unless it has triangles turned over. Where the caller stops, the factorizations of options are spent, or the cloth
-/// would turn a triangle over or lay the piece over itself, the shape at hand.
+/// unless it has triangles turned over; its multipliers then have one for the row, last. Where the caller stops, the
+/// factorizations of options are spent, or the cloth would turn a triangle over or lay the piece over itself, the shape
+/// at hand. The cloth's stretch comes later (stretch_charts.h).
 void refine_cloth(const Chart& chart, const InternalOptions& options, const StopToken& stop, RefineResult& result);
 
 }  // namespace wirewarp

@@ -11,8 +11,9 @@ struct RefineConstants {
   /// Decrease of f that a step must promise, over f: lengths are exact at every step, so that only the shape gains from
   /// more digits, and f sums up rounding of 1e-13 on a million triangles.
   static constexpr double worthwhile = 1e-9;
-  /// The same for the shape without a cloth that a cloth begins at. On the samples 1e-2 takes a tenth more
-  /// factorizations in all; 1 takes 16 instead of 10 on a quarter sphere.
+  /// The same for shapes that others begin at: without a cloth, those of a cloth; with seams settled, those of seams
+  /// that give. On the samples 1e-2 takes a tenth more factorizations in all; 1 takes 16 instead of 10 on a quarter
+  /// sphere.
   static constexpr double worthwhile_on_the_way = 0.1;
   /// f over the area, below which a shape is isometric: strains of 1e-11, a hundredth of what is promised of lengths.
   static constexpr double isometric = 1e-22;

@@ -12,7 +12,7 @@ namespace wirewarp {
 
 RefineProblem::RefineProblem(const RefineTask& task, Injectivity injectivity, const Positions2& layout)
     : chart_(task.chart),
-      constraints_(task.chart, task.network, task.cloth ? &task.cloth->grain : nullptr, layout),
+      constraints_(task.chart, task.network, task.cloth, layout),
       objective_(task, injectivity, layout),
       worthwhile_(task.worthwhile) {
   // What rounding leaves of f is felt on slivers and edges of 1e-8 of the piece.

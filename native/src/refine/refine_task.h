@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "network/wire_network.h"
 #include "refine/refine_constants.h"
 #include "wirewarp/cloth.h"
@@ -13,10 +15,12 @@ struct GrainRow {
   Eigen::Vector2d normal;
 };
 
-/// The cloth a chart is cut from; x is its weft, y its warp.
+/// The cloth a chart is cut from; x is its weft, y its warp. With a stretch the layout is that of the stretched cloth,
+/// S u for a flat piece u, S = diag(1 + c_weft, 1 + c_warp): energies are as without a stretch, flat lengths |S⁻¹ d|.
 struct ClothOnChart {
   Cloth cloth;
-  GrainRow grain;
+  std::vector<GrainRow> grains;    // one a connected part
+  std::vector<double> flat_ratio;  // per edge of the chart: the flat length over that without a stretch; none: 1
 };
 
 /// A chart to refine: what f and the lengths are made of.

@@ -3,19 +3,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "charts/seams_that_give.h"
 #include "mesh/geometry.h"
 #include "refine/length_constraints.h"
+#include "refine/shut_slits.h"
 
 namespace wirewarp {
 namespace {
 
+/// The cloths of all charts as that of the united one.
+std::optional<ClothOnChart> unite_cloths(const UnitedCharts& united, const std::vector<Chart>& charts,
+                                         const std::vector<ClothOnChart>& cloths) {
+  if (cloths.empty()) return std::nullopt;
+  ClothOnChart all{cloths.front().cloth, {}, {}};
+  for (std::size_t c = 0; c < charts.size(); ++c) {
+    for (GrainRow grain : cloths[c].grains) {
+      grain.a += united.first_vertex[c];
+      grain.b += united.first_vertex[c];
+      all.grains.push_back(grain);
+    }
+    std::vector<double> ratios = cloths[c].flat_ratio;
+    ratios.resize(charts[c].mesh.n_edges(), 1);
+    all.flat_ratio.insert(all.flat_ratio.end(), ratios.begin(), ratios.end());
+  }
+  return all;
+}
+
 /// All starts side by side, so that the order of elimination tells the charts apart.
 RefinementStart place_side_by_side(const UnitedCharts& united, const HeldNetwork& network,
-                                   const std::vector<Chart>& charts, const std::vector<RefinementStart>& starts) {
+                                   const std::vector<Chart>& charts, const std::vector<ClothOnChart>& cloths,
+                                   const std::vector<RefinementStart>& starts) {
+  std::size_t num_rows = network.edges.size(), next_row = num_rows;
+  for (const ClothOnChart& cloth : cloths) num_rows += cloth.grains.size();
   RefinementStart all{Positions2(static_cast<Eigen::Index>(united.chart.mesh.n_vertices()), 2),
-                      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(network.edges.size()))};
+                      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(num_rows))};
   double right = 0;
   for (std::size_t c = 0; c < charts.size(); ++c) {
     const Eigen::RowVector2d low = starts[c].uv.colwise().minCoeff();
@@ -23,9 +47,17 @@ RefinementStart place_side_by_side(const UnitedCharts& united, const HeldNetwork
     right = uv.col(0).maxCoeff();
     all.uv.middleRows(united.first_vertex[c], uv.rows()) = uv;
     const HeldNetwork own = build_held_network(charts[c]);
+    const Eigen::VectorXd& multipliers = starts[c].multipliers;
+    const auto multiplier = [&](std::size_t row) {
+      const auto index = static_cast<Eigen::Index>(row);
+      return index < multipliers.size() ? multipliers[index] : 0;
+    };
     for (std::size_t e = 0; e < own.edges.size(); ++e) {
       const int there = network.wire_edge_of_edge[united.first_edge[c] + own.edges[e].edge.idx()];
-      all.multipliers[there] = starts[c].multipliers[static_cast<Eigen::Index>(e)];
+      all.multipliers[there] = multiplier(e);
+    }
+    for (std::size_t g = 0; g < (cloths.empty() ? 0 : cloths[c].grains.size()); ++g) {
+      all.multipliers[static_cast<Eigen::Index>(next_row++)] = multiplier(own.edges.size() + g);
     }
   }
   return all;
@@ -33,7 +65,7 @@ RefinementStart place_side_by_side(const UnitedCharts& united, const HeldNetwork
 
 /// What is left of the first-order conditions.
 double projected_gradient(const RefineTask& task, const RefinedShape& shape) {
-  const LengthConstraints constraints(task.chart, task.network);
+  const LengthConstraints constraints(task.chart, task.network, task.cloth, shape.uv);
   const double area = surface_area(task.chart.mesh);
   Positions2 gradient;
   FairShapeError(task).value_and_gradient(shape.uv, gradient);
@@ -52,12 +84,15 @@ double projected_gradient(const RefineTask& task, const RefinedShape& shape) {
 
 }  // namespace
 
-JoinedShapes refine_together(const std::vector<Chart>& charts, double fairness,
+JoinedShapes refine_together(const std::vector<Chart>& charts, double fairness, const std::vector<ClothOnChart>& cloths,
                              const std::vector<RefinementStart>& starts, const RefinementLimits& limits) {
   const UnitedCharts united = unite(charts);
   const HeldNetwork network = build_held_network(united.chart);
-  const RefineTask task{united.chart, network, fairness};
-  const RefinedShape whole = refine_shape(task, place_side_by_side(united, network, charts, starts), limits);
+  const std::optional<ClothOnChart> cloth = unite_cloths(united, charts, cloths);
+  const RefineTask task{united.chart, network, fairness, cloth ? &*cloth : nullptr};
+  const RefinementStart start = place_side_by_side(united, network, charts, cloths, starts);
+  const RefinedShape whole =
+      charts.size() == 1 ? refine_with_shut_slits(task, start, limits) : refine_shape(task, start, limits);
   JoinedShapes joined;
   joined.projected_gradient = projected_gradient(task, whole);
   for (std::size_t c = 0; c < charts.size(); ++c) {
@@ -68,7 +103,8 @@ JoinedShapes refine_together(const std::vector<Chart>& charts, double fairness,
     shape.uv = whole.uv.middleRows(united.first_vertex[c], starts[c].uv.rows());
     shape.variation =
         whole.variation.segment(united.first_part[c], static_cast<Eigen::Index>(charts[c].wire_parts.size()));
-    shape.objective = FairShapeError({charts[c], own, fairness}).value(shape.uv) / surface_area(charts[c].mesh);
+    const RefineTask alone{charts[c], own, fairness, cloth ? &cloths[c] : nullptr};
+    shape.objective = FairShapeError(alone).value(shape.uv) / surface_area(charts[c].mesh);
     joined.shapes.push_back(std::move(shape));
   }
   return joined;

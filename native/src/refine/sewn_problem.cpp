@@ -23,9 +23,17 @@ SewnProblem::SewnProblem(const RefineTask& open, SewnChart sewn)
   num_rows_ = static_cast<int>(network_.edges.size());
   if (!open.cloth) return;
   cloth_ = *open.cloth;
-  cloth_->grain.a = sewn_.vertex[cloth_->grain.a];
-  cloth_->grain.b = sewn_.vertex[cloth_->grain.b];
-  row_.push_back(num_rows_++);
+  if (!cloth_->flat_ratio.empty()) {
+    cloth_->flat_ratio.assign(sewn_.chart.mesh.n_edges(), 1);
+    for (std::size_t e = 0; e < open.network.edges.size(); ++e) {
+      cloth_->flat_ratio[network_.edges[row_[e]].edge.idx()] = open.cloth->flat_ratio[open.network.edges[e].edge.idx()];
+    }
+  }
+  for (GrainRow& grain : cloth_->grains) {
+    grain.a = sewn_.vertex[grain.a];
+    grain.b = sewn_.vertex[grain.b];
+    row_.push_back(num_rows_++);
+  }
 }
 
 RefinementStart SewnProblem::to_sewn(const RefinementStart& open) const {

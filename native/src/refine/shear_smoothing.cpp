@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "mesh/connected_parts.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
@@ -32,7 +33,7 @@ struct Side {
 
 ShearSmoothing::ShearSmoothing(const Chart& chart) {
   const HalfEdgeMesh& mesh = chart.mesh;
-  const double square = kWidth * kWidth * surface_area(mesh);
+  const std::vector<double> area_at = area_at_vertices(mesh);
   for (const EdgeHandle e : mesh.edges()) {
     if (mesh.is_boundary(e)) continue;
     const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
@@ -40,6 +41,7 @@ ShearSmoothing::ShearSmoothing(const Chart& chart) {
     const double length = edge_length(mesh, h), right_share = 1 - right.share;
     const double distance = std::hypot((left.share - right_share) * length, left.height + right.height) / 3;
     const double sum = 1 / left.height + 1 / right.height;
+    const double square = kWidth * kWidth * area_at[left.vertex];
     const double at_end = left.share / left.height + right_share / right.height;
     edges_.push_back({{mesh.from_vertex_handle(h).idx(), mesh.to_vertex_handle(h).idx(), left.vertex, right.vertex},
                       {sum - at_end, at_end, -1 / left.height, -1 / right.height},

@@ -7,9 +7,9 @@
 //   Z(u) = ½ (δ √A)² Σ (l/d) |[∂u/∂ν]|²    over the inner edges
 //
 // with [∂u/∂ν] the jump of the derivative across the edge, l its length, d the distance of the centroids of its
-// triangles, laid flat, A the area of the chart. It is the interior penalty of discontinuous Galerkin methods on plates
-// (J. Douglas, T. Dupont, Interior penalty procedures, 1976): quadratic, the same for every refinement, zero where the
-// chart is unfolded.
+// triangles, laid flat, A the area of the connected part. It is the interior penalty of discontinuous Galerkin methods
+// on plates (J. Douglas, T. Dupont, Interior penalty procedures, 1976): quadratic, the same for every refinement, zero
+// where the chart is unfolded.
 #pragma once
 
 #include <array>

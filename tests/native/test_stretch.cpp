@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cloth that is worn stretched, and material that is thick: closed forms.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "planar.h"
+#include "test_meshes.h"
+#include "wirewarp/cache.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kWeft = 0.25, kWarp = 0.1;  // the stretch
+constexpr double kRelative = 1e-8;
+
+Options stretched(double weft, double warp, double shear = 0.05) {
+  Options options;
+  options.cloth.emplace();
+  options.cloth->shear = shear;
+  options.cloth->stretch = {weft, warp};
+  return options;
+}
+
+/// √(cos²ψ/(1+c_weft)² + sin²ψ/(1+c_warp)²), ψ from the weft.
+double share_at(double angle) { return std::hypot(std::cos(angle) / (1 + kWeft), std::sin(angle) / (1 + kWarp)); }
+
+FlattenResult flat(const FlattenInput& input, const Options& options) {
+  FlattenResult result = flatten(input, options);
+  for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.report.message;
+  return result;
+}
+
+/// Of a chain of edges, in the first piece that has it.
+double flat_length(const FlattenResult& result, const std::vector<int>& chain) {
+  const Piece& piece = result.pieces.at(0);
+  const auto place = [&](int vertex) -> Eigen::RowVector2d {
+    const auto found = std::find(piece.source_vertex.begin(), piece.source_vertex.end(), vertex);
+    return piece.vertices.row(found - piece.source_vertex.begin());
+  };
+  double length = 0;
+  for (std::size_t i = 1; i < chain.size(); ++i) length += (place(chain[i]) - place(chain[i - 1])).norm();
+  return length;
+}
+
+double length_3d(const FlattenInput& input, const std::vector<int>& chain) {
+  double length = 0;
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    length += (input.vertices.row(chain[i]) - input.vertices.row(chain[i - 1])).norm();
+  }
+  return length;
+}
+
+void expect_share(const FlattenInput& input, const FlattenResult& result, const std::vector<int>& chain, double share) {
+  const double expected = share * length_3d(input, chain);
+  EXPECT_NEAR(flat_length(result, chain), expected, kRelative * expected);
+}
+
+constexpr int kAcross = 8, kUpright = 6;
+
+/// With its grain on the axis.
+FlattenInput cylinder() {
+  FlattenInput input = test::cylinder_patch(kAcross, kUpright, 1, 2, 1.5);
+  test::add_wire(input, test::grid_column(kAcross, kUpright, kAcross / 2));
+  return input;
+}
+
+TEST(Stretch, OfACylinderWithItsGrainOnTheAxis) {
+  const FlattenInput input = cylinder();
+  const FlattenResult result = flat(input, stretched(kWeft, kWarp));
+  EXPECT_LT(result.pieces.at(0).metrics.cloth_energy, 1e-16);
+  expect_share(input, result, test::grid_row(kAcross, 0), 1 / (1 + kWeft));
+  expect_share(input, result, test::grid_row(kAcross, kUpright), 1 / (1 + kWeft));
+  for (const int column : {0, kAcross / 2, kAcross}) {
+    expect_share(input, result, test::grid_column(kAcross, kUpright, column), 1 / (1 + kWarp));
+  }
+  const Metrics& metrics = result.pieces[0].metrics;
+  EXPECT_NEAR(metrics.face_weft_strain.maxCoeff(), kWeft, 1e-8) << "worn, it is stretched as was asked for";
+  EXPECT_NEAR(metrics.face_warp_strain.minCoeff(), kWarp, 1e-8);
+}
+
+TEST(Stretch, OfACylinderOnTheBias) {
+  const FlattenInput input = cylinder();
+  Options options = stretched(kWeft, kWarp);
+  options.grain_angle = kPi / 4;
+  const FlattenResult result = flat(input, options);
+  EXPECT_LT(result.pieces.at(0).metrics.cloth_energy, 1e-16);
+  const double share = std::sqrt((1 / ((1 + kWeft) * (1 + kWeft)) + 1 / ((1 + kWarp) * (1 + kWarp))) / 2);
+  expect_share(input, result, test::grid_row(kAcross, 0), share);
+  expect_share(input, result, test::grid_column(kAcross, kUpright, 0), share);
+}
+
+TEST(Stretch, OfAConeWithItsGrainInTheMiddle) {
+  const double half_angle = 0.5, around = 2.5;
+  FlattenInput input = test::cone_patch(kAcross, kUpright, 1, 3, half_angle, around);
+  test::add_wire(input, test::grid_column(kAcross, kUpright, kAcross / 2));
+  const FlattenResult result = flat(input, stretched(kWeft, kWarp));
+  EXPECT_LT(result.pieces.at(0).metrics.cloth_energy, 1e-16);
+  // Of a pyramid's faces, each with its opening between two edges to the apex.
+  const double opening = kAcross * 2 * std::asin(std::sin(half_angle) * std::sin(around / kAcross / 2));
+  for (const int leg : {0, kAcross}) {
+    expect_share(input, result, test::grid_column(kAcross, kUpright, leg), share_at(kPi / 2 - opening / 2));
+  }
+}
+
+TEST(Stretch, AlikeInAllDirectionsShrinksAGore) {
+  const double stretch = 0.2;
+  const FlattenInput sphere = test::quarter_sphere(6);
+  const Piece loose = flat(sphere, stretched(0, 0)).pieces.at(0);
+  const Piece tight = flat(sphere, stretched(stretch, stretch)).pieces.at(0);
+  for (std::size_t i = 0; i < loose.boundaries.size(); ++i) {
+    EXPECT_NEAR((1 + stretch) * tight.boundaries[i].length_2d, loose.boundaries[i].length_2d, 1e-8);
+  }
+  const auto centered = [](const Piece& piece) -> Positions2 {
+    return piece.vertices.rowwise() - piece.vertices.colwise().mean();
+  };
+  EXPECT_LT(((1 + stretch) * centered(tight) - centered(loose)).cwiseAbs().maxCoeff(), 1e-3);
+  EXPECT_NEAR((1 + stretch) * (1 + stretch) * tight.report.objective, loose.report.objective,
+              1e-8 * loose.report.objective);
+}
+
+TEST(Stretch, AcrossTheGrainAloneASphereKeepsItsPromises) {
+  const FlattenInput sphere = test::quarter_sphere(6);
+  const Piece piece = flat(sphere, stretched(0.3, 0)).pieces.at(0);
+  EXPECT_EQ(piece.report.termination, Termination::converged);
+  EXPECT_LT(piece.report.constraint_residual, 1e-10);
+}
+
+/// Two sheets of 2 by 2 in a plane, one with its grain along the seam, the other across.
+FlattenInput sheets_with_crossed_grain() {
+  FlattenInput input = test::flat_rectangle(8, 4, 4, 2);
+  test::add_seam(input, test::grid_column(8, 4, 4));
+  test::add_wire(input, test::grid_column(8, 4, 2));
+  const std::vector<int> row = test::grid_row(8, 2);
+  test::add_wire(input, {row.begin() + 4, row.end()});
+  return input;
+}
+
+TEST(Stretch, TheSidesOfASeamShrinkByTheirMeanAndThatIsSaid) {
+  const FlattenInput input = sheets_with_crossed_grain();
+  const FlattenResult result = flat(input, stretched(0.1, 0.06));
+  const SeamReport& seam = result.seams.at(0);
+  for (const double length : seam.length_2d) EXPECT_NEAR(length, 2 * (1 / 1.1 + 1 / 1.06) / 2, 1e-8);
+  EXPECT_LT(seam.mismatch, 1e-9);
+  for (const Piece& piece : result.pieces) {
+    ASSERT_EQ(piece.report.warnings.size(), 1U);
+    EXPECT_NE(piece.report.warnings[0].find("5.66% to 9.09% shorter"), std::string::npos) << piece.report.warnings[0];
+  }
+}
+
+TEST(Stretch, AnEaseOfItsOwnWins) {
+  FlattenInput input = cylinder();
+  test::add_wire(input, test::grid_row(kAcross, 0));
+  input.wires.back().ease = -0.15;
+  const FlattenResult result = flat(input, stretched(kWeft, kWarp));
+  expect_share(input, result, test::grid_row(kAcross, 0), 1 - 0.15);
+  EXPECT_LT(flat_length(result, test::grid_row(kAcross, kUpright)),
+            (1 - 0.15) * length_3d(input, test::grid_row(kAcross, kUpright)));
+}
+
+TEST(Stretch, SeamsThatGiveKeepTheirToleranceAboutTheStretchedLength) {
+  const int gores = 4, n = 3, rings = 8, nx = gores * n, south = nx * (rings - 1);
+  const double tolerance = 0.02, stretch = 0.2;
+  FlattenInput input = test::sphere_of_gores(gores, n, rings);
+  for (int g = 0; g < gores; ++g) {
+    std::vector<int> chain = test::tube_line(nx, rings - 2, g * n);
+    chain.insert(chain.begin(), south);
+    chain.push_back(south + 1);
+    test::add_wire(input, chain, tolerance);
+  }
+  const FlattenResult result = flat(input, stretched(stretch, stretch));
+  for (const SeamReport& seam : result.seams) {
+    EXPECT_LT(seam.mismatch, 1e-9 * seam.length_3d);
+    const double h = seam.length_2d[0] * (1 + stretch) / seam.length_3d - 1;
+    EXPECT_GT(std::abs(h), 1e-3);
+    EXPECT_LE(std::abs(h), tolerance + 1e-9);
+  }
+}
+
+TEST(Stretch, ACacheGivesTheSameToTheBit) {
+  const FlattenInput input = sheets_with_crossed_grain();
+  Cache cache;
+  const FlattenResult first = flat(input, stretched(0.1, 0.06));
+  flatten(input, stretched(0.3, 0), {}, &cache);
+  const FlattenResult again = flatten(input, stretched(0.1, 0.06), {}, &cache);
+  EXPECT_EQ(again.reused_pieces, 2);
+  EXPECT_EQ(again.corner_uv, first.corner_uv);
+}
+
+TEST(Stretch, CancelledItLeavesNoBrokenPromise) {
+  const FlattenInput input = sheets_with_crossed_grain();
+  int asked = 0;
+  flatten(input, stretched(0.1, 0.06), [&](const std::string&, double) { return ++asked > 0; });
+  for (int last = 0; last < asked; ++last) {
+    int left = last;
+    const FlattenResult result =
+        flatten(input, stretched(0.1, 0.06), [&](const std::string&, double) { return left-- > 0; });
+    for (const Piece& piece : result.pieces) {
+      if (piece.error) {
+        EXPECT_EQ(piece.error->code, ErrorCode::cancelled) << piece.error->what();
+      }
+    }
+  }
+}
+
+TEST(Stretch, ThatLeavesNoClothIsRefused) {
+  for (const double stretch : {-1.0, -0.6, 5.0, std::numeric_limits<double>::quiet_NaN()}) {
+    for (const Options& options : {stretched(stretch, 0), stretched(0, stretch)}) {
+      try {
+        check_options(options);
+        ADD_FAILURE() << "accepted: " << stretch;
+      } catch (const FlattenError& error) {
+        EXPECT_EQ(error.code, ErrorCode::invalid_option);
+        EXPECT_NE(std::string(error.what()).find("stretch is"), std::string::npos) << error.what();
+      }
+    }
+  }
+}
+
+constexpr double kRadius = 2;
+
+/// All around, with a seam along it.
+FlattenInput tube() {
+  FlattenInput input = test::cylinder_tube(24, 6, kRadius, 3);
+  test::add_seam(input, test::tube_line(24, 6, 0));
+  return input;
+}
+
+TEST(Thickness, MakesACylinderLongerOrShorterByItsHalfOverTheRadius) {
+  const FlattenInput input = tube();
+  const double thickness = 0.1, around = length_3d(input, test::tube_ring(24, 3));
+  const auto width = [&](Surface surface) {
+    Options options;
+    options.thickness = thickness;
+    options.surface = surface;
+    const Piece piece = flat(input, options).pieces.at(0);
+    EXPECT_LT(piece.metrics.arap_energy, 1e-20);
+    return piece.metrics.area_2d / 3;
+  };
+  EXPECT_NEAR(width(Surface::inside), around * (1 + thickness / (2 * kRadius)), 1e-9);
+  EXPECT_NEAR(width(Surface::middle), around, 1e-9);
+  EXPECT_NEAR(width(Surface::outside), around * (1 - thickness / (2 * kRadius)), 1e-9);
+}
+
+TEST(Thickness, ThatTheSurfaceIsTooCurvedForIsRefused) {
+  Options options;
+  options.thickness = 2 * kRadius + 0.1;
+  options.surface = Surface::outside;
+  try {
+    flatten(tube(), options);
+    ADD_FAILURE() << "accepted";
+  } catch (const FlattenError& error) {
+    EXPECT_EQ(error.code, ErrorCode::invalid_option);
+    EXPECT_EQ(error.elements.faces.size(), 2U * 24 * 6);
+  }
+  for (const double thickness : {-1.0, std::numeric_limits<double>::infinity()}) {
+    options.thickness = thickness;
+    EXPECT_THROW(check_options(options), FlattenError);
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp
