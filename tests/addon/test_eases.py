@@ -256,11 +256,59 @@ def test_too_short_an_ease_marks_nothing(source):
 def test_edges_without_a_side_are_left_out_and_counted(source, capfd):
     select_edges(source, SEAM, on_line(1, 0.0))
     assert bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0) == {"FINISHED"}
-    assert "1 line eased: +5%, +11.5 mm" in capfd.readouterr().out or True
+    assert "1 line eased: +5%" in (told := capfd.readouterr().out) and "8 selected edges left out" in told
     bpy.ops.object.mode_set(mode="OBJECT")
     select_edges(source, on_line(1, 0.0))
     with pytest.raises(RuntimeError, match="select edges on a seam or outline"):
         bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0)
+
+
+def test_the_report_says_which_side_is_longer_and_what_to_do(source, addon):
+    bpy.context.scene.unit_settings.length_unit = "MILLIMETERS"
+    for ratio, how in ((5.0, "ease"), (40.0, "gather")):
+        ease(source, SEAM, sides="ONE", ease_percent=ratio)
+        bpy.ops.object.wirewarp_flatten()
+        report = addon.flat.reports.last_report(source)
+        (row,), units = addon.report.rows.seam_rows(report), addon.blender.units.length_text(bpy.context.scene)
+        (side,) = row.eased
+        left, right = shares(source)
+        assert side.ease == pytest.approx(max(left, right), abs=1e-5) and row.ok
+        spatial, *_ = lengths(source, SEAM)
+        longer = units.rough(ratio / 100 * spatial)
+        assert addon.report.eases.longer_text(side, units) == f"{side.label} {longer} longer, {how} between notches"
+        assert side.label == ("Top Right" if left > right else "Top Left")  # on its wearer the left is at +x
+        assert abs(addon.report.rows.largest_difference([row])) < 1e-6  # nothing that was not asked for
+        assert f"{ratio:.6f}" in addon.report.csv_table.report_csv(report, units)
+
+
+def test_the_list_of_seams_says_how_much_all_sides_give(source, addon):
+    mark(source, SEAM, kind="ELASTIC", tolerance=0.03)
+    bpy.ops.object.wirewarp_flatten()
+    (row,) = addon.report.rows.seam_rows(addon.flat.reports.last_report(source))
+    left, _ = shares(source)
+    assert row.note.endswith(f"; {addon.words.ease_text(left)} on all sides")
+
+
+def arrow(addon, target):
+    """From the edge to the tip; and what is written there."""
+    lines = addon.overlay.objects.marked_lines(target, bpy.context.evaluated_depsgraph_get())
+    tail, tip, *_ = lines.places["ease"]
+    return tail, tip, [name.texts for name in lines.names]
+
+
+def test_an_arrow_points_into_the_side_that_is_longer(source, addon):
+    for sides in ("ONE", "OTHER"):
+        ease(source, SEAM, sides=sides, ease_percent=5.0)
+        bpy.ops.object.wirewarp_flatten()
+        left, right = shares(source)
+        tail, tip, texts = arrow(addon, source)
+        assert tail[0] == pytest.approx(0.0, abs=1e-6) and (tip[0] > 0) == (right > left)
+        assert ("+5%",) in texts
+        *_, texts = arrow(addon, flat_of(source))
+        assert ("+5%",) in texts
+    ease(source, SEAM, sides="NONE")
+    lines = addon.overlay.objects.marked_lines(source, bpy.context.evaluated_depsgraph_get())
+    assert "ease" not in lines.places
 
 
 def test_an_ease_is_a_change_that_the_report_sees(source, addon):
