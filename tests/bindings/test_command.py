@@ -75,6 +75,20 @@ def test_the_same_result_as_through_python(tmp_path, name):
     assert next(energies) == pytest.approx(next(energies), rel=1e-6)
 
 
+def test_a_stretched_cloth_and_a_thick_one(model, tmp_path):
+    def areas(*words):
+        _, _ = run(model, "--out", tmp_path / "out", "--seams", "uv", *words)
+        report = json.loads((tmp_path / "out" / "Folded.json").read_text())
+        return [piece["metrics"]["area_2d"] for piece in report["pieces"]]
+
+    whole = areas()
+    assert areas("--stretch", "25%") == pytest.approx([area / 1.25**2 for area in whole])
+    assert areas("--cloth", "swim", "--stretch", "25%,0%")[0] == pytest.approx(whole[0] / 1.25)
+    assert areas("--thickness", "2mm", "--surface", "middle") == pytest.approx(whole)
+    _, said = run(model, "--out", tmp_path / "out", "--stretch", "0.2", code=2)
+    assert "is no stretch: give 10%" in said
+
+
 def test_islands_of_the_map_are_pieces_and_the_files_are_read_back(model, tmp_path):
     ((line,), _) = run(model, "--out", tmp_path / "out", "--seams", "uv", "--page", "letter", "--allowance", "3/8in")
     assert line["pieces"] == 2 and line["problems"] == []

@@ -18,10 +18,11 @@ from ..pattern.write import WRITERS
 from .apart import Limits
 from .input_error import InputError
 from .inputs import Found, found_models
-from .request import MILLIMETERS, MarkerRequest, Orientation, Request
+from .request import MILLIMETERS, MarkerRequest, MaterialRequest, Orientation, Request
 
 LENGTH = re.compile(r"(\d+(?:\.\d*)?)(?:/(\d+))?\s*(mm|cm|m|in)")
 SHEET = re.compile(r"(\d+(?:\.\d*)?)x(\d+(?:\.\d*)?)\s*(mm|cm|m|in)")
+STRETCH = re.compile(r"(-?\d+(?:\.\d*)?)%(?:,\s*(-?\d+(?:\.\d*)?)%)?")
 MEMORY = re.compile(r"(\d+(?:\.\d*)?)\s*(MB|GB)")
 BYTES = {"MB": 10**6, "GB": 10**9}
 GRAINS: dict[str, Grain] = {
@@ -112,6 +113,20 @@ def _model_options() -> argparse.ArgumentParser:
     options.add_argument("--unit", choices=MILLIMETERS, default="m", help="what a model has its coordinates in (m)")
     options.add_argument("--imperial", action="store_true", help="inches in texts and squares to measure")
     options.add_argument(
+        "--stretch",
+        type=_stretch,
+        default=(0.0, 0.0),
+        metavar="P%|P%,P%",
+        help="of the cloth when worn, in both directions or across and along the grain: 10%%,5%% (0%%)",
+    )
+    options.add_argument("--thickness", type=_length, default=0.0, help="of foam, neoprene, leather: 3mm (none)")
+    options.add_argument(
+        "--surface",
+        choices=("inside", "middle", "outside"),
+        default="inside",
+        help="of something thick, what the model is (inside)",
+    )
+    options.add_argument(
         "--marker", type=_cloth, metavar="WIDTH|WxL", help="pieces nested on a roll, 1400mm, or on sheets, 60x90cm"
     )
     options.add_argument("--gap", type=_length, default="5mm", help="between the pieces of a marker (5mm)")
@@ -164,14 +179,13 @@ def _request(found: Found, given: argparse.Namespace) -> Request:
         folder=given.out / found.folder,
         seams=given.seams,
         wires=given.wires,
-        cloth=given.cloth,
-        orientation=given.orientation,
         formats=given.format,
         page=given.page,
         allowance=given.allowance,
         hem=given.hem,
         unit=given.unit,
         imperial=given.imperial,
+        material=MaterialRequest(given.cloth, given.orientation, given.stretch, given.thickness, given.surface),
         marker=marker,
         picture=given.picture,
         blender=given.blender,
@@ -228,6 +242,14 @@ def _cloth(text: str) -> tuple[float, float | None]:
     if match:
         return _length(f"{match[1]}{match[3]}"), _length(f"{match[2]}{match[3]}")
     return _length(text), None
+
+
+def _stretch(text: str) -> tuple[float, float]:
+    """Across and along the grain, as shares."""
+    match = STRETCH.fullmatch(text.strip())
+    if not match:
+        raise argparse.ArgumentTypeError(f"{text!r} is no stretch: give 10% or, across and along the grain, 10%,5%")
+    return float(match[1]) / 100, float(match[2] or match[1]) / 100
 
 
 def _count(text: str) -> int:

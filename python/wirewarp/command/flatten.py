@@ -7,7 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from .. import FlattenError, FlattenResult, Options, __version__, flatten
+from .. import Cloth, FlattenError, FlattenResult, Options, __version__, flatten
 from ..pattern import Marker, Pattern, Written
 from ..pattern.today import today
 from .blend import BlenderError, flatten_blend
@@ -96,8 +96,14 @@ def _made_of(request: Request, model: Model | None) -> str:
 def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict[str, Any]]:
     """Writes patterns and picture to the folder; the line, and what the report says besides."""
     seams, lines = seams_of(model, request.seams), lines_of(request.wires)
-    chosen = Options(cloth=request.cloth or None, orientation=request.orientation)
-    result = flatten(model.vertices, model.faces, seams=seams, wires=lines.wires, eases=lines.eases, options=chosen)
+    result = flatten(
+        model.vertices,
+        model.faces,
+        seams=seams,
+        wires=lines.wires,
+        eases=lines.eases,
+        options=_options(request),
+    )
     failed = [(n, piece.error) for n, piece in enumerate(result.pieces, start=1) if piece.error]
     line: Line = {
         "verdict": FAILED if failed else READY,
@@ -123,6 +129,24 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
                 _note(laid.write(folder / request.marker_path(kind).name), line)  # PDF on a roll as wide as it needs
             line["marker"], report["marker"] = marker.sentence(laid.units), marker.to_dict()
     return line, report | _timeless(result.to_dict())
+
+
+def _options(request: Request) -> Options:
+    material = request.material
+    thickness = material.thickness / MILLIMETERS[request.unit]
+    cloth = Cloth.preset(material.cloth) if material.cloth else None
+    if any(material.stretch):
+        of = cloth or Cloth()
+        cloth = Cloth(
+            of.weft,
+            of.warp,
+            of.shear,
+            squeeze=of.squeeze,
+            stretch=material.stretch,
+            locking=of.locking,
+            limits=of.limits,
+        )
+    return Options(cloth=cloth, orientation=material.orientation, thickness=thickness, surface=material.surface)
 
 
 def _timeless(result: dict[str, Any]) -> dict[str, Any]:

@@ -25,6 +25,17 @@ class MarkerRequest:
 
 
 @dataclass(frozen=True)
+class MaterialRequest:
+    """What the pieces are made of and how they lie on it; see Options. The thickness is in millimeters."""
+
+    cloth: str  # of Cloth.preset, or "" for none
+    orientation: Orientation
+    stretch: tuple[float, float]  # across and along the grain, as shares
+    thickness: float
+    surface: Literal["inside", "middle", "outside"]
+
+
+@dataclass(frozen=True)
 class Request:
     """What is done with one model. Lengths are in millimeters."""
 
@@ -32,14 +43,13 @@ class Request:
     folder: Path
     seams: str  # "uv", "sharp", a path, or "" for none
     wires: str  # a path, or "" for none
-    cloth: str  # of Cloth.preset, or "" for none
-    orientation: Orientation
     formats: tuple[str, ...]
     page: str | float
     allowance: float
     hem: float | None
     unit: str
     imperial: bool
+    material: MaterialRequest
     marker: MarkerRequest | None
     picture: bool
     blender: str  # the program, for .blend files
