@@ -98,31 +98,40 @@ def check_needs(system: System, module: Path) -> None:
 
 def build_module(system: System, version: str, interpreter: Path) -> Path:
     """The module _wirewarp for that system and Python. The core is compiled once for all Pythons of a system."""
+    suffix = system.suffix.format(version.replace(".", ""))
+    definitions: dict[str, str | Path] = {
+        "WIREWARP_PYTHON": "ON",
+        "PYTHON_MODULE_EXTENSION": suffix,
+        "CMAKE_STRIP": "",  # this system's knows no other; the linker strips
+        "CMAKE_MODULE_LINKER_FLAGS": "-s",
+        "Python_EXECUTABLE": interpreter,
+        "PYBIND11_PYTHON_EXECUTABLE_LAST": interpreter,  # where it changes, pybind11 would forget the extension
+        "pybind11_DIR": output_of([interpreter, "-m", "pybind11", "--cmakedir"]).strip(),
+        **python_to_build_with(system, version, interpreter),
+    }
+    return build(system, "_wirewarp", definitions) / f"_wirewarp{suffix}"
+
+
+def build(system: System, target: str, definitions: dict[str, str | Path]) -> Path:
+    """Builds a target for that system, with these variables of CMake; returns the folder of the build."""
     folder = BUILD / "cross" / system.platform
-    definitions = {
+    definitions = definitions | {
         "CMAKE_TOOLCHAIN_FILE": ROOT / "cmake" / "zig.cmake",
         "CMAKE_CXX_COMPILER_LAUNCHER": "",  # zig keeps what it compiled by itself
         "CMAKE_BUILD_TYPE": "Release",
         "CMAKE_COMPILE_WARNING_AS_ERROR": "ON",
         "WIREWARP_ZIG": zig(),
         "WIREWARP_TARGET": system.target,
-        "WIREWARP_PYTHON": "ON",
         "FETCHCONTENT_SOURCE_DIR_OPENMESH": openmesh_source(),
         "FETCHCONTENT_SOURCE_DIR_EIGEN": "/usr/include/eigen3",
-        "PYTHON_MODULE_EXTENSION": system.suffix.format(version.replace(".", "")),
-        "CMAKE_STRIP": "",  # this system's knows no other; the linker strips
-        "CMAKE_MODULE_LINKER_FLAGS": "-s",
-        "Python_EXECUTABLE": interpreter,
-        "pybind11_DIR": output_of([interpreter, "-m", "pybind11", "--cmakedir"]).strip(),
-        **python_to_build_with(system, version, interpreter),
     }
     settings = cache_variables(BUILD / "cross" / "zig")
     defined = [f"-D{name}={value}" for name, value in definitions.items()]
     configure: list[str | Path] = ["cmake", "-G", "Ninja", "-S", ROOT, "-B", folder, *defined]
-    run_quietly(f"configuring build/cross/{system.platform} for Python {version}", configure, **settings)
-    build: list[str | Path] = ["cmake", "--build", folder, "-j", str(CORES), "--target", "_wirewarp"]
-    run_quietly(f"building build/cross/{system.platform} for Python {version}", build, **settings)
-    return folder / f"_wirewarp{definitions['PYTHON_MODULE_EXTENSION']}"
+    run_quietly(f"configuring build/cross/{system.platform}", configure, **settings)
+    run_cmake: list[str | Path] = ["cmake", "--build", folder, "-j", str(CORES), "--target", target]
+    run_quietly(f"building {target} in build/cross/{system.platform}", run_cmake, **settings)
+    return folder
 
 
 def python_to_build_with(system: System, version: str, interpreter: Path) -> dict[str, Path]:
