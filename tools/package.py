@@ -84,20 +84,25 @@ def build_wheels() -> dict[str, Path]:
 def package_for_all_systems() -> None:
     wheels = build_wheels()
     others = [cross_wheel(system, version, wheel) for system in SYSTEMS for version, wheel in wheels.items()]
-    keep_in_dist([*wheels.values(), *others])
+    keep_in_dist([*wheels.values(), *(Path(shutil.copy(wheel, DIST)) for wheel in others)])
 
 
 def extension_for(system: System) -> Path:
     """The extension for another system, with the wheels of this tree."""
-    for version, wheel in build_wheels().items():
-        cross_wheel(system, version, wheel)
-    zips.write_zips(DIST)
-    return zips.extension_zip(DIST, system.platform)
+    wheels = [cross_wheel(system, version, wheel) for version, wheel in build_wheels().items()]
+    folder = wheels[0].parent
+    zips.write_zips(folder)
+    return zips.extension_zip(folder, system.platform)
 
 
 def cross_wheel(system: System, version: str, wheel: Path) -> Path:
-    """The wheel for another system, beside the one made here; from the last build if nothing it is made of changed."""
-    made = wheel.with_name("-".join([*wheel.stem.split("-")[:-1], system.wheel_tag]) + ".whl")
+    """The wheel for another system, in a folder of that system; from the last build if nothing it is made of changed.
+
+    Not in dist/, from where other steps remove what is not theirs.
+    """
+    folder = BUILD / "cross" / system.platform / "wheels"
+    folder.mkdir(parents=True, exist_ok=True)
+    made = folder / ("-".join([*wheel.stem.split("-")[:-1], system.wheel_tag]) + ".whl")
     sources = [ROOT / source for source in (*CORE_SOURCES, "tools/cross.py", "tools/module_needs.py")]
     key = fingerprint(sources, ZIG, LIEF, *WHEEL_TOOLS)
     if not (made.is_file() and is_current(f"wheel-{made.stem}", key)):
