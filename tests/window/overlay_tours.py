@@ -110,18 +110,21 @@ def lines_are_in_the_uv_editor() -> drive.Tour:
 
 
 def marks_are_undone() -> drive.Tour:
-    """Marking, clearing, changing a wire, the grain wire and seams from islands are one undo step each."""
+    """Marking, clearing, changing a wire, eases, the grain wire and seams from islands are one undo step each."""
     source = marked()
     bpy.ops.object.wirewarp_flatten()
     source.data.edges.foreach_set("use_seam", [False] * len(source.data.edges))
     edge = wirewarp_addon.model.wires.find_wires(source)[0].edges[0]
-    select_edges(source, on_line(1, 0.25))
+    select_edges(source, on_line(1, 0.25), on_line(1, 1.0))
     with drive.in_view():
         bpy.ops.ed.undo_push(message="Selected")
         for step in (
             lambda: bpy.ops.mesh.wirewarp_mark("EXEC_DEFAULT", True, kind="ELASTIC", tolerance=0.1),
             lambda: bpy.ops.mesh.wirewarp_clear("EXEC_DEFAULT", True),
             lambda: bpy.ops.mesh.wirewarp_change_wire("EXEC_DEFAULT", True, edge=edge, kind="SUPER_ELASTIC"),
+            lambda: bpy.ops.mesh.wirewarp_ease("EXEC_DEFAULT", True, sides="ALL"),
+            lambda: bpy.ops.mesh.wirewarp_ease("EXEC_DEFAULT", True, sides="ONE"),
+            lambda: bpy.ops.mesh.wirewarp_ease("EXEC_DEFAULT", True, sides="NONE"),
             lambda: bpy.ops.mesh.wirewarp_grain_wire("EXEC_DEFAULT", True, edge=edge),
             lambda: bpy.ops.mesh.wirewarp_seams_from_uv_islands("EXEC_DEFAULT", True),
         ):
@@ -137,13 +140,15 @@ def marks_are_undone() -> drive.Tour:
 
 
 def state() -> tuple:
-    """Marks, names, the grain wire and seams."""
+    """Marks, eases, names, the grain wire and seams."""
     source = bpy.data.objects["Bump"]
     assert source.mode == "EDIT"
     source.update_from_editmode()
     copied = source.data.copy()  # attributes can be read outside of Edit Mode only
     names = [entry.name for entry in copied.wirewarp_names]
-    marks = wire_marks(copied), names, copied.wirewarp_grain, sum(e.use_seam for e in copied.edges)
+    eased = wirewarp_addon.model.attributes.read_marks(copied).eases.tolist()
+    sides = wirewarp_addon.model.side_eases.read_side_eases(copied).tolist()
+    marks = wire_marks(copied), eased, sides, names, copied.wirewarp_grain, sum(e.use_seam for e in copied.edges)
     bpy.data.meshes.remove(copied)
     return marks
 

@@ -29,6 +29,9 @@ class VIEW3D_MT_wirewarp_edges(bpy.types.Menu):
         layout.operator("mesh.wirewarp_mark", text="Mark Elastic Wire").kind = "ELASTIC"
         layout.operator("mesh.wirewarp_mark", text="Mark Free Wire").kind = "SUPER_ELASTIC"
         layout.operator("mesh.wirewarp_clear")
+        layout.operator("mesh.wirewarp_ease", text="Mark Ease").sides = "ALL"
+        layout.operator("mesh.wirewarp_ease", text="Mark Ease of One Side").sides = "ONE"
+        layout.operator("mesh.wirewarp_ease", text="Clear Ease").sides = "NONE"
         layout.operator("mesh.wirewarp_allowance", text="Mark Allowance").kind = "WIDTH"
         layout.operator("mesh.wirewarp_allowance", text="Mark Hem").kind = "HEM"
         layout.operator("mesh.wirewarp_allowance", text="Mark Fold").kind = "FOLD"
