@@ -230,7 +230,7 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
     target = grid("Bump", bump)
     arrays = addon.model.read.object_to_arrays(target, addon.model.marked_mesh.marked_mesh(target), None)
     identities = [addon.solve.identity.PieceIdentity(1, "Top")]
-    choices = addon.solve.flatten.FlattenChoices("refined", 0.1, "length", "packed", "wire", 0.0, 0.03, False, None)
+    choices = addon.run.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
 
     library = addon.core.library()
 

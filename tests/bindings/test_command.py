@@ -75,20 +75,6 @@ def test_the_same_result_as_through_python(tmp_path, name):
     assert next(energies) == pytest.approx(next(energies), rel=1e-6)
 
 
-def test_a_stretched_cloth_and_a_thick_one(model, tmp_path):
-    def areas(*words):
-        _, _ = run(model, "--out", tmp_path / "out", "--seams", "uv", *words)
-        report = json.loads((tmp_path / "out" / "Folded.json").read_text())
-        return [piece["metrics"]["area_2d"] for piece in report["pieces"]]
-
-    whole = areas()
-    assert areas("--stretch", "25%") == pytest.approx([area / 1.25**2 for area in whole])
-    assert areas("--cloth", "swim", "--stretch", "25%,0%")[0] == pytest.approx(whole[0] / 1.25)
-    assert areas("--thickness", "2mm", "--surface", "middle") == pytest.approx(whole)
-    _, said = run(model, "--out", tmp_path / "out", "--stretch", "0.2", code=2)
-    assert "is no stretch: give 10%" in said
-
-
 def test_islands_of_the_map_are_pieces_and_the_files_are_read_back(model, tmp_path):
     ((line,), _) = run(model, "--out", tmp_path / "out", "--seams", "uv", "--page", "letter", "--allowance", "3/8in")
     assert line["pieces"] == 2 and line["problems"] == []
@@ -97,21 +83,6 @@ def test_islands_of_the_map_are_pieces_and_the_files_are_read_back(model, tmp_pa
     page = pypdfium2.PdfDocument((tmp_path / "out" / "Folded.pdf").read_bytes())[0]
     assert np.array(page.get_size()) / 72 == pytest.approx([8.5, 11])
     assert "9.525 mm" in page.get_textpage().get_text_range()
-
-
-def test_eases_and_a_cloth_change_what_is_made(model, tmp_path):
-    words = (model, "--out", tmp_path / "out", "--seams", "uv", "--format", "svg", "--resume")
-    lines = tmp_path / "lines.json"
-    lines.write_text(json.dumps([{"vertices": [1, 4], "ease": -0.1}, {"side": [1, 4], "ease": 0.2}]))
-    ((plain,), _) = run(*words)
-    ((eased,), _) = run(*words, "--wires", lines)
-    (seam,) = json.loads((tmp_path / "out" / "Folded.json").read_text())["seams"]
-    assert seam["variation"] == pytest.approx(-0.1) and seam["eases"] == pytest.approx([0.2, 0.0])
-    assert seam["length_2d"] == pytest.approx([0.1 * 0.9 * 1.2, 0.1 * 0.9])
-    ((woven,), _) = run(*words, "--wires", lines, "--cloth", "woven", "--orientation", "best")
-    pieces = json.loads((tmp_path / "out" / "Folded.json").read_text())["pieces"]
-    assert all(piece["metrics"]["cloth_energy"] >= 0 for piece in pieces)  # which is NaN without a cloth
-    assert len({line["made_of"] for line in (plain, eased, woven)}) == 3
 
 
 def test_sharp_edges_are_seams(tmp_path):
