@@ -245,6 +245,18 @@ def test_an_ease_that_is_none_names_its_wire_or_its_edges(source, addon, name, v
     assert len(issue["edges"]) == 8
 
 
+def test_an_ease_of_edges_that_are_no_wires_is_told(source, addon):
+    values = source.data.attributes.new("wirewarp_ease", "FLOAT", "EDGE")
+    for edge in source.data.edges[:3]:
+        values.data[edge.index].value = 0.05
+    bpy.ops.object.wirewarp_flatten()
+    told = "3 edges have an ease but are no wires: it was not used. Mark them with Ease."
+    assert {"text": told, "is_warning": True} in addon.flat.reports.last_report(source)["notes"]
+    ease(source, lambda *_: True, sides="NONE")
+    bpy.ops.object.wirewarp_flatten()
+    assert addon.flat.reports.last_report(source)["notes"] == []
+
+
 def test_too_short_an_ease_marks_nothing(source):
     select_edges(source, SEAM)
     with pytest.raises(RuntimeError, match="would have no length left"):

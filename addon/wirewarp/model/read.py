@@ -78,6 +78,7 @@ def _to_arrays(mesh: bpy.types.Mesh, marked: MarkedMesh, source: bpy.types.Objec
         uv_maps={layer.name: read_uv(layer) for layer in mesh.uv_layers if layer.name != UV_LAYER},
         allowance=widest_allowance(mesh),
         loose_marks=len(marked.marks.take(~in_face).rows),
+        loose_eases=int(np.count_nonzero(marked.marks.eases[~marked.marks.are_wires])),
         mirrored=mirrored,
     )
 

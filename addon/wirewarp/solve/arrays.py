@@ -60,6 +60,7 @@ class MeshArrays:
     uv_maps: dict[str, np.ndarray]  # (l,2) float32 each, the model's own maps by name
     allowance: float  # the widest that the lines to cut have anywhere, in Blender units
     loose_marks: int  # edges without a face that are marked as wires: they are left out
+    loose_eases: int  # edges with the ease of a wire that are none: it does nothing
     mirrored: bool
 
 
