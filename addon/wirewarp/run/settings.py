@@ -34,7 +34,7 @@ class FlattenSettings:
 
     method: EnumProperty(
         name="Method",
-        description="How the flat shape is found. Seams and outlines always keep their exact length",
+        description="How the flat shape is found. Seams and outlines keep exactly the lengths asked for",
         items=METHODS,
         default="REFINED",
     )
