@@ -89,11 +89,11 @@ class _Run(Generic[Result]):
         sender.close()  # here, so that the end of the process is the end of the pipe
 
     def ended(self) -> tuple[Result | Stopped] | None:
-        if not self.results.poll():
-            return None
         try:
+            if not self.results.poll():
+                return None
             result: Result | Stopped = self.results.recv()
-        except (EOFError, OSError):
+        except (EOFError, OSError):  # of a pipe whose other end is gone; on Windows poll() raises it
             self._process.join()
             result = Stopped("crashed", _crash(self._process.exitcode), self._seconds())
         self._close()
