@@ -212,6 +212,7 @@ def test_two_eases_of_one_side_are_told_with_their_edges(source, addon):
         bpy.ops.object.wirewarp_flatten()
     (issue,) = addon.flat.reports.last_report(source)["issues"]
     assert len(issue["edges"]) == 8
+    mark(source, HEM)  # which goes on as ever
     ease(source, SEAM, sides="ONE", ease_percent=5.0)  # which takes the other away
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 
@@ -255,6 +256,18 @@ def test_an_ease_of_edges_that_are_no_wires_is_told(source, addon):
     ease(source, lambda *_: True, sides="NONE")
     bpy.ops.object.wirewarp_flatten()
     assert addon.flat.reports.last_report(source)["notes"] == []
+
+
+@pytest.mark.parametrize("name", ["wirewarp_ease", "wirewarp_side_ease", "wirewarp_side_ratio", "wirewarp_eased_side"])
+def test_an_attribute_of_our_name_that_is_not_ours_is_a_sentence(source, name):
+    source.data.attributes.new(name, "FLOAT_VECTOR", "POINT")
+    told = f'attribute "{name}" of mesh "Bump" is not of type'
+    with pytest.raises(RuntimeError, match=told):
+        bpy.ops.object.wirewarp_flatten()
+    select_edges(source, SEAM)
+    with pytest.raises(RuntimeError, match=told):
+        bpy.ops.mesh.wirewarp_ease(sides="ALL" if name == "wirewarp_ease" else "ONE")
+    assert source.mode == "EDIT"
 
 
 def test_too_short_an_ease_marks_nothing(source):

@@ -14,9 +14,9 @@ from ..issues import object_error
 from ..pattern.chains import split_into_chains
 from ..solve.flat_mesh import edge_lengths
 from ..solve.identity import new_id
-from .attributes import read_marks, write_marks
+from .attributes import check_attributes, read_marks, write_marks
 from .change import repair_marks
-from .side_eases import clear_side_eases, outline_rows, sides_of_lines, write_side_eases
+from .side_eases import check_side_attributes, clear_side_eases, outline_rows, sides_of_lines, write_side_eases
 from .wire_names import list_places
 
 Amount = Callable[[float], float]  # the ease of a line as a fraction, by its length in Blender units
@@ -34,6 +34,12 @@ class Change:
 class Eased:
     changes: list[Change]
     left_out: int  # edges
+
+
+def check_ease_attributes(mesh: bpy.types.Mesh) -> None:
+    """Raises ObjectError if an attribute of our name has another type or domain."""
+    check_attributes(mesh)
+    check_side_attributes(mesh)
 
 
 def ease_lines(target: bpy.types.Object, rows: np.ndarray, amount: Amount) -> Eased:

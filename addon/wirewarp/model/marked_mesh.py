@@ -34,7 +34,7 @@ class MarkedMesh:
 
 
 def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:
-    """Of a mesh that is not in Edit Mode. Raises ObjectError as read_marks and read_side_eases do."""
+    """Of a mesh that is not in Edit Mode. Raises ObjectError if an attribute of our name is another's."""
     return MarkedMesh(
         vertex_places(mesh),
         edge_vertices(mesh),

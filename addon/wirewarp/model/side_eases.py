@@ -23,12 +23,23 @@ _NAMES = SideNames(SIDE_RATIO, EASED_SIDE, SIDE_EASE)
 def read_side_eases(mesh: bpy.types.Mesh) -> np.ndarray:
     """(l,) float32 of the edge that begins at each corner, on the side of its face; 0 where none is marked.
 
-    Of a mesh that is not in Edit Mode. Raises ObjectError if an attribute of our name is another's, or if the corner
-    and the edge say different things.
+    Of a mesh that is not in Edit Mode; attributes of our names that are not ours count as none. Where corner and edge
+    say different things, see check_side_eases, the corner's.
     """
-    check_sides(mesh, _NAMES)
     if not {SIDE_RATIO, SIDE_EASE} & set(mesh.attributes.keys()):
         return np.zeros(len(mesh.loops), dtype=np.float32)
+    corners, marked = _read(mesh, SIDE_EASE), values_at_edges(mesh, _NAMES)
+    return np.where(corners != 0, corners, marked).astype(np.float32)
+
+
+def check_side_attributes(mesh: bpy.types.Mesh) -> None:
+    """Raises ObjectError if an attribute of our name has another type or domain."""
+    check_sides(mesh, _NAMES)
+
+
+def check_side_eases(mesh: bpy.types.Mesh) -> None:
+    """Raises ObjectError if an attribute of our name is another's, or if a corner and its edge say different things."""
+    check_side_attributes(mesh)
     corners, marked = _read(mesh, SIDE_EASE), values_at_edges(mesh, _NAMES)
     contradict = np.unique(corner_edges(mesh)[(corners != 0) & (marked != 0) & (corners != marked)])
     if len(contradict):
@@ -41,7 +52,6 @@ def read_side_eases(mesh: bpy.types.Mesh) -> np.ndarray:
                 edges=[tuple(pair) for pair in edge_vertices(mesh)[contradict].tolist()],
             )
         )
-    return np.where(corners != 0, corners, marked).astype(np.float32)
 
 
 def sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) -> list[tuple[list[int], list[int]]]:
@@ -76,7 +86,6 @@ def write_side_eases(mesh: bpy.types.Mesh, corners: Sequence[int], ratio: float)
 
     Of a mesh in Object Mode.
     """
-    check_sides(mesh, _NAMES)
     rows = corner_edges(mesh)[corners]
     faces = np.repeat(np.arange(len(mesh.polygons)), face_sizes(mesh))[corners]
     values = {name: _read(mesh, name) for name in _NAMES.kinds}
@@ -96,7 +105,6 @@ def write_corner_eases(mesh: bpy.types.Mesh, eases: np.ndarray) -> None:
 
 def clear_side_eases(mesh: bpy.types.Mesh, rows: np.ndarray) -> np.ndarray:
     """(k,) bool: which of these edges (k,) had one. Of a mesh in Object Mode."""
-    check_sides(mesh, _NAMES)
     corners = np.isin(corner_edges(mesh), rows)
     values = {name: _read(mesh, name) for name in (SIDE_EASE, SIDE_RATIO, EASED_SIDE)}
     had = (values[EASED_SIDE][rows] != 0) | np.isin(rows, corner_edges(mesh)[corners & (values[SIDE_EASE] != 0)])

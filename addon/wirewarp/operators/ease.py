@@ -13,7 +13,7 @@ from ..blender.objects import check_local
 from ..blender.units import length_text, meters_per_blender_unit
 from ..flat.sides import selected_sides
 from ..issues import ObjectError
-from ..model.ease import Amount, Eased, clear_eases, ease_corners, ease_lines, ease_sides
+from ..model.ease import Amount, Eased, check_ease_attributes, clear_eases, ease_corners, ease_lines, ease_sides
 from ..model.owners import model_of
 from ..properties import EaseAmount, take_settings
 from ..ui.settings import draw_ease
@@ -60,6 +60,7 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
         try:
             for target in targets:
                 check_local(target, target.data)
+                check_ease_attributes(target.data)
             with in_object_mode(context):
                 found = [self._mark(target, amount) for target in targets]
                 hold_whole_file()
@@ -76,6 +77,7 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
         """On flat pieces, where sides lie apart, of the selected side whatever side is chosen."""
         if model_of(target):
             found = selected_sides(target)
+            check_ease_attributes(found.model.data)
             if self.sides == "NONE":
                 eased = clear_eases(found.model, found.edges)
             else:

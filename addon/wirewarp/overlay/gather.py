@@ -70,7 +70,7 @@ def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
 
 
 def gather_side_eases(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> SideEases | None:
-    """None where there are none. Raises ObjectError as read_side_eases does."""
+    """None where there are none."""
     with shown_mesh(target, depsgraph) as mesh:
         ratios = read_side_eases(mesh)
         corners = np.flatnonzero(ratios)
