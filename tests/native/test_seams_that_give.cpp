@@ -2,9 +2,14 @@
 // Eases, and seams whose sides have one length that is not settled beforehand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "judge.h"
+#include "planar.h"
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
 #include "wirewarp/flatten.h"
@@ -269,6 +274,78 @@ TEST(SeamsThatGive, TheObjectiveNeverRisesWithTheTolerance) {
     if (tolerance == 0) continue;
     for (const Piece& piece : result.pieces) EXPECT_LT(piece.report.projected_gradient, 1e-4);
   }
+}
+
+/// Two triangles with sides of length 1, and a seam between them with a wire along it.
+FlattenInput two_triangles(double tolerance, double ease) {
+  FlattenInput input;
+  const double height = std::sqrt(0.75);
+  input.vertices.resize(4, 3);
+  input.vertices << 0, 0, 0, 1, 0, 0, 0.5, height, 0, 0.5, -height, 0;
+  input.faces.resize(2, 3);
+  input.faces << 0, 1, 2, 1, 0, 3;
+  test::add_seam(input, {0, 1});
+  test::add_wire(input, {0, 1}, tolerance);
+  input.wires[0].ease = ease;
+  return input;
+}
+
+TEST(SeamsThatGive, BeginWithinTheirToleranceWherePiecesHaveNoShapeAtTheirEase) {
+  const FlattenInput input = two_triangles(0.5, 1.2);  // a side of 2.2 beside two of 1
+  const FlattenResult result = flatten(input);
+  expect_good(input, result);
+  EXPECT_NEAR(result.seams.at(0).variation, 1.2 - 0.5, 1e-9) << "as short as it may be";
+}
+
+TEST(SeamsThatGive, WithoutLengthsThatAllPiecesCanHaveAreAnError) {
+  FlattenInput input = two_triangles(1.4, 1.5);
+  input.eases = {ease_along({0, 3}, 2), ease_along({3, 1}, -0.6)};  // 3 and 0.4: at least 2.6, the other at most 2
+  for (const Piece& piece : flatten(input).pieces) {
+    ASSERT_TRUE(piece.error);
+    EXPECT_EQ(piece.error->code, Code::infeasible_lengths);
+  }
+}
+
+/// A flat ring, all but closed, and a wall on its rim, which had best have a longer seam: its top is shorter.
+FlattenInput ring_with_wall(double tolerance) {
+  const int around = 48, across = 3;
+  FlattenInput input = test::make_grid(around, 2 * across, [](double s, double t) {
+    const double angle = -(2 * kPi - 0.1) * s, radius = std::min(0.7 + 0.6 * t, 1.0), depth = std::max(t - 0.5, 0.0);
+    return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), -0.6 * depth);
+  });
+  test::add_seam(input, test::grid_row(around, across));
+  test::add_wire(input, test::grid_row(around, across), tolerance);
+  std::vector<int> top = test::grid_row(around, 2 * across);
+  std::reverse(top.begin(), top.end());
+  input.eases.push_back(ease_along(top, -0.1));
+  return input;
+}
+
+TEST(SeamsThatGive, APieceThatWouldCoverItselfIsSolvedAnewWithTheLengthsFound) {
+  const FlattenInput input = ring_with_wall(0.05);
+  const FlattenResult result = flatten(input);
+  expect_good(input, result);
+  EXPECT_GT(result.seams.at(0).variation, 0.01) << "this closes the ring";
+  EXPECT_TRUE(std::isnan(result.pieces.at(0).report.projected_gradient));
+  EXPECT_LT(result.pieces.at(1).report.projected_gradient, 1e-4);
+}
+
+TEST(SeamsThatGive, GoodPiecesThatWouldBeLostKeepTheirEase) {
+  Options few;
+  few.max_factorizations = 12;  // not enough to find a ring that does not cover itself
+  const FlattenInput input = ring_with_wall(0.05);
+  const FlattenResult result = flatten(input, few);
+  expect_good(input, result);
+  EXPECT_EQ(result.seams.at(0).variation, 0);
+  int spent = 0, spent_at_ease = 0;
+  for (const Piece& piece : result.pieces) {
+    EXPECT_EQ(piece.report.termination, Termination::stalled);
+    ASSERT_FALSE(piece.report.warnings.empty());
+    EXPECT_NE(piece.report.warnings.back().find("those of their ease"), std::string::npos);
+    spent += piece.report.factorizations;
+  }
+  for (const Piece& piece : flatten(ring_with_wall(0), few).pieces) spent_at_ease += piece.report.factorizations;
+  EXPECT_GT(spent, spent_at_ease) << "what led nowhere counts";
 }
 
 /// All gores are alike, so that their seams have one length: that of a single gore whose two sides have one.

@@ -2,10 +2,14 @@
 // Outlines too short to hold their surface in the plane: the bound, and what is said of them.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <optional>
 #include <string>
 
 #include "chart_errors.h"
+#include "errors/sentence.h"
 #include "feasibility/isoperimetric.h"
+#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -47,6 +51,17 @@ TEST(ShortOutline, OfManyOpeningsNamesTheLongest) {
   const std::string message = result.pieces[0].error->what();
   EXPECT_NE(message.find(" and 5 more, can hold"), std::string::npos) << message;
   EXPECT_EQ(result.pieces[0].error->elements.vertices.size(), 10U);  // 2 ends and 8 holes
+}
+
+TEST(ShortOutline, TellsTheLengthThatItsEaseLeavesIt) {
+  FlattenInput input = test::cylinder_tube(16, 4, 1, 6);
+  test::add_wire(input, test::tube_ring(16, 0));
+  input.wires[0].ease = 0.25;
+  const std::optional<FlattenError> error = flatten(input).pieces.at(0).error;
+  ASSERT_TRUE(error);
+  const double around = 16 * 2 * std::sin(kPi / 16);
+  const std::string told = "its outlines, " + rounded(1.25 * around) + " units long at vertex ";
+  EXPECT_NE(std::string(error->what()).find(told), std::string::npos) << error->what();
 }
 
 TEST(ShortOutline, SparesTheOtherPieces) {
