@@ -15,12 +15,12 @@ PRESETS = ["woven", "denim", "jersey", "swim", "leather", "neoprene"]
 
 
 def test_a_cloth_keeps_what_it_was_given():
-    cloth = Cloth(0.2, 1, shear=np.float32(0.25), squeeze=2, locking=0.5, limits=np.array([0.03, 0.04]))
+    cloth = Cloth(0.2, 1, np.float32(0.25), squeeze=2, stretch=(0.2, 0), locking=0.5, limits=np.array([0.03, 0.04]))
     assert (cloth.weft, cloth.warp, cloth.shear, cloth.squeeze) == (0.2, 1.0, 0.25, 2.0)
-    assert (cloth.locking, cloth.limits) == (0.5, (0.03, 0.04))
+    assert (cloth.stretch, cloth.locking, cloth.limits) == ((0.2, 0.0), 0.5, (0.03, 0.04))
     plain = Cloth()
     assert (plain.weft, plain.warp, plain.shear, plain.squeeze) == (1.0, 1.0, 0.5, 1.0)
-    assert (plain.locking, plain.limits) == (None, None)
+    assert (plain.stretch, plain.locking, plain.limits) == ((0.0, 0.0), None, None)
 
 
 def test_a_checked_cloth_cannot_be_changed():
@@ -28,7 +28,10 @@ def test_a_checked_cloth_cannot_be_changed():
         Cloth().weft = -1.0
 
 
-@pytest.mark.parametrize("cloth", [Cloth(), Cloth(1, 2, 0.1, squeeze=3, locking=0.7, limits=(0.1, 0.2))], ids=repr)
+MADE = Cloth(1, 2, 0.1, squeeze=3, stretch=(0, 0.1), locking=0.7, limits=(0.1, 0.2))
+
+
+@pytest.mark.parametrize("cloth", [Cloth(), MADE], ids=repr)
 def test_copies_and_pickles_are_equal(cloth):
     assert copy.deepcopy(cloth) == pickle.loads(pickle.dumps(cloth)) == cloth
     options = Options(cloth=cloth, grain_angle=0.25)
@@ -40,6 +43,26 @@ def test_copies_and_pickles_are_equal(cloth):
 def test_a_preset_goes_by_its_name(name):
     assert Options(cloth=name).cloth == Cloth.preset(name)
     assert Options(cloth=name).cloth != Cloth()
+
+
+@pytest.mark.parametrize("name", ["lace", 3, None], ids=repr)
+def test_there_is_no_other_preset(name):
+    with pytest.raises(FlattenError) as caught:
+        Cloth.preset(name)
+    assert caught.value.code is ErrorCode.invalid_option
+
+
+def test_options_that_do_not_go_together_are_refused_when_they_are_set():
+    options = Options(cloth="woven")
+    for name, value in (("method", "wirewarp++"), ("surface", "top"), ("thickness", -1)):
+        with pytest.raises(FlattenError) as caught:
+            setattr(options, name, value)
+        assert caught.value.code is ErrorCode.invalid_option
+    options.orientation = "best"
+    with pytest.raises(FlattenError, match="needs a cloth"):
+        options.cloth = None
+    with pytest.raises(FlattenError, match="needs a cloth"):
+        Options().orientation = "best"
 
 
 def test_options_have_no_cloth_by_default():
@@ -60,6 +83,7 @@ def test_options_have_no_cloth_by_default():
         ({"squeeze": 0}, "squeeze is 0"),
         ({"locking": 2}, "locking is 2"),
         ({"limits": (-1, 0)}, "limit is -1"),
+        ({"stretch": (0, -1)}, "stretch is -1"),
     ],
 )
 def test_what_is_no_cloth_is_refused(arguments, words):

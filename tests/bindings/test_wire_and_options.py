@@ -161,6 +161,8 @@ CHANGED = {
     "up": (0.0, -2.0, 0.5),
     "gap": 0.5,
     "mirror": True,
+    "thickness": 2.5,
+    "surface": "outside",
 }
 
 
@@ -208,6 +210,9 @@ def test_an_option_is_the_same_however_it_is_set(name, value):
         ("gap", 1.5, "between 0 and 1"),
         ("gap", math.nan, "between 0 and 1"),
         ("gap", math.inf, "between 0 and 1"),
+        ("thickness", -1, "0 or above"),
+        ("thickness", math.inf, "0 or above"),
+        ("surface", "top", "'inside' or 'middle' or 'outside'"),
         ("mirror", 1, "True or False"),
         ("mirror", "yes", "True or False"),
     ],

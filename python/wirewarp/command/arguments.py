@@ -116,7 +116,7 @@ def _model_options() -> argparse.ArgumentParser:
         "--stretch",
         type=_stretch,
         default=(0.0, 0.0),
-        metavar="P%|P%,P%",
+        metavar="WEFT,WARP",
         help="of the cloth when worn, in both directions or across and along the grain: 10%%,5%% (0%%)",
     )
     options.add_argument("--thickness", type=_length, default=0.0, help="of foam, neoprene, leather: 3mm (none)")
