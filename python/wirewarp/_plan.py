@@ -28,7 +28,7 @@ def plan_cuts(
     eases: Iterable[Ease] = (),
     progress: Callable[[str, float], bool | None] | None = None,
 ) -> list[DartProposal]:
-    """Cuts one after the other, each the best there is beside those before it, until no piece is strained more.
+    """Cuts one after the other, each the one that leaves least strain beside those before it, until that is enough.
 
     kind: "dart" or "seam", as propose_darts() and propose_seams() propose them.
     strain: the aim, 0.05 for 5%: pieces strained by no more (DartProposal.strain) are left as they are.
@@ -55,22 +55,26 @@ def plan_cuts(
             return None if progress is None else progress(stage, (done + fraction) / most)
 
         try:
-            best = _PROPOSE[kind](
+            proposals = _PROPOSE[kind](
                 vertices,
                 faces,
                 seams=np.concatenate(lines),
                 wires=wires,
                 options=options,
                 eases=eases,
-                count=1,
                 strain=strain,
                 longest=left,
                 progress=report,
-            )[0]
+            )
         except FlattenError as error:
             if taken and error.code == ErrorCode.no_proposal:
                 break
             raise
+        worst = max(proposal.strain_before for proposal in proposals)
+        best = min(
+            (proposal for proposal in proposals if proposal.strain_before == worst),
+            key=lambda proposal: proposal.strain,
+        )
         taken.append(best)
         lines.append(best.edges)
     return taken

@@ -26,6 +26,12 @@ FlattenInput hill(int n) {
   return input;
 }
 
+CutWishes few() {
+  CutWishes wishes;
+  wishes.count = 2;
+  return wishes;
+}
+
 FlattenInput with_seams(FlattenInput input, const std::vector<VertexPair>& edges) {
   for (const VertexPair& edge : edges) test::add_seam(input, {edge[0], edge[1]});
   return input;
@@ -41,9 +47,9 @@ double energy_of(const FlattenResult& result) {
 }
 
 TEST(ProposeCuts, FiguresAreThoseOfAFreshRun) {
-  const FlattenInput input = hill(12);
+  const FlattenInput input = hill(8);
   for (const auto& propose : {propose_darts, propose_seams}) {
-    const std::vector<DartProposal> proposals = propose(input, {}, {}, {});
+    const std::vector<DartProposal> proposals = propose(input, {}, few(), {});
     ASSERT_FALSE(proposals.empty());
     const double before = energy_of(flatten(input));
     for (const DartProposal& proposal : proposals) {
@@ -84,10 +90,10 @@ FlattenInput disguised(const FlattenInput& input) {
 }
 
 TEST(ProposeCuts, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
-  const FlattenInput input = hill(12);
+  const FlattenInput input = hill(8);
   ASSERT_NE(input.vertices.rows() % 7, 0);
   const FlattenInput other = disguised(input);
-  const std::vector<DartProposal> here = propose_darts(input), there = propose_darts(other);
+  const std::vector<DartProposal> here = propose_darts(input, {}, few()), there = propose_darts(other, {}, few());
   ASSERT_EQ(here.size(), there.size());
   const int count = static_cast<int>(input.vertices.rows());
   for (std::size_t i = 0; i < here.size(); ++i) {
@@ -101,13 +107,13 @@ TEST(ProposeCuts, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
 }
 
 TEST(ProposeCuts, OfASymmetricPieceComeWithTheirMirrorImages) {
-  const int n = 12;
+  const int n = 8;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double x = 2 * s - 1, y = 1.5 * (2 * t - 1);
     return Eigen::Vector3d(x, y, 0.6 * std::exp(-4 * ((std::abs(x) - 0.4) * (std::abs(x) - 0.4) + y * y)) + 0.1 * y);
   });
   test::alternate_diagonals(input, n);
-  const std::vector<DartProposal> darts = propose_darts(input);
+  const std::vector<DartProposal> darts = propose_darts(input, {}, few());
   int num_twins = 0;
   for (std::size_t i = 0; i < darts.size(); ++i) {
     if (!darts[i].twin) continue;
@@ -128,11 +134,11 @@ TEST(ProposeCuts, OfASymmetricPieceComeWithTheirMirrorImages) {
 }
 
 TEST(ProposeCuts, CutNoWire) {
-  const int n = 12;
+  const int n = 8;
   FlattenInput input = hill(n);
-  test::add_wire(input, test::grid_column(n, n, 6));
+  test::add_wire(input, test::grid_column(n, n, 4));
   const std::vector<int> wire = input.wires[0].vertices;
-  for (const DartProposal& dart : propose_darts(input)) {
+  for (const DartProposal& dart : propose_darts(input, {}, few())) {
     for (std::size_t k = 1; k < dart.edges.size(); ++k) {
       EXPECT_EQ(std::count(wire.begin(), wire.end(), dart.edges[k][0]), 0);
     }
@@ -141,10 +147,9 @@ TEST(ProposeCuts, CutNoWire) {
 }
 
 TEST(ProposeCuts, AreNoLongerAndNoMoreThanWished) {
-  CutWishes wishes;
-  wishes.count = 2;
+  CutWishes wishes = few();
   wishes.longest = 0.5;
-  const std::vector<DartProposal> darts = propose_darts(hill(12), {}, wishes);
+  const std::vector<DartProposal> darts = propose_darts(hill(8), {}, wishes);
   EXPECT_LE(darts.size(), 2U);
   for (const DartProposal& dart : darts) EXPECT_LE(dart.length, wishes.longest);
 }

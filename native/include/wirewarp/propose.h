@@ -31,11 +31,11 @@ struct CutWishes {
   double longest = std::numeric_limits<double>::infinity();  // of one cut, on the surface, scene units; > 0
 };
 
-/// Darts that lower the energy of a piece, those that take most from the model first: from the outline to a point
-/// inside, along edges that run on smoothly. No wire is cut. All lengths are as exact as without the dart. The same
-/// however the input is turned, mirrored or numbered, but for the order of what is equal. Throws what flatten() throws;
-/// the error of the piece asked for, if it does not lie flat; no_proposal, where a piece is flat already, has no room
-/// or gains by none; cancelled.
+/// Darts that lower the energy of a piece and do not raise its strain, those that take most from the model first: from
+/// the outline to a point inside, along edges that run on smoothly. No wire is cut. All lengths are as exact as without
+/// the dart. The same however the input is turned, mirrored or numbered, but for the order of what is equal. Throws
+/// what flatten() throws; the error of the piece asked for, if it does not lie flat; no_proposal, where a piece is flat
+/// already, has no room or gains by none; cancelled.
 std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options& options = {},
                                         const CutWishes& wishes = {}, const Progress& progress = {});
 

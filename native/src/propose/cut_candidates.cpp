@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "mesh/geometry.h"
 #include "mesh/shortest_paths.h"
@@ -13,16 +14,17 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kMostEnds = 24;         // about a fifth of the piece's width apart
-constexpr double kWindow = 1.0 / 24;  // of the outline to each side: where a way is the shortest of its neighborhood
-constexpr double kCorner = kPi / 6;   // turn of the outline, radians
-
-constexpr double kApart = 0.15;  // of ends that are not beside each other, over the root of the area
+constexpr int kInnerPoints = 24;       // about a fifth of the piece's width apart
+constexpr int kOutlinePoints = 14;     // a short piece's width apart; half of them at corners, where there are so many
+constexpr double kWindow = 1.0 / 24;   // of the outline to each side: where a way is the shortest of its neighborhood
+constexpr double kCorner = kPi / 6;    // turn of the outline, radians
+constexpr double kClearly = 1 + 1e-9;  // sharper: the same however the mesh is turned
+constexpr double kApart = 0.15;        // of ends that are not beside each other, over the root of the area
 
 struct OutlinePoint {
   VertexHandle vertex;
-  double at = 0;  // length of the loop up to it
-  bool is_corner = false;
+  double at = 0;    // length of the loop up to it
+  double turn = 0;  // of the outline, radians
 };
 
 using OutlineLoop = std::vector<OutlinePoint>;
@@ -35,13 +37,13 @@ OutlineLoop measure_loop(const Chart& chart, const HalfEdgeChain& half_edges) {
     double angle = 0;  // inside
     for (HalfedgeHandle around = h; !chart.mesh.is_boundary(around); around = next_counterclockwise(chart.mesh, around))
       angle += corner_angle(chart.mesh, around);
-    loop.push_back({chart.mesh.from_vertex_handle(h), at, std::abs(angle - kPi) > kCorner});
+    loop.push_back({chart.mesh.from_vertex_handle(h), at, std::abs(angle - kPi)});
     at += edge_length(chart.mesh, h);
   }
   return loop;
 }
 
-/// Where the paths to a loop are shorter than to all points of it near by, and its corners.
+/// Where the paths to a loop are shorter than to all points of it near by.
 void take_landings(const OutlineLoop& loop, double length, const SmoothPaths& paths, std::vector<VertexHandle>& taken) {
   const auto cost_at = [&](std::size_t i) {
     const HalfedgeHandle h = paths.arrival[loop[i].vertex.idx()];
@@ -56,7 +58,7 @@ void take_landings(const OutlineLoop& loop, double length, const SmoothPaths& pa
       if (i == j || std::min(apart, length - apart) > kWindow * length) continue;
       is_least = cost < cost_at(j) || (cost == cost_at(j) && i < j);
     }
-    if (is_least || loop[i].is_corner) taken.push_back(loop[i].vertex);
+    if (is_least) taken.push_back(loop[i].vertex);
   }
 }
 
@@ -68,7 +70,8 @@ std::vector<VertexHandle> spread(const Chart& chart, std::vector<VertexHandle> s
     const ShortestPaths paths = shortest_paths(chart.mesh, sources);
     int farthest = -1;
     for (int v = 0; v < static_cast<int>(may_take.size()); ++v) {
-      if (may_take[v] != 0 && paths.distance[v] > 0 && (farthest < 0 || paths.distance[v] > paths.distance[farthest]))
+      if (may_take[v] != 0 && paths.distance[v] > 0 &&
+          (farthest < 0 || paths.distance[v] > kClearly * paths.distance[farthest]))
         farthest = v;
     }
     if (farthest < 0) break;
@@ -78,40 +81,58 @@ std::vector<VertexHandle> spread(const Chart& chart, std::vector<VertexHandle> s
   return taken;
 }
 
+/// Points spread along the outline: corners first, then any.
+std::vector<VertexHandle> spread_on_outline(const Chart& chart, const std::vector<OutlineLoop>& loops,
+                                            const SmoothPathFinder& paths) {
+  std::vector<char> is_corner(chart.mesh.n_vertices(), 0), is_on_outline = is_corner;
+  VertexHandle sharpest;
+  double sharpest_turn = -1;
+  for (const OutlineLoop& loop : loops) {
+    for (const OutlinePoint& point : loop) {
+      if (paths.is_barred(point.vertex)) continue;
+      is_on_outline[point.vertex.idx()] = 1;
+      is_corner[point.vertex.idx()] = point.turn > kCorner ? 1 : 0;
+      if (point.turn <= kClearly * sharpest_turn) continue;
+      sharpest = point.vertex;
+      sharpest_turn = point.turn;
+    }
+  }
+  if (!sharpest.is_valid()) return {};
+  std::vector<VertexHandle> points{sharpest};
+  for (const auto& [may_take, count] :
+       {std::pair(is_corner, kOutlinePoints / 2), std::pair(is_on_outline, kOutlinePoints)}) {
+    const std::vector<VertexHandle> more = spread(chart, points, may_take, count - static_cast<int>(points.size()));
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  return points;
+}
+
+std::vector<VertexHandle> spread_inside(const Chart& chart, const SmoothPathFinder& paths) {
+  std::vector<char> may_take(chart.mesh.n_vertices(), 0);
+  for (const VertexHandle v : chart.mesh.vertices()) {
+    may_take[v.idx()] = chart.mesh.is_boundary(v) || paths.is_barred(v) ? 0 : 1;
+  }
+  return spread(chart, boundary_vertices(chart.mesh), may_take, kInnerPoints);
+}
+
 }  // namespace
 
 std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind) {
   std::vector<OutlineLoop> loops;
   for (const HalfEdgeChain& loop : chart.boundary_loops) loops.push_back(measure_loop(chart, loop));
-  std::vector<char> may_take(chart.mesh.n_vertices(), 0);
-  for (const VertexHandle v : chart.mesh.vertices()) {
-    may_take[v.idx()] = chart.mesh.is_boundary(v) == (kind == CutKind::seam) && !paths.is_barred(v) ? 1 : 0;
-  }
-  std::vector<VertexHandle> sources = boundary_vertices(chart.mesh);
-  if (kind == CutKind::seam) {  // from the corners on
-    sources.clear();
-    for (const OutlineLoop& loop : loops) {
-      for (const OutlinePoint& point : loop) {
-        if (point.is_corner && !paths.is_barred(point.vertex)) sources.push_back(point.vertex);
-      }
-    }
-    if (sources.empty()) sources.push_back(loops.front().front().vertex);
-  }
-  std::vector<VertexHandle> ends = spread(chart, sources, may_take, kMostEnds);
-  if (kind == CutKind::seam) ends.insert(ends.end(), sources.begin(), sources.end());
+  const std::vector<VertexHandle> on_outline = spread_on_outline(chart, loops, paths);
   std::set<CutEnds> cuts;
-  for (const VertexHandle end : ends) {
+  for (const VertexHandle end : kind == CutKind::seam ? on_outline : spread_inside(chart, paths)) {
     const SmoothPaths from_end = paths.paths_from(end);
-    std::vector<VertexHandle> landings;
-    for (std::size_t l = 0; l < loops.size(); ++l) {
-      take_landings(loops[l], length_of(chart.mesh, chart.boundary_loops[l]), from_end, landings);
+    std::vector<VertexHandle> starts;
+    for (const VertexHandle start : on_outline) {
+      if (from_end.arrival[start.idx()].is_valid()) starts.push_back(start);
     }
-    for (const VertexHandle start : landings) {
-      if (kind == CutKind::seam) {
-        cuts.insert({std::min(start, end), std::max(start, end)});
-      } else {
-        cuts.insert({start, end});
-      }
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+      take_landings(loops[l], length_of(chart.mesh, chart.boundary_loops[l]), from_end, starts);
+    }
+    for (const VertexHandle start : starts) {
+      cuts.insert(kind == CutKind::seam ? CutEnds{std::min(start, end), std::max(start, end)} : CutEnds{start, end});
     }
   }
   return {cuts.begin(), cuts.end()};

@@ -22,8 +22,8 @@ struct CutEnds {
   bool operator<(const CutEnds& other) const { return start == other.start ? end < other.end : start < other.start; }
 };
 
-/// Darts: from points spread over the inside to where ways to the outline are the shortest of their neighborhood, and
-/// to its corners. Seams likewise, from points spread along the outline.
+/// Darts: from points spread over the inside to points spread along the outline, and to where ways to it are the
+/// shortest of their neighborhood. Seams likewise, from points spread along the outline.
 std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind);
 
 /// Cuts with one end moved to a neighboring vertex.

@@ -18,9 +18,10 @@
 namespace wirewarp {
 namespace {
 
-/// The coarse copy may mistake the order of cuts that are nearly as good: so many more are flattened than are asked
-/// for.
-constexpr int kMoreInFull = 3;
+/// The coarse copy may mistake the order of cuts that are nearly as good: they are flattened in more places than are
+/// asked for, and several beside each other.
+constexpr int kMorePlaces = 3;
+constexpr int kPerPlace = 3;
 
 /// Less than this part of the energy is not worth a cut and the sewing of it.
 constexpr double kLeastGain = 0.02;
@@ -110,7 +111,7 @@ std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
   const std::vector<CutEnds> candidates = list_candidates(copy.chart, coarse_paths, kind_);
   if (candidates.empty()) throw no_room(input_chart_, kind_);
   std::vector<HalfEdgeChain> chains;
-  const CutLimits limits{wishes_.count + kMoreInFull, wishes_.longest};
+  const CutLimits limits{wishes_.count + kMorePlaces, kPerPlace, wishes_.longest};
   for (const RankedCut& cut : rank_cuts(copy.chart, coarse_paths, candidates, trials_.options(), limits, go_on_)) {
     HalfEdgeChain chain =
         chain_of(paths, {copy.fine_vertex[cut.ends.start.idx()], copy.fine_vertex[cut.ends.end.idx()]});
@@ -143,7 +144,9 @@ std::vector<std::optional<PieceSearch::Tried>> PieceSearch::flatten(const std::v
     DartProposal proposal;
     proposal.edges = edges_of(chains[i]);
     const PieceFigures after = figures_of(trials_.run(proposal.edges), input_chart_, trials_.options());
-    if (after.error || !(after.energy <= (1 - kLeastGain) * before.energy)) return;
+    const bool helps =
+        !after.error && after.energy <= (1 - kLeastGain) * before.energy && after.strain <= before.strain;
+    if (!helps) return;
     proposal.length = length_of(chart_.mesh, chains[i]);
     proposal.energy = after.energy;
     proposal.energy_before = before.energy;
@@ -156,14 +159,20 @@ std::vector<std::optional<PieceSearch::Tried>> PieceSearch::flatten(const std::v
 
 std::vector<DartProposal> PieceSearch::search(const PieceFigures& before) {
   if (before.strain <= wishes_.strain) throw flat_enough(input_chart_, before.strain, wishes_.strain);
-  std::vector<Tried> best;
+  std::vector<Tried> helpful;
   for (std::optional<Tried>& tried : flatten(without_mirror_images(best_chains()), before)) {
-    if (tried) best.push_back(std::move(*tried));
+    if (tried) helpful.push_back(std::move(*tried));
   }
-  if (best.empty()) throw none_helps(input_chart_, kind_);
-  std::stable_sort(best.begin(), best.end(),
+  if (helpful.empty()) throw none_helps(input_chart_, kind_);
+  std::stable_sort(helpful.begin(), helpful.end(),
                    [](const Tried& a, const Tried& b) { return a.proposal.energy < b.proposal.energy; });
-  if (static_cast<int>(best.size()) > wishes_.count) best.resize(wishes_.count);
+  std::vector<Tried> best;
+  for (Tried& tried : helpful) {
+    const bool is_beside = std::any_of(best.begin(), best.end(), [&](const Tried& better) {
+      return are_beside(chart_, ends_of(better.chain), ends_of(tried.chain));
+    });
+    if (!is_beside && static_cast<int>(best.size()) < wishes_.count) best.push_back(std::move(tried));
+  }
   std::vector<HalfEdgeChain> twin_chains;
   for (const Tried& tried : best) twin_chains.push_back(twin_of(tried.chain));
   std::vector<std::optional<Tried>> twins = flatten(twin_chains, before);

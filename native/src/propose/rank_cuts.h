@@ -15,12 +15,14 @@ struct RankedCut {
 };
 
 struct CutLimits {
-  int count;       // of cuts that are ranked
+  int places;      // where cuts are, none of them beside another
+  int per_place;   // cuts beside each other, so that the finer mesh has a choice
   double longest;  // of one, scene units
 };
 
-/// The best candidates of a chart with their ends moved to where they serve best, the best first; no two of them beside
-/// each other, none that does not lower E. go_on: asked in any thread, false ends the search with Stopped.
+/// The best candidates of a chart with their ends moved to where they serve best, and what lies
+/// beside them, the best first; none that does not lower E. go_on: asked in any thread, false ends the search with
+/// Stopped.
 std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
                                  const std::vector<CutEnds>& candidates, const InternalOptions& options,
                                  const CutLimits& limits, const std::function<bool()>& go_on);
