@@ -14,116 +14,20 @@
 #include "charts/seams_that_give.h"
 #include "charts_progress.h"
 #include "check_input/check_input.h"
-#include "factorization_failed.h"
-#include "feasibility/folded_faces.h"
-#include "feasibility/isoperimetric.h"
-#include "feasibility/propose_seams.h"
 #include "in_threads.h"
 #include "internal_options.h"
 #include "join_charts.h"
 #include "metrics/assemble_result.h"
-#include "metrics/helper_wires.h"
 #include "middle_surface.h"
-#include "network/length_variation.h"
-#include "outer/choose_variation.h"
 #include "packing/pack_pieces.h"
 #include "piece_report.h"
 #include "progress_report.h"
-#include "refine/infeasible_wires.h"
-#include "refine/lies_flat.h"
-#include "refine/refine_cloth.h"
+#include "solve_chart.h"
 #include "stop_token.h"
 #include "stretch_charts.h"
-#include "topology/process_topology.h"
-#include "topology/unjoined_wires.h"
 
 namespace wirewarp {
 namespace {
-
-/// What all charts of a run have in common.
-struct Run {
-  const FlattenInput& input;
-  const InternalOptions& options;
-};
-
-/// Seams along which a chart lies flat that has no good shape without. Throws Stopped: what was found by then is not
-/// what a whole search finds.
-std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop) {
-  if (!run.options.with_proposals) return {};
-  std::vector<VertexPair> seams =
-      propose_seams(chart, {[&](const Chart& piece) { return lies_flat(piece, run.options, stop); },
-                            [stop = stop.in("shape")] { return stop.may_go_on(); }});
-  if (stop.is_stopped()) throw Stopped();
-  return seams;
-}
-
-/// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
-FlattenError explain_infeasible(const Chart& chart, const Run& run, const RefineResult& refined,
-                                const StopToken& stop) {
-  std::vector<ProposedTolerance> tolerances;
-  if (run.options.with_proposals) tolerances = propose_tolerances(chart, run.options, refined, stop);
-  stop.check();
-  if (tolerances.empty())
-    return infeasible_outline(chart, run.options, propose_seams(chart, run, stop), refined.ran_out);
-  return infeasible_wires(chart, run.input.wires, run.options, std::move(tolerances), refined.ran_out);
-}
-
-/// WireWarping and WireWarping++: the wires first, the surface follows (II).
-void flatten_by_warping(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved) {
-  std::map<std::string, double>& seconds = solved.report.seconds;
-  if (run.options.method == Method::wirewarp_plus_plus) check_outline_is_settled(chart, run.input.wires);
-  stop.in("wires").check();
-  std::optional<Chart> split;
-  WireNetwork network;
-  {
-    const StageTimer timer(seconds, "wires");
-    split = process_topology(chart, stop.in("wires"));  // III
-    network = build_wire_network(split ? *split : chart);
-    solved.network = split ? build_wire_network(chart) : network;
-  }
-  const Chart& prepared = split ? *split : chart;
-  stop.in("interior").check();
-  const StopToken at_lengths = stop.in("lengths");
-  std::optional<Warp> warp;  // ψ (II-A)
-  {
-    const StageTimer timer(seconds, "interior");
-    warp.emplace(prepared, network, run.options.node_weight, run.options.inner, at_lengths);
-    solved.report.factorizations = warp->interior_factorizations();
-  }
-  const StageTimer timer(seconds, "lengths");
-  const VariationBounds bounds = variation_bounds(prepared, run.options);
-  OuterSolution solution = choose_variation(prepared, *warp, bounds);  // II-B, Algorithm 1
-  report_solution(solution, solved.report);
-  if (!solution.shape.inner.is_feasible) {
-    const StopToken in_no_other_stage([&](const char*) { return at_lengths.may_go_on(); });
-    const RefineResult refined = refine_chart(chart, run.options, in_no_other_stage);
-    if (stop.is_stopped()) throw Stopped();
-    if (refined.shape.is_exact) throw needs_refinement(chart);
-    throw explain_infeasible(chart, run, refined, in_no_other_stage);
-  }
-  solved.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
-  solved.variation = variations_of(chart, solution.variation);
-  solved.uv = std::move(solution.shape.uv);
-  const bool is_folded = !find_folded_faces(chart.mesh, solved.uv).empty();
-  if (is_folded && !lies_flat(chart, run.options, stop)) solved.proposed_seams = propose_seams(chart, run, stop);
-}
-
-/// The refined method: wires and surface at once, under the same exact lengths. Once those are reached, cancelling
-/// leaves the piece at the best shape so far.
-void flatten_by_refining(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved) {
-  stop.in("start").check();
-  const StageTimer timer(solved.report.seconds, "shape");
-  solved.network = build_wire_network(chart);
-  RefineResult refined = refine_chart(chart, run.options, stop);
-  if (run.options.cloth && refined.shape.is_exact) refine_cloth(chart, run.options, stop.in("shape"), refined);
-  report_refinement(refined, stop.is_stopped(), solved.report);
-  if (!refined.shape.is_exact) throw explain_infeasible(chart, run, refined, stop.in("shape"));
-  solved.variation = variations_of(chart, refined.shape.variation);
-  solved.multipliers = std::move(refined.shape.multipliers);
-  solved.uv = std::move(refined.shape.uv);
-  const bool is_folded = refined.shape.injectivity != Injectivity::global;
-  if (is_folded && !stop.is_stopped()) solved.proposed_seams = propose_seams(chart, run, stop);
-}
 
 const char* name_of(Method method) {
   switch (method) {
@@ -137,32 +41,6 @@ const char* name_of(Method method) {
   throw std::logic_error("not a Method");
 }
 
-SolvedChart cancelled_chart() {
-  SolvedChart solved;
-  solved.error = cancelled();
-  solved.report.termination = Termination::cancelled;
-  return solved;
-}
-
-/// The layout of a chart with a mesh, or why it has none.
-SolvedChart solve_chart(const Chart& chart, const Run& run, const StopToken& stop) {
-  SolvedChart solved;
-  try {
-    if (chart.error) throw with_proposed_seams(*chart.error, propose_seams(chart, run, stop));
-    if (is_outline_too_short(chart)) throw outline_too_short(chart, propose_seams(chart, run, stop));
-    (run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, run, stop, solved);
-  } catch (const FlattenError& error) {
-    solved.error = error;
-  } catch (const Stopped&) {
-    solved = cancelled_chart();
-  } catch (const UnjoinedWires&) {
-    solved.error = not_joined(chart);
-  } catch (const FactorizationFailed&) {
-    solved.error = not_solvable(chart);
-  }
-  return solved;
-}
-
 /// The largest first, so that no core waits long for the last.
 std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
   std::vector<std::size_t> order(charts.size());
@@ -171,13 +49,6 @@ std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
     return charts[a].source_face.size() > charts[b].source_face.size();
   });
   return order;
-}
-
-/// The chart with the seams beside it that give at h = ease.
-SolvedChart solve_settled(const Chart& chart, const Run& run, const StopToken& stop) {
-  SolvedChart solved = solve_chart(with_settled_seams(chart), run, stop);
-  if (solved.network) solved.network = build_wire_network(chart);
-  return solved;
 }
 
 /// Options for shapes that others begin at. The best direction of a cloth stays, so it has to be exact.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eases, and seams whose sides have one length that is not settled beforehand.
+// Seams whose sides have one length that is not settled beforehand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "judge.h"
+#include "eased_sheets.h"
 #include "planar.h"
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
@@ -17,29 +17,12 @@
 namespace wirewarp {
 namespace {
 
-using Code = ErrorCode;
+using test::ease_along;
+using test::expect_good;
+using test::seam_of_sheets;
+using test::two_sheets;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-ErrorCode code_thrown_by(const FlattenInput& input) {
-  try {
-    flatten(input);
-  } catch (const FlattenError& error) {
-    return error.code;
-  }
-  return Code::cancelled;
-}
-
-Ease ease_along(const std::vector<int>& chain, double ratio) {
-  Ease ease{VertexPairs(static_cast<Eigen::Index>(chain.size()) - 1, 2), ratio};
-  for (Eigen::Index i = 0; i < ease.half_edges.rows(); ++i) ease.half_edges.row(i) << chain[i], chain[i + 1];
-  return ease;
-}
-
-void expect_good(const FlattenInput& input, const FlattenResult& result) {
-  EXPECT_EQ(test::broken_promises(input, {}, result), std::vector<std::string>{});
-  for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
-}
 
 /// Of all pieces, over their area.
 double objective_of(const FlattenResult& result) {
@@ -50,19 +33,6 @@ double objective_of(const FlattenResult& result) {
   }
   return sum / area;
 }
-
-/// A sheet of 4 by 2 whose left half is level and right half a saddle, with a seam between them.
-FlattenInput two_sheets() {
-  const int n = 8;
-  FlattenInput input = test::make_grid(2 * n, n, [](double s, double t) {
-    const double x = 4 * s - 2, y = 2 * t - 1;
-    return Eigen::Vector3d(x, y, x > 0 ? 0.2 * x * x * y * y : 0);
-  });
-  test::add_seam(input, test::grid_column(2 * n, n, n));
-  return input;
-}
-
-std::vector<int> seam_of_sheets() { return test::grid_column(16, 8, 8); }
 
 /// Seams as wires with a tolerance.
 FlattenInput gores(double tolerance, double ease = 0) {
@@ -79,116 +49,6 @@ FlattenInput gores(double tolerance, double ease = 0) {
   return input;
 }
 
-/// A grid of wires that are all shorter holds the most area where its squares stay squares.
-TEST(Ease, OfAllLinesOfASheetScalesIt) {
-  const int n = 6;
-  const double ease = -0.1;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  for (int i = 0; i <= n; ++i) {
-    test::add_wire(input, test::grid_row(n, i));
-    test::add_wire(input, test::grid_column(n, n, i));
-  }
-  for (Wire& wire : input.wires) wire.ease = ease;
-  const FlattenResult result = flatten(input);
-  expect_good(input, result);
-  const Metrics& metrics = result.pieces.at(0).metrics;
-  EXPECT_NEAR(metrics.area_2d, (1 + ease) * (1 + ease), 1e-8);
-  EXPECT_NEAR(result.pieces[0].report.objective, 2 * ease * ease, 1e-8) << "the ease costs no bending";
-  EXPECT_NEAR(metrics.angle_deviation_max, 0, 1e-5);
-  for (const WireReport& wire : result.wires) EXPECT_NEAR(wire.variation, ease, 1e-12);
-}
-
-TEST(Ease, OfASeamIsThatOfAllItsSides) {
-  for (const Method method : {Method::refined, Method::wirewarp_plus_plus, Method::wirewarping}) {
-    FlattenInput input = two_sheets();
-    test::add_wire(input, seam_of_sheets());
-    input.wires.back().ease = 0.05;
-    Options options;
-    options.method = method;
-    const FlattenResult result = flatten(input, options);
-    const SeamReport& seam = result.seams.at(0);
-    EXPECT_NEAR(seam.variation, 0.05, 1e-12);
-    for (const double length : seam.length_2d) EXPECT_NEAR(length, 1.05 * seam.length_3d, 1e-8 * seam.length_3d);
-    EXPECT_LT(seam.mismatch, 1e-9 * seam.length_3d);
-    for (const Piece& piece : result.pieces) {
-      EXPECT_FALSE(piece.error && piece.error->code == Code::lengths_not_kept);
-    }
-  }
-}
-
-TEST(Ease, OfOneSideLeavesTheOther) {
-  FlattenInput input = two_sheets();
-  input.eases.push_back(ease_along(seam_of_sheets(), 0.05));
-  const FlattenResult result = flatten(input);
-  expect_good(input, result);
-  const SeamReport& seam = result.seams.at(0);
-  ASSERT_EQ(seam.length_2d.size(), 2u);
-  // Upwards along the seam the sheet on the left lies on the left: piece 0.
-  EXPECT_NEAR(seam.length_2d[0], 1.05 * seam.length_3d, 1e-9);
-  EXPECT_NEAR(seam.length_2d[1], seam.length_3d, 1e-9);
-  EXPECT_NEAR(seam.eases[0], 0.05, 1e-12);
-  EXPECT_NEAR(seam.eases[1], 0, 1e-12);
-  EXPECT_LT(seam.mismatch, 1e-9);
-}
-
-TEST(Ease, BetweenTwoMarksIsThatOfItsEdges) {
-  FlattenInput input = two_sheets();
-  std::vector<int> marked = seam_of_sheets();
-  marked = {marked.begin() + 2, marked.begin() + 6};  // three of eight edges
-  input.eases.push_back(ease_along(marked, 0.1));
-  const FlattenResult result = flatten(input);
-  expect_good(input, result);
-  EXPECT_NEAR(result.seams.at(0).eases[0], 0.1 * 3 / 8, 1e-9);
-}
-
-/// An end of a strip of height H that is longer by r makes it a sector: its threads lie on circles, at the height y
-/// they are longer by r y/H, and E is the sum of the squares of that. Strips end with free sides: what these ease off
-/// is the same for any width, and not in what a wider strip has more.
-TEST(Ease, OfOneEndMakesACylinderASector) {
-  const double ease = 0.05, height = 1;
-  const int rows = 8;
-  const auto total_energy = [&](int width) {
-    FlattenInput input = test::cylinder_patch(width * rows, rows, 10, width / 10., height);
-    test::add_wire(input, test::grid_row(width * rows, 0));
-    input.wires.back().ease = ease;
-    Options options;
-    options.fairness = Options::least_fairness;  // corners turn for nothing
-    const FlattenResult result = flatten(input, options);
-    expect_good(input, result);
-    EXPECT_NEAR(result.wires.at(0).length_2d, (1 + ease) * result.wires[0].length_3d, 1e-9);
-    const Metrics& metrics = result.pieces.at(0).metrics;
-    return metrics.arap_energy * metrics.area_3d;
-  };
-  // Triangles have the strain of the row that they have an edge on.
-  const double mean_square = ease * ease * (1. / 3 + 1. / (6 * rows * rows));
-  EXPECT_NEAR(total_energy(8) - total_energy(4), mean_square * 4 * height, 0.01 * mean_square * 4 * height);
-}
-
-TEST(Ease, BadOnesAreNamed) {
-  const std::vector<int> seam = seam_of_sheets();
-  FlattenInput wire = two_sheets();
-  test::add_wire(wire, seam);
-  for (const double ease : {-1.0, -2.0, kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
-    wire.wires[0].ease = ease;
-    EXPECT_EQ(code_thrown_by(wire), Code::invalid_ease);
-    FlattenInput side = two_sheets();
-    side.eases.push_back(ease_along(seam, ease));
-    EXPECT_EQ(code_thrown_by(side), Code::invalid_ease);
-  }
-  const auto with_ease = [](const std::vector<int>& chain) {
-    FlattenInput input = two_sheets();
-    input.eases.push_back(ease_along(chain, 0.1));
-    return input;
-  };
-  EXPECT_EQ(code_thrown_by(with_ease(test::grid_column(16, 8, 4))), Code::ease_without_side) << "no outline";
-  EXPECT_EQ(code_thrown_by(with_ease({0, 40})), Code::ease_without_side) << "no edge";
-  EXPECT_EQ(code_thrown_by(with_ease(test::grid_column(16, 8, 0))), Code::ease_without_side) << "the other way";
-  EXPECT_EQ(code_thrown_by(with_ease({-1, 0})), Code::vertex_out_of_range);
-  FlattenInput twice = with_ease(seam);
-  twice.eases.push_back(ease_along({seam[2], seam[3]}, 0.2));
-  EXPECT_EQ(code_thrown_by(twice), Code::side_in_two_eases);
-}
-
 TEST(SeamsThatGive, AreRefusedByWireWarpingPlusPlus) {
   FlattenInput input = two_sheets();
   test::add_wire(input, seam_of_sheets(), 0.03);
@@ -196,7 +56,7 @@ TEST(SeamsThatGive, AreRefusedByWireWarpingPlusPlus) {
   options.method = Method::wirewarp_plus_plus;
   for (const Piece& piece : flatten(input, options).pieces) {
     ASSERT_TRUE(piece.error);
-    EXPECT_EQ(piece.error->code, Code::invalid_option);
+    EXPECT_EQ(piece.error->code, ErrorCode::invalid_option);
     EXPECT_EQ(piece.error->elements.edges.size(), 8u);
   }
 }
@@ -302,7 +162,7 @@ TEST(SeamsThatGive, WithoutLengthsThatAllPiecesCanHaveAreAnError) {
   input.eases = {ease_along({0, 3}, 2), ease_along({3, 1}, -0.6)};  // 3 and 0.4: at least 2.6, the other at most 2
   for (const Piece& piece : flatten(input).pieces) {
     ASSERT_TRUE(piece.error);
-    EXPECT_EQ(piece.error->code, Code::infeasible_lengths);
+    EXPECT_EQ(piece.error->code, ErrorCode::infeasible_lengths);
   }
 }
 

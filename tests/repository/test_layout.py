@@ -37,6 +37,7 @@ LAYERS = [
     "feasibility",
     "inner",
     "outer",
+    "orientation",
     "packing",
     "coarsen",
     "refine",

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "charts/chart.h"
+#include "internal_options.h"
+#include "solved_chart.h"
+#include "stop_token.h"
+
+namespace wirewarp {
+
+/// What all charts of a run have in common.
+struct Run {
+  const FlattenInput& input;
+  const InternalOptions& options;
+};
+
+/// The layout of a chart with a mesh, or why it has none.
+SolvedChart solve_chart(const Chart& chart, const Run& run, const StopToken& stop);
+
+/// The same with the seams beside it that give at h = ease.
+SolvedChart solve_settled(const Chart& chart, const Run& run, const StopToken& stop);
+
+/// Seams along which a chart lies flat that has no good shape without. Throws Stopped: what was found by then is not
+/// what a whole search finds.
+std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop);
+
+/// A chart that the caller's no came before.
+SolvedChart cancelled_chart();
+
+}  // namespace wirewarp

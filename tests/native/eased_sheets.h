@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sheets with a seam, and eases of its sides.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "judge.h"
+#include "test_meshes.h"
+#include "wirewarp/flatten.h"
+
+namespace wirewarp::test {
+
+inline Ease ease_along(const std::vector<int>& chain, double ratio) {
+  Ease ease{VertexPairs(static_cast<Eigen::Index>(chain.size()) - 1, 2), ratio};
+  for (Eigen::Index i = 0; i < ease.half_edges.rows(); ++i) ease.half_edges.row(i) << chain[i], chain[i + 1];
+  return ease;
+}
+
+inline void expect_good(const FlattenInput& input, const FlattenResult& result) {
+  EXPECT_EQ(broken_promises(input, {}, result), std::vector<std::string>{});
+  for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
+}
+
+/// A sheet of 4 by 2 whose left half is level and right half a saddle, with a seam between them.
+inline FlattenInput two_sheets() {
+  const int n = 8;
+  FlattenInput input = make_grid(2 * n, n, [](double s, double t) {
+    const double x = 4 * s - 2, y = 2 * t - 1;
+    return Eigen::Vector3d(x, y, x > 0 ? 0.2 * x * x * y * y : 0);
+  });
+  add_seam(input, grid_column(2 * n, n, n));
+  return input;
+}
+
+inline std::vector<int> seam_of_sheets() { return grid_column(16, 8, 8); }
+
+}  // namespace wirewarp::test
