@@ -9,12 +9,12 @@ import pytest
 from surfaces import chain_edges, column_chain, half_cylinder, spherical_patch
 from wirewarp import ErrorCode, FlattenError, Options, Wire, flatten, plan_cuts, propose_darts, propose_seams
 
-DOME = spherical_patch(12, 12)
+DOME = spherical_patch(8, 8)
 
 
 @pytest.mark.parametrize("propose", [propose_darts, propose_seams])
 def test_the_figures_are_those_of_a_run_with_the_edges_as_seams(propose):
-    wires = [Wire(column_chain(12, 12, 6)[3:7])]
+    wires = [Wire(column_chain(8, 8, 4)[2:5])]
     before = flatten(*DOME, wires=wires).pieces[0].metrics.arap_energy
     proposals = propose(*DOME, wires=wires, count=2)
     for proposal in proposals:
@@ -35,7 +35,7 @@ def test_proposals_are_plain_values():
 
 
 def test_seams_that_are_there_stay():
-    seams = chain_edges(column_chain(12, 12, 6))
+    seams = chain_edges(column_chain(8, 8, 4))
     proposals = propose_darts(*DOME, seams=seams, piece=1)
     assert {proposal.piece for proposal in proposals} == {1}
     vertices = set(flatten(*DOME, seams=seams).pieces[1].source_vertex)

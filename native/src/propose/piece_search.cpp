@@ -19,9 +19,9 @@ namespace wirewarp {
 namespace {
 
 /// The coarse copy may mistake the order of cuts that are nearly as good: they are flattened in more places than are
-/// asked for, and several beside each other.
+/// asked for, and so are others, up to this part of all that were tried on the copy.
 constexpr int kMorePlaces = 3;
-constexpr int kPerPlace = 3;
+constexpr double kShareInFull = 0.05;
 
 /// Less than this part of the energy is not worth a cut and the sewing of it.
 constexpr double kLeastGain = 0.02;
@@ -111,7 +111,7 @@ std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
   const std::vector<CutEnds> candidates = list_candidates(copy.chart, coarse_paths, kind_);
   if (candidates.empty()) throw no_room(input_chart_, kind_);
   std::vector<HalfEdgeChain> chains;
-  const CutLimits limits{wishes_.count + kMorePlaces, kPerPlace, wishes_.longest};
+  const CutLimits limits{wishes_.count + kMorePlaces, kShareInFull, wishes_.longest};
   for (const RankedCut& cut : rank_cuts(copy.chart, coarse_paths, candidates, trials_.options(), limits, go_on_)) {
     HalfEdgeChain chain =
         chain_of(paths, {copy.fine_vertex[cut.ends.start.idx()], copy.fine_vertex[cut.ends.end.idx()]});

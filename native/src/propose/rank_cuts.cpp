@@ -23,6 +23,7 @@ class CutSearch {
   void try_all(const std::vector<CutEnds>& cuts);
   RankedCut improve(RankedCut cut);
   std::vector<RankedCut> ranked() const;
+  std::size_t num_tried() const { return energies_.size(); }
 
  private:
   const Chart& chart_;
@@ -87,21 +88,21 @@ std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& pat
   const double uncut = energy_when_cut(chart, {}, options, StopToken([&](const char*) { return go_on(); }));
   search.try_all(candidates);
   std::vector<RankedCut> best;
-  const auto num_beside = [&](const RankedCut& cut) {
-    return std::count_if(best.begin(), best.end(),
-                         [&](const RankedCut& b) { return are_beside(chart, b.ends, cut.ends); });
+  const auto is_beside_best = [&](const RankedCut& cut) {
+    return std::any_of(best.begin(), best.end(),
+                       [&](const RankedCut& b) { return are_beside(chart, b.ends, cut.ends); });
   };
   for (const RankedCut& cut : search.ranked()) {
     if (static_cast<int>(best.size()) == limits.places || cut.energy >= uncut) break;
-    if (num_beside(cut) > 0) continue;
+    if (is_beside_best(cut)) continue;
     const RankedCut improved = search.improve(cut);
-    if (num_beside(improved) == 0) best.push_back(improved);
+    if (!is_beside_best(improved)) best.push_back(improved);
   }
   const std::vector<CutEnds> best_ends = ends_of(best);
+  const double count = limits.share * static_cast<double>(search.num_tried());
   for (const RankedCut& cut : search.ranked()) {
-    if (cut.energy >= uncut || std::count(best_ends.begin(), best_ends.end(), cut.ends) > 0) continue;
-    const auto beside = num_beside(cut);
-    if (beside > 0 && beside < limits.per_place) best.push_back(cut);
+    if (static_cast<double>(best.size()) >= count || cut.energy >= uncut) break;
+    if (std::count(best_ends.begin(), best_ends.end(), cut.ends) == 0) best.push_back(cut);
   }
   std::stable_sort(best.begin(), best.end(),
                    [](const RankedCut& a, const RankedCut& b) { return a.energy < b.energy; });

@@ -16,13 +16,12 @@ struct RankedCut {
 
 struct CutLimits {
   int places;      // where cuts are, none of them beside another
-  int per_place;   // cuts beside each other, so that the finer mesh has a choice
+  double share;    // of all cuts that were tried: beside those others that are as good, for the finer mesh to choose
   double longest;  // of one, scene units
 };
 
-/// The best candidates of a chart with their ends moved to where they serve best, and what lies
-/// beside them, the best first; none that does not lower E. go_on: asked in any thread, false ends the search with
-/// Stopped.
+/// The best candidates of a chart with their ends moved to where they serve best, and others that are as good, the best
+/// first; none that does not lower E. go_on: asked in any thread, false ends the search with Stopped.
 std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
                                  const std::vector<CutEnds>& candidates, const InternalOptions& options,
                                  const CutLimits& limits, const std::function<bool()>& go_on);
