@@ -62,6 +62,7 @@ def library() -> ModuleType:
 if TYPE_CHECKING:
     from wirewarp import BoundaryReport as BoundaryReport
     from wirewarp import Cache as Cache
+    from wirewarp import Cloth as Cloth
     from wirewarp import Ease as Ease
     from wirewarp import FlattenError as FlattenError
     from wirewarp import FlattenResult as FlattenResult

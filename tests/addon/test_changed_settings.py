@@ -29,7 +29,7 @@ def drawn(draw):
 def test_the_methods_of_the_paper_and_their_settings_are_apart(addon):
     bpy.context.scene.wirewarp.cloth = "CUSTOM"  # which has the most settings
     main, advanced = drawn(addon.ui.settings.draw_settings), drawn(addon.ui.settings.draw_advanced)
-    assert advanced == {"method", "node_weight"}
+    assert advanced == {"thickness", "surface", "method", "node_weight"}
     assert not main & advanced
     assert main | advanced == set(addon.run.settings.FlattenSettings.__annotations__)
 
@@ -50,6 +50,7 @@ def give(addon, source, **settings):
         ({"fairness": 0.2, "spacing": 100.0}, "Smooth Outlines, Gap"),
         ({"layout_kind": "ROW", "orientation": "BOUNDARY"}, "Layout, Upright"),
         ({"cloth": "WOVEN"}, "Cloth"),
+        ({"thickness": 3.0}, "Thickness"),
         ({"cloth": "CUSTOM", "gives_along": 3.0}, "Cloth"),
     ],
 )

@@ -158,3 +158,39 @@ def test_the_report_holds_the_cloth_and_is_plain_json(source, addon, tmp_path):
     (report,) = json.loads((tmp_path / "report.json").read_text())["objects"]
     assert report["options"]["cloth"]["name"] == "woven" and report["options"]["cloth"]["gives_across"] == 0.03
     assert report["pieces"][0]["threads"]["gives"] == {"across": 0.03, "along": None}
+
+
+def box(source):
+    """Width and height of the flat piece."""
+    return np.ptp(places(source), axis=0)
+
+
+def test_a_cloth_that_is_worn_stretched_is_cut_smaller(addon):
+    """A half cylinder with the grain on its axis: by the width over 1.2 and the height over 1.1."""
+    target = grid("Half", half_cylinder, size=16)
+    mark(target, on_line(0, 0.0))
+    bpy.ops.object.wirewarp_flatten(orientation="UP", cloth="SWIM")
+    ((_, wire),) = addon.model.wires.listed_wires(target)
+    bpy.ops.mesh.wirewarp_grain_wire(edge=wire.edges[0])
+    bpy.ops.object.wirewarp_flatten(cloth="SWIM", keep_places=False)
+    plain = box(target)
+    bpy.ops.object.wirewarp_flatten(cloth="SWIM", worn_across=20.0, worn_along=10.0, keep_places=False)
+    assert box(target) == pytest.approx(plain / (1.2, 1.1), rel=1e-5)
+    report = last_report(addon, target)
+    (piece,) = report["pieces"]
+    assert report["ok"] and all(chain["ok"] for chain in (*piece["outline"], *piece["wires"]))
+    assert piece["threads"]["across"] == pytest.approx(0.2, abs=1e-4)
+    assert not piece["threads"]["over"]  # it is to be stretched
+
+
+def test_what_is_thick_is_flattened_at_its_middle(addon):
+    """A half cylinder of radius 1 modeled inside is longer by thickness / 2."""
+    bpy.context.scene.unit_settings.scale_length = 0.1
+    target = grid("Half", half_cylinder, size=32)
+    widths = []
+    for thickness in (0.0, 20.0):  # millimeters; a Blender unit is 100 mm
+        bpy.ops.object.wirewarp_flatten(orientation="UP", thickness=thickness, keep_places=False)
+        widths.append(sorted(box(target))[1])
+    assert widths[1] / widths[0] == pytest.approx(1.1, rel=2e-3)
+    notes = [note["text"] for note in last_report(addon, target)["notes"]]
+    assert "Lengths on the model are those of the middle of the material's thickness." in notes

@@ -22,7 +22,8 @@ def threads_of(piece: Piece, arrays: MeshArrays, cloth: ClothChoice) -> dict:
     """For the report, of a piece with a layout: figures that all but a hundredth of its area stays below.
 
     across, along: by how much threads are stretched; shear: radians by which they leave the right angle; gives: what
-    the cloth does, null where it is not known; over: whether that is not enough.
+    the cloth does, null where it is not known; worn: by how much it is to be stretched anyway; over: whether it gives
+    too little.
     """
     areas, metrics = triangle_areas(arrays.vertices, arrays.triangles[piece.source_face]), piece.metrics
     needs = {
@@ -31,8 +32,9 @@ def threads_of(piece: Piece, arrays: MeshArrays, cloth: ClothChoice) -> dict:
         "shear": _widespread(np.abs(metrics.face_shear_angle), areas),
     }
     gives = {"across": cloth.gives_across or None, "along": cloth.gives_along or None}
-    over = any(needs[way] > (gives[way] or MOST) for way in gives)
-    return {"cloth": NAMES.get(cloth.name, cloth.name), **needs, "gives": gives, "over": over}
+    worn = {"across": max(cloth.worn_across, 0.0), "along": max(cloth.worn_along, 0.0)}
+    over = any(needs[way] > (gives[way] or MOST + worn[way]) for way in gives)
+    return {"cloth": NAMES.get(cloth.name, cloth.name), **needs, "gives": gives, "worn": worn, "over": over}
 
 
 def _widespread(values: np.ndarray, areas: np.ndarray) -> float:
@@ -81,7 +83,7 @@ def thread_hints(pieces: Sequence[Piece], threads: Sequence[dict | None], arrays
 
 def _limit(threads: dict, way: str) -> float:
     """From which on a dart is worth a thought."""
-    return threads["gives"][way] or STRAIN_LIMIT
+    return threads["gives"][way] or STRAIN_LIMIT + threads["worn"][way]
 
 
 def _hint(index: int, piece: Piece, threads: dict, arrays: MeshArrays) -> Hint:

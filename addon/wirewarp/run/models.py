@@ -18,6 +18,7 @@ from ..solve.sentences import plain_sentence
 from ..solve.steps import Steps, told_as
 from ..words import LengthText
 
+MIDDLE = "Lengths on the model are those of the middle of the material's thickness."
 NO_ANGLE = "Grain Angle was not used: it is of pieces that stand by a grain wire."
 
 
@@ -79,6 +80,8 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
         outcome = _outcome(model, result, choices, meters)
     if model.arrays:  # of what could not be read nobody knows the grain wire
         used = used_choices(choices, model.arrays)
+        if choices.thickness > 0 and choices.surface != "middle":
+            outcome.report["notes"].append(note(MIDDLE))
         if choices.grain_angle and used.orientation != "wire":
             outcome.report["notes"].append(note(NO_ANGLE))
         outcome.report["options"] = asdict(used) | {"grain_wire": model.arrays.grain_wire}

@@ -128,6 +128,47 @@ class FlattenSettings:
         precision=1,
         step=100,
     )
+    worn_across: FloatProperty(
+        name="Worn Across",
+        description="By how much the cloth is stretched across the grain when it is worn: swimwear, compression. The "
+        "pieces are cut so much smaller, both sides of seams alike; below 0 loose",
+        subtype="PERCENTAGE",
+        min=-50.0,
+        soft_min=0.0,
+        soft_max=50.0,
+        max=400.0,
+        precision=1,
+    )
+    worn_along: FloatProperty(
+        name="Worn Along",
+        description="By how much the cloth is stretched along the grain when it is worn",
+        subtype="PERCENTAGE",
+        min=-50.0,
+        soft_min=0.0,
+        soft_max=50.0,
+        max=400.0,
+        precision=1,
+    )
+    thickness: FloatProperty(
+        name="Thickness",
+        description="Of foam, neoprene or leather, in millimeters: what bends keeps its length in the middle of its "
+        "thickness, so that is what is flattened, and lengths on the model are told of it",
+        min=0.0,
+        soft_max=20.0,
+        max=1000.0,
+        precision=2,
+        step=10,
+    )
+    surface: EnumProperty(
+        name="Modeled",
+        description="Where in the thickness of the material the model lies",
+        items=[
+            ("INSIDE", "Inside", "The model is the body that the material lies on"),
+            ("MIDDLE", "Middle", "The material lies half on either side of the model"),
+            ("OUTSIDE", "Outside", "The model is what is seen of the material"),
+        ],
+        default="INSIDE",
+    )
     layout_kind: EnumProperty(
         name="Layout",
         description="How the pieces lie beside each other",
@@ -207,15 +248,18 @@ def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
         spacing=settings.spacing / (1000 * meters),
         mirror=settings.mirror,
         cloth=_cloth_of(settings),
+        thickness=settings.thickness / (1000 * meters),
+        surface=settings.surface.lower(),
     )
 
 
 def _cloth_of(settings: FlattenSettings) -> ClothChoice | None:
     if settings.cloth == "NONE":
         return None
-    gives = settings.gives_across / 100, settings.gives_along / 100
+    shares = {
+        name: getattr(settings, name) / 100 for name in ("gives_across", "gives_along", "worn_across", "worn_along")
+    }
     if settings.cloth == "CUSTOM":
-        return ClothChoice(
-            "custom", *gives, weft=settings.cloth_across, warp=settings.cloth_along, shear=settings.cloth_shear
-        )
-    return ClothChoice(settings.cloth.lower(), *gives)
+        stiffness = {"weft": settings.cloth_across, "warp": settings.cloth_along, "shear": settings.cloth_shear}
+        return ClothChoice("custom", **shares, **stiffness)
+    return ClothChoice(settings.cloth.lower(), **shares)

@@ -9,7 +9,7 @@ from types import ModuleType
 
 import numpy as np
 
-from ..core import Cache, Ease, FlattenError, FlattenResult, Job, Options, Piece, Wire
+from ..core import Cache, Cloth, Ease, FlattenError, FlattenResult, Job, Options, Piece, Wire
 from ..issues import Issue, LooserWire, ObjectError
 from ..pattern.chains import edge_keys, shortest_double
 from ..words import counted
@@ -38,6 +38,8 @@ class ClothChoice:
     name: str  # "woven" and so on, or "custom"
     gives_across: float  # as a fraction; 0: not known
     gives_along: float
+    worn_across: float = 0.0  # by how much it is stretched when worn, as a fraction
+    worn_along: float = 0.0
     weft: float | None = None  # stiffness of a custom one
     warp: float | None = None
     shear: float | None = None
@@ -56,6 +58,8 @@ class FlattenChoices:
     spacing: float  # between the lines to cut of pieces, in Blender units
     mirror: bool
     cloth: ClothChoice | None
+    thickness: float  # of the material, in Blender units
+    surface: str
 
 
 def flatten_arrays(
@@ -107,11 +111,16 @@ def _library_options(library: ModuleType, choices: FlattenChoices, arrays: MeshA
     options = asdict(choices)
     side, gap = _side(arrays), gap_between(arrays, options.pop("spacing"))
     options |= {"gap": gap / side if side > 0 else 0.0, "grain": _grain_index(arrays)}
-    if cloth := choices.cloth:
-        is_own = cloth.name == "custom"
-        own = library.Cloth(cloth.weft, cloth.warp, cloth.shear) if is_own else library.Cloth.preset(cloth.name)
-        options["cloth"] = own
+    if choices.cloth:
+        options["cloth"] = _library_cloth(library, choices.cloth)
     return library.Options(**options)
+
+
+def _library_cloth(library: ModuleType, cloth: ClothChoice) -> Cloth:
+    is_own = cloth.name == "custom"
+    own = library.Cloth(cloth.weft, cloth.warp, cloth.shear) if is_own else library.Cloth.preset(cloth.name)
+    worn = cloth.worn_across, cloth.worn_along
+    return library.Cloth(own.weft, own.warp, own.shear, squeeze=own.squeeze, stretch=worn, locking=own.locking)
 
 
 def gap_between(arrays: MeshArrays, spacing: float) -> float:

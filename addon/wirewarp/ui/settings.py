@@ -11,11 +11,11 @@ from ..run.settings import FlattenSettings, choices_of
 
 LINES_FIRST = {"WIREWARP_PLUS_PLUS", "WIREWARPING"}
 WHOLE_WIDTH = {"fairness"}  # its name does not fit half a narrow sidebar
-ADVANCED = {"method", "node_weight"}  # the paper's methods, for comparison
+ADVANCED = {"thickness", "surface", "method", "node_weight"}  # for few models, and the paper's methods
 ONLY_FOR = {"fairness": {"REFINED"}, "cloth": {"REFINED"}, "node_weight": LINES_FIRST}
 OF_CUSTOM = {"cloth_across", "cloth_along", "cloth_shear"}
-OF_CLOTHS = {"gives_across", "gives_along"}
-TEXTS = {"spacing": {"text": "Gap (mm)"}}
+OF_CLOTHS = {"gives_across", "gives_along", "worn_across", "worn_along"}
+TEXTS = {"spacing": {"text": "Gap (mm)"}, "thickness": {"text": "Thick (mm)"}}
 NAMES = {  # of the choices in a report, as the panel calls them
     "method": "Method",
     "fairness": "Smooth Outlines",
@@ -24,10 +24,13 @@ NAMES = {  # of the choices in a report, as the panel calls them
     "orientation": "Upright",
     "grain_angle": "Grain Angle",
     "cloth": "Cloth",
+    "thickness": "Thickness",
+    "surface": "Modeled",
     "spacing": "Gap",
     "mirror": "Mirrored",
 }
-BEFORE = {"cloth": None, "grain_angle": 0.0}  # in reports of versions that knew neither
+CHOICES = ("method", "node_weight", "layout_kind", "orientation", "cloth", "surface")
+BEFORE = {"cloth": None, "grain_angle": 0.0, "thickness": 0.0, "surface": "inside"}  # where a report has none
 OF_REFINED, OF_OTHERS = {"fairness"}, {"node_weight"}
 
 
@@ -46,7 +49,7 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings) -> None
 
 
 def draw_advanced(layout: bpy.types.UILayout, settings: FlattenSettings) -> None:
-    """The methods, and what belongs to those of the paper."""
+    """The material's thickness, the methods, and what belongs to those of the paper."""
     _draw(layout, settings, [name for name in FlattenSettings.__annotations__ if name in ADVANCED])
 
 
@@ -59,6 +62,8 @@ def _draw(layout: bpy.types.UILayout, settings: FlattenSettings, names: list[str
         row.enabled = settings.method in ONLY_FOR.get(name, {settings.method})
         if name == "grain_angle":
             row.enabled = settings.orientation == "WIRE"
+        if name == "surface":
+            row.enabled = settings.thickness > 0
         row.prop(settings, name, **TEXTS.get(name, {}))
 
 
@@ -72,7 +77,14 @@ def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP
 
 
 def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> list[str]:
-    choices = (settings.method, settings.node_weight, settings.layout_kind, settings.orientation, settings.cloth)
+    choices = (
+        settings.method,
+        settings.node_weight,
+        settings.layout_kind,
+        settings.orientation,
+        settings.cloth,
+        settings.surface,
+    )
     if "options" not in report or "" in choices:  # which this version does not know: see take_settings
         return []
     now = asdict(choices_of(settings, meters_per_blender_unit(settings.id_data))) | {
