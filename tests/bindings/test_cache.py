@@ -114,6 +114,8 @@ CHANGED = {
     "mirror": (True, 3),
     "cloth": ("woven", 0),
     "grain_angle": (0.1, 3),
+    "thickness": (0.01, 0),
+    "surface": ("middle", 3),
 }
 
 
