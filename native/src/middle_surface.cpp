@@ -33,9 +33,13 @@ Eigen::Vector3d normal_of(const Positions3& vertices, const Triangles& faces, Ei
   return side(vertices, faces, face, 0).cross(-side(vertices, faces, face, 2));
 }
 
+/// Of the sum of the angles around a vertex: normals whose weighted sum is shorter cancel out but for rounding.
+constexpr double kCancels = 1e-6;
+
 /// One row per vertex, of length 1; zero where the normals around it cancel out.
 Positions3 vertex_normals(const FlattenInput& input) {
   Positions3 normals = Positions3::Zero(input.vertices.rows(), 3);
+  Eigen::VectorXd angles = Eigen::VectorXd::Zero(input.vertices.rows());
   for (Eigen::Index f = 0; f < input.faces.rows(); ++f) {
     const Eigen::Vector3d normal = normal_of(input.vertices, input.faces, f);
     if (normal.isZero(0)) continue;
@@ -44,10 +48,12 @@ Positions3 vertex_normals(const FlattenInput& input) {
       const Eigen::Vector3d back = -side(input.vertices, input.faces, f, (k + 2) % 3);
       const double angle = std::atan2(ahead.cross(back).norm(), ahead.dot(back));
       normals.row(input.faces(f, k)) += angle * normal.normalized().transpose();
+      angles[input.faces(f, k)] += angle;
     }
   }
-  for (auto normal : normals.rowwise()) {
-    if (!normal.isZero(0)) normal.normalize();
+  for (Eigen::Index v = 0; v < normals.rows(); ++v) {
+    const double length = normals.row(v).norm();
+    normals.row(v) *= length > kCancels * angles[v] ? 1 / length : 0;
   }
   return normals;
 }

@@ -106,13 +106,18 @@ TEST(ProposeCuts, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
   }
 }
 
-TEST(ProposeCuts, OfASymmetricPieceComeWithTheirMirrorImages) {
-  const int n = 8;
+/// Two hills, mirror images of each other across x = 0.
+FlattenInput two_hills(int n) {
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double x = 2 * s - 1, y = 1.5 * (2 * t - 1);
     return Eigen::Vector3d(x, y, 0.6 * std::exp(-4 * ((std::abs(x) - 0.4) * (std::abs(x) - 0.4) + y * y)) + 0.1 * y);
   });
   test::alternate_diagonals(input, n);
+  return input;
+}
+
+TEST(ProposeCuts, OfASymmetricPieceComeWithTheirMirrorImages) {
+  const FlattenInput input = two_hills(8);
   const std::vector<DartProposal> darts = propose_darts(input, {}, few());
   int num_twins = 0;
   for (std::size_t i = 0; i < darts.size(); ++i) {
@@ -143,6 +148,21 @@ TEST(ProposeCuts, CutNoWire) {
       EXPECT_EQ(std::count(wire.begin(), wire.end(), dart.edges[k][0]), 0);
     }
     EXPECT_EQ(std::count(wire.begin(), wire.end(), dart.edges.back()[1]), 0);
+  }
+}
+
+TEST(ProposeCuts, CutNoWireThatIsOnOneSideOfASymmetricPiece) {
+  const int n = 8;
+  FlattenInput input = two_hills(n);
+  test::add_wire(input, test::grid_column(n, n, 6));
+  std::vector<int> inside = input.wires[0].vertices;
+  inside = {inside.begin() + 1, inside.end() - 1};
+  for (const auto& propose : {propose_darts, propose_seams}) {
+    for (const DartProposal& cut : propose(input, {}, few(), {})) {
+      for (const VertexPair& edge : cut.edges) {
+        for (const int v : {edge[0], edge[1]}) EXPECT_EQ(std::count(inside.begin(), inside.end(), v), 0);
+      }
+    }
   }
 }
 
@@ -189,9 +209,11 @@ std::string refusal(const FlattenInput& input, const CutWishes& wishes = {}, Err
 
 TEST(ProposeCuts, SayWhyThereAreNone) {
   EXPECT_NE(refusal(test::cylinder_patch(6, 4, 1, 2, 1)).find("is flat enough"), std::string::npos);
-  // Six triangles around a tip and six below: whatever the cut, no vertex inside is more than an edge away.
-  const FlattenInput tent = test::keep_faces(hill(4), [](const Eigen::Vector3d& p) { return p.x() > 0.5; });
-  EXPECT_NE(refusal(tent).find("(8 triangles)"), std::string::npos);
+  const FlattenInput strip = test::keep_faces(hill(4), [](const Eigen::Vector3d& p) { return p.x() > 0.5; });
+  EXPECT_NE(refusal(strip).find("is unfolded without distortion"), std::string::npos) << "no vertex inside";
+  FlattenInput crossed = hill(2);
+  test::add_wire(crossed, test::grid_column(2, 2, 1));
+  EXPECT_NE(refusal(crossed).find("has no room for a dart"), std::string::npos) << "its vertex inside is on a wire";
 }
 
 TEST(ProposeCuts, RefuseWishesOutOfRange) {

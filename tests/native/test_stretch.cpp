@@ -2,6 +2,7 @@
 // Cloth that is worn stretched, and material that is thick: closed forms.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -207,6 +208,15 @@ TEST(Stretch, CancelledItLeavesNoBrokenPromise) {
   }
 }
 
+TEST(Stretch, OfAPlateWithHolesIsAlongItsDirections) {
+  const FlattenInput input = test::flat_plate_with_two_holes(4);
+  Options options = stretched(kWeft, kWarp);
+  options.orientation = Orientation::up;
+  options.up = {0, 1, 0};
+  const Piece piece = flat(input, options).pieces.at(0);
+  EXPECT_NEAR(piece.metrics.area_2d, piece.metrics.area_3d / ((1 + kWeft) * (1 + kWarp)), 1e-9);
+}
+
 TEST(Stretch, ThatLeavesNoClothIsRefused) {
   for (const double stretch : {-1.0, -0.6, 5.0, std::numeric_limits<double>::quiet_NaN()}) {
     for (const Options& options : {stretched(stretch, 0), stretched(0, stretch)}) {
@@ -244,6 +254,21 @@ TEST(Thickness, MakesACylinderLongerOrShorterByItsHalfOverTheRadius) {
   EXPECT_NEAR(width(Surface::inside), around * (1 + thickness / (2 * kRadius)), 1e-9);
   EXPECT_NEAR(width(Surface::middle), around, 1e-9);
   EXPECT_NEAR(width(Surface::outside), around * (1 - thickness / (2 * kRadius)), 1e-9);
+}
+
+/// Of a pillow without height: the normals of its two sides cancel out along the seam, wherever it lies.
+TEST(Thickness, MovesNoVertexWhoseNormalsCancelOut) {
+  FlattenInput input;
+  input.vertices.resize(6, 3);
+  input.vertices << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5, 0, 0.5, 0.5, 0;
+  const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d(1, 2, 3).normalized());
+  input.vertices = (input.vertices * turn.toRotationMatrix()).eval();
+  input.faces.resize(8, 3);
+  input.faces << 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5;
+  test::add_seam(input, {0, 1, 2, 3, 0});
+  Options options;
+  options.thickness = 0.2;
+  for (const SeamReport& seam : flat(input, options).seams) EXPECT_NEAR(seam.length_3d, 4, 1e-12);
 }
 
 TEST(Thickness, ThatTheSurfaceIsTooCurvedForIsRefused) {

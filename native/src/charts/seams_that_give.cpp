@@ -85,6 +85,8 @@ UnitedCharts unite(const std::vector<Chart>& charts) {
     united.first_edge.push_back(static_cast<int>(united.chart.mesh.n_edges()));
     united.first_part.push_back(static_cast<int>(united.chart.wire_parts.size()));
     append_mesh(chart.mesh, united.chart.mesh);
+    united.chart.source_vertex.insert(united.chart.source_vertex.end(), chart.source_vertex.begin(),
+                                      chart.source_vertex.end());
     std::vector<double> ratios = chart.length_ratio;
     ratios.resize(chart.mesh.n_edges(), 1);
     united.chart.length_ratio.insert(united.chart.length_ratio.end(), ratios.begin(), ratios.end());

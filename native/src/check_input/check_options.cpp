@@ -31,7 +31,7 @@ void check_options(const Options& options) {
     check_cloth(*options.cloth);
     if (options.method != Method::refined) {
       throw FlattenError(ErrorCode::invalid_option,
-                         "The option cloth needs the method refined: the paper's methods know no cloth.");
+                         "The paper's methods know no cloth: choose the method refined, or no cloth.");
     }
   } else if (options.orientation == Orientation::best) {
     throw FlattenError(ErrorCode::invalid_option,

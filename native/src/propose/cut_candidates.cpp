@@ -115,6 +115,12 @@ std::vector<VertexHandle> spread_inside(const Chart& chart, const SmoothPathFind
   return spread(chart, boundary_vertices(chart.mesh), may_take, kInnerPoints);
 }
 
+/// A seam has two ends on the outline, alike in all: the one with the lower number first.
+CutEnds in_one_order(const Chart& chart, CutEnds cut) {
+  const bool is_seam = chart.mesh.is_boundary(cut.start) && chart.mesh.is_boundary(cut.end);
+  return is_seam && cut.end < cut.start ? CutEnds{cut.end, cut.start} : cut;
+}
+
 }  // namespace
 
 std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind) {
@@ -132,7 +138,7 @@ std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder&
       take_landings(loops[l], length_of(chart.mesh, chart.boundary_loops[l]), from_end, starts);
     }
     for (const VertexHandle start : starts) {
-      cuts.insert(kind == CutKind::seam ? CutEnds{std::min(start, end), std::max(start, end)} : CutEnds{start, end});
+      cuts.insert(in_one_order(chart, {start, end}));
     }
   }
   return {cuts.begin(), cuts.end()};
@@ -145,8 +151,8 @@ std::vector<CutEnds> neighbors_of(const Chart& chart, const SmoothPathFinder& pa
       if (chart.mesh.is_boundary(next) == chart.mesh.is_boundary(v) && !paths.is_barred(next)) take(next);
     }
   };
-  around(cut.end, [&](VertexHandle v) { neighbors.push_back({cut.start, v}); });
-  around(cut.start, [&](VertexHandle v) { neighbors.push_back({v, cut.end}); });
+  around(cut.end, [&](VertexHandle v) { neighbors.push_back(in_one_order(chart, {cut.start, v})); });
+  around(cut.start, [&](VertexHandle v) { neighbors.push_back(in_one_order(chart, {v, cut.end})); });
   return neighbors;
 }
 

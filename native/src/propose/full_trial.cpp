@@ -8,14 +8,6 @@
 #include "stop_token.h"
 
 namespace wirewarp {
-namespace {
-
-/// Darts that take more are not worth the wait; for all others the result is that of the usual limit, as a coarse start
-/// has no more than half of this anyway.
-constexpr int kMaxFactorizations = 60;
-
-}  // namespace
-
 PieceFigures figures_of(const FlattenResult& result, const Chart& chart, const Options& options) {
   PieceFigures figures;
   figures.error = chart.error;
@@ -44,7 +36,6 @@ PieceFigures figures_of(const FlattenResult& result, const Chart& chart, const O
 FullTrials::FullTrials(const FlattenInput& input, const Options& options, const std::function<bool()>& go_on)
     : input_(input), options_(options), go_on_(go_on) {
   options_.with_proposals = false;
-  options_.max_factorizations = std::min(options.max_factorizations, kMaxFactorizations);
 }
 
 FlattenResult FullTrials::run(const std::vector<VertexPair>& cut) {

@@ -13,6 +13,7 @@
 #include "propose/coarse_copy.h"
 #include "propose/mirror_image.h"
 #include "propose/rank_cuts.h"
+#include "refine/refine_constants.h"
 #include "stop_token.h"
 
 namespace wirewarp {
@@ -37,6 +38,10 @@ FlattenError no_proposal(const Chart& chart, const std::string& reason) {
 FlattenError flat_enough(const Chart& chart, double strain, double may_stay) {
   return no_proposal(
       chart, "is flat enough: it is strained by " + percent(strain) + ", and " + percent(may_stay) + " may stay.");
+}
+
+FlattenError flat_already(const Chart& chart) {
+  return no_proposal(chart, "is flat enough: it is unfolded without distortion.");
 }
 
 FlattenError no_room(const Chart& chart, CutKind kind) {
@@ -93,12 +98,17 @@ std::vector<VertexPair> PieceSearch::edges_of(const HalfEdgeChain& chain) const 
   return edges;
 }
 
-/// Empty where there is none but the chain itself.
+/// Empty where there is none but the chain itself, or where it would cut a wire.
 HalfEdgeChain PieceSearch::twin_of(const HalfEdgeChain& chain) const {
   if (image_.empty()) return {};
   HalfEdgeChain twin = mirrored(chart_, image_, chain);
-  if (have_same_edges(chart_.mesh, chain, twin)) twin.clear();
-  return twin;
+  if (have_same_edges(chart_.mesh, chain, twin)) return {};
+  const std::vector<char> is_on_wire = vertices_on_wires(chart_);
+  const bool cuts_wire = std::any_of(twin.begin(), twin.end(), [&](HalfedgeHandle h) {
+    return is_on_wire[chart_.mesh.from_vertex_handle(h).idx()] != 0 ||
+           is_on_wire[chart_.mesh.to_vertex_handle(h).idx()] != 0;
+  });
+  return cuts_wire ? HalfEdgeChain{} : twin;
 }
 
 /// The best cuts of the coarse copy, on the chart.
@@ -139,25 +149,29 @@ std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<
 std::vector<std::optional<PieceSearch::Tried>> PieceSearch::flatten(const std::vector<HalfEdgeChain>& chains,
                                                                     const PieceFigures& before) {
   std::vector<std::optional<Tried>> tried(chains.size());
-  run_in_threads(chains.size(), num_cores(), [&](std::size_t i) {
-    if (chains[i].empty()) return;
-    DartProposal proposal;
-    proposal.edges = edges_of(chains[i]);
-    const PieceFigures after = figures_of(trials_.run(proposal.edges), input_chart_, trials_.options());
-    const bool helps =
-        !after.error && after.energy <= (1 - kLeastGain) * before.energy && after.strain <= before.strain;
-    if (!helps) return;
-    proposal.length = length_of(chart_.mesh, chains[i]);
-    proposal.energy = after.energy;
-    proposal.energy_before = before.energy;
-    proposal.strain = after.strain;
-    proposal.strain_before = before.strain;
-    tried[i] = Tried{chains[i], std::move(proposal)};
-  });
+  run_in_threads(
+      chains.size(), num_cores(),
+      [&](std::size_t i) {
+        if (chains[i].empty()) return;
+        DartProposal proposal;
+        proposal.edges = edges_of(chains[i]);
+        const PieceFigures after = figures_of(trials_.run(proposal.edges), input_chart_, trials_.options());
+        const bool helps =
+            !after.error && after.energy <= (1 - kLeastGain) * before.energy && after.strain <= before.strain;
+        if (!helps) return;
+        proposal.length = length_of(chart_.mesh, chains[i]);
+        proposal.energy = after.energy;
+        proposal.energy_before = before.energy;
+        proposal.strain = after.strain;
+        proposal.strain_before = before.strain;
+        tried[i] = Tried{chains[i], std::move(proposal)};
+      },
+      [&] { go_on_(); });
   return tried;
 }
 
 std::vector<DartProposal> PieceSearch::search(const PieceFigures& before) {
+  if (before.energy <= RefineConstants::isometric) throw flat_already(input_chart_);
   if (before.strain <= wishes_.strain) throw flat_enough(input_chart_, before.strain, wishes_.strain);
   std::vector<Tried> helpful;
   for (std::optional<Tried>& tried : flatten(without_mirror_images(best_chains()), before)) {

@@ -10,6 +10,7 @@
 
 #include "charts/cut_into_charts.h"
 #include "errors/sentence.h"
+#include "middle_surface.h"
 #include "progress_report.h"
 #include "propose/piece_search.h"
 #include "stop_token.h"
@@ -110,7 +111,8 @@ std::vector<DartProposal> propose_cuts(const FlattenInput& input, const Options&
     const FlattenResult uncut = trials.run({});
     check_wishes(wishes, uncut.pieces.size());
     const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
-    const std::vector<Chart> charts = cut_into_charts(input, edges).charts;
+    const FlattenInput flattened = options.thickness > 0 ? move_to_middle(input, options) : input;
+    const std::vector<Chart> charts = cut_into_charts(flattened, edges).charts;
     std::vector<PieceFigures> before;
     for (const Chart& chart : charts) before.push_back(figures_of(uncut, chart, options));
     const int first = wishes.piece.value_or(most_distorted(before));

@@ -39,13 +39,16 @@ void CutSearch::try_all(const std::vector<CutEnds>& cuts) {
   std::copy_if(cuts.begin(), cuts.end(), std::back_inserter(fresh),
                [&](const CutEnds& cut) { return energies_.count(cut) == 0; });
   std::vector<double> energies(fresh.size(), std::numeric_limits<double>::infinity());
-  run_in_threads(fresh.size(), num_cores(), [&](std::size_t i) {
-    const StopToken stop([&](const char*) { return go_on_(); });
-    stop.check();
-    const HalfEdgeChain chain = chain_of(paths_, fresh[i]);
-    if (!chain.empty() && length_of(chart_.mesh, chain) <= longest_)
-      energies[i] = energy_when_cut(chart_, chain, options_, stop);
-  });
+  run_in_threads(
+      fresh.size(), num_cores(),
+      [&](std::size_t i) {
+        const StopToken stop([&](const char*) { return go_on_(); });
+        stop.check();
+        const HalfEdgeChain chain = chain_of(paths_, fresh[i]);
+        if (!chain.empty() && length_of(chart_.mesh, chain) <= longest_)
+          energies[i] = energy_when_cut(chart_, chain, options_, stop);
+      },
+      [&] { go_on_(); });
   for (std::size_t i = 0; i < fresh.size(); ++i) energies_[fresh[i]] = energies[i];
 }
 
