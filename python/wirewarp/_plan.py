@@ -32,7 +32,7 @@ def plan_cuts(
 
     kind: "dart" or "seam", as propose_darts() and propose_seams() propose them.
     strain: the aim, 0.05 for 5%: pieces strained by no more (DartProposal.strain) are left as they are.
-    most: cuts at most.
+    most: cuts at most, 1 or more.
     total_length: of all cuts together at most, on the surface, scene units; None for any length.
     The other arguments are those of flatten().
 
@@ -44,7 +44,10 @@ def plan_cuts(
         raise FlattenError(ErrorCode.invalid_option, f"kind must be dart or seam, not {kind}.")
     taken: list[DartProposal] = []
     wires, eases = list(wires), list(eases)
-    lines = [np.zeros((0, 2), dtype=np.int32) if seams is None else np.asarray(seams)]
+    if most < 1:
+        raise FlattenError(ErrorCode.invalid_option, f"most must be at least 1, not {most}.")
+    given = np.asarray([] if seams is None else seams)
+    lines = [given if len(given) else np.zeros((0, 2), dtype=np.int32)]
     while len(taken) < most:
         left = math.inf if total_length is None else total_length - sum(cut.length for cut in taken)
         if taken and left <= 0:

@@ -98,6 +98,8 @@ def draw_panels(addon, buttons=None):
 
 
 def draw_overlays(addon):
+    bpy.context.scene.wirewarp.shown_map = "NONE"
+    list(addon.overlay.shown.drawings(view_context()))
     for shown_map in ("STRETCH_COLOR", "WEFT_STRAIN_COLOR"):
         bpy.context.scene.wirewarp.shown_map = shown_map
         shown = list(addon.overlay.shown.drawings(view_context()))

@@ -24,6 +24,7 @@ def test_a_stretched_cloth_and_a_thick_one(model, tmp_path):
     assert areas("--stretch", "25%") == pytest.approx([area / 1.25**2 for area in whole])
     assert areas("--cloth", "swim", "--stretch", "25%,0%")[0] == pytest.approx(whole[0] / 1.25)
     assert areas("--thickness", "2mm", "--surface", "middle") == pytest.approx(whole)
+    assert areas("--stretch=-20%") == pytest.approx([area / 0.8**2 for area in whole])
     _, said = run(model, "--out", tmp_path / "out", "--stretch", "0.2", code=2)
     assert "is no stretch: give 10%" in said
 

@@ -97,8 +97,15 @@ def test_a_plan_of_seams_cuts_pieces_of_pieces():
     assert len(flatten(*DOME, seams=edges).pieces) == 3
 
 
+def test_no_seams_are_an_empty_list_or_none():
+    wishes = {"strain": 0.0, "most": 2}
+    assert repr(plan_cuts(*DOME, seams=[], **wishes)) == repr(plan_cuts(*DOME, **wishes))
+
+
 def test_a_plan_needs_a_kind_of_cut_and_a_piece_that_is_strained():
     with pytest.raises(FlattenError, match="kind must be dart or seam"):
         plan_cuts(*DOME, kind="zip")
+    with pytest.raises(FlattenError, match="most must be at least 1, not 0"):
+        plan_cuts(*DOME, most=0)
     with pytest.raises(FlattenError, match="may stay"):
         plan_cuts(*DOME, strain=1.0)

@@ -47,8 +47,8 @@ def check_side_eases(mesh: bpy.types.Mesh) -> None:
         raise ObjectError(
             Issue(
                 "eases_contradict",
-                f'Edges of "{mesh.name}" have two eases of one side, the marked one and another in {SIDE_EASE}: mark '
-                f"their ease again ({names}).",
+                f'Edges {names} of "{mesh.name}" have two eases of one side, the one that was marked and another in '
+                f"the attribute {SIDE_EASE}: mark their ease again.",
                 edges=[tuple(pair) for pair in edge_vertices(mesh)[contradict].tolist()],
             )
         )

@@ -37,7 +37,9 @@ def is_strained(piece: dict) -> bool:
 
 def is_unsewable(piece: dict) -> bool:
     """A good piece that no cloth at all can follow."""
-    return piece["ok"] and aspect_ratio(piece) > UNSEWABLE
+    threads = piece.get("threads")
+    longest = 1 + max(threads["across"], threads["along"]) if threads else aspect_ratio(piece)
+    return piece["ok"] and longest > UNSEWABLE
 
 
 def ready_text(pieces: list[dict]) -> str:

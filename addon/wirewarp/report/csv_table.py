@@ -38,7 +38,7 @@ def _header(units: LengthText) -> list[str]:
         "Largest stretch (%)",
         "Largest ease (%)",
         "Kept",
-        "Ease (%)",
+        "Asked ease (%)",
     ]
 
 

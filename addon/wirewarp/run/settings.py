@@ -136,7 +136,7 @@ class FlattenSettings:
         min=-50.0,
         soft_min=0.0,
         soft_max=50.0,
-        max=400.0,
+        max=100.0,
         precision=1,
     )
     worn_along: FloatProperty(
@@ -146,13 +146,13 @@ class FlattenSettings:
         min=-50.0,
         soft_min=0.0,
         soft_max=50.0,
-        max=400.0,
+        max=100.0,
         precision=1,
     )
     thickness: FloatProperty(
         name="Thickness",
         description="Of foam, neoprene or leather, in millimeters: what bends keeps its length in the middle of its "
-        "thickness, so that is what is flattened, and lengths on the model are told of it",
+        "thickness, so that is what is flattened, and lengths on the model are those of its middle",
         min=0.0,
         soft_max=20.0,
         max=1000.0,
@@ -160,8 +160,8 @@ class FlattenSettings:
         step=10,
     )
     surface: EnumProperty(
-        name="Modeled",
-        description="Where in the thickness of the material the model lies",
+        name="Model Is",
+        description="Which surface of the material the model is",
         items=[
             ("INSIDE", "Inside", "The model is the body that the material lies on"),
             ("MIDDLE", "Middle", "The material lies half on either side of the model"),

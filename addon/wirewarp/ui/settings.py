@@ -12,10 +12,10 @@ from ..run.settings import FlattenSettings, choices_of
 LINES_FIRST = {"WIREWARP_PLUS_PLUS", "WIREWARPING"}
 WHOLE_WIDTH = {"fairness"}  # its name does not fit half a narrow sidebar
 ADVANCED = {"thickness", "surface", "method", "node_weight"}  # for few models, and the paper's methods
-ONLY_FOR = {"fairness": {"REFINED"}, "cloth": {"REFINED"}, "node_weight": LINES_FIRST}
+ONLY_FOR = {"fairness": {"REFINED"}, "node_weight": LINES_FIRST}
 OF_CUSTOM = {"cloth_across", "cloth_along", "cloth_shear"}
 OF_CLOTHS = {"gives_across", "gives_along", "worn_across", "worn_along"}
-TEXTS = {"spacing": {"text": "Gap (mm)"}, "thickness": {"text": "Thick (mm)"}}
+TEXTS = {"spacing": {"text": "Gap (mm)"}, "thickness": {"text": "Thickness (mm)"}}
 NAMES = {  # of the choices in a report, as the panel calls them
     "method": "Method",
     "fairness": "Smooth Outlines",
@@ -25,7 +25,7 @@ NAMES = {  # of the choices in a report, as the panel calls them
     "grain_angle": "Grain Angle",
     "cloth": "Cloth",
     "thickness": "Thickness",
-    "surface": "Modeled",
+    "surface": "Model Is",
     "spacing": "Gap",
     "mirror": "Mirrored",
 }
@@ -77,14 +77,7 @@ def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP
 
 
 def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> list[str]:
-    choices = (
-        settings.method,
-        settings.node_weight,
-        settings.layout_kind,
-        settings.orientation,
-        settings.cloth,
-        settings.surface,
-    )
+    choices = [getattr(settings, name) for name in CHOICES]
     if "options" not in report or "" in choices:  # which this version does not know: see take_settings
         return []
     now = asdict(choices_of(settings, meters_per_blender_unit(settings.id_data))) | {

@@ -117,7 +117,7 @@ def _model_options() -> argparse.ArgumentParser:
         type=_stretch,
         default=(0.0, 0.0),
         metavar="WEFT,WARP",
-        help="of the cloth when worn, in both directions or across and along the grain: 10%%,5%% (0%%)",
+        help="of the cloth when worn, both ways or across and along: 10%%,5%%; loose: --stretch=-5%% (0%%)",
     )
     options.add_argument("--thickness", type=_length, default=0.0, help="of foam, neoprene, leather: 3mm (none)")
     options.add_argument(
