@@ -230,7 +230,7 @@ TEST(RefineCloth, ClothsThatAreNoneAreRefused) {
 TEST(RefineCloth, ThePapersMethodsKnowNoClothAndNoClothHasNoBestDirection) {
   Options options = with_cloth({});
   options.method = Method::wirewarp_plus_plus;
-  expect_refused(options, "needs the method refined");
+  expect_refused(options, "choose the method refined");
   Options best;
   best.orientation = Orientation::best;
   expect_refused(best, "needs a cloth");
