@@ -17,8 +17,8 @@ namespace wirewarp {
 Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Positions2& uv,
                         const StopToken& stop = {});
 
-/// Metrics::cloth_energy. uv: x along the weft, y along the warp.
-double measure_cloth_energy(const Chart& chart, const Positions2& uv, const Cloth& cloth);
+/// Metrics::cloth_energy. flat: x along the weft, y along the warp.
+double measure_cloth_energy(const Chart& chart, const Positions2& flat, const Cloth& cloth);
 
 /// What the cloth would have to bear beyond its limits, a sentence; nothing where it bears all. Of the 99th percentile
 /// of strain by area in each direction: single slivers tell nothing of a piece.
