@@ -173,7 +173,8 @@ class GroupToStretch {
     } catch (const Stopped&) {
       for (const int c : members_) lose_layout(cancelled(), Termination::cancelled, solved_[c]);
       return;
-    } catch (const FactorizationFailed&) {  // no shape is found
+    } catch (const FactorizationFailed&) {
+      joined.reset();  // no shape is found
     }
     for (std::size_t k = 0; k < members_.size(); ++k) {
       const int c = members_[k];

@@ -106,7 +106,7 @@ def test_other_types_are_refused(arguments):
     [
         ({"cloth": "lace"}, "'woven' or 'denim'"),
         ({"cloth": 7}, "None, a Cloth or the name of one"),
-        ({"cloth": "woven", "method": "wirewarp++"}, "needs the method refined"),
+        ({"cloth": "woven", "method": "wirewarp++"}, "choose the method refined"),
         ({"orientation": "best"}, "needs a cloth"),
         ({"grain_angle": 7}, "grain_angle is 7"),
     ],

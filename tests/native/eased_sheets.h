@@ -25,7 +25,7 @@ inline void expect_good(const FlattenInput& input, const FlattenResult& result) 
 }
 
 /// A sheet of 4 by 2 whose left half is level and right half a saddle, with a seam between them.
-inline FlattenInput two_sheets() {
+inline FlattenInput sheet_and_saddle() {
   const int n = 8;
   FlattenInput input = make_grid(2 * n, n, [](double s, double t) {
     const double x = 4 * s - 2, y = 2 * t - 1;

@@ -16,7 +16,7 @@ using Code = ErrorCode;
 using test::ease_along;
 using test::expect_good;
 using test::seam_of_sheets;
-using test::two_sheets;
+using test::sheet_and_saddle;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -50,7 +50,7 @@ TEST(Ease, OfAllLinesOfASheetScalesIt) {
 
 TEST(Ease, OfASeamIsThatOfAllItsSides) {
   for (const Method method : {Method::refined, Method::wirewarp_plus_plus, Method::wirewarping}) {
-    FlattenInput input = two_sheets();
+    FlattenInput input = sheet_and_saddle();
     test::add_wire(input, seam_of_sheets());
     input.wires.back().ease = 0.05;
     Options options;
@@ -67,7 +67,7 @@ TEST(Ease, OfASeamIsThatOfAllItsSides) {
 }
 
 TEST(Ease, OfOneSideLeavesTheOther) {
-  FlattenInput input = two_sheets();
+  FlattenInput input = sheet_and_saddle();
   input.eases.push_back(ease_along(seam_of_sheets(), 0.05));
   const FlattenResult result = flatten(input);
   expect_good(input, result);
@@ -82,7 +82,7 @@ TEST(Ease, OfOneSideLeavesTheOther) {
 }
 
 TEST(Ease, BetweenTwoMarksIsThatOfItsEdges) {
-  FlattenInput input = two_sheets();
+  FlattenInput input = sheet_and_saddle();
   std::vector<int> marked = seam_of_sheets();
   marked = {marked.begin() + 2, marked.begin() + 6};  // three of eight edges
   input.eases.push_back(ease_along(marked, 0.1));
@@ -116,17 +116,17 @@ TEST(Ease, OfOneEndMakesACylinderASector) {
 
 TEST(Ease, BadOnesAreNamed) {
   const std::vector<int> seam = seam_of_sheets();
-  FlattenInput wire = two_sheets();
+  FlattenInput wire = sheet_and_saddle();
   test::add_wire(wire, seam);
   for (const double ease : {-1.0, -2.0, kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
     wire.wires[0].ease = ease;
     EXPECT_EQ(code_thrown_by(wire), Code::invalid_ease);
-    FlattenInput side = two_sheets();
+    FlattenInput side = sheet_and_saddle();
     side.eases.push_back(ease_along(seam, ease));
     EXPECT_EQ(code_thrown_by(side), Code::invalid_ease);
   }
   const auto with_ease = [](const std::vector<int>& chain) {
-    FlattenInput input = two_sheets();
+    FlattenInput input = sheet_and_saddle();
     input.eases.push_back(ease_along(chain, 0.1));
     return input;
   };

@@ -20,7 +20,7 @@ namespace {
 using test::ease_along;
 using test::expect_good;
 using test::seam_of_sheets;
-using test::two_sheets;
+using test::sheet_and_saddle;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -50,7 +50,7 @@ FlattenInput gores(double tolerance, double ease = 0) {
 }
 
 TEST(SeamsThatGive, AreRefusedByWireWarpingPlusPlus) {
-  FlattenInput input = two_sheets();
+  FlattenInput input = sheet_and_saddle();
   test::add_wire(input, seam_of_sheets(), 0.03);
   Options options;
   options.method = Method::wirewarp_plus_plus;
@@ -220,7 +220,7 @@ TEST(SeamsThatGive, ABallOfGoresIsAsOneGoreWithBothSidesAlike) {
 }
 
 TEST(SeamsThatGive, DoNotDependOnTheNumbersOfVerticesFacesAndWires) {
-  FlattenInput input = two_sheets();
+  FlattenInput input = sheet_and_saddle();
   test::add_wire(input, seam_of_sheets(), 0.03);
   const FlattenResult result = flatten(input);
   expect_good(input, result);

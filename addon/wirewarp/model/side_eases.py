@@ -43,12 +43,11 @@ def check_side_eases(mesh: bpy.types.Mesh) -> None:
     corners, marked = _read(mesh, SIDE_EASE), values_at_edges(mesh, _NAMES)
     contradict = np.unique(corner_edges(mesh)[(corners != 0) & (marked != 0) & (corners != marked)])
     if len(contradict):
-        names = ", ".join(map(str, contradict[:5].tolist())) + (" and more" if len(contradict) > 5 else "")
         raise ObjectError(
             Issue(
                 "eases_contradict",
-                f'Edges {names} of "{mesh.name}" have two eases of one side, the one that was marked and another in '
-                f"the attribute {SIDE_EASE}: mark their ease again.",
+                f'Edges of "{mesh.name}" have two eases of one side, the one that was marked and another in the '
+                f"attribute {SIDE_EASE}: mark their ease again.",
                 edges=[tuple(pair) for pair in edge_vertices(mesh)[contradict].tolist()],
             )
         )

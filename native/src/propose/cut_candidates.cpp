@@ -32,8 +32,7 @@ using OutlineLoop = std::vector<OutlinePoint>;
 OutlineLoop measure_loop(const Chart& chart, const HalfEdgeChain& half_edges) {
   OutlineLoop loop;
   double at = 0;
-  for (std::size_t i = 0; i < half_edges.size(); ++i) {
-    const HalfedgeHandle h = half_edges[i];
+  for (const HalfedgeHandle h : half_edges) {
     double angle = 0;  // inside
     for (HalfedgeHandle around = h; !chart.mesh.is_boundary(around); around = next_counterclockwise(chart.mesh, around))
       angle += corner_angle(chart.mesh, around);
