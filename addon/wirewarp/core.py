@@ -68,6 +68,7 @@ if TYPE_CHECKING:
     from wirewarp import FlattenResult as FlattenResult
     from wirewarp import HelperWire as HelperWire
     from wirewarp import Job as Job
+    from wirewarp import Metrics as Metrics
     from wirewarp import Options as Options
     from wirewarp import Piece as Piece
     from wirewarp import SeamReport as SeamReport

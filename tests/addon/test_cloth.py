@@ -184,13 +184,32 @@ def test_a_cloth_that_is_worn_stretched_is_cut_smaller(addon):
 
 
 def test_what_is_thick_is_flattened_at_its_middle(addon):
-    """A half cylinder of radius 1 modeled inside is longer by thickness / 2."""
+    """A half cylinder of radius 1 modeled inside is longer by thickness / 2, but for its outermost edges.
+
+    At the ends the normal is that of the one face there, half a turn between faces off the radius.
+    """
     bpy.context.scene.unit_settings.scale_length = 0.1
-    target = grid("Half", half_cylinder, size=32)
+    size, middle = 32, 0.1
+    target = grid("Half", half_cylinder, size=size)
     widths = []
     for thickness in (0.0, 20.0):  # millimeters; a Blender unit is 100 mm
         bpy.ops.object.wirewarp_flatten(orientation="UP", thickness=thickness, keep_places=False)
         widths.append(sorted(box(target))[1])
-    assert widths[1] / widths[0] == pytest.approx(1.1, rel=2e-3)
+    chord, half_turn = 2 * math.sin(math.pi / (2 * size)), math.pi / (2 * size)
+    missing = 2 * middle * math.sin(half_turn)
+    assert widths[0] == pytest.approx(size * chord, rel=1e-6)
+    assert widths[1] == pytest.approx(size * chord * (1 + middle) - missing, rel=1e-3)
     notes = [note["text"] for note in last_report(addon, target)["notes"]]
     assert "Lengths on the model are those of the middle of the material's thickness." in notes
+
+
+def test_what_is_thick_and_unfolds_is_not_told_as_stretched(addon):
+    bpy.context.scene.unit_settings.scale_length = 0.1
+    target = grid("Half", half_cylinder, size=16)
+    bpy.ops.object.wirewarp_flatten(thickness=20.0)
+    report = last_report(addon, target)
+    (piece,), (line,) = report["pieces"], addon.report.verdict.verdict(report)
+    assert report["hints"] == []
+    assert line.text.startswith("Ready to cut: ")
+    assert (piece["stretch_max"], piece["ease_max"]) == pytest.approx((0, 0), abs=1e-6)
+    assert read(flat_of(target).data.attributes["stretch"].data, "value", np.float32) == pytest.approx(0, abs=1e-6)

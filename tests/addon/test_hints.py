@@ -15,14 +15,11 @@ def flattened(addon, target, **settings):
     return addon.flat.reports.last_report(target)
 
 
-def triangle_piece(flat):
-    """A piece of one triangle, and its model: the right angle with sides of 1."""
-    model = SimpleNamespace(
-        vertices=np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 1]]),  # upright, so that the flat one lies elsewhere
-        triangles=np.array([[0, 1, 2]]),
-    )
-    piece = SimpleNamespace(vertices=np.array(flat, float), faces=np.array([[0, 1, 2]]), source_face=np.array([0]))
-    return piece, model
+def triangle_metrics(addon, flat):
+    """Of a flat triangle whose model is the right angle with sides of 1, upright, so that the flat one lies elsewhere."""
+    vertices, faces = np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 1]]), np.array([[0, 1, 2]])
+    (piece,) = addon.core.library().measure(vertices, faces, np.array([flat], float)).pieces
+    return piece.metrics
 
 
 @pytest.mark.parametrize(
@@ -39,7 +36,7 @@ def triangle_piece(flat):
     ],
 )
 def test_stretch_and_ease_are_the_principal_ones_of_flat_cloth(addon, flat, stretch, ease):
-    strain = addon.report.cloth.piece_strain(*triangle_piece(flat))
+    strain = addon.report.cloth.piece_strain(triangle_metrics(addon, flat))
     assert strain.stretch == pytest.approx([stretch], abs=1e-12)
     assert strain.ease == pytest.approx([ease], abs=1e-12)
 

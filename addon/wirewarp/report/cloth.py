@@ -10,9 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core import Piece
+from ..core import Metrics, Piece
 from ..pattern.chains import edge_keys
-from ..solve.arrays import MeshArrays
 
 # Of the aspect ratio. A plain limit, not one of a certain cloth: by more than a quarter hardly any stretches or eases.
 CLOTH_LIMIT = 1.25
@@ -91,20 +90,18 @@ class PieceStrain:
     ease: np.ndarray  # (q,) from 0 to 1
 
 
-def piece_strain(piece: Piece, arrays: MeshArrays) -> PieceStrain:
-    """From the principal stretches of the map from flat to model, the singular values of its gradient."""
-    flat = np.asarray(piece.vertices)[piece.faces]
-    model = arrays.vertices[arrays.triangles[piece.source_face]]
-    a, b = (flat[:, k] - flat[:, 0] for k in (1, 2))
-    p, q = (model[:, k] - model[:, 0] for k in (1, 2))
-    determinant = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        x = (p * b[:, 1:] - q * a[:, 1:]) / determinant[:, None]  # where the model goes as the flat goes along x
-        y = (q * a[:, :1] - p * b[:, :1]) / determinant[:, None]
-        xx, xy, yy = ((u * v).sum(axis=1) for u, v in ((x, x), (x, y), (y, y)))
-        middle, spread = (xx + yy) / 2, np.hypot((xx - yy) / 2, xy)
+def piece_strain(metrics: Metrics) -> PieceStrain:
+    """From the library's strain of threads, so that what is thick is measured in the middle of its thickness.
+
+    Threads of lengths p and q with g = p q sin γ between them have the metric (p², g; g, q²): its eigenvalues are the
+    squares of the principal stretches of the map from flat to model.
+    """
+    p, q = 1 + metrics.face_weft_strain, 1 + metrics.face_warp_strain
+    with np.errstate(invalid="ignore"):
+        middle = (p * p + q * q) / 2
+        spread = np.hypot((p * p - q * q) / 2, p * q * np.sin(metrics.face_shear_angle))
         longest, shortest = np.sqrt(middle + spread), np.sqrt(np.maximum(middle - spread, 0))
-    squeezed = determinant == 0
+    squeezed = ~np.isfinite(middle)
     return PieceStrain(
         stretch=np.where(squeezed, np.inf, np.maximum(longest - 1, 0)),
         ease=np.where(squeezed, 0, np.maximum(1 - shortest, 0)),

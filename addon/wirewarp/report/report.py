@@ -50,7 +50,7 @@ def object_report(
     issues = with_twins(issues, result, arrays)
     failed = {issue.piece for issue in issues}
     method = result.report["method"]
-    strains = [piece_strain(piece, arrays) if _has_layout(piece) else None for piece in result.pieces]
+    strains = [piece_strain(piece.metrics) if _has_layout(piece) else None for piece in result.pieces]
     pieces = [
         {"index": index, **asdict(identity), **_piece(piece, arrays, meters), **_strain(piece, strain, arrays)}
         for index, (identity, piece, strain) in enumerate(zip(identities, result.pieces, strains, strict=True))

@@ -58,6 +58,7 @@ def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[Pi
     vertices, source_vertex, vertex_piece, flat_triangles, piece_of_triangle, energy, ratio = _join_pieces(
         result, arrays
     )
+    areas = _model_areas(result, arrays)
     placed = has_layout(result.corner_uv)
     polygon_count = len(arrays.polygon_starts)
     kept = np.zeros(polygon_count, dtype=bool)
@@ -74,7 +75,7 @@ def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[Pi
     loop_vertices = vertex_of_loop[source_corner]
     edges, loop_edges, source_edge = _edges(loop_vertices, source_corner, sizes, arrays)
     face_energy = np.add.reduceat(energy, first_triangle)[kept]
-    face_area = np.add.reduceat(triangle_areas(arrays.vertices, arrays.triangles), first_triangle)[kept]
+    face_area = np.add.reduceat(areas, first_triangle)[kept]
     signed_areas = _signed_areas(vertices, flat_triangles)
     flat_area = np.add.reduceat(np.abs(signed_areas), first_triangle)[kept]
     return FlatMesh(
@@ -158,6 +159,21 @@ def _join_pieces(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray,
         energy,
         ratio,
     )
+
+
+def _model_areas(result: FlattenResult, arrays: MeshArrays) -> np.ndarray:
+    """(m,) of the triangles that were flattened: of a thick material those in the middle of its thickness.
+
+    p q cos γ is by how much the map from flat to model multiplies areas. Where a flat triangle has none, as modeled.
+    """
+    areas = triangle_areas(arrays.vertices, arrays.triangles)
+    for piece in result.pieces:
+        metrics = piece.metrics
+        with np.errstate(invalid="ignore"):
+            p, q = 1 + metrics.face_weft_strain, 1 + metrics.face_warp_strain
+            measured = np.abs(_signed_areas(piece.vertices, piece.faces)) * p * q * np.cos(metrics.face_shear_angle)
+        areas[piece.source_face] = np.where(np.isfinite(measured), measured, areas[piece.source_face])
+    return areas
 
 
 def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
