@@ -278,6 +278,26 @@ def test_too_short_an_ease_marks_nothing(source):
     assert "wirewarp_wire" not in source.data.attributes
 
 
+def select_all_edges(*targets):
+    select_only(*targets)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.context.tool_settings.mesh_select_mode = (False, True, False)
+    bpy.ops.mesh.select_all(action="SELECT")
+
+
+@pytest.mark.parametrize("sides", ["ALL", "ONE"])
+def test_of_two_objects_none_is_marked_where_one_is_refused(source, sides):
+    """The outline of the small one is 40 mm long, that of the large one 800 mm."""
+    small = grid("Small", lambda x, y: (0.05 * x + 3, 0.05 * y, 0), size=1)
+    large = grid("Large", lambda x, y: (x + 6, y, 0), size=1)
+    for targets in ((large, small), (small, large)):
+        select_all_edges(*targets)
+        with pytest.raises(RuntimeError, match="would have no length left"):
+            bpy.ops.mesh.wirewarp_ease(sides=sides, ease_unit="LENGTH", ease_length=-50.0)
+        bpy.ops.object.mode_set(mode="OBJECT")
+        assert not {"wirewarp_wire", "wirewarp_side_ratio"} & {*small.data.attributes.keys(), *large.data.attributes.keys()}
+
+
 def test_edges_without_a_side_are_left_out_and_counted(source, capfd):
     select_edges(source, SEAM, on_line(1, 0.0))
     assert bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0) == {"FINISHED"}

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marking eases on edges of a model in Object Mode: of wires, on all sides alike, or of one side alone."""
+"""Marking eases on edges of a model in Object Mode: of wires, on all sides alike, or of one side alone.
+
+What is planned writes nothing before it is called: of several objects none is changed where one is refused.
+"""
 
 import math
 from collections.abc import Callable, Collection
@@ -36,35 +39,48 @@ class Eased:
     left_out: int  # edges
 
 
+Planned = Callable[[], Eased]  # writes, and cannot fail
+
+
 def check_ease_attributes(mesh: bpy.types.Mesh) -> None:
     """Raises ObjectError if an attribute of our name has another type or domain."""
     check_attributes(mesh)
     check_side_attributes(mesh)
 
 
-def ease_lines(target: bpy.types.Object, rows: np.ndarray, amount: Amount) -> Eased:
+def plan_lines(target: bpy.types.Object, rows: np.ndarray, amount: Amount) -> Planned:
     """Lines of these edges are to be longer by this, all their sides alike; what is no wire becomes a rigid one.
 
     Raises ObjectError where a line would have no length left.
     """
     mesh = target.data
     used = rows[faces_at_edges(mesh)[rows] > 0]
-    marks, lengths = read_marks(mesh), _lengths(target)
-    changes = []
-    for chain in split_into_chains(edge_vertices(mesh)[used], _places(target)) if len(used) else ():
-        own = used[chain.edges]
-        changes.append(_change(float(lengths[own].sum()), amount))
-        new = own[marks.wire_ids[own] == 0]
+    lengths = _lengths(target)
+    chains = split_into_chains(edge_vertices(mesh)[used], _places(target)) if len(used) else []
+    lines = [used[chain.edges] for chain in chains]
+    changes = [_change(float(lengths[line].sum()), amount) for line in lines]
+
+    def write() -> Eased:
+        if lines:
+            _write_lines(target, lines, changes)
+        return Eased(changes, len(rows) - len(used))
+
+    return write
+
+
+def _write_lines(target: bpy.types.Object, lines: list[np.ndarray], changes: list[Change]) -> None:
+    mesh = target.data
+    marks = read_marks(mesh)
+    for line, change in zip(lines, changes, strict=True):
+        new = line[marks.wire_ids[line] == 0]
         marks.wire_ids[new], marks.tolerances[new] = new_id(), 0
-        marks.eases[own] = changes[-1].ratio
-    if len(used):
-        write_marks(mesh, marks)
-        wire_id = int(repair_marks(target).wire_ids[used[0]])
-        mesh.wirewarp_active_wire = list_places(mesh)[wire_id]  # what was marked last is chosen in the list
-    return Eased(changes, len(rows) - len(used))
+        marks.eases[line] = change.ratio
+    write_marks(mesh, marks)
+    wire_id = int(repair_marks(target).wire_ids[min(map(min, lines))])
+    mesh.wirewarp_active_wire = list_places(mesh)[wire_id]  # what was marked last is chosen in the list
 
 
-def ease_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side: int) -> Eased:
+def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side: int) -> Planned:
     """The lines of these edges are to be longer by this on one side alone, 0 or 1, and on the other as they would be.
 
     Of outlines on the only side there is. What is no seam or outline is left out, and where a side has several faces.
@@ -72,13 +88,13 @@ def ease_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side:
     """
     mesh = target.data
     lines = sides_of_lines(mesh, outline_rows(mesh, rows), _places(target))
-    return _ease(target, [line[side] or line[1 - side] for line in lines], amount, len(rows))
+    return _plan(target, [line[side] or line[1 - side] for line in lines], amount, len(rows))
 
 
-def ease_corners(target: bpy.types.Object, corners: Collection[int], amount: Amount) -> Eased:
+def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amount) -> Planned:
     """The edges that begin at these corners are to be longer by this, on the side of their faces alone.
 
-    Raises ObjectError as ease_sides does, and where both sides of an edge are among them.
+    Raises ObjectError as plan_sides does, and where both sides of an edge are among them.
     """
     mesh, chosen = target.data, set(corners)
     rows = np.unique(corner_edges(mesh)[list(chosen)])
@@ -88,7 +104,7 @@ def ease_corners(target: bpy.types.Object, corners: Collection[int], amount: Amo
             "Both sides of a seam are selected. Select one; or mark an ease of both sides on the model.",
         )
     lines = sides_of_lines(mesh, outline_rows(mesh, rows), _places(target))
-    return _ease(
+    return _plan(
         target, [[each for side in line for each in side if each in chosen] for line in lines], amount, len(rows)
     )
 
@@ -107,15 +123,19 @@ def clear_eases(target: bpy.types.Object, rows: np.ndarray) -> Eased:
     return Eased([Change(0.0, 0.0)] * len(lines), 0)
 
 
-def _ease(target: bpy.types.Object, lines: list[list[int]], amount: Amount, selected: int) -> Eased:
+def _plan(target: bpy.types.Object, lines: list[list[int]], amount: Amount, selected: int) -> Planned:
     """lines: corners at which their edges begin; selected: how many edges were to be eased."""
     mesh = target.data
     loop_edges, lengths = corner_edges(mesh), _lengths(target) * (1 + read_marks(mesh).eases)
     found = [line for line in lines if line]
     changes = [_change(float(lengths[loop_edges[line]].sum()), amount) for line in found]
-    for line, change in zip(found, changes, strict=True):
-        write_side_eases(mesh, line, change.ratio)
-    return Eased(changes, selected - sum(map(len, found)))
+
+    def write() -> Eased:
+        for line, change in zip(found, changes, strict=True):
+            write_side_eases(mesh, line, change.ratio)
+        return Eased(changes, selected - sum(map(len, found)))
+
+    return write
 
 
 def _change(length: float, amount: Amount) -> Change:

@@ -2,6 +2,7 @@
 """The buttons below Ease: lines that are sewn to shorter or longer ones."""
 
 from dataclasses import replace
+from functools import partial
 
 import bpy
 import numpy as np
@@ -13,7 +14,16 @@ from ..blender.objects import check_local
 from ..blender.units import length_text, meters_per_blender_unit
 from ..flat.sides import selected_sides
 from ..issues import ObjectError
-from ..model.ease import Amount, Eased, check_ease_attributes, clear_eases, ease_corners, ease_lines, ease_sides
+from ..model.ease import (
+    Amount,
+    Eased,
+    Planned,
+    check_ease_attributes,
+    clear_eases,
+    plan_corners,
+    plan_lines,
+    plan_sides,
+)
 from ..model.owners import model_of
 from ..properties import EaseAmount, take_settings
 from ..ui.settings import draw_ease
@@ -62,7 +72,8 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
                 check_local(target, target.data)
                 check_ease_attributes(target.data)
             with in_object_mode(context):
-                found = [self._mark(target, amount) for target in targets]
+                planned = [self._plan(target, amount) for target in targets]  # any of them may be refused
+                found = [write() for write in planned]
                 hold_whole_file()
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
@@ -73,27 +84,24 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
         share, length = self.ease_percent / 100, self.ease_length / (1000 * meters_per_blender_unit(scene))
         return (lambda line: length / line) if self.ease_unit == "LENGTH" else lambda _: share
 
-    def _mark(self, target: bpy.types.Object, amount: Amount) -> Eased:
+    def _plan(self, target: bpy.types.Object, amount: Amount) -> Planned:
         """On flat pieces, where sides lie apart, of the selected side whatever side is chosen."""
         if model_of(target):
             found = selected_sides(target)
             check_ease_attributes(found.model.data)
             if self.sides == "NONE":
-                eased = clear_eases(found.model, found.edges)
+                planned = partial(clear_eases, found.model, found.edges)
             else:
-                eased = ease_corners(found.model, found.corners, amount)
-            found.model.data.update()
-            return replace(eased, left_out=eased.left_out + found.left_out)
-        mesh = target.data
-        rows = np.flatnonzero(read_selected_edges(mesh) & ~read_hidden_edges(mesh))
+                planned = plan_corners(found.model, found.corners, amount)
+            return partial(_write, planned, found.model.data, found.left_out)
+        rows = np.flatnonzero(read_selected_edges(target.data) & ~read_hidden_edges(target.data))
         if self.sides == "NONE":
-            eased = clear_eases(target, rows)
+            planned = partial(clear_eases, target, rows)
         elif self.sides == "ALL":
-            eased = ease_lines(target, rows, amount)
+            planned = plan_lines(target, rows, amount)
         else:
-            eased = ease_sides(target, rows, amount, ("ONE", "OTHER").index(self.sides))
-        mesh.update()
-        return eased
+            planned = plan_sides(target, rows, amount, ("ONE", "OTHER").index(self.sides))
+        return partial(_write, planned, target.data, 0)
 
     def _told(self, found: list[Eased], units: LengthText) -> set[str]:
         left_out = sum(each.left_out for each in found)
@@ -118,3 +126,9 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
         self.layout.prop(self, "sides")
         if self.sides != "NONE":
             draw_ease(self.layout, self)
+
+
+def _write(planned: Planned, mesh: bpy.types.Mesh, left_out: int) -> Eased:
+    eased = planned()
+    mesh.update()
+    return replace(eased, left_out=eased.left_out + left_out)
