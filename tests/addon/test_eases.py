@@ -182,6 +182,23 @@ def test_both_sides_at_once_on_flat_pieces_are_refused(source):
         bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0)
 
 
+@pytest.mark.parametrize("sides", ["ALL", "OTHER"])
+def test_on_flat_pieces_no_side_but_the_selected_one_is_eased(source, sides):
+    bpy.ops.object.wirewarp_flatten()
+    select_side(source, -1)
+    with pytest.raises(RuntimeError, match="One Side eases the selected one"):
+        bpy.ops.mesh.wirewarp_ease(sides=sides, ease_percent=5.0)
+    assert "wirewarp_side_ratio" not in source.data.attributes
+
+
+def test_a_line_of_which_both_sides_are_cleared_on_flat_pieces_counts_once(source, capfd):
+    ease(source, SEAM, sides="ONE", ease_percent=5.0)
+    bpy.ops.object.wirewarp_flatten()
+    select_side(source, 0)
+    assert bpy.ops.mesh.wirewarp_ease(sides="NONE") == {"FINISHED"}
+    assert "No ease any more on 1 line\n" in capfd.readouterr().out
+
+
 def write_corners(source, values):
     """values: by the sign of the side's place; on the corners at which edges of the seam begin."""
     sides = source.data.attributes.get("wirewarp_side_ease") or source.data.attributes.new(

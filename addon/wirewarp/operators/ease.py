@@ -13,7 +13,7 @@ from ..blender.modes import hold_whole_file, in_object_mode
 from ..blender.objects import check_local
 from ..blender.units import length_text, meters_per_blender_unit
 from ..flat.sides import selected_sides
-from ..issues import ObjectError
+from ..issues import ObjectError, object_error
 from ..model.ease import (
     Amount,
     Eased,
@@ -35,6 +35,7 @@ SIDES = [
     ("OTHER", "Other Side", "The other side of the selected seams alone"),
     ("NONE", "None", "The selected lines have no ease any more, on any side"),
 ]
+SIDES_APART = "On flat pieces every side lies apart: One Side eases the selected one. Ease all sides on the model."
 NO_SIDES = "select edges on a seam or outline, with one face on that side"
 NOTHING = {
     "ALL": "select the edges of a line first",
@@ -85,12 +86,14 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
         return (lambda line: length / line) if self.ease_unit == "LENGTH" else lambda _: share
 
     def _plan(self, target: bpy.types.Object, amount: Amount) -> Planned:
-        """On flat pieces, where sides lie apart, of the selected side whatever side is chosen."""
+        """On flat pieces, where sides lie apart, of the selected side."""
         if model_of(target):
             found = selected_sides(target)
             check_ease_attributes(found.model.data)
             if self.sides == "NONE":
                 planned = partial(clear_eases, found.model, found.edges)
+            elif self.sides != "ONE":
+                raise object_error("sides_apart", SIDES_APART)
             else:
                 planned = plan_corners(found.model, found.corners, amount)
             return partial(_write, planned, found.model.data, found.left_out)
@@ -121,9 +124,10 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
             self.report({"INFO"}, sentence)
         return {"FINISHED"}
 
-    def draw(self, _context: bpy.types.Context) -> None:
+    def draw(self, context: bpy.types.Context) -> None:
         self.layout.use_property_split = True
-        self.layout.prop(self, "sides")
+        if not model_of(context.object):
+            self.layout.prop(self, "sides")
         if self.sides != "NONE":
             draw_ease(self.layout, self)
 
