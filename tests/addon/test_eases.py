@@ -117,6 +117,21 @@ def test_clearing_a_wire_takes_its_ease_and_a_new_wire_has_none(source):
     assert not read(source.data.attributes["wirewarp_ease"].data, "value", np.float32).any()
 
 
+def test_a_part_of_a_line_that_is_marked_keeps_its_ease(source, capfd):
+    def upper_half(a, b):
+        return SEAM(a, b) and a[1] + b[1] > 0
+
+    ease(source, SEAM, sides="ALL", ease_percent=2.0)
+    mark(source, upper_half, kind="ELASTIC", tolerance=0.01)
+    eases = read(source.data.attributes["wirewarp_ease"].data, "value", np.float32)
+    assert np.count_nonzero(eases == np.float32(0.02)) == 8
+    assert "several eases" not in capfd.readouterr().out
+    ease(source, upper_half, sides="ALL", ease_percent=5.0)
+    mark(source, SEAM)
+    assert "1 wire marked. 1 wire had several eases: mark the ease again." in capfd.readouterr().out
+    assert not read(source.data.attributes["wirewarp_ease"].data, "value", np.float32).any()
+
+
 def test_the_list_of_wires_changes_an_ease_and_keeps_it(source, addon):
     ease(source, SEAM, sides="ALL", ease_percent=2.0)
     ((name, wire),) = addon.model.wires.listed_wires(source)
@@ -312,7 +327,10 @@ def test_of_two_objects_none_is_marked_where_one_is_refused(source, sides):
         with pytest.raises(RuntimeError, match="would have no length left"):
             bpy.ops.mesh.wirewarp_ease(sides=sides, ease_unit="LENGTH", ease_length=-50.0)
         bpy.ops.object.mode_set(mode="OBJECT")
-        assert not {"wirewarp_wire", "wirewarp_side_ratio"} & {*small.data.attributes.keys(), *large.data.attributes.keys()}
+        assert not {"wirewarp_wire", "wirewarp_side_ratio"} & {
+            *small.data.attributes.keys(),
+            *large.data.attributes.keys(),
+        }
 
 
 def test_edges_without_a_side_are_left_out_and_counted(source, capfd):

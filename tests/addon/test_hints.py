@@ -16,7 +16,7 @@ def flattened(addon, target, **settings):
 
 
 def triangle_metrics(addon, flat):
-    """Of a flat triangle whose model is the right angle with sides of 1, upright, so that the flat one lies elsewhere."""
+    """Of a flat triangle whose model is the right angle with sides of 1, upright, so the flat one lies elsewhere."""
     vertices, faces = np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 1]]), np.array([[0, 1, 2]])
     (piece,) = addon.core.library().measure(vertices, faces, np.array([flat], float)).pieces
     return piece.metrics

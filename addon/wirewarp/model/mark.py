@@ -19,20 +19,27 @@ from .wire_names import list_places
 from .wires import repair_names
 
 
-def mark_selected(targets: Sequence[bpy.types.Object], tolerance: float) -> int:
-    """The selected edges become wires, one a chain; along seams and outlines, too. Returns how many.
+@dataclass(frozen=True)
+class Marked:
+    wires: int
+    lost_eases: int  # of these wires: their edges had several eases, and have none now
+
+
+def mark_selected(targets: Sequence[bpy.types.Object], tolerance: float) -> Marked:
+    """The selected edges become wires, one a chain; along seams and outlines, too.
 
     Raises ObjectError, with nothing marked on any, on an edge without a face, and on attributes that are not ours.
     """
     for target in targets:
         check_attributes(target.data)
         _refuse_loose(target)
-    return sum(_mark_object(target, tolerance) for target in targets)
+    marked = [_mark_object(target, tolerance) for target in targets]
+    return Marked(sum(each.wires for each in marked), sum(each.lost_eases for each in marked))
 
 
-def _mark_object(target: bpy.types.Object, tolerance: float) -> int:
+def _mark_object(target: bpy.types.Object, tolerance: float) -> Marked:
     if not _selected_edges(bmesh.from_edit_mesh(target.data)):
-        return 0
+        return Marked(0, 0)
     edit, wire_layer, tolerance_layer, ease_layer = edit_layers(target.data)
     selected = _selected_edges(edit)
     _repair(target, edit, wire_layer)
@@ -41,11 +48,13 @@ def _mark_object(target: bpy.types.Object, tolerance: float) -> int:
     present = np.array([edge[wire_layer] for edge in selected])
     counts = Counter(edge[wire_layer] for edge in edit.edges)
     planned = plan_wires(edges, present, counts, _positions(target, edit))
+    lost_eases = 0
     for wire in planned:
         wire_id = wire.kept_id or new_id()
         if ease_layer:
-            eases = {selected[row][ease_layer] for row in wire.rows if selected[row][wire_layer] == wire_id}
-            ease = eases.pop() if len(eases) == 1 else 0.0  # a wire that is new, or was two, has none
+            eases = {selected[row][ease_layer] for row in wire.rows if selected[row][wire_layer]}
+            lost_eases += len(eases) > 1
+            ease = eases.pop() if len(eases) == 1 else 0.0
             for row in wire.rows:
                 selected[row][ease_layer] = ease
         for row in wire.rows:
@@ -54,7 +63,7 @@ def _mark_object(target: bpy.types.Object, tolerance: float) -> int:
     _finish(target, edit, wire_layer)
     # What was marked last is chosen in the list, so that the buttons below that act on it.
     target.data.wirewarp_active_wire = list_places(target.data)[wire_id]
-    return len(planned)
+    return Marked(len(planned), lost_eases)
 
 
 def clear_selected(targets: Sequence[bpy.types.Object]) -> int:

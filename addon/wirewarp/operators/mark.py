@@ -97,14 +97,19 @@ class MESH_OT_wirewarp_mark(WireKind, bpy.types.Operator):
             self.report({"ERROR"}, NEEDS_TOLERANCE)
             return {"CANCELLED"}
         try:
-            count = mark_selected(context.objects_in_mode_unique_data, self.chosen_tolerance())
+            marked = mark_selected(context.objects_in_mode_unique_data, self.chosen_tolerance())
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        if count == 0:
+        if marked.wires == 0:
             self.report({"ERROR"}, "Nothing to mark: select the edges of the wire first.")
             return {"CANCELLED"}
-        self.report({"INFO"}, f"{counted(count, 'wire')} marked")
+        sentence = f"{counted(marked.wires, 'wire')} marked"
+        if marked.lost_eases:
+            lost = counted(marked.lost_eases, "wire")
+            self.report({"WARNING"}, f"{sentence}. {lost} had several eases: mark the ease again.")
+        else:
+            self.report({"INFO"}, sentence)
         return {"FINISHED"}
 
     def draw(self, _context: bpy.types.Context) -> None:
