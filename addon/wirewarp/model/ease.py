@@ -110,7 +110,10 @@ def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amo
 
 
 def clear_eases(target: bpy.types.Object, edges: np.ndarray) -> Eased:
-    """None of these edges, which may be named twice, has an ease any more, on any side. Returns a change for each line that had one."""
+    """None of these edges, which may be named twice, has an ease any more.
+
+    On any side. Returns a change for each line that had one.
+    """
     mesh, rows = target.data, np.unique(edges)
     marks = read_marks(mesh)
     had = (marks.eases[rows] != 0) | clear_side_eases(mesh, rows)
