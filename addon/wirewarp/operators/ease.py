@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The buttons below Ease: lines that are sewn to shorter or longer ones."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 
@@ -87,6 +88,7 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
 
     def _plan(self, target: bpy.types.Object, amount: Amount) -> Planned:
         """On flat pieces, where sides lie apart, of the selected side."""
+        planned: Callable[[], Eased]
         if model_of(target):
             found = selected_sides(target)
             check_ease_attributes(found.model.data)
