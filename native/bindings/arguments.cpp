@@ -10,6 +10,12 @@
 namespace wirewarp::bindings {
 namespace {
 
+FlattenError wrong_item(const std::string& argument, std::size_t index, const std::string& type, py::handle item) {
+  return FlattenError(ErrorCode::invalid_type, argument + "[" + std::to_string(index) + "] must be " +
+                                                   (type == "Ease" ? "an " : "a ") + type + ", not " + type_name(item) +
+                                                   ".");
+}
+
 /// argument: "wires"; type: "Wire".
 template <class Item>
 std::vector<Item> read_list(py::handle value, const std::string& argument, const std::string& type) {
@@ -19,11 +25,7 @@ std::vector<Item> read_list(py::handle value, const std::string& argument, const
   }
   std::vector<Item> items;
   for (const py::handle item : value) {
-    if (!py::isinstance<Item>(item)) {
-      throw FlattenError(ErrorCode::invalid_type, argument + "[" + std::to_string(items.size()) + "] must be " +
-                                                      (type == "Ease" ? "an " : "a ") + type + ", not " +
-                                                      type_name(item) + ".");
-    }
+    if (!py::isinstance<Item>(item)) throw wrong_item(argument, items.size(), type, item);
     items.push_back(item.cast<const Item&>());
   }
   return items;
