@@ -5,28 +5,16 @@ from __future__ import annotations
 
 import time
 
-import numpy as np
 import wirewarp
 from inputs import Inputs
 from measures import summarize
 from methods import flatten
 from palette import plain_percent
-from shapes import Shape
+from shapes import Shape, chain_of
 from text import differ, table
 
 TOLERANCES = (0.0, 0.01, 0.03)
 FLAT = 1e-9  # an energy below it is that of a shape without distortion
-
-
-def chain_of(edges: np.ndarray) -> list[int]:
-    """The vertices of a seam (k, 2), in their order."""
-    first, *others = edges.tolist()
-    if others and first[0] in others[0] and first[1] not in others[0]:
-        first.reverse()
-    chain = list(first)
-    for a, b in others:
-        chain.append(b if a == chain[-1] else a)
-    return chain
 
 
 def with_seams_that_give(

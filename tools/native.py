@@ -1,8 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Building and testing the core, with expected input and with random one."""
 
+import re
+import subprocess
+
 from tools import core_coverage
-from tools.environment import BUILD, CORES, DEBIAN_PYTHON, ROOT, require_apt, run, run_quietly, venv
+from tools.environment import (
+    BUILD,
+    CORES,
+    DEBIAN_PYTHON,
+    ROOT,
+    StepError,
+    clean_environment,
+    failure,
+    require_apt,
+    run,
+    run_quietly,
+    venv,
+)
 from tools.old_glibc import openmesh_source
 from tools.package import BUILD_APT
 
@@ -11,6 +26,7 @@ NATIVE_APT = (*CORE_APT, "libgtest-dev", "libnlopt-dev")
 FUZZ_APT = (*CORE_APT, "clang", "libclang-rt-14-dev")
 ATHERIS = ("atheris==3.0.0", "numpy==1.26.4")  # libFuzzer for Python
 FEW_CASES, MANY_CASES = 1_000, 10_000
+OF_A_GOOD_TEST = re.compile(r" +Start +\d+: | *\d+/\d+ Test +#\d+: .* Passed ")  # lines of ctest
 FUZZ_SECONDS = {"flatten": 600, "reader": 120}
 
 
@@ -23,7 +39,14 @@ def build_native(preset: str, *targets: str, **definitions: str) -> None:
 
 
 def run_native_tests(preset: str) -> None:
-    run(["ctest", "--preset", preset, "-j", str(CORES), "--progress"])
+    """Shows what failed and the count, without two lines for each test that passed."""
+    command = ["ctest", "--preset", preset, "-j", str(CORES)]
+    with subprocess.Popen(command, cwd=ROOT, env=clean_environment(), stdout=subprocess.PIPE, text=True) as tests:
+        for line in tests.stdout or ():
+            if not OF_A_GOOD_TEST.match(line):
+                print(line, end="", flush=True)
+    if tests.returncode:
+        raise StepError(failure(command, tests.returncode))
 
 
 def native_tests() -> None:

@@ -19,6 +19,7 @@ PASSED, FAILED, NOT_TESTED = "passed", "FAILED", "NOT TESTED"
 EXIT_CODES: dict[int | None, str] = {0: PASSED, 1: FAILED, 2: NOT_TESTED}
 LOGS = BUILD / "log"
 AT_ONCE = 2  # so that a step that uses one core leaves none idle
+FAILURE_LINES = 400  # room for some failed tests with their values
 PROCESSES = multiprocessing.get_context("fork")
 
 
@@ -57,7 +58,7 @@ def run_in_order(steps: Iterable[Step]) -> list[Outcome]:
 
 
 def run_side_by_side(steps: Sequence[Step]) -> list[Outcome]:
-    """Each in a process of its own, whose output is kept in build/log and shown when it ends; in the order given."""
+    """Each in a process of its own, whose output is kept in build/log; in the order given."""
     LOGS.mkdir(parents=True, exist_ok=True)
     waiting = list(steps)
     running: list[tuple[Step, ForkProcess, float]] = []
@@ -74,9 +75,17 @@ def run_side_by_side(steps: Sequence[Step]) -> list[Outcome]:
             process.join()
             word = EXIT_CODES.get(process.exitcode, FAILED)
             outcomes[step.name] = Outcome(step.name, word, time.monotonic() - begin)
-            print(f"\n===== {step.name}\n{(LOGS / step.name).read_text(errors='replace')}", flush=True)
+            say(f"{step.name} {outcomes[step.name].word}, as told in {LOGS / step.name}")
         running = [entry for entry in running if entry[1].sentinel not in ended]
     return [outcomes[step.name] for step in steps]
+
+
+def show_what_failed(outcomes: Iterable[Outcome]) -> None:
+    """The end of what each step printed that failed or was not tested; steps that passed are not told at length."""
+    for outcome in outcomes:
+        if outcome.word != PASSED:
+            lines = (LOGS / outcome.name).read_text(errors="replace").splitlines()
+            print(f"\n===== {outcome.name}", *lines[-FAILURE_LINES:], sep="\n", flush=True)
 
 
 def show(outcomes: Sequence[Outcome], seconds: float) -> None:

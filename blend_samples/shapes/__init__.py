@@ -10,15 +10,16 @@ from .developable import half_cylinder, lampshade
 from .hat import hat
 from .jeans import jeans
 from .mask import mask
-from .shape import Shape, ShapeBuilder, Wire
+from .shape import Shape, ShapeBuilder, Wire, chain_of
 from .spheres import ball, quarter_sphere
 from .top import fitted_top
 from .toy import toy
 from .wetsuit import wetsuit_upper_body
 
 __all__ = [
-    "Shape", "ShapeBuilder", "Wire", "all_shapes", "armchair_cover", "ball", "cushion", "fitted_top", "half_cylinder",
-    "hat", "jeans", "lampshade", "mask", "quarter_sphere", "toy", "wetsuit_collar", "wetsuit_upper_body",
+    "Shape", "ShapeBuilder", "Wire", "all_shapes", "armchair_cover", "ball", "chain_of", "cushion", "fitted_top",
+    "half_cylinder", "hat", "jeans", "lampshade", "mask", "quarter_sphere", "toy", "wetsuit_collar",
+    "wetsuit_upper_body",
 ]  # fmt: skip
 
 

@@ -35,6 +35,17 @@ class Shape:
         return np.array([(face[0], face[k], face[k + 1]) for face in self.faces for k in range(1, len(face) - 1)])
 
 
+def chain_of(edges: np.ndarray) -> list[int]:
+    """The vertices of a seam (k, 2), in their order."""
+    first, *others = edges.tolist()
+    if others and first[0] in others[0] and first[1] not in others[0]:
+        first.reverse()
+    chain = list(first)
+    for a, b in others:
+        chain.append(b if a == chain[-1] else a)
+    return chain
+
+
 class ShapeBuilder:
     """Collects patches; points closer than WELD_DISTANCE become one vertex."""
 

@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import wirewarp
-from test_samples import SAMPLES
+from samples import SAMPLES
+from shapes import chain_of
 
 FIGURES = Path(__file__).parents[2].parent / "shared" / "reference" / "seams.json"
 NO_FIGURES = "the reference figures are not at hand"
@@ -22,17 +23,6 @@ def entries() -> list:
         return [pytest.param("", "", id="none", marks=pytest.mark.skip(reason=NO_FIGURES))]
     samples = {name: sample for name, sample in json.loads(FIGURES.read_text()).items() if isinstance(sample, dict)}
     return [(name, entry) for name, sample in samples.items() for entry in sample if entry.startswith("eps")]
-
-
-def chain_of(edges: np.ndarray) -> list[int]:
-    """The vertices of a seam, in order."""
-    first, *others = edges.tolist()
-    if others and first[0] in others[0] and first[1] not in others[0]:
-        first.reverse()
-    chain = list(first)
-    for a, b in others:
-        chain.append(b if a == chain[-1] else a)
-    return chain
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ import pytest
 
 from tools import environment, steps
 from tools.environment import NotTestedError, StepError
-from tools.steps import Outcome, Step, When, run_in_order, run_side_by_side, show
+from tools.steps import Outcome, Step, When, run_in_order, run_side_by_side, show, show_what_failed
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -89,7 +89,9 @@ def test_a_step_that_cannot_be_tested_here_fails_nothing_and_is_named(main, capf
 def test_all_steps_run_side_by_side_and_end_the_same(main, capfd, tmp_path, monkeypatch):
     monkeypatch.setattr(steps, "LOGS", tmp_path)
     assert main(["good", "bad", "lacking"]) == 1
-    assert table(capfd.readouterr().out) == [("good", "passed"), ("bad", "FAILED"), ("lacking", "NOT TESTED")]
+    output = capfd.readouterr().out
+    assert table(output) == [("good", "passed"), ("bad", "FAILED"), ("lacking", "NOT TESTED")]
+    assert "lacking is NOT TESTED: there is no such Python" in output
 
 
 def test_steps_run_when_they_are_wanted(main, capfd, tmp_path, monkeypatch):
@@ -148,19 +150,20 @@ def test_side_by_side_a_step_waits_for_another(log):
     assert log.read_text().split() == ["first", "middle", "last"]
 
 
-def test_side_by_side_the_output_of_a_step_stays_together(log, capfd):
-    def speak(name: str):
+def test_side_by_side_the_output_of_a_step_that_fails_is_shown_and_stays_together(log, capfd):
+    def speak(name: str, is_good: bool):
         def work() -> None:
             for _ in range(50):
                 subprocess.run(["echo", name], check=True)
                 print(name, flush=True)
+            if not is_good:
+                raise StepError("no")
 
         return work
 
-    run_side_by_side([Step("one", speak("1")), Step("two", speak("2"))])
-    words = [line for line in capfd.readouterr().out.splitlines() if line in ("1", "2")]
-    assert sorted(words) in (words, words[::-1])
-    assert len(words) == 200
+    show_what_failed(run_side_by_side([Step(name, speak(name, is_good=name == "3")) for name in "123"]))
+    words = [line for line in capfd.readouterr().out.splitlines() if line in ("1", "2", "3")]
+    assert words == ["1"] * 100 + ["2"] * 100
 
 
 @pytest.mark.parametrize("end", [lambda: os.kill(os.getpid(), signal.SIGKILL), lambda: 1 / 0], ids=["killed", "raises"])
@@ -170,7 +173,7 @@ def test_side_by_side_a_step_that_breaks_down_has_failed(log, end):
 
 
 def test_side_by_side_a_fault_of_ours_is_in_the_output(log, capfd):
-    run_side_by_side([Step("broken", lambda: 1 / 0)])
+    show_what_failed(run_side_by_side([Step("broken", lambda: 1 / 0)]))
     assert "ZeroDivisionError" in capfd.readouterr().out
 
 

@@ -8,6 +8,7 @@
 #include "stop_token.h"
 
 namespace wirewarp {
+
 PieceFigures figures_of(const FlattenResult& result, const Chart& chart, const Options& options) {
   PieceFigures figures;
   figures.error = chart.error;
