@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from ..words import LengthText
 from .names import open_edges, piece_name, piece_names, pieces_of_wires, seam_name, side_names
+from .rows import asked_ease
 
 DIGITS = 6  # after the point
 
@@ -69,7 +70,7 @@ def _length_row(kind: str, name: str, piece: str, entry: dict, side: int, units:
         _tolerance(entry),
         *[""] * 5,
         _kept(entry),
-        _number(entry["eases"][side] if "eases" in entry else entry.get("ease", 0.0), 100),
+        _number(asked_ease(entry, side), 100),
     ]
 
 

@@ -12,21 +12,20 @@ from typing import Any
 
 import numpy as np
 
-from ..core import BoundaryReport, FlattenResult, HelperWire, Piece, SeamReport, WireReport
+from ..core import FlattenResult, HelperWire, Piece, SeamReport, WireReport
 from ..issues import Issue, note, warning
 from ..solve.arrays import MeshArrays
 from ..solve.flatten import ClothChoice, issue_of_piece, polygons_of
 from ..solve.identity import PieceIdentity
 from ..solve.seams import SeamIdentity
 from ..words import quoted
+from .asked import LENGTH_LIMIT, asked_of_outline, asked_of_wire, kept
 from .cloth import PieceStrain, piece_strain, triangles_around
 from .hints import strain_hints, wire_hints
 from .threads import thread_hints, threads_of
 from .twins import with_twins
 
 SCHEMA = "wirewarp-report-4"
-# Chains add up the rounding of their edges; the library itself checks every edge to 1e-9.
-LENGTH_LIMIT = 1e-8
 AT_LIMIT = 1e-6  # an elastic wire this close to its tolerance would go further if it could
 METHOD_NAMES = {
     "refined": "Refined",
@@ -138,7 +137,7 @@ def _piece(piece: Piece, arrays: MeshArrays, meters: float) -> dict:
         "overlapping_faces": len(polygons_of(arrays, metrics.overlapping_faces)),
         "wires": [_wire(wire, arrays, meters) for wire in piece.wires],
         "helper_wires": [_helper(wire, meters) for wire in piece.helper_wires],
-        "outline": [_outline(chain, meters) for chain in piece.boundaries],
+        "outline": _outline(piece, arrays, meters),
         "termination": str(piece.report.termination),
         "message": piece.report.message,
         "warnings": list(piece.report.warnings),
@@ -171,9 +170,9 @@ def _wire(wire: WireReport, arrays: MeshArrays, meters: float) -> dict:
     ease = arrays.wires[wire.wire_index].chain.ease
     given = abs(wire.variation - ease)
     if str(wire.kind) == "super_elastic":
-        kept = math.isfinite(wire.length_2d)  # nothing else is promised
+        is_kept = math.isfinite(wire.length_2d)  # nothing else is promised
     else:
-        kept = wire.max_edge_error <= LENGTH_LIMIT and given <= wire.tolerance + LENGTH_LIMIT
+        is_kept = kept(wire) and given <= wire.tolerance + LENGTH_LIMIT
     return {
         "name": wire.name,
         "wire": wire.wire_index,
@@ -181,23 +180,26 @@ def _wire(wire: WireReport, arrays: MeshArrays, meters: float) -> dict:
         "kind": str(wire.kind),
         "tolerance": _tolerance(wire.tolerance),
         "ease": ease,
-        **lengths(wire.length_3d, [wire.length_2d], meters),
-        "ok": bool(kept),
+        **lengths(wire.length_3d, [wire.length_2d], [asked_of_wire(wire, ease)], meters),
+        "ok": bool(is_kept),
         "at_limit": bool(0 < wire.tolerance < math.inf and given >= wire.tolerance - AT_LIMIT),
     }
 
 
 def _helper(wire: HelperWire, meters: float) -> dict:
-    return {**lengths(wire.length_3d, [wire.length_2d], meters), "variation": number(wire.variation)}
+    return {**lengths(wire.length_3d, [wire.length_2d], [], meters), "variation": number(wire.variation)}
 
 
-def _outline(chain: BoundaryReport, meters: float) -> dict:
-    return {
-        "seam": chain.seam,
-        "vertices": [int(vertex) for vertex in chain.vertices],
-        **lengths(chain.length_3d, [chain.length_2d], meters),
-        "ok": bool(chain.max_edge_error <= LENGTH_LIMIT),
-    }
+def _outline(piece: Piece, arrays: MeshArrays, meters: float) -> list[dict]:
+    return [
+        {
+            "seam": chain.seam,
+            "vertices": [int(vertex) for vertex in chain.vertices],
+            **lengths(chain.length_3d, [chain.length_2d], [asked], meters),
+            "ok": bool(kept(chain)),
+        }
+        for chain, asked in zip(piece.boundaries, asked_of_outline(piece, arrays), strict=True)
+    ]
 
 
 def _seam(seam: SeamReport, failed: set, meters: float) -> dict:
@@ -208,7 +210,7 @@ def _seam(seam: SeamReport, failed: set, meters: float) -> dict:
     return {
         "pieces": [int(piece) for piece in seam.pieces],
         "edges": np.asarray(seam.edges).tolist(),
-        **lengths(seam.length_3d, seam.length_2d, meters),
+        **lengths(seam.length_3d, seam.length_2d, asked, meters),
         "variation": number(seam.variation),
         "eases": [number(ease) for ease in seam.eases],
         "mismatch": number(seam.mismatch),
@@ -217,8 +219,10 @@ def _seam(seam: SeamReport, failed: set, meters: float) -> dict:
     }
 
 
-def lengths(length_3d: float, lengths_2d: Iterable[float], meters: float) -> dict:
-    """The 3D length and, one per side, the 2D length, the difference (2D less 3D) and the percentage."""
+def lengths(length_3d: float, lengths_2d: Iterable[float], asked: Sequence[float], meters: float) -> dict:
+    """The 3D length and, one per side, the 2D length, the one asked for, the difference (2D less 3D) and the
+    percentage.
+    """
     flat = [float(length) for length in lengths_2d]
     differences = [length - length_3d for length in flat]
     return {
@@ -226,6 +230,8 @@ def lengths(length_3d: float, lengths_2d: Iterable[float], meters: float) -> dic
         "length_3d_m": number(length_3d * meters),
         "length_2d": [number(length) for length in flat],
         "length_2d_m": [number(length * meters) for length in flat],
+        "length_asked": [number(length) for length in asked],
+        "length_asked_m": [number(length * meters) for length in asked],
         "difference": [number(difference) for difference in differences],
         "difference_m": [number(difference * meters) for difference in differences],
         "percent": [number(100 * difference / length_3d) if length_3d else None for difference in differences],

@@ -20,12 +20,12 @@ class Side:
     length_2d: float | None  # None: no layout
     difference: float | None
     percent: float | None
-    asked: float = 0.0  # by how much it was to be longer than on the model, in percent
+    length_asked: float | None  # None: that is not known without a layout
 
     @property
     def off(self) -> float | None:
         """By how much it is longer than it was to be."""
-        return None if self.difference is None else self.difference - self.asked / 100 * self.length_3d
+        return None if self.length_2d is None or self.length_asked is None else self.length_2d - self.length_asked
 
 
 @dataclass(frozen=True)
@@ -52,8 +52,8 @@ class ReportRow:
     @property
     def badness(self) -> float:
         """Failures first, then the largest difference in percent."""
-        worst = max((abs(side.percent - side.asked) if side.percent is not None else math.inf) for side in self.sides)
-        return math.inf if not self.ok else round(worst, 6)  # rounding errors do not make an order
+        worst = max(math.inf if side.off is None else abs(side.off) / side.length_3d for side in self.sides)
+        return math.inf if not self.ok else round(worst, 8)  # rounding errors do not make an order
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,7 @@ def seam_rows(report: dict) -> list[ReportRow]:
         ReportRow(
             name=seam["name"],
             ok=seam["ok"],
-            sides=_sides(seam, side_names(report, seam), _asked(seam)),
+            sides=_sides(seam, side_names(report, seam)),
             what="SEAM",
             index=seam["index"],
             note=_note(joined_pieces(report, seam), _variation(seam)),
@@ -98,7 +98,7 @@ def wire_rows(report: dict) -> list[ReportRow]:
         ReportRow(
             name=wire["name"],
             ok=wire["ok"],
-            sides=_sides(wire, ["Flat"], [100 * wire.get("ease", 0.0)]),
+            sides=_sides(wire, ["Flat"]),
             what="WIRE",
             index=index,
             note=_note(piece_names(report, pieces[wire["wire"]]), _tolerance(report["method"], wire)),
@@ -113,10 +113,11 @@ def _note(places: str, tolerance: str) -> str:
 
 
 def _tolerance(method: str, wire: dict) -> str:
-    text, ease = tolerance_text(float(wire["tolerance"])), wire.get("ease", 0.0)
+    tolerance = float(wire["tolerance"])
+    text, ease = tolerance_text(tolerance), asked_ease(wire) or 0.0
     if text == "rigid":
-        return f"ease {ease_text(ease)}" if ease else ""
-    if ease and text != "free":
+        return _ease(wire)
+    if abs(ease) >= LEAST and text != "free":
         text = f"{text} about {ease_text(ease)}"
     if method == "wirewarping":
         return f"{text}, kept rigid"
@@ -126,14 +127,15 @@ def _tolerance(method: str, wire: dict) -> str:
         return f"outside {text}"
     if not wire["at_limit"]:
         return f"within {text}"
-    as_a_whole = any(abs(percent - 100 * ease) >= 99 * float(wire["tolerance"]) for percent in wire["percent"])
+    share = wire["length_2d"][0] / ((1 + ease) * wire["length_3d"]) - 1
+    as_a_whole = abs(share) * (1 + wire.get("ease", 0.0)) >= 0.99 * tolerance
     return f"at its limit of {text}" if as_a_whole else f"a part is at its limit of {text}"
 
 
 def outline_rows(report: dict) -> list[ReportRow]:
     """Stretches of outline that are no seam's side: hems, necklines, armholes."""
     return _worst_first([
-        ReportRow(name, chain["ok"], _sides(chain, ["Flat"]), "OUTLINE", index)
+        ReportRow(name, chain["ok"], _sides(chain, ["Flat"]), "OUTLINE", index, _ease(chain))
         for index, (name, _, chain) in enumerate(open_edges(report))
     ])  # fmt: skip
 
@@ -170,20 +172,26 @@ def largest_difference(rows: list[ReportRow]) -> float | None:
     return max((abs(difference) for difference in differences if difference is not None), default=None)
 
 
-def _sides(entry: dict, labels: list[str], asked: list[float] | None = None) -> list[Side]:
-    """asked: of each, 0 where it is None."""
-    shares = asked or [0.0] * len(labels)
-    columns = zip(labels, entry["length_2d"], entry["difference"], entry["percent"], shares, strict=True)
-    return [
-        Side(label, entry["length_3d"], length, difference, percent, share)
-        for label, length, difference, percent, share in columns
-    ]
+def _sides(entry: dict, labels: list[str]) -> list[Side]:
+    asked = [length_asked(entry, side) for side in range(len(labels))]
+    columns = zip(labels, entry["length_2d"], entry["difference"], entry["percent"], asked, strict=True)
+    return [Side(label, entry["length_3d"], *rest) for label, *rest in columns]
 
 
-def _asked(seam: dict) -> list[float]:
-    """In percent. Reports that were made before there were eases have none."""
-    shared = 1 + (seam.get("variation") or 0.0)
-    return [100 * (shared * (1 + (ease or 0.0)) - 1) for ease in seam.get("eases", [0.0] * len(seam["length_2d"]))]
+def length_asked(entry: dict, side: int = 0) -> float | None:
+    """Of an entry of the report; those that were made before there were eases ask for the length on the model."""
+    return entry["length_asked"][side] if "length_asked" in entry else entry["length_3d"]
+
+
+def asked_ease(entry: dict, side: int = 0) -> float | None:
+    """By how much a line was to be longer than on the model, as a fraction; that of worn cloth is below 0."""
+    length = length_asked(entry, side)
+    return length / entry["length_3d"] - 1 if length and entry["length_3d"] else None
+
+
+def _ease(entry: dict) -> str:
+    ease = asked_ease(entry) or 0.0
+    return f"ease {ease_text(ease)}" if abs(ease) >= LEAST else ""
 
 
 def _variation(seam: dict) -> str:

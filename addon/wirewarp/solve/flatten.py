@@ -159,12 +159,17 @@ def _library_wire(library: ModuleType, wire: NamedWire) -> Wire:
 
 def _library_eases(library: ModuleType, arrays: MeshArrays) -> list[Ease]:
     """One for each ratio there is."""
+    half_edges, eases = eased_half_edges(arrays)
+    ratios, number = np.unique(eases, return_inverse=True)
+    return [_library_ease(library, half_edges[number == k], shortest_double(ratio)) for k, ratio in enumerate(ratios)]
+
+
+def eased_half_edges(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
+    """(k,2) vertices of the sides that have an ease of their own, the face on their left, and (k,) these eases."""
     corners = np.flatnonzero(arrays.side_eases)
     starts = arrays.loop_vertices[corners]
     ends = arrays.edges[arrays.loop_edges[corners]].sum(axis=1, dtype=np.int32) - starts
-    half_edges = np.column_stack([ends, starts] if arrays.mirrored else [starts, ends])
-    ratios, number = np.unique(arrays.side_eases[corners], return_inverse=True)
-    return [_library_ease(library, half_edges[number == k], shortest_double(ratio)) for k, ratio in enumerate(ratios)]
+    return np.column_stack([ends, starts] if arrays.mirrored else [starts, ends]), arrays.side_eases[corners]
 
 
 def _library_ease(library: ModuleType, half_edges: np.ndarray, ratio: float) -> Ease:
