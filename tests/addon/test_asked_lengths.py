@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the report says that lines were to be: as on the model, but for their ease and the stretch of worn cloth."""
+"""What is told of eases: how long lines were to be, by how much they are off, and which side of a seam is longer."""
 
 import csv
 import io
@@ -8,23 +8,15 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, grid, half_cylinder, mark, mark_seam, on_line, read, select_edges
-
-SEAM, HEM = on_line(0, 0.0), on_line(1, -1.0)
+from drawing import Drawing
+from eased import HEM, SEAM, ease, lengths, shares, two_pieces
+from everything import draw_panels
+from surfaces import grid, half_cylinder, mark, on_line, read
 
 
 @pytest.fixture
 def source():
-    """Two pieces, left and right of a seam."""
-    target = grid("Bump", bump)
-    mark_seam(target, SEAM)
-    return target
-
-
-def ease(target, line, **settings):
-    select_edges(target, line)
-    assert bpy.ops.mesh.wirewarp_ease(**settings) == {"FINISHED"}
-    bpy.ops.object.mode_set(mode="OBJECT")
+    return two_pieces()
 
 
 def eases_of(addon, report, kind):
@@ -81,6 +73,39 @@ def test_an_elastic_line_is_off_by_what_its_tolerance_allowed(source, addon):
     bpy.ops.object.wirewarp_flatten()
     (wire,) = addon.report.rows.wire_rows(addon.flat.reports.last_report(source))
     assert abs(wire.sides[0].off) == pytest.approx(0.001 * wire.sides[0].length_3d, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("percent", "longer", "how"),
+    [(5.0, 0.05, "ease"), (40.0, 0.4, "gather"), (-5.0, 0.05, "ease"), (-40.0, 0.4, "gather")],
+)
+def test_panel_and_paper_say_which_side_is_longer_and_what_to_do(source, addon, tmp_path, percent, longer, how):
+    """Of the longer side, be it that it is eased or that the other is made shorter."""
+    settings = bpy.context.scene.unit_settings
+    settings.length_unit, settings.scale_length = "MILLIMETERS", 0.5  # so that there is room for the text
+    ease(source, SEAM, sides="ONE", ease_percent=percent)
+    bpy.ops.object.wirewarp_flatten()
+    (row,) = addon.report.rows.seam_rows(addon.flat.reports.last_report(source))
+    units = addon.blender.units.length_text(bpy.context.scene)
+    left, right = shares(source)
+    side = "Top Right" if left > right else "Top Left"  # on its wearer the left is at +x
+    spatial, *_ = lengths(source, SEAM)
+    told = f"{side} {units.rough(longer * spatial)} longer, {how} between notches"
+    assert addon.report.eases.longer_texts(row.sides, units, 0.5) == [told]
+    assert told in draw_panels(addon)
+    assert abs(addon.report.rows.largest_difference([row])) < 1e-6  # nothing that was not asked for
+    path = tmp_path / "a.svg"
+    bpy.ops.object.wirewarp_export_svg(filepath=str(path))
+    texts = {piece: " ".join(group.itertext()) for piece, group in Drawing(path).pieces.items()}
+    assert [piece for piece, text in texts.items() if f"longer, {how} between notches" in text] == [side]
+
+
+def test_the_list_of_seams_says_how_much_all_sides_give(source, addon):
+    mark(source, SEAM, kind="ELASTIC", tolerance=0.03)
+    bpy.ops.object.wirewarp_flatten()
+    (row,) = addon.report.rows.seam_rows(addon.flat.reports.last_report(source))
+    left, _ = shares(source)
+    assert row.note.endswith(f"; {addon.words.ease_text(left)} on all sides")
 
 
 def test_what_a_piece_does_not_keep_was_asked_for_by_its_eases(addon):

@@ -2,7 +2,6 @@
 """The stored report as rows of a table, worst first."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..words import ease_text, tolerance_text
@@ -29,15 +28,6 @@ class Side:
 
 
 @dataclass(frozen=True)
-class EasedSide:
-    """A side of a seam that is longer, or shorter, than what it is sewn to."""
-
-    label: str
-    ease: float  # as a fraction
-    length: float  # by so much, in Blender units
-
-
-@dataclass(frozen=True)
 class ReportRow:
     name: str
     ok: bool
@@ -47,7 +37,6 @@ class ReportRow:
     note: str = ""  # of a seam: what it joins; of a wire: where it lies, its tolerance and what came of that
     seam_id: int = 0  # of a seam, by which its name is found in the list where it can be changed
     at_limit: bool = False
-    eased: Sequence[EasedSide] = ()  # of a seam
 
     @property
     def badness(self) -> float:
@@ -85,7 +74,6 @@ def seam_rows(report: dict) -> list[ReportRow]:
             index=seam["index"],
             note=_note(joined_pieces(report, seam), _variation(seam)),
             seam_id=seam["seam_id"],
-            eased=eased_sides(report, seam),
         )
         for seam in report["seams"]
     ])  # fmt: skip
@@ -197,18 +185,6 @@ def _ease(entry: dict) -> str:
 def _variation(seam: dict) -> str:
     variation = seam.get("variation") or 0.0
     return f"{ease_text(variation)} on all sides" if abs(variation) >= LEAST else ""
-
-
-def eased_sides(report: dict, seam: dict) -> list[EasedSide]:
-    """Of a seam of the report; sides that have a layout."""
-    if "eases" not in seam:
-        return []
-    sides = zip(side_names(report, seam), seam["eases"], seam["length_2d"], strict=True)
-    return [
-        EasedSide(label, ease, length * ease / (1 + ease))
-        for label, ease, length in sides
-        if ease is not None and length is not None and abs(ease) >= LEAST
-    ]
 
 
 def _worst_first(rows: list[ReportRow]) -> list[ReportRow]:

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 
 import bpy
 
-from ..blender.units import length_text
-from ..report.eases import longer_text
+from ..blender.units import length_text, meters_per_blender_unit
+from ..report.eases import longer_texts
 from ..report.rows import ReportRow, Side, merged
 from ..words import LengthText
 from .layout import broken, draw_cells, is_wide, mark_of
@@ -22,7 +22,7 @@ def draw_table(
     names: Mapping[int, bpy.types.PropertyGroup],
 ) -> None:
     """names: what has the name of each seam, by its id; there it can be changed."""
-    text = length_text(context.scene)
+    text, meters = length_text(context.scene), meters_per_blender_unit(context.scene)
     column = layout.column(align=True)
     wide = is_wide(context)
     if wide:
@@ -34,8 +34,8 @@ def draw_table(
             draw_heading(context, column, row.name, mark_of(row.ok), row.what, row.index)
         if row.note:
             draw_note(context, column, row.note, "INFO" if row.at_limit else "BLANK1")
-        for side in row.eased:
-            draw_note(context, column, longer_text(side, text), "INFO")
+        for longer in longer_texts(row.sides, text, meters):
+            draw_note(context, column, longer, "INFO")
         (_draw_wide if wide else _draw_narrow)(column, row, text)
         column.separator(factor=0.7)
     draw_more(context, layout, len(rows))

@@ -5,6 +5,7 @@ Everything is in millimeters, y upwards. Needs pyclipper, and pydyf and uharfbuz
 are shorter where spyrrow is installed.
 """
 
+from .eases import longer_text
 from .flat_piece import Chain, FlatPiece, FlatWire
 from .fonts import add_font_folder
 from .marker import Marker, Placement
@@ -29,4 +30,5 @@ __all__ = [
     "UnitSystem",
     "Written",
     "add_font_folder",
+    "longer_text",
 ]

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A model of two pieces whose lines are eased, and the lengths they come to."""
+
+import bpy
+import numpy as np
+from surfaces import bump, edge_vertices, flat_of, grid, mark_seam, on_line, read, select_edges
+
+SEAM, HEM = on_line(0, 0.0), on_line(1, -1.0)
+
+
+def two_pieces():
+    """Left and right of a seam; a Blender unit is 100 mm."""
+    bpy.context.scene.unit_settings.scale_length = 0.1
+    target = grid("Bump", bump)
+    mark_seam(target, SEAM)
+    return target
+
+
+def ease(target, line, **settings):
+    select_edges(target, line)
+    assert bpy.ops.mesh.wirewarp_ease(**settings) == {"FINISHED"}
+    assert target.mode == "EDIT"
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def lengths(source, line):
+    """Of the line on the model, and of it on the left and on the right piece; two equal ones inside of a piece."""
+    flat = flat_of(source).data
+    model = read(source.data.vertices, "co", np.float32, 3).astype(float)
+    sources = read(flat.attributes["source_vertex"].data, "value", np.int32)
+    pieces = np.empty(len(flat.vertices), dtype=int)
+    faces = read(flat.attributes["source_face"].data, "value", np.int32)
+    for polygon, face in zip(flat.polygons, faces, strict=True):
+        pieces[list(polygon.vertices)] = source.data.polygons[face].center.x > 0
+    flat_places = read(flat.vertices, "co", np.float32, 3).astype(float)
+    found = [0.0, 0.0]
+    for a, b in edge_vertices(flat):
+        if line(model[sources[a]], model[sources[b]]):
+            found[pieces[a]] += float(np.linalg.norm(flat_places[a] - flat_places[b]))
+    spatial = [np.linalg.norm(model[a] - model[b]) for a, b in edge_vertices(source.data) if line(model[a], model[b])]
+    return float(sum(spatial)), *found
+
+
+def shares(source, line=SEAM):
+    """By how much the left and the right side are longer than the line on the model."""
+    spatial, left, right = lengths(source, line)
+    return [left / spatial - 1, right / spatial - 1]

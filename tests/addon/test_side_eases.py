@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Eases of one side of a seam: on which they are marked, on models and flat pieces, and what they survive."""
+
+import bmesh
+import bpy
+import numpy as np
+import pytest
+from eased import HEM, SEAM, ease, lengths, shares, two_pieces
+from surfaces import flat_of, grid, mark, read, select_edges, select_only
+
+
+@pytest.fixture
+def source():
+    return two_pieces()
+
+
+def test_one_side_or_the_other_is_eased(source):
+    ease(source, SEAM, sides="ONE", ease_percent=5.0)
+    bpy.ops.object.wirewarp_flatten()
+    one = shares(source)
+    assert sorted(one) == pytest.approx([0.0, 0.05], abs=1e-5)
+    ease(source, SEAM, sides="OTHER", ease_percent=5.0)
+    bpy.ops.object.wirewarp_flatten()
+    assert shares(source) == pytest.approx(one[::-1], abs=1e-5)
+
+
+def test_the_millimeters_of_a_side_are_of_what_it_would_be(source):
+    ease(source, SEAM, sides="ALL", ease_percent=-10.0)
+    ease(source, SEAM, sides="ONE", ease_unit="LENGTH", ease_length=12.0)
+    bpy.ops.object.wirewarp_flatten()
+    _, left, right = lengths(source, SEAM)
+    assert 100 * abs(left - right) == pytest.approx(12.0, abs=1e-3)
+    assert min(shares(source)) == pytest.approx(-0.1, abs=1e-5)
+
+
+def test_the_side_that_is_eased_survives_what_wires_survive(source):
+    """Splitting edges, turning faces over, joining, a mirrored object and modifiers."""
+    ease(source, SEAM, sides="ONE", ease_percent=5.0)
+    bpy.ops.object.wirewarp_flatten()
+    before = shares(source)
+    other = grid("Other", lambda x, y: (x + 3, y, 0))
+    select_only(source, other)
+    bpy.context.view_layer.objects.active = source
+    bpy.ops.object.join()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.subdivide(number_cuts=2)
+    bpy.ops.mesh.flip_normals()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    source.scale.x = -1
+    bpy.ops.object.wirewarp_flatten()
+    assert shares(source) == pytest.approx(before, abs=1e-5)
+
+
+def select_side(source, side, line=SEAM):
+    """Edit Mode of the pieces, the line selected on the one left (-1) or right (1) of the seam; 0: on both."""
+    flat = flat_of(source)
+    model = read(source.data.vertices, "co", np.float32, 3)
+    sources = read(flat.data.attributes["source_vertex"].data, "value", np.int32)
+    faces = read(flat.data.attributes["source_face"].data, "value", np.int32)
+    select_only(flat)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.context.tool_settings.mesh_select_mode = (False, True, False)
+    bpy.ops.mesh.select_all(action="DESELECT")
+    edit = bmesh.from_edit_mesh(flat.data)
+    for edge in edit.edges:
+        on_side = source.data.polygons[faces[edge.link_faces[0].index]].center.x * side >= 0
+        edge.select_set(bool(on_side and line(*(model[sources[vertex.index]] for vertex in edge.verts))))
+    bmesh.update_edit_mesh(flat.data)
+
+
+@pytest.mark.parametrize(("side", "expected"), [(-1, [0.05, 0.0]), (1, [0.0, 0.05])])
+def test_on_flat_pieces_the_selected_side_is_eased(source, side, expected):
+    bpy.ops.object.wirewarp_flatten()
+    select_side(source, side)
+    assert bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0) == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    select_only(source)
+    bpy.ops.object.wirewarp_flatten()
+    assert shares(source) == pytest.approx(expected, abs=1e-5)
+
+
+def test_both_sides_at_once_on_flat_pieces_are_refused(source):
+    bpy.ops.object.wirewarp_flatten()
+    select_side(source, 0)
+    with pytest.raises(RuntimeError, match="Both sides of a seam are selected"):
+        bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0)
+
+
+@pytest.mark.parametrize("sides", ["ALL", "OTHER"])
+def test_on_flat_pieces_no_side_but_the_selected_one_is_eased(source, sides):
+    bpy.ops.object.wirewarp_flatten()
+    select_side(source, -1)
+    with pytest.raises(RuntimeError, match="One Side eases the selected one"):
+        bpy.ops.mesh.wirewarp_ease(sides=sides, ease_percent=5.0)
+    assert "wirewarp_side_ratio" not in source.data.attributes
+
+
+def test_a_line_of_which_both_sides_are_cleared_on_flat_pieces_counts_once(source, capfd):
+    ease(source, SEAM, sides="ONE", ease_percent=5.0)
+    bpy.ops.object.wirewarp_flatten()
+    select_side(source, 0)
+    assert bpy.ops.mesh.wirewarp_ease(sides="NONE") == {"FINISHED"}
+    assert "No ease any more on 1 line\n" in capfd.readouterr().out
+
+
+def write_corners(source, values):
+    """values: by the sign of the side's place; on the corners at which edges of the seam begin."""
+    sides = source.data.attributes.get("wirewarp_side_ease") or source.data.attributes.new(
+        "wirewarp_side_ease", "FLOAT", "CORNER"
+    )
+    places = read(source.data.vertices, "co", np.float32, 3)
+    for polygon in source.data.polygons:
+        for corner, vertex, following in zip(
+            polygon.loop_indices, polygon.vertices, [*polygon.vertices[1:], polygon.vertices[0]], strict=True
+        ):
+            if SEAM(places[vertex], places[following]):
+                sides.data[corner].value = values[polygon.center.x > 0]
+
+
+def test_scripts_may_write_the_eases_of_sides_on_corners(source):
+    write_corners(source, [0.05, 0.02])
+    bpy.ops.object.wirewarp_flatten()
+    assert shares(source) == pytest.approx([0.05, 0.02], abs=1e-5)
+    source.scale.x = -1
+    bpy.ops.object.wirewarp_flatten()
+    assert shares(source) == pytest.approx([0.05, 0.02], abs=1e-5)
+
+
+def test_two_eases_of_one_side_are_told_with_their_edges(source, addon):
+    ease(source, SEAM, sides="ONE", ease_percent=5.0)
+    write_corners(source, [0.02, 0.02])
+    with pytest.raises(RuntimeError, match='Edges of "Bump" have two eases of one side.*mark their ease again'):
+        bpy.ops.object.wirewarp_flatten()
+    (issue,) = addon.flat.reports.last_report(source)["issues"]
+    assert len(issue["edges"]) == 8
+    mark(source, HEM)  # which goes on as ever
+    ease(source, SEAM, sides="ONE", ease_percent=5.0)  # which takes the other away
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+
+
+def test_an_ease_where_no_side_is_names_its_edges(source, addon):
+    ease(source, SEAM, sides="ONE", ease_percent=5.0)
+    select_edges(source, lambda a, b: SEAM(a, b) and a.y + b.y > 1)
+    bpy.ops.mesh.mark_seam(clear=True)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    with pytest.raises(RuntimeError, match="An ease names"):
+        bpy.ops.object.wirewarp_flatten()
+    (issue,) = addon.flat.reports.last_report(source)["issues"]
+    assert issue["code"] == "ease_without_side"
+    assert len(issue["edges"]) == 2
+
+
+@pytest.mark.parametrize("value", [-1.0, float("nan"), float("inf")])
+@pytest.mark.parametrize("name", ["wirewarp_ease", "wirewarp_side_ease"])
+def test_an_ease_that_is_none_names_its_wire_or_its_edges(source, addon, name, value):
+    mark(source, HEM)
+    if name == "wirewarp_ease":
+        values = source.data.attributes.new(name, "FLOAT", "EDGE")
+        for edge in source.data.edges:
+            values.data[edge.index].value = value
+    else:
+        write_corners(source, [value, 0.0])
+    wire, side = 'Wire "Wire 1" has an invalid ease', "ease of one side is invalid along 8 edges"
+    with pytest.raises(RuntimeError, match=wire if name == "wirewarp_ease" else side):
+        bpy.ops.object.wirewarp_flatten()
+    (issue,) = addon.flat.reports.last_report(source)["issues"]
+    assert len(issue["edges"]) == 8
+
+
+def arrow(addon, target):
+    """From the edge to the tip; and what is written there."""
+    lines = addon.overlay.objects.marked_lines(target, bpy.context.evaluated_depsgraph_get())
+    tail, tip, *_ = lines.places["ease"]
+    return tail, tip, [name.texts for name in lines.names]
+
+
+def test_an_arrow_points_into_the_side_that_is_longer(source, addon):
+    for sides in ("ONE", "OTHER"):
+        ease(source, SEAM, sides=sides, ease_percent=5.0)
+        bpy.ops.object.wirewarp_flatten()
+        left, right = shares(source)
+        tail, tip, texts = arrow(addon, source)
+        assert tail[0] == pytest.approx(0.0, abs=1e-6) and (tip[0] > 0) == (right > left)
+        assert ("+5%",) in texts
+        *_, texts = arrow(addon, flat_of(source))
+        assert ("+5%",) in texts
+    ease(source, SEAM, sides="NONE")
+    lines = addon.overlay.objects.marked_lines(source, bpy.context.evaluated_depsgraph_get())
+    assert "ease" not in lines.places
