@@ -195,17 +195,29 @@ TEST(Stretch, ACacheGivesTheSameToTheBit) {
 TEST(Stretch, CancelledItLeavesNoBrokenPromise) {
   const FlattenInput input = sheets_with_crossed_grain();
   int asked = 0;
-  flatten(input, stretched(0.1, 0.06), [&](const std::string&, double) { return ++asked > 0; });
+  const FlattenResult whole =
+      flatten(input, stretched(0.1, 0.06), [&](const std::string&, double) { return ++asked > 0; });
+  int finished = 0;
   for (int last = 0; last < asked; ++last) {
     int left = last;
     const FlattenResult result =
         flatten(input, stretched(0.1, 0.06), [&](const std::string&, double) { return left-- > 0; });
-    for (const Piece& piece : result.pieces) {
+    for (std::size_t p = 0; p < result.pieces.size(); ++p) {
+      const Piece& piece = result.pieces[p];
       if (piece.error) {
         EXPECT_EQ(piece.error->code, ErrorCode::cancelled) << piece.error->what();
+        continue;
+      }
+      ++finished;
+      const std::vector<BoundaryReport>& promised = whole.pieces.at(p).boundaries;
+      ASSERT_EQ(piece.boundaries.size(), promised.size());
+      for (std::size_t i = 0; i < promised.size(); ++i) {
+        EXPECT_NEAR(piece.boundaries[i].length_2d, promised[i].length_2d, kRelative * promised[i].length_2d)
+            << "cancelled after " << last << " of " << asked << " questions";
       }
     }
   }
+  EXPECT_GT(finished, 0) << "no piece was ever compared";
 }
 
 TEST(Stretch, OfAPlateWithHolesIsAlongItsDirections) {
