@@ -5,18 +5,13 @@ import bpy
 import numpy as np
 import pytest
 from drawing import Drawing
-from surfaces import bump, edge_vertices, flat_of, grid, mark_seam, on_line, read, select_edges, select_only
-
-SEAM, HEM = on_line(0, 0.0), on_line(1, -1.0)
+from surfaces import edge_vertices, flat_of, grid, mark_seam, on_line, read, select_edges, select_only
+from two_sided import HEM, SEAM, select_side, two_pieces
 
 
 @pytest.fixture
 def source():
-    """Two pieces; a Blender unit is 100 mm."""
-    bpy.context.scene.unit_settings.scale_length = 0.1
-    target = grid("Bump", bump)
-    mark_seam(target, SEAM)
-    return target
+    return two_pieces()
 
 
 def mark_allowance(target, line, **settings):
@@ -93,29 +88,10 @@ def test_edges_that_come_from_elsewhere_have_the_default(source, tmp_path):
 
 
 def mark_side(source, side, **settings):
-    """Selects the seam on the piece that lies left (-1) or right (1) of it on the model."""
-    flat = flat_of(source)
-    model = read(source.data.vertices, "co", np.float32, 3)
-    sources = read(flat.data.attributes["source_vertex"].data, "value", np.int32)
-    faces = read(flat.data.attributes["source_face"].data, "value", np.int32)
-    centers = np.array([model[list(source.data.polygons[face].vertices)].mean(axis=0) for face in faces])
-    select_only(flat)
-    wanted = {
-        key
-        for polygon, center in zip(flat.data.polygons, centers, strict=True)
-        if center[0] * side > 0
-        for key in polygon.edge_keys
-    }
-    for vertex in flat.data.vertices:
-        vertex.select = False
-    for polygon in flat.data.polygons:
-        polygon.select = False
-    for edge in flat.data.edges:
-        edge.select = tuple(sorted(edge.vertices)) in wanted and bool(SEAM(*model[sources[list(edge.vertices)]]))
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.context.tool_settings.mesh_select_mode = (False, True, False)
+    """On the piece that lies left (-1) or right (1) of the seam on the model."""
+    select_side(source, side)
     assert bpy.ops.mesh.wirewarp_allowance(**settings) == {"FINISHED"}
-    assert flat.mode == "EDIT"
+    assert flat_of(source).mode == "EDIT"
     bpy.ops.object.mode_set(mode="OBJECT")
     select_only(source)
 
@@ -209,6 +185,24 @@ def test_the_width_of_a_side_goes_through_modifiers(source, addon):
     ).pieces
     sewn = [[line.width for line in piece.of_role("sew") if line.seam is not None] for piece in pieces]
     assert sorted(sewn) == [pytest.approx([10.0]), pytest.approx([15.0])]
+
+
+def test_one_side_of_a_seam_between_parts_of_a_face_can_be_marked(source, addon):
+    """A loop cut copies what tells faces apart."""
+    bpy.ops.object.wirewarp_flatten()
+    mark_side(source, 1, kind="WIDTH", width=15.0)
+    select_edges(source, lambda a, b: min(a.x, b.x) == 0 and max(a.x, b.x) == 0.25)
+    bpy.ops.mesh.subdivide(number_cuts=1)
+    beside = on_line(0, 0.125)
+    mark_seam(source, beside)
+    mesh = source.data
+    edges = [edge.index for edge in mesh.edges if beside(*(mesh.vertices[v].co for v in edge.vertices))]
+    faces = [polygon for polygon in mesh.polygons if 0 < polygon.center.x < 0.125]
+    sides = {(key, polygon.index) for polygon in faces for key in polygon.edge_keys}
+    own = [next(face for key, face in sides if key == mesh.edges[edge].key) for edge in edges]
+    assert addon.model.side_allowances.mark_sides(mesh, edges, own, 0.2) == 8
+    widths = addon.model.allowances.read_allowances(mesh).side_widths
+    assert sorted(widths) == pytest.approx(8 * [0.15] + 8 * [0.2])
 
 
 def test_edges_inside_of_a_piece_get_none(source):

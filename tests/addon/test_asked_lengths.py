@@ -9,9 +9,9 @@ import bpy
 import numpy as np
 import pytest
 from drawing import Drawing
-from eased import HEM, SEAM, ease, lengths, shares, two_pieces
 from everything import draw_panels
 from surfaces import grid, half_cylinder, mark, on_line, read
+from two_sided import HEM, SEAM, ease, lengths, shares, two_pieces
 
 
 @pytest.fixture

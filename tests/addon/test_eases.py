@@ -4,8 +4,8 @@
 import bpy
 import numpy as np
 import pytest
-from eased import HEM, SEAM, ease, lengths, shares, two_pieces
 from surfaces import grid, mark, on_line, read, select_edges, select_only
+from two_sided import HEM, SEAM, ease, lengths, shares, two_pieces
 
 
 @pytest.fixture

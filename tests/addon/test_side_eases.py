@@ -5,8 +5,8 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from eased import HEM, SEAM, ease, lengths, shares, two_pieces
-from surfaces import flat_of, grid, mark, read, select_edges, select_only
+from surfaces import flat_of, grid, mark, mark_seam, on_line, read, select_edges, select_only
+from two_sided import HEM, SEAM, ease, lengths, select_side, shares, two_pieces
 
 
 @pytest.fixture
@@ -52,23 +52,6 @@ def test_the_side_that_is_eased_survives_what_wires_survive(source):
     assert shares(source) == pytest.approx(before, abs=1e-5)
 
 
-def select_side(source, side, line=SEAM):
-    """Edit Mode of the pieces, the line selected on the one left (-1) or right (1) of the seam; 0: on both."""
-    flat = flat_of(source)
-    model = read(source.data.vertices, "co", np.float32, 3)
-    sources = read(flat.data.attributes["source_vertex"].data, "value", np.int32)
-    faces = read(flat.data.attributes["source_face"].data, "value", np.int32)
-    select_only(flat)
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.context.tool_settings.mesh_select_mode = (False, True, False)
-    bpy.ops.mesh.select_all(action="DESELECT")
-    edit = bmesh.from_edit_mesh(flat.data)
-    for edge in edit.edges:
-        on_side = source.data.polygons[faces[edge.link_faces[0].index]].center.x * side >= 0
-        edge.select_set(bool(on_side and line(*(model[sources[vertex.index]] for vertex in edge.verts))))
-    bmesh.update_edit_mesh(flat.data)
-
-
 @pytest.mark.parametrize(("side", "expected"), [(-1, [0.05, 0.0]), (1, [0.0, 0.05])])
 def test_on_flat_pieces_the_selected_side_is_eased(source, side, expected):
     bpy.ops.object.wirewarp_flatten()
@@ -102,6 +85,52 @@ def test_a_line_of_which_both_sides_are_cleared_on_flat_pieces_counts_once(sourc
     select_side(source, 0)
     assert bpy.ops.mesh.wirewarp_ease(sides="NONE") == {"FINISHED"}
     assert "No ease any more on 1 line\n" in capfd.readouterr().out
+
+
+def cut_beside_seam(source):
+    """A loop cut right of the seam: its new edges lie between two parts of each face that there was."""
+    select_edges(source, lambda a, b: min(a.x, b.x) == 0 and max(a.x, b.x) == 0.25)
+    bpy.ops.mesh.subdivide(number_cuts=1)
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+BESIDE = on_line(0, 0.125)
+
+
+@pytest.mark.parametrize("beside", ["ONE", "OTHER"])
+@pytest.mark.parametrize("sides", ["ONE", "OTHER"])
+def test_after_a_loop_cut_one_side_is_eased_and_what_was_marked_stays(source, addon, sides, beside):
+    ease(source, SEAM, sides=sides, ease_percent=5.0)
+    cut_beside_seam(source)
+    mark_seam(source, BESIDE)
+    before = addon.model.side_eases.read_side_eases(source.data)
+    ease(source, BESIDE, sides=beside, ease_percent=2.0)
+    after = addon.model.side_eases.read_side_eases(source.data)
+    assert np.count_nonzero(before) == 8 and (after[before != 0] == np.float32(0.05)).all()
+    assert np.count_nonzero(after == np.float32(0.02)) == 8  # one corner of each edge
+
+
+def test_an_ease_of_a_side_that_was_copied_to_the_other_is_told_until_it_is_marked_again(addon):
+    """Half a model that is mirrored and sewn together at its eased edge, which is a seam then."""
+    half = grid("Half", lambda x, y: (x + 1, y, 0))
+    ease(half, SEAM, sides="ONE", ease_percent=5.0)
+    edit = bmesh.new()
+    edit.from_mesh(half.data)
+    copies = bmesh.ops.duplicate(edit, geom=[*edit.verts, *edit.edges, *edit.faces])["geom"]
+    for vertex in (each for each in copies if isinstance(each, bmesh.types.BMVert)):
+        vertex.co.x *= -1
+    bmesh.ops.reverse_faces(edit, faces=[each for each in copies if isinstance(each, bmesh.types.BMFace)])
+    bmesh.ops.remove_doubles(edit, verts=edit.verts, dist=1e-4)
+    edit.to_mesh(half.data)
+    edit.free()
+    mark_seam(half, SEAM)
+    with pytest.raises(RuntimeError, match='8 edges of "Half" with an ease of one side: which side that is cannot be'):
+        bpy.ops.object.wirewarp_flatten()
+    (issue,) = addon.flat.reports.last_report(half)["issues"]
+    assert len(issue["edges"]) == 8
+    ease(half, SEAM, sides="ONE", ease_percent=5.0)
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    assert sorted(shares(half)) == pytest.approx([0.0, 0.05], abs=1e-5)
 
 
 def write_corners(source, values):

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, read_attribute
 from ..names import ALLOWANCE, SIDE_ALLOWANCE, SIDE_WIDTH
-from .side_allowances import check_allowances, clear_sides, side_widths_of
+from .side_allowances import check_allowance_sides, check_allowances, clear_sides, side_widths_of
 
 NONE = -1.0  # what stands on edges without allowance
 
@@ -67,8 +67,8 @@ def scale_allowances(mesh: bpy.types.Mesh, factor: float) -> None:
 
 
 def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
-    """Of a mesh that is not in Edit Mode. Raises ObjectError if an attribute of our name is another's."""
-    check_allowances(mesh)
+    """Of a mesh that is not in Edit Mode. Raises ObjectError as check_allowance_sides does."""
+    check_allowance_sides(mesh)
     edges, starts = edge_vertices(mesh), corner_vertices(mesh)
     sides = np.column_stack([starts, edges[corner_edges(mesh)].sum(axis=1) - starts])
     widths = read_attribute(mesh, ALLOWANCE, "FLOAT", "EDGE")

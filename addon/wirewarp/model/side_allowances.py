@@ -13,9 +13,8 @@ import numpy as np
 
 from ..blender.attributes import check_attribute
 from ..blender.mesh import corner_edges, face_sizes
-from ..names import ALLOWANCE, FACE, SIDE, SIDE_ALLOWANCE, SIDE_WIDTH
-from ..solve.identity import new_id
-from .sides import SideNames, is_set, read_values, values_at_edges, write_values
+from ..names import ALLOWANCE, SIDE, SIDE_ALLOWANCE, SIDE_WIDTH
+from .sides import SideNames, check_sides_told, is_set, number_faces, read_values, values_at_edges, write_values
 
 _NAMES = SideNames(SIDE_WIDTH, SIDE, SIDE_ALLOWANCE)
 _KINDS = _NAMES.kinds | {ALLOWANCE: ("FLOAT", "EDGE")}
@@ -33,10 +32,11 @@ def mark_sides(mesh: bpy.types.Mesh, edges: Sequence[int], faces: Sequence[int],
     Returns how many did: where more than two faces meet, their sides have one width. Raises ObjectError.
     """
     check_allowances(mesh)
-    both, side_widths = _where_set(_values(mesh, ALLOWANCE)), _values(mesh, SIDE_WIDTH)
-    sides, numbers, corners = _values(mesh, SIDE), _values(mesh, FACE), _values(mesh, SIDE_ALLOWANCE)
-    widths = _where_set(side_widths_of(mesh))
     loop_edges, loop_faces = corner_edges(mesh), np.repeat(np.arange(len(mesh.polygons)), face_sizes(mesh))
+    numbers = number_faces(mesh, loop_faces[np.isin(loop_edges, edges)])
+    both, side_widths = _where_set(_values(mesh, ALLOWANCE)), _values(mesh, SIDE_WIDTH)
+    sides, corners = _values(mesh, SIDE), _values(mesh, SIDE_ALLOWANCE)
+    widths = _where_set(side_widths_of(mesh))
     order = np.argsort(loop_edges, kind="stable")
     starts = np.searchsorted(loop_edges[order], np.arange(len(mesh.edges) + 1))
     count = 0
@@ -49,8 +49,6 @@ def mark_sides(mesh: bpy.types.Mesh, edges: Sequence[int], faces: Sequence[int],
         # The default, which is 0, can only be what both share.
         marked, shared, alone = (face, beyond, width) if width else (opposite, width, beyond)
         is_one_sided = alone != shared
-        if is_one_sided and not numbers[marked]:
-            numbers[marked] = new_id()
         both[edge], side_widths[edge], sides[edge] = shared, alone, numbers[marked] if is_one_sided else 0
         corners[loops] = 0
         widths[loops] = (
@@ -61,11 +59,16 @@ def mark_sides(mesh: bpy.types.Mesh, edges: Sequence[int], faces: Sequence[int],
         (ALLOWANCE, both),
         (SIDE_WIDTH, side_widths),
         (SIDE, sides),
-        (FACE, numbers),
         (SIDE_ALLOWANCE, corners),
     ):
         _write(mesh, name, values)
     return count
+
+
+def check_allowance_sides(mesh: bpy.types.Mesh) -> None:
+    """Raises ObjectError as check_allowances does, and where it cannot be told which side an allowance is of."""
+    check_allowances(mesh)
+    check_sides_told(mesh, _NAMES, "allowance")
 
 
 def side_widths_of(mesh: bpy.types.Mesh) -> np.ndarray:

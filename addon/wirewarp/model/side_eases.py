@@ -12,10 +12,9 @@ import numpy as np
 
 from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, face_sizes, read_seams
 from ..issues import Issue, ObjectError
-from ..names import EASED_SIDE, FACE, SIDE_EASE, SIDE_RATIO
+from ..names import EASED_SIDE, SIDE_EASE, SIDE_RATIO
 from ..pattern.chains import split_into_chains
-from ..solve.identity import new_id
-from .sides import SideNames, check_sides, read_values, values_at_edges, write_values
+from .sides import SideNames, check_sides, check_sides_told, number_faces, read_values, values_at_edges, write_values
 
 _NAMES = SideNames(SIDE_RATIO, EASED_SIDE, SIDE_EASE)
 
@@ -38,8 +37,11 @@ def check_side_attributes(mesh: bpy.types.Mesh) -> None:
 
 
 def check_side_eases(mesh: bpy.types.Mesh) -> None:
-    """Raises ObjectError if an attribute of our name is another's, or if a corner and its edge say different things."""
+    """Raises ObjectError if an attribute of our name is another's, where it cannot be told which side is eased, or if a
+    corner and its edge say different things.
+    """
     check_side_attributes(mesh)
+    check_sides_told(mesh, _NAMES, "ease")
     corners, marked = _read(mesh, SIDE_EASE), values_at_edges(mesh, _NAMES)
     contradict = np.unique(corner_edges(mesh)[(corners != 0) & (marked != 0) & (corners != marked)])
     if len(contradict):
@@ -87,12 +89,11 @@ def write_side_eases(mesh: bpy.types.Mesh, corners: Sequence[int], ratio: float)
     """
     rows = corner_edges(mesh)[corners]
     faces = np.repeat(np.arange(len(mesh.polygons)), face_sizes(mesh))[corners]
-    values = {name: _read(mesh, name) for name in _NAMES.kinds}
+    numbers = number_faces(mesh, faces)
+    values = {name: _read(mesh, name) for name in (SIDE_EASE, SIDE_RATIO, EASED_SIDE)}
     values[SIDE_EASE][np.isin(corner_edges(mesh), rows)] = 0
     values[SIDE_RATIO][rows] = ratio
-    for face in np.unique(faces[values[FACE][faces] == 0]).tolist():
-        values[FACE][face] = new_id()
-    values[EASED_SIDE][rows] = values[FACE][faces]
+    values[EASED_SIDE][rows] = numbers[faces]
     for name, each in values.items():
         write_values(mesh, name, each, *_NAMES.kinds[name])
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A model of two pieces whose lines are eased, and the lengths they come to."""
+"""A model of two pieces, the sides of its seam, and the lengths that its lines come to."""
 
+import bmesh
 import bpy
 import numpy as np
-from surfaces import bump, edge_vertices, flat_of, grid, mark_seam, on_line, read, select_edges
+from surfaces import bump, edge_vertices, flat_of, grid, mark_seam, on_line, read, select_edges, select_only
 
 SEAM, HEM = on_line(0, 0.0), on_line(1, -1.0)
 
@@ -45,3 +46,20 @@ def shares(source, line=SEAM):
     """By how much the left and the right side are longer than the line on the model."""
     spatial, left, right = lengths(source, line)
     return [left / spatial - 1, right / spatial - 1]
+
+
+def select_side(source, side, line=SEAM):
+    """Edit Mode of the pieces, the line selected on the one left (-1) or right (1) of the seam; 0: on both."""
+    flat = flat_of(source)
+    model = read(source.data.vertices, "co", np.float32, 3)
+    sources = read(flat.data.attributes["source_vertex"].data, "value", np.int32)
+    faces = read(flat.data.attributes["source_face"].data, "value", np.int32)
+    select_only(flat)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.context.tool_settings.mesh_select_mode = (False, True, False)
+    bpy.ops.mesh.select_all(action="DESELECT")
+    edit = bmesh.from_edit_mesh(flat.data)
+    for edge in edit.edges:
+        on_side = source.data.polygons[faces[edge.link_faces[0].index]].center.x * side >= 0
+        edge.select_set(bool(on_side and line(*(model[sources[vertex.index]] for vertex in edge.verts))))
+    bmesh.update_edit_mesh(flat.data)
