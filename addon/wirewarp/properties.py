@@ -228,7 +228,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, EaseAmount, bpy.typ
             (
                 "LENGTH_VARIATION_COLOR",
                 "Change of Length",
-                "How much longer or shorter the lines of the mesh become, in percent",
+                "How much longer or shorter than asked for the edges of the mesh are in the flat pieces, in percent",
             ),
             (
                 "ASPECT_RATIO_COLOR",

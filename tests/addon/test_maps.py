@@ -4,7 +4,20 @@
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, uv_of
+from surfaces import (
+    bump,
+    edge_vertices,
+    flat_of,
+    flat_sources,
+    grid,
+    half_cylinder,
+    mark,
+    mark_seam,
+    on_line,
+    read,
+    select_edges,
+    uv_of,
+)
 
 
 @pytest.fixture
@@ -60,8 +73,48 @@ def test_the_map_of_edges_is_the_librarys_length_variation(source, addon):
         pairs = np.sort(piece.metrics.wire_edges, axis=1).tolist()
         expected |= dict(zip(map(tuple, pairs), piece.metrics.edge_length_variation, strict=True))
     flat = flat_of(source).data
-    sources = read(flat.attributes["source_vertex"].data, "value", np.int32)
-    pairs = np.sort(sources[edge_vertices(flat)], axis=1)
+    pairs = np.sort(flat_sources(source)[edge_vertices(flat)], axis=1)
     assert max(expected.values()) > 1e-3
     values = dict(zip(map(tuple, pairs.tolist()), attribute(flat, "length_variation"), strict=True))
     assert [values[pair] for pair in expected] == pytest.approx(list(expected.values()), abs=1e-5)
+
+
+def variations(source):
+    """Of the flat edges, and which of them are on outlines."""
+    flat = flat_of(source).data
+    on_outline = np.bincount(read(flat.loops, "edge_index", np.int32)) == 1
+    return attribute(flat, "length_variation"), on_outline
+
+
+def test_what_is_thick_and_unfolds_changes_no_length():
+    """Of the middle of its thickness, which is what is flattened."""
+    bpy.context.scene.unit_settings.scale_length = 0.1
+    target = grid("Half", half_cylinder, size=16)
+    bpy.ops.object.wirewarp_flatten(thickness=20.0)
+    values, _ = variations(target)
+    assert values == pytest.approx(0, abs=1e-6)
+
+
+def test_the_mirror_image_of_what_is_thick_has_the_same_changes_of_length():
+    bpy.context.scene.unit_settings.scale_length = 0.1
+    target, found = grid("Bump", bump, faces="triangles"), []
+    for mirror in (False, True):
+        bpy.ops.object.wirewarp_flatten(thickness=20.0, mirror=mirror, keep_places=False)
+        values, _ = variations(target)
+        pairs = np.sort(flat_sources(target)[edge_vertices(flat_of(target).data)], axis=1)
+        found.append(dict(zip(map(tuple, pairs.tolist()), values.tolist(), strict=True)))
+    assert found[1] == pytest.approx(found[0], abs=1e-4) and max(found[0].values()) > 0.01
+
+
+def test_what_is_as_long_as_it_was_to_be_has_no_change(addon):
+    """A line by its ease, worn cloth by its stretch."""
+    target = grid("Half", half_cylinder, size=16, faces="triangles")
+    bpy.ops.object.wirewarp_flatten(cloth="SWIM", worn_across=20.0, worn_along=20.0, orientation="UP")
+    values, _ = variations(target)
+    assert values == pytest.approx(0, abs=1e-5)
+    select_edges(target, on_line(1, -1.0))
+    bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.ops.object.wirewarp_flatten()
+    values, on_outline = variations(target)
+    assert values[on_outline] == pytest.approx(0, abs=1e-5) and values.max() > 0.01

@@ -14,29 +14,28 @@ OF_THREADS = {WEFT: "weft_strain", WARP: "warp_strain", SHEAR: "shear_angle"}  #
 VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "stretch": "FACE", "length_variation": "EDGE"}
 
 
-def write_maps(mesh: bpy.types.Mesh, flat: FlatMesh, variation: np.ndarray) -> None:
-    """On a mesh that has none of these attributes. variation (e,): E_L of its edges."""
+def write_maps(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
+    """On a mesh that has none of these attributes."""
     for name, domain in VALUES.items():
-        values = variation if name == "length_variation" else getattr(flat, name)
-        mesh.attributes.new(name, "FLOAT", domain).data.foreach_set("value", values)
+        mesh.attributes.new(name, "FLOAT", domain).data.foreach_set("value", getattr(flat, name))
     measures = {ASPECT_RATIO: flat.aspect_ratio, STRETCH: flat.stretch, ARAP_ENERGY: flat.energy_density}
     for color_map, name in OF_THREADS.items() if flat.threads else ():
         measures[color_map] = getattr(flat.threads, name)
         mesh.attributes.new(name, "FLOAT", "FACE").data.foreach_set("value", measures[color_map])
-    _write_colors(mesh, flat, measures, variation)
-    for color_map, values in (measures | {LENGTH_VARIATION: variation}).items():
+    _write_colors(mesh, flat, measures)
+    for color_map, values in (measures | {LENGTH_VARIATION: flat.length_variation}).items():
         mesh[f"{RANGE}{color_map.attribute}"] = [float(values.min()), float(values.max())]
     shown = mesh.color_attributes.find(COLOR_MAPS[0].attribute)
     mesh.color_attributes.active_color_index = mesh.color_attributes.render_color_index = shown
 
 
-def _write_colors(
-    mesh: bpy.types.Mesh, flat: FlatMesh, measures: Mapping[ColorMap, np.ndarray], variation: np.ndarray
-) -> None:
+def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, measures: Mapping[ColorMap, np.ndarray]) -> None:
     """measures: (f,) by their map."""
     ends = flat.edges.ravel()
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
-    at_vertex = np.bincount(ends, np.repeat(variation, 2), minlength=len(mesh.vertices)) / edges_at  # their mean
+    at_vertex = (
+        np.bincount(ends, np.repeat(flat.length_variation, 2), minlength=len(mesh.vertices)) / edges_at
+    )  # their mean
     face = np.repeat(np.arange(len(flat.face_sizes)), flat.face_sizes)  # of each corner
     # A color of four float32 has the size of one complex number: to take these is far faster than to take rows. All
     # maps use the same memory, for new memory is slower still.

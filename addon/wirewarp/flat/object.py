@@ -27,8 +27,8 @@ from ..names import (
     SOURCE_FACE,
     SOURCE_VERTEX,
 )
-from ..solve.arrays import MeshArrays
-from ..solve.flat_mesh import FlatMarks, FlatMesh, edge_length_variation, edge_lengths, flat_marks
+from ..solve.arrays import MeshArrays, edge_lengths
+from ..solve.flat_mesh import FlatMarks, FlatMesh, flat_marks
 from .maps import write_maps
 from .places import free_place
 from .read import add_flat_attribute, remember_shape
@@ -132,7 +132,7 @@ def _write_mesh(target: bpy.types.Object, source: bpy.types.Object, flat: FlatMe
     deselect_all(mesh)  # in Edit Mode L is to take one piece, not one more
     lengths = edge_lengths(flat.vertices, flat.edges)
     _write_attributes(mesh, flat, arrays)
-    write_maps(mesh, flat, edge_length_variation(lengths, flat.source_edge, arrays))
+    write_maps(mesh, flat)
     _write_marks(mesh, flat_marks(flat.source_edge, arrays))
     write_corner_eases(mesh, flat.side_eases)
     remember_shape(mesh, lengths, flat.piece_areas)

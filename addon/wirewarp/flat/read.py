@@ -18,7 +18,7 @@ from ..model.attributes import read_marks
 from ..model.owners import find_flat_object, has_flat_object
 from ..names import FLAT_AREAS, FLAT_COUNTS, FLAT_LENGTH, PIECE, PIECE_INDEX, SOURCE_CORNER, SOURCE_FACE, SOURCE_VERTEX
 from ..pattern.outlines import FlatPieces, outline_of, signed_areas
-from ..solve.flat_mesh import edge_lengths
+from ..solve.arrays import edge_lengths
 
 DOMAINS = {SOURCE_VERTEX: "POINT", SOURCE_CORNER: "CORNER", SOURCE_FACE: "FACE", PIECE_INDEX: "FACE", PIECE: "FACE"}
 # Of lengths in single precision, relative to the length and to the largest coordinate: pieces may have been moved.

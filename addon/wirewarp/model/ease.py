@@ -15,7 +15,7 @@ from ..blender.mesh import corner_edges, edge_vertices, faces_at_edges, vertex_p
 from ..blender.objects import linear_part
 from ..issues import object_error
 from ..pattern.chains import split_into_chains
-from ..solve.flat_mesh import edge_lengths
+from ..solve.arrays import edge_lengths
 from ..solve.identity import new_id
 from .attributes import check_attributes, read_marks, write_marks
 from .change import repair_marks

@@ -101,6 +101,6 @@ def _outcome(model: Model, result: FlattenResult, choices: FlattenChoices, meter
     report = object_report(result, model.arrays, identities, seams, meters, choices.cloth)
     arrays = replace(model.arrays, seam_ids=ids_by_edge(result, model.arrays, seams))
     any_layout = bool(has_layout(result.corner_uv).any())
-    pieces = flat_mesh(result, model.arrays, identities) if any_layout else None
+    pieces = flat_mesh(result, model.arrays, identities, choices) if any_layout else None
     report = model.facts | report | {"model_state": model.state}
     return Outcome(model, report, result, identities, seams, arrays, pieces)

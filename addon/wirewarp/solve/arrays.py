@@ -78,6 +78,13 @@ def triangle_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     return np.sqrt(x * x + y * y + z * z)
 
 
+def edge_lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """(k,) between points (n,2) or (n,3); coordinate by coordinate, for rows of two or three are slow to gather."""
+    a, b = edges.T
+    columns = (np.ascontiguousarray(column) for column in points.T)
+    return np.sqrt(sum((column[a] - column[b]) ** 2 for column in columns))
+
+
 def faces_inward(arrays: MeshArrays) -> bool:
     """Of a model that has faces all around, like a bodice, a sleeve or a ball: whether they point to its middle."""
     vectors = area_vectors(arrays.vertices, arrays.triangles)

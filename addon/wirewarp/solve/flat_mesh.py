@@ -13,8 +13,9 @@ import numpy as np
 from ..core import FlattenResult
 from ..pattern.chains import EdgeMarks
 from .arrays import MeshArrays, triangle_areas
-from .flatten import has_cloth, has_layout
+from .flatten import FlattenChoices, has_cloth, has_layout
 from .identity import PieceIdentity
+from .length_variation import edge_length_variation
 
 
 @dataclass(frozen=True)
@@ -40,6 +41,7 @@ class FlatMesh:
     energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
     aspect_ratio: np.ndarray  # (f,) float32
     stretch: np.ndarray  # (f,) float32: 0.1 is cloth that the model stretches by 10%, in the mean of all directions
+    length_variation: np.ndarray  # (e,) float32: 0.1 is an edge that is 10% off the length asked for
     threads: "Threads | None"  # with a cloth
     piece_areas: np.ndarray  # (n,) by index of the piece; below 0 where it lies upside down
 
@@ -53,7 +55,9 @@ class Threads:
     shear_angle: np.ndarray  # radians, by which they leave the right angle; without its sign
 
 
-def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[PieceIdentity]) -> FlatMesh:
+def flat_mesh(
+    result: FlattenResult, arrays: MeshArrays, identities: Sequence[PieceIdentity], choices: FlattenChoices
+) -> FlatMesh:
     """The pieces of a FlattenResult side by side, as packed."""
     vertices, source_vertex, vertex_piece, flat_triangles, piece_of_triangle, energy, ratio = _join_pieces(
         result, arrays
@@ -98,22 +102,16 @@ def flat_mesh(result: FlattenResult, arrays: MeshArrays, identities: Sequence[Pi
         energy_density=(face_energy / face_area).astype(np.float32),
         aspect_ratio=np.maximum.reduceat(ratio, first_triangle)[kept].astype(np.float32),
         stretch=(np.sqrt(face_area / np.maximum(flat_area, 1e-12 * face_area)) - 1).astype(np.float32),
+        length_variation=edge_length_variation(
+            result,
+            arrays,
+            choices,
+            vertices[edges[:, 1]] - vertices[edges[:, 0]],
+            np.column_stack([vertex_piece[edges[:, 0]], source_edge]),
+        ),
         threads=_threads(result, first_triangle, kept) if has_cloth(result) else None,
         piece_areas=np.bincount(piece_of_triangle[placed], signed_areas[placed]),
     )
-
-
-def edge_length_variation(lengths: np.ndarray, source_edges: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """|l2 - l3| / l3 (Eq. 5) of flat edges, float32, by their lengths (e,) and the edges (e,) of the source."""
-    spatial = edge_lengths(arrays.vertices, arrays.edges)[source_edges]
-    return (np.abs(lengths - spatial) / spatial).astype(np.float32)
-
-
-def edge_lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """(k,) between points (n,2) or (n,3); coordinate by coordinate, for rows of two or three are slow to gather."""
-    a, b = edges.T
-    columns = (np.ascontiguousarray(column) for column in points.T)
-    return np.sqrt(sum((column[a] - column[b]) ** 2 for column in columns))
 
 
 def _threads(result: FlattenResult, first_triangle: np.ndarray, kept: np.ndarray) -> Threads:

@@ -13,8 +13,7 @@ import numpy as np
 
 from ..core import FlattenResult, SeamReport
 from ..pattern.chains import edge_keys
-from .arrays import MeshArrays
-from .flat_mesh import edge_lengths
+from .arrays import MeshArrays, edge_lengths
 from .identity import new_id
 
 GIVEN = re.compile(r"(?:Seam|Dart) (\d+)")  # a name of ours, that the user has not changed
