@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import bpy
 import pytest
-from surfaces import bump, grid
+from surfaces import bump, flat_of, grid, select_only
 
 
 def handlers_of(addon) -> list[tuple[str, str]]:
@@ -170,7 +170,7 @@ class MenuLayout(SimpleNamespace):
     """Notes what is drawn into a menu; as after an entry of Blender's own that is executed and not invoked."""
 
     def __init__(self):
-        super().__init__(operator_context="EXEC_REGION_WIN", contexts=[], menus=[])
+        super().__init__(operator_context="EXEC_REGION_WIN", contexts=[], menus=[], entries=[])
 
     def separator(self):
         pass
@@ -178,9 +178,10 @@ class MenuLayout(SimpleNamespace):
     def menu(self, name):
         self.menus.append(name)
 
-    def operator(self, _name, **_):
+    def operator(self, name, **_):
         self.contexts.append(self.operator_context)
-        return SimpleNamespace()
+        self.entries.append((name, SimpleNamespace()))
+        return self.entries[-1][1]
 
 
 def test_menu_entries_take_the_settings_of_the_scene_and_stand_under_the_add_on_s_name(addon):
@@ -193,10 +194,25 @@ def test_menu_entries_take_the_settings_of_the_scene_and_stand_under_the_add_on_
         assert set(layout.contexts) <= {"INVOKE_DEFAULT"}
         assert len(layout.menus) == (0 if name == "TOPBAR_MT_file_export" else 1)
         assert all(getattr(bpy.types, menu).bl_label == "WireWarp" for menu in layout.menus)
+    grid("Bump", bump)
     for cls in menus.CLASSES:
         layout = MenuLayout()
-        cls.draw(SimpleNamespace(layout=layout), None)
+        cls.draw(SimpleNamespace(layout=layout), bpy.context)
         assert set(layout.contexts) == {"INVOKE_DEFAULT"}
+
+
+def test_the_menu_of_edges_offers_on_flat_pieces_only_what_can_be_marked_there(addon):
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    offered = []
+    for target in (source, flat_of(source)):
+        select_only(target)
+        layout = MenuLayout()
+        addon.ui.menus.VIEW3D_MT_wirewarp_edges.draw(SimpleNamespace(layout=layout), bpy.context)
+        offered.append(layout.entries)
+    on_model, on_pieces = ([each.sides for name, each in found if name == "mesh.wirewarp_ease"] for found in offered)
+    assert (on_model, on_pieces) == (["ALL", "ONE", "NONE"], ["ONE", "NONE"])
+    assert {name for name, _ in offered[1]} == {"mesh.wirewarp_ease", "mesh.wirewarp_allowance"}
 
 
 def test_new_pieces_are_shown_unless_the_user_says_otherwise(addon):

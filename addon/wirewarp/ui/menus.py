@@ -3,6 +3,8 @@
 
 import bpy
 
+from ..model.owners import model_of
+
 
 class VIEW3D_MT_wirewarp(bpy.types.Menu):
     """Flat pieces"""
@@ -19,25 +21,33 @@ class VIEW3D_MT_wirewarp(bpy.types.Menu):
 
 
 class VIEW3D_MT_wirewarp_edges(bpy.types.Menu):
-    """Seams and wires on the selected edges"""
+    """Seams and wires on the selected edges; on flat pieces what can be marked of one side"""
 
     bl_label = "WireWarp"
 
-    def draw(self, _context: bpy.types.Context) -> None:
+    def draw(self, context: bpy.types.Context) -> None:
         layout = _asking_layout(self)
+        if model_of(context.active_object):
+            layout.operator("mesh.wirewarp_ease", text="Mark Ease").sides = "ONE"
+            _draw_marks_of_sides(layout)
+            return
         layout.operator("mesh.wirewarp_mark", text="Mark Rigid Wire").kind = "RIGID"
         layout.operator("mesh.wirewarp_mark", text="Mark Elastic Wire").kind = "ELASTIC"
         layout.operator("mesh.wirewarp_mark", text="Mark Free Wire").kind = "SUPER_ELASTIC"
         layout.operator("mesh.wirewarp_clear")
         layout.operator("mesh.wirewarp_ease", text="Mark Ease").sides = "ALL"
         layout.operator("mesh.wirewarp_ease", text="Mark Ease of One Side").sides = "ONE"
-        layout.operator("mesh.wirewarp_ease", text="Clear Ease").sides = "NONE"
-        layout.operator("mesh.wirewarp_allowance", text="Mark Allowance").kind = "WIDTH"
-        layout.operator("mesh.wirewarp_allowance", text="Mark Hem").kind = "HEM"
-        layout.operator("mesh.wirewarp_allowance", text="Mark Fold").kind = "FOLD"
-        layout.operator("mesh.wirewarp_allowance", text="Default Allowance").kind = "DEFAULT"
+        _draw_marks_of_sides(layout)
         layout.operator("mesh.wirewarp_select_wire").edge = -1
         layout.operator("mesh.wirewarp_seams_from_uv_islands")
+
+
+def _draw_marks_of_sides(layout: bpy.types.UILayout) -> None:
+    layout.operator("mesh.wirewarp_ease", text="Clear Ease").sides = "NONE"
+    layout.operator("mesh.wirewarp_allowance", text="Mark Allowance").kind = "WIDTH"
+    layout.operator("mesh.wirewarp_allowance", text="Mark Hem").kind = "HEM"
+    layout.operator("mesh.wirewarp_allowance", text="Mark Fold").kind = "FOLD"
+    layout.operator("mesh.wirewarp_allowance", text="Default Allowance").kind = "DEFAULT"
 
 
 def draw_edge_menu(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
