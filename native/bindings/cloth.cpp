@@ -29,6 +29,8 @@ Cloth preset(const py::object& name) {
                      "The name of a cloth is " + std::string(py::repr(name)) + ": it must be a string.");
 }
 
+py::tuple presets() { return py::tuple(py::cast(cloth_preset_names())); }
+
 py::tuple pair_of(const std::array<double, 2>& pair) { return py::make_tuple(pair[0], pair[1]); }
 
 }  // namespace
@@ -38,7 +40,8 @@ void bind_cloth(py::module_& module) {
   record.def(py::init(&make_cloth), py::arg("weft") = 1.0, py::arg("warp") = 1.0, py::arg("shear") = 0.5, py::kw_only(),
              py::arg("squeeze") = 1.0, py::arg("stretch") = py::make_tuple(0.0, 0.0), py::arg("locking") = py::none(),
              py::arg("limits") = py::none());
-  record.def_static("preset", &preset, py::arg("name"), "'woven', 'denim', 'jersey', 'swim', 'leather' or 'neoprene'.");
+  record.def_static("preset", &preset, py::arg("name"), "The cloth of this name, one of presets().");
+  record.def_static("presets", &presets, "The names that preset() knows.");
   record.def(py::pickle(
       [](const Cloth& cloth) {
         return py::make_tuple(cloth.weft, cloth.warp, cloth.shear, cloth.squeeze, cloth.stretch, cloth.locking,

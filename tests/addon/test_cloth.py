@@ -48,6 +48,12 @@ def test_the_shape_of_a_cloth_is_the_librarys(source, addon):
         assert found == pytest.approx(wanted[of_flat], abs=1e-5)
 
 
+def test_the_cloths_to_choose_from_are_the_librarys(addon):
+    items = addon.properties.WIREWARP_PG_settings.bl_rna.properties["cloth"].enum_items
+    named = [item.identifier.lower() for item in items if item.identifier not in ("NONE", "CUSTOM")]
+    assert named == list(addon.core.Cloth.presets())
+
+
 def test_a_custom_cloth_of_the_same_ratios_is_the_same(source):
     bpy.ops.object.wirewarp_flatten(cloth="DENIM", keep_places=False)
     denim = places(source)

@@ -11,8 +11,6 @@ import pytest
 from surfaces import column_chain, spherical_patch
 from wirewarp import Cloth, ErrorCode, FlattenError, Options, Wire, flatten
 
-PRESETS = ["woven", "denim", "jersey", "swim", "leather", "neoprene"]
-
 
 def test_a_cloth_keeps_what_it_was_given():
     cloth = Cloth(0.2, 1, np.float32(0.25), squeeze=2, stretch=(0.2, 0), locking=0.5, limits=np.array([0.03, 0.04]))
@@ -39,7 +37,7 @@ def test_copies_and_pickles_are_equal(cloth):
     assert json.loads(json.dumps(options.to_dict()))["cloth"]["weft"] == cloth.weft
 
 
-@pytest.mark.parametrize("name", PRESETS)
+@pytest.mark.parametrize("name", Cloth.presets())
 def test_a_preset_goes_by_its_name(name):
     assert Options(cloth=name).cloth == Cloth.preset(name)
     assert Options(cloth=name).cloth != Cloth()

@@ -11,6 +11,7 @@ from typing import NoReturn, get_args
 
 import psutil
 
+from .. import Cloth
 from .._errors import FlattenError
 from ..pattern.nest_items import Grain
 from ..pattern.papers import roll_width
@@ -30,7 +31,6 @@ GRAINS: dict[str, Grain] = {
     "both-ways": "both ways",
     "free": "free",
 }  # as Pattern.nested knows them
-CLOTHS = ("woven", "denim", "jersey", "swim", "leather", "neoprene")
 ORIENTATIONS = get_args(Orientation)
 VERDICTS = (
     "Prints one line of JSON for each model. The exit code is 0 if all are ready to cut, 1 if a piece is not, 2 if a "
@@ -100,7 +100,9 @@ def _model_options() -> argparse.ArgumentParser:
         help="around UV islands, sharp edges, or of a JSON file",
     )
     options.add_argument("--wires", default="", metavar="FILE", help="JSON file with wires and eases")
-    options.add_argument("--cloth", default="", choices=CLOTHS, help="what the pieces are cut from (distortion alone)")
+    options.add_argument(
+        "--cloth", default="", choices=Cloth.presets(), help="what the pieces are cut from (distortion alone)"
+    )
     options.add_argument(
         "--orientation", default="wire", choices=ORIENTATIONS, help="what stands upright, along the grain (wire)"
     )
