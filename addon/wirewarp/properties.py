@@ -29,17 +29,17 @@ class EaseAmount:
     """By how much lines are to be longer: shared by the scene's settings and the operator."""
 
     ease_unit: EnumProperty(
-        name="In",
-        description="What an ease is given in",
+        name="Unit",
+        description="Whether an ease is given in percent or in millimeters",
         items=[
             ("PERCENT", "%", "Percent of the length of each line"),
-            ("LENGTH", "mm", "Each line gets so many millimeters longer"),
+            ("LENGTH", "mm", "Millimeters added to each line"),
         ],
         default="PERCENT",
     )
     ease_percent: FloatProperty(
         name="Ease (%)",
-        description="By how much a line is to be longer than it would be; below 0 shorter",
+        description="How much longer to cut the lines, in percent of their length. Below 0: shorter",
         min=100 * LEAST_EASE,
         max=1000.0,
         soft_min=-50.0,
@@ -50,7 +50,7 @@ class EaseAmount:
     )
     ease_length: FloatProperty(
         name="Ease (mm)",
-        description="By how many millimeters a line is to be longer than it would be; below 0 shorter",
+        description="How many millimeters longer to cut each line. Below 0: shorter",
         soft_min=-100.0,
         soft_max=500.0,
         default=10.0,
@@ -64,7 +64,7 @@ class PatternSettings:
 
     allowance: FloatProperty(
         name="Allowance",
-        description="Seam allowance in millimeters, around every piece but where another one is marked on the edges",
+        description="Seam allowance in millimeters around every piece, except where edges are marked with another one",
         min=0.0,
         soft_max=50.0,
         max=1000.0,
@@ -75,14 +75,14 @@ class PatternSettings:
     )
     darts: EnumProperty(
         name="Darts",
-        description="What is cut of them",
+        description="How darts are cut",
         items=[
             (
                 "CLOSE",
                 "Closed",
-                "Cut straight over their mouths, to be folded: notches at the legs, a hole before the tip",
+                "Cut straight across the open end, to be folded: notches at the legs, a drill hole before the tip",
             ),
-            ("CUT", "Cut Out", "Cut out, with allowance on the legs"),
+            ("CUT", "Cut Out", "The dart is cut out, with seam allowance on its legs"),
             ("SLIT", "Slit", "Cut along the legs"),
         ],
         default="CLOSE",
@@ -90,14 +90,14 @@ class PatternSettings:
     )
     arrangement: EnumProperty(
         name="Pieces",
-        description="Where the pieces lie on what they are printed on or cut from",
+        description="How the pieces are arranged on paper or cloth",
         items=[
-            ("IN_ROWS", "In Rows", "Side by side so that they take few sheets, or little of a roll; none turned"),
-            ("MARKER", "Marker", "Nested as closely as they will go, on cloth of one width; each is cut once"),
+            ("IN_ROWS", "In Rows", "Side by side to save sheets or roll; none is turned"),
+            ("MARKER", "Marker", "Nested as closely as possible on cloth of one width; each piece is cut once"),
             (
                 "AS_LAID_OUT",
                 "As Laid Out",
-                "Beside each other as in the flat object, moved or turned as you have left them",
+                "As in the flat object, where you have moved and turned them",
             ),
         ],
         default="IN_ROWS",
@@ -105,7 +105,7 @@ class PatternSettings:
     )
     cloth_width: FloatProperty(
         name="Cloth Width",
-        description="Of a marker, in millimeters, as far as the cloth can be used",
+        description="Usable width of the cloth of a marker, in millimeters",
         min=10.0,
         max=5000.0,
         default=1400.0,
@@ -115,7 +115,7 @@ class PatternSettings:
     )
     gap: FloatProperty(
         name="Gap",
-        description="Between the pieces of a marker, in millimeters",
+        description="Space between the pieces of a marker, in millimeters",
         min=0.0,
         max=100.0,
         default=5.0,
@@ -127,23 +127,23 @@ class PatternSettings:
         name="Grain",
         description="How the pieces of a marker may be turned",
         items=[
-            ("ONE_WAY", "One Way", "Not at all: cloth with a nap or a print that has a top"),
-            ("BOTH_WAYS", "Both Ways", "Upside down: most woven cloth"),
-            ("FREE", "Free", "Anyhow: leather, foam, felt"),
+            ("ONE_WAY", "One Way", "Not at all: cloth with a nap, or a print that has a top"),
+            ("BOTH_WAYS", "Both Ways", "By half a turn: most woven cloth"),
+            ("FREE", "Free", "By any angle: leather, foam, felt"),
         ],
         default="ONE_WAY",
         update=_redraw,
     )
     paper: EnumProperty(
         name="Paper",
-        description="What a PDF is printed on",
+        description="Paper that the PDF is printed on",
         items=[(key, name, "") for key, (_, name) in PAPERS.items()],
         default="A4",
         update=_redraw,
     )
     roll_width: FloatProperty(
         name="Roll Width",
-        description="In millimeters, margins of 10 mm included",
+        description="Width of the roll in millimeters, including margins of 10 mm",
         min=100.0,
         max=5000.0,
         default=1500.0,
@@ -172,8 +172,8 @@ def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Con
 class WIREWARP_PG_settings(FlattenSettings, PatternSettings, EaseAmount, bpy.types.PropertyGroup):
     auto_update: BoolProperty(
         name="Auto",
-        description="Flatten again by itself when seams, wires, shape or scale change, or with Modifiers what they "
-        "make, as soon as the mouse moves. Models of more than 20,000 vertices wait until you leave Edit Mode",
+        description="Flatten again automatically when seams, wires, shape or scale change, or with Modifiers their "
+        "result, as soon as the mouse moves. Models of more than 20,000 vertices wait until you leave Edit Mode",
         default=False,
         update=_look_for_changes,
     )
@@ -190,7 +190,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, EaseAmount, bpy.typ
     )
     show_pages: BoolProperty(
         name="Show Pages",
-        description="Draw the pages of a PDF over the flat pieces; where these will lie otherwise, beside them",
+        description="Draw the pages of a PDF over the flat pieces, or beside them if the PDF arranges them differently",
         default=False,
         update=_redraw,
     )
@@ -206,24 +206,28 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, EaseAmount, bpy.typ
     )
     shown_map: EnumProperty(
         name="Map",
-        description="Measure by which models and flat pieces are colored in Object Mode",
+        description="What the colors of models and flat pieces show in Object Mode",
         items=[
-            ("NONE", "No Map", "Faces look as always"),
+            ("NONE", "No Map", "Faces keep their usual look"),
             (
                 "WEFT_STRAIN_COLOR",
                 "Across",
-                "Of a cloth: how much its threads across the grain (weft) are stretched, in percent",
+                "With a cloth: how much the threads across the grain (weft) are stretched, in percent",
             ),
             (
                 "WARP_STRAIN_COLOR",
                 "Along",
-                "Of a cloth: how much its threads along the grain (warp) are stretched, in percent",
+                "With a cloth: how much the threads along the grain (warp) are stretched, in percent",
             ),
-            ("SHEAR_ANGLE_COLOR", "Shear", "Of a cloth: how far its threads are turned to one another, in degrees"),
+            (
+                "SHEAR_ANGLE_COLOR",
+                "Shear",
+                "With a cloth: how far the threads are from crossing at a right angle, in degrees",
+            ),
             (
                 "STRETCH_COLOR",
                 "Stretch",
-                "How much the model stretches the flat cloth, in percent, the mean of all directions",
+                "How much the flat cloth must stretch to fit the model, in percent, as the mean of all directions",
             ),
             (
                 "LENGTH_VARIATION_COLOR",
@@ -238,7 +242,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, EaseAmount, bpy.typ
             (
                 "ARAP_ENERGY_COLOR",
                 "Distortion",
-                "Stretch and ease in all directions taken together (ARAP energy by area): 0 is none",
+                "Stretch and ease of all directions together (ARAP energy per area): 0 is none",
             ),
         ],
         default="NONE",

@@ -74,7 +74,7 @@ def test_both_sides_at_once_on_flat_pieces_are_refused(source):
 def test_on_flat_pieces_no_side_but_the_selected_one_is_eased(source, sides):
     bpy.ops.object.wirewarp_flatten()
     select_side(source, -1)
-    with pytest.raises(RuntimeError, match="One Side eases the selected one"):
+    with pytest.raises(RuntimeError, match="only the selected side can be eased"):
         bpy.ops.mesh.wirewarp_ease(sides=sides, ease_percent=5.0)
     assert "wirewarp_side_ratio" not in source.data.attributes
 
@@ -84,7 +84,7 @@ def test_a_line_of_which_both_sides_are_cleared_on_flat_pieces_counts_once(sourc
     bpy.ops.object.wirewarp_flatten()
     select_side(source, 0)
     assert bpy.ops.mesh.wirewarp_ease(sides="NONE") == {"FINISHED"}
-    assert "No ease any more on 1 line\n" in capfd.readouterr().out
+    assert "Ease cleared on 1 line\n" in capfd.readouterr().out
 
 
 def cut_beside_seam(source):

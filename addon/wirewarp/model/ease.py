@@ -144,7 +144,9 @@ def _plan(target: bpy.types.Object, lines: list[list[int]], amount: Amount, sele
 def _change(length: float, amount: Amount) -> Change:
     ratio = amount(length) if length > 0 else math.nan
     if not -1 < ratio < math.inf:
-        raise object_error("invalid_ease", "So much shorter, a line would have no length left: choose a smaller ease.")
+        raise object_error(
+            "invalid_ease", "Shortened that much, a line would have no length left: choose an ease above -100%."
+        )
     return Change(ratio, ratio * length)
 
 

@@ -31,12 +31,12 @@ from ..ui.settings import draw_ease
 from ..words import LengthText, counted, ease_text
 
 SIDES = [
-    ("ALL", "All Sides", "The selected lines, all sides of seams alike: they become wires if they are none"),
-    ("ONE", "One Side", "One side of the selected seams alone, the one with the arrow: a sleeve head, gathers"),
-    ("OTHER", "Other Side", "The other side of the selected seams alone"),
-    ("NONE", "None", "The selected lines have no ease any more, on any side"),
+    ("ALL", "All Sides", "Ease the selected lines, all sides of a seam equally. Lines that are no wires become rigid"),
+    ("ONE", "One Side", "Ease one side of the selected seams only, as for sleeve heads and gathers. An arrow shows it"),
+    ("OTHER", "Other Side", "Ease the other side of the selected seams only"),
+    ("NONE", "Clear Ease", "Remove the ease of the selected lines from all sides"),
 ]
-SIDES_APART = "On flat pieces every side lies apart: One Side eases the selected one. Ease all sides on the model."
+SIDES_APART = "On flat pieces only the selected side can be eased: choose One Side, or ease all sides on the model."
 NO_SIDES = "select edges on a seam or outline, with one face on that side"
 NOTHING = {
     "ALL": "select the edges of a line first",
@@ -53,7 +53,9 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
     bl_label = "Mark Ease"
     bl_options = {"REGISTER", "UNDO"}
 
-    sides: EnumProperty(name="Sides", description="Of seams; outlines have one", items=SIDES, default="ALL")
+    sides: EnumProperty(
+        name="Sides", description="Which sides of a seam are eased; an outline has only one", items=SIDES, default="ALL"
+    )
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
@@ -112,10 +114,10 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
         left_out = sum(each.left_out for each in found)
         changes = [change for each in found for change in each.changes]
         if not changes:
-            self.report({"ERROR"}, f"Nothing to mark: {NOTHING[self.sides]}.")
+            self.report({"ERROR"}, f"Nothing to {'clear' if self.sides == 'NONE' else 'mark'}: {NOTHING[self.sides]}.")
             return {"CANCELLED"}
         if self.sides == "NONE":
-            self.report({"INFO"}, f"No ease any more on {counted(len(changes), 'line')}")
+            self.report({"INFO"}, f"Ease cleared on {counted(len(changes), 'line')}")
             return {"FINISHED"}
         texts = [f"{ease_text(each.ratio)}, {units.difference(each.length)} {units.unit}" for each in changes]
         told = "; ".join(dict.fromkeys(texts))

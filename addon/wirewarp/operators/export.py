@@ -58,23 +58,27 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
     )
     proof_sheet: BoolProperty(
         name="Proof Sheet",
-        description="Last comes a table of all pieces, and of all seams with the lengths of both sides",
+        description="Add a last sheet with tables of all pieces, and of all seams with the lengths of both sides",
         default=False,
     )
     preset: EnumProperty(name="For", description="How the lines look", items=PRESETS, default="PRINT")
     dialect: EnumProperty(name="For", description="Which programs read it", items=DIALECTS, default="ASTM")
     control_square: BoolProperty(
         name="Control Square",
-        description="A piece more, a square of 100 mm: whatever unit a program takes, it shows",
+        description="Add a square of 100 mm, which shows whether another program reads the right unit",
         default=False,
     )
     drawn: EnumProperty(
-        name="Drawn", description="Besides lines to cut", items=DRAWN, options={"ENUM_FLAG"}, default=ALL_DRAWN
+        name="Drawn",
+        description="What is drawn besides the cut lines",
+        items=DRAWN,
+        options={"ENUM_FLAG"},
+        default=ALL_DRAWN,
     )
 
     seconds: IntProperty(
         name="Search",
-        description="For so many seconds a marker is sought that takes less cloth; Esc stops the export",
+        description="Seconds to search for a marker that takes less cloth. Esc stops the export",
         min=0,
         max=3600,
         soft_max=120,
@@ -82,7 +86,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
     )
     new_marker: BoolProperty(
         name="Search Again",
-        description="Seek a new marker, also where that of the last export is of these pieces and this cloth",
+        description="Search for a new marker even if the one of the last export fits these pieces and this cloth",
         default=False,
         options={"SKIP_SAVE"},
     )

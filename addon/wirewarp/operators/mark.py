@@ -23,10 +23,10 @@ KINDS = [
     ("SUPER_ELASTIC", "Free", "A free wire gets whatever length distorts the pieces least"),
 ]
 ALLOWANCES = [
-    ("WIDTH", "Allowance", "Seam allowance of a width of its own, on all sides of the selected edges"),
-    ("HEM", "Hem", "What is turned up at the selected edges of the outline"),
-    ("FOLD", "Fold", "Nothing is added at the selected edges: the cloth lies double there, or its edge stays raw"),
-    ("DEFAULT", "Default", "The allowance that all edges have which are not marked"),
+    ("WIDTH", "Allowance", "Give the selected edges a seam allowance of their own, on all sides"),
+    ("HEM", "Hem", "Give the selected edges of the outline a hem: allowance that is turned up"),
+    ("FOLD", "Fold", "No allowance at the selected edges: they are cut on the fold, or stay raw"),
+    ("DEFAULT", "Default", "Give the selected edges the default allowance again"),
 ]
 DESCRIPTIONS = {identifier: description for identifier, _, description in KINDS}
 NEEDS_TOLERANCE = "An elastic wire needs a tolerance above 0: set one, or make the wire rigid."
@@ -147,12 +147,24 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
     bl_label = "Mark Allowance"
     bl_options = {"REGISTER", "UNDO"}
 
-    kind: EnumProperty(name="Kind", description="What is outside of the edges", items=ALLOWANCES, default="WIDTH")
+    kind: EnumProperty(name="Kind", description="What is added outside the edges", items=ALLOWANCES, default="WIDTH")
     width: FloatProperty(
-        name="Width (mm)", description="Of a seam allowance", min=0.1, soft_max=50.0, max=1000.0, default=10.0, step=100
+        name="Width (mm)",
+        description="Width of the seam allowance",
+        min=0.1,
+        soft_max=50.0,
+        max=1000.0,
+        default=10.0,
+        step=100,
     )
     hem: FloatProperty(
-        name="Hem (mm)", description="What is turned up", min=0.1, soft_max=100.0, max=1000.0, default=30.0, step=100
+        name="Hem (mm)",
+        description="Width of the hem, which is turned up",
+        min=0.1,
+        soft_max=100.0,
+        max=1000.0,
+        default=30.0,
+        step=100,
     )
 
     @classmethod

@@ -58,7 +58,7 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
     name: StringProperty(name="Name", description="What the wire is called; left empty, it keeps its name")
     ease: FloatProperty(
         name="Ease",
-        description="By how much the wire is to be longer than on the model, as a fraction; below 0 shorter. "
+        description="How much longer than on the model to cut the wire, as a fraction. Below 0: shorter. "
         "Left out, the wire keeps its own",
         min=LEAST_EASE,
         soft_min=-0.5,
@@ -68,7 +68,7 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
     )
     ease_percent: FloatProperty(
         name="Ease",
-        description="By how much the wire is to be longer than on the model, in percent; below 0 shorter",
+        description="How much longer than on the model to cut the wire, in percent. Below 0: shorter",
         subtype="PERCENTAGE",
         min=100 * LEAST_EASE,
         soft_min=-50.0,

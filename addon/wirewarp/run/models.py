@@ -19,7 +19,7 @@ from ..solve.steps import Steps, told_as
 from ..words import LengthText
 
 MIDDLE = "Lengths on the model are those of the middle of the material's thickness."
-NO_ANGLE = "Grain Angle was not used: it is of pieces that stand by a grain wire."
+NO_ANGLE = "Grain Angle was not used: it needs Upright: Grain Wire and a grain wire."
 
 
 @dataclass(frozen=True)

@@ -40,8 +40,8 @@ class FlattenSettings:
     )
     fairness: FloatProperty(
         name="Smooth Outlines",
-        description="Smooth wiggles shorter than this share of the piece. Lengths stay exact. More: smoother lines; "
-        "less: less distortion of the cloth, but lines may come out wavy",
+        description="Smooth out wiggles shorter than this fraction of the piece's size. Lengths stay exact. Higher: "
+        "smoother lines; lower: less distortion of the cloth, but lines may be wavy",
         min=0.001,
         max=10.0,
         soft_min=0.02,
@@ -52,8 +52,8 @@ class FlattenSettings:
     )
     node_weight: EnumProperty(
         name="Angles",
-        description="For the methods that lay out the lines first: where a line cannot keep all its bends, which of "
-        "them count more",
+        description="For the methods that lay out lines first: which angles count more where a line cannot keep all of "
+        "them",
         items=[
             (
                 "LENGTH",
@@ -70,22 +70,22 @@ class FlattenSettings:
     )
     cloth: EnumProperty(
         name="Cloth",
-        description="What the pieces are cut from. Lengths stay as exact with every cloth",
+        description="Material that the pieces are cut from. Lengths are exact with every cloth",
         items=[
-            ("NONE", "Any", "Stretching costs the same in all directions"),
-            ("WOVEN", "Woven", "Gives little along its threads and shears between them: shirting, linen, canvas"),
-            ("DENIM", "Denim", "A woven that gives more across than along"),
-            ("JERSEY", "Jersey", "A knit that gives in all directions, across most"),
-            ("SWIM", "Swimwear", "A knit with elastane, across three times as soft as along"),
-            ("LEATHER", "Leather", "Alike in all directions; hardly takes any ease"),
-            ("NEOPRENE", "Neoprene", "Alike in all directions; takes little ease"),
-            ("CUSTOM", "Custom", "By its stiffness across, along and against shear"),
+            ("NONE", "Any", "No particular cloth: stretch counts the same in all directions"),
+            ("WOVEN", "Woven", "Hardly stretches along its threads, but shears easily: shirting, linen, canvas"),
+            ("DENIM", "Denim", "Woven that stretches more across the grain than along it"),
+            ("JERSEY", "Jersey", "Knit that stretches in all directions, most across the grain"),
+            ("SWIM", "Swimwear", "Knit with elastane that stretches about three times as easily across the grain"),
+            ("LEATHER", "Leather", "The same in all directions; can hardly be eased in"),
+            ("NEOPRENE", "Neoprene", "The same in all directions; can be eased in a little"),
+            ("CUSTOM", "Custom", "Enter its stiffness across the grain, along the grain and against shear"),
         ],
         default="NONE",
     )
     cloth_across: FloatProperty(
         name="Stiff Across",
-        description="Of a custom cloth: how hard it is to stretch across the grain. Only ratios of the three count",
+        description="Resistance to stretch across the grain. Only the ratios of the three stiffness values matter",
         min=0.001,
         max=1000.0,
         default=1.0,
@@ -93,7 +93,7 @@ class FlattenSettings:
     )
     cloth_along: FloatProperty(
         name="Stiff Along",
-        description="Of a custom cloth: how hard it is to stretch along the grain",
+        description="Resistance to stretch along the grain",
         min=0.001,
         max=1000.0,
         default=1.0,
@@ -101,7 +101,7 @@ class FlattenSettings:
     )
     cloth_shear: FloatProperty(
         name="Stiff Shear",
-        description="Of a custom cloth: how hard it is to shear, to turn the threads to one another; small for wovens",
+        description="Resistance to shear, which turns the threads away from a right angle; small for wovens",
         min=0.001,
         max=1000.0,
         default=0.5,
@@ -110,7 +110,7 @@ class FlattenSettings:
     gives_across: FloatProperty(
         name="Gives Across",
         subtype="PERCENTAGE",
-        description="By how much the cloth can be stretched across the grain. The report tells which pieces need more. "
+        description="How far the cloth can be stretched across the grain. The report names the pieces that need more. "
         "0: not known",
         min=0.0,
         soft_max=50.0,
@@ -121,7 +121,7 @@ class FlattenSettings:
     gives_along: FloatProperty(
         name="Gives Along",
         subtype="PERCENTAGE",
-        description="By how much the cloth can be stretched along the grain. 0: not known",
+        description="How far the cloth can be stretched along the grain. 0: not known",
         min=0.0,
         soft_max=50.0,
         max=300.0,
@@ -130,8 +130,8 @@ class FlattenSettings:
     )
     worn_across: FloatProperty(
         name="Worn Across",
-        description="By how much the cloth is stretched across the grain when it is worn: swimwear, compression. The "
-        "pieces are cut so much smaller, both sides of seams alike; below 0 loose",
+        description="How far the cloth is stretched across the grain when it is worn (negative ease), as in swimwear. "
+        "Pieces are cut that much smaller, with both sides of seams equally long. Below 0: cut larger, to fit loosely",
         subtype="PERCENTAGE",
         min=-50.0,
         soft_min=0.0,
@@ -141,7 +141,7 @@ class FlattenSettings:
     )
     worn_along: FloatProperty(
         name="Worn Along",
-        description="By how much the cloth is stretched along the grain when it is worn",
+        description="How far the cloth is stretched along the grain when it is worn (negative ease)",
         subtype="PERCENTAGE",
         min=-50.0,
         soft_min=0.0,
@@ -151,8 +151,8 @@ class FlattenSettings:
     )
     thickness: FloatProperty(
         name="Thickness",
-        description="Of foam, neoprene or leather, in millimeters: what bends keeps its length in the middle of its "
-        "thickness, so that is what is flattened, and lengths on the model are those of its middle",
+        description="Thickness of foam, neoprene or leather, in millimeters. Bent material keeps its length in the "
+        "middle of its thickness: that surface is flattened, and lengths on the model are measured on it",
         min=0.0,
         soft_max=20.0,
         max=1000.0,
@@ -161,11 +161,11 @@ class FlattenSettings:
     )
     surface: EnumProperty(
         name="Model Is",
-        description="Which surface of the material the model is",
+        description="Which surface of the thick material was modeled",
         items=[
-            ("INSIDE", "Inside", "The model is the body that the material lies on"),
-            ("MIDDLE", "Middle", "The material lies half on either side of the model"),
-            ("OUTSIDE", "Outside", "The model is what is seen of the material"),
+            ("INSIDE", "Inside", "The inner surface: the body or form that the material lies on"),
+            ("MIDDLE", "Middle", "The middle: half of the thickness lies on either side of the model"),
+            ("OUTSIDE", "Outside", "The outer surface, which is seen when the material is in place"),
         ],
         default="INSIDE",
     )
@@ -185,31 +185,31 @@ class FlattenSettings:
             (
                 "WIRE",
                 "Grain Wire",
-                "The wire with the arrow in the list of wires; in pieces that it does not cross their first wire. "
-                "While no wire has the arrow, as World Up",
+                "The grain wire, which has an arrow in the list of wires; in pieces that it does not cross, their "
+                "first wire. Without a grain wire, the same as World Up",
             ),
             (
                 "BEST",
                 "Best for the Cloth",
-                "Each piece is turned so that its cloth is strained least. Needs a cloth",
+                "Turn each piece so that the cloth is strained least. Needs a cloth",
             ),
             ("BOUNDARY", "Longest Straight Edge", "The longest straight stretch of the outline"),
-            ("UP", "World Up", "What points up on the model, along Z; in level pieces their first wire"),
+            ("UP", "World Up", "What points up (Z) on the model; in level pieces, their first wire"),
         ],
         default="WIRE",
     )
     grain_angle: FloatProperty(
         name="Grain Angle",
-        description="How far the grain wire is turned from upright, counterclockwise: 45° cuts the cloth on the bias. "
-        "Only of pieces that stand by a grain wire",
+        description="Angle of the grain wire from upright, counterclockwise: 45° cuts the cloth on the bias. Only for "
+        "pieces that have a grain wire upright",
         subtype="ANGLE",
         min=-math.pi,
         max=math.pi,
     )
     spacing: FloatProperty(
         name="Gap",
-        description="Space in millimeters between the lines to cut of pieces as they are laid out. It counts from the "
-        "widest allowance there is; other allowances later move no piece until you lay out again",
+        description="Space between the cut lines of the pieces, in millimeters, for the widest allowance there is. "
+        "Allowances that are changed later move no piece until you press Lay Out Again",
         min=0.0,
         soft_max=200.0,
         default=10.0,  # for the scissors
@@ -218,20 +218,20 @@ class FlattenSettings:
     )
     keep_places: BoolProperty(
         name="Keep Places",
-        description="Pieces stay where they lie in the flat object, moved or turned as you have left them; new pieces "
-        "go beside them. Another Layout, Upright, grain wire, Gap or Mirrored moves them all; a model that was turned "
-        "does not. Off: all pieces are laid out again",
+        description="Pieces stay where you have moved and turned them; new pieces go beside them. A change of Layout, "
+        "Upright, grain wire, Gap or Mirrored moves them all; turning the model does not. Off: all pieces are laid out "
+        "again each time",
         default=True,
     )
     mirror: BoolProperty(
         name="Mirrored",
-        description="Draw the pieces as seen from inside, from behind the faces, instead of from outside",
+        description="Show the pieces from inside (the wrong side of the cloth) instead of from outside",
         default=False,
     )
     use_modifiers: BoolProperty(
         name="Modifiers",
-        description="Flatten the mesh as modifiers and shape keys leave it. This makes flat pieces, but no UV map on "
-        "the model. Later changes of the modifiers are noticed in Object Mode only",
+        description="Flatten the mesh with its modifiers and shape keys applied. This makes flat pieces, but no UV map "
+        "on the model. Later changes of the modifiers are noticed in Object Mode only",
         default=False,
     )
 

@@ -10,8 +10,8 @@ from ..model.owners import DELETED, is_deleted, model_of, model_or_self
 from .layout import SidebarPanel, draw_sentence
 from .settings import draw_ease
 
-SIDES = (("ALL", "All Sides"), ("NONE", "None"), ("ONE", "One Side"), ("OTHER", "Other Side"))
-OF_PIECES = (("ONE", "Ease"), ("NONE", "None"))  # where a side is what is selected
+SIDES = (("ALL", "All Sides"), ("NONE", "Clear Ease"), ("ONE", "One Side"), ("OTHER", "Other Side"))
+OF_PIECES = (("ONE", "Ease"), ("NONE", "Clear Ease"))  # where a side is what is selected
 
 
 class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
@@ -34,8 +34,8 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
             else:
                 draw_sentence(context, layout, sentence, "INFO")
                 if context.mode == "EDIT_MESH":
-                    _draw_ease(layout, context, "Ease on this side of seams", OF_PIECES)
-                    _draw_allowances(layout, "Allowance on this side of seams")
+                    _draw_ease(layout, context, "Ease of the selected sides", OF_PIECES)
+                    _draw_allowances(layout, "Allowance of the selected sides")
             return
         if context.mode != "EDIT_MESH":
             layout.operator("object.mode_set", text="Mark in Edit Mode", icon="EDITMODE_HLT").mode = "EDIT"
@@ -59,7 +59,7 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         column.operator("mesh.wirewarp_clear", text="Clear Wire")
 
         _draw_ease(layout, context, "Ease of the selected lines", SIDES)
-        _draw_allowances(layout, "Allowance outside of seams")
+        _draw_allowances(layout, "Seam allowance of the selected edges")
 
 
 def _draw_ease(

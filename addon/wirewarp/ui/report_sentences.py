@@ -16,8 +16,8 @@ SHOWN_HINTS = 5
 ADVICE = {
     TORN: f"{TORN_ADVICE}:",
     "wire_at_limit": "A wider tolerance on these wires would lower the distortion:",
-    BEYOND_CLOTH: "The threads of the cloth must give much in here. Where yours do not, add a dart or seam:",
-    STRAINED: "The cloth must stretch or ease in here. Where yours does not, add a dart or seam:",
+    BEYOND_CLOTH: "The cloth must stretch much at these places. If yours does not, add a dart or seam:",
+    STRAINED: "The cloth must stretch or be eased in at these places. If yours does not, add a dart or seam:",
 }
 
 
