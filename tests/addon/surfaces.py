@@ -124,6 +124,11 @@ def flat_sources(source: bpy.types.Object) -> np.ndarray:
     return read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32)
 
 
+def flat_places(source: bpy.types.Object) -> np.ndarray:
+    """(n,2) of the flat vertices, in the space of the flat object."""
+    return read(flat_of(source).data.vertices, "co", np.float32, 3)[:, :2]
+
+
 def edge_lengths(target: bpy.types.Object) -> np.ndarray:
     """Of every edge, in world space, from the float32 coordinates in double precision."""
     mesh = target.data

@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from surfaces import bump, flat_of, grid, half_cylinder, mark, on_line, read
+from surfaces import bump, flat_of, flat_places, flat_sources, grid, half_cylinder, mark, on_line, read
 
 THREADS = ("weft_strain", "warp_strain", "shear_angle")
 
@@ -23,10 +23,6 @@ def source():
 
 def last_report(addon, source):
     return addon.flat.reports.last_report(source)
-
-
-def places(source):
-    return read(flat_of(source).data.vertices, "co", np.float32, 3)[:, :2]
 
 
 def test_the_shape_of_a_cloth_is_the_librarys(source, addon):
@@ -56,13 +52,13 @@ def test_the_cloths_to_choose_from_are_the_librarys(addon):
 
 def test_a_custom_cloth_of_the_same_ratios_is_the_same(source):
     bpy.ops.object.wirewarp_flatten(cloth="DENIM", keep_places=False)
-    denim = places(source)
+    denim = flat_places(source)
     bpy.ops.object.wirewarp_flatten(
         cloth="CUSTOM", cloth_across=2.1, cloth_along=10.0, cloth_shear=0.6, keep_places=False
     )
-    assert places(source) == pytest.approx(denim, abs=1e-5)
+    assert flat_places(source) == pytest.approx(denim, abs=1e-5)
     bpy.ops.object.wirewarp_flatten(keep_places=False)
-    assert np.abs(places(source) - denim).max() > 1e-3
+    assert np.abs(flat_places(source) - denim).max() > 1e-3
 
 
 def test_maps_of_threads_are_there_with_a_cloth_alone(source, addon):
@@ -135,8 +131,8 @@ def test_what_does_not_go_together_is_a_sentence(source, settings, said):
 
 def grain(source):
     """Degrees of the middle wire in the flat piece, counterclockwise from upright."""
-    sources = read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32).tolist()
-    along = places(source)[sources.index(4 + 9 * 8)] - places(source)[sources.index(4)]
+    sources = flat_sources(source).tolist()
+    along = flat_places(source)[sources.index(4 + 9 * 8)] - flat_places(source)[sources.index(4)]
     return math.degrees(math.atan2(-along[0], along[1]))
 
 
@@ -168,7 +164,7 @@ def test_the_report_holds_the_cloth_and_is_plain_json(source, addon, tmp_path):
 
 def box(source):
     """Width and height of the flat piece."""
-    return np.ptp(places(source), axis=0)
+    return np.ptp(flat_places(source), axis=0)
 
 
 def test_a_cloth_that_is_worn_stretched_is_cut_smaller(addon):

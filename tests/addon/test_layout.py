@@ -8,6 +8,7 @@ from surfaces import (
     bump,
     edge_vertices,
     flat_of,
+    flat_places,
     flat_sources,
     flatten,
     grid,
@@ -20,14 +21,10 @@ from surfaces import (
 )
 
 
-def places_of(source):
-    return read(flat_of(source).data.vertices, "co", np.float32, 3)[:, :2]
-
-
 def difference(source, a, b):
     """On the flat piece, from one vertex of the model to another."""
     sources = flat_sources(source).tolist()
-    return places_of(source)[sources.index(b)] - places_of(source)[sources.index(a)]
+    return flat_places(source)[sources.index(b)] - flat_places(source)[sources.index(a)]
 
 
 def direction_of(source, a, b):
@@ -41,7 +38,7 @@ def test_one_row_stands_on_a_line():
         mark_seam(source, on_line(0, line))
     flatten(source, layout_kind="ROW")
     flat = flat_of(source).data
-    places, pieces = places_of(source), read(flat.attributes["piece"].data, "value", np.int32)
+    places, pieces = flat_places(source), read(flat.attributes["piece"].data, "value", np.int32)
     boxes = []
     for piece in range(4):
         own = places[[v for face in np.flatnonzero(pieces == piece) for v in flat.polygons[face].vertices]]
@@ -49,7 +46,7 @@ def test_one_row_stands_on_a_line():
     assert [box[0][1] for box in boxes] == pytest.approx([0] * 4, abs=1e-6)
     assert all(left[1][0] < right[0][0] for left, right in zip(boxes[:-1], boxes[1:], strict=True))
     flatten(source)  # another layout lays them out anew, whatever Keep Places says
-    assert np.ptp(places_of(source)[:, 0]) < 1.6 * np.ptp(places_of(source)[:, 1])
+    assert np.ptp(flat_places(source)[:, 0]) < 1.6 * np.ptp(flat_places(source)[:, 1])
 
 
 def two_wires():
