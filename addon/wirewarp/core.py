@@ -63,6 +63,7 @@ if TYPE_CHECKING:
     from wirewarp import BoundaryReport as BoundaryReport
     from wirewarp import Cache as Cache
     from wirewarp import Cloth as Cloth
+    from wirewarp import DartProposal as DartProposal
     from wirewarp import Ease as Ease
     from wirewarp import FlattenError as FlattenError
     from wirewarp import FlattenResult as FlattenResult

@@ -16,6 +16,7 @@ SIDE_ALLOWANCE = "wirewarp_side_allowance"  # on corners: the same for the side 
 SIDE_WIDTH = "wirewarp_side_width"  # FLOAT: the same for one side of the edge, see model.side_allowances
 SIDE = "wirewarp_side"  # INT, the number of the face on that side, 0 where both sides are alike
 FACE = "wirewarp_face"  # on faces: INT, random 31-bit number beside edges where a side is marked, 0 elsewhere
+NO_SEAM = "wirewarp_no_seam"  # on faces, above 0: none is suggested there; also a vertex group of the object
 
 # On the model's mesh, written by a run.
 PIECE = "wirewarp_piece"  # face attribute INT, random 31-bit id of the piece, 0 none; on the flat mesh too

@@ -8,7 +8,7 @@ import bpy
 
 from . import operators, overlay, properties, ui
 from .blender import cache, index
-from .flat import reports
+from .flat import reports, suggestions
 from .model import wire_names
 from .operators import update
 from .overlay import cache as drawings
@@ -24,7 +24,14 @@ HANDLERS: dict[str, tuple[Callable, ...]] = {  # by Blender's list of them
     "redo_post": (cache.drop_all, index.forget, reports.forget_incomparable, auto_update.note_undo),
     "save_pre": (wire_names.write_brought_names,),
     "load_pre": (window_run.stop, flatten.drop_jobs, auto_update.forget),
-    "load_post": (cache.drop_all, index.forget, drawings.forget, reports.forget, read.forget_solved),
+    "load_post": (
+        cache.drop_all,
+        index.forget,
+        drawings.forget,
+        reports.forget,
+        suggestions.forget,
+        read.forget_solved,
+    ),
 }
 FORGET = (*HANDLERS["load_pre"], *HANDLERS["load_post"])  # what is in memory goes with the add-on as with the file
 

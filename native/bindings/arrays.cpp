@@ -168,6 +168,11 @@ VertexPairs read_seams(py::handle value) {
   return read_indices<VertexPairs>(value, "seams", "Seam edge");
 }
 
+VertexPairs read_no_seam(py::handle value) {
+  if (value.is_none()) return VertexPairs(0, 2);
+  return read_indices<VertexPairs>(value, "no_seam", "Edge");
+}
+
 VertexPairs read_half_edges(py::handle value) {
   return read_indices<VertexPairs>(value, "Ease half_edges", "Half-edge");
 }

@@ -25,6 +25,9 @@ Triangles read_faces(py::handle value);
 /// seams (k, 2), whole numbers; None or an empty list for none.
 VertexPairs read_seams(py::handle value);
 
+/// no_seam (k, 2), likewise.
+VertexPairs read_no_seam(py::handle value);
+
 /// Of an Ease.
 VertexPairs read_half_edges(py::handle value);
 

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.propose_darts and wirewarp.propose_seams: where to cut.
+// wirewarp.propose_darts and wirewarp.propose_seams: where to cut. And as jobs wirewarp.start_darts and start_seams.
 #include "wirewarp/propose.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "arguments.h"
+#include "arrays.h"
 #include "bind.h"
+#include "job.h"
 #include "progress.h"
 #include "record.h"
 #include "running_call.h"
@@ -28,6 +31,7 @@ piece: the piece to cut, as flatten() numbers them; None for any, whichever gain
 count: proposals at most, the mirror images of one another counted once.
 strain: what may stay: pieces with no more (DartProposal.strain) are left as they are.
 longest: no cut is longer on the surface, scene units; None for any length.
+no_seam: (k, 2) vertex pairs, edges along which no cut is to run.
 progress: called as progress("cuts", fraction); returning False cancels, which raises FlattenError.
 The other arguments are those of flatten().
 
@@ -39,13 +43,25 @@ constexpr const char* kSeamsDoc =
 
 Arguments, figures and errors are those of propose_darts().)";
 
+constexpr const char* kStartDartsDoc =
+    R"(Starts propose_darts() with these arguments and returns a Job at once, as start() does.)";
+
+constexpr const char* kStartSeamsDoc =
+    R"(Starts propose_seams() with these arguments and returns a Job at once, as start() does.)";
+
+CutWishes read_wishes(std::optional<int> piece, int count, double strain, std::optional<double> longest,
+                      const py::object& no_seam) {
+  return {piece, count, strain, longest.value_or(CutWishes().longest), read_no_seam(no_seam)};
+}
+
 template <Propose propose>
 std::vector<DartProposal> run(const py::object& vertices, const py::object& faces, const py::object& seams,
                               const py::object& wires, const py::object& options, const py::object& eases,
                               std::optional<int> piece, int count, double strain, std::optional<double> longest,
-                              const py::object& progress) {
+                              const py::object& no_seam, const py::object& progress) {
   const FlattenInput input = read_input(vertices, faces, seams, wires, eases);
   const Options checked_options = read_options(options);
+  const CutWishes wishes = read_wishes(piece, count, strain, longest, no_seam);
   PythonProgress python_progress(progress);
   const RunningCall running;
   std::vector<DartProposal> proposals;
@@ -54,7 +70,7 @@ std::vector<DartProposal> run(const py::object& vertices, const py::object& face
     const auto report = [&](const std::string& stage, double fraction) {
       return python_progress.report(stage, fraction);
     };
-    proposals = propose(input, checked_options, {piece, count, strain, longest.value_or(CutWishes().longest)}, report);
+    proposals = propose(input, checked_options, wishes, report);
   } catch (...) {
     python_progress.rethrow();
     throw;
@@ -64,12 +80,25 @@ std::vector<DartProposal> run(const py::object& vertices, const py::object& face
 }
 
 template <Propose propose>
-void bind(py::module_& module, const char* name, const char* doc) {
-  module.def(name, &run<propose>, py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("seams") = py::none(),
+std::unique_ptr<Job> start(const py::object& vertices, const py::object& faces, const py::object& seams,
+                           const py::object& wires, const py::object& options, const py::object& eases,
+                           std::optional<int> piece, int count, double strain, std::optional<double> longest,
+                           const py::object& no_seam) {
+  const auto find = [input = read_input(vertices, faces, seams, wires, eases), checked_options = read_options(options),
+                     wishes = read_wishes(piece, count, strain, longest, no_seam)](const Progress& progress) {
+    return propose(input, checked_options, wishes, progress);
+  };
+  return std::make_unique<Job>(work_that(find));
+}
+
+/// more: of arguments that follow those that both have.
+template <class Function, class... Extra>
+void define(py::module_& module, const char* name, Function function, const char* doc, const Extra&... more) {
+  module.def(name, function, py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("seams") = py::none(),
              py::arg("wires") = py::tuple(), py::arg("options") = py::none(), py::arg("eases") = py::tuple(),
              py::arg("piece") = py::none(), py::arg("count") = CutWishes().count,
-             py::arg("strain") = CutWishes().strain, py::arg("longest") = py::none(), py::arg("progress") = py::none(),
-             doc);
+             py::arg("strain") = CutWishes().strain, py::arg("longest") = py::none(), py::arg("no_seam") = py::none(),
+             more..., doc);
 }
 
 }  // namespace
@@ -84,9 +113,14 @@ void bind_propose(py::module_& module) {
       .field("strain", &DartProposal::strain)
       .field("strain_before", &DartProposal::strain_before)
       .field("twin", &DartProposal::twin)
+      .field("energy_with_twin", &DartProposal::energy_with_twin)
+      .field("strain_with_twin", &DartProposal::strain_with_twin)
       .picklable();
-  bind<propose_darts>(module, "propose_darts", kDartsDoc);
-  bind<propose_seams>(module, "propose_seams", kSeamsDoc);
+  const py::arg_v progress = py::arg("progress") = py::none();
+  define(module, "propose_darts", &run<propose_darts>, kDartsDoc, progress);
+  define(module, "propose_seams", &run<propose_seams>, kSeamsDoc, progress);
+  define(module, "start_darts", &start<propose_darts>, kStartDartsDoc);
+  define(module, "start_seams", &start<propose_seams>, kStartSeamsDoc);
 }
 
 }  // namespace wirewarp::bindings

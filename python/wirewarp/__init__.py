@@ -26,6 +26,8 @@ from ._wirewarp import (
     propose_darts,
     propose_seams,
     start,
+    start_darts,
+    start_seams,
 )
 
 __all__ = [
@@ -53,4 +55,6 @@ __all__ = [
     "propose_darts",
     "propose_seams",
     "start",
+    "start_darts",
+    "start_seams",
 ]

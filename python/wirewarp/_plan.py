@@ -26,6 +26,7 @@ def plan_cuts(
     wires: Iterable[Wire] = (),
     options: Options | None = None,
     eases: Iterable[Ease] = (),
+    no_seam: npt.ArrayLike | None = None,
     progress: Callable[[str, float], bool | None] | None = None,
 ) -> list[DartProposal]:
     """Cuts one after the other, each the one that leaves least strain beside those before it, until that is enough.
@@ -34,6 +35,7 @@ def plan_cuts(
     strain: the aim, 0.05 for 5%: pieces strained by no more (DartProposal.strain) are left as they are.
     most: cuts at most, 1 or more.
     total_length: of all cuts together at most, on the surface, scene units; None for any length.
+    no_seam: (k, 2) vertex pairs, edges along which no cut is to run.
     The other arguments are those of flatten().
 
     The figures of each, and the number of its piece, are those beside the cuts before it. Fewer cuts than are allowed
@@ -67,6 +69,7 @@ def plan_cuts(
                 eases=eases,
                 strain=strain,
                 longest=left,
+                no_seam=no_seam,
                 progress=report,
             )
         except FlattenError as error:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any, Literal
+from typing import Any, Generic, Literal, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -289,6 +289,10 @@ class DartProposal:
     def strain_before(self) -> float: ...
     @property
     def twin(self) -> int | None: ...
+    @property
+    def energy_with_twin(self) -> float | None: ...
+    @property
+    def strain_with_twin(self) -> float | None: ...
     def to_dict(self) -> dict[str, Any]: ...
 
 class Cache:
@@ -299,11 +303,13 @@ class Cache:
 
 def error_descriptions() -> dict[str, tuple[str, str]]: ...
 
-class Job:
+_Result = TypeVar("_Result")
+
+class Job(Generic[_Result]):
     def progress(self) -> tuple[str, float]: ...
     def cancel(self) -> None: ...
     def is_done(self) -> bool: ...
-    def result(self) -> FlattenResult: ...
+    def result(self) -> _Result: ...
 
 def start(
     vertices: npt.ArrayLike,
@@ -314,7 +320,7 @@ def start(
     options: Options | None = None,
     cache: Cache | None = None,
     eases: Iterable[Ease] = (),
-) -> Job: ...
+) -> Job[FlattenResult]: ...
 def flatten(
     vertices: npt.ArrayLike,
     faces: npt.ArrayLike,
@@ -346,6 +352,7 @@ def propose_darts(
     count: int = 5,
     strain: float = 0.005,
     longest: float | None = None,
+    no_seam: npt.ArrayLike | None = None,
     progress: Callable[[str, float], bool | None] | None = None,
 ) -> list[DartProposal]: ...
 def propose_seams(
@@ -360,5 +367,34 @@ def propose_seams(
     count: int = 5,
     strain: float = 0.005,
     longest: float | None = None,
+    no_seam: npt.ArrayLike | None = None,
     progress: Callable[[str, float], bool | None] | None = None,
 ) -> list[DartProposal]: ...
+def start_darts(
+    vertices: npt.ArrayLike,
+    faces: npt.ArrayLike,
+    *,
+    seams: npt.ArrayLike | None = None,
+    wires: Iterable[Wire] = (),
+    options: Options | None = None,
+    eases: Iterable[Ease] = (),
+    piece: int | None = None,
+    count: int = 5,
+    strain: float = 0.005,
+    longest: float | None = None,
+    no_seam: npt.ArrayLike | None = None,
+) -> Job[list[DartProposal]]: ...
+def start_seams(
+    vertices: npt.ArrayLike,
+    faces: npt.ArrayLike,
+    *,
+    seams: npt.ArrayLike | None = None,
+    wires: Iterable[Wire] = (),
+    options: Options | None = None,
+    eases: Iterable[Ease] = (),
+    piece: int | None = None,
+    count: int = 5,
+    strain: float = 0.005,
+    longest: float | None = None,
+    no_seam: npt.ArrayLike | None = None,
+) -> Job[list[DartProposal]]: ...

@@ -11,7 +11,7 @@ from view_context import view_context
 EDGE = {"edge": 0}
 ATTRIBUTES = ("wirewarp_wire", "wirewarp_tolerance", "wirewarp_allowance", "wirewarp_piece")
 KINDS = ("SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE", "HINT")
-MENDS = ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE", "NORMALS", "APPLY")
+MENDS = ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE", "NORMALS", "SUGGESTION", "APPLY")
 COMMANDS = [  # what writes comes last
     ("object.wirewarp_copy_report", {}),
     ("mesh.wirewarp_select_issues", {}),
@@ -21,6 +21,9 @@ COMMANDS = [  # what writes comes last
     ("object.wirewarp_export_svg", {}),
     ("object.wirewarp_export", {}),
     ("object.wirewarp_sewing", {}),
+    ("object.wirewarp_suggest_seams", {"piece": 0}),
+    ("object.wirewarp_suggest_darts", {}),
+    ("object.wirewarp_choose_suggestion", {"index": 1}),
     ("mesh.wirewarp_take_proposal", {"what": "SEAMS", "issue": 0}),
     ("mesh.wirewarp_take_proposal", {"what": "TOLERANCES", "issue": 0}),
     *(("object.wirewarp_mend", {"what": what}) for what in MENDS),
@@ -44,8 +47,9 @@ class AnyLayout:
     def __getattr__(self, _name):
         return lambda *_, **__: AnyLayout(self.words, self.buttons)
 
-    def operator(self, name, **_):
+    def operator(self, name, text="", **_):
         self.buttons.append(name)
+        self.words.append(text)
         return AnyLayout(self.words, self.buttons)
 
     def __setattr__(self, _name, _value):

@@ -29,7 +29,7 @@ def stub(name: str) -> ast.Module:
 
 
 def names(body: list[ast.stmt]) -> set[str]:
-    """What the statements define, but for __init__."""
+    """What the statements define for users, but for __init__."""
     found = set()
     for node in body:
         if isinstance(node, ast.ClassDef | ast.FunctionDef):
@@ -38,7 +38,7 @@ def names(body: list[ast.stmt]) -> set[str]:
             found.add(node.target.id)
         elif isinstance(node, ast.Assign):
             found |= {target.id for target in node.targets}
-    return found - {"__init__"}
+    return found - {"__init__", "_Result"}
 
 
 def public(value) -> set[str]:
@@ -99,7 +99,18 @@ def parameters(function: ast.FunctionDef) -> list[tuple[str, str]]:
     return [(arg.arg, ast.unparse(default) if default else "") for arg, default in pairs]
 
 
-@pytest.mark.parametrize("name", ["flatten", "measure", "propose_darts", "propose_seams", "start"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "flatten",
+        "measure",
+        "propose_darts",
+        "propose_seams",
+        "start",
+        "start_darts",
+        "start_seams",
+    ],
+)
 def test_the_stub_knows_the_parameters_of_a_function(name):
     (typed,) = (node for node in stub("_wirewarp.pyi").body if isinstance(node, ast.FunctionDef) and node.name == name)
     signature = getattr(wirewarp, name).__doc__.splitlines()[0]  # pybind11 writes it

@@ -118,14 +118,23 @@ FlattenInput two_hills(int n) {
 
 TEST(ProposeCuts, OfASymmetricPieceComeWithTheirMirrorImages) {
   const FlattenInput input = two_hills(8);
-  const std::vector<DartProposal> darts = propose_darts(input, {}, few());
-  int num_twins = 0;
+  const std::vector<DartProposal> darts = propose_darts(input);
+  int num_twins = 0, num_together = 0;
   for (std::size_t i = 0; i < darts.size(); ++i) {
     if (!darts[i].twin) continue;
-    ++num_twins;
     const DartProposal& twin = darts[*darts[i].twin];
     EXPECT_EQ(twin.twin, static_cast<int>(i));
     EXPECT_NEAR(twin.energy, darts[i].energy, 1e-6 * twin.energy_before);
+    ++num_twins;
+    EXPECT_EQ(twin.energy_with_twin, darts[i].energy_with_twin);
+    EXPECT_EQ(twin.strain_with_twin, darts[i].strain_with_twin);
+    if (twin.energy_with_twin) {
+      ++num_together;
+      const FlattenResult both = flatten(with_seams(with_seams(input, darts[i].edges), twin.edges));
+      EXPECT_EQ(both.pieces.size(), 1U);
+      EXPECT_NEAR(*twin.energy_with_twin, energy_of(both), 1e-6 * twin.energy_before);
+      EXPECT_LT(*twin.energy_with_twin, twin.energy);
+    }
     ASSERT_EQ(twin.edges.size(), darts[i].edges.size());
     for (std::size_t k = 0; k < twin.edges.size(); ++k) {
       for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
@@ -135,7 +144,8 @@ TEST(ProposeCuts, OfASymmetricPieceComeWithTheirMirrorImages) {
       }
     }
   }
-  EXPECT_GT(num_twins, 0);
+  EXPECT_GT(num_twins, num_together);  // some cross, as those from corner to corner
+  EXPECT_GT(num_together, 0);
 }
 
 TEST(ProposeCuts, CutNoWire) {
@@ -164,6 +174,36 @@ TEST(ProposeCuts, CutNoWireThatIsOnOneSideOfASymmetricPiece) {
       }
     }
   }
+}
+
+TEST(ProposeCuts, RunAlongNoEdgeThatIsToHaveNoSeam) {
+  const int n = 8;
+  for (const FlattenInput& input : {hill(n), two_hills(n)}) {
+    for (const auto& propose : {propose_darts, propose_seams}) {
+      CutWishes wishes = few();
+      const std::vector<VertexPair> barred = propose(input, {}, wishes, {}).front().edges;  // of the best alone
+      wishes.no_seam.resize(static_cast<Eigen::Index>(barred.size()), 2);
+      for (std::size_t i = 0; i < barred.size(); ++i) {
+        wishes.no_seam.row(static_cast<Eigen::Index>(i)) << barred[i][1], barred[i][0];  // either way round
+      }
+      for (const DartProposal& cut : propose(input, {}, wishes, {})) {
+        for (const VertexPair& edge : cut.edges) {
+          for (const VertexPair& other : {edge, VertexPair{edge[1], edge[0]}}) {
+            EXPECT_EQ(std::count(barred.begin(), barred.end(), other), 0);
+          }
+        }
+      }
+    }
+  }
+}
+
+/// All edges of the faces.
+VertexPairs all_edges(const Triangles& faces) {
+  VertexPairs edges(3 * faces.rows(), 2);
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    for (Eigen::Index k = 0; k < 3; ++k) edges.row(3 * f + k) << faces(f, k), faces(f, (k + 1) % 3);
+  }
+  return edges;
 }
 
 TEST(ProposeCuts, AreNoLongerAndNoMoreThanWished) {
@@ -214,6 +254,9 @@ TEST(ProposeCuts, SayWhyThereAreNone) {
   FlattenInput crossed = hill(2);
   test::add_wire(crossed, test::grid_column(2, 2, 1));
   EXPECT_NE(refusal(crossed).find("has no room for a dart"), std::string::npos) << "its vertex inside is on a wire";
+  CutWishes nowhere;
+  nowhere.no_seam = all_edges(hill(4).faces);
+  EXPECT_NE(refusal(hill(4), nowhere).find("no way along edges that may have a seam leads"), std::string::npos);
 }
 
 TEST(ProposeCuts, RefuseWishesOutOfRange) {
@@ -226,6 +269,12 @@ TEST(ProposeCuts, RefuseWishesOutOfRange) {
   wishes = {};
   wishes.longest = -1;
   EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option), "longest must be above 0, not -1.");
+  wishes = {};
+  for (const int other : {24, 25}) {  // the opposite corner, and one that is not there
+    wishes.no_seam = (VertexPairs(1, 2) << 0, other).finished();
+    EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option),
+              "no_seam has the pair 0, " + std::to_string(other) + ", which is no edge of the mesh.");
+  }
 }
 
 TEST(ProposeCuts, OfAPieceThatDoesNotLieFlatThrowItsError) {

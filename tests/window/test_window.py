@@ -59,6 +59,11 @@ TOURS = {
         "the_dialog_says_the_size_and_follows_its_settings",
         "escape_leaves_the_file_as_it_was",
     ],
+    "suggest_tours": [
+        "a_suggestion_is_taken_and_undone_with_one_click_each",
+        "escape_ends_the_search",
+        "a_model_that_changes_during_the_search_gets_no_suggestion",
+    ],
     "pages_tours": ["pages_are_on_the_screen"],
     "view_tours": [
         "pieces_are_seen_in_local_view",

@@ -21,6 +21,12 @@ from .report import (
     OBJECT_OT_wirewarp_copy_report,
 )
 from .sewing import OBJECT_OT_wirewarp_sewing
+from .suggest import (
+    OBJECT_OT_wirewarp_choose_suggestion,
+    OBJECT_OT_wirewarp_drop_suggestions,
+    OBJECT_OT_wirewarp_suggest_darts,
+    OBJECT_OT_wirewarp_suggest_seams,
+)
 from .unit import SCENE_OT_wirewarp_set_unit
 from .update import OBJECT_OT_wirewarp_update, WM_OT_wirewarp_watch
 from .view import VIEW3D_OT_wirewarp_frame
@@ -41,6 +47,10 @@ CLASSES = (
     OBJECT_OT_wirewarp_flatten,
     OBJECT_OT_wirewarp_mend,
     OBJECT_OT_wirewarp_cancel,
+    OBJECT_OT_wirewarp_suggest_darts,
+    OBJECT_OT_wirewarp_suggest_seams,
+    OBJECT_OT_wirewarp_choose_suggestion,
+    OBJECT_OT_wirewarp_drop_suggestions,
     VIEW3D_OT_wirewarp_frame,
     OBJECT_OT_wirewarp_copy_report,
     OBJECT_OT_wirewarp_export,

@@ -4,10 +4,13 @@
 import bpy
 from bpy.props import EnumProperty
 
+from ..blender.cache import read_anew
 from ..blender.modes import WORKING_MODES, in_object_mode
 from ..blender.objects import check_local
 from ..flat.reports import last_report
+from ..flat.suggestions import chosen_cut
 from ..issues import ObjectError, object_error
+from ..model.change import mark_seams
 from ..model.mend import dissolve_faces_without_area, merge_close_vertices, recalculate_normals
 from ..model.modifiers import apply_modifiers
 from ..model.owners import check_not_edited, model_or_self
@@ -20,6 +23,7 @@ from .report import PROPOSALS, take_proposals
 
 NOTHING = {  # by kind
     "SEAMS": "Already marked. Flatten again.",
+    "SUGGESTION": "Already marked. Flatten again.",
     "TOLERANCES": "Already as loose, or no wires any more. Flatten again.",
     "DISSOLVE": 'Nothing to dissolve: no face of "{}" is without area.',
     "MERGE": 'No two vertices lie in one place: the faces of "{}" are apart.',
@@ -40,6 +44,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
         description="What to do before flattening again",
         items=[
             *PROPOSALS,
+            ("SUGGESTION", "Suggestion", "Mark the cut that is chosen in the list of suggestions as seam"),
             ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
             ("MERGE", "Merge", "Merge vertices of the model that lie in one place"),
             ("NORMALS", "Normals", "Turn faces of the model so that all look to one side"),
@@ -115,6 +120,8 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             apply_modifiers(source)
             self.use_modifiers = bpy.context.scene.wirewarp.use_modifiers = False
             return 1
+        if self.what == "SUGGESTION":
+            return _take_suggestion(source)
         report = last_report(source)
         if report is None:
             raise object_error("not_flattened", f'"{source.name}" has not been flattened yet. Press Flatten first.')
@@ -123,3 +130,14 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)
         draw_advanced(self.layout, self)
+
+
+def _take_suggestion(source: bpy.types.Object) -> int:
+    """Returns how many edges were marked. Raises ObjectError."""
+    check_local(source, source.data)
+    check_not_edited(source)
+    cut = chosen_cut(source, read_anew)
+    if cut is None:
+        sentence = f'Nothing is suggested for "{source.name}" as it is now. Press Suggest Darts or Suggest Seams.'
+        raise object_error("no_suggestion", sentence)
+    return mark_seams(source.data, cut.edges)

@@ -91,11 +91,11 @@ def current_report(target: bpy.types.Object) -> dict | None:
     report = last_report(source)
     if not report:
         return None
-    other_shape = report.get("with_modifiers", False) != _is_modified(source)
+    other_shape = report.get("with_modifiers", False) != is_modified(source)
     return None if other_shape or has_changed(source, report) else report
 
 
-def _is_modified(source: bpy.types.Object) -> bool:
+def is_modified(source: bpy.types.Object) -> bool:
     return not source.data.is_editmode and any(modifier.show_viewport for modifier in source.modifiers)
 
 

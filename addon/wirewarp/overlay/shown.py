@@ -15,6 +15,7 @@ from ..flat.markers import marker_text
 from ..flat.pieces import piece_names
 from ..flat.reports import last_report, pieces_report
 from ..flat.seams import seam_names
+from ..flat.suggestions import suggestions_of
 from ..issues import ObjectError
 from ..model.owners import find_flat_object, model_of, model_or_self
 from ..names import SIDE_EASE, SIDE_RATIO, WIRE
@@ -81,7 +82,7 @@ def _concerns_us(target: bpy.types.Object) -> bool:
         return False
     attributes = target.data.attributes
     is_marked = any(name in attributes for name in (WIRE, SIDE_RATIO, SIDE_EASE))
-    return bool(is_marked or model_of(target) or last_report(target))
+    return bool(is_marked or model_of(target) or last_report(target) or suggestions_of(target))
 
 
 def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: ColorMap | None) -> Drawing:
@@ -101,7 +102,8 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
                 target, "lines", (*made_of, Same(cut)), lambda: _with_cut(_lines(target, depsgraph), cut, context.scene)
             )
         if not target.data.is_editmode:
-            failed = kept_drawing(target, "failures", made_of, lambda: failures(target))
+            of_model = stamp(source.data), Same(suggestions_of(source))
+            failed = kept_drawing(target, "failures", (*made_of, *of_model), lambda: failures(target))
     if context.scene.wirewarp.show_pages and target != source and not target.data.is_editmode:
         pages, without = shown_pages(context, source, target), lines
         lines = kept_drawing(
@@ -175,7 +177,8 @@ def uv_drawings(context: bpy.types.Context) -> Iterator[UvDrawing]:
             lines = kept_drawing(target, "uv lines", made_of, partial(_uv_lines, target))
             failed = None
             if not target.data.is_editmode:
-                failed = kept_drawing(target, "uv failures", made_of, partial(uv_failures, target))
+                with_cut = (*made_of, Same(suggestions_of(target)))
+                failed = kept_drawing(target, "uv failures", with_cut, partial(uv_failures, target))
             yield UvDrawing(target, lines, failed)
 
 

@@ -33,6 +33,7 @@ class Task:
 
 FLATTEN = Task("Flatten", "Flattening", "Measuring")
 EXPORT = Task("Export", "Exporting", "Reading again")
+SUGGEST = Task("Suggest", "Searching", "Measuring")
 _current: "WindowRun | None" = None
 
 

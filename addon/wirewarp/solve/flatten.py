@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
 from itertools import pairwise
 from types import ModuleType
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -28,6 +29,7 @@ COMMANDS = {
     "non_manifold_vertex": " In Edit Mode: Mesh > Split > Selection, with the faces on one side selected.",
 }
 EASE_AGAIN = "Mark the ease again: anything above -100%, 0 for none."
+Result = TypeVar("Result")
 _ending: list[Job] = []  # cancelled jobs: whoever drops one waits for it
 
 
@@ -73,23 +75,30 @@ def flatten_arrays(
     Raises ObjectError if the mesh as a whole is refused. The library works while nobody asks for the next step.
     """
     try:
-        job = library.start(
-            arrays.vertices,
-            arrays.triangles,
-            seams=arrays.seams,
-            wires=[_library_wire(library, wire) for wire in arrays.wires],
-            options=_library_options(library, used_choices(choices, arrays), arrays),
-            cache=solved,
-            eases=_library_eases(library, arrays),
-        )
-        try:
-            while not job.is_done():
-                yield job.progress()[1]
-            return job.result()
-        finally:
-            _let_end(job)
+        arguments = library_arguments(library, arrays, choices)
+        return (yield from result_of(library.start(arrays.vertices, arrays.triangles, **arguments, cache=solved)))
     except library.FlattenError as error:
         raise ObjectError(issue_of_error(error, arrays)) from error
+
+
+def library_arguments(library: ModuleType, arrays: MeshArrays, choices: FlattenChoices) -> dict[str, Any]:
+    """What the library's calls share beside the triangles. Raises ObjectError and the library's FlattenError."""
+    return {
+        "seams": arrays.seams,
+        "wires": [_library_wire(library, wire) for wire in arrays.wires],
+        "options": _library_options(library, used_choices(choices, arrays), arrays),
+        "eases": _library_eases(library, arrays),
+    }
+
+
+def result_of(job: "Job[Result]") -> Steps[Result]:
+    """What the job finds; it is cancelled when the steps are closed. Raises the library's FlattenError."""
+    try:
+        while not job.is_done():
+            yield job.progress()[1]
+        return job.result()
+    finally:
+        _let_end(job)
 
 
 def _let_end(job: Job) -> None:

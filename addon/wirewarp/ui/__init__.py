@@ -14,6 +14,7 @@ from .report import (
     VIEW3D_PT_wirewarp_report_seams,
     VIEW3D_PT_wirewarp_report_wires,
 )
+from .suggestions import VIEW3D_PT_wirewarp_suggestions
 from .wire_list import VIEW3D_PT_wirewarp_wires, WIREWARP_UL_wires
 
 CLASSES = (
@@ -21,6 +22,7 @@ CLASSES = (
     VIEW3D_PT_wirewarp_flatten,
     VIEW3D_PT_wirewarp_settings,
     VIEW3D_PT_wirewarp_advanced,
+    VIEW3D_PT_wirewarp_suggestions,
     VIEW3D_PT_wirewarp_mark,
     WIREWARP_UL_wires,
     VIEW3D_PT_wirewarp_wires,

@@ -15,8 +15,10 @@ from .layout import SidebarPanel, draw_cells, draw_sentence, mark_of
 from .progress import draw_progress
 from .report_table import draw_select
 from .shown import shown_source
+from .suggestions import draw_suggest
 
 NO_STRAIN = 5e-4  # what is shown as 0.0%
+WORTH_A_CUT = 0.005  # of the strain: with less the library proposes nothing (CutWishes::strain)
 
 
 class WIREWARP_UL_pieces(bpy.types.UIList):
@@ -88,6 +90,8 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         chosen = _row_of(context, source.wirewarp_active_piece)
         if chosen:
             draw_figures(context, self.layout, chosen)
+            if chosen.ok and chosen.strain >= WORTH_A_CUT:
+                draw_suggest(self.layout, chosen.index)
         if context.scene.wirewarp.keep_places:
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
             button.keep_places, button.only_active = False, True

@@ -11,6 +11,7 @@ from ..report.threads import BEYOND_CLOTH
 from ..words import counted, tolerance_text
 from .layout import draw_sentence
 from .report_table import SHOWN_ROWS, draw_select
+from .suggestions import draw_suggest
 
 SHOWN_HINTS = 5
 ADVICE = {
@@ -50,6 +51,8 @@ def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: d
             _draw_entry(context, column, with_piece(report, hint, "short"), "HINT", index, placed)
         if len(hints) > SHOWN_HINTS:
             column.label(text=f"and {len(hints) - SHOWN_HINTS} more", icon="BLANK1")
+        if code in {STRAINED, BEYOND_CLOTH}:
+            draw_suggest(layout, hints[0][1]["piece"])  # the worst
 
 
 def _draw_entry(

@@ -21,6 +21,8 @@ struct DartProposal {
   double strain = 0;              // when cut so, what 99 % of the area stay below of max(sigma_1, 1/sigma_2) - 1
   double strain_before = 0;       // the same without the cut
   std::optional<int> twin;        // index of the proposal that is its mirror image; none where there is none
+  std::optional<double> energy_with_twin;  // of the piece with both cuts; none unless that is less, or if they meet
+  std::optional<double> strain_with_twin;  // likewise
 };
 
 /// What to propose.
@@ -29,6 +31,7 @@ struct CutWishes {
   int count = 5;             // proposals at most, the mirror images of one another counted once; >= 1
   double strain = 0.005;     // what may stay: pieces with no more (DartProposal::strain) are left as they are; >= 0
   double longest = std::numeric_limits<double>::infinity();  // of one cut, on the surface, scene units; > 0
+  VertexPairs no_seam = VertexPairs(0, 2);                   // (k, 2) edges along which none is to run
 };
 
 /// Darts that lower the energy of a piece and do not raise its strain, those that take most from the model first: from

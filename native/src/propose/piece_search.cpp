@@ -27,8 +27,9 @@ constexpr double kShareInFull = 0.05;
 /// Less than this part of the energy is not worth a cut and the sewing of it.
 constexpr double kLeastGain = 0.02;
 
-/// A way on the fine mesh may be longer than on the coarse one, by this factor; where it is more, wires bar it.
-constexpr double kDetour = 1.25;
+/// A way on the fine mesh may be longer than on the coarse one, by this factor: along two sides of a rectangle where
+/// its diagonal is barred, and a little more. Where it is longer, wires bar it.
+constexpr double kDetour = 1.5;
 
 FlattenError no_proposal(const Chart& chart, const std::string& reason) {
   return FlattenError(ErrorCode::no_proposal, introduce_piece(chart.source_face) + " " + reason,
@@ -44,10 +45,11 @@ FlattenError flat_already(const Chart& chart) {
   return no_proposal(chart, "is flat enough: it is unfolded without distortion.");
 }
 
-FlattenError no_room(const Chart& chart, CutKind kind) {
-  const std::string what = kind == CutKind::dart ? "a dart: no way along edges leads from its outline to a point inside"
-                                                 : "a seam: no way along edges leads across it";
-  return no_proposal(chart, "has no room for " + what +
+FlattenError no_room(const Chart& chart, CutKind kind, const CutWishes& wishes) {
+  const std::string what = kind == CutKind::dart ? "a dart" : "a seam";
+  const std::string where = kind == CutKind::dart ? "from its outline to a point inside" : "across it";
+  const std::string along = wishes.no_seam.rows() == 0 ? "edges" : "edges that may have a seam";
+  return no_proposal(chart, "has no room for " + what + ": no way along " + along + " leads " + where +
                                 " without meeting a wire or the outline. Subdivide it, or mark a seam by hand.");
 }
 
@@ -70,11 +72,65 @@ std::vector<char> vertices_on_wires(const Chart& chart) {
   return is_on_wire;
 }
 
+/// Where a half-edge of a chart in another order lies in the input.
+VertexPair ends_in_input(const Chart& chart, const Chart& input_chart, HalfedgeHandle h) {
+  const auto input_vertex = [&](VertexHandle v) { return input_chart.source_vertex[chart.source_vertex[v.idx()]]; };
+  return {input_vertex(chart.mesh.from_vertex_handle(h)), input_vertex(chart.mesh.to_vertex_handle(h))};
+}
+
+VertexPair in_one_order(VertexPair ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }
+
+/// Edges that are to have no seam, and vertices on wires or with no other edges.
+Barred find_barred(const Chart& chart, const Chart& input_chart, const VertexPairs& no_seam) {
+  std::set<VertexPair> without_seam;
+  for (const auto& ends : no_seam.rowwise()) without_seam.insert(in_one_order({ends[0], ends[1]}));
+  Barred barred{vertices_on_wires(chart), std::vector<char>(chart.mesh.n_edges(), 0)};
+  std::vector<char> has_way(chart.mesh.n_vertices(), 0);
+  for (const EdgeHandle edge : chart.mesh.edges()) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(edge, 0);
+    const bool is_barred = without_seam.count(in_one_order(ends_in_input(chart, input_chart, h))) != 0;
+    barred.edges[edge.idx()] = is_barred ? 1 : 0;
+    if (is_barred || chart.mesh.is_boundary(edge)) continue;
+    has_way[chart.mesh.from_vertex_handle(h).idx()] = has_way[chart.mesh.to_vertex_handle(h).idx()] = 1;
+  }
+  for (std::size_t v = 0; v < has_way.size(); ++v) {
+    if (has_way[v] == 0) barred.vertices[v] = 1;
+  }
+  return barred;
+}
+
+/// What is barred in the chart, in its coarse copy: there edges stand for others, but for those that were left as they
+/// are.
+Barred on_copy(const CoarseCopy& copy, const HalfEdgeMesh& mesh, const Barred& barred) {
+  const HalfEdgeMesh& coarse = copy.chart.mesh;
+  Barred result{std::vector<char>(coarse.n_vertices(), 0), std::vector<char>(coarse.n_edges(), 0)};
+  const auto fine = [&](VertexHandle v) { return copy.fine_vertex[v.idx()]; };
+  for (const VertexHandle v : coarse.vertices()) result.vertices[v.idx()] = barred.vertices[fine(v).idx()];
+  for (const EdgeHandle edge : coarse.edges()) {
+    const HalfedgeHandle h = coarse.halfedge_handle(edge, 0);
+    const HalfedgeHandle same =
+        mesh.find_halfedge(fine(coarse.from_vertex_handle(h)), fine(coarse.to_vertex_handle(h)));
+    if (same.is_valid()) result.edges[edge.idx()] = barred.edges[mesh.edge_handle(same).idx()];
+  }
+  return result;
+}
+
 bool have_same_edges(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const HalfEdgeChain& b) {
   std::set<EdgeHandle> of_a, of_b;
   for (const HalfedgeHandle h : a) of_a.insert(mesh.edge_handle(h));
   for (const HalfedgeHandle h : b) of_b.insert(mesh.edge_handle(h));
   return of_a == of_b;
+}
+
+/// Together they cut the piece otherwise than each alone: two darts become a seam.
+bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const HalfEdgeChain& b) {
+  const auto vertices_of = [&](const HalfEdgeChain& chain) {
+    std::set<VertexHandle> vertices{mesh.from_vertex_handle(chain.front())};
+    for (const HalfedgeHandle h : chain) vertices.insert(mesh.to_vertex_handle(h));
+    return vertices;
+  };
+  const std::set<VertexHandle> of_a = vertices_of(a), of_b = vertices_of(b);
+  return std::any_of(of_a.begin(), of_a.end(), [&](VertexHandle v) { return of_b.count(v) != 0; });
 }
 
 }  // namespace
@@ -84,51 +140,52 @@ PieceSearch::PieceSearch(const Chart& chart, CutKind kind, const CutWishes& wish
     : input_chart_(chart),
       chart_(in_canonical_order(chart)),
       image_(mirror_image(chart_)),
+      barred_(find_barred(chart_, chart, wishes.no_seam)),
       kind_(kind),
       wishes_(wishes),
       trials_(trials),
       go_on_(go_on) {}
 
 std::vector<VertexPair> PieceSearch::edges_of(const HalfEdgeChain& chain) const {
-  const auto input_vertex = [&](VertexHandle v) { return input_chart_.source_vertex[chart_.source_vertex[v.idx()]]; };
   std::vector<VertexPair> edges;
-  for (const HalfedgeHandle h : chain) {
-    edges.push_back({input_vertex(chart_.mesh.from_vertex_handle(h)), input_vertex(chart_.mesh.to_vertex_handle(h))});
-  }
+  for (const HalfedgeHandle h : chain) edges.push_back(ends_in_input(chart_, input_chart_, h));
   return edges;
 }
 
-/// Empty where there is none but the chain itself, or where it would cut a wire.
+/// Empty where there is none but the chain itself, or where it would cut a wire or another barred line.
 HalfEdgeChain PieceSearch::twin_of(const HalfEdgeChain& chain) const {
   if (image_.empty()) return {};
   HalfEdgeChain twin = mirrored(chart_, image_, chain);
   if (have_same_edges(chart_.mesh, chain, twin)) return {};
-  const std::vector<char> is_on_wire = vertices_on_wires(chart_);
-  const bool cuts_wire = std::any_of(twin.begin(), twin.end(), [&](HalfedgeHandle h) {
-    return is_on_wire[chart_.mesh.from_vertex_handle(h).idx()] != 0 ||
-           is_on_wire[chart_.mesh.to_vertex_handle(h).idx()] != 0;
+  const bool is_barred = std::any_of(twin.begin(), twin.end(), [&](HalfedgeHandle h) {
+    return barred_.edges[chart_.mesh.edge_handle(h).idx()] != 0 ||
+           barred_.vertices[chart_.mesh.from_vertex_handle(h).idx()] != 0 ||
+           barred_.vertices[chart_.mesh.to_vertex_handle(h).idx()] != 0;
   });
-  return cuts_wire ? HalfEdgeChain{} : twin;
+  return is_barred ? HalfEdgeChain{} : twin;
 }
 
 /// The best cuts of the coarse copy, on the chart.
 std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
-  const SmoothPathFinder paths(chart_, vertices_on_wires(chart_));
+  const SmoothPathFinder paths(chart_, barred_);
   const CoarseCopy copy = coarse_copy(chart_, StopToken([&](const char*) { return go_on_(); }));
-  std::vector<char> barred;
-  for (const VertexHandle v : copy.fine_vertex) barred.push_back(paths.is_barred(v) ? 1 : 0);
-  const SmoothPathFinder coarse_paths(copy.chart, std::move(barred));
+  const SmoothPathFinder coarse_paths(copy.chart, on_copy(copy, chart_.mesh, barred_));
   const std::vector<CutEnds> candidates = list_candidates(copy.chart, coarse_paths, kind_);
-  if (candidates.empty()) throw no_room(input_chart_, kind_);
+  if (candidates.empty()) throw no_room(input_chart_, kind_, wishes_);
   std::vector<HalfEdgeChain> chains;
+  bool is_way = false;
   const CutLimits limits{wishes_.count + kMorePlaces, kShareInFull, wishes_.longest};
-  for (const RankedCut& cut : rank_cuts(copy.chart, coarse_paths, candidates, trials_.options(), limits, go_on_)) {
+  const std::vector<RankedCut> ranked =
+      rank_cuts(copy.chart, coarse_paths, candidates, trials_.options(), limits, go_on_);
+  for (const RankedCut& cut : ranked) {
     HalfEdgeChain chain =
         chain_of(paths, {copy.fine_vertex[cut.ends.start.idx()], copy.fine_vertex[cut.ends.end.idx()]});
-    const double most = kDetour * length_of(copy.chart.mesh, chain_of(coarse_paths, cut.ends));
     const double length = length_of(chart_.mesh, chain);
-    if (!chain.empty() && length <= std::min(most, wishes_.longest)) chains.push_back(std::move(chain));
+    if (chain.empty() || length > kDetour * length_of(copy.chart.mesh, chain_of(coarse_paths, cut.ends))) continue;
+    is_way = true;
+    if (length <= wishes_.longest) chains.push_back(std::move(chain));
   }
+  if (!ranked.empty() && !is_way) throw no_room(input_chart_, kind_, wishes_);
   return chains;
 }
 
@@ -190,6 +247,13 @@ std::vector<DartProposal> PieceSearch::search(const PieceFigures& before) {
   std::vector<HalfEdgeChain> twin_chains;
   for (const Tried& tried : best) twin_chains.push_back(twin_of(tried.chain));
   std::vector<std::optional<Tried>> twins = flatten(twin_chains, before);
+  std::vector<HalfEdgeChain> both_chains(best.size());
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    if (!twins[i] || have_common_vertex(chart_.mesh, best[i].chain, twins[i]->chain)) continue;
+    both_chains[i] = best[i].chain;
+    both_chains[i].insert(both_chains[i].end(), twins[i]->chain.begin(), twins[i]->chain.end());
+  }
+  const std::vector<std::optional<Tried>> both = flatten(both_chains, before);
   std::vector<DartProposal> proposals;
   for (std::size_t i = 0; i < best.size(); ++i) {
     const int place = static_cast<int>(proposals.size());
@@ -198,6 +262,11 @@ std::vector<DartProposal> PieceSearch::search(const PieceFigures& before) {
     proposals.push_back(std::move(twins[i]->proposal));
     proposals[place].twin = place + 1;
     proposals[place + 1].twin = place;
+    if (!both[i] || both[i]->proposal.energy > (1 - kLeastGain) * proposals[place].energy) continue;
+    for (const int k : {place, place + 1}) {
+      proposals[k].energy_with_twin = both[i]->proposal.energy;
+      proposals[k].strain_with_twin = both[i]->proposal.strain;
+    }
   }
   return proposals;
 }

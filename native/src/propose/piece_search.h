@@ -39,6 +39,7 @@ class PieceSearch {
   const Chart& input_chart_;
   const Chart chart_;  // in canonical order; its sources are the other one's
   const std::vector<VertexHandle> image_;
+  const Barred barred_;
   const CutKind kind_;
   const CutWishes& wishes_;
   FullTrials& trials_;

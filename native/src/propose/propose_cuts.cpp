@@ -42,7 +42,7 @@ std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, co
   return best;
 }
 
-void check_wishes(const CutWishes& wishes, std::size_t num_pieces) {
+void check_wishes(const CutWishes& wishes, std::size_t num_pieces, const EdgeTable& edges, Eigen::Index num_vertices) {
   if (wishes.count < 1)
     throw FlattenError(ErrorCode::invalid_option, "count must be 1 or more, not " + std::to_string(wishes.count) + ".");
   if (!(wishes.strain >= 0))
@@ -52,6 +52,12 @@ void check_wishes(const CutWishes& wishes, std::size_t num_pieces) {
   if (wishes.piece && (*wishes.piece < 0 || *wishes.piece >= static_cast<int>(num_pieces))) {
     throw FlattenError(ErrorCode::invalid_option, "piece must be one of 0 to " + std::to_string(num_pieces - 1) +
                                                       ", not " + std::to_string(*wishes.piece) + ".");
+  }
+  for (const auto& ends : wishes.no_seam.rowwise()) {
+    const bool are_vertices = ends.minCoeff() >= 0 && ends.maxCoeff() < num_vertices;
+    if (are_vertices && edges.find(ends[0], ends[1]) >= 0) continue;
+    throw FlattenError(ErrorCode::invalid_option, "no_seam has the pair " + std::to_string(ends[0]) + ", " +
+                                                      std::to_string(ends[1]) + ", which is no edge of the mesh.");
   }
 }
 
@@ -109,8 +115,8 @@ std::vector<DartProposal> propose_cuts(const FlattenInput& input, const Options&
   try {
     FullTrials trials(input, options, go_on);
     const FlattenResult uncut = trials.run({});
-    check_wishes(wishes, uncut.pieces.size());
     const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+    check_wishes(wishes, uncut.pieces.size(), edges, input.vertices.rows());
     const FlattenInput flattened = options.thickness > 0 ? move_to_middle(input, options) : input;
     const std::vector<Chart> charts = cut_into_charts(flattened, edges).charts;
     std::vector<PieceFigures> before;

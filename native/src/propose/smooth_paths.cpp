@@ -19,7 +19,7 @@ constexpr double kPriceOfLanding = 0.05;
 
 }  // namespace
 
-SmoothPathFinder::SmoothPathFinder(const Chart& chart, std::vector<char> barred)
+SmoothPathFinder::SmoothPathFinder(const Chart& chart, Barred barred)
     : mesh_(chart.mesh),
       size_(std::sqrt(surface_area(chart.mesh))),
       barred_(std::move(barred)),
@@ -63,7 +63,8 @@ SmoothPaths SmoothPathFinder::paths_from(VertexHandle start) const {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   const auto reach = [&](HalfedgeHandle h, HalfedgeHandle before, double cost) {
     const VertexHandle to = mesh_.to_vertex_handle(h);
-    if (barred_[to.idx()] != 0 || mesh_.is_boundary(mesh_.edge_handle(h)) || to == start) return;
+    const EdgeHandle edge = mesh_.edge_handle(h);
+    if (is_barred(to) || is_barred(edge) || mesh_.is_boundary(edge) || to == start) return;
     if (mesh_.is_boundary(to)) cost += landing_cost(mesh_.opposite_halfedge_handle(h));
     if (cost >= paths.cost[h.idx()]) return;
     paths.cost[h.idx()] = cost;

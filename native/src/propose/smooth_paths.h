@@ -12,6 +12,12 @@
 
 namespace wirewarp {
 
+/// Where no path may run.
+struct Barred {
+  std::vector<char> vertices;  // per vertex of the chart; such as those on wires
+  std::vector<char> edges;     // per edge of the chart
+};
+
 /// The cheapest paths from one vertex.
 struct SmoothPaths {
   std::vector<double> cost;             // per half-edge: of the path that ends with it; infinite where none does
@@ -21,8 +27,7 @@ struct SmoothPaths {
 
 class SmoothPathFinder {
  public:
-  /// barred: per vertex of the chart, not to be entered; such as those on wires.
-  SmoothPathFinder(const Chart& chart, std::vector<char> barred);
+  SmoothPathFinder(const Chart& chart, Barred barred);
 
   /// Paths that meet the outline at their ends alone, squarely where there is a choice.
   SmoothPaths paths_from(VertexHandle start) const;
@@ -30,7 +35,8 @@ class SmoothPathFinder {
   /// From the start to a vertex; empty where no path leads.
   HalfEdgeChain path_to(const SmoothPaths& paths, VertexHandle end) const;
 
-  bool is_barred(VertexHandle v) const { return barred_[v.idx()] != 0; }
+  bool is_barred(VertexHandle v) const { return barred_.vertices[v.idx()] != 0; }
+  bool is_barred(EdgeHandle e) const { return barred_.edges[e.idx()] != 0; }
 
  private:
   double landing_cost(HalfedgeHandle leaving) const;
@@ -38,7 +44,7 @@ class SmoothPathFinder {
 
   const HalfEdgeMesh& mesh_;
   double size_;  // root of the area
-  std::vector<char> barred_;
+  Barred barred_;
   std::vector<double> direction_;  // per half-edge: angle around the vertex it leaves
   std::vector<double> full_turn_;  // per vertex: the sum of its angles
 };

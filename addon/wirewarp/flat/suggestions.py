@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cuts that were suggested for each object, until it is other than it was then. They are in no file."""
+
+from dataclasses import dataclass, replace
+
+import bpy
+
+from ..blender.cache import Take, kept
+from ..blender.index import note
+from ..model.state import has_changed
+from ..solve.flatten import FlattenChoices
+from ..solve.suggest import Cut
+
+
+@dataclass(frozen=True)
+class Suggestions:
+    kind: str  # DARTS or SEAMS
+    cuts: list[Cut]
+    names: list[str]  # of the piece that each of them cuts
+    choices: FlattenChoices  # with which they were measured
+    state: dict  # of the model, see model_state
+    chosen: int = 0  # of the cuts
+
+
+_by_object: dict[str, Suggestions] = {}  # by Object.name_full; another of that name is in another state
+
+
+def keep(source: bpy.types.Object, suggestions: Suggestions) -> None:
+    note(source)
+    _by_object[source.name_full] = suggestions
+
+
+def choose(source: bpy.types.Object, index: int) -> None:
+    """Which cut is drawn and may be taken. Without suggestions, or with fewer, nothing happens."""
+    found = suggestions_of(source)
+    if found and index < len(found.cuts):
+        keep(source, replace(found, chosen=index))
+
+
+def drop(source: bpy.types.Object) -> None:
+    _by_object.pop(source.name_full, None)
+
+
+def chosen_cut(source: bpy.types.Object, take: Take = kept) -> Cut | None:
+    """None where there are no current suggestions."""
+    found = current_suggestions(source, take)
+    return found.cuts[found.chosen] if found else None
+
+
+def suggestions_of(source: bpy.types.Object) -> Suggestions | None:
+    """The last ones, whatever has changed since."""
+    return _by_object.get(source.name_full)
+
+
+def current_suggestions(source: bpy.types.Object, take: Take = kept) -> Suggestions | None:
+    """The last ones, if the model is as it was; take: kept, or read_anew."""
+    found = suggestions_of(source)
+    return None if found is None or has_changed(source, {"model_state": found.state}, take) else found
+
+
+def forget(*_: object) -> None:
+    _by_object.clear()

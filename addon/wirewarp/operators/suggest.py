@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Suggest Darts and Suggest Seams: where to cut a piece, each with what it gains. Taken by operators/mend.py."""
+
+import bpy
+from bpy.props import IntProperty
+
+from ..blender.modes import WORKING_MODES, in_object_mode
+from ..blender.units import length_text
+from ..blender.views import redraw_views
+from ..flat.suggestions import choose, drop
+from ..issues import ObjectError
+from ..model.owners import model_or_self
+from ..report.suggestions import cut_text, kind_words
+from ..run import window_run
+from ..run.suggest import Search, begin_search, keep_found
+from ..run.targets import active_target, nothing_to_flatten
+from ..run.window_run import CancelledError
+from ..solve.sentences import plain_sentence
+from ..solve.suggest import Cut
+from .window_steps import WindowSteps
+
+
+class SuggestCuts(WindowSteps):
+    """Mixed into operators. Nothing is written: what is found is in the panel, until the model changes."""
+
+    bl_options = {"REGISTER"}
+    kind = ""  # DARTS or SEAMS
+
+    piece: IntProperty(
+        name="Piece",
+        description="Which piece to cut, by its place in the report from 0; -1 for any, whichever gains most",
+        default=-1,
+        min=-1,
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if active is not None and active.type == "MESH" and context.mode in WORKING_MODES:
+            return True
+        cls.poll_message_set("Select a mesh, in Object Mode or in Edit Mode")
+        return False
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        if bpy.app.background:
+            return self.execute(context)
+        if not self._read(context):
+            return {"CANCELLED"}
+        return self.begin(context, window_run.SUGGEST, self._search.model.facts["object"], self._search.steps)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        """In a script; Blender waits."""
+        if not self._read(context):
+            return {"CANCELLED"}
+        try:
+            return self._keep(context, self.wait_for(context, self._search.steps))
+        except ObjectError as error:
+            return self._refuse(context, error)
+
+    def lets_pass(self, event: bpy.types.Event) -> bool:
+        """All but what stops it: everything it needs has been read, and what changes meanwhile is noticed."""
+        return event.type != "ESC"
+
+    def finish_run(self, context: bpy.types.Context) -> set[str]:
+        try:
+            return self._keep(context, self._run.result())
+        except CancelledError:
+            self.report({"WARNING"}, "Cancelled. Nothing is suggested.")
+            return {"CANCELLED"}
+        except ObjectError as error:
+            return self._refuse(context, error)
+
+    def _read(self, context: bpy.types.Context) -> bool:
+        """Whether there is something to search; says why not."""
+        refusal = window_run.busy_sentence() or nothing_to_flatten(context, active_target(context))
+        if refusal:
+            self.report({"ERROR"}, refusal)
+            return False
+        source = model_or_self(context.active_object)
+        try:
+            with in_object_mode(context):
+                piece = None if self.piece == -1 else self.piece
+                self._search: Search = begin_search(context, source, self.kind, piece)
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return False
+        return True
+
+    def _keep(self, context: bpy.types.Context, cuts: list[Cut]) -> set[str]:
+        """Raises ObjectError."""
+        with in_object_mode(context):
+            found = keep_found(self._search, cuts)
+        redraw_views()
+        best = cut_text(cuts[0], length_text(context.scene))
+        self.report({"INFO"}, f'{kind_words(self.kind, len(cuts))} suggested; for "{found.names[0]}": {best}')
+        return {"FINISHED"}
+
+    def _refuse(self, context: bpy.types.Context, error: ObjectError) -> set[str]:
+        self.report({"ERROR"}, plain_sentence(str(error), length_text(context.scene)))
+        return {"CANCELLED"}
+
+
+class OBJECT_OT_wirewarp_suggest_darts(SuggestCuts, bpy.types.Operator):
+    """Try darts, each by flattening with it, and list those that take most distortion from the piece"""
+
+    bl_idname = "object.wirewarp_suggest_darts"
+    bl_label = "Suggest Darts"
+    kind = "DARTS"
+
+
+class OBJECT_OT_wirewarp_suggest_seams(SuggestCuts, bpy.types.Operator):
+    """Try seams across the piece, each by flattening with it, and list those that take most distortion from it"""
+
+    bl_idname = "object.wirewarp_suggest_seams"
+    bl_label = "Suggest Seams"
+    kind = "SEAMS"
+
+
+class OBJECT_OT_wirewarp_choose_suggestion(bpy.types.Operator):
+    """Show this cut on the model and on its flat pieces"""
+
+    bl_idname = "object.wirewarp_choose_suggestion"
+    bl_label = "Show Suggestion"
+    bl_options = {"INTERNAL"}
+
+    index: IntProperty(name="Index", description="Its place in the list, from 0", min=0)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        choose(model_or_self(context.active_object), self.index)
+        redraw_views()
+        return {"FINISHED"}
+
+
+class OBJECT_OT_wirewarp_drop_suggestions(bpy.types.Operator):
+    """Take no suggestion"""
+
+    bl_idname = "object.wirewarp_drop_suggestions"
+    bl_label = "Drop Suggestions"
+    bl_options = {"INTERNAL"}
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        drop(model_or_self(context.active_object))
+        redraw_views()
+        return {"FINISHED"}

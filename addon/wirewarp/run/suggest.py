@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From a model in Object Mode to the cuts that are suggested for it."""
+
+from dataclasses import dataclass
+
+import bpy
+
+from .. import core
+from ..blender.cache import read_anew
+from ..blender.objects import check_local
+from ..blender.units import meters_per_blender_unit
+from ..flat.reports import pieces_report
+from ..flat.suggestions import Suggestions, keep
+from ..issues import ObjectError, changed_error, object_error
+from ..model.modifiers import shaped_by
+from ..model.no_seam import read_no_seam
+from ..model.state import has_changed
+from ..solve.flatten import FlattenChoices
+from ..solve.steps import Steps
+from ..solve.suggest import Cut, suggest_cuts
+from .models import Model
+from .read import find_source, read_models
+from .settings import choices_of
+
+WITH_MODIFIERS = (
+    "Suggestions are of edges to mark on the model itself: apply what shapes it ({}), or flatten without Modifiers."
+)
+
+
+@dataclass(frozen=True)
+class Search:
+    """Under way for one model, as it was read."""
+
+    kind: str  # DARTS or SEAMS
+    model: Model
+    choices: FlattenChoices
+    steps: Steps[list[Cut]]
+    names: dict[int, str]  # of pieces, where they are known
+
+
+def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str, piece: int | None) -> Search:
+    """piece: as in the report of the flat pieces; None for any. Raises ObjectError."""
+    settings = context.scene.wirewarp
+    check_local(source, source.data)
+    (model,) = read_models(context, [source], settings)
+    if model.issue:
+        raise ObjectError(model.issue)
+    makers = shaped_by(source, context.evaluated_depsgraph_get()) if settings.use_modifiers else []
+    if makers:
+        raise object_error("with_modifiers", WITH_MODIFIERS.format(" and ".join(makers)))
+    report = pieces_report(source)
+    is_true = report is not None and not has_changed(source, report)
+    if piece is not None and not is_true:
+        raise changed_error(source.name)
+    names = {index: each["name"] for index, each in enumerate(report["pieces"])} if is_true else {}
+    choices = choices_of(settings, meters_per_blender_unit(context.scene))
+    steps = suggest_cuts(core.library(), model.arrays, choices, kind, piece, read_no_seam(source))
+    return Search(kind, model, choices, steps, names)
+
+
+def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
+    """For the panel and the overlay. Raises ObjectError if the model is no longer as it was read. In Object Mode."""
+    source, name = find_source(search.model), search.model.facts["object"]
+    if source is None or has_changed(source, {"model_state": search.model.state}, read_anew):
+        raise object_error("changed", f'"{name}" changed during the search. Suggest again.')
+    names = [search.names.get(cut.piece, f"piece {cut.piece + 1}") for cut in cuts]
+    found = Suggestions(search.kind, cuts, names, search.choices, search.model.state)
+    keep(source, found)
+    return found

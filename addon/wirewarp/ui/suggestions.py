@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The buttons that suggest darts and seams, and the list of what they found: the chosen cut is drawn in the views."""
+
+import bpy
+
+from ..blender.cache import stamp
+from ..blender.units import length_text, meters_per_blender_unit
+from ..flat.suggestions import Suggestions, current_suggestions, suggestions_of
+from ..overlay.cache import Same, kept_drawing
+from ..report.suggestions import cut_text
+from ..run.settings import choices_of
+from ..run.window_run import SUGGEST
+from .layout import SidebarPanel, draw_sentence
+from .progress import draw_progress
+from .shown import shown_source
+
+LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams"}
+
+
+def draw_suggest(layout: bpy.types.UILayout, piece: int) -> None:
+    """The buttons, or how far a search is; piece: in the report."""
+    row = layout.row(align=True)
+    if draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts"):
+        return
+    for operator in ("object.wirewarp_suggest_darts", "object.wirewarp_suggest_seams"):
+        row.operator(operator).piece = piece
+
+
+class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
+    bl_label = "Suggestions"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return _shown(context) is not None
+
+    def draw_header_preset(self, _context: bpy.types.Context) -> None:
+        self.layout.operator("object.wirewarp_drop_suggestions", text="", icon="X", emboss=False)
+
+    def draw(self, context: bpy.types.Context) -> None:
+        found, layout = _shown(context), self.layout
+        lengths = length_text(context.scene)
+        column = layout.column(align=True)
+        for name in dict.fromkeys(found.names):
+            column.label(text=f"{LABELS[found.kind]}, {name}")
+            for index in (index for index, own in enumerate(found.names) if own == name):
+                text, is_chosen = cut_text(found.cuts[index], lengths), index == found.chosen
+                button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen)
+                button.index = index
+        settings = context.scene.wirewarp
+        if found.choices != choices_of(settings, meters_per_blender_unit(context.scene)):
+            draw_sentence(context, layout, "Settings changed since. Suggest again.", "INFO")
+        take = layout.row()
+        take.scale_y = 1.2
+        take.operator("object.wirewarp_mend", text="Mark and Flatten", icon="EDGESEL").what = "SUGGESTION"
+
+
+def _shown(context: bpy.types.Context) -> Suggestions | None:
+    """Of the active model, or of that of active flat pieces, while it is as it was."""
+    source = shown_source(context)
+    found = suggestions_of(source) if source else None
+    if found is None:
+        return None
+    seen = stamp(source), stamp(source.data), source.mode, source.matrix_world.copy(), Same(found)
+    return kept_drawing(source, "suggestions", seen, lambda: current_suggestions(source))

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Work of the core in a thread of its own, which is C++ and never needs the GIL.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "running_call.h"
+#include "wirewarp/flatten.h"
+
+namespace wirewarp::bindings {
+
+namespace py = pybind11;
+
+/// Makes the Python object of what a job has found; with the GIL.
+using MakeResult = std::function<py::object()>;
+
+/// What a job does, without the GIL, and with no Python object of its own.
+using Work = std::function<MakeResult(const Progress&)>;
+
+class Job {
+ public:
+  /// used: what the work reads, kept alive as long as the job; or None.
+  explicit Job(Work work, py::object used = py::none());
+
+  /// Cancels what still runs and waits for it. With the GIL.
+  ~Job();
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  void cancel() { cancelled_ = true; }
+  bool is_done() const;
+  std::pair<std::string, double> progress() const;
+
+  /// Waits. Throws what the work threw, and what a signal raises in Python, which cancels.
+  py::object result();
+
+ private:
+  void check_process() const;
+  void run();
+  void wait();
+  bool wait_for(std::chrono::milliseconds time);
+
+  const Work work_;
+  const py::object used_;
+  const int num_forks_ = num_forks();
+  std::atomic<bool> cancelled_{false};
+  mutable std::mutex mutex_;  // of the four below
+  std::unique_ptr<std::condition_variable> ended_ = std::make_unique<std::condition_variable>();
+  bool is_done_ = false;
+  std::string stage_;
+  double fraction_ = 0;
+  MakeResult make_result_;  // this and the next are written before is_done_, and read after it
+  std::exception_ptr error_;
+  py::object python_result_;
+  std::thread thread_;  // last: it uses all of them
+};
+
+/// Work that returns a value for Python: what `find` returns when called with a Progress.
+template <class Find>
+Work work_that(Find find) {
+  return [find = std::move(find)](const Progress& progress) -> MakeResult {
+    const auto found = std::make_shared<decltype(find(progress))>(find(progress));
+    return [found] { return py::cast(std::move(*found)); };
+  };
+}
+
+}  // namespace wirewarp::bindings

@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Suggested darts and seams: what the list says is what flattening with them gives; shown, taken, undone, refused."""
+
+import math
+
+import bpy
+import numpy as np
+import pytest
+from everything import draw_panels
+from surfaces import (
+    bump,
+    edge_vertices,
+    flat_of,
+    grid,
+    half_cylinder,
+    make_object,
+    mark,
+    mark_seam,
+    on_line,
+    read,
+    tube,
+)
+from test_proposals import seams_of
+from view_context import view_context
+
+SUGGEST = {"DARTS": bpy.ops.object.wirewarp_suggest_darts, "SEAMS": bpy.ops.object.wirewarp_suggest_seams}
+
+
+def two_hills(size=8):
+    """Surface and mesh are mirror images of themselves across x = 0."""
+    steps = [2 * i / size - 1 for i in range(size + 1)]
+    vertices = [(x, y, 0.5 * math.exp(-6 * ((abs(x) - 0.5) ** 2 + (y - 0.75) ** 2))) for y in steps for x in steps]
+    row, faces = size + 1, []
+    for y in range(size):
+        for x in range(size):
+            a, b, c, d = (y * row + x + offset for offset in (0, 1, row + 1, row))
+            faces += [[a, b, c], [a, c, d]] if 2 * x < size else [[a, b, d], [b, c, d]]
+    return make_object("Hills", vertices, faces)
+
+
+def found(addon, source):
+    return addon.flat.suggestions.current_suggestions(source)
+
+
+def pairs(edges):
+    return {(min(edge), max(edge)) for edge in np.asarray(edges).tolist()}
+
+
+def widespread(addon, source):
+    """The strain that 99% of the flat area of the model stays below, when flattened as it is now."""
+    bpy.ops.object.wirewarp_flatten()
+    mesh = flat_of(source).data
+    ratios = read(mesh.attributes["aspect_ratio"].data, "value", np.float32) - 1
+    arrays = addon.model.read.object_to_arrays(source, addon.model.marked_mesh.marked_mesh(source), None)
+    faces = read(mesh.attributes["source_face"].data, "value", np.int32)
+    areas = addon.solve.arrays.triangle_areas(arrays.vertices, arrays.triangles)
+    area_of = np.bincount(arrays.triangle_polygons, areas)[faces]
+    order = np.argsort(ratios)
+    below = np.cumsum(area_of[order]) / area_of.sum()
+    return float(ratios[order][np.searchsorted(below, 0.99)])
+
+
+@pytest.mark.parametrize("kind", SUGGEST)
+@pytest.mark.parametrize("faces", ["triangles", "quads"])
+def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
+    source = grid("Bump", bump, faces=faces)
+    assert SUGGEST[kind]() == {"FINISHED"}
+    suggestions = found(addon, source)
+    assert (suggestions.kind, suggestions.chosen) == (kind, 0)
+    edges = pairs(edge_vertices(source.data))
+    for cut in suggestions.cuts:
+        assert pairs(cut.edges) <= edges  # no diagonal of a quad
+        assert cut.strain < cut.strain_before
+        places = read(source.data.vertices, "co", np.float32, 3)[np.array(cut.edges)]
+        assert sum(cut.lengths) == pytest.approx(np.linalg.norm(places[:, 1] - places[:, 0], axis=1).sum(), rel=1e-6)
+    assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
+    assert pairs(seams_of(source)) == pairs(suggestions.cuts[0].edges)
+    flattened = addon.flat.reports.last_report(source)["pieces"]
+    assert len(flattened) == (1 if kind == "DARTS" else 1 + len(suggestions.cuts[0].lengths))
+    if faces == "triangles":  # else a face has one figure for two triangles
+        assert widespread(addon, source) == pytest.approx(suggestions.cuts[0].strain, rel=0.05)
+
+
+def test_mirror_images_are_one_suggestion(addon):
+    source = two_hills()
+    SUGGEST["DARTS"]()
+    twins = [cut for cut in found(addon, source).cuts if len(cut.lengths) == 2]
+    assert twins
+    places = read(source.data.vertices, "co", np.float32, 3)
+    for cut in twins:
+        middles = {tuple(place) for place in places[np.array(cut.edges)].mean(axis=1).round(4).tolist()}
+        assert middles == {(-x, y, z) for x, y, z in middles}
+    assert "2 × " in draw_panels(addon)
+
+
+def test_the_list_is_of_the_chosen_piece_and_goes_when_the_model_changes(addon):
+    source = grid("Bump", bump)
+    mark_seam(source, on_line(0, 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    source.wirewarp_pieces[1].name = "Left Half"
+    buttons = []
+    draw_panels(addon, buttons)
+    assert {"object.wirewarp_suggest_darts", "object.wirewarp_suggest_seams"} <= set(buttons)
+    assert "object.wirewarp_choose_suggestion" not in buttons
+    SUGGEST["DARTS"](piece=1)
+    assert {cut.piece for cut in found(addon, source).cuts} == {1}
+    buttons.clear()
+    words = draw_panels(addon, buttons)
+    assert "Suggested Darts, Left Half" in words
+    assert words.count("stretch") >= 2 * len(found(addon, source).cuts)  # in a narrow and in a wide sidebar
+    assert "object.wirewarp_mend" in buttons
+    source.data.vertices[40].co.z += 0.1
+    source.data.update()
+    bpy.context.view_layer.update()
+    assert found(addon, source) is None
+    assert "Suggested Darts" not in draw_panels(addon)
+    with pytest.raises(RuntimeError, match='Nothing is suggested for "Bump" as it is now'):
+        bpy.ops.object.wirewarp_mend(what="SUGGESTION")
+    with pytest.raises(RuntimeError, match='"Bump" has changed since it was flattened'):
+        SUGGEST["DARTS"](piece=1)
+
+
+def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon):
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    SUGGEST["DARTS"]()
+    first, second, *_ = found(addon, source).cuts
+
+    def drawn():
+        addon.overlay.cache.forget()  # else what is made soon after the last time is seen a moment later
+        lines = {each.target: each.failures for each in addon.overlay.shown.drawings(view_context())}
+        return [
+            {tuple(place) for place in lines[target].lines["proposed"].tolist()} if lines[target] else None
+            for target in (source, flat_of(source))
+        ]
+
+    def expected(cut):
+        places = read(source.data.vertices, "co", np.float32, 3)
+        flat = flat_of(source).data
+        sources = read(flat.attributes["source_vertex"].data, "value", np.int32)
+        flat_places = read(flat.vertices, "co", np.float32, 3)[np.isin(sources, np.array(cut.edges))]
+        return [{tuple(place) for place in each.tolist()} for each in (places[np.unique(cut.edges)], flat_places)]
+
+    assert drawn() == expected(first)
+    assert bpy.ops.object.wirewarp_choose_suggestion(index=1) == {"FINISHED"}
+    assert drawn() == expected(second)
+    bpy.ops.object.wirewarp_choose_suggestion(index=100)
+    assert found(addon, source).chosen == 1
+    bpy.ops.object.wirewarp_drop_suggestions()
+    assert drawn() == [None, None]
+
+
+@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
+def test_it_is_taken_in_both_modes(addon, mode):
+    """How it is undone is seen in the window: tests/window/suggest_tours.py."""
+    source = grid("Bump", bump)
+    bpy.ops.object.mode_set(mode=mode)
+    SUGGEST["DARTS"]()
+    assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
+    assert source.mode == mode
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert len(seams_of(source)) > 0 and flat_of(source)
+    assert found(addon, source) is None
+
+
+def test_other_settings_are_told(addon):
+    grid("Bump", bump)
+    SUGGEST["DARTS"]()
+    assert "Suggest again" not in draw_panels(addon)
+    bpy.context.scene.wirewarp.fairness = 0.2
+    assert "Settings changed since. Suggest again." in draw_panels(addon)
+
+
+@pytest.mark.parametrize("kind", ["FACES", "GROUP"])
+def test_no_cut_runs_where_none_is_wanted(addon, kind):
+    source = grid("Bump", bump, faces="triangles")
+    SUGGEST["DARTS"]()
+    cut = found(addon, source).cuts[0].edges
+    mesh = source.data
+    if kind == "FACES":
+        attribute = mesh.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
+        painted = [bool(set(face.vertices) & set(np.unique(cut).tolist())) for face in mesh.polygons]
+        attribute.data.foreach_set("value", painted)
+    else:
+        source.vertex_groups.new(name="wirewarp_no_seam").add(np.unique(cut).tolist(), 1.0, "REPLACE")
+    SUGGEST["DARTS"]()
+    for other in found(addon, source).cuts:
+        assert not pairs(cut) & pairs(other.edges)
+
+
+def test_a_painted_model_leaves_no_way():
+    source = grid("Bump", bump)
+    attribute = source.data.attributes.new("wirewarp_no_seam", "INT", "FACE")
+    attribute.data.foreach_set("value", np.ones(len(source.data.polygons), dtype=np.int32))
+    sentence = 'no room for a dart.*Nor may a seam run where "wirewarp_no_seam" is painted'
+    with pytest.raises(RuntimeError, match=sentence):
+        SUGGEST["DARTS"]()
+
+
+def test_why_there_is_nothing_to_suggest():
+    grid("Half", half_cylinder)
+    with pytest.raises(RuntimeError, match="is flat enough"):
+        SUGGEST["DARTS"]()
+    grid("Small", bump, size=2)
+    mark(bpy.context.object, on_line(0, 0.0))
+    with pytest.raises(RuntimeError, match="has no room for a dart"):
+        SUGGEST["DARTS"]()
+    tube()
+    with pytest.raises(RuntimeError, match="mark a seam"):
+        SUGGEST["SEAMS"]()
+    bpy.ops.mesh.primitive_cube_add()  # twelve triangles, closed
+    with pytest.raises(RuntimeError, match="closed"):
+        SUGGEST["DARTS"]()
+
+
+def test_with_modifiers_there_are_no_edges_to_mark():
+    source = grid("Bump", bump)
+    source.modifiers.new("Finer", "SUBSURF").levels = 1
+    bpy.context.scene.wirewarp.use_modifiers = True
+    with pytest.raises(RuntimeError, match=r"apply what shapes it \(modifiers\), or flatten without Modifiers"):
+        SUGGEST["DARTS"]()

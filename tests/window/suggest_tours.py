@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tours through suggested darts: searched while the window goes on, shown, taken, undone."""
+
+import bpy
+import drive
+import wirewarp_addon
+from stage import contents, flatten, redo, remember, undo, window_run
+from surfaces import bump, grid, read
+
+current = wirewarp_addon.flat.suggestions.current_suggestions
+
+
+def seam_count() -> int:
+    return int(read(bpy.data.objects["Bump"].data.edges, "use_seam", bool).sum())
+
+
+def suggest() -> drive.Tour:
+    with drive.in_view():
+        bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True, piece=0)
+    assert window_run.is_running()
+    yield lambda: not window_run.is_running()
+
+
+def a_suggestion_is_taken_and_undone_with_one_click_each() -> drive.Tour:
+    source = grid("Bump", bump, size=16)
+    remember()
+    yield from flatten()
+    before = contents(source)
+    yield from suggest()
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_suggestions)
+    yield from drive.ticks(10)
+    drive.screenshot("suggestions")
+    assert contents(source) == before
+    edges = current(source).cuts[0].edges
+    yield from drive.click_button("bpy.ops.object.wirewarp_mend(")
+    yield lambda: seam_count() == len(edges) and not window_run.is_running()
+    assert current(bpy.data.objects["Bump"]) is None
+    yield from undo()
+    yield lambda: contents(bpy.data.objects["Bump"]) == before
+    assert seam_count() == 0
+    assert current(bpy.data.objects["Bump"]).cuts[0].edges == edges  # the model is what it was when they were found
+    yield from redo()
+    yield lambda: seam_count() == len(edges)
+
+
+def escape_ends_the_search() -> drive.Tour:
+    source = grid("Bump", bump, size=200)  # for many seconds
+    remember()
+    with drive.in_view():
+        bpy.ops.object.wirewarp_suggest_seams("INVOKE_DEFAULT", True)
+    yield from drive.press("ESC")
+    yield lambda: not window_run.is_running()
+    assert current(source) is None
+
+
+def a_model_that_changes_during_the_search_gets_no_suggestion() -> drive.Tour:
+    source = grid("Bump", bump, size=30)
+    remember()
+    with drive.in_view():
+        bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True)
+    source.data.vertices[400].co.z += 0.01
+    source.data.update()
+    yield lambda: not window_run.is_running()
+    assert wirewarp_addon.flat.suggestions.suggestions_of(source) is None
