@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m wirewarp flatten MODEL... --out DIR, and batch FOLDER... --out DIR"""
+"""python -m wirewarp flatten MODEL... --out DIR, batch FOLDER... --out DIR, and propose MODEL..."""
 
 import os
 import sys
@@ -8,13 +8,13 @@ import sys
 def main() -> int:
     try:
         from .command.arguments import parsed
-        from .command.run import PrintError, run
+        from .command.run import PrintError, run, run_proposals
     except ModuleNotFoundError as error:
         print(f"The command needs {error.name}, which is missing: pip install wirewarp[command]", file=sys.stderr)
         return 2
     arguments = parsed(sys.argv[1:])
     try:
-        return run(arguments)
+        return run_proposals(arguments) if isinstance(arguments, list) else run(arguments)
     except KeyboardInterrupt:
         print("stopped", file=sys.stderr)
         return 130

@@ -21,6 +21,7 @@ def plan_cuts(
     kind: Literal["dart", "seam"] = "dart",
     strain: float = 0.05,
     most: int = 2,
+    longest: float | None = None,
     total_length: float | None = None,
     seams: npt.ArrayLike | None = None,
     wires: Iterable[Wire] = (),
@@ -34,6 +35,7 @@ def plan_cuts(
     kind: "dart" or "seam", as propose_darts() and propose_seams() propose them.
     strain: the aim, 0.05 for 5%: pieces strained by no more (DartProposal.strain) are left as they are.
     most: cuts at most, 1 or more.
+    longest: no cut is longer on the surface, scene units; None for any length.
     total_length: of all cuts together at most, on the surface, scene units; None for any length.
     no_seam: (k, 2) vertex pairs, edges along which no cut is to run.
     The other arguments are those of flatten().
@@ -68,7 +70,7 @@ def plan_cuts(
                 options=options,
                 eases=eases,
                 strain=strain,
-                longest=left,
+                longest=left if longest is None else min(left, longest),
                 no_seam=no_seam,
                 progress=report,
             )

@@ -69,12 +69,13 @@ def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
     assert (suggestions.kind, suggestions.chosen) == (kind, 0)
     edges = pairs(edge_vertices(source.data))
     for cut in suggestions.cuts:
-        assert pairs(cut.edges) <= edges  # no diagonal of a quad
+        assert pairs(cut.edges) - edges == pairs(cut.diagonals)
         assert cut.strain < cut.strain_before
         places = read(source.data.vertices, "co", np.float32, 3)[np.array(cut.edges)]
         assert sum(cut.lengths) == pytest.approx(np.linalg.norm(places[:, 1] - places[:, 0], axis=1).sum(), rel=1e-6)
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
     assert pairs(seams_of(source)) == pairs(suggestions.cuts[0].edges)
+    assert pairs(edge_vertices(source.data)) - edges == pairs(suggestions.cuts[0].diagonals)
     flattened = addon.flat.reports.last_report(source)["pieces"]
     assert len(flattened) == (1 if kind == "DARTS" else 1 + len(suggestions.cuts[0].lengths))
     if faces == "triangles":  # else a face has one figure for two triangles
@@ -195,6 +196,41 @@ def test_a_painted_model_leaves_no_way():
     sentence = 'no room for a dart.*Nor may a seam run where "wirewarp_no_seam" is painted'
     with pytest.raises(RuntimeError, match=sentence):
         SUGGEST["DARTS"]()
+
+
+def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
+    """Along the diagonal of a ridge no edge runs."""
+    source = grid("Ridge", lambda x, y: (x, y, 0.6 * math.exp(-8 * (x - y) ** 2) * (1 - x * x) * (1 - y * y)))
+    mark(source, lambda a, b: on_line(1, -0.75)(a, b) and max(a[0], b[0]) < -0.4)
+    layer = source.data.uv_layers.new(name="Mine")
+    layer.data.foreach_set("uv", np.arange(2 * len(source.data.loops), dtype=np.float32))
+    source.vertex_groups.new(name="Half").add([0, 1, 2], 0.5, "REPLACE")
+    SUGGEST["SEAMS"]()
+    cuts = found(addon, source).cuts
+    index = next(index for index, cut in enumerate(cuts) if cut.diagonals)
+    bpy.ops.object.wirewarp_choose_suggestion(index=index)
+    assert "across faces of the model" in draw_panels(addon)
+    uv = {
+        (loop.vertex_index, face.index): tuple(layer.data[loop.index].uv)
+        for face in source.data.polygons
+        for loop in (source.data.loops[each] for each in face.loop_indices)
+    }
+    triangles = triangles_of(source)
+    wires = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
+    bpy.ops.object.wirewarp_mend(what="SUGGESTION")
+    mesh = source.data
+    assert triangles_of(source) == triangles
+    after = read(mesh.attributes["wirewarp_wire"].data, "value", np.int32)
+    assert np.array_equal(after[: len(wires)], wires) and not after[len(wires) :].any()
+    assert source.vertex_groups["Half"].weight(1) == 0.5
+    kept = mesh.uv_layers["Mine"].data
+    assert {tuple(kept[loop.index].uv) for loop in mesh.loops} == set(uv.values())
+    assert addon.flat.reports.last_report(source)["pieces"][0]["ok"]
+
+
+def triangles_of(source):
+    source.data.calc_loop_triangles()
+    return {tuple(sorted(each.vertices)) for each in source.data.loop_triangles}
 
 
 def test_why_there_is_nothing_to_suggest():

@@ -67,6 +67,25 @@ def test_arguments_of_a_wrong_type_are_raised_at_once():
         wirewarp.start(*half_cylinder(), cache={})
 
 
+@pytest.mark.parametrize("kind", ["darts", "seams"])
+def test_proposals_are_found_in_a_job(kind):
+    start, propose = (getattr(wirewarp, f"{verb}_{kind}") for verb in ("start", "propose"))
+    mesh = spherical_patch(8, 8)
+    job = start(*mesh, count=2, longest=1.5)
+    found = job.result()
+    assert job.progress()[0] == "cuts" and job.result() is found
+    assert [each.to_dict() for each in found] == [each.to_dict() for each in propose(*mesh, count=2, longest=1.5)]
+    with pytest.raises(wirewarp.FlattenError, match="is flat enough"):
+        start(*half_cylinder()).result()
+    with pytest.raises(wirewarp.FlattenError, match="no_seam"):
+        start(*mesh, no_seam="all")  # of a wrong type: at once
+    job = start(*spherical_patch(100, 100))
+    job.cancel()
+    with pytest.raises(wirewarp.FlattenError) as caught:
+        job.result()
+    assert caught.value.code == wirewarp.ErrorCode.cancelled
+
+
 def test_several_jobs_run_at_once():
     meshes = [half_cylinder(20, 20), spherical_patch(20, 20)] * 3
     jobs = [wirewarp.start(*mesh) for mesh in meshes]

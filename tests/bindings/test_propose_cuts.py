@@ -73,6 +73,24 @@ def test_wrong_wishes_are_refused():
         assert raised.value.code is ErrorCode.invalid_option
 
 
+@pytest.mark.parametrize("propose", [propose_darts, propose_seams])
+def test_no_cut_runs_along_an_edge_that_is_to_have_none(propose):
+    barred = propose(*DOME, count=1)[0].edges
+    taken = {frozenset(pair) for pair in barred.tolist()}
+    for proposal in propose(*DOME, no_seam=barred[:, ::-1]):
+        assert not taken & {frozenset(pair) for pair in proposal.edges.tolist()}
+    with pytest.raises(FlattenError, match="no_seam has the pair 0, 9999, which is no edge of the mesh") as raised:
+        propose(*DOME, no_seam=[[0, 9999]])
+    assert raised.value.code is ErrorCode.invalid_option
+
+
+def test_a_plan_keeps_off_what_is_to_have_no_seam():
+    barred = plan_cuts(*DOME, strain=0.0, most=1)[0].edges
+    taken = {frozenset(pair) for pair in barred.tolist()}
+    for cut in plan_cuts(*DOME, strain=0.0, most=2, no_seam=barred, longest=1.0):
+        assert cut.length <= 1.0 and not taken & {frozenset(pair) for pair in cut.edges.tolist()}
+
+
 def test_a_plan_ends_where_its_aim_is_met():
     before = propose_darts(*DOME, count=1)[0].strain_before
     first, *rest = plan_cuts(*DOME, strain=0.8 * before, most=3)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Changing wires and seams that are there: by hand, or as a report proposes. Of meshes in Object Mode."""
+"""Changing wires and seams that are there: by hand, or as is proposed. Of meshes in Object Mode."""
 
+import bmesh
 import bpy
 import numpy as np
 
@@ -50,6 +51,22 @@ def repair_marks(target: bpy.types.Object) -> EdgeMarks:
         marks.wire_ids[row] = wire_id
     write_marks(target.data, marks)
     return marks
+
+
+def cut_across_faces(mesh: bpy.types.Mesh, pairs: list) -> None:
+    """Adds edges, given as vertex pairs, across faces of four corners; the surface stays, and so do marks and maps."""
+    edited = bmesh.new()
+    try:
+        edited.from_mesh(mesh)
+        edited.verts.ensure_lookup_table()
+        for a, b in pairs:
+            first, second = edited.verts[a], edited.verts[b]
+            face = next(each for each in first.link_faces if second in each.verts and len(each.verts) == 4)
+            bmesh.utils.face_split(face, first, second)
+        edited.to_mesh(mesh)
+    finally:
+        edited.free()
+    mesh.update()
 
 
 def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:

@@ -10,7 +10,7 @@ from ..blender.objects import check_local
 from ..flat.reports import last_report
 from ..flat.suggestions import chosen_cut
 from ..issues import ObjectError, object_error
-from ..model.change import mark_seams
+from ..model.change import cut_across_faces, mark_seams
 from ..model.mend import dissolve_faces_without_area, merge_close_vertices, recalculate_normals
 from ..model.modifiers import apply_modifiers
 from ..model.owners import check_not_edited, model_or_self
@@ -140,4 +140,6 @@ def _take_suggestion(source: bpy.types.Object) -> int:
     if cut is None:
         sentence = f'Nothing is suggested for "{source.name}" as it is now. Press Suggest Darts or Suggest Seams.'
         raise object_error("no_suggestion", sentence)
+    if cut.diagonals:
+        cut_across_faces(source.data, cut.diagonals)
     return mark_seams(source.data, cut.edges)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the last report complains about, what would mend it, and the suggested cut: of one object, arrays, no GPU."""
+"""What the last report complains about, and what would mend it, of one object: arrays, no GPU."""
 
 from dataclasses import dataclass
 
@@ -8,14 +8,11 @@ import numpy as np
 
 from ..blender.mesh import corner_edges, edge_vertices, face_sizes, next_loops, vertex_places
 from ..flat.read import has_flat_attributes, read_flat_attribute
-from ..flat.reports import pieces_report
-from ..flat.suggestions import chosen_cut
-from ..model.owners import model_of, model_or_self
-from ..model.state import has_changed
+from ..model.owners import model_of
 from ..names import SOURCE_FACE, SOURCE_VERTEX
 from ..pattern.chains import edge_keys
 from .gather import gather_triangles, uv_places
-from .objects import current_report, is_modified
+from .objects import current_report
 
 
 @dataclass(frozen=True)
@@ -68,38 +65,21 @@ def uv_failures(model: bpy.types.Object) -> Failures | None:
 
 def _elements(target: bpy.types.Object) -> _Elements | None:
     """None if there are none, or if the report's are not those of this mesh."""
-    issues, suggested = _issues(target), _suggested_edges(target)
-    if not issues and not suggested:
+    report = current_report(target)
+    if report is None or report.get("with_modifiers") or not report["issues"]:
         return None
     mesh, source = target.data, np.arange(len(target.data.vertices))
     if model_of(target):
         if not has_flat_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
             return None
         source = read_flat_attribute(mesh, SOURCE_VERTEX)
-    faces = _failed_faces(mesh, issues)
+    faces = _failed_faces(mesh, report["issues"])
     pairs = np.sort(source[edge_vertices(mesh)], axis=1)
     masks = {
-        "failed": _failed_edges(mesh, pairs, issues, faces),
-        "proposed": _named(pairs, [edge for issue in issues for edge in issue.get("proposed_seams", [])] + suggested),
+        "failed": _failed_edges(mesh, pairs, report["issues"], faces),
+        "proposed": _named(pairs, [edge for issue in report["issues"] for edge in issue.get("proposed_seams", [])]),
     }
     return _Elements({kind: mask for kind, mask in masks.items() if mask.any()}, faces)
-
-
-def _issues(target: bpy.types.Object) -> list[dict]:
-    report = current_report(target)
-    return [] if report is None or report.get("with_modifiers") else report["issues"]
-
-
-def _suggested_edges(target: bpy.types.Object) -> list[tuple[int, int]]:
-    """Of the cut that is chosen, where it can be shown: not on the cage of a model that modifiers shape."""
-    source = model_or_self(target)
-    if source == target:
-        is_seen = not is_modified(source)
-    else:
-        report = pieces_report(source)
-        is_seen = report is not None and not report.get("with_modifiers") and not has_changed(source, report)
-    cut = chosen_cut(source) if is_seen else None
-    return cut.edges if cut else []
 
 
 def _failed_faces(mesh: bpy.types.Mesh, issues: list[dict]) -> np.ndarray:

@@ -26,6 +26,7 @@ from .failures import Failures, failures, uv_failures
 from .gather import gather_uv_lines, shows_our_map
 from .objects import Lines, colored_surface, lines_of, marked_lines
 from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, outlines, page_preview
+from .suggested import suggested_lines, uv_suggested_lines, with_cut
 from .surfaces import ColoredTriangles, Extremes
 
 MODES = {"OBJECT", "EDIT"}
@@ -103,7 +104,12 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
             )
         if not target.data.is_editmode:
             of_model = stamp(source.data), Same(suggestions_of(source))
-            failed = kept_drawing(target, "failures", (*made_of, *of_model), lambda: failures(target))
+            failed = kept_drawing(
+                target,
+                "failures",
+                (*made_of, *of_model),
+                lambda: with_cut(failures(target), suggested_lines(target)),
+            )
     if context.scene.wirewarp.show_pages and target != source and not target.data.is_editmode:
         pages, without = shown_pages(context, source, target), lines
         lines = kept_drawing(
@@ -177,9 +183,13 @@ def uv_drawings(context: bpy.types.Context) -> Iterator[UvDrawing]:
             lines = kept_drawing(target, "uv lines", made_of, partial(_uv_lines, target))
             failed = None
             if not target.data.is_editmode:
-                with_cut = (*made_of, Same(suggestions_of(target)))
-                failed = kept_drawing(target, "uv failures", with_cut, partial(uv_failures, target))
+                of_cut = Same(suggestions_of(target))
+                failed = kept_drawing(target, "uv failures", (*made_of, of_cut), partial(_uv_failures, target))
             yield UvDrawing(target, lines, failed)
+
+
+def _uv_failures(target: bpy.types.Object) -> Failures | None:
+    return with_cut(uv_failures(target), uv_suggested_lines(target))
 
 
 def _targets(context: bpy.types.Context) -> list[bpy.types.Object]:

@@ -240,12 +240,12 @@ def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> l
     count = len(arrays.vertices)
     is_edge = np.isin(edge_keys(pairs, count), edge_keys(arrays.edges, count))
     edges = pairs[is_edge].tolist()
-    for diagonal, polygon in zip(pairs[~is_edge], _polygons_of(pairs[~is_edge], arrays), strict=True):
+    for diagonal, polygon in zip(pairs[~is_edge], polygons_across(pairs[~is_edge], arrays), strict=True):
         edges += pairwise(_way_round(diagonal, polygon, arrays))
     return list(dict.fromkeys((min(pair), max(pair)) for pair in edges))
 
 
-def _polygons_of(diagonals: np.ndarray, arrays: MeshArrays) -> np.ndarray:
+def polygons_across(diagonals: np.ndarray, arrays: MeshArrays) -> np.ndarray:
     """The polygon that each pair of vertices (k,2) is a diagonal of."""
     count = len(arrays.vertices)
     sides = edge_keys(arrays.triangles[:, [0, 1, 1, 2, 2, 0]], count)

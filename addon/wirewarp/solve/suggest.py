@@ -11,7 +11,7 @@ from ..issues import ObjectError
 from ..names import NO_SEAM
 from ..pattern.chains import edge_keys
 from .arrays import MeshArrays
-from .flatten import FlattenChoices, issue_of_error, library_arguments, result_of
+from .flatten import FlattenChoices, issue_of_error, library_arguments, polygons_across, result_of
 from .steps import Steps
 
 PAINTED = f' Nor may a seam run where "{NO_SEAM}" is painted.'
@@ -19,10 +19,19 @@ Pairs = list[tuple[int, int]]  # vertices
 
 
 @dataclass(frozen=True)
+class NoSeam:
+    """What the user has painted."""
+
+    faces: np.ndarray  # (f,) bool, of the mesh
+    vertices: np.ndarray  # (n,) bool
+
+
+@dataclass(frozen=True)
 class Cut:
     """A dart or a seam, or two that are mirror images of each other, and what marking them does."""
 
-    edges: Pairs  # of the mesh
+    edges: Pairs
+    diagonals: Pairs  # those of them that are none of the mesh yet, but lie across a face of four corners
     piece: int  # as flattening numbers them
     lengths: list[float]  # of each of them on the model, Blender units
     strain: float  # what 99% of the piece must stretch or ease less than, when cut so, as a share
@@ -30,44 +39,61 @@ class Cut:
 
 
 def suggest_cuts(
-    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, kind: str, piece: int | None, no_seam: np.ndarray
+    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, kind: str, piece: int | None, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
-    """The best first. kind: DARTS or SEAMS; piece: None for any; no_seam (k,2): edges along which none is to run.
+    """The best first. kind: DARTS or SEAMS; piece: None for any.
 
     Raises ObjectError, also where there is nothing to gain.
     """
     start = library.start_darts if kind == "DARTS" else library.start_seams
     try:
         arguments = library_arguments(library, arrays, choices)
-        barred = np.concatenate([diagonals(arrays), no_seam])
+        across = diagonals(arrays)
+        barred = np.concatenate([_barred_edges(arrays, no_seam), _barred_diagonals(across, arrays, no_seam)])
         job = start(arrays.vertices, arrays.triangles, **arguments, piece=piece, no_seam=barred)
-        return _with_twins((yield from result_of(job)))
+        return _with_twins((yield from result_of(job)), {tuple(pair) for pair in across.tolist()})
     except library.FlattenError as error:
         issue = issue_of_error(error, arrays)
-        if issue.code == "no_proposal" and len(no_seam):
+        if issue.code == "no_proposal" and (no_seam.faces.any() or no_seam.vertices.any()):
             issue = replace(issue, sentence=issue.sentence + PAINTED)
         raise ObjectError(issue) from error
 
 
 def diagonals(arrays: MeshArrays) -> np.ndarray:
-    """(k,2) the sides of triangles that are no edges of the mesh, and cannot be marked."""
+    """(k,2) the sides of triangles that are no edges of the mesh, the lower vertex first."""
     count = len(arrays.vertices)
     sides = np.sort(arrays.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     return np.unique(sides[~np.isin(edge_keys(sides, count), edge_keys(arrays.edges, count))], axis=0)
 
 
-def _with_twins(proposals: list[DartProposal]) -> list[Cut]:
+def _barred_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
+    """(k,2) with both ends painted, or all faces: what runs around painted faces is not meant."""
+    face_of_loop = np.repeat(np.arange(len(arrays.polygon_sizes)), arrays.polygon_sizes)
+    counts = np.bincount(arrays.loop_edges, minlength=len(arrays.edges))
+    painted = np.bincount(arrays.loop_edges[no_seam.faces[face_of_loop]], minlength=len(arrays.edges))
+    return arrays.edges[((counts > 0) & (painted == counts)) | no_seam.vertices[arrays.edges].all(axis=1)]
+
+
+def _barred_diagonals(across: np.ndarray, arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
+    """(k,2) of painted faces, and of those with more corners: cut in two they may be filled otherwise than now."""
+    polygons = polygons_across(across, arrays)
+    is_barred = (arrays.polygon_sizes[polygons] > 4) | no_seam.faces[polygons] | no_seam.vertices[across].all(axis=1)
+    return across[is_barred]
+
+
+def _with_twins(proposals: list[DartProposal], across: set[tuple[int, int]]) -> list[Cut]:
     """Mirror images as one cut, where they help together."""
     cuts = []
     for index, proposal in enumerate(proposals):
         if proposal.strain_with_twin is None:
-            cuts.append(_cut([proposal], proposal.strain))
+            cuts.append(_cut([proposal], proposal.strain, across))
         elif proposal.twin > index:
-            cuts.append(_cut([proposal, proposals[proposal.twin]], proposal.strain_with_twin))
+            cuts.append(_cut([proposal, proposals[proposal.twin]], proposal.strain_with_twin, across))
     return cuts
 
 
-def _cut(proposals: list[DartProposal], strain: float) -> Cut:
-    edges = [(int(a), int(b)) for proposal in proposals for a, b in proposal.edges]
+def _cut(proposals: list[DartProposal], strain: float, across: set[tuple[int, int]]) -> Cut:
+    edges = [(min(pair), max(pair)) for proposal in proposals for pair in proposal.edges.tolist()]
     first = proposals[0]
-    return Cut(edges, first.piece, [each.length for each in proposals], strain, first.strain_before)
+    new = [edge for edge in edges if edge in across]
+    return Cut(edges, new, first.piece, [each.length for each in proposals], strain, first.strain_before)

@@ -10,6 +10,7 @@ from ..overlay.cache import Same, kept_drawing
 from ..report.suggestions import cut_text
 from ..run.settings import choices_of
 from ..run.window_run import SUGGEST
+from ..words import counted
 from .layout import SidebarPanel, draw_sentence
 from .progress import draw_progress
 from .shown import shown_source
@@ -49,6 +50,9 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
         settings = context.scene.wirewarp
         if found.choices != choices_of(settings, meters_per_blender_unit(context.scene)):
             draw_sentence(context, layout, "Settings changed since. Suggest again.", "INFO")
+        new = len(found.cuts[found.chosen].diagonals)
+        if new:
+            draw_sentence(context, layout, f"Marking it adds {counted(new, 'edge')} across faces of the model.", "INFO")
         take = layout.row()
         take.scale_y = 1.2
         take.operator("object.wirewarp_mend", text="Mark and Flatten", icon="EDGESEL").what = "SUGGESTION"

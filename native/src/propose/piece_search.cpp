@@ -122,6 +122,20 @@ bool have_same_edges(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const Hal
   return of_a == of_b;
 }
 
+/// The way along a cut; where none runs on smoothly, from the vertex of the outline nearest to its start that has one.
+HalfEdgeChain nearest_chain(const HalfEdgeMesh& mesh, const SmoothPathFinder& paths, CutEnds cut) {
+  HalfEdgeChain chain = chain_of(paths, cut);
+  if (!chain.empty()) return chain;
+  const SmoothPaths from_end = paths.paths_from(cut.end);
+  const auto distance = [&](VertexHandle v) { return (mesh.point(v) - mesh.point(cut.start)).norm(); };
+  VertexHandle nearest;
+  for (const VertexHandle v : mesh.vertices()) {
+    if (!mesh.is_boundary(v) || v == cut.end || !from_end.arrival[v.idx()].is_valid()) continue;
+    if (!nearest.is_valid() || distance(v) < distance(nearest)) nearest = v;
+  }
+  return nearest.is_valid() ? chain_of(paths, {nearest, cut.end}) : HalfEdgeChain{};
+}
+
 /// Together they cut the piece otherwise than each alone: two darts become a seam.
 bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const HalfEdgeChain& b) {
   const auto vertices_of = [&](const HalfEdgeChain& chain) {
@@ -178,12 +192,13 @@ std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
   const std::vector<RankedCut> ranked =
       rank_cuts(copy.chart, coarse_paths, candidates, trials_.options(), limits, go_on_);
   for (const RankedCut& cut : ranked) {
-    HalfEdgeChain chain =
-        chain_of(paths, {copy.fine_vertex[cut.ends.start.idx()], copy.fine_vertex[cut.ends.end.idx()]});
+    HalfEdgeChain chain = nearest_chain(chart_.mesh, paths,
+                                        {copy.fine_vertex[cut.ends.start.idx()], copy.fine_vertex[cut.ends.end.idx()]});
     const double length = length_of(chart_.mesh, chain);
     if (chain.empty() || length > kDetour * length_of(copy.chart.mesh, chain_of(coarse_paths, cut.ends))) continue;
     is_way = true;
-    if (length <= wishes_.longest) chains.push_back(std::move(chain));
+    const bool is_new = std::find(chains.begin(), chains.end(), chain) == chains.end();
+    if (is_new && length <= wishes_.longest) chains.push_back(std::move(chain));
   }
   if (!ranked.empty() && !is_way) throw no_room(input_chart_, kind_, wishes_);
   return chains;

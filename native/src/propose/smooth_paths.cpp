@@ -17,6 +17,10 @@ namespace {
 /// 3 % of the piece longer is taken instead.
 constexpr double kPriceOfLanding = 0.05;
 
+/// A leg that turns more at one vertex (radians) has a corner, which nobody sews as a dart: less than along two sides
+/// of a square, more than between the edges of regular triangles.
+constexpr double kCorner = 80 * kPi / 180;
+
 }  // namespace
 
 SmoothPathFinder::SmoothPathFinder(const Chart& chart, Barred barred)
@@ -88,6 +92,7 @@ SmoothPaths SmoothPathFinder::paths_from(VertexHandle start) const {
     for (const HalfedgeHandle out : mesh_.voh_range(v)) {
       if (out == mesh_.opposite_halfedge_handle(h)) continue;
       const double angle = turn(h, out);
+      if (std::abs(angle) > kCorner) continue;
       const double length = edge_length(mesh_, out);
       reach(out, h, cost + length + angle * angle * (length + edge_length(mesh_, h)) / 2);
     }

@@ -19,7 +19,7 @@ from ..pattern.write import WRITERS
 from .apart import Limits
 from .input_error import InputError
 from .inputs import Found, found_models
-from .request import MILLIMETERS, MarkerRequest, MaterialRequest, Orientation, Request
+from .request import MILLIMETERS, CutRequest, MarkerRequest, MaterialRequest, Orientation, Request
 
 LENGTH = re.compile(r"(\d+(?:\.\d*)?)(?:/(\d+))?\s*(mm|cm|m|in)")
 SHEET = re.compile(r"(\d+(?:\.\d*)?)x(\d+(?:\.\d*)?)\s*(mm|cm|m|in)")
@@ -36,19 +36,22 @@ VERDICTS = (
     "Prints one line of JSON for each model. The exit code is 0 if all are ready to cut, 1 if a piece is not, 2 if a "
     "model is refused, 3 if one was stopped: it crashed or took more time or memory than it may."
 )
+STRAIN = 0.005  # as propose_darts has it: pieces strained by no more are left as they are
 
 
 @dataclass(frozen=True)
 class Arguments:
+    """Of flatten and batch."""
+
     requests: list[Request]
     jobs: int
     limits: Limits
 
 
-def parsed(words: Sequence[str]) -> Arguments:
-    """Ends the program with code 2 and a sentence where they cannot be meant."""
+def parsed(words: Sequence[str]) -> Arguments | list[CutRequest]:
+    """Of flatten and batch, or of propose. Ends the program with code 2 and a sentence where they cannot be meant."""
     parser = argparse.ArgumentParser(prog="python -m wirewarp", description="Flat patterns with exact lengths.")
-    commands = parser.add_subparsers(required=True, metavar="flatten|batch")
+    commands = parser.add_subparsers(required=True, metavar="flatten|batch|propose")
     flatten = commands.add_parser(
         "flatten",
         parents=[_model_options(), _running_options()],  # of its own: their defaults differ
@@ -77,7 +80,19 @@ def parsed(words: Sequence[str]) -> Arguments:
         "--part", type=_part, default=(1, 1), metavar="K/N", help="only the K-th of every N models, for tasks of a farm"
     )
     batch.set_defaults(command=batch, resume=True, jobs=os.cpu_count() or 1)
+    propose = commands.add_parser(
+        "propose",
+        parents=[_shape_options(), _cut_options()],
+        help="say where darts or seams would take most distortion from a piece",
+        description="Tries cuts on models (OBJ, PLY, STL, glTF), each by flattening with it, and prints for each model "
+        "one line of JSON with the best. The exit code is 0 if something is proposed for all, 1 if not, 2 if one is "
+        "refused.",
+    )
+    propose.add_argument("models", nargs="+", metavar="MODEL", type=Path)
+    propose.set_defaults(command=propose)
     given = parser.parse_args(words)
+    if given.command is propose:
+        return [_cut_request(model, given) for model in given.models]
     try:
         is_batch = given.command is batch
         models = found_models(given.models) if is_batch else [Found(model, Path()) for model in given.models]
@@ -90,8 +105,8 @@ def parsed(words: Sequence[str]) -> Arguments:
     return Arguments(requests[part - 1 :: parts], given.jobs, Limits(given.time_limit, memory))
 
 
-def _model_options() -> argparse.ArgumentParser:
-    """What may differ from model to model."""
+def _shape_options() -> argparse.ArgumentParser:
+    """What the flat pieces of a model depend on."""
     options = _Options(add_help=False, allow_abbrev=False)
     options.add_argument(
         "--seams",
@@ -106,14 +121,7 @@ def _model_options() -> argparse.ArgumentParser:
     options.add_argument(
         "--orientation", default="wire", choices=ORIENTATIONS, help="what stands upright, along the grain (wire)"
     )
-    options.add_argument(
-        "--format", default="pdf,svg", metavar="F,F", type=_formats, help="of pdf, svg, dxf, plt (pdf,svg)"
-    )
-    options.add_argument("--page", default="a4", type=_page, help="paper of PDF: a4, letter, a0, 36in, 900mm, ... (a4)")
-    options.add_argument("--allowance", default="10mm", type=_length, help="outside of seams: 10mm, 1cm, 3/8in (10mm)")
-    options.add_argument("--hem", type=_length, help="outside of edges that are not sewn (as --allowance)")
     options.add_argument("--unit", choices=MILLIMETERS, default="m", help="what a model has its coordinates in (m)")
-    options.add_argument("--imperial", action="store_true", help="inches in texts and squares to measure")
     options.add_argument(
         "--stretch",
         type=_stretch,
@@ -128,6 +136,39 @@ def _model_options() -> argparse.ArgumentParser:
         default="inside",
         help="of something thick, what the model is (inside)",
     )
+    return options
+
+
+def _cut_options() -> argparse.ArgumentParser:
+    options = argparse.ArgumentParser(add_help=False)
+    options.add_argument("--cut", choices=("dart", "seam"), default="dart", help="what is to be proposed (dart)")
+    options.add_argument("--piece", type=_count, metavar="N", help="only on the N-th piece (any, whichever gains most)")
+    options.add_argument("--count", type=_count, default=5, metavar="N", help="proposals, mirror images once (5)")
+    options.add_argument("--longest", type=_length, help="of a cut on the model: 150mm (any)")
+    options.add_argument(
+        "--strain",
+        type=_share,
+        default=STRAIN,
+        metavar="5%",
+        help="what may stay: pieces with less in 99%% of their area are left alone (0.5%%)",
+    )
+    options.add_argument(
+        "--together", type=_count, metavar="N", help="N cuts at most that are taken together, until --strain is met"
+    )
+    options.add_argument("--no-seam", default="", metavar="FILE", help="JSON file with lines that get no cut")
+    return options
+
+
+def _model_options() -> argparse.ArgumentParser:
+    """What may differ from model to model."""
+    options = _Options(add_help=False, allow_abbrev=False, parents=[_shape_options()])
+    options.add_argument(
+        "--format", default="pdf,svg", metavar="F,F", type=_formats, help="of pdf, svg, dxf, plt (pdf,svg)"
+    )
+    options.add_argument("--page", default="a4", type=_page, help="paper of PDF: a4, letter, a0, 36in, 900mm, ... (a4)")
+    options.add_argument("--allowance", default="10mm", type=_length, help="outside of seams: 10mm, 1cm, 3/8in (10mm)")
+    options.add_argument("--hem", type=_length, help="outside of edges that are not sewn (as --allowance)")
+    options.add_argument("--imperial", action="store_true", help="inches in texts and squares to measure")
     options.add_argument(
         "--marker", type=_cloth, metavar="WIDTH|WxL", help="pieces nested on a roll, 1400mm, or on sheets, 60x90cm"
     )
@@ -187,12 +228,33 @@ def _request(found: Found, given: argparse.Namespace) -> Request:
         hem=given.hem,
         unit=given.unit,
         imperial=given.imperial,
-        material=MaterialRequest(given.cloth, given.orientation, given.stretch, given.thickness, given.surface),
+        material=_material(given),
         marker=marker,
         picture=given.picture,
         blender=given.blender,
         resume=given.resume,
     )
+
+
+def _cut_request(model: Path, given: argparse.Namespace) -> CutRequest:
+    return CutRequest(
+        model=model,
+        seams=given.seams,
+        wires=given.wires,
+        no_seam=given.no_seam,
+        unit=given.unit,
+        material=_material(given),
+        kind=given.cut,
+        piece=given.piece,
+        count=given.count,
+        strain=given.strain,
+        longest=given.longest,
+        together=given.together,
+    )
+
+
+def _material(given: argparse.Namespace) -> MaterialRequest:
+    return MaterialRequest(given.cloth, given.orientation, given.stretch, given.thickness, given.surface)
 
 
 def _check_clashes(requests: Sequence[Request]) -> None:
@@ -252,6 +314,13 @@ def _stretch(text: str) -> tuple[float, float]:
     if not match:
         raise argparse.ArgumentTypeError(f"{text!r} is no stretch: give 10% or, across and along the grain, 10%,5%")
     return float(match[1]) / 100, float(match[2] or match[1]) / 100
+
+
+def _share(text: str) -> float:
+    match = re.fullmatch(r"(\d+(?:\.\d*)?)%", text.strip())
+    if not match:
+        raise argparse.ArgumentTypeError(f"{text!r} is no share: give 5%")
+    return float(match[1]) / 100
 
 
 def _count(text: str) -> int:

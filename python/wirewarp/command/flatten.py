@@ -15,7 +15,7 @@ from .figures import result_figures
 from .input_error import InputError
 from .lines import lines_of, seams_of
 from .model import Model, read_model
-from .request import FROM_MODEL, MILLIMETERS, MarkerRequest, Request
+from .request import FROM_MODEL, MILLIMETERS, MarkerRequest, MaterialRequest, Request
 from .staged import staged_folder, take_places
 from .suffixes import BLEND
 from .verdicts import FAILED, READY, REFUSED, STOPPED, Line, unfinished
@@ -102,7 +102,7 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
         seams=seams,
         wires=lines.wires,
         eases=lines.eases,
-        options=_options(request),
+        options=material_options(request.material, request.unit),
     )
     failed = [(n, piece.error) for n, piece in enumerate(result.pieces, start=1) if piece.error]
     line: Line = {
@@ -131,9 +131,9 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
     return line, report | _timeless(result.to_dict())
 
 
-def _options(request: Request) -> Options:
-    material = request.material
-    thickness = material.thickness / MILLIMETERS[request.unit]
+def material_options(material: MaterialRequest, unit: str) -> Options:
+    """unit: of the model."""
+    thickness = material.thickness / MILLIMETERS[unit]
     cloth = Cloth.preset(material.cloth) if material.cloth else None
     if any(material.stretch):
         of = cloth or Cloth()

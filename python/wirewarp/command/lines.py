@@ -29,10 +29,15 @@ def seams_of(model: Model, wanted: str) -> np.ndarray:
         return _island_borders(model, model.corner_uv)
     if wanted == "sharp":
         return _sharp_edges(model)
-    chains = _read(Path(wanted))
+    return edges_of(wanted)
+
+
+def edges_of(path: str) -> np.ndarray:
+    """(k,2) vertices of the lines in a file; of none for "". Raises InputError."""
+    chains = _read(Path(path)) if path else []
     if not isinstance(chains, list) or not all(_is_chain(chain) for chain in chains):
-        raise InputError(f'"{wanted}" must be a JSON list of lines of vertices, as [[0, 1, 2], [5, 6]].')
-    pairs = [pair for chain in chains for pair in zip(chain[:-1], chain[1:], strict=True)]
+        raise InputError(f'"{path}" must be a JSON list of lines of vertices, as [[0, 1, 2], [5, 6]].')
+    pairs = [pair for chain in chains for pair in pairwise(chain)]
     return np.array(pairs, dtype=np.int64).reshape(-1, 2)
 
 

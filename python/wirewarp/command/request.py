@@ -36,6 +36,24 @@ class MaterialRequest:
 
 
 @dataclass(frozen=True)
+class CutRequest:
+    """Where to cut one model. Lengths are in millimeters."""
+
+    model: Path
+    seams: str  # "uv", "sharp", a path, or "" for none
+    wires: str  # a path, or "" for none
+    no_seam: str  # likewise
+    unit: str
+    material: MaterialRequest
+    kind: Literal["dart", "seam"]
+    piece: int | None  # from 1; None for any
+    count: int
+    strain: float
+    longest: float | None
+    together: int | None  # cuts that are taken together at most; None: each is one by itself
+
+
+@dataclass(frozen=True)
 class Request:
     """What is done with one model. Lengths are in millimeters."""
 

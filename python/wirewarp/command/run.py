@@ -13,7 +13,8 @@ from tqdm import tqdm
 from .apart import Stopped, each_apart
 from .arguments import Arguments
 from .flatten import flatten_model
-from .request import Request
+from .propose import propose_for
+from .request import CutRequest, Request
 from .staged import remove_staged
 from .verdicts import EXIT_CODES, STOPPED, Line, unfinished
 
@@ -41,6 +42,17 @@ def run(arguments: Arguments) -> int:
             with tqdm.external_write_mode(sys.stdout):
                 _print(line)
             worst = max(worst, EXIT_CODES[line["verdict"]])
+    return worst
+
+
+def run_proposals(requests: list[CutRequest]) -> int:
+    """As run(), one model after the other."""
+    worst = 0
+    for request in requests:
+        begin = time.monotonic()
+        line = {"model": str(request.model), **propose_for(request), "seconds": round(time.monotonic() - begin, 3)}
+        _print(line)
+        worst = max(worst, EXIT_CODES[line["verdict"]])
     return worst
 
 

@@ -4,7 +4,9 @@
 from typing import Any
 
 READY, FAILED, REFUSED, STOPPED = "ready to cut", "not ready to cut", "refused", "stopped"
-EXIT_CODES = {READY: 0, FAILED: 1, REFUSED: 2, STOPPED: 3}  # that of the worst ends the command
+PROPOSED, NOTHING = "proposed", "nothing to propose"
+# That of the worst ends the command.
+EXIT_CODES = {READY: 0, PROPOSED: 0, FAILED: 1, NOTHING: 1, REFUSED: 2, STOPPED: 3}
 Line = dict[str, Any]
 
 

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One model from its file to the cuts that are proposed for it."""
+
+from typing import Any
+
+from .. import DartProposal, ErrorCode, FlattenError, plan_cuts, propose_darts, propose_seams
+from .flatten import material_options
+from .input_error import InputError
+from .lines import edges_of, lines_of, seams_of
+from .model import read_model
+from .request import MILLIMETERS, CutRequest
+from .suffixes import BLEND
+from .verdicts import NOTHING, PROPOSED, REFUSED, Line, unfinished
+
+IN_BLENDER = "In Blender the add-on suggests darts and seams; here models are OBJ, PLY, STL or glTF."
+
+
+def propose_for(request: CutRequest) -> Line:
+    """Never raises for what is wrong with the model: the line says it."""
+    try:
+        return _line(request)
+    except InputError as error:
+        return unfinished(REFUSED, "input", str(error))
+    except FlattenError as error:
+        return unfinished(NOTHING if error.code == ErrorCode.no_proposal else REFUSED, error.code.value, str(error))
+    except OSError as error:
+        return unfinished(REFUSED, "file", f"{error.filename or request.model}: {error.strerror or error}")
+    except MemoryError:
+        return unfinished(REFUSED, "memory_limit", "There is not enough memory for this model.")
+
+
+def _line(request: CutRequest) -> Line:
+    if request.model.suffix.lower() == BLEND:
+        raise InputError(IN_BLENDER)
+    model = read_model(request.model)
+    lines, per_unit = lines_of(request.wires), MILLIMETERS[request.unit]
+    mesh: dict[str, Any] = {
+        "vertices": model.vertices,
+        "faces": model.faces,
+        "seams": seams_of(model, request.seams),
+        "wires": lines.wires,
+        "eases": lines.eases,
+        "no_seam": edges_of(request.no_seam),
+        "options": material_options(request.material, request.unit),
+        "strain": request.strain,
+    }
+    longest = None if request.longest is None else request.longest / per_unit
+    if request.together:
+        cuts = plan_cuts(**mesh, kind=request.kind, most=request.together, longest=longest)
+    else:
+        propose = propose_darts if request.kind == "dart" else propose_seams
+        piece = None if request.piece is None else request.piece - 1
+        cuts = propose(**mesh, piece=piece, count=request.count, longest=longest)
+    return {
+        "verdict": PROPOSED,
+        "cut": request.kind,
+        "together": request.together is not None,
+        "proposals": [_proposal(cut, per_unit / 1000, request.together is None) for cut in cuts],
+        "problems": [],
+        "codes": [],
+    }
+
+
+def _proposal(cut: DartProposal, meters: float, has_twin: bool) -> dict[str, Any]:
+    """Its line is as --seams reads it. meters: in a unit of the model; has_twin: it may be taken by itself."""
+    told: dict[str, Any] = {
+        "piece": cut.piece + 1,
+        "line": [int(cut.edges[0, 0]), *cut.edges[:, 1].tolist()],
+        "length_m": cut.length * meters,
+        "energy": cut.energy,
+        "energy_before": cut.energy_before,
+        "strain": cut.strain,
+        "strain_before": cut.strain_before,
+    }
+    if not has_twin:
+        return told
+    return told | {
+        "twin": None if cut.twin is None else cut.twin + 1,
+        "energy_with_twin": cut.energy_with_twin,
+        "strain_with_twin": cut.strain_with_twin,
+    }

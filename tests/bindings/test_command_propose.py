@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""python -m wirewarp propose: what propose_darts() and its kin find, one line of JSON a model."""
+
+import json
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from surfaces import half_cylinder, spherical_patch
+from wirewarp import Options, flatten, plan_cuts, propose_darts, propose_seams
+from wirewarp.command.model import read_model
+
+trimesh = pytest.importorskip("trimesh")
+
+
+def propose(*words, code=0):
+    command = [sys.executable, "-m", "wirewarp", "propose", *map(str, words)]
+    done = subprocess.run(command, capture_output=True, text=True, env=os.environ)
+    assert done.returncode == code, done.stderr
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+@pytest.fixture
+def dome(tmp_path):
+    vertices, faces = spherical_patch(8, 8)
+    trimesh.Trimesh(100 * vertices, faces, process=False).export(tmp_path / "dome.obj")  # in mm
+    return tmp_path / "dome.obj"
+
+
+def edges(line):
+    return np.column_stack([line[:-1], line[1:]])
+
+
+@pytest.mark.parametrize(("kind", "function"), [("dart", propose_darts), ("seam", propose_seams)])
+def test_the_same_proposals_as_through_python(dome, kind, function):
+    (line,) = propose(dome, "--cut", kind, "--count", 2, "--unit", "mm")
+    model = read_model(dome)
+    expected = function(model.vertices, model.faces, count=2)
+    assert (line["model"], line["verdict"], line["cut"]) == (str(dome), "proposed", kind)
+    assert len(line["proposals"]) == len(expected)
+    for told, proposal in zip(line["proposals"], expected, strict=True):
+        assert np.array_equal(edges(told["line"]), proposal.edges)
+        assert told["length_m"] == pytest.approx(proposal.length / 1000)
+        assert (told["piece"], told["strain"]) == (1, pytest.approx(proposal.strain, rel=1e-6))
+        assert told["twin"] == (None if proposal.twin is None else proposal.twin + 1)
+
+
+def test_a_line_is_a_seam_of_flatten(dome, tmp_path):
+    (line,) = propose(dome, "--unit", "mm", "--count", 1)
+    first = line["proposals"][0]
+    (tmp_path / "seams.json").write_text(json.dumps([first["line"]]))
+    command = [sys.executable, "-m", "wirewarp", "flatten", dome, "--out", tmp_path / "out", "--unit", "mm"]
+    done = subprocess.run([*command, "--seams", tmp_path / "seams.json", "--format", "svg"], capture_output=True)
+    assert json.loads(done.stdout)["figures"]["energy"] == pytest.approx(first["energy"], rel=1e-6)
+
+
+def test_cuts_to_be_taken_together_are_those_of_the_plan(dome):
+    (line,) = propose(dome, "--together", 2, "--strain", "1%", "--unit", "mm")
+    model = read_model(dome)
+    expected = plan_cuts(model.vertices, model.faces, most=2, strain=0.01)
+    assert line["together"] and "twin" not in line["proposals"][0]
+    assert [edges(cut["line"]).tolist() for cut in line["proposals"]] == [cut.edges.tolist() for cut in expected]
+
+
+def test_no_cut_is_longer_or_runs_where_it_may_not(dome, tmp_path):
+    (line,) = propose(dome, "--count", 1, "--unit", "mm")
+    barred = line["proposals"][0]["line"]
+    (tmp_path / "front.json").write_text(json.dumps([barred]))
+    (line,) = propose(dome, "--no-seam", tmp_path / "front.json", "--longest", "6cm", "--unit", "mm")
+    taken = {tuple(sorted(pair)) for pair in edges(barred).tolist()}
+    for told in line["proposals"]:
+        assert told["length_m"] <= 0.06
+        assert not taken & {tuple(sorted(pair)) for pair in edges(told["line"]).tolist()}
+
+
+def test_what_is_wrong_is_told_in_its_line(dome, tmp_path):
+    trimesh.Trimesh(*half_cylinder(), process=False).export(tmp_path / "half.ply")
+    trimesh.creation.box().export(tmp_path / "box.stl")  # twelve triangles, closed
+    lines = propose(tmp_path / "half.ply", dome, tmp_path / "box.stl", tmp_path / "top.blend", code=2)
+    verdicts = [line["verdict"] for line in lines]
+    assert verdicts == ["nothing to propose", "proposed", "refused", "refused"]
+    assert [line["codes"] for line in lines] == [["no_proposal"], [], ["closed_chart"], ["input"]]
+    assert "is flat enough" in lines[0]["problems"][0] and "add-on" in lines[3]["problems"][0]
+    propose(tmp_path / "half.ply", code=1)
+
+
+def test_the_energy_is_that_of_the_cloth(dome):
+    (line,) = propose(dome, "--cloth", "woven", "--count", 1, "--unit", "mm")
+    model, first = read_model(dome), line["proposals"][0]
+    cut = flatten(model.vertices, model.faces, seams=edges(first["line"]), options=Options(cloth="woven"))
+    assert first["energy"] == pytest.approx(cut.pieces[0].metrics.cloth_energy, rel=1e-6)
