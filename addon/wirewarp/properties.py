@@ -155,13 +155,19 @@ class PatternSettings:
 def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
     """What the caller left out is taken from the scene's settings; kind: FlattenSettings or PatternSettings.
 
-    A choice that this version does not know, as of a file of another version, goes back to its default.
+    Of the scene's, only those that this version knows: see mend_settings.
     """
+    mend_settings(settings, kind)
+    for name in kind.__annotations__:
+        if not operator.properties.is_property_set(name):
+            setattr(operator, name, getattr(settings, name))
+
+
+def mend_settings(settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
+    """A choice that this version does not know, as of a file of another version, goes back to its default."""
     for name in kind.__annotations__:
         if getattr(settings, name) == "":
             settings.property_unset(name)
-        if not operator.properties.is_property_set(name):
-            setattr(operator, name, getattr(settings, name))
 
 
 def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:

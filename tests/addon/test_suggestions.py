@@ -91,7 +91,7 @@ def test_mirror_images_are_one_suggestion(addon):
     for cut in twins:
         middles = {tuple(place) for place in places[np.array(cut.edges)].mean(axis=1).round(4).tolist()}
         assert middles == {(-x, y, z) for x, y, z in middles}
-    assert "2 × " in draw_panels(addon)
+    assert "2×" in draw_panels(addon)
 
 
 def test_the_list_is_of_the_chosen_piece_and_goes_when_the_model_changes(addon):

@@ -10,6 +10,7 @@ from ..blender.views import redraw_views
 from ..flat.suggestions import choose, drop
 from ..issues import ObjectError
 from ..model.owners import model_or_self
+from ..properties import mend_settings
 from ..report.suggestions import cut_text, kind_words
 from ..run import window_run
 from ..run.suggest import Search, begin_search, keep_found
@@ -78,6 +79,7 @@ class SuggestCuts(WindowSteps):
             self.report({"ERROR"}, refusal)
             return False
         source = model_or_self(context.active_object)
+        mend_settings(context.scene.wirewarp)
         try:
             with in_object_mode(context):
                 piece = None if self.piece == -1 else self.piece

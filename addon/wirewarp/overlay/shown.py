@@ -146,7 +146,7 @@ def shown_pages(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.
     """What the flat object, which is not in Edit Mode, will be printed on."""
     settings, millimeters = context.scene.wirewarp, 1000 * meters_per_blender_unit(context.scene)
     cut = _cut_lines(context, source, flat)
-    cloth = Cloth(settings.cloth_width, settings.gap, GRAINS[settings.grain or "ONE_WAY"])  # "": see take_settings
+    cloth = Cloth(settings.cloth_width, settings.gap, GRAINS[settings.grain or "ONE_WAY"])  # "": see mend_settings
     paper, arrangement = settings.paper or "A4", settings.arrangement or "IN_ROWS"
     chosen = PageChoices(paper, settings.roll_width, arrangement, cloth, marker_text(source))
     return kept_drawing(flat, "pages", (Same(cut), chosen, millimeters), lambda: page_preview(cut, chosen, millimeters))

@@ -14,7 +14,7 @@ def kind_words(kind: str, count: int) -> str:
 
 
 def cut_text(cut: Cut, text: LengthText) -> str:
-    """ "stretch 12% → 6.0%, 140 mm", of mirror images "2 × 140 mm"."""
-    times = f"{len(cut.lengths)} × " if len(cut.lengths) > 1 else ""
-    strain = f"{percent_text(cut.strain_before)} → {percent_text(cut.strain)}"
+    """ "stretch 12 → 6.0%, 140 mm", of mirror images "2×140 mm": it fits a button in a narrow sidebar."""
+    times = f"{len(cut.lengths)}×" if len(cut.lengths) > 1 else ""
+    strain = f"{percent_text(cut.strain_before).removesuffix('%')} → {percent_text(cut.strain)}"
     return f"stretch {strain}, {times}{text.rough(cut.lengths[0])}"

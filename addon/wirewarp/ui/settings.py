@@ -7,7 +7,7 @@ import bpy
 
 from ..blender.units import meters_per_blender_unit
 from ..properties import EaseAmount, WIREWARP_PG_settings
-from ..run.settings import FlattenSettings, choices_of
+from ..run.settings import FlattenChoices, FlattenSettings, choices_of
 
 LINES_FIRST = {"WIREWARP_PLUS_PLUS", "WIREWARPING"}
 WHOLE_WIDTH = {"fairness"}  # its name does not fit half a narrow sidebar
@@ -67,6 +67,13 @@ def _draw(layout: bpy.types.UILayout, settings: FlattenSettings, names: list[str
         row.prop(settings, name, **TEXTS.get(name, {}))
 
 
+def known_choices(settings: WIREWARP_PG_settings) -> FlattenChoices | None:
+    """None where there is one that this version does not know: see mend_settings."""
+    if "" in [getattr(settings, name) for name in CHOICES]:
+        return None
+    return choices_of(settings, meters_per_blender_unit(settings.id_data))
+
+
 def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> str:
     """Empty where a run with the settings of the panel would make the same pieces."""
     changed = _changed(source, report, settings)
@@ -77,12 +84,10 @@ def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP
 
 
 def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> list[str]:
-    choices = [getattr(settings, name) for name in CHOICES]
-    if "options" not in report or "" in choices:  # which this version does not know: see take_settings
+    choices = known_choices(settings)
+    if "options" not in report or choices is None:
         return []
-    now = asdict(choices_of(settings, meters_per_blender_unit(settings.id_data))) | {
-        "grain_wire": source.data.wirewarp_grain
-    }
+    now = asdict(choices) | {"grain_wire": source.data.wirewarp_grain}
     then = now | BEFORE | report["options"]
     unused = OF_OTHERS if now["method"] == "refined" else OF_REFINED
     had_grain = then["grain_wire"] in {wire["wire_id"] for wire in report["wires"]}

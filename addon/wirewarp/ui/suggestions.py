@@ -4,15 +4,15 @@
 import bpy
 
 from ..blender.cache import stamp
-from ..blender.units import length_text, meters_per_blender_unit
+from ..blender.units import length_text
 from ..flat.suggestions import Suggestions, current_suggestions, suggestions_of
 from ..overlay.cache import Same, kept_drawing
 from ..report.suggestions import cut_text
-from ..run.settings import choices_of
 from ..run.window_run import SUGGEST
 from ..words import counted
 from .layout import SidebarPanel, draw_sentence
 from .progress import draw_progress
+from .settings import known_choices
 from .shown import shown_source
 
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams"}
@@ -47,8 +47,7 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
                 text, is_chosen = cut_text(found.cuts[index], lengths), index == found.chosen
                 button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen)
                 button.index = index
-        settings = context.scene.wirewarp
-        if found.choices != choices_of(settings, meters_per_blender_unit(context.scene)):
+        if found.choices != known_choices(context.scene.wirewarp):
             draw_sentence(context, layout, "Settings changed since. Suggest again.", "INFO")
         new = len(found.cuts[found.chosen].diagonals)
         if new:
