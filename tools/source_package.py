@@ -6,6 +6,7 @@ pip builds it with nothing but what PyPI has.
 import shutil
 from pathlib import Path
 
+from tools.bindings import HYPOTHESIS
 from tools.blender import NUMPY, PYTEST
 from tools.environment import (
     BUILD,
@@ -55,11 +56,13 @@ def source_package() -> Path:
 
 def source_package_tests() -> None:
     """Builds a wheel from the source package as pip does, fetching no sources, and runs the README's examples on it."""
-    unpacked = FOLDER / "unpacked"  # always the same, for ccache
+    unpacked = FOLDER / "unpacked"
     shutil.rmtree(unpacked, ignore_errors=True)
     shutil.unpack_archive(source_package(), unpacked)
-    python = venv("source", DEBIAN_PYTHON, PYTEST, NUMPY[DEBIAN_VERSION], *PATTERN)
+    python = venv("source", DEBIAN_PYTHON, PYTEST, HYPOTHESIS, NUMPY[DEBIAN_VERSION], *PATTERN)
     options = ("--config-settings=cmake.define.FETCHCONTENT_FULLY_DISCONNECTED=ON", "--no-deps", "--force-reinstall")
     (sources,) = unpacked.iterdir()
-    run_quietly("building a wheel from the source package", [python, "-m", "pip", "install", *options, sources])
+    # Without ccache, as users build: then the core has precompiled headers.
+    install = [python, "-m", "pip", "install", *options, sources]
+    run_quietly("building a wheel from the source package", install, CMAKE_CXX_COMPILER_LAUNCHER="")
     run([python, "-m", "pytest", "-q", "tests/bindings/test_readme.py", "tests/bindings/test_stub.py"])
