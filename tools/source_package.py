@@ -63,6 +63,6 @@ def source_package_tests() -> None:
     options = ("--config-settings=cmake.define.FETCHCONTENT_FULLY_DISCONNECTED=ON", "--no-deps", "--force-reinstall")
     (sources,) = unpacked.iterdir()
     # Without ccache, as users build: then the core has precompiled headers.
-    install = [python, "-m", "pip", "install", *options, sources]
+    install: list[str | Path] = [python, "-m", "pip", "install", *options, sources]
     run_quietly("building a wheel from the source package", install, CMAKE_CXX_COMPILER_LAUNCHER="")
     run([python, "-m", "pytest", "-q", "tests/bindings/test_readme.py", "tests/bindings/test_stub.py"])
