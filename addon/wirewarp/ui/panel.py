@@ -26,16 +26,16 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         model = model_of(active)
         if model:
             sentence = (
-                f'These are the flat pieces of "{model.name}". Select it to mark seams and wires; in Edit Mode here, '
-                "mark allowances of one side."
+                f'These are the flat pieces of "{model.name}". Select that to mark seams and wires. In Edit Mode of '
+                "the pieces you can mark the ease and the allowance of one side."
             )
             if is_deleted(model):
                 draw_sentence(context, layout, f"These are flat pieces. {DELETED.format(model.name)}", "ERROR")
             else:
                 draw_sentence(context, layout, sentence, "INFO")
                 if context.mode == "EDIT_MESH":
-                    _draw_ease(layout, context, "Ease of the selected sides", OF_PIECES)
-                    _draw_allowances(layout, "Allowance of the selected sides")
+                    _draw_ease(layout, context, "Ease of selected sides", OF_PIECES)
+                    _draw_allowances(layout, "Allowance of selected sides")
             return
         if context.mode != "EDIT_MESH":
             layout.operator("object.mode_set", text="Mark in Edit Mode", icon="EDITMODE_HLT").mode = "EDIT"
@@ -58,8 +58,8 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         column.operator("mesh.wirewarp_mark", text="Free").kind = "SUPER_ELASTIC"
         column.operator("mesh.wirewarp_clear", text="Clear Wire")
 
-        _draw_ease(layout, context, "Ease of the selected lines", SIDES)
-        _draw_allowances(layout, "Seam allowance of the selected edges")
+        _draw_ease(layout, context, "Ease of selected lines", SIDES)
+        _draw_allowances(layout, "Allowance of selected edges")
 
 
 def _draw_ease(
