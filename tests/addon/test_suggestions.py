@@ -253,5 +253,5 @@ def test_with_modifiers_there_are_no_edges_to_mark():
     source = grid("Bump", bump)
     source.modifiers.new("Finer", "SUBSURF").levels = 1
     bpy.context.scene.wirewarp.use_modifiers = True
-    with pytest.raises(RuntimeError, match=r"apply what shapes it \(modifiers\), or flatten without Modifiers"):
+    with pytest.raises(RuntimeError, match=r"apply what changes its shape \(modifiers\), or flatten without Modifiers"):
         SUGGEST["DARTS"]()

@@ -67,7 +67,7 @@ class SuggestCuts(WindowSteps):
         try:
             return self._keep(context, self._run.result())
         except CancelledError:
-            self.report({"WARNING"}, "Cancelled. Nothing is suggested.")
+            self.report({"WARNING"}, "The search was cancelled. Nothing is suggested.")
             return {"CANCELLED"}
         except ObjectError as error:
             return self._refuse(context, error)
@@ -104,7 +104,7 @@ class SuggestCuts(WindowSteps):
 
 
 class OBJECT_OT_wirewarp_suggest_darts(SuggestCuts, bpy.types.Operator):
-    """Try darts, each by flattening with it, and list those that take most distortion from the piece"""
+    """Search for the darts that reduce the distortion of the piece most. Each is tested by flattening with it"""
 
     bl_idname = "object.wirewarp_suggest_darts"
     bl_label = "Suggest Darts"
@@ -112,7 +112,7 @@ class OBJECT_OT_wirewarp_suggest_darts(SuggestCuts, bpy.types.Operator):
 
 
 class OBJECT_OT_wirewarp_suggest_seams(SuggestCuts, bpy.types.Operator):
-    """Try seams across the piece, each by flattening with it, and list those that take most distortion from it"""
+    """Search for the seams across the piece that reduce its distortion most. Each is tested by flattening with it"""
 
     bl_idname = "object.wirewarp_suggest_seams"
     bl_label = "Suggest Seams"
@@ -135,7 +135,7 @@ class OBJECT_OT_wirewarp_choose_suggestion(bpy.types.Operator):
 
 
 class OBJECT_OT_wirewarp_drop_suggestions(bpy.types.Operator):
-    """Take no suggestion"""
+    """Discard these suggestions"""
 
     bl_idname = "object.wirewarp_drop_suggestions"
     bl_label = "Drop Suggestions"

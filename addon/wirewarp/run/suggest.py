@@ -23,7 +23,7 @@ from .read import find_source, read_models
 from .settings import choices_of
 
 WITH_MODIFIERS = (
-    "Suggestions are of edges to mark on the model itself: apply what shapes it ({}), or flatten without Modifiers."
+    "Suggested cuts are edges of the model itself: apply what changes its shape ({}), or flatten without Modifiers."
 )
 
 
