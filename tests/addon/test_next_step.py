@@ -109,6 +109,8 @@ def test_what_only_can_be_looked_at_is_shown(addon):
     bpy.ops.object.wirewarp_flatten()
     step = step_of(addon, source)
     assert (step.text, step.settings) == ("Show Strained Place", {"what": "HINT", "index": 0})
+    shown = buttons(addon).count("object.wirewarp_suggest_darts")
+    assert shown == 3 * 2  # beside the verdict, the piece and the hint; in a narrow and in a wide sidebar
     assert bpy.ops.mesh.wirewarp_select_result(**step.settings) == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")
     source.data.vertices[6].co.z = float("nan")

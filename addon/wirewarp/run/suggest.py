@@ -49,7 +49,11 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     if makers:
         raise object_error("with_modifiers", WITH_MODIFIERS.format(" and ".join(makers)))
     report = pieces_report(source)
-    is_true = report is not None and not has_changed(source, report)
+    is_true = (
+        report is not None
+        and report.get("with_modifiers", False) == settings.use_modifiers
+        and not has_changed(source, report)
+    )
     if piece is not None and not is_true:
         raise changed_error(source.name)
     names = {index: each["name"] for index, each in enumerate(report["pieces"])} if is_true else {}

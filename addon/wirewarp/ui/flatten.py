@@ -20,6 +20,7 @@ from .layout import SidebarPanel, draw_sentence
 from .progress import draw_progress
 from .settings import draw_advanced, draw_settings, settings_sentence
 from .shown import untrue_sentence
+from .suggestions import draw_suggest
 from .wire_list import shown_wires
 
 WAITS = f"Of more than {EDIT_LIMIT:,} vertices: Auto waits until you leave Edit Mode."
@@ -83,6 +84,8 @@ def _draw_state(context: bpy.types.Context, layout: bpy.types.UILayout, source: 
         asked = button.operator(step.operator, text=step.text, icon=step.icon)
         for name, value in step.settings.items():
             setattr(asked, name, value)
+        if step.settings.get("what") == "HINT":  # the verdict has said to add a dart or seam there
+            draw_suggest(layout, report["hints"][step.settings["index"]]["piece"])
     # Of the last run, though it may have left the earlier pieces: to flatten again would change nothing.
     sentence = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if sentence:
