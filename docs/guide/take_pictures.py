@@ -145,6 +145,17 @@ def report() -> drive.Tour:
     yield from take_picture("report", BOTH)
 
 
+def suggest() -> drive.Tour:
+    """Darts for the front, of which the first are chosen."""
+    yield from open_sample("flatten", "suggestions")
+    yield from flatten()
+    with drive.in_view():
+        bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True, piece=0)
+    yield lambda: not wirewarp_addon.run.window_run.is_running()
+    yield from look_at_both()
+    yield from take_picture("suggest", BOTH)
+
+
 def tube() -> drive.Tour:
     """A sleeve whose seam has been forgotten."""
     yield from open_sample("flatten", "report")
