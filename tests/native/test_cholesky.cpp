@@ -17,7 +17,6 @@
 #include "cholesky/eliminate_fronts.h"
 #include "cholesky/multifrontal_cholesky.h"
 #include "cholesky_problems.h"
-#include "count_allocations.h"
 #include "dense_algebra.h"
 
 namespace wirewarp {
@@ -275,17 +274,6 @@ TEST(MultifrontalCholesky, PartialSolvesEqualTheFullOne) {
   expect_equal(b, block);
   cholesky.substitute_back(b, off_block);
   EXPECT_EQ(b, expected);
-}
-
-TEST(MultifrontalCholesky, FactorizesWithoutAllocation) {
-  const CholeskyProblem problem = mesh_problem(60, 2);
-  const int before_analysis = num_allocations();
-  MultifrontalCholesky cholesky(problem.lower, problem.tree(), 2);
-  EXPECT_GT(num_allocations(), before_analysis);
-  const int before = num_allocations();
-  const bool positive_definite = cholesky.factorize(problem.lower) && cholesky.factorize(problem.lower);
-  EXPECT_EQ(num_allocations(), before);
-  EXPECT_TRUE(positive_definite);
 }
 
 TEST(MultifrontalCholesky, RefusesWhatDoesNotFit) {

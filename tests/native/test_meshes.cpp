@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "charts/cut_into_charts.h"
+#include "mesh/edge_table.h"
 #include "planar.h"
 
 namespace wirewarp::test {
@@ -185,6 +186,16 @@ FlattenInput saddle(int n, double bend) {
     const double y = 2 * t - 1;
     return Eigen::Vector3d(x, y, bend * (x * x - y * y));
   });
+}
+
+FlattenInput saddle_of_wires(int n, double tolerance) {
+  FlattenInput input = saddle(n, 0.5);
+  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+  for (int e = 0; e < edges.num_edges(); ++e) {
+    const auto [a, b] = edges.vertices(e);
+    if (edges.num_sides(e) == 2) add_wire(input, {a, b}, tolerance);
+  }
+  return input;
 }
 
 FlattenInput sphere_band(int nx, int ny, double latitude) {

@@ -63,6 +63,9 @@ FlattenInput cylinder_tube(int nx, int ny, double radius, double height);
 FlattenInput quarter_sphere(int n);
 /// z = bend (x² − y²) over the square of side 2.
 FlattenInput saddle(int n, double bend);
+
+/// A saddle where every inner edge is a wire of its own: they contradict one another, and all starts fail.
+FlattenInput saddle_of_wires(int n, double tolerance);
 /// A band of the unit sphere around the equator, up to the given latitude on both sides: two boundary loops.
 FlattenInput sphere_band(int nx, int ny, double latitude);
 /// The unit sphere cut into equal gores by seams from pole to pole; n quads around each gore, rings upwards.

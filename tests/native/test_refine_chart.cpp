@@ -8,9 +8,7 @@
 #include <string>
 
 #include "arap/free_boundary_arap.h"
-#include "count_fronts.h"
 #include "internal_options.h"
-#include "mesh/edge_table.h"
 #include "planar.h"
 #include "refine/injective_shape.h"
 #include "refine/refine_chart.h"
@@ -20,19 +18,8 @@
 namespace wirewarp {
 namespace {
 
-/// Every inner edge a wire of its own: they contradict one another, and all starts fail.
-FlattenInput saddle_of_wires(int n, double tolerance) {
-  FlattenInput input = test::saddle(n, 0.5);
-  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
-  for (int e = 0; e < edges.num_edges(); ++e) {
-    const auto [a, b] = edges.vertices(e);
-    if (edges.num_sides(e) == 2) test::add_wire(input, {a, b}, tolerance);
-  }
-  return input;
-}
-
 TEST(RefineChart, CountsStartsThatFail) {
-  const Charts charts = test::charts_of(saddle_of_wires(4, 1e-4));
+  const Charts charts = test::charts_of(test::saddle_of_wires(4, 1e-4));
   const Chart& chart = charts.charts.at(0);
   Options options;
   options.max_factorizations = 1000;
@@ -75,7 +62,7 @@ TEST(RefineChart, OptionsOfTheWiresAloneDoNotMatter) {
 }
 
 TEST(RefineChart, ASearchThatRanOutSaysSoAndProposesTheSame) {
-  const FlattenInput input = saddle_of_wires(4, 0);
+  const FlattenInput input = test::saddle_of_wires(4, 0);
   const auto error_with = [&](int max_factorizations) {
     Options options;
     options.max_factorizations = max_factorizations;
@@ -90,66 +77,6 @@ TEST(RefineChart, ASearchThatRanOutSaysSoAndProposesTheSame) {
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_EQ(proposed[i].wire, expected[i].wire);
     EXPECT_EQ(proposed[i].tolerance, expected[i].tolerance);
-  }
-}
-
-/// Counts of what was done between two questions, at most, and after the first no.
-struct Silence {
-  void hear() {
-    const FrontCounts now = count_fronts();
-    factored = std::max(factored, now.factored - last.factored);
-    substituted = std::max(substituted, now.substituted_forward - last.substituted_forward);
-    last = now;
-  }
-  FrontCounts last = count_fronts();
-  long factored = 0, substituted = 0;
-};
-
-/// Of one Newton system.
-long fronts_of(const FlattenInput& input) {
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
-  const Positions2 start = free_boundary_arap(chart, kFreeSteps).uv;
-  const long before = count_fronts().factored;
-  RefineBudget one(1);
-  refine_shape({chart, build_held_network(chart), 0.1}, start, {one});
-  return count_fronts().factored - before;
-}
-
-TEST(RefineChart, CancellingIsHeardAtOnceWhateverIsTried) {
-  for (const double tolerance : {0.0, 1e-4}) {
-    const FlattenInput input = saddle_of_wires(3, tolerance);
-    const long fronts = fronts_of(input);
-    const auto num_wires = static_cast<long>(input.wires.size());  // all elastic where tolerances are tried
-    for (const Method method : {Method::refined, Method::wirewarp_plus_plus}) {
-      Options options;
-      options.method = method;
-      Silence whole;
-      int questions = 0;
-      const FlattenResult refused = flatten(input, options, [&](const std::string& stage, double) {
-        whole.hear();
-        questions += stage != "measure";
-        return true;
-      });
-      ASSERT_TRUE(refused.pieces.at(0).error);
-      EXPECT_EQ(refused.pieces[0].error->code, ErrorCode::infeasible_lengths);
-      EXPECT_LE(whole.factored, 3 * fronts) << "the free shape, and before it the embedding on a circle";
-      EXPECT_LE(whole.substituted, (35 + 2 * num_wires) * fronts) << "steps to exact lengths, and two for each wire";
-      for (int last = 0; last < questions; last += 1 + questions / 20) {
-        int asked = 0;
-        Silence after;
-        const FlattenResult result = flatten(input, options, [&](const std::string&, double) {
-          after = {};
-          return asked++ < last;
-        });
-        after.hear();
-        EXPECT_EQ(asked, last + 1);
-        ASSERT_TRUE(result.pieces.at(0).error);
-        EXPECT_EQ(result.pieces[0].error->code, ErrorCode::cancelled) << last;
-        EXPECT_EQ(after.factored, 0) << last;
-        EXPECT_EQ(after.substituted, 0) << last;
-      }
-    }
   }
 }
 

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "arap/free_boundary_arap.h"
+#include "cholesky/multifrontal_cholesky.h"
+#include "cholesky_problems.h"
 #include "count_allocations.h"
 #include "count_fronts.h"
 #include "outer/warp.h"
@@ -52,6 +54,17 @@ TEST(Budgets, TheShapeErrorTakesNoMemory) {
   shape_error.energy_and_gradient(flat.uv, gradient);
   EXPECT_EQ(allocations_of([&] { shape_error.energy(flat.uv); }), 0);
   EXPECT_EQ(allocations_of([&] { shape_error.energy_and_gradient(flat.uv, gradient); }), 0);
+}
+
+TEST(Budgets, AFactorizationTakesNoMemory) {
+  const CholeskyProblem problem = mesh_problem(60, 2);
+  const int before_analysis = num_allocations();
+  MultifrontalCholesky cholesky(problem.lower, problem.tree(), 2);
+  EXPECT_GT(num_allocations(), before_analysis);
+  const int before = num_allocations();
+  const bool positive_definite = cholesky.factorize(problem.lower) && cholesky.factorize(problem.lower);
+  EXPECT_EQ(num_allocations(), before);
+  EXPECT_TRUE(positive_definite);
 }
 
 /// Allocations of placing and of its adjoint.

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A no ends a run before it factorizes or solves anything more.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "arap/free_boundary_arap.h"
+#include "count_fronts.h"
+#include "internal_options.h"
+#include "refine/refine_shape.h"
+#include "refine/starts.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+/// Counts of what was done between two questions, at most, and after the first no.
+struct Silence {
+  void hear() {
+    const FrontCounts now = count_fronts();
+    factored = std::max(factored, now.factored - last.factored);
+    substituted = std::max(substituted, now.substituted_forward - last.substituted_forward);
+    last = now;
+  }
+  FrontCounts last = count_fronts();
+  long factored = 0, substituted = 0;
+};
+
+/// Of one Newton system.
+long fronts_of(const FlattenInput& input) {
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+  const Positions2 start = free_boundary_arap(chart, kFreeSteps).uv;
+  const long before = count_fronts().factored;
+  RefineBudget one(1);
+  refine_shape({chart, build_held_network(chart), 0.1}, start, {one});
+  return count_fronts().factored - before;
+}
+
+TEST(Cancelling, IsHeardAtOnceWhateverIsTried) {
+  for (const double tolerance : {0.0, 1e-4}) {
+    const FlattenInput input = test::saddle_of_wires(3, tolerance);
+    const long fronts = fronts_of(input);
+    const auto num_wires = static_cast<long>(input.wires.size());  // all elastic where tolerances are tried
+    for (const Method method : {Method::refined, Method::wirewarp_plus_plus}) {
+      Options options;
+      options.method = method;
+      Silence whole;
+      int questions = 0;
+      const FlattenResult refused = flatten(input, options, [&](const std::string& stage, double) {
+        whole.hear();
+        questions += stage != "measure";
+        return true;
+      });
+      ASSERT_TRUE(refused.pieces.at(0).error);
+      EXPECT_EQ(refused.pieces[0].error->code, ErrorCode::infeasible_lengths);
+      EXPECT_LE(whole.factored, 3 * fronts) << "the free shape, and before it the embedding on a circle";
+      EXPECT_LE(whole.substituted, (35 + 2 * num_wires) * fronts) << "steps to exact lengths, and two for each wire";
+      for (int last = 0; last < questions; last += 1 + questions / 20) {
+        int asked = 0;
+        Silence after;
+        const FlattenResult result = flatten(input, options, [&](const std::string&, double) {
+          after = {};
+          return asked++ < last;
+        });
+        after.hear();
+        EXPECT_EQ(asked, last + 1);
+        ASSERT_TRUE(result.pieces.at(0).error);
+        EXPECT_EQ(result.pieces[0].error->code, ErrorCode::cancelled) << last;
+        EXPECT_EQ(after.factored, 0) << last;
+        EXPECT_EQ(after.substituted, 0) << last;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp
