@@ -27,6 +27,7 @@ FUZZ_APT = (*CORE_APT, "clang", "libclang-rt-14-dev")
 ATHERIS = ("atheris==3.0.0", "numpy==1.26.4")  # libFuzzer for Python
 FEW_CASES, MANY_CASES = 1_000, 10_000
 OF_A_GOOD_TEST = re.compile(r" +Start +\d+: | *\d+/\d+ Test +#\d+: .* Passed ")  # lines of ctest
+TEST_SECONDS = 600  # ten times what the longest takes under the sanitizers: what takes more hangs, and is named
 FUZZ_SECONDS = {"flatten": 600, "reader": 120}
 
 
@@ -40,7 +41,7 @@ def build_native(preset: str, *targets: str, **definitions: str) -> None:
 
 def run_native_tests(preset: str) -> None:
     """Shows what failed and the count, without two lines for each test that passed."""
-    command = ["ctest", "--preset", preset, "-j", str(CORES)]
+    command = ["ctest", "--preset", preset, "-j", str(CORES), "--timeout", str(TEST_SECONDS)]
     with subprocess.Popen(command, cwd=ROOT, env=clean_environment(), stdout=subprocess.PIPE, text=True) as tests:
         for line in tests.stdout or ():
             if not OF_A_GOOD_TEST.match(line):

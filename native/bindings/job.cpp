@@ -102,11 +102,11 @@ namespace {
 std::unique_ptr<Job> start(const py::object& vertices, const py::object& faces, const py::object& seams,
                            const py::object& wires, const py::object& options, const py::object& cache,
                            const py::object& eases) {
-  const auto find = [input = read_input(vertices, faces, seams, wires, eases), checked_options = read_options(options),
-                     solved_before = read_cache(cache)](const Progress& progress) {
+  auto find = [input = read_input(vertices, faces, seams, wires, eases), checked_options = read_options(options),
+               solved_before = read_cache(cache)](const Progress& progress) {
     return flatten(input, checked_options, progress, solved_before);
   };
-  return std::make_unique<Job>(work_that(find), cache);
+  return std::make_unique<Job>(work_that(std::move(find)), cache);
 }
 
 constexpr const char* kJobDoc =

@@ -84,11 +84,11 @@ std::unique_ptr<Job> start(const py::object& vertices, const py::object& faces, 
                            const py::object& wires, const py::object& options, const py::object& eases,
                            std::optional<int> piece, int count, double strain, std::optional<double> longest,
                            const py::object& no_seam) {
-  const auto find = [input = read_input(vertices, faces, seams, wires, eases), checked_options = read_options(options),
-                     wishes = read_wishes(piece, count, strain, longest, no_seam)](const Progress& progress) {
+  auto find = [input = read_input(vertices, faces, seams, wires, eases), checked_options = read_options(options),
+               wishes = read_wishes(piece, count, strain, longest, no_seam)](const Progress& progress) {
     return propose(input, checked_options, wishes, progress);
   };
-  return std::make_unique<Job>(work_that(find));
+  return std::make_unique<Job>(work_that(std::move(find)));
 }
 
 /// more: of arguments that follow those that both have.

@@ -91,3 +91,18 @@ def test_the_energy_is_that_of_the_cloth(dome):
     model, first = read_model(dome), line["proposals"][0]
     cut = flatten(model.vertices, model.faces, seams=edges(first["line"]), options=Options(cloth="woven"))
     assert first["energy"] == pytest.approx(cut.pieces[0].metrics.cloth_energy, rel=1e-6)
+
+
+def test_cuts_taken_together_are_of_no_chosen_piece(dome):
+    command = [sys.executable, "-m", "wirewarp", "propose", dome, "--together", "2", "--piece", "1"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 2
+    assert "without --piece and --count" in done.stderr
+
+
+@pytest.mark.parametrize("text", ["[" * 100_000, "[[0, 18446744073709551616]]"])
+def test_a_file_of_lines_that_is_none_is_refused_and_the_next_model_read(dome, tmp_path, text):
+    (tmp_path / "lines.json").write_text(text)
+    first, second = propose(dome, dome, "--no-seam", tmp_path / "lines.json", code=2)
+    assert first["verdict"] == second["verdict"] == "refused"
+    assert "lines.json" in first["problems"][0]

@@ -271,7 +271,8 @@ TEST(ProposeCuts, SayWhyThereAreNone) {
 TEST(ProposeCuts, RefuseWishesOutOfRange) {
   CutWishes wishes;
   wishes.piece = 1;
-  EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option), "piece must be one of 0 to 0, not 1.");
+  EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option),
+            "piece is 1, but pieces are counted from 0, and the mesh has 1.");
   wishes = {};
   wishes.count = 0;
   EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option), "count must be 1 or more, not 0.");

@@ -194,9 +194,10 @@ std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
   for (const RankedCut& cut : ranked) {
     HalfEdgeChain chain = nearest_chain(chart_.mesh, paths,
                                         {copy.fine_vertex[cut.ends.start.idx()], copy.fine_vertex[cut.ends.end.idx()]});
-    const double length = length_of(chart_.mesh, chain);
-    if (chain.empty() || length > kDetour * length_of(copy.chart.mesh, chain_of(coarse_paths, cut.ends))) continue;
+    if (chain.empty()) continue;
     is_way = true;
+    const double length = length_of(chart_.mesh, chain);
+    if (length > kDetour * length_of(copy.chart.mesh, chain_of(coarse_paths, cut.ends))) continue;
     const bool is_new = std::find(chains.begin(), chains.end(), chain) == chains.end();
     if (is_new && length <= wishes_.longest) chains.push_back(std::move(chain));
   }

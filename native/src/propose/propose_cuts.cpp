@@ -50,8 +50,9 @@ void check_wishes(const CutWishes& wishes, std::size_t num_pieces, const EdgeTab
   if (!(wishes.longest > 0))
     throw FlattenError(ErrorCode::invalid_option, "longest must be above 0, not " + shortest(wishes.longest) + ".");
   if (wishes.piece && (*wishes.piece < 0 || *wishes.piece >= static_cast<int>(num_pieces))) {
-    throw FlattenError(ErrorCode::invalid_option, "piece must be one of 0 to " + std::to_string(num_pieces - 1) +
-                                                      ", not " + std::to_string(*wishes.piece) + ".");
+    throw FlattenError(ErrorCode::invalid_option, "piece is " + std::to_string(*wishes.piece) +
+                                                      ", but pieces are counted from 0, and the mesh has " +
+                                                      std::to_string(num_pieces) + ".");
   }
   for (const auto& ends : wishes.no_seam.rowwise()) {
     const bool are_vertices = ends.minCoeff() >= 0 && ends.maxCoeff() < num_vertices;

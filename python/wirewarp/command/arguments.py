@@ -92,6 +92,8 @@ def parsed(words: Sequence[str]) -> Arguments | list[CutRequest]:
     propose.set_defaults(command=propose)
     given = parser.parse_args(words)
     if given.command is propose:
+        if given.together and (given.piece or given.count):
+            propose.error("--together chooses pieces and cuts by itself: give it without --piece and --count")
         return [_cut_request(model, given) for model in given.models]
     try:
         is_batch = given.command is batch
@@ -143,7 +145,7 @@ def _cut_options() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(add_help=False)
     options.add_argument("--cut", choices=("dart", "seam"), default="dart", help="what is to be proposed (dart)")
     options.add_argument("--piece", type=_count, metavar="N", help="only on the N-th piece (any, whichever gains most)")
-    options.add_argument("--count", type=_count, default=5, metavar="N", help="proposals, mirror images once (5)")
+    options.add_argument("--count", type=_count, metavar="N", help="proposals, mirror images once (5)")
     options.add_argument("--longest", type=_length, help="of a cut on the model: 150mm (any)")
     options.add_argument(
         "--strain",

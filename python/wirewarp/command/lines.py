@@ -16,6 +16,7 @@ from .model import Model
 
 SHARP = math.radians(30)  # as in Blender's Select Sharp Edges
 KEYS = {"vertices": {"vertices", "tolerance", "name", "ease"}, "side": {"side", "ease"}}
+LARGEST = np.iinfo(np.int64).max
 SAME_UV = 1e-6  # of the unit square: files have about as many decimals
 
 
@@ -82,12 +83,17 @@ def _add_ease(lines: Lines, entry: dict[str, Any]) -> None:
 def _read(path: Path) -> Any:  # noqa: ANN401
     try:
         return json.loads(path.read_text(encoding="utf-8"))
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(f'"{path}" is no JSON: {error}') from error
 
 
 def _is_chain(value: object) -> bool:
-    return isinstance(value, list) and len(value) > 1 and all(type(vertex) is int for vertex in value)
+    return isinstance(value, list) and len(value) > 1 and all(_is_vertex(vertex) for vertex in value)
+
+
+def _is_vertex(value: object) -> bool:
+    """Whether it may be one; JSON's numbers have no limit."""
+    return type(value) is int and abs(value) <= LARGEST
 
 
 def _sides_at_edges(faces: np.ndarray) -> np.ndarray:

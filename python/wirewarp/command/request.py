@@ -47,7 +47,7 @@ class CutRequest:
     material: MaterialRequest
     kind: Literal["dart", "seam"]
     piece: int | None  # from 1; None for any
-    count: int
+    count: int | None  # None: as many as the library proposes
     strain: float
     longest: float | None
     together: int | None  # cuts that are taken together at most; None: each is one by itself
