@@ -50,8 +50,9 @@ def _line(request: CutRequest) -> Line:
     else:
         propose = propose_darts if request.kind == "dart" else propose_seams
         piece = None if request.piece is None else request.piece - 1
-        count = {} if request.count is None else {"count": request.count}
-        cuts = propose(**mesh, piece=piece, longest=longest, **count)
+        if request.count is not None:
+            mesh["count"] = request.count
+        cuts = propose(**mesh, piece=piece, longest=longest)
     return {
         "verdict": PROPOSED,
         "cut": request.kind,
