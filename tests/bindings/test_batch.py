@@ -15,6 +15,7 @@ from test_command import FOLDED
 from wirewarp.command import run as command_run
 from wirewarp.command.apart import Limits, Stopped, each_apart
 from wirewarp.command.arguments import parsed
+from wirewarp.command.staged import staged_folder
 from works_apart import hang_or_wait, square_or_crash, take_memory_and_hang
 
 pytest.importorskip("trimesh")
@@ -52,6 +53,17 @@ def test_models_of_folders_keep_their_places_and_are_done_once(models, tmp_path)
     assert lines[0]["figures"]["area_m2"] == pytest.approx(0.05 * 0.1 + 0.05 * 0.1 * 1.18, rel=0.01)
     (models / "deep/er/a.obj").write_text(FOLDED.replace(".04", ".03"))
     assert ["skipped" in line for line in run(*words)[0]] == [True, False]
+
+
+def test_what_a_killed_run_has_left_of_a_model_that_is_done_goes_with_the_next_run(models, tmp_path):
+    words = (models, "--out", tmp_path / "out", "--format", "svg")
+    run(*words)
+    done = {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")}
+    request = parsed(["batch", *map(str, words)]).requests[0]
+    left = staged_folder(request)
+    (left.__enter__() / "a.svg").write_text("half")
+    assert all("skipped" in line for line in run(*words)[0])
+    assert {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")} == done
 
 
 def test_models_of_a_list_have_options_of_their_own(models, tmp_path):

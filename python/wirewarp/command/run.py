@@ -15,7 +15,7 @@ from .arguments import Arguments
 from .flatten import flatten_model
 from .propose import propose_for
 from .request import CutRequest, Request
-from .staged import remove_staged
+from .staged import remove_staged, with_left
 from .verdicts import EXIT_CODES, STOPPED, Line, unfinished
 
 MODULES = ["trimesh", __name__]
@@ -32,6 +32,8 @@ def run(arguments: Arguments) -> int:
     """
     # Matrices are small here, and models many: threads for each would be in the way of others.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    for request in with_left(arguments.requests):  # models that are done are not begun again
+        _remove_staged(request)
     worst = 0
     # The bar is drawn where standard error is a terminal.
     with (

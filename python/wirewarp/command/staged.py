@@ -5,13 +5,14 @@ import hashlib
 import json
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
 from .input_error import InputError
 from .request import Request
 
+HIDDEN = ".wirewarp-"  # how the names of staged folders begin
 EARLIER = ".earlier"  # folder in the staged one, for the files of the last run
 
 
@@ -31,6 +32,12 @@ def remove_staged(request: Request) -> None:
     """What a run of this model has left that was killed. Raises OSError if files cannot be put back."""
     for left in request.folder.glob(f"{_prefix(request)}*"):
         _remove(left, request)
+
+
+def with_left(requests: Sequence[Request]) -> list[Request]:
+    """Those of which a run that was killed has left a folder."""
+    left = {folder: {path.name for path in folder.glob(f"{HIDDEN}*")} for folder in {r.folder for r in requests}}
+    return [r for r in requests if any(name.startswith(_prefix(r)) for name in left[r.folder])]
 
 
 def listed_files(report: Path) -> list[str]:
@@ -83,4 +90,4 @@ def _put_back(staged: Path, request: Request) -> None:
 
 def _prefix(request: Request) -> str:
     """By a digest, for the name of a model may be as long as file systems allow."""
-    return f".wirewarp-{hashlib.blake2b(request.model.stem.encode(), digest_size=8).hexdigest()}-"
+    return f"{HIDDEN}{hashlib.blake2b(request.model.stem.encode(), digest_size=8).hexdigest()}-"
