@@ -161,9 +161,9 @@ TEST(Flatten, FollowsRigidMotionAndScale) {
 }
 
 /// Flattens a shuffled copy and compares corner by corner.
-void expect_order_is_nothing(const FlattenInput& input, Method method) {
+void expect_order_is_nothing(const FlattenInput& input, Method method, unsigned seed) {
   const FlattenResult before = flatten(input, by(method));
-  std::mt19937 random(3);
+  std::mt19937 random(seed);
   std::vector<int> new_vertex(static_cast<std::size_t>(input.vertices.rows()));
   std::vector<int> old_face(static_cast<std::size_t>(input.faces.rows()));
   std::iota(new_vertex.begin(), new_vertex.end(), 0);
@@ -192,12 +192,19 @@ void expect_order_is_nothing(const FlattenInput& input, Method method) {
       corners_after.row(3 * f + k) = after.corner_uv.block<1, 2>(f, 2 * k);
     }
   }
-  EXPECT_LT(misfit(corners_before, corners_after), kSame);
+  const bool is_refined = method == Method::refined;
+  // Newton's iteration may end a step earlier or later: the objectives are the same, the places to their root.
+  if (is_refined) {
+    EXPECT_NEAR(after.pieces[0].report.objective, before.pieces[0].report.objective, 1e-11);
+  }
+  EXPECT_LT(misfit(corners_before, corners_after), is_refined ? 1e-5 : kSame) << seed;
 }
 
 TEST(Flatten, DoesNotDependOnTheOrderOfVerticesFacesAndCorners) {
   for (const FlattenInput& input : {sheet_with_a_dart(12, 0.3), test::quarter_sphere(16)}) {
-    for (const Method method : kMethods) expect_order_is_nothing(input, method);
+    for (const Method method : kMethods) {
+      for (const unsigned seed : {0, 1, 2}) expect_order_is_nothing(input, method, seed);
+    }
   }
 }
 
