@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tours through suggested darts: searched while the window goes on, shown, taken, undone."""
 
+from collections.abc import Generator
+from threading import Event
+
 import bpy
 import drive
 import wirewarp_addon
 from stage import contents, flatten, redo, remember, undo, window_run
-from surfaces import bump, grid, read
+from surfaces import bump, grid, on_line, read, select_edges
 
 current = wirewarp_addon.flat.suggestions.current_suggestions
 
@@ -62,3 +65,29 @@ def a_model_that_changes_during_the_search_gets_no_suggestion() -> drive.Tour:
     source.data.update()
     yield lambda: not window_run.is_running()
     assert wirewarp_addon.flat.suggestions.suggestions_of(source) is None
+
+
+def a_search_ends_under_a_tool() -> drive.Tour:
+    """It leaves no Edit Mode then, for that crashes Blender."""
+    source = grid("Bump", bump)
+    select_edges(source, on_line(0, 0.0))
+    remember()
+    run, goes_on = wirewarp_addon.run.suggest, Event()
+    suggest_cuts = run.suggest_cuts
+
+    def wait_and_suggest(*what: object) -> Generator[float, None, object]:
+        while not goes_on.is_set():
+            yield 0.4
+        return (yield from suggest_cuts(*what))
+
+    run.suggest_cuts = wait_and_suggest
+    with drive.in_view():
+        bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True)
+    yield from drive.press("G")
+    goes_on.set()
+    yield lambda: not window_run.is_running()
+    yield from drive.ticks(10)
+    assert source.mode == "EDIT" and current(source)
+    assert drive.window_manager().operators[-1].name != "Move"  # it still goes on
+    yield from drive.press("ESC")
+    assert source.mode == "EDIT" and current(source)

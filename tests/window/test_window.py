@@ -63,6 +63,7 @@ TOURS = {
         "a_suggestion_is_taken_and_undone_with_one_click_each",
         "escape_ends_the_search",
         "a_model_that_changes_during_the_search_gets_no_suggestion",
+        "a_search_ends_under_a_tool",
     ],
     "pages_tours": ["pages_are_on_the_screen"],
     "view_tours": [

@@ -90,9 +90,8 @@ class SuggestCuts(WindowSteps):
         return True
 
     def _keep(self, context: bpy.types.Context, cuts: list[Cut]) -> set[str]:
-        """Raises ObjectError."""
-        with in_object_mode(context):
-            found = keep_found(self._search, cuts)
+        """In any mode: leaving Edit Mode under a tool that is still going on crashes Blender. Raises ObjectError."""
+        found = keep_found(self._search, cuts)
         redraw_views()
         best = cut_text(cuts[0], length_text(context.scene))
         self.report({"INFO"}, f'{kind_words(self.kind, len(cuts))} suggested; for "{found.names[0]}": {best}')

@@ -63,7 +63,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
 
 
 def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
-    """For the panel and the overlay. Raises ObjectError if the model is no longer as it was read. In Object Mode."""
+    """For the panel and the overlay. Raises ObjectError if the model is no longer as it was read. In any mode."""
     source, name = find_source(search.model), search.model.facts["object"]
     if source is None or has_changed(source, {"model_state": search.model.state}, read_anew):
         raise object_error("changed", f'"{name}" changed during the search. Suggest again.')
