@@ -249,9 +249,12 @@ def test_why_there_is_nothing_to_suggest():
         SUGGEST["DARTS"]()
 
 
-def test_with_modifiers_there_are_no_edges_to_mark():
+@pytest.mark.parametrize(("kind", "settings"), [("SUBSURF", {"levels": 1}), ("EDGE_SPLIT", {"split_angle": 0})])
+def test_with_modifiers_there_are_no_edges_to_mark(kind, settings):
     source = grid("Bump", bump)
-    source.modifiers.new("Finer", "SUBSURF").levels = 1
+    modifier = source.modifiers.new("Other Edges", kind)
+    for name, value in settings.items():
+        setattr(modifier, name, value)
     bpy.context.scene.wirewarp.use_modifiers = True
     with pytest.raises(RuntimeError, match=r"apply what changes its shape \(modifiers\), or flatten without Modifiers"):
         SUGGEST["DARTS"]()

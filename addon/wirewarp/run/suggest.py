@@ -46,6 +46,8 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     if model.issue:
         raise ObjectError(model.issue)
     makers = shaped_by(source, context.evaluated_depsgraph_get()) if settings.use_modifiers else []
+    if not makers and len(model.arrays.vertices) != len(source.data.vertices):
+        makers = ["modifiers"]  # that split edges and leave the shape as it is
     if makers:
         raise object_error("with_modifiers", WITH_MODIFIERS.format(" and ".join(makers)))
     report = pieces_report(source)
