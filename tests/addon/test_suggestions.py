@@ -23,6 +23,7 @@ from surfaces import (
 from test_proposals import seams_of
 from view_context import view_context
 
+SIDES = ("wirewarp_side_ease", "wirewarp_side_allowance")
 SUGGEST = {"DARTS": bpy.ops.object.wirewarp_suggest_darts, "SEAMS": bpy.ops.object.wirewarp_suggest_seams}
 
 
@@ -202,6 +203,8 @@ def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
     """Along the diagonal of a ridge no edge runs."""
     source = grid("Ridge", lambda x, y: (x, y, 0.6 * math.exp(-8 * (x - y) ** 2) * (1 - x * x) * (1 - y * y)))
     mark(source, lambda a, b: on_line(1, -0.75)(a, b) and max(a[0], b[0]) < -0.4)
+    for name in SIDES:
+        write_sides(source.data, name)
     layer = source.data.uv_layers.new(name="Mine")
     layer.data.foreach_set("uv", np.arange(2 * len(source.data.loops), dtype=np.float32))
     source.vertex_groups.new(name="Half").add([0, 1, 2], 0.5, "REPLACE")
@@ -217,15 +220,33 @@ def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
     }
     triangles = triangles_of(source)
     wires = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
+    sides = [sides_of(source.data, name) for name in SIDES]
     bpy.ops.object.wirewarp_mend(what="SUGGESTION")
     mesh = source.data
     assert triangles_of(source) == triangles
     after = read(mesh.attributes["wirewarp_wire"].data, "value", np.int32)
     assert np.array_equal(after[: len(wires)], wires) and not after[len(wires) :].any()
+    assert [sides_of(mesh, name) for name in SIDES] == sides
     assert source.vertex_groups["Half"].weight(1) == 0.5
     kept = mesh.uv_layers["Mine"].data
     assert {tuple(kept[loop.index].uv) for loop in mesh.loops} == set(uv.values())
     assert addon.flat.reports.last_report(source)["pieces"][0]["ok"]
+
+
+def write_sides(mesh, name):
+    """Each side of each edge gets another value; eases only those of the outline, where they may be."""
+    edges = read(mesh.loops, "edge_index", np.int32)
+    is_asked = (name == "wirewarp_side_allowance") | (np.bincount(edges)[edges] == 1)
+    values = np.where(is_asked, np.linspace(0.01, 0.02, len(edges)), 0).astype(np.float32)
+    mesh.attributes.new(name, "FLOAT", "CORNER").data.foreach_set("value", values)
+
+
+def sides_of(mesh, name):
+    """The values by the ends of their edges, in the direction of the side; but zeros."""
+    starts = read(mesh.loops, "vertex_index", np.int32)
+    following = np.concatenate([np.roll(polygon.loop_indices, -1) for polygon in mesh.polygons])
+    values = read(mesh.attributes[name].data, "value", np.float32)
+    return {(a, b): value for a, b, value in zip(starts, starts[following], values, strict=True) if value}
 
 
 def triangles_of(source):

@@ -7,6 +7,7 @@ import numpy as np
 
 from ..blender.mesh import add_seams, edge_vertices, read_seams
 from ..issues import object_error
+from ..names import SIDE_ALLOWANCE, SIDE_EASE
 from ..pattern.chains import EdgeMarks, edge_keys
 from .attributes import read_marks, write_marks
 from .wire_names import find_name
@@ -59,10 +60,15 @@ def cut_across_faces(mesh: bpy.types.Mesh, pairs: list) -> None:
     try:
         edited.from_mesh(mesh)
         edited.verts.ensure_lookup_table()
+        layers = edited.loops.layers.float
+        sides = [layers[name] for name in (SIDE_EASE, SIDE_ALLOWANCE) if name in layers]
         for a, b in pairs:
             first, second = edited.verts[a], edited.verts[b]
             face = next(each for each in first.link_faces if second in each.verts and len(each.verts) == 4)
-            bmesh.utils.face_split(face, first, second)
+            _, corner = bmesh.utils.face_split(face, first, second)
+            for loop in corner.edge.link_loops:  # they are copies of corners that begin other edges
+                for side in sides:
+                    loop[side] = 0.0
         edited.to_mesh(mesh)
     finally:
         edited.free()
