@@ -165,6 +165,17 @@ def test_it_is_taken_in_both_modes(addon, mode):
     assert found(addon, source) is None
 
 
+def test_a_model_that_became_a_curve_gets_no_suggestion(addon):
+    source = grid("Bump", bump)
+    suggest = addon.run.suggest
+    search = suggest.begin_search(bpy.context, source, "DARTS", None)
+    cuts = addon.solve.steps.in_one_go(search.steps)
+    bpy.data.objects.remove(source)
+    bpy.context.scene.collection.objects.link(bpy.data.objects.new("Bump", bpy.data.curves.new("Bump", "CURVE")))
+    with pytest.raises(addon.issues.ObjectError, match='"Bump" changed during the search. Suggest again'):
+        suggest.keep_found(search, cuts)
+
+
 def test_other_settings_are_told(addon):
     grid("Bump", bump)
     SUGGEST["DARTS"]()

@@ -91,3 +91,31 @@ def a_search_ends_under_a_tool() -> drive.Tour:
     assert drive.window_manager().operators[-1].name != "Move"  # it still goes on
     yield from drive.press("ESC")
     assert source.mode == "EDIT" and current(source)
+
+
+def a_fault_of_the_core_ends_the_search() -> drive.Tour:
+    """It is told, and another search can begin."""
+    source = grid("Bump", bump)
+    run, operators, told = wirewarp_addon.run.suggest, wirewarp_addon.operators.suggest, []
+    suggest_cuts, fault_sentence = run.suggest_cuts, operators.fault_sentence
+
+    def fail(*_: object) -> Generator[float, None, object]:
+        yield 0.4
+        raise MemoryError("no room for 8 GB")
+
+    def tell(*what: object) -> str:
+        told.append(fault_sentence(*what))
+        return told[-1]
+
+    run.suggest_cuts, operators.fault_sentence = fail, tell
+    with drive.in_view():
+        bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True)
+    yield lambda: not window_run.is_running()
+    (sentence,) = told
+    assert sentence.startswith("The search failed, nothing is suggested: no room for 8 GB.")
+    assert current(source) is None
+    run.suggest_cuts = suggest_cuts
+    with drive.in_view():
+        bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True)
+    yield lambda: not window_run.is_running()
+    assert current(source)

@@ -64,6 +64,7 @@ TOURS = {
         "escape_ends_the_search",
         "a_model_that_changes_during_the_search_gets_no_suggestion",
         "a_search_ends_under_a_tool",
+        "a_fault_of_the_core_ends_the_search",
     ],
     "pages_tours": ["pages_are_on_the_screen"],
     "view_tours": [

@@ -2,7 +2,6 @@
 """What Flatten and its automatic update have in common: read, solve, write; in a window step by step, else at once."""
 
 import json
-import traceback
 from pathlib import Path
 
 import bpy
@@ -23,7 +22,7 @@ from ..run.settings import FlattenSettings, choices_of
 from ..run.window_run import CancelledError
 from ..run.write import write_results
 from ..solve.steps import Steps
-from .window_steps import WindowSteps
+from .window_steps import WindowSteps, fault_sentence
 
 # What a user may do during a run: look around.
 HARMLESS = {"MIDDLEMOUSE", "MOUSEMOVE", "INBETWEEN_MOUSEMOVE", "HOME", "NUMPAD_PERIOD"} | {
@@ -82,7 +81,8 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         except CancelledError:
             return self.give_up(context, "cancelled", "Flatten was cancelled. Nothing was written.", "WARNING")
         except Exception as error:
-            return self.give_up(context, "internal_error", _fault(error, "nothing was written"), "ERROR")
+            sentence = fault_sentence(error, "Flatten failed, nothing was written")
+            return self.give_up(context, "internal_error", sentence, "ERROR")
         if context.mode not in WORKING_MODES or _place(context) != (self._scene, self._view_layer):
             sentence = "The mode or the scene changed during the run, so nothing was written. Flatten again."
             return self.give_up(context, "elsewhere", sentence, "ERROR")
@@ -93,7 +93,8 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         except ObjectError as error:
             return self.give_up(context, error.issue.code, str(error), "ERROR")
         except Exception as error:  # as on a full memory; with an undo step, so that the user can take it back
-            self.give_up(context, "internal_error", _fault(error, "undo (Ctrl+Z) takes back what was written"), "ERROR")
+            sentence = fault_sentence(error, "Flatten failed, undo (Ctrl+Z) takes back what was written")
+            self.give_up(context, "internal_error", sentence, "ERROR")
             hold_whole_file()
             return {"FINISHED"}
         self.show(context, outcomes)
@@ -137,15 +138,6 @@ class FlattenSteps(WindowSteps, FlattenSettings):
             write_json(self.report_file, run_report(core.library().__version__, units, reports))
         except OSError as error:
             self.report({"ERROR"}, unwritten(self.report_file, error))
-
-
-def _fault(error: Exception, state: str) -> str:
-    """The sentence for what should not happen; state: of the file."""
-    traceback.print_exc()
-    return (
-        f"Flatten failed, {state}: {str(error) or type(error).__name__}. This is a bug in WireWarp. Please report it, "
-        "with the text in Blender's console."
-    )
 
 
 def _place(context: bpy.types.Context) -> tuple[str, str]:

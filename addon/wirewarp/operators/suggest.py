@@ -18,7 +18,7 @@ from ..run.targets import active_target, nothing_to_flatten
 from ..run.window_run import CancelledError
 from ..solve.sentences import plain_sentence
 from ..solve.suggest import Cut
-from .window_steps import WindowSteps
+from .window_steps import WindowSteps, fault_sentence
 
 
 class SuggestCuts(WindowSteps):
@@ -71,6 +71,9 @@ class SuggestCuts(WindowSteps):
             return {"CANCELLED"}
         except ObjectError as error:
             return self._refuse(context, error)
+        except Exception as error:
+            self.report({"ERROR"}, fault_sentence(error, "The search failed, nothing is suggested"))
+            return {"CANCELLED"}
 
     def _read(self, context: bpy.types.Context) -> bool:
         """Whether there is something to search; says why not."""

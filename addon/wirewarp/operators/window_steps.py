@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What operators have in common that work in steps while the window goes on."""
 
+import traceback
+
 import bpy
 
 from ..run import window_run
@@ -46,3 +48,12 @@ class WindowSteps:
             return in_one_go(steps, manager.progress_update)
         finally:
             manager.progress_end()
+
+
+def fault_sentence(error: Exception, what: str) -> str:
+    """The sentence for what should not happen; what: failed, and the state of the file."""
+    traceback.print_exc()
+    return (
+        f"{what}: {str(error) or type(error).__name__}. This is a bug in WireWarp. Please report it, with the text in "
+        "Blender's console."
+    )

@@ -46,10 +46,16 @@ def find_source(model: Model) -> bpy.types.Object | None:
     return next((candidate for candidate in bpy.data.objects if candidate.name_full == model.name), None)
 
 
+def is_current(model: Model) -> bool:
+    """Whether its object is still there, a mesh, and as it was read. In any mode."""
+    source, report = find_source(model), {"model_state": model.state}
+    return source is not None and source.type == "MESH" and not has_changed(source, report, read_anew)
+
+
 def check_current(context: bpy.types.Context, models: list[Model], settings: RunSettings) -> None:
     """Raises ObjectError if an object is no longer as it was read, or may not be written any more, in Object Mode."""
     context.view_layer.update()
-    changed = [model.facts["object"] for model in models if not _is_current(model)]
+    changed = [model.facts["object"] for model in models if not is_current(model)]
     if changed:
         sentence = f"{quoted(changed)} changed during the run, so nothing was written. Flatten again."
         raise object_error("changed", sentence)
@@ -60,11 +66,6 @@ def check_current(context: bpy.types.Context, models: list[Model], settings: Run
 
 def _check(source: bpy.types.Object, settings: RunSettings) -> None:
     check_target(source, writes_model=not settings.use_modifiers)
-
-
-def _is_current(model: Model) -> bool:
-    source, report = find_source(model), {"model_state": model.state}
-    return source is not None and source.type == "MESH" and not has_changed(source, report, read_anew)
 
 
 def _read(

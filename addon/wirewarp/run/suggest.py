@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import bpy
 
 from .. import core
-from ..blender.cache import read_anew
 from ..blender.objects import check_local
 from ..blender.units import meters_per_blender_unit
 from ..flat.reports import pieces_report
@@ -19,7 +18,7 @@ from ..solve.flatten import FlattenChoices
 from ..solve.steps import Steps
 from ..solve.suggest import Cut, suggest_cuts
 from .models import Model
-from .read import find_source, read_models
+from .read import find_source, is_current, read_models
 from .settings import choices_of
 
 WITH_MODIFIERS = (
@@ -66,10 +65,9 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
 
 def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
     """For the panel and the overlay. Raises ObjectError if the model is no longer as it was read. In any mode."""
-    source, name = find_source(search.model), search.model.facts["object"]
-    if source is None or has_changed(source, {"model_state": search.model.state}, read_anew):
-        raise object_error("changed", f'"{name}" changed during the search. Suggest again.')
+    if not is_current(search.model):
+        raise object_error("changed", f'"{search.model.facts["object"]}" changed during the search. Suggest again.')
     names = [search.names.get(cut.piece, f"piece {cut.piece + 1}") for cut in cuts]
     found = Suggestions(search.kind, cuts, names, search.choices, search.model.state)
-    keep(source, found)
+    keep(find_source(search.model), found)
     return found
