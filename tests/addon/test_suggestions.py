@@ -176,6 +176,14 @@ def test_a_model_that_became_a_curve_gets_no_suggestion(addon):
         suggest.keep_found(search, cuts)
 
 
+def test_without_an_active_object_there_is_nothing_to_choose():
+    grid("Bump", bump)
+    SUGGEST["DARTS"]()
+    bpy.context.view_layer.objects.active = None
+    for operator in (bpy.ops.object.wirewarp_choose_suggestion, bpy.ops.object.wirewarp_drop_suggestions):
+        assert not operator.poll()
+
+
 def test_other_settings_are_told(addon):
     grid("Bump", bump)
     SUGGEST["DARTS"]()

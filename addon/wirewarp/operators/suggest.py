@@ -37,8 +37,7 @@ class SuggestCuts(WindowSteps):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        if active is not None and active.type == "MESH" and context.mode in WORKING_MODES:
+        if _is_mesh(context.active_object) and context.mode in WORKING_MODES:
             return True
         cls.poll_message_set("Select a mesh, in Object Mode or in Edit Mode")
         return False
@@ -130,6 +129,10 @@ class OBJECT_OT_wirewarp_choose_suggestion(bpy.types.Operator):
 
     index: IntProperty(name="Index", description="Its place in the list, from 0", min=0)
 
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return _is_mesh(context.active_object)
+
     def execute(self, context: bpy.types.Context) -> set[str]:
         choose(model_or_self(context.active_object), self.index)
         redraw_views()
@@ -143,7 +146,15 @@ class OBJECT_OT_wirewarp_drop_suggestions(bpy.types.Operator):
     bl_label = "Drop Suggestions"
     bl_options = {"INTERNAL"}
 
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return _is_mesh(context.active_object)
+
     def execute(self, context: bpy.types.Context) -> set[str]:
         drop(model_or_self(context.active_object))
         redraw_views()
         return {"FINISHED"}
+
+
+def _is_mesh(active: bpy.types.Object | None) -> bool:
+    return active is not None and active.type == "MESH"
