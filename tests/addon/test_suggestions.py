@@ -184,6 +184,15 @@ def test_without_an_active_object_there_is_nothing_to_choose():
         assert not operator.poll()
 
 
+def test_only_names_of_pieces_are_quoted(capfd):
+    grid("Bump", bump)
+    SUGGEST["DARTS"]()
+    assert "suggested; for Piece 1: stretch" in capfd.readouterr().out
+    bpy.ops.object.wirewarp_flatten()
+    SUGGEST["DARTS"]()
+    assert 'suggested; for "Bump": stretch' in capfd.readouterr().out
+
+
 def test_other_settings_are_told(addon):
     grid("Bump", bump)
     SUGGEST["DARTS"]()

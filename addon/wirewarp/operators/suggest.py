@@ -18,6 +18,7 @@ from ..run.targets import active_target, nothing_to_flatten
 from ..run.window_run import CancelledError
 from ..solve.sentences import plain_sentence
 from ..solve.suggest import Cut
+from ..words import quoted
 from .window_steps import WindowSteps, fault_sentence
 
 
@@ -95,8 +96,9 @@ class SuggestCuts(WindowSteps):
         """In any mode: leaving Edit Mode under a tool that is still going on crashes Blender. Raises ObjectError."""
         found = keep_found(self._search, cuts)
         redraw_views()
-        best = cut_text(cuts[0], length_text(context.scene))
-        self.report({"INFO"}, f'{kind_words(self.kind, len(cuts))} suggested; for "{found.names[0]}": {best}')
+        best, name = cut_text(cuts[0], length_text(context.scene)), found.names[0]
+        piece = quoted([name]) if cuts[0].piece in self._search.names else name
+        self.report({"INFO"}, f"{kind_words(self.kind, len(cuts))} suggested; for {piece}: {best}")
         return {"FINISHED"}
 
     def _refuse(self, context: bpy.types.Context, error: ObjectError) -> set[str]:

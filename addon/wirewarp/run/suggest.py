@@ -67,7 +67,7 @@ def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
     """For the panel and the overlay. Raises ObjectError if the model is no longer as it was read. In any mode."""
     if not is_current(search.model):
         raise object_error("changed", f'"{search.model.facts["object"]}" changed during the search. Suggest again.')
-    names = [search.names.get(cut.piece, f"piece {cut.piece + 1}") for cut in cuts]
+    names = [search.names.get(cut.piece, f"Piece {cut.piece + 1}") for cut in cuts]
     found = Suggestions(search.kind, cuts, names, search.choices, search.model.state)
     keep(find_source(search.model), found)
     return found
