@@ -148,6 +148,12 @@ def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon):
     assert drawn() == expected(second)
     bpy.ops.object.wirewarp_choose_suggestion(index=100)
     assert found(addon, source).chosen == 1
+    source.scale.x = 2.0
+    bpy.context.view_layer.update()
+    assert drawn() == [None, None]
+    source.scale.x = 1.0
+    bpy.context.view_layer.update()
+    assert drawn() == expected(second)
     bpy.ops.object.wirewarp_drop_suggestions()
     assert drawn() == [None, None]
 

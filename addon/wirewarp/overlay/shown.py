@@ -10,6 +10,7 @@ import numpy as np
 
 from ..blender.cache import stamp
 from ..blender.index import find_objects
+from ..blender.objects import metric
 from ..blender.units import meters_per_blender_unit
 from ..flat.markers import marker_text
 from ..flat.pieces import piece_names
@@ -92,7 +93,8 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
     wires = [(entry.wire_id, entry.name) for entry in source.data.wirewarp_names]
     names = wires, piece_names(source), seam_names(source)
     report = Same(last_report(source))
-    made_of = stamp(target), stamp(target.data), target.data.is_editmode, report, source.name_full, names
+    scale = metric(source).tobytes()  # what is shown of the last report and of suggestions is of a model of this scale
+    made_of = stamp(target), stamp(target.data), target.data.is_editmode, report, source.name_full, names, scale
     depsgraph = context.view_layer.depsgraph
     if context.scene.wirewarp.show_lines:
         if target == source or target.data.is_editmode:
@@ -179,7 +181,8 @@ def uv_drawings(context: bpy.types.Context) -> Iterator[UvDrawing]:
         return
     for target in _targets(context):
         if target.type == "MESH" and shows_our_map(target.data):
-            made_of = stamp(target), stamp(target.data), target.data.is_editmode, Same(last_report(target))
+            scale = metric(target).tobytes()
+            made_of = stamp(target), stamp(target.data), target.data.is_editmode, Same(last_report(target)), scale
             lines = kept_drawing(target, "uv lines", made_of, partial(_uv_lines, target))
             failed = None
             if not target.data.is_editmode:
