@@ -2,6 +2,7 @@
 """Suggested darts and seams: what the list says is what flattening with them gives; shown, taken, undone, refused."""
 
 import math
+import types
 
 import bpy
 import numpy as np
@@ -93,6 +94,28 @@ def test_mirror_images_are_one_suggestion(addon):
         middles = {tuple(place) for place in places[np.array(cut.edges)].mean(axis=1).round(4).tolist()}
         assert middles == {(-x, y, z) for x, y, z in middles}
     assert "2×" in draw_panels(addon)
+
+
+def test_the_least_strain_is_first_and_rows_differ(addon):
+    source = two_hills()
+    SUGGEST["DARTS"]()
+    cuts = found(addon, source).cuts
+    assert [cut.strain for cut in cuts] == sorted(cut.strain for cut in cuts)
+    rows = [addon.report.suggestions.cut_text(cut, addon.blender.units.length_text(bpy.context.scene)) for cut in cuts]
+    assert len(rows) == len(set(rows))
+
+
+def test_twins_without_common_figures_are_one_row(addon):
+    def proposal(strain, twin, together):
+        edges = np.array([[0, 1]])
+        return types.SimpleNamespace(
+            edges=edges, piece=0, length=1.0, strain=strain, strain_before=0.5, twin=twin, strain_with_twin=together
+        )
+
+    apart = [proposal(0.3, 1, None), proposal(0.3, 0, None)]
+    together = [proposal(0.4, 3, 0.2), proposal(0.4, 2, 0.2)]
+    cuts = addon.solve.suggest._with_twins([*apart, *together], set())
+    assert [(cut.strain, len(cut.lengths)) for cut in cuts] == [(0.2, 2), (0.3, 1)]
 
 
 def test_the_list_is_of_the_chosen_piece_and_goes_when_the_model_changes(addon):

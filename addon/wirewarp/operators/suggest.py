@@ -98,7 +98,8 @@ class SuggestCuts(WindowSteps):
         redraw_views()
         best, name = cut_text(cuts[0], length_text(context.scene)), found.names[0]
         piece = quoted([name]) if cuts[0].piece in self._search.names else name
-        self.report({"INFO"}, f"{kind_words(self.kind, len(cuts))} suggested; for {piece}: {best}")
+        count = sum(len(cut.lengths) for cut in cuts)
+        self.report({"INFO"}, f"{kind_words(self.kind, count)} suggested; for {piece}: {best}")
         return {"FINISHED"}
 
     def _refuse(self, context: bpy.types.Context, error: ObjectError) -> set[str]:

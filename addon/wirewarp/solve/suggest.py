@@ -82,14 +82,16 @@ def _barred_diagonals(across: np.ndarray, arrays: MeshArrays, no_seam: NoSeam) -
 
 
 def _with_twins(proposals: list[DartProposal], across: set[tuple[int, int]]) -> list[Cut]:
-    """Mirror images as one cut, where they help together."""
+    """Those of the least strain first. Mirror images as one cut; one of them, where two are no better than one."""
     cuts = []
     for index, proposal in enumerate(proposals):
+        if proposal.twin is not None and proposal.twin < index:
+            continue
         if proposal.strain_with_twin is None:
             cuts.append(_cut([proposal], proposal.strain, across))
-        elif proposal.twin > index:
+        else:
             cuts.append(_cut([proposal, proposals[proposal.twin]], proposal.strain_with_twin, across))
-    return cuts
+    return sorted(cuts, key=lambda cut: cut.strain)
 
 
 def _cut(proposals: list[DartProposal], strain: float, across: set[tuple[int, int]]) -> Cut:
