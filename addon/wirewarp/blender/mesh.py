@@ -23,6 +23,7 @@ def read(collection: bpy.types.bpy_prop_collection, name: str, dtype: type, colu
 _VALUES = {
     "BOOLEAN": ("value", bool, 1),
     "INT": ("value", np.int32, 1),
+    "INT8": ("value", np.int8, 1),
     "FLOAT": ("value", np.float32, 1),
     "FLOAT_VECTOR": ("vector", np.float32, 3),
     "FLOAT_COLOR": ("color", np.float32, 4),
