@@ -224,10 +224,73 @@ def test_only_names_of_pieces_are_quoted(capfd):
 
 def test_other_settings_are_told(addon):
     grid("Bump", bump)
+    settings = bpy.context.scene.wirewarp
+    SUGGEST["DARTS"]()
+    settings.spacing, settings.mirror, settings.layout_kind = 50, True, "ROW"
+    settings.orientation, settings.grain_angle = "BOUNDARY", 0.5
+    assert "Suggest again" not in draw_panels(addon)  # the figures are the same
+    settings.fairness = 0.2
+    assert "Settings changed since (Smooth Outlines). Suggest again." in draw_panels(addon)
+
+
+def test_another_grain_is_told_with_a_cloth(addon):
+    source = grid("Bump", bump)
+    mark(source, on_line(0, 0.0))
+    settings = bpy.context.scene.wirewarp
+    settings.cloth = "WOVEN"
+    SUGGEST["DARTS"]()
+    settings.gives_across = 10  # warned of in the report, no part of the search
+    assert "Suggest again" not in draw_panels(addon)
+    source.data.wirewarp_grain = found(addon, source).wire_ids.copy().pop()
+    assert "Settings changed since (Grain Wire). Suggest again." in draw_panels(addon)
     SUGGEST["DARTS"]()
     assert "Suggest again" not in draw_panels(addon)
-    bpy.context.scene.wirewarp.fairness = 0.2
-    assert "Settings changed since. Suggest again." in draw_panels(addon)
+    settings.grain_angle = 0.5
+    assert "Settings changed since (Grain Angle). Suggest again." in draw_panels(addon)
+
+
+def paint(source, data_type="BOOLEAN", domain="FACE"):
+    """All that there is."""
+    attribute = source.data.attributes.new("wirewarp_no_seam", data_type, domain)
+    attribute.data.foreach_set("value", np.ones(len(attribute.data), dtype=np.int32))
+    source.data.update()
+    bpy.context.view_layer.update()
+
+
+def test_cuts_go_when_their_way_is_painted(addon):
+    source = grid("Bump", bump)
+    SUGGEST["DARTS"]()
+    source.vertex_groups.new(name="Keep Whole").add([0], 1.0, "REPLACE")
+    bpy.context.view_layer.update()
+    assert found(addon, source)
+    source.vertex_groups[0].name = "wirewarp_no_seam"
+    bpy.context.view_layer.update()
+    assert found(addon, source) is None
+    with pytest.raises(RuntimeError, match="Nothing is suggested"):
+        bpy.ops.object.wirewarp_mend(what="SUGGESTION")
+    source.vertex_groups.clear()  # an attribute cannot have the name beside it
+    source.update_tag()
+    bpy.context.view_layer.update()
+    SUGGEST["DARTS"]()
+    assert found(addon, source)
+    paint(source)
+    assert found(addon, source) is None
+
+
+def test_paint_during_the_search_is_noticed(addon):
+    source = grid("Bump", bump)
+    search = addon.run.suggest.begin_search(bpy.context, source, "DARTS", None)
+    paint(source)
+    with pytest.raises(addon.issues.ObjectError, match='"Bump" changed during the search'):
+        addon.run.suggest.keep_found(search, [])
+
+
+@pytest.mark.parametrize(("data_type", "domain"), [("BOOLEAN", "POINT"), ("INT", "EDGE"), ("FLOAT", "CORNER")])
+def test_an_attribute_of_another_kind_is_refused(data_type, domain):
+    source = grid("Bump", bump)
+    paint(source, data_type, domain)
+    with pytest.raises(RuntimeError, match='"wirewarp_no_seam" of mesh "Bump" is not of type BOOLEAN, INT8, INT or'):
+        SUGGEST["DARTS"]()
 
 
 @pytest.mark.parametrize("kind", ["FACES", "GROUP"])
@@ -247,10 +310,9 @@ def test_no_cut_runs_where_none_is_wanted(addon, kind):
         assert not pairs(cut) & pairs(other.edges)
 
 
-def test_a_painted_model_leaves_no_way():
-    source = grid("Bump", bump)
-    attribute = source.data.attributes.new("wirewarp_no_seam", "INT", "FACE")
-    attribute.data.foreach_set("value", np.ones(len(source.data.polygons), dtype=np.int32))
+@pytest.mark.parametrize("data_type", ["BOOLEAN", "INT8", "INT", "FLOAT"])
+def test_a_painted_model_leaves_no_way(data_type):
+    paint(grid("Bump", bump), data_type)
     sentence = 'no room for a dart.*Nor may a seam run where "wirewarp_no_seam" is painted'
     with pytest.raises(RuntimeError, match=sentence):
         SUGGEST["DARTS"]()

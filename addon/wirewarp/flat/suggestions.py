@@ -7,9 +7,11 @@ import bpy
 
 from ..blender.cache import Take, kept
 from ..blender.index import note
+from ..issues import ObjectError
+from ..model.no_seam import read_no_seam
 from ..model.state import has_changed
 from ..solve.flatten import FlattenChoices
-from ..solve.suggest import Cut
+from ..solve.suggest import Cut, NoSeam
 
 
 @dataclass(frozen=True)
@@ -18,7 +20,10 @@ class Suggestions:
     cuts: list[Cut]
     names: list[str]  # of the piece that each of them cuts
     choices: FlattenChoices  # with which they were measured
+    grain_wire: int  # the id that the mesh had for it; 0: none
+    wire_ids: set[int]  # of the wires that there were
     state: dict  # of the model, see model_state
+    no_seam: NoSeam  # along which none runs
     chosen: int = 0  # of the cuts
 
 
@@ -55,7 +60,19 @@ def suggestions_of(source: bpy.types.Object) -> Suggestions | None:
 def current_suggestions(source: bpy.types.Object, take: Take = kept) -> Suggestions | None:
     """The last ones, if the model is as it was; take: kept, or read_anew."""
     found = suggestions_of(source)
-    return None if found is None or has_changed(source, {"model_state": found.state}, take) else found
+    return found if found and are_current(source, found, take) else None
+
+
+def are_current(source: bpy.types.Object, found: Suggestions, take: Take = kept) -> bool:
+    """Whether the model is as it was, and so is where no seam is wanted: in Edit Mode that is not seen."""
+    if has_changed(source, {"model_state": found.state}, take):
+        return False
+    if source.data.is_editmode:
+        return True
+    try:
+        return found.no_seam.is_same(take(source, "no seam", read_no_seam))
+    except ObjectError:  # it was readable then
+        return False
 
 
 def forget(*_: object) -> None:

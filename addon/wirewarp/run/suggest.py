@@ -6,17 +6,18 @@ from dataclasses import dataclass
 import bpy
 
 from .. import core
+from ..blender.cache import read_anew
 from ..blender.objects import check_local
 from ..blender.units import meters_per_blender_unit
 from ..flat.reports import pieces_report
-from ..flat.suggestions import Suggestions, keep
+from ..flat.suggestions import Suggestions, are_current, keep
 from ..issues import ObjectError, changed_error, object_error
 from ..model.modifiers import shaped_by
 from ..model.no_seam import read_no_seam
 from ..model.state import has_changed
-from ..solve.flatten import FlattenChoices
+from ..solve.flatten import FlattenChoices, used_choices
 from ..solve.steps import Steps
-from ..solve.suggest import Cut, suggest_cuts
+from ..solve.suggest import Cut, NoSeam, suggest_cuts
 from .models import Model
 from .read import find_source, is_current, read_models
 from .settings import choices_of
@@ -33,6 +34,7 @@ class Search:
     kind: str  # DARTS or SEAMS
     model: Model
     choices: FlattenChoices
+    no_seam: NoSeam
     steps: Steps[list[Cut]]
     names: dict[int, str]  # of pieces, where they are known
 
@@ -59,15 +61,27 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
         raise changed_error(source.name)
     names = {index: each["name"] for index, each in enumerate(report["pieces"])} if is_true else {}
     choices = choices_of(settings, meters_per_blender_unit(context.scene))
-    steps = suggest_cuts(core.library(), model.arrays, choices, kind, piece, read_no_seam(source))
-    return Search(kind, model, choices, steps, names)
+    no_seam = read_no_seam(source)
+    steps = suggest_cuts(core.library(), model.arrays, choices, kind, piece, no_seam)
+    return Search(kind, model, used_choices(choices, model.arrays), no_seam, steps, names)
 
 
 def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
     """For the panel and the overlay. Raises ObjectError if the model is no longer as it was read. In any mode."""
-    if not is_current(search.model):
-        raise object_error("changed", f'"{search.model.facts["object"]}" changed during the search. Suggest again.')
-    names = [search.names.get(cut.piece, f"Piece {cut.piece + 1}") for cut in cuts]
-    found = Suggestions(search.kind, cuts, names, search.choices, search.model.state)
-    keep(find_source(search.model), found)
+    model, names = search.model, [search.names.get(cut.piece, f"Piece {cut.piece + 1}") for cut in cuts]
+    wire_ids = {wire.chain.wire_id for wire in model.arrays.wires}
+    found = Suggestions(
+        search.kind,
+        cuts,
+        names,
+        search.choices,
+        model.arrays.grain_wire,
+        wire_ids,
+        model.state,
+        search.no_seam,
+    )
+    source = find_source(model)
+    if not (is_current(model) and are_current(source, found, read_anew)):
+        raise object_error("changed", f'"{model.facts["object"]}" changed during the search. Suggest again.')
+    keep(source, found)
     return found

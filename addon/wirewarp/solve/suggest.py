@@ -25,6 +25,9 @@ class NoSeam:
     faces: np.ndarray  # (f,) bool, of the mesh
     vertices: np.ndarray  # (n,) bool
 
+    def is_same(self, other: "NoSeam") -> bool:
+        return np.array_equal(self.faces, other.faces) and np.array_equal(self.vertices, other.vertices)
+
 
 @dataclass(frozen=True)
 class Cut:

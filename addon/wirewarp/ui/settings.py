@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What Flatten asks for, in the sidebar and after a run alike."""
 
-from dataclasses import asdict
+from dataclasses import asdict, replace
 
 import bpy
 
 from ..blender.units import meters_per_blender_unit
+from ..flat.suggestions import Suggestions
 from ..properties import EaseAmount, WIREWARP_PG_settings
 from ..run.settings import FlattenChoices, FlattenSettings, choices_of
 
@@ -83,19 +84,44 @@ def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP
     return f"Settings changed since ({names}). Flatten again to apply."
 
 
+def figures_sentence(source: bpy.types.Object, found: Suggestions, settings: WIREWARP_PG_settings) -> str:
+    """Empty where a search with the settings of the panel would find the same cuts and figures."""
+    choices = known_choices(settings)
+    if choices is None:
+        return ""
+    then = asdict(_of_figures(found.choices)) | {"grain_wire": found.grain_wire}
+    changed = _changed_choices(source, _of_figures(choices), then, found.wire_ids)
+    return f"Settings changed since ({', '.join(changed)}). Suggest again." if changed else ""
+
+
+def _of_figures(choices: FlattenChoices) -> FlattenChoices:
+    """All alike but for what strain depends on: without a cloth it is the same whatever stands upright."""
+    choices = replace(choices, layout="packed", spacing=0.0, mirror=False)
+    if choices.cloth is None:
+        return replace(choices, orientation="up", grain_angle=0.0)
+    return replace(choices, cloth=replace(choices.cloth, gives_across=0.0, gives_along=0.0))
+
+
 def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> list[str]:
     choices = known_choices(settings)
     if "options" not in report or choices is None:
         return []
+    wire_ids = {wire["wire_id"] for wire in report["wires"]}
+    changed = _changed_choices(source, choices, BEFORE | report["options"], wire_ids)
+    if report.get("with_modifiers", False) != settings.use_modifiers and report.get("shaped_by"):
+        changed.append("Modifiers")
+    return changed
+
+
+def _changed_choices(source: bpy.types.Object, choices: FlattenChoices, then: dict, wire_ids: set[int]) -> list[str]:
+    """then: the options of a report; wire_ids: of the wires that there were."""
     now = asdict(choices) | {"grain_wire": source.data.wirewarp_grain}
-    then = now | BEFORE | report["options"]
+    then = now | then
     unused = OF_OTHERS if now["method"] == "refined" else OF_REFINED
-    had_grain = then["grain_wire"] in {wire["wire_id"] for wire in report["wires"]}
+    had_grain = then["grain_wire"] in wire_ids
     if (now["orientation"], then["orientation"]) == ("wire", "up") and not had_grain:
         unused = unused | {"orientation"}  # while there is no grain wire, pieces stand as on the model
     changed = [name for key, name in NAMES.items() if key not in unused and now[key] != then[key]]
     if now["orientation"] == "wire" and then["grain_wire"] != now["grain_wire"]:
         changed.append("Grain Wire")
-    if report.get("with_modifiers", False) != settings.use_modifiers and report.get("shaped_by"):
-        changed.append("Modifiers")
     return changed

@@ -12,7 +12,7 @@ from ..run.window_run import SUGGEST
 from ..words import counted
 from .layout import SidebarPanel, draw_sentence
 from .progress import draw_progress
-from .settings import known_choices
+from .settings import figures_sentence
 from .shown import shown_source
 
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams"}
@@ -47,8 +47,9 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
                 text, is_chosen = cut_text(found.cuts[index], lengths), index == found.chosen
                 button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen)
                 button.index = index
-        if found.choices != known_choices(context.scene.wirewarp):
-            draw_sentence(context, layout, "Settings changed since. Suggest again.", "INFO")
+        sentence = figures_sentence(shown_source(context), found, context.scene.wirewarp)
+        if sentence:
+            draw_sentence(context, layout, sentence, "INFO")
         new = len(found.cuts[found.chosen].diagonals)
         if new:
             draw_sentence(context, layout, f"Marking it adds {counted(new, 'edge')} across faces of the model.", "INFO")
