@@ -8,6 +8,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
+from suggesting import SUGGEST, found, pairs
 from surfaces import (
     bump,
     edge_vertices,
@@ -25,7 +26,6 @@ from test_proposals import seams_of
 from view_context import view_context
 
 SIDES = ("wirewarp_side_ease", "wirewarp_side_allowance")
-SUGGEST = {"DARTS": bpy.ops.object.wirewarp_suggest_darts, "SEAMS": bpy.ops.object.wirewarp_suggest_seams}
 
 
 def two_hills(size=8):
@@ -38,14 +38,6 @@ def two_hills(size=8):
             a, b, c, d = (y * row + x + offset for offset in (0, 1, row + 1, row))
             faces += [[a, b, c], [a, c, d]] if 2 * x < size else [[a, b, d], [b, c, d]]
     return make_object("Hills", vertices, faces)
-
-
-def found(addon, source):
-    return addon.flat.suggestions.current_suggestions(source)
-
-
-def pairs(edges):
-    return {(min(edge), max(edge)) for edge in np.asarray(edges).tolist()}
 
 
 def widespread(addon, source):
@@ -145,14 +137,15 @@ def test_the_list_is_of_the_chosen_piece_and_goes_when_the_model_changes(addon):
         SUGGEST["DARTS"](piece=1)
 
 
-def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon):
+def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, monkeypatch):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     SUGGEST["DARTS"]()
     first, second, *_ = found(addon, source).cuts
+    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)  # else what changes soon after the last time is seen late
+    monkeypatch.setattr(addon.overlay.cache, "FELT", math.inf)
 
     def drawn():
-        addon.overlay.cache.forget()  # else what is made soon after the last time is seen a moment later
         lines = {each.target: each.failures for each in addon.overlay.shown.drawings(view_context())}
         return [
             {tuple(place) for place in lines[target].lines["proposed"].tolist()} if lines[target] else None
@@ -247,75 +240,6 @@ def test_another_grain_is_told_with_a_cloth(addon):
     assert "Suggest again" not in draw_panels(addon)
     settings.grain_angle = 0.5
     assert "Settings changed since (Grain Angle). Suggest again." in draw_panels(addon)
-
-
-def paint(source, data_type="BOOLEAN", domain="FACE"):
-    """All that there is."""
-    attribute = source.data.attributes.new("wirewarp_no_seam", data_type, domain)
-    attribute.data.foreach_set("value", np.ones(len(attribute.data), dtype=np.int32))
-    source.data.update()
-    bpy.context.view_layer.update()
-
-
-def test_cuts_go_when_their_way_is_painted(addon):
-    source = grid("Bump", bump)
-    SUGGEST["DARTS"]()
-    source.vertex_groups.new(name="Keep Whole").add([0], 1.0, "REPLACE")
-    bpy.context.view_layer.update()
-    assert found(addon, source)
-    source.vertex_groups[0].name = "wirewarp_no_seam"
-    bpy.context.view_layer.update()
-    assert found(addon, source) is None
-    with pytest.raises(RuntimeError, match="Nothing is suggested"):
-        bpy.ops.object.wirewarp_mend(what="SUGGESTION")
-    source.vertex_groups.clear()  # an attribute cannot have the name beside it
-    source.update_tag()
-    bpy.context.view_layer.update()
-    SUGGEST["DARTS"]()
-    assert found(addon, source)
-    paint(source)
-    assert found(addon, source) is None
-
-
-def test_paint_during_the_search_is_noticed(addon):
-    source = grid("Bump", bump)
-    search = addon.run.suggest.begin_search(bpy.context, source, "DARTS", None)
-    paint(source)
-    with pytest.raises(addon.issues.ObjectError, match='"Bump" changed during the search'):
-        addon.run.suggest.keep_found(search, [])
-
-
-@pytest.mark.parametrize(("data_type", "domain"), [("BOOLEAN", "POINT"), ("INT", "EDGE"), ("FLOAT", "CORNER")])
-def test_an_attribute_of_another_kind_is_refused(data_type, domain):
-    source = grid("Bump", bump)
-    paint(source, data_type, domain)
-    with pytest.raises(RuntimeError, match='"wirewarp_no_seam" of mesh "Bump" is not of type BOOLEAN, INT8, INT or'):
-        SUGGEST["DARTS"]()
-
-
-@pytest.mark.parametrize("kind", ["FACES", "GROUP"])
-def test_no_cut_runs_where_none_is_wanted(addon, kind):
-    source = grid("Bump", bump, faces="triangles")
-    SUGGEST["DARTS"]()
-    cut = found(addon, source).cuts[0].edges
-    mesh = source.data
-    if kind == "FACES":
-        attribute = mesh.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
-        painted = [bool(set(face.vertices) & set(np.unique(cut).tolist())) for face in mesh.polygons]
-        attribute.data.foreach_set("value", painted)
-    else:
-        source.vertex_groups.new(name="wirewarp_no_seam").add(np.unique(cut).tolist(), 1.0, "REPLACE")
-    SUGGEST["DARTS"]()
-    for other in found(addon, source).cuts:
-        assert not pairs(cut) & pairs(other.edges)
-
-
-@pytest.mark.parametrize("data_type", ["BOOLEAN", "INT8", "INT", "FLOAT"])
-def test_a_painted_model_leaves_no_way(data_type):
-    paint(grid("Bump", bump), data_type)
-    sentence = 'no room for a dart.*Nor may a seam run where "wirewarp_no_seam" is painted'
-    with pytest.raises(RuntimeError, match=sentence):
-        SUGGEST["DARTS"]()
 
 
 def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What tests of suggested cuts share."""
+
+import bpy
+import numpy as np
+
+SUGGEST = {"DARTS": bpy.ops.object.wirewarp_suggest_darts, "SEAMS": bpy.ops.object.wirewarp_suggest_seams}
+
+
+def found(addon, source):
+    return addon.flat.suggestions.current_suggestions(source)
+
+
+def pairs(edges):
+    return {(min(edge), max(edge)) for edge in np.asarray(edges).tolist()}
