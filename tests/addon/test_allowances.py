@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from drawing import Drawing
 from surfaces import edge_vertices, flat_of, grid, mark_seam, on_line, read, select_edges, select_only
-from two_sided import HEM, SEAM, select_side, two_pieces
+from two_sided import HEM, SEAM, join_split_and_turn_over, select_side, two_pieces
 
 
 @pytest.fixture
@@ -134,15 +134,7 @@ def test_the_width_of_a_side_survives_what_wires_survive(source, tmp_path):
     bpy.ops.object.wirewarp_flatten(spacing=50.0)
     mark_side(source, -1, kind="WIDTH", width=15.0)
     mark_side(source, 1, kind="WIDTH", width=6.0)
-    other = grid("Other", lambda x, y: (x + 3, y, 0))
-    select_only(source, other)
-    bpy.context.view_layer.objects.active = source
-    bpy.ops.object.join()
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.mesh.subdivide(number_cuts=2)
-    bpy.ops.mesh.flip_normals()
-    bpy.ops.object.mode_set(mode="OBJECT")
+    join_split_and_turn_over(source)
     bpy.ops.scene.wirewarp_set_unit(meters=0.1)
     source.scale.x = -1
     bpy.ops.object.wirewarp_flatten(spacing=50.0)

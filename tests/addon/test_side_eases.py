@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 import pytest
 from surfaces import flat_of, grid, mark, mark_seam, on_line, read, select_edges, select_only
-from two_sided import HEM, SEAM, ease, lengths, select_side, shares, two_pieces
+from two_sided import HEM, SEAM, ease, join_split_and_turn_over, lengths, select_side, shares, two_pieces
 
 
 @pytest.fixture
@@ -38,15 +38,7 @@ def test_the_side_that_is_eased_survives_what_wires_survive(source):
     ease(source, SEAM, sides="ONE", ease_percent=5.0)
     bpy.ops.object.wirewarp_flatten()
     before = shares(source)
-    other = grid("Other", lambda x, y: (x + 3, y, 0))
-    select_only(source, other)
-    bpy.context.view_layer.objects.active = source
-    bpy.ops.object.join()
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.mesh.subdivide(number_cuts=2)
-    bpy.ops.mesh.flip_normals()
-    bpy.ops.object.mode_set(mode="OBJECT")
+    join_split_and_turn_over(source)
     source.scale.x = -1
     bpy.ops.object.wirewarp_flatten()
     assert shares(source) == pytest.approx(before, abs=1e-5)

@@ -17,6 +17,19 @@ def two_pieces():
     return target
 
 
+def join_split_and_turn_over(source):
+    """Edits that marks survive: another mesh is joined, edges are split, all faces turned over."""
+    other = grid("Other", lambda x, y: (x + 3, y, 0))
+    select_only(source, other)
+    bpy.context.view_layer.objects.active = source
+    bpy.ops.object.join()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.subdivide(number_cuts=2)
+    bpy.ops.mesh.flip_normals()
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
 def ease(target, line, **settings):
     select_edges(target, line)
     assert bpy.ops.mesh.wirewarp_ease(**settings) == {"FINISHED"}

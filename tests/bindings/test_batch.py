@@ -60,7 +60,7 @@ def test_what_a_killed_run_has_left_of_a_model_that_is_done_goes_with_the_next_r
     run(*words)
     done = {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")}
     request = parsed(["batch", *map(str, words)]).requests[0]
-    left = staged_folder(request)
+    left = staged_folder(request)  # entered and never left, as by who is killed
     (left.__enter__() / "a.svg").write_text("half")
     assert all("skipped" in line for line in run(*words)[0])
     assert {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")} == done

@@ -33,9 +33,8 @@ def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, measures: Mapping[ColorM
     """measures: (f,) by their map."""
     ends = flat.edges.ravel()
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
-    at_vertex = (
-        np.bincount(ends, np.repeat(flat.length_variation, 2), minlength=len(mesh.vertices)) / edges_at
-    )  # their mean
+    sums = np.bincount(ends, np.repeat(flat.length_variation, 2), minlength=len(mesh.vertices))
+    at_vertex = sums / edges_at  # the mean of its edges
     face = np.repeat(np.arange(len(flat.face_sizes)), flat.face_sizes)  # of each corner
     # A color of four float32 has the size of one complex number: to take these is far faster than to take rows. All
     # maps use the same memory, for new memory is slower still.
