@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+from multiprocessing import active_children
 from pathlib import Path
 
 import psutil
@@ -13,7 +14,7 @@ import pytest
 from processes import wait_until_gone
 from test_command import FOLDED
 from wirewarp.command import run as command_run
-from wirewarp.command.apart import Limits, Stopped, each_apart
+from wirewarp.command.apart import CONTEXT, Limits, Stopped, each_apart
 from wirewarp.command.arguments import parsed
 from wirewarp.command.staged import staged_folder
 from works_apart import hang_or_wait, square_or_crash, take_memory_and_hang
@@ -142,6 +143,19 @@ def test_what_hangs_ends_with_what_it_has_started(tmp_path):
     assert psutil.pid_exists(int(path.read_text()))
     running.close()
     wait_until_gone(int(path.read_text()))
+
+
+def test_ctrl_c_halfway_through_a_start_ends_what_was_started(tmp_path, monkeypatch):
+    begin = CONTEXT.Process.start
+
+    def begin_interrupted(process):
+        begin(process)
+        signal.raise_signal(signal.SIGINT)
+
+    monkeypatch.setattr(CONTEXT.Process, "start", begin_interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        next(each_apart(hang_or_wait, [("wait", tmp_path / "never")], 1, NEVER, []))
+    assert active_children() == []
 
 
 def test_what_hangs_is_stopped_in_time(tmp_path):
@@ -299,9 +313,10 @@ def test_ctrl_c_ends_all_and_nothing_hidden_is_left(models, blender, tmp_path):
     (models / "b hangs" / "hangs.blend").write_bytes(b"BLENDER")
     words = ["batch", models, "--out", tmp_path / "out", "--format", "svg", "--blender", blender, "--jobs", "2"]
     command = [sys.executable, "-c", INTERRUPTIBLE, *words]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+    piped = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    with subprocess.Popen(command, start_new_session=True, **piped) as process:
         assert json.loads(process.stdout.readline())["verdict"] == "ready to cut"
-        process.send_signal(signal.SIGINT)
+        os.killpg(process.pid, signal.SIGINT)  # as a terminal does
         assert process.stderr.read() == "stopped\n"
     assert process.returncode == 130
     assert all(not path.name.startswith(".") for path in (tmp_path / "out").rglob("*"))

@@ -12,8 +12,8 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Callable, Generator, Iterable
-from contextlib import suppress
+from collections.abc import Callable, Generator, Iterable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from typing import Generic, TypeVar
@@ -63,21 +63,44 @@ def each_apart(
     looked = time.monotonic()
     try:
         while True:
-            free = itertools.islice(waiting, min(jobs, MOST) - len(running))
-            running += [_Run(number, work, item) for number, item in free]
-            if not running:
-                return
-            wait([run.results for run in running], OFTEN)
-            is_time = time.monotonic() - looked > OFTEN
-            looked = time.monotonic() if is_time else looked
-            for run in list(running):
-                ended = run.ended() or (run.stopped_by(limits) if is_time else None)
-                if ended:
-                    running.remove(run)
-                    yield run.number, ended[0]
+            results = []
+            with _ctrl_c_waits():
+                for number, item in itertools.islice(waiting, min(jobs, MOST) - len(running)):
+                    running.append(_Run(number, work, item))
+                if not running:
+                    return
+                wait([run.results for run in running], OFTEN)
+                is_time = time.monotonic() - looked > OFTEN
+                looked = time.monotonic() if is_time else looked
+                for run in list(running):
+                    ended = run.ended() or (run.stopped_by(limits) if is_time else None)
+                    if ended:
+                        running.remove(run)
+                        results.append((run.number, ended[0]))
+            yield from results
     finally:
-        for run in running:
-            run.kill()
+        with _ctrl_c_waits():
+            for run in running:
+                run.kill()
+
+
+@contextmanager
+def _ctrl_c_waits() -> Iterator[None]:
+    """Ctrl+C is heard at the end: a process halfway through its start or its end is known to nobody who could end it.
+
+    The server, which begins with the first process, must not hear it at all: it inherits the mask.
+    """
+    pressed: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, _: pressed.append(number))
+    masked = None if sys.platform == "win32" else signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        if masked is not None:
+            signal.pthread_sigmask(signal.SIG_SETMASK, masked)
+        signal.signal(signal.SIGINT, before)
+    if pressed and callable(before):  # not where it is ignored, as in the background of a shell
+        before(signal.SIGINT, None)
 
 
 class _Run(Generic[Result]):
