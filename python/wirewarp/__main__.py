@@ -8,13 +8,13 @@ import sys
 def main() -> int:
     try:
         from .command.arguments import parsed
-        from .command.run import PrintError, run, run_proposals
+        from .command.run import PrintError, run
     except ModuleNotFoundError as error:
         print(f"The command needs {error.name}, which is missing: pip install wirewarp[command]", file=sys.stderr)
         return 2
     arguments = parsed(sys.argv[1:])
     try:
-        return run_proposals(arguments) if isinstance(arguments, list) else run(arguments)
+        return run(arguments)
     except KeyboardInterrupt:
         print("stopped", file=sys.stderr)
         return 130

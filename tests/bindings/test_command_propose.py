@@ -78,7 +78,7 @@ def test_no_cut_is_longer_or_runs_where_it_may_not(dome, tmp_path):
 def test_what_is_wrong_is_told_in_its_line(dome, tmp_path):
     trimesh.Trimesh(*half_cylinder(), process=False).export(tmp_path / "half.ply")
     trimesh.creation.box().export(tmp_path / "box.stl")  # twelve triangles, closed
-    lines = propose(tmp_path / "half.ply", dome, tmp_path / "box.stl", tmp_path / "top.blend", code=2)
+    lines = propose(tmp_path / "half.ply", dome, tmp_path / "box.stl", tmp_path / "top.blend", "--jobs", 2, code=2)
     verdicts = [line["verdict"] for line in lines]
     assert verdicts == ["nothing to propose", "proposed", "refused", "refused"]
     assert [line["codes"] for line in lines] == [["no_proposal"], [], ["closed_chart"], ["input"]]

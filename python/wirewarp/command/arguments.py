@@ -19,7 +19,7 @@ from ..pattern.write import WRITERS
 from .apart import Limits
 from .input_error import InputError
 from .inputs import Found, found_models
-from .request import MILLIMETERS, CutRequest, MarkerRequest, MaterialRequest, Orientation, Request
+from .request import MILLIMETERS, AnyRequest, CutRequest, MarkerRequest, MaterialRequest, Orientation, Request
 
 LENGTH = re.compile(r"(\d+(?:\.\d*)?)(?:/(\d+))?\s*(mm|cm|m|in)")
 SHEET = re.compile(r"(\d+(?:\.\d*)?)x(\d+(?:\.\d*)?)\s*(mm|cm|m|in)")
@@ -41,20 +41,18 @@ STRAIN = 0.005  # as propose_darts has it: pieces strained by no more are left a
 
 @dataclass(frozen=True)
 class Arguments:
-    """Of flatten and batch."""
-
-    requests: list[Request]
+    requests: Sequence[AnyRequest]
     jobs: int
     limits: Limits
 
 
-def parsed(words: Sequence[str]) -> Arguments | list[CutRequest]:
-    """Of flatten and batch, or of propose. Ends the program with code 2 and a sentence where they cannot be meant."""
+def parsed(words: Sequence[str]) -> Arguments:
+    """Ends the program with code 2 and a sentence where they cannot be meant."""
     parser = argparse.ArgumentParser(prog="python -m wirewarp", description="Flat patterns with exact lengths.")
     commands = parser.add_subparsers(required=True, metavar="flatten|batch|propose")
     flatten = commands.add_parser(
         "flatten",
-        parents=[_model_options(), _running_options()],  # of its own: their defaults differ
+        parents=[_model_options(), _writing_options(), _running_options()],  # of its own: their defaults differ
         help="flatten the models named, and write reports and patterns",
         description="Flattens models (OBJ, PLY, STL, glTF, Blender) and writes for each a report and a pattern. "
         + VERDICTS,
@@ -64,7 +62,7 @@ def parsed(words: Sequence[str]) -> Arguments | list[CutRequest]:
     flatten.set_defaults(command=flatten, jobs=1, part=(1, 1))
     batch = commands.add_parser(
         "batch",
-        parents=[_model_options(), _running_options()],  # of its own: their defaults differ
+        parents=[_model_options(), _writing_options(), _running_options()],  # of its own: their defaults differ
         help="the same for folders and lists of models, as often as it takes",
         description="As flatten --resume, with all models of folders and lists: run again, it goes on where it was "
         "stopped, and does what has changed. " + VERDICTS,
@@ -82,19 +80,19 @@ def parsed(words: Sequence[str]) -> Arguments | list[CutRequest]:
     batch.set_defaults(command=batch, resume=True, jobs=os.cpu_count() or 1)
     propose = commands.add_parser(
         "propose",
-        parents=[_shape_options(), _cut_options()],
+        parents=[_shape_options(), _cut_options(), _running_options()],
         help="say where darts or seams would take most distortion from a piece",
         description="Tries cuts on models (OBJ, PLY, STL, glTF), each by flattening with it, and prints for each model "
         "one line of JSON with the best. The exit code is 0 if something is proposed for all, 1 if not, 2 if one is "
-        "refused.",
+        "refused, 3 if one was stopped: it crashed or took more time or memory than it may.",
     )
     propose.add_argument("models", nargs="+", metavar="MODEL", type=Path)
-    propose.set_defaults(command=propose)
+    propose.set_defaults(command=propose, jobs=1)
     given = parser.parse_args(words)
     if given.command is propose:
         if given.together and (given.piece or given.count):
             propose.error("--together chooses pieces and cuts by itself: give it without --piece and --count")
-        return [_cut_request(model, given) for model in given.models]
+        return Arguments([_cut_request(model, given) for model in given.models], given.jobs, _limits(given))
     try:
         is_batch = given.command is batch
         models = found_models(given.models) if is_batch else [Found(model, Path()) for model in given.models]
@@ -102,9 +100,8 @@ def parsed(words: Sequence[str]) -> Arguments | list[CutRequest]:
         _check_clashes(requests)
     except InputError as error:
         given.command.error(str(error))
-    memory = given.memory_limit or psutil.virtual_memory().total // given.jobs
     part, parts = given.part
-    return Arguments(requests[part - 1 :: parts], given.jobs, Limits(given.time_limit, memory))
+    return Arguments(requests[part - 1 :: parts], given.jobs, _limits(given))
 
 
 def _shape_options() -> argparse.ArgumentParser:
@@ -182,10 +179,16 @@ def _model_options() -> argparse.ArgumentParser:
     return options
 
 
-def _running_options() -> argparse.ArgumentParser:
+def _writing_options() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(add_help=False)
     options.add_argument("--out", required=True, metavar="DIR", type=Path, help="folder for what is written")
-    options.add_argument("--jobs", type=_count, metavar="N", help="models at a time (flatten: 1, batch: all cores)")
+    options.add_argument("--blender", default="blender", metavar="PATH", help="for .blend files (blender)")
+    return options
+
+
+def _running_options() -> argparse.ArgumentParser:
+    options = argparse.ArgumentParser(add_help=False)
+    options.add_argument("--jobs", type=_count, metavar="N", help="models at a time (1; batch: all cores)")
     # An hour: a million triangles take ten seconds.
     options.add_argument(
         "--time-limit", type=_seconds, default=3600.0, metavar="S", help="seconds that a model may take (3600)"
@@ -193,7 +196,6 @@ def _running_options() -> argparse.ArgumentParser:
     options.add_argument(
         "--memory-limit", type=_memory, metavar="4GB", help="that a model may take (its share of the machine's)"
     )
-    options.add_argument("--blender", default="blender", metavar="PATH", help="for .blend files (blender)")
     return options
 
 
@@ -212,6 +214,10 @@ def _with_own_options(found: Found, given: argparse.Namespace) -> argparse.Names
         return _model_options().parse_args(words, argparse.Namespace(**vars(given)))
     except InputError as error:
         raise InputError(f"{found.source}: {error}") from error
+
+
+def _limits(given: argparse.Namespace) -> Limits:
+    return Limits(given.time_limit, given.memory_limit or psutil.virtual_memory().total // given.jobs)
 
 
 def _request(found: Found, given: argparse.Namespace) -> Request:

@@ -10,7 +10,7 @@ from .lines import edges_of, lines_of, seams_of
 from .model import read_model
 from .request import MILLIMETERS, CutRequest
 from .suffixes import BLEND
-from .verdicts import NOTHING, PROPOSED, REFUSED, Line, unfinished
+from .verdicts import NOTHING, PROPOSED, REFUSED, STOPPED, Line, unfinished
 
 IN_BLENDER = "In Blender the add-on suggests darts and seams; here models are OBJ, PLY, STL or glTF."
 
@@ -26,7 +26,7 @@ def propose_for(request: CutRequest) -> Line:
     except OSError as error:
         return unfinished(REFUSED, "file", f"{error.filename or request.model}: {error.strerror or error}")
     except MemoryError:
-        return unfinished(REFUSED, "memory_limit", "There is not enough memory for this model.")
+        return unfinished(STOPPED, "memory_limit", "There is not enough memory for this model.")
 
 
 def _line(request: CutRequest) -> Line:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is done with one model, and where it is written."""
+"""What is asked for of one model."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -36,15 +36,21 @@ class MaterialRequest:
 
 
 @dataclass(frozen=True)
-class CutRequest:
-    """Where to cut one model. Lengths are in millimeters."""
+class ModelRequest:
+    """One model, and what its flat pieces depend on."""
 
     model: Path
     seams: str  # "uv", "sharp", a path, or "" for none
     wires: str  # a path, or "" for none
-    no_seam: str  # likewise
     unit: str
     material: MaterialRequest
+
+
+@dataclass(frozen=True)
+class CutRequest(ModelRequest):
+    """Where to cut it. Lengths are in millimeters."""
+
+    no_seam: str  # a path, or "" for none
     kind: Literal["dart", "seam"]
     piece: int | None  # from 1; None for any
     count: int | None  # None: as many as the library proposes
@@ -54,20 +60,15 @@ class CutRequest:
 
 
 @dataclass(frozen=True)
-class Request:
-    """What is done with one model. Lengths are in millimeters."""
+class Request(ModelRequest):
+    """What is written of it, and where. Lengths are in millimeters."""
 
-    model: Path
     folder: Path
-    seams: str  # "uv", "sharp", a path, or "" for none
-    wires: str  # a path, or "" for none
     formats: tuple[str, ...]
     page: str | float
     allowance: float
     hem: float | None
-    unit: str
     imperial: bool
-    material: MaterialRequest
     marker: MarkerRequest | None
     picture: bool
     blender: str  # the program, for .blend files
@@ -102,3 +103,6 @@ class Request:
     @property
     def lines(self) -> tuple[str, str]:
         return self.seams, self.wires
+
+
+AnyRequest = Request | CutRequest

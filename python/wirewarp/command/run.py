@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens what was asked for, and prints what became of each model."""
+"""Does what was asked for, and prints what became of each model."""
 
 import json
 import os
@@ -14,7 +14,7 @@ from .apart import Stopped, each_apart
 from .arguments import Arguments
 from .flatten import flatten_model
 from .propose import propose_for
-from .request import CutRequest, Request
+from .request import AnyRequest, Request
 from .staged import remove_staged, with_left
 from .verdicts import EXIT_CODES, STOPPED, Line, unfinished
 
@@ -32,8 +32,8 @@ def run(arguments: Arguments) -> int:
     """
     # Matrices are small here, and models many: threads for each would be in the way of others.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    for request in with_left(arguments.requests):  # models that are done are not begun again
-        _remove_staged(request)
+    for request in with_left([each for each in arguments.requests if isinstance(each, Request)]):
+        _remove_staged(request)  # here, for models that are done are not begun again
     worst = 0
     # The bar is drawn where standard error is a terminal.
     with (
@@ -47,17 +47,6 @@ def run(arguments: Arguments) -> int:
     return worst
 
 
-def run_proposals(requests: list[CutRequest]) -> int:
-    """As run(), one model after the other."""
-    worst = 0
-    for request in requests:
-        begin = time.monotonic()
-        line = {"model": str(request.model), **propose_for(request), "seconds": round(time.monotonic() - begin, 3)}
-        _print(line)
-        worst = max(worst, EXIT_CODES[line["verdict"]])
-    return worst
-
-
 def _print(line: Line) -> None:
     try:
         print(json.dumps(line), flush=True)  # ASCII: every console can show it
@@ -66,9 +55,9 @@ def _print(line: Line) -> None:
 
 
 def _in_order(arguments: Arguments, bar: "tqdm[None]") -> Generator[Line, None, None]:
-    begun: dict[int, Request] = {}
+    begun: dict[int, AnyRequest] = {}
 
-    def begin() -> Iterator[Request]:
+    def begin() -> Iterator[AnyRequest]:
         for number, request in enumerate(arguments.requests):
             begun[number] = request
             yield request
@@ -89,19 +78,20 @@ def _in_order(arguments: Arguments, bar: "tqdm[None]") -> Generator[Line, None, 
             _remove_staged(request)
 
 
-def timed(request: Request) -> Line:
+def timed(request: AnyRequest) -> Line:
     begin = time.monotonic()
-    line = flatten_model(request)
+    line = flatten_model(request) if isinstance(request, Request) else propose_for(request)
     return {**line, "seconds": round(time.monotonic() - begin, 3)}
 
 
-def _line(request: Request, result: Line | Stopped) -> Line:
+def _line(request: AnyRequest, result: Line | Stopped) -> Line:
     if isinstance(result, Stopped):
         _remove_staged(request)
         result = {**unfinished(STOPPED, result.code, result.sentence), "seconds": round(result.seconds, 3)}
     return {"model": str(request.model), **result}
 
 
-def _remove_staged(request: Request) -> None:
-    with suppress(OSError):  # the next run of this model tries again, and its line tells what is wrong
-        remove_staged(request)
+def _remove_staged(request: AnyRequest) -> None:
+    if isinstance(request, Request):
+        with suppress(OSError):  # the next run of this model tries again, and its line tells what is wrong
+            remove_staged(request)
