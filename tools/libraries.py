@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The packages that wirewarp.pattern needs, as wheels for each Blender: no Blender has them."""
+"""Packages as wheels for other systems: those that wirewarp.pattern needs, for no Blender has them, and any others."""
 
 import shutil
 from pathlib import Path
@@ -31,3 +31,13 @@ def library_wheels(platform: str, tag: str) -> list[Path]:
         run_quietly(what, [python, "-m", *download, *PATTERN])
         set_current(name, key)
     return sorted(folder.glob("*.whl"))
+
+
+def install_for(platforms: tuple[str, ...], version: str, folder: Path, *arguments: str | Path) -> None:
+    """Packages for another system, by pip's words for it, and a Python of this version, into a folder."""
+    where = ("--target", folder, *(f"--platform={each}" for each in platforms), f"--python-version={version}")
+    # Of the Python that a package requires, pip's install takes its own for ours.
+    options = ("--implementation=cp", "--only-binary=:all:", "--ignore-requires-python")
+    pip = ("pip", "install", "--quiet", *options, *where)
+    what = f"pip install for {platforms[0]}: " + " ".join(str(a) for a in arguments if not str(a).startswith("-"))
+    run_quietly(what, [venv("download", DEBIAN_PYTHON, "pip"), "-m", *pip, *arguments])

@@ -15,7 +15,6 @@ from tools.blender import NUMPY, PYTEST, blender_folder
 from tools.cross import WINDOWS, build, download_data
 from tools.environment import (
     BUILD,
-    DEBIAN_PYTHON,
     DEBIAN_VERSION,
     ROOT,
     StepError,
@@ -25,11 +24,9 @@ from tools.environment import (
     is_current,
     require_apt,
     require_python,
-    run_quietly,
     set_current,
-    venv,
 )
-from tools.libraries import PATTERN
+from tools.libraries import PATTERN, install_for
 from tools.package import BUILD_APT, build_wheel, cross_wheel, extension_for
 
 WINE_APT = ("wine64",)
@@ -61,7 +58,7 @@ def windows_tests(version: str, *tests: str) -> None:
     made = cross_wheel(WINDOWS, version, wheel)
     requirements = (PYTEST, HYPOTHESIS, WINE_NUMPY[version], *PATTERN, *READERS, *MODELS)
     python = windows_python(tag_of(version), version, requirements)
-    install(python, version, "--no-deps", "--upgrade", made)
+    install_for(("win_amd64",), version, python.parent / "packages", "--no-deps", "--upgrade", made)
     run_in_wine([python, "-m", "pytest", "-q", *(tests or ("tests/bindings",))])
 
 
@@ -123,16 +120,6 @@ def windows_python(name: str, version: str, requirements: tuple[str, ...]) -> Pa
         (folder / "_wmi.pyd").unlink(missing_ok=True)  # Python 3.13 asks it for its system, and Wine 8 ends there
         (path_file,) = folder.glob("python*._pth")  # all that Python looks at for modules
         path_file.write_text(f"{path_file.stem}.zip\n.\npackages\n{ROOT}\n")
-        install(folder / "python.exe", version, *requirements)
+        install_for(("win_amd64",), version, folder / "packages", *requirements)
         set_current(f"windows-{name}", key)
     return folder / "python.exe"
-
-
-def install(python: Path, version: str, *arguments: str | Path) -> None:
-    """By Debian's pip, for Windows."""
-    where = ("--target", python.parent / "packages", "--platform=win_amd64", f"--python-version={version}")
-    # Of the Python that a package requires, pip's install takes its own for ours.
-    options = ("--implementation=cp", "--only-binary=:all:", "--ignore-requires-python")
-    pip = ("pip", "install", "--quiet", *options, *where)
-    what = "pip install for Windows: " + " ".join(str(a) for a in arguments if not str(a).startswith("-"))
-    run_quietly(what, [venv("download", DEBIAN_PYTHON, "pip"), "-m", *pip, *arguments])
