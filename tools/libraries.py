@@ -35,9 +35,9 @@ def library_wheels(platform: str, tag: str) -> list[Path]:
 
 def install_for(platforms: tuple[str, ...], version: str, folder: Path, *arguments: str | Path) -> None:
     """Packages for another system, by pip's words for it, and a Python of this version, into a folder."""
-    where = ("--target", folder, *(f"--platform={each}" for each in platforms), f"--python-version={version}")
+    systems = [f"--platform={each}" for each in platforms]
     # Of the Python that a package requires, pip's install takes its own for ours.
-    options = ("--implementation=cp", "--only-binary=:all:", "--ignore-requires-python")
-    pip = ("pip", "install", "--quiet", *options, *where)
+    options = ("--implementation=cp", f"--python-version={version}", "--only-binary=:all:", "--ignore-requires-python")
+    pip = ["pip", "install", "--quiet", "--target", str(folder), *systems, *options]
     what = f"pip install for {platforms[0]}: " + " ".join(str(a) for a in arguments if not str(a).startswith("-"))
     run_quietly(what, [venv("download", DEBIAN_PYTHON, "pip"), "-m", *pip, *arguments])
