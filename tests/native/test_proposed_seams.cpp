@@ -342,7 +342,8 @@ TEST(CutToDisk, CutsEachHandleTwiceAndJoinsTheLoops) {
     input.faces = two_handles.faces.middleRows(dropped_faces > 1 ? 1 : 0, faces - (dropped_faces > 1 ? 2 : 1));
     const Charts charts = test::charts_of(input);
     EXPECT_EQ(count_handles(charts.charts.at(0)), 2);
-    const std::vector<Chart> pieces = cut_apart(charts.charts[0], cut_to_disk(charts.charts[0].mesh));
+    const std::vector<Chart> pieces =
+        cut_apart(charts.charts[0], cut_to_disk(charts.charts[0].mesh, CutMask(charts.charts[0].mesh.n_edges(), 0)));
     ASSERT_EQ(pieces.size(), 1u);
     EXPECT_EQ(pieces[0].boundary_loops.size(), 1u);
     EXPECT_EQ(count_handles(pieces[0]), 0);
@@ -351,7 +352,7 @@ TEST(CutToDisk, CutsEachHandleTwiceAndJoinsTheLoops) {
 
 TEST(CutToDisk, LeavesADiskAlone) {
   const Charts charts = test::charts_of(test::flat_rectangle(3, 3, 1, 1));
-  const CutMask cut = cut_to_disk(charts.charts[0].mesh);
+  const CutMask cut = cut_to_disk(charts.charts[0].mesh, CutMask(charts.charts[0].mesh.n_edges(), 0));
   EXPECT_EQ(std::count(cut.begin(), cut.end(), 1), 0);
 }
 

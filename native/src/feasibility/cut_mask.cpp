@@ -13,4 +13,8 @@ double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut) {
   return length;
 }
 
+PathRules around(const HalfEdgeMesh& mesh, const CutMask& barred) {
+  return {[&](HalfedgeHandle h) { return barred[mesh.edge_handle(h).idx()] == 0; }, {}};
+}
+
 }  // namespace wirewarp

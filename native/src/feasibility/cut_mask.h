@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesh/half_edge_mesh.h"
+#include "mesh/shortest_paths.h"
 
 namespace wirewarp {
 
@@ -12,5 +13,8 @@ using CutMask = std::vector<char>;
 
 /// Length of all cut edges, scene units.
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut);
+
+/// Paths along no edge of this mask, which is kept by reference.
+PathRules around(const HalfEdgeMesh& mesh, const CutMask& barred);
 
 }  // namespace wirewarp

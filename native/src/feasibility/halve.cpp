@@ -1,16 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "feasibility/halve.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
+#include "disjoint_sets.h"
 #include "mesh/geometry.h"
+#include "mesh/principal_axes.h"
 #include "mesh/shortest_paths.h"
 
 namespace wirewarp {
 namespace {
 
 using Sides = std::vector<char>;  // 0 or 1 per face
+
+/// What a border costs along each edge, scene units.
+using Prices = std::vector<double>;
+
+Prices prices_of(const HalfEdgeMesh& mesh, const CutMask& barred) {
+  Prices prices;
+  for (const EdgeHandle e : mesh.edges()) {
+    const double length = edge_length(mesh, mesh.halfedge_handle(e, 0));
+    prices.push_back(barred[e.idx()] != 0 ? std::numeric_limits<double>::infinity() : length);
+  }
+  return prices;
+}
 
 VertexHandle farthest_from(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& sources) {
   return farthest_vertex(shortest_paths(mesh, sources));
@@ -27,21 +42,23 @@ bool is_border(const HalfEdgeMesh& mesh, const Sides& side, HalfedgeHandle h) {
   return side[mesh.face_handle(h).idx()] != side[mesh.opposite_face_handle(h).idx()];
 }
 
-/// By how much the border between two sides grows if all faces around a vertex go to one side.
-double growth_of_border(const HalfEdgeMesh& mesh, const Sides& side, VertexHandle v, char to) {
+/// By how much the border between two sides grows if all faces around a vertex go to one side. There is none yet along
+/// an edge without a price.
+double growth_of_border(const HalfEdgeMesh& mesh, const Prices& prices, const Sides& side, VertexHandle v, char to) {
+  const auto price = [&](HalfedgeHandle h) { return prices[mesh.edge_handle(h).idx()]; };
   double growth = 0;
   for (const HalfedgeHandle spoke : mesh.voh_range(v)) {
-    if (is_border(mesh, side, spoke)) growth -= edge_length(mesh, spoke);
+    if (is_border(mesh, side, spoke)) growth -= price(spoke);
     if (mesh.is_boundary(spoke) || side[mesh.face_handle(spoke).idx()] == to) continue;
     const HalfedgeHandle rim = mesh.next_halfedge_handle(spoke);
     if (mesh.is_boundary(mesh.edge_handle(rim))) continue;
-    growth += is_border(mesh, side, rim) ? -edge_length(mesh, rim) : edge_length(mesh, rim);
+    growth += is_border(mesh, side, rim) ? -price(rim) : price(rim);
   }
   return growth;
 }
 
 /// Straightens the border: moves it over a vertex wherever that makes it shorter.
-void shorten_border(const HalfEdgeMesh& mesh, Sides& side) {
+void shorten_border(const HalfEdgeMesh& mesh, const Prices& prices, Sides& side) {
   constexpr double kRounding = 1e-12;  // of the longest edge there
   std::vector<VertexHandle> queue(mesh.vertices_begin(), mesh.vertices_end());
   while (!queue.empty()) {
@@ -50,7 +67,7 @@ void shorten_border(const HalfEdgeMesh& mesh, Sides& side) {
     double longest = 0;
     for (const HalfedgeHandle spoke : mesh.voh_range(v)) longest = std::max(longest, edge_length(mesh, spoke));
     for (const char to : {char{0}, char{1}}) {
-      if (growth_of_border(mesh, side, v, to) >= -kRounding * longest) continue;
+      if (growth_of_border(mesh, prices, side, v, to) >= -kRounding * longest) continue;
       for (const FaceHandle f : mesh.vf_range(v)) side[f.idx()] = to;
       for (const VertexHandle near : mesh.vv_range(v)) queue.push_back(near);
     }
@@ -87,6 +104,17 @@ struct FaceGeometry {
   Positions3 middle, area;
 };
 
+/// Those in the middle go to one side, whichever way the axis points; where it turns a little, as principal_axes() has
+/// it, they are still there.
+Sides sides_along(Eigen::VectorXd along) {
+  const double middle = 1e-5 * along.cwiseAbs().maxCoeff();
+  const auto first = std::find_if(along.begin(), along.end(), [&](double place) { return std::abs(place) > middle; });
+  if (first != along.end() && *first < 0) along = -along;
+  Sides side;
+  for (const double place : along) side.push_back(place > middle);
+  return side;
+}
+
 /// By planes through the middle, across the main axes of the surface, and by the way that faces look along these.
 std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   const FaceGeometry faces(mesh);
@@ -94,14 +122,11 @@ std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   const Eigen::RowVector3d middle = areas.transpose() * faces.middle / areas.sum();
   const Positions3 from_middle = faces.middle.rowwise() - middle;
   const Eigen::Matrix3d spread = from_middle.transpose() * areas.asDiagonal() * from_middle;
-  const Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+  const Eigen::Matrix3d axes = principal_axes(mesh, spread);
   std::vector<Sides> result;
   for (const Positions3& vectors : {from_middle, faces.area}) {
     for (int axis = 0; axis < 3; ++axis) {
-      const Eigen::VectorXd along = vectors * axes.col(axis);
-      Sides side(mesh.n_faces());
-      for (std::size_t f = 0; f < side.size(); ++f) side[f] = along[static_cast<Eigen::Index>(f)] > 0;
-      result.push_back(std::move(side));
+      result.push_back(sides_along(vectors * axes.col(axis)));
     }
   }
   return result;
@@ -116,6 +141,21 @@ std::vector<Sides> sides_of_ends(const HalfEdgeMesh& mesh) {
   return {nearer_to(mesh, first, second), nearer_to(mesh, third, fourth)};
 }
 
+/// Faces that barred edges join go to the side where more of them are.
+void keep_together(const HalfEdgeMesh& mesh, const CutMask& barred, Sides& side) {
+  DisjointSets groups(mesh.n_faces());
+  for (const EdgeHandle e : mesh.edges()) {
+    const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+    if (barred[e.idx()] == 0 || mesh.is_boundary(e)) continue;
+    groups.unite(mesh.face_handle(h).idx(), mesh.opposite_face_handle(h).idx());
+  }
+  int count = 0;
+  const std::vector<int> group = groups.number(count);
+  std::vector<int> lead(static_cast<std::size_t>(count), 0);
+  for (std::size_t f = 0; f < side.size(); ++f) lead[group[f]] += side[f] != 0 ? 1 : -1;
+  for (std::size_t f = 0; f < side.size(); ++f) side[f] = lead[group[f]] > 0;
+}
+
 CutMask cut_along_border(const HalfEdgeMesh& mesh, const Sides& side) {
   CutMask cut(mesh.n_edges(), 0);
   for (const EdgeHandle e : mesh.edges()) cut[e.idx()] = is_border(mesh, side, mesh.halfedge_handle(e, 0));
@@ -124,7 +164,8 @@ CutMask cut_along_border(const HalfEdgeMesh& mesh, const Sides& side) {
 
 }  // namespace
 
-std::vector<CutMask> halving_cuts(const HalfEdgeMesh& mesh) {
+std::vector<CutMask> halving_cuts(const HalfEdgeMesh& mesh, const CutMask& barred) {
+  const Prices prices = prices_of(mesh, barred);
   std::vector<Sides> all_sides = sides_of_axes(mesh);
   for (Sides& side : sides_of_ends(mesh)) all_sides.push_back(std::move(side));
   std::vector<CutMask> cuts;
@@ -137,8 +178,9 @@ std::vector<CutMask> halving_cuts(const HalfEdgeMesh& mesh) {
   // ragged: without a limit 43 garments, shoes, cushions and toys fall into 154 pieces instead of 93.
   constexpr std::size_t kCoarse = 1000;
   for (Sides& side : all_sides) {
+    keep_together(mesh, barred, side);
     const Sides as_drawn = side;
-    shorten_border(mesh, side);
+    shorten_border(mesh, prices, side);
     add(side);
     if (mesh.n_faces() < kCoarse) add(as_drawn);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "arap/free_boundary_arap.h"
@@ -13,6 +14,7 @@
 #include "feasibility/folded_faces.h"
 #include "feasibility/halve.h"
 #include "feasibility/isoperimetric.h"
+#include "feasibility/mirrored_cuts.h"
 #include "mesh/geometry.h"
 #include "mesh/shortest_paths.h"
 
@@ -28,6 +30,9 @@ constexpr int kMostTrials =
 /// into two (1.3, 0.01). On 43 garments, shoes, cushions and toys all lie flat in the end whatever it is; with 3, 10,
 /// 30, 100 the cuts sum up to 86, 97, 100, 103 and the distortions to 3.5, 0.9, 0.6, 0.5.
 constexpr double kPriceOfDistortion = 10;
+
+/// Shares of the area and prices that differ by less are the same: which is first depends on no rounding.
+constexpr double kTie = 1e-6;
 
 /// How a chart lies when no length is held.
 struct FreeLook {
@@ -62,26 +67,14 @@ void unite(CutMask& cut, const CutMask& other) {
   for (std::size_t e = 0; e < cut.size(); ++e) cut[e] = cut[e] || other[e];
 }
 
-/// A cut of a piece as one of the chart that it is a piece of.
-CutMask cut_of_whole(const Chart& chart, const Chart& piece, const CutMask& cut) {
-  CutMask result(chart.mesh.n_edges(), 0);
-  for (const EdgeHandle e : piece.mesh.edges()) {
-    if (!cut[e.idx()]) continue;
-    const auto [from, to] = source_edge(piece, piece.mesh.halfedge_handle(e, 0));
-    const HalfedgeHandle h = chart.mesh.find_halfedge(VertexHandle(from), VertexHandle(to));
-    result[chart.mesh.edge_handle(h).idx()] = 1;
-  }
-  return result;
-}
-
 bool is_empty(const CutMask& cut) { return std::find(cut.begin(), cut.end(), 1) == cut.end(); }
 
 /// From the boundary, or on a closed surface from one far end, to the vertex farthest from there.
-CutMask slit_to_far_end(const HalfEdgeMesh& mesh) {
+CutMask slit_to_far_end(const HalfEdgeMesh& mesh, const CutMask& barred) {
   std::vector<VertexHandle> starts = boundary_vertices(mesh);
   const bool is_closed = starts.empty();
-  if (is_closed) starts.push_back(farthest_vertex(shortest_paths(mesh, {VertexHandle(0)})));
-  const ShortestPaths paths = shortest_paths(mesh, starts);
+  if (is_closed) starts.push_back(farthest_vertex(shortest_paths(mesh, {VertexHandle(0)}, around(mesh, barred))));
+  const ShortestPaths paths = shortest_paths(mesh, starts, around(mesh, barred));
   const std::vector<HalfedgeHandle> path = path_back(mesh, paths, farthest_vertex(paths));
   CutMask cut(mesh.n_edges(), 0);
   // Both sides of a single edge inside a closed surface would be one loop of two edges between the same vertices.
@@ -90,66 +83,129 @@ CutMask slit_to_far_end(const HalfEdgeMesh& mesh) {
   return cut;
 }
 
+/// Cuts, of pieces too, are masks of the whole chart's edges, and pieces have their sources there.
 class SeamSearch {
  public:
-  explicit SeamSearch(const SeamTrials& trials) : trials_(trials) {}
+  SeamSearch(const Chart& whole, const SeamTrials& trials, const SeamPlaces& places)
+      : whole_(whole), trials_(trials), places_(places), mirrored_(whole, places.image) {}
 
-  CutMask mend(const Chart& chart, int depth) const;
+  CutMask mend(const Chart& piece, int depth) const;
 
  private:
-  std::vector<Division> divisions(const Chart& chart) const;
-  Division divide(const Chart& chart, CutMask cut) const;
+  std::vector<CutMask> cuts_through(const Chart& piece) const;
+  std::vector<Division> divisions(const Chart& piece) const;
+  Division divide(const Chart& piece, CutMask cut) const;
+  std::vector<Chart> pieces_of(const Chart& piece, const CutMask& cut) const;
   std::vector<std::size_t> failing_pieces(const Division& division) const;
+  EdgeHandle edge_of_whole(const Chart& piece, EdgeHandle e) const;
+  CutMask on_whole(const Chart& piece, const CutMask& cut) const;
+  CutMask on_piece(const Chart& piece, const CutMask& cut) const;
 
+  const Chart& whole_;
   const SeamTrials& trials_;
+  const SeamPlaces& places_;
+  const MirroredCuts mirrored_;
 };
 
+EdgeHandle SeamSearch::edge_of_whole(const Chart& piece, EdgeHandle e) const {
+  const auto [from, to] = source_edge(piece, piece.mesh.halfedge_handle(e, 0));
+  return whole_.mesh.edge_handle(whole_.mesh.find_halfedge(VertexHandle(from), VertexHandle(to)));
+}
+
+CutMask SeamSearch::on_whole(const Chart& piece, const CutMask& cut) const {
+  CutMask result(whole_.mesh.n_edges(), 0);
+  for (const EdgeHandle e : piece.mesh.edges()) {
+    if (cut[e.idx()] != 0) result[edge_of_whole(piece, e).idx()] = 1;
+  }
+  return result;
+}
+
+/// But for its outline.
+CutMask SeamSearch::on_piece(const Chart& piece, const CutMask& cut) const {
+  CutMask result(piece.mesh.n_edges(), 0);
+  for (const EdgeHandle e : piece.mesh.edges()) {
+    result[e.idx()] = !piece.mesh.is_boundary(e) && cut[edge_of_whole(piece, e).idx()] != 0;
+  }
+  return result;
+}
+
+std::vector<Chart> SeamSearch::pieces_of(const Chart& piece, const CutMask& cut) const {
+  std::vector<Chart> pieces = cut_apart(piece, on_piece(piece, cut));
+  for (Chart& part : pieces) {
+    for (int& v : part.source_vertex) v = piece.source_vertex[v];
+    for (int& f : part.source_face) f = piece.source_face[f];
+  }
+  return pieces;
+}
+
 /// Opens the pieces that do not lie flat as they are.
-Division SeamSearch::divide(const Chart& chart, CutMask cut) const {
+Division SeamSearch::divide(const Chart& piece, CutMask cut) const {
   Division division{std::move(cut), {}, {}, 0, 0};
   bool opens_more = false;
-  const auto take = [&](const Chart& piece) {
-    division.looks.push_back(look_at_whole(piece));
+  const auto take = [&](const Chart& part) {
+    division.looks.push_back(look_at_whole(part));
     return division.looks.back().covered > 0;
   };
-  division.pieces = cut_apart(chart, division.cut);
-  for (const Chart& piece : division.pieces) {
-    if (!take(piece) || piece.mesh.n_faces() == 0) continue;
-    const CutMask opening = cut_to_disk(piece.mesh);
+  division.pieces = pieces_of(piece, division.cut);
+  for (const Chart& part : division.pieces) {
+    if (!take(part) || part.mesh.n_faces() == 0) continue;
+    const CutMask opening = on_whole(part, cut_to_disk(part.mesh, on_piece(part, places_.barred)));
     if (is_empty(opening)) continue;
-    unite(division.cut, cut_of_whole(chart, piece, opening));
+    unite(division.cut, mirrored_.with_image(opening));
     opens_more = true;
   }
   if (opens_more) {
     division.looks.clear();
-    division.pieces = cut_apart(chart, division.cut);
-    for (const Chart& piece : division.pieces) take(piece);
+    division.pieces = pieces_of(piece, division.cut);
+    for (const Chart& part : division.pieces) take(part);
   }
   double distortion = 0;
   for (const FreeLook& look : division.looks) {
     division.covered += look.covered;
     distortion += look.distortion;
   }
-  const double area = surface_area(chart.mesh);
+  const double area = surface_area(piece.mesh);
+  const double length = length_of_cut(piece.mesh, on_piece(piece, division.cut));
   division.covered /= area;
-  division.price = length_of_cut(chart.mesh, division.cut) / std::sqrt(area) + kPriceOfDistortion * distortion / area;
+  division.price = length / std::sqrt(area) + kPriceOfDistortion * distortion / area;
   return division;
 }
 
-/// The best first.
-std::vector<Division> SeamSearch::divisions(const Chart& chart) const {
-  std::vector<CutMask> cuts = halving_cuts(chart.mesh);
-  const bool is_disk = chart.boundary_loops.size() == 1 && count_handles(chart) == 0;
-  cuts.push_back(is_disk || chart.boundary_loops.empty() ? slit_to_far_end(chart.mesh) : cut_to_disk(chart.mesh));
-  if (chart.boundary_loops.empty()) cuts.push_back(cut_to_disk(chart.mesh));
-  std::vector<Division> result;
-  for (CutMask& cut : cuts) {
-    if (!trials_.go_on()) return {};
-    if (!is_empty(cut)) result.push_back(divide(chart, std::move(cut)));
+/// Candidates, each its own mirror image where the whole chart has one.
+std::vector<CutMask> SeamSearch::cuts_through(const Chart& piece) const {
+  const CutMask barred = on_piece(piece, places_.barred);
+  std::vector<CutMask> drawn = halving_cuts(piece.mesh, barred);
+  const bool is_closed = piece.boundary_loops.empty();
+  const bool is_disk = piece.boundary_loops.size() == 1 && count_handles(piece) == 0;
+  drawn.push_back(is_disk || is_closed ? slit_to_far_end(piece.mesh, barred) : cut_to_disk(piece.mesh, barred));
+  if (is_closed) drawn.push_back(cut_to_disk(piece.mesh, barred));
+  std::vector<CutMask> cuts;
+  const auto add = [&](CutMask cut) {
+    const bool is_known = std::find(cuts.begin(), cuts.end(), cut) != cuts.end();
+    if (!is_known && !is_empty(on_piece(piece, cut))) cuts.push_back(std::move(cut));
+  };
+  for (const CutMask& cut : drawn) {
+    for (CutMask& symmetric : mirrored_.both_ways(on_whole(piece, cut))) add(std::move(symmetric));
   }
-  std::stable_sort(result.begin(), result.end(), [](const Division& a, const Division& b) {
-    return std::make_pair(a.covered, a.price) < std::make_pair(b.covered, b.price);
-  });
+  for (CutMask line : mirrored_.lines_in_plane()) {
+    for (std::size_t e = 0; e < line.size(); ++e) line[e] = line[e] != 0 && places_.barred[e] == 0;
+    add(mirrored_.with_image(on_whole(piece, on_piece(piece, line))));
+  }
+  return cuts;
+}
+
+/// The best first.
+std::vector<Division> SeamSearch::divisions(const Chart& piece) const {
+  std::vector<Division> result;
+  for (CutMask& cut : cuts_through(piece)) {
+    if (!trials_.go_on()) return {};
+    result.push_back(divide(piece, std::move(cut)));
+  }
+  const auto rank = [](const Division& division) {
+    return std::make_pair(std::round(division.covered / kTie), std::round(division.price / kTie));
+  };
+  std::stable_sort(result.begin(), result.end(),
+                   [&](const Division& a, const Division& b) { return rank(a) < rank(b); });
   return result;
 }
 
@@ -161,14 +217,15 @@ std::vector<std::size_t> SeamSearch::failing_pieces(const Division& division) co
   return failing;
 }
 
-CutMask SeamSearch::mend(const Chart& chart, int depth) const {
-  const std::vector<Division> tried = divisions(chart);
-  if (tried.empty()) return CutMask(chart.mesh.n_edges(), 0);
+CutMask SeamSearch::mend(const Chart& piece, int depth) const {
+  const std::vector<Division> tried = divisions(piece);
+  const CutMask none(whole_.mesh.n_edges(), 0);
+  if (tried.empty()) return none;
   const Division* best = nullptr;
   std::vector<std::size_t> failing;
   double failing_area = 0;
   for (std::size_t i = 0; i < tried.size() && i < kMostTrials && (!best || !failing.empty()); ++i) {
-    if (!trials_.go_on()) return CutMask(chart.mesh.n_edges(), 0);
+    if (!trials_.go_on()) return none;
     std::vector<std::size_t> failing_here = failing_pieces(tried[i]);
     double area = 0;
     for (const std::size_t p : failing_here) area += surface_area(tried[i].pieces[p].mesh);
@@ -179,17 +236,21 @@ CutMask SeamSearch::mend(const Chart& chart, int depth) const {
   }
   CutMask cut = best->cut;
   for (const std::size_t p : failing) {
-    const Chart& piece = best->pieces[p];
-    if (depth == 0 || piece.mesh.n_faces() < 2) continue;
-    unite(cut, cut_of_whole(chart, piece, mend(piece, depth - 1)));
+    const Chart& part = best->pieces[p];
+    const bool is_cut = !is_empty(on_piece(part, cut));  // as the mirror image of one before it
+    if (depth > 0 && !is_cut && part.mesh.n_faces() > 1) unite(cut, mend(part, depth - 1));
   }
   return cut;
 }
 
 }  // namespace
 
-std::vector<VertexPair> propose_seams(const Chart& chart, const SeamTrials& trials) {
-  const CutMask cut = SeamSearch(trials).mend(chart, kMostDepth);
+std::vector<VertexPair> propose_seams(const Chart& chart, const SeamTrials& trials, SeamPlaces places) {
+  Chart whole = chart;
+  std::iota(whole.source_vertex.begin(), whole.source_vertex.end(), 0);
+  std::iota(whole.source_face.begin(), whole.source_face.end(), 0);
+  places.barred.resize(chart.mesh.n_edges(), 0);
+  const CutMask cut = SeamSearch(whole, trials, places).mend(whole, kMostDepth);
   std::vector<VertexPair> seams;
   if (!trials.go_on()) return seams;
   for (const EdgeHandle e : chart.mesh.edges()) {

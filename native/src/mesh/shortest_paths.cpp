@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/shortest_paths.h"
 
-#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <queue>
 
@@ -48,8 +48,13 @@ std::vector<HalfedgeHandle> path_back(const HalfEdgeMesh& mesh, const ShortestPa
 }
 
 VertexHandle farthest_vertex(const ShortestPaths& paths) {
-  const auto farthest = std::max_element(paths.distance.begin(), paths.distance.end());
-  return VertexHandle(static_cast<int>(farthest - paths.distance.begin()));
+  constexpr double kClearly = 1 + 1e-9;  // farther: the same vertex however the mesh is turned
+  int farthest = 0;
+  for (int v = 1; v < static_cast<int>(paths.distance.size()); ++v) {
+    const double distance = paths.distance[v];
+    if (std::isfinite(distance) && distance > kClearly * paths.distance[farthest]) farthest = v;
+  }
+  return VertexHandle(farthest);
 }
 
 std::vector<VertexHandle> boundary_vertices(const HalfEdgeMesh& mesh) {

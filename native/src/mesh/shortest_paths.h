@@ -29,6 +29,7 @@ ShortestPaths shortest_paths(const HalfEdgeMesh& mesh, const std::vector<VertexH
 /// The half-edges from a source to a vertex, the last one first.
 std::vector<HalfedgeHandle> path_back(const HalfEdgeMesh& mesh, const ShortestPaths& paths, VertexHandle v);
 
+/// Of those that paths lead to; the first of several.
 VertexHandle farthest_vertex(const ShortestPaths& paths);
 
 std::vector<VertexHandle> boundary_vertices(const HalfEdgeMesh& mesh);
