@@ -29,7 +29,7 @@ run of flatten() with the edges of the dart as seams: flatten(..., seams=[*seams
 
 piece: the piece to cut, as flatten() numbers them; None for any, whichever gains most.
 count: proposals at most, the mirror images of one another counted once.
-strain: what may stay: pieces with no more (DartProposal.strain) are left as they are.
+strain: what may stay: pieces with no more (DartProposal.strain) are left as they are; None for 0.005.
 longest: no cut is longer on the surface, scene units; None for any length.
 no_seam: (k, 2) vertex pairs, edges along which no cut is to run.
 progress: called as progress("cuts", fraction); returning False cancels, which raises FlattenError.
@@ -41,7 +41,15 @@ FlattenError "no_proposal" where a piece is flat already, has no room or gains n
 constexpr const char* kSeamsDoc =
     R"(Seams across a piece, from outline to outline, that lower its distortion, those that take most first.
 
-Arguments, figures and errors are those of propose_darts().)";
+Arguments, figures and errors are those of propose_darts().
+
+First cuts: where the piece has no flat shape for want of seams (it is closed, as a ball, has handles, or an outline
+that cannot hold it, as a tube), each proposal is a set of seams and darts under which all parts lie flat. Of all pieces
+the largest such one comes first. The first set has as many cuts as bring every part to the strain that may stay (None
+for 0.05), as far as further ones help, ten and their mirror images at most; each set after it has fewer. Sets are
+mirrored where the piece is. Of a set, edges is one line after the other, energy that of all parts, strain that of the
+part with most, longest is of the whole set; energy_before and strain_before are infinite. "no_proposal" is raised where
+no_seam or longest leaves none.)";
 
 constexpr const char* kStartDartsDoc =
     R"(Starts propose_darts() with these arguments and returns a Job at once, as start() does.)";
@@ -49,7 +57,7 @@ constexpr const char* kStartDartsDoc =
 constexpr const char* kStartSeamsDoc =
     R"(Starts propose_seams() with these arguments and returns a Job at once, as start() does.)";
 
-CutWishes read_wishes(std::optional<int> piece, int count, double strain, std::optional<double> longest,
+CutWishes read_wishes(std::optional<int> piece, int count, std::optional<double> strain, std::optional<double> longest,
                       const py::object& no_seam) {
   return {piece, count, strain, longest.value_or(CutWishes().longest), read_no_seam(no_seam)};
 }
@@ -57,8 +65,8 @@ CutWishes read_wishes(std::optional<int> piece, int count, double strain, std::o
 template <Propose propose>
 std::vector<DartProposal> run(const py::object& vertices, const py::object& faces, const py::object& seams,
                               const py::object& wires, const py::object& options, const py::object& eases,
-                              std::optional<int> piece, int count, double strain, std::optional<double> longest,
-                              const py::object& no_seam, const py::object& progress) {
+                              std::optional<int> piece, int count, std::optional<double> strain,
+                              std::optional<double> longest, const py::object& no_seam, const py::object& progress) {
   const FlattenInput input = read_input(vertices, faces, seams, wires, eases);
   const Options checked_options = read_options(options);
   const CutWishes wishes = read_wishes(piece, count, strain, longest, no_seam);
@@ -82,8 +90,8 @@ std::vector<DartProposal> run(const py::object& vertices, const py::object& face
 template <Propose propose>
 std::unique_ptr<Job> start(const py::object& vertices, const py::object& faces, const py::object& seams,
                            const py::object& wires, const py::object& options, const py::object& eases,
-                           std::optional<int> piece, int count, double strain, std::optional<double> longest,
-                           const py::object& no_seam) {
+                           std::optional<int> piece, int count, std::optional<double> strain,
+                           std::optional<double> longest, const py::object& no_seam) {
   auto find = [input = read_input(vertices, faces, seams, wires, eases), checked_options = read_options(options),
                wishes = read_wishes(piece, count, strain, longest, no_seam)](const Progress& progress) {
     return propose(input, checked_options, wishes, progress);
@@ -96,9 +104,8 @@ template <class Function, class... Extra>
 void define(py::module_& module, const char* name, Function function, const char* doc, const Extra&... more) {
   module.def(name, function, py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("seams") = py::none(),
              py::arg("wires") = py::tuple(), py::arg("options") = py::none(), py::arg("eases") = py::tuple(),
-             py::arg("piece") = py::none(), py::arg("count") = CutWishes().count,
-             py::arg("strain") = CutWishes().strain, py::arg("longest") = py::none(), py::arg("no_seam") = py::none(),
-             more..., doc);
+             py::arg("piece") = py::none(), py::arg("count") = CutWishes().count, py::arg("strain") = py::none(),
+             py::arg("longest") = py::none(), py::arg("no_seam") = py::none(), more..., doc);
 }
 
 }  // namespace

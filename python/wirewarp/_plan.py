@@ -34,7 +34,7 @@ def plan_cuts(
 
     kind: "dart" or "seam", as propose_darts() and propose_seams() propose them.
     strain: the aim, 0.05 for 5%: pieces strained by no more (DartProposal.strain) are left as they are.
-    most: cuts at most, 1 or more.
+    most: cuts at most, 1 or more; a set of first cuts (see propose_seams()) counts as one.
     longest: no cut is longer on the surface, scene units; None for any length.
     total_length: of all cuts together at most, on the surface, scene units; None for any length.
     no_seam: (k, 2) vertex pairs, edges along which no cut is to run.

@@ -41,7 +41,7 @@ def test_the_same_proposals_as_through_python(dome, kind, function):
     assert (line["model"], line["verdict"], line["cut"]) == (str(dome), "proposed", kind)
     assert len(line["proposals"]) == len(expected)
     for told, proposal in zip(line["proposals"], expected, strict=True):
-        assert np.array_equal(edges(told["line"]), proposal.edges)
+        assert np.array_equal(edges(told["lines"][0]), proposal.edges)
         assert told["length_m"] == pytest.approx(proposal.length / 1000)
         assert (told["piece"], told["strain"]) == (1, pytest.approx(proposal.strain, rel=1e-6))
         assert told["twin"] == (None if proposal.twin is None else proposal.twin + 1)
@@ -50,10 +50,25 @@ def test_the_same_proposals_as_through_python(dome, kind, function):
 def test_a_line_is_a_seam_of_flatten(dome, tmp_path):
     (line,) = propose(dome, "--unit", "mm", "--count", 1)
     first = line["proposals"][0]
-    (tmp_path / "seams.json").write_text(json.dumps([first["line"]]))
+    (tmp_path / "seams.json").write_text(json.dumps(first["lines"]))
     command = [sys.executable, "-m", "wirewarp", "flatten", dome, "--out", tmp_path / "out", "--unit", "mm"]
     done = subprocess.run([*command, "--seams", tmp_path / "seams.json", "--format", "svg"], capture_output=True)
     assert json.loads(done.stdout)["figures"]["energy"] == pytest.approx(first["energy"], rel=1e-6)
+
+
+def test_first_cuts_of_a_closed_model_are_lines_of_flatten(tmp_path):
+    trimesh.creation.icosphere(subdivisions=2).export(tmp_path / "ball.obj")
+    (line,) = propose(tmp_path / "ball.obj", "--cut", "seam", "--strain", "25%")
+    model, first = read_model(tmp_path / "ball.obj"), line["proposals"][0]
+    expected = propose_seams(model.vertices, model.faces, strain=0.25)[0]
+    assert np.concatenate([edges(each) for each in first["lines"]]).tolist() == expected.edges.tolist()
+    assert first["strain"] <= 0.25 and first["strain_before"] is None and first["energy_before"] is None
+    (tmp_path / "seams.json").write_text(json.dumps(first["lines"]))
+    command = [sys.executable, "-m", "wirewarp", "flatten", tmp_path / "ball.obj", "--out", tmp_path / "out"]
+    done = subprocess.run([*command, "--seams", tmp_path / "seams.json", "--format", "svg"], capture_output=True)
+    told = json.loads(done.stdout)
+    assert told["codes"] == []
+    assert told["figures"]["energy"] == pytest.approx(first["energy"], rel=1e-6)
 
 
 def test_cuts_to_be_taken_together_are_those_of_the_plan(dome):
@@ -61,18 +76,18 @@ def test_cuts_to_be_taken_together_are_those_of_the_plan(dome):
     model = read_model(dome)
     expected = plan_cuts(model.vertices, model.faces, most=2, strain=0.01)
     assert line["together"] and "twin" not in line["proposals"][0]
-    assert [edges(cut["line"]).tolist() for cut in line["proposals"]] == [cut.edges.tolist() for cut in expected]
+    assert [edges(cut["lines"][0]).tolist() for cut in line["proposals"]] == [cut.edges.tolist() for cut in expected]
 
 
 def test_no_cut_is_longer_or_runs_where_it_may_not(dome, tmp_path):
     (line,) = propose(dome, "--count", 1, "--unit", "mm")
-    barred = line["proposals"][0]["line"]
+    barred = line["proposals"][0]["lines"][0]
     (tmp_path / "front.json").write_text(json.dumps([barred]))
     (line,) = propose(dome, "--no-seam", tmp_path / "front.json", "--longest", "6cm", "--unit", "mm")
     taken = {tuple(sorted(pair)) for pair in edges(barred).tolist()}
     for told in line["proposals"]:
         assert told["length_m"] <= 0.06
-        assert not taken & {tuple(sorted(pair)) for pair in edges(told["line"]).tolist()}
+        assert not taken & {tuple(sorted(pair)) for pair in edges(told["lines"][0]).tolist()}
 
 
 def test_what_is_wrong_is_told_in_its_line(dome, tmp_path):
@@ -89,7 +104,7 @@ def test_what_is_wrong_is_told_in_its_line(dome, tmp_path):
 def test_the_energy_is_that_of_the_cloth(dome):
     (line,) = propose(dome, "--cloth", "woven", "--count", 1, "--unit", "mm")
     model, first = read_model(dome), line["proposals"][0]
-    cut = flatten(model.vertices, model.faces, seams=edges(first["line"]), options=Options(cloth="woven"))
+    cut = flatten(model.vertices, model.faces, seams=edges(first["lines"][0]), options=Options(cloth="woven"))
     assert first["energy"] == pytest.approx(cut.pieces[0].metrics.cloth_energy, rel=1e-6)
 
 

@@ -28,6 +28,42 @@ def test_the_figures_are_those_of_a_run_with_the_edges_as_seams(propose):
     assert len(proposals) in (2, 3, 4)  # twins counted once
 
 
+def ball(around=12, rings=10):
+    """Closed, of radius 1."""
+    angles, heights = 2 * np.pi * np.arange(around) / around, np.pi * np.arange(1, rings) / rings
+    x, y = (np.outer(np.sin(heights), each(angles)).ravel() for each in (np.cos, np.sin))
+    vertices = np.vstack([[0, 0, -1], np.column_stack([x, y, -np.repeat(np.cos(heights), around)]), [0, 0, 1]])
+    top, faces = len(vertices) - 1, []
+    for i in range(around):
+        j = (i + 1) % around
+        faces += [[0, 1 + j, 1 + i], [top, top - around + i, top - around + j]]
+        for low in range(1, top - around, around):
+            faces += [[low + i, low + j, low + around + j], [low + i, low + around + j, low + around + i]]
+    return vertices, np.array(faces)
+
+
+def test_a_ball_gets_sets_of_first_cuts():
+    sets = propose_seams(*ball(), strain=0.25)
+    assert sets[0].strain <= 0.25
+    assert [each.strain for each in sets] == sorted(each.strain for each in sets)
+    for each in sets:
+        pieces = flatten(*ball(), seams=each.edges).pieces
+        assert [piece.error for piece in pieces if piece.error] == []
+        areas = [piece.metrics.area_3d for piece in pieces]
+        energy = np.average([piece.metrics.arap_energy for piece in pieces], weights=areas)
+        assert each.energy == pytest.approx(energy, rel=1e-6)
+        assert (each.energy_before, each.strain_before, each.twin) == (np.inf, np.inf, None)
+        assert each.to_dict()["energy_before"] is None
+    assert plan_cuts(*ball(), kind="seam", strain=0.25, most=1)[0].edges.tolist() == sets[0].edges.tolist()
+
+
+def test_where_no_seam_may_run_there_are_no_first_cuts():
+    vertices, faces = ball()
+    with pytest.raises(FlattenError, match="no set of seams was found along edges that may have a seam") as raised:
+        propose_seams(vertices, faces, no_seam=np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]))
+    assert raised.value.code is ErrorCode.no_proposal
+
+
 def test_proposals_are_plain_values():
     (proposal, *_) = propose_darts(*DOME, count=1)
     assert json.loads(json.dumps(proposal.to_dict()))["edges"] == proposal.edges.tolist()

@@ -2,13 +2,13 @@
 // Darts and seams that are proposed: they do what is claimed, and are the same however the input is given.
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
 #include <string>
 
+#include "disguise.h"
 #include "planar.h"
 #include "test_meshes.h"
 #include "wirewarp/propose.h"
@@ -32,11 +32,6 @@ CutWishes few() {
   return wishes;
 }
 
-FlattenInput with_seams(FlattenInput input, const std::vector<VertexPair>& edges) {
-  for (const VertexPair& edge : edges) test::add_seam(input, {edge[0], edge[1]});
-  return input;
-}
-
 double energy_of(const FlattenResult& result) {
   double energy = 0, area = 0;
   for (const Piece& piece : result.pieces) {
@@ -53,7 +48,7 @@ TEST(ProposeCuts, FiguresAreThoseOfAFreshRun) {
     ASSERT_FALSE(proposals.empty());
     const double before = energy_of(flatten(input));
     for (const DartProposal& proposal : proposals) {
-      const FlattenInput cut = with_seams(input, proposal.edges);
+      const FlattenInput cut = test::with_seams(input, proposal.edges);
       const FlattenResult result = flatten(cut);
       for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error);
       EXPECT_NEAR(proposal.energy, energy_of(result), 1e-6 * before);
@@ -71,37 +66,13 @@ TEST(ProposeCuts, FiguresAreThoseOfAFreshRun) {
   }
 }
 
-/// The same surface turned, mirrored and with its vertices and faces in another order.
-FlattenInput disguised(const FlattenInput& input) {
-  FlattenInput result = input;
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-  const int count = static_cast<int>(input.vertices.rows());
-  const auto place = [&](int v) { return (v * 7 + 3) % count; };  // 7 does not divide the count
-  for (int v = 0; v < count; ++v) {
-    const Eigen::Vector3d p = input.vertices.row(v).transpose();
-    result.vertices.row(place(v)) = (turn * Eigen::Vector3d(-p.x(), p.y(), p.z())).transpose();
-  }
-  const auto num_faces = input.faces.rows();
-  for (Eigen::Index f = 0; f < num_faces; ++f) {
-    const auto face = input.faces.row(num_faces - 1 - f);
-    result.faces.row(f) << place(face[1]), place(face[0]), place(face[2]);
-  }
-  return result;
-}
-
 TEST(ProposeCuts, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
   const FlattenInput input = hill(8);
-  ASSERT_NE(input.vertices.rows() % 7, 0);
-  const FlattenInput other = disguised(input);
+  const FlattenInput other = test::disguised(input);
   const std::vector<DartProposal> here = propose_darts(input, {}, few()), there = propose_darts(other, {}, few());
   ASSERT_EQ(here.size(), there.size());
-  const int count = static_cast<int>(input.vertices.rows());
   for (std::size_t i = 0; i < here.size(); ++i) {
-    std::vector<VertexPair> edges;
-    for (const VertexPair& edge : here[i].edges) {
-      edges.push_back({(edge[0] * 7 + 3) % count, (edge[1] * 7 + 3) % count});
-    }
-    EXPECT_EQ(edges, there[i].edges);
+    EXPECT_EQ(test::disguised(input, here[i].edges), there[i].edges);
     EXPECT_NEAR(here[i].energy, there[i].energy, 1e-6 * here[i].energy_before);
   }
 }
@@ -149,7 +120,7 @@ TEST(ProposeCuts, OfMirrorImagesThatDoNotMeetTheFiguresOfBothAreTold) {
     const DartProposal& twin = darts[*dart.twin];
     EXPECT_EQ(twin.energy_with_twin, dart.energy_with_twin);
     EXPECT_EQ(twin.strain_with_twin, dart.strain_with_twin);
-    const FlattenResult both = flatten(with_seams(with_seams(input, dart.edges), twin.edges));
+    const FlattenResult both = flatten(test::with_seams(test::with_seams(input, dart.edges), twin.edges));
     EXPECT_EQ(both.pieces.size(), 1U);
     EXPECT_NEAR(*dart.energy_with_twin, energy_of(both), 1e-6 * dart.energy_before);
     EXPECT_LT(*dart.energy_with_twin, dart.energy);

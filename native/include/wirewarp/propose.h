@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where to cut a piece that lies flat, but with more distortion than its cloth takes. Pieces that do not lie flat at
-// all carry their seams in FlattenError::elements.
+// Where to cut a piece that lies flat, but with more distortion than its cloth takes, and one that has no flat shape at
+// all, such as a ball.
 #pragma once
 
 #include <limits>
@@ -11,15 +11,17 @@
 
 namespace wirewarp {
 
-/// A dart, or a seam across a piece, and what it does, each figure from a run of flatten() with its edges as seams.
+/// A dart, a seam across a piece or a set of first cuts, and what it does, each figure from a run of flatten() with its
+/// edges as seams. Of a set of first cuts the energy is that of all its pieces, the strain that of the piece with most.
 struct DartProposal {
   int piece = -1;                 // the piece that it cuts, as flatten() numbers them without it
-  std::vector<VertexPair> edges;  // (k, 2) in order from the outline, to be added to the input's seams
+  std::vector<VertexPair> edges;  // (k, 2) in order from the outline, to be added to the input's seams; of a set one
+                                  // line after the other
   double length = 0;              // of its edges on the surface, scene units
   double energy = 0;              // of the piece when cut so: Eq. (4), or of the cloth, over its 3D area
-  double energy_before = 0;       // the same without the cut
+  double energy_before = 0;       // the same without the cut; infinite where there is no flat shape without
   double strain = 0;              // when cut so, what 99 % of the area stay below of max(sigma_1, 1/sigma_2) - 1
-  double strain_before = 0;       // the same without the cut
+  double strain_before = 0;       // the same without the cut; infinite likewise
   std::optional<int> twin;        // index of the proposal that is its mirror image; none where there is none
   std::optional<double> energy_with_twin;  // of the piece with both cuts; none unless that is less, or if they meet
   std::optional<double> strain_with_twin;  // likewise
@@ -27,10 +29,11 @@ struct DartProposal {
 
 /// What to propose.
 struct CutWishes {
-  std::optional<int> piece;  // to cut, as flatten() numbers them; none: any, whichever gains most
-  int count = 5;             // proposals at most, the mirror images of one another counted once; >= 1
-  double strain = 0.005;     // what may stay: pieces with no more (DartProposal::strain) are left as they are; >= 0
-  double longest = std::numeric_limits<double>::infinity();  // of one cut, on the surface, scene units; > 0
+  std::optional<int> piece;      // to cut, as flatten() numbers them; none: any, whichever gains most
+  int count = 5;                 // proposals at most, the mirror images of one another counted once; >= 1
+  std::optional<double> strain;  // what may stay: pieces with no more (DartProposal::strain) are left as they are; >=
+                                 // 0; none: 0.005, and 0.05 of what first cuts leave
+  double longest = std::numeric_limits<double>::infinity();  // of one cut or set, on the surface, scene units; > 0
   VertexPairs no_seam = VertexPairs(0, 2);                   // (k, 2) edges along which none is to run
 };
 
@@ -43,6 +46,12 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
                                         const CutWishes& wishes = {}, const Progress& progress = {});
 
 /// Seams that cut a piece from outline to outline, likewise.
+///
+/// First cuts, where the piece asked for has no flat shape for want of seams (closed, with handles, or with an outline
+/// that cannot hold it), of all pieces the largest such one: each proposal is a set of seams and darts under which all
+/// parts lie flat. The first one has as many cuts as bring every part to the strain that may stay, as far as further
+/// ones help, ten and their mirror images at most; each after it is the same without the last cut. Sets are mirrored
+/// where the piece is. They may cross wires, and run along no edge whose mirror image is to have no seam.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},
                                         const CutWishes& wishes = {}, const Progress& progress = {});
 

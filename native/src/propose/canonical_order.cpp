@@ -56,31 +56,13 @@ bool comes_before(const OutlineWalk& a, std::size_t a_start, const OutlineWalk& 
   return false;
 }
 
-/// All vertices, nearest neighbors first: each one's in their order around it.
-std::vector<VertexHandle> breadth_first(const HalfEdgeMesh& mesh, HalfedgeHandle first, bool backwards) {
-  std::vector<VertexHandle> order;
-  std::vector<HalfedgeHandle> leaving;  // where to begin around each
-  std::vector<char> is_found(mesh.n_vertices(), 0);
-  const auto find = [&](VertexHandle v, HalfedgeHandle from) {
-    if (std::exchange(is_found[v.idx()], 1) != 0) return;
-    order.push_back(v);
-    leaving.push_back(from);
-  };
-  find(mesh.from_vertex_handle(first), first);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    HalfedgeHandle h = leaving[i];
-    do {
-      find(mesh.to_vertex_handle(h), mesh.opposite_halfedge_handle(h));
-      h = backwards ? mesh.cw_rotated_halfedge_handle(h) : mesh.ccw_rotated_halfedge_handle(h);
-    } while (h != leaving[i]);
-  }
-  return order;
-}
+/// Where a numbering begins, and whether it goes around vertices backwards.
+struct Start {
+  HalfedgeHandle first;
+  bool backwards = false;
+};
 
-}  // namespace
-
-Chart in_canonical_order(const Chart& chart) {
-  const HalfEdgeMesh& mesh = chart.mesh;
+Start start_on_outline(const Chart& chart) {
   const OutlineWalk walks[2] = {walk_outline(chart, false), walk_outline(chart, true)};
   std::size_t best_walk = 0, best_start = 0;
   for (std::size_t w = 0; w < 2; ++w) {
@@ -91,9 +73,100 @@ Chart in_canonical_order(const Chart& chart) {
     }
   }
   const OutlineWalk& walk = walks[best_walk];
-  const HalfedgeHandle first =
-      mesh.find_halfedge(walk.vertices[best_start], walk.vertices[(best_start + 1) % walk.vertices.size()]);
-  const std::vector<VertexHandle> vertices = breadth_first(mesh, first, best_walk == 1);
+  const VertexHandle first = walk.vertices[best_start], second = walk.vertices[(best_start + 1) % walk.vertices.size()];
+  return {chart.mesh.find_halfedge(first, second), best_walk == 1};
+}
+
+/// Numbers vertices, nearest neighbors first: each one's in their order around it.
+class SurfaceWalk {
+ public:
+  /// rank: -1 for each vertex; set to its number, and back once the walk is over.
+  SurfaceWalk(const HalfEdgeMesh& mesh, Start start, std::vector<int>& rank)
+      : mesh_(mesh), backwards_(start.backwards), rank_(rank) {
+    find(mesh.from_vertex_handle(start.first), start.first);
+  }
+  ~SurfaceWalk() {
+    for (const VertexHandle v : order_) rank_[v.idx()] = -1;
+  }
+  SurfaceWalk(const SurfaceWalk&) = delete;
+  SurfaceWalk& operator=(const SurfaceWalk&) = delete;
+
+  /// The next half-edge, around one vertex after the other; not valid where all have been seen.
+  HalfedgeHandle step() {
+    if (!next_.is_valid()) {
+      if (at_ == order_.size()) return next_;
+      next_ = leaving_[at_];
+    }
+    const HalfedgeHandle h = next_;
+    find(mesh_.to_vertex_handle(h), mesh_.opposite_halfedge_handle(h));
+    next_ = backwards_ ? mesh_.cw_rotated_halfedge_handle(h) : mesh_.ccw_rotated_halfedge_handle(h);
+    if (next_ == leaving_[at_]) {
+      next_ = HalfedgeHandle();
+      ++at_;
+    }
+    return h;
+  }
+
+  int rank_of_end(HalfedgeHandle h) const { return rank_[mesh_.to_vertex_handle(h).idx()]; }
+  const std::vector<VertexHandle>& order() const { return order_; }
+
+ private:
+  void find(VertexHandle v, HalfedgeHandle leaving) {
+    if (rank_[v.idx()] >= 0) return;
+    rank_[v.idx()] = static_cast<int>(order_.size());
+    order_.push_back(v);
+    leaving_.push_back(leaving);
+  }
+
+  const HalfEdgeMesh& mesh_;
+  const bool backwards_;
+  std::vector<int>& rank_;
+  std::vector<VertexHandle> order_;
+  std::vector<HalfedgeHandle> leaving_;  // where to begin around each
+  std::size_t at_ = 0;
+  HalfedgeHandle next_;
+};
+
+std::vector<VertexHandle> breadth_first(const HalfEdgeMesh& mesh, Start start) {
+  std::vector<int> rank(mesh.n_vertices(), -1);
+  SurfaceWalk walk(mesh, start, rank);
+  while (walk.step().is_valid()) continue;
+  return walk.order();
+}
+
+/// At one of the longest edges: there are few, and of these most differ after a few steps.
+Start start_on_closed(const HalfEdgeMesh& mesh) {
+  double longest = 0;
+  for (const EdgeHandle e : mesh.edges()) longest = std::max(longest, edge_length(mesh, mesh.halfedge_handle(e, 0)));
+  const double same = kSame * std::sqrt(surface_area(mesh));
+  std::vector<int> rank_of_best(mesh.n_vertices(), -1), rank(mesh.n_vertices(), -1);
+  const auto walk_comes_before = [&](Start a, Start b) {
+    SurfaceWalk of_a(mesh, a, rank), of_b(mesh, b, rank_of_best);
+    while (true) {
+      const HalfedgeHandle h = of_a.step(), g = of_b.step();
+      if (!h.is_valid()) return false;
+      const double longer = edge_length(mesh, h) - edge_length(mesh, g);
+      if (std::abs(longer) > same) return longer < 0;
+      if (of_a.rank_of_end(h) != of_b.rank_of_end(g)) return of_a.rank_of_end(h) < of_b.rank_of_end(g);
+    }
+  };
+  Start best;
+  for (const HalfedgeHandle h : mesh.halfedges()) {
+    if (edge_length(mesh, h) < longest - same) continue;
+    for (const bool backwards : {false, true}) {
+      const Start start{h, backwards};
+      if (!best.first.is_valid() || walk_comes_before(start, best)) best = start;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Chart in_canonical_order(const Chart& chart) {
+  const HalfEdgeMesh& mesh = chart.mesh;
+  const Start start = chart.boundary_loops.empty() ? start_on_closed(mesh) : start_on_outline(chart);
+  const std::vector<VertexHandle> vertices = breadth_first(mesh, start);
   std::vector<int> rank(mesh.n_vertices());
   for (std::size_t i = 0; i < vertices.size(); ++i) rank[vertices[i].idx()] = static_cast<int>(i);
 

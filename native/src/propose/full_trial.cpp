@@ -34,19 +34,24 @@ PieceFigures figures_of(const FlattenResult& result, const Chart& chart, const O
   return figures;
 }
 
+FlattenInput with_seams(FlattenInput input, const std::vector<VertexPair>& edges) {
+  const Eigen::Index given = input.seams.rows();
+  input.seams.conservativeResize(given + static_cast<Eigen::Index>(edges.size()), 2);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    input.seams.row(given + static_cast<Eigen::Index>(i)) << edges[i][0], edges[i][1];
+  }
+  return input;
+}
+
 FullTrials::FullTrials(const FlattenInput& input, const Options& options, const std::function<bool()>& go_on)
     : input_(input), options_(options), go_on_(go_on) {
   options_.with_proposals = false;
 }
 
 FlattenResult FullTrials::run(const std::vector<VertexPair>& cut) {
-  FlattenInput input = input_;
-  input.seams.conservativeResize(input_.seams.rows() + static_cast<Eigen::Index>(cut.size()), 2);
-  for (std::size_t i = 0; i < cut.size(); ++i) {
-    input.seams.row(input_.seams.rows() + static_cast<Eigen::Index>(i)) << cut[i][0], cut[i][1];
-  }
   FlattenResult result = flatten_with(
-      input, options_, [&](const std::string&, double) { return go_on_(); }, &cache_);
+      with_seams(with_seams(input_, taken_), cut), options_, [&](const std::string&, double) { return go_on_(); },
+      &cache_);
   if (!go_on_()) throw Stopped();
   return result;
 }

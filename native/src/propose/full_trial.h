@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "charts/chart.h"
@@ -22,13 +23,19 @@ struct PieceFigures {
 /// Of those pieces of a result that are made of faces of a chart of its input.
 PieceFigures figures_of(const FlattenResult& result, const Chart& chart, const Options& options);
 
-/// Flattens one input again and again with a cut more or less. In any thread.
+FlattenInput with_seams(FlattenInput input, const std::vector<VertexPair>& edges);
+
+/// Flattens one input again and again with a cut more or less.
 class FullTrials {
  public:
   /// go_on: asked in any thread; false ends a run with Stopped.
   FullTrials(const FlattenInput& input, const Options& options, const std::function<bool()>& go_on);
 
+  /// In any thread.
   FlattenResult run(const std::vector<VertexPair>& cut);
+
+  /// All later runs have these cuts, and no others taken before.
+  void take(std::vector<VertexPair> cuts) { taken_ = std::move(cuts); }
 
   const InternalOptions& options() const { return options_; }
 
@@ -36,6 +43,7 @@ class FullTrials {
   const FlattenInput& input_;
   InternalOptions options_;
   const std::function<bool()>& go_on_;
+  std::vector<VertexPair> taken_;
   Cache cache_;  // of the other pieces
 };
 

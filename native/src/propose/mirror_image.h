@@ -7,9 +7,8 @@
 
 namespace wirewarp {
 
-/// For each vertex of a chart that a plane mirrors onto itself the vertex opposite; none where no plane does. The plane
-/// lies across a principal direction of the vertices, so that surfaces with many planes, as of revolution, may have
-/// theirs missed.
+/// For each vertex of a chart that a plane mirrors onto itself the vertex opposite; none where no plane does. Of
+/// several planes it is the one along which edges run longest: cuts may follow it.
 std::vector<VertexHandle> mirror_image(const Chart& chart);
 
 /// A chain's mirror image. Empty where the edges are not mirrored with their vertices.

@@ -27,6 +27,9 @@ constexpr double kShareInFull = 0.05;
 /// Less than this part of the energy is not worth a cut and the sewing of it.
 constexpr double kLeastGain = 0.02;
 
+/// Strain of pieces that are left as they are where nothing else is asked for: no cloth shows it.
+constexpr double kMayStay = 0.005;
+
 /// A way on the fine mesh may be longer than on the coarse one, by this factor: along two sides of a rectangle where
 /// its diagonal is barred, and a little more. Where it is longer, wires bar it.
 constexpr double kDetour = 1.5;
@@ -245,7 +248,8 @@ std::vector<std::optional<PieceSearch::Tried>> PieceSearch::flatten(const std::v
 
 std::vector<DartProposal> PieceSearch::search(const PieceFigures& before) {
   if (before.energy <= RefineConstants::isometric) throw flat_already(input_chart_);
-  if (before.strain <= wishes_.strain) throw flat_enough(input_chart_, before.strain, wishes_.strain);
+  const double may_stay = wishes_.strain.value_or(kMayStay);
+  if (before.strain <= may_stay) throw flat_enough(input_chart_, before.strain, may_stay);
   std::vector<Tried> helpful;
   for (std::optional<Tried>& tried : flatten(without_mirror_images(best_chains()), before)) {
     if (tried) helpful.push_back(std::move(*tried));

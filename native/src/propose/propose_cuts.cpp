@@ -10,8 +10,10 @@
 
 #include "charts/cut_into_charts.h"
 #include "errors/sentence.h"
+#include "mesh/geometry.h"
 #include "middle_surface.h"
 #include "progress_report.h"
+#include "propose/first_cuts.h"
 #include "propose/piece_search.h"
 #include "stop_token.h"
 
@@ -21,6 +23,8 @@ namespace {
 /// Of the search in a piece of some thousand triangles: what the fraction of the work is told by, which is not known
 /// beforehand.
 constexpr int kTypicalQuestions = 2000;
+
+constexpr double kClearly = 1 + 1e-9;  // larger: the same piece however the mesh is turned
 
 /// In this order, twins by their new places; each pair counts once.
 std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, const std::vector<double>& gains,
@@ -45,8 +49,8 @@ std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, co
 void check_wishes(const CutWishes& wishes, std::size_t num_pieces, const EdgeTable& edges, Eigen::Index num_vertices) {
   if (wishes.count < 1)
     throw FlattenError(ErrorCode::invalid_option, "count must be 1 or more, not " + std::to_string(wishes.count) + ".");
-  if (!(wishes.strain >= 0))
-    throw FlattenError(ErrorCode::invalid_option, "strain must be 0 or more, not " + shortest(wishes.strain) + ".");
+  if (wishes.strain && !(*wishes.strain >= 0))
+    throw FlattenError(ErrorCode::invalid_option, "strain must be 0 or more, not " + shortest(*wishes.strain) + ".");
   if (!(wishes.longest > 0))
     throw FlattenError(ErrorCode::invalid_option, "longest must be above 0, not " + shortest(wishes.longest) + ".");
   if (wishes.piece && (*wishes.piece < 0 || *wishes.piece >= static_cast<int>(num_pieces))) {
@@ -103,6 +107,21 @@ std::vector<DartProposal> search_pieces(const std::vector<Chart>& charts, const 
   return best_of(proposals, gains, wishes.count);
 }
 
+/// The piece to cut, if it has no flat shape for want of seams; of all pieces the largest of these.
+std::optional<int> without_shape(const std::vector<Chart>& charts, const std::vector<PieceFigures>& before,
+                                 const CutWishes& wishes) {
+  std::optional<int> largest;
+  double most = 0;
+  for (int c = 0; c < static_cast<int>(charts.size()); ++c) {
+    if (!before[c].error || !lacks_seams(charts[c], *before[c].error) || wishes.piece.value_or(c) != c) continue;
+    const double area = surface_area(charts[c].mesh);
+    if (area <= kClearly * most) continue;
+    most = area;
+    largest = c;
+  }
+  return largest;
+}
+
 std::vector<DartProposal> propose_cuts(const FlattenInput& input, const Options& options, CutKind kind,
                                        const CutWishes& wishes, const Progress& progress) {
   ProgressReport report(progress);
@@ -122,6 +141,13 @@ std::vector<DartProposal> propose_cuts(const FlattenInput& input, const Options&
     const std::vector<Chart> charts = cut_into_charts(flattened, edges).charts;
     std::vector<PieceFigures> before;
     for (const Chart& chart : charts) before.push_back(figures_of(uncut, chart, options));
+    if (kind == CutKind::seam) {
+      if (const std::optional<int> piece = without_shape(charts, before, wishes)) {
+        std::vector<DartProposal> sets = FirstCuts(flattened, charts[*piece], wishes, trials, go_on).search();
+        for (DartProposal& set : sets) set.piece = *piece;
+        return sets;
+      }
+    }
     const int first = wishes.piece.value_or(most_distorted(before));
     if (before[first].error) throw *flatten(input, options, progress).pieces[first].error;  // with what mends it
     return search_pieces(charts, before, kind, wishes, trials, go_on);

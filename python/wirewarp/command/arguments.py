@@ -36,7 +36,6 @@ VERDICTS = (
     "Prints one line of JSON for each model. The exit code is 0 if all are ready to cut, 1 if a piece is not, 2 if a "
     "model is refused, 3 if one was stopped: it crashed or took more time or memory than it may."
 )
-STRAIN = 0.005  # as propose_darts has it: pieces strained by no more are left as they are
 
 
 @dataclass(frozen=True)
@@ -147,9 +146,9 @@ def _cut_options() -> argparse.ArgumentParser:
     options.add_argument(
         "--strain",
         type=_share,
-        default=STRAIN,
         metavar="5%",
-        help="what may stay: pieces with less in 99%% of their area are left alone (0.5%%)",
+        help="what may stay: pieces with less in 99%% of their area are left alone (0.5%%, 5%% of what first cuts "
+        "leave, 0.5%% with --together)",
     )
     options.add_argument(
         "--together", type=_count, metavar="N", help="N cuts at most that are taken together, until --strain is met"

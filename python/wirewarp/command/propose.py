@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One model from its file to the cuts that are proposed for it."""
 
+import math
 from typing import Any
 
 from .. import DartProposal, ErrorCode, FlattenError, plan_cuts, propose_darts, propose_seams
@@ -12,6 +13,7 @@ from .request import MILLIMETERS, CutRequest
 from .suffixes import BLEND
 from .verdicts import NOTHING, PROPOSED, REFUSED, STOPPED, Line, unfinished
 
+STRAIN = 0.005  # as propose_darts has it: pieces strained by no more are left as they are
 IN_BLENDER = "In Blender the add-on suggests darts and seams; here models are OBJ, PLY, STL or glTF."
 
 
@@ -42,17 +44,17 @@ def _line(request: CutRequest) -> Line:
         "eases": lines.eases,
         "no_seam": edges_of(request.no_seam),
         "options": material_options(request.material, request.unit),
-        "strain": request.strain,
     }
     longest = None if request.longest is None else request.longest / per_unit
     if request.together:
-        cuts = plan_cuts(**mesh, kind=request.kind, most=request.together, longest=longest)
+        strain = STRAIN if request.strain is None else request.strain
+        cuts = plan_cuts(**mesh, kind=request.kind, strain=strain, most=request.together, longest=longest)
     else:
         propose = propose_darts if request.kind == "dart" else propose_seams
         piece = None if request.piece is None else request.piece - 1
         if request.count is not None:
             mesh["count"] = request.count
-        cuts = propose(**mesh, piece=piece, longest=longest)
+        cuts = propose(**mesh, piece=piece, strain=request.strain, longest=longest)
     return {
         "verdict": PROPOSED,
         "cut": request.kind,
@@ -64,15 +66,15 @@ def _line(request: CutRequest) -> Line:
 
 
 def _proposal(cut: DartProposal, meters: float, has_twin: bool) -> dict[str, Any]:
-    """Its line is as --seams reads it. meters: in a unit of the model; has_twin: it may be taken by itself."""
+    """Its lines are as --seams reads them. meters: in a unit of the model; has_twin: it may be taken by itself."""
     told: dict[str, Any] = {
         "piece": cut.piece + 1,
-        "line": [int(cut.edges[0, 0]), *cut.edges[:, 1].tolist()],
+        "lines": _lines_along(cut.edges.tolist()),
         "length_m": cut.length * meters,
         "energy": cut.energy,
-        "energy_before": cut.energy_before,
+        "energy_before": _if_finite(cut.energy_before),
         "strain": cut.strain,
-        "strain_before": cut.strain_before,
+        "strain_before": _if_finite(cut.strain_before),
     }
     if not has_twin:
         return told
@@ -81,3 +83,19 @@ def _proposal(cut: DartProposal, meters: float, has_twin: bool) -> dict[str, Any
         "energy_with_twin": cut.energy_with_twin,
         "strain_with_twin": cut.strain_with_twin,
     }
+
+
+def _lines_along(edges: list[list[int]]) -> list[list[int]]:
+    """Of vertices; a line goes on where an edge begins at the end of the one before it."""
+    lines: list[list[int]] = []
+    for start, end in edges:
+        if lines and lines[-1][-1] == start:
+            lines[-1].append(end)
+        else:
+            lines.append([start, end])
+    return lines
+
+
+def _if_finite(figure: float) -> float | None:
+    """JSON has no other; first cuts have none before them."""
+    return figure if math.isfinite(figure) else None

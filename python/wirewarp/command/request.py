@@ -54,7 +54,7 @@ class CutRequest(ModelRequest):
     kind: Literal["dart", "seam"]
     piece: int | None  # from 1; None for any
     count: int | None  # None: as many as the library proposes
-    strain: float
+    strain: float | None  # None: as the library has it
     longest: float | None
     together: int | None  # cuts that are taken together at most; None: each is one by itself
 

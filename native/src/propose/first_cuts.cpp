@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "propose/first_cuts.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "charts/cut_into_charts.h"
+#include "errors/sentence.h"
+#include "feasibility/propose_seams.h"
+#include "propose/canonical_order.h"
+#include "propose/cut_chains.h"
+#include "propose/mirror_image.h"
+#include "propose/piece_search.h"
+#include "refine/lies_flat.h"
+#include "stop_token.h"
+
+namespace wirewarp {
+namespace {
+
+/// What woven cloth takes at most: where nothing else is asked for, pieces with no more are not cut again.
+constexpr double kAim = 0.05;
+
+/// Cuts and their mirror images after those that open the piece: a ball is in twelve gores then.
+constexpr std::size_t kMostCuts = 10;
+
+/// Of the best cuts, for each kind: what is better beside the others is found out in full.
+constexpr int kPlaces = 2;
+constexpr std::size_t kMostTrials = 3;
+
+/// Less than this part of the energy, or of the strain, is not worth a cut and the sewing of it.
+constexpr double kLeastGain = 0.02;
+
+FlattenError no_set(const Chart& chart, const std::string& reason) {
+  return FlattenError(ErrorCode::no_proposal, introduce_piece(chart.source_face) + " " + reason,
+                      {{}, {}, chart.source_face});
+}
+
+FlattenError none_serves(const Chart& chart, const CutWishes& wishes) {
+  const std::string along = wishes.no_seam.rows() == 0 ? "" : " along edges that may have a seam";
+  return no_set(chart, "does not lie flat, and no set of seams was found" + along +
+                           " that lets all of it do so: mark a first seam by hand.");
+}
+
+FlattenError too_long(const Chart& chart, double length, double longest) {
+  return no_set(chart, "lies flat with seams of " + rounded(length) + " units, and longest is " + rounded(longest) +
+                           ": allow more.");
+}
+
+VertexPair in_one_order(VertexPair ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }
+
+bool has_face_of(const Chart& chart, const Chart& piece) {
+  return std::binary_search(chart.source_face.begin(), chart.source_face.end(), piece.source_face.front());
+}
+
+void bar(const VertexPairs& pairs, const std::map<VertexPair, EdgeHandle>& edge_between, CutMask& barred) {
+  for (const auto& ends : pairs.rowwise()) {
+    const auto found = edge_between.find(in_one_order({ends[0], ends[1]}));
+    if (found != edge_between.end()) barred[found->second.idx()] = 1;
+  }
+}
+
+}  // namespace
+
+bool lacks_seams(const Chart& chart, const FlattenError& error) {
+  switch (error.code) {
+    case ErrorCode::closed_chart:
+    case ErrorCode::handles:
+    case ErrorCode::boundary_too_short:
+    case ErrorCode::flipped_faces:
+    case ErrorCode::overlapping_faces:
+      return true;
+    case ErrorCode::infeasible_lengths:
+      return !has_wires(chart);
+    default:
+      return false;
+  }
+}
+
+FirstCuts::FirstCuts(const FlattenInput& flattened, const Chart& chart, const CutWishes& wishes, FullTrials& trials,
+                     const std::function<bool()>& go_on)
+    : flattened_(flattened),
+      input_chart_(chart),
+      chart_(in_canonical_order(chart)),
+      image_(mirror_image(chart_)),
+      mirrored_(chart_, image_),
+      wishes_(wishes),
+      aim_(wishes.strain.value_or(kAim)),
+      trials_(trials),
+      go_on_(go_on) {
+  for (const EdgeHandle e : chart_.mesh.edges()) {
+    if (!chart_.mesh.is_boundary(e)) edge_between_[in_one_order(ends_in_input(chart_.mesh.halfedge_handle(e, 0)))] = e;
+  }
+  barred_.assign(chart_.mesh.n_edges(), 0);
+  bar(wishes.no_seam, edge_between_, barred_);
+  barred_ = mirrored_.with_image(barred_);
+  mirrored_.bar_those_without_image(barred_);
+}
+
+VertexPair FirstCuts::ends_in_input(HalfedgeHandle h) const {
+  const auto input_vertex = [&](VertexHandle v) { return input_chart_.source_vertex[chart_.source_vertex[v.idx()]]; };
+  return {input_vertex(chart_.mesh.from_vertex_handle(h)), input_vertex(chart_.mesh.to_vertex_handle(h))};
+}
+
+std::vector<VertexPair> FirstCuts::edges_of(const CutMask& cut) const {
+  std::vector<VertexPair> edges;
+  for (const HalfedgeHandle h : chains_of(chart_.mesh, cut)) edges.push_back(ends_in_input(h));
+  return edges;
+}
+
+/// Cuts that let the piece lie flat, as far as they were found without its neighbors. Throws Stopped.
+CutMask FirstCuts::opening() const {
+  const StopToken stop([&](const char*) { return go_on_(); });
+  Chart own = chart_;  // with itself as source
+  for (const VertexHandle v : own.mesh.vertices()) own.source_vertex[v.idx()] = v.idx();
+  const auto lies_flat_alone = [&](const Chart& piece) { return lies_flat(piece, trials_.options(), stop); };
+  CutMask cut(chart_.mesh.n_edges(), 0);
+  for (const auto& [from, to] :
+       propose_seams(own, {lies_flat_alone, [&] { return stop.may_go_on(); }}, {barred_, image_})) {
+    const HalfedgeHandle h = chart_.mesh.find_halfedge(VertexHandle(from), VertexHandle(to));
+    cut[chart_.mesh.edge_handle(h).idx()] = 1;
+  }
+  stop.check();
+  return cut;
+}
+
+FirstCuts::CutSet FirstCuts::flatten(const CutMask& cut) const {
+  CutSet set;
+  set.cut = cut;
+  DartProposal& proposal = set.proposal;
+  proposal.edges = edges_of(cut);
+  proposal.length = length_of_cut(chart_.mesh, cut);
+  trials_.take(proposal.edges);
+  const FlattenResult result = trials_.run({});
+  const FlattenInput open = with_seams(flattened_, proposal.edges);
+  const EdgeTable edges(open.faces, static_cast<int>(open.vertices.rows()));
+  set.lies_flat = true;
+  double energy = 0, area = 0;
+  for (Chart& piece : cut_into_charts(open, edges).charts) {
+    if (!has_face_of(input_chart_, piece)) continue;
+    const PieceFigures figures = figures_of(result, piece, trials_.options());
+    if (figures.error) set.lies_flat = false;
+    energy += figures.energy * figures.area;
+    area += figures.area;
+    proposal.strain = std::max(proposal.strain, figures.strain);
+    set.pieces.push_back(std::move(piece));
+    set.figures.push_back(figures);
+  }
+  proposal.energy = energy / area;
+  proposal.energy_before = proposal.strain_before = std::numeric_limits<double>::infinity();
+  return set;
+}
+
+/// The edges and their mirror image.
+CutMask FirstCuts::symmetric(const std::vector<VertexPair>& edges) const {
+  CutMask cut(chart_.mesh.n_edges(), 0);
+  for (const VertexPair& ends : edges) cut[edge_between_.at(in_one_order(ends)).idx()] = 1;
+  return mirrored_.with_image(cut);
+}
+
+/// (k, 2) pairs of input vertices.
+VertexPairs FirstCuts::barred_edges() const {
+  std::vector<VertexPair> edges;
+  for (const EdgeHandle e : chart_.mesh.edges()) {
+    if (barred_[e.idx()] != 0) edges.push_back(ends_in_input(chart_.mesh.halfedge_handle(e, 0)));
+  }
+  VertexPairs pairs(static_cast<Eigen::Index>(edges.size()), 2);
+  for (std::size_t i = 0; i < edges.size(); ++i) pairs.row(static_cast<Eigen::Index>(i)) << edges[i][0], edges[i][1];
+  return pairs;
+}
+
+/// Darts and seams of one of its pieces, those with the greatest gain for their length first.
+std::vector<DartProposal> FirstCuts::candidates(const CutSet& set, std::size_t piece) const {
+  CutWishes wishes;
+  wishes.count = kPlaces;
+  wishes.strain = aim_;
+  wishes.longest = wishes_.longest - set.proposal.length;
+  wishes.no_seam = barred_edges();
+  PieceFigures before = set.figures[piece];
+  before.strain = std::numeric_limits<double>::infinity();  // it may rise on the way, while the energy falls
+  std::vector<DartProposal> found;
+  for (const CutKind kind : {CutKind::seam, CutKind::dart}) {
+    try {
+      PieceSearch search(set.pieces[piece], kind, wishes, trials_, go_on_);
+      for (DartProposal& cut : search.search(before)) found.push_back(std::move(cut));
+    } catch (const FlattenError& error) {
+      if (error.code != ErrorCode::no_proposal) throw;
+    }
+  }
+  const auto gain = [](const DartProposal& cut) { return (cut.energy_before - cut.energy) / cut.length; };
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const DartProposal& a, const DartProposal& b) { return gain(a) > gain(b); });
+  return found;
+}
+
+std::optional<FirstCuts::CutSet> FirstCuts::cut_once_more(const CutSet& set) const {
+  const auto has_less = [](const PieceFigures& a, const PieceFigures& b) { return a.strain < b.strain; };
+  const auto worst = std::max_element(set.figures.begin(), set.figures.end(), has_less) - set.figures.begin();
+  trials_.take(set.proposal.edges);
+  std::vector<CutMask> tried;
+  for (const DartProposal& candidate : candidates(set, static_cast<std::size_t>(worst))) {
+    CutMask cut = symmetric(candidate.edges);
+    const bool is_known = std::find(tried.begin(), tried.end(), cut) != tried.end();
+    if (is_known || tried.size() == kMostTrials) continue;
+    tried.push_back(cut);
+    for (std::size_t e = 0; e < cut.size(); ++e) cut[e] = cut[e] != 0 || set.cut[e] != 0;
+    if (length_of_cut(chart_.mesh, cut) > wishes_.longest) continue;
+    CutSet more = flatten(cut);
+    if (more.lies_flat && more.proposal.energy <= (1 - kLeastGain) * set.proposal.energy) return more;
+  }
+  return std::nullopt;
+}
+
+/// The last ones, but for those that are hardly better than one with fewer cuts.
+std::vector<DartProposal> FirstCuts::best_of(const std::vector<CutSet>& sets) const {
+  std::vector<DartProposal> best;
+  for (const CutSet& set : sets) {
+    if (best.empty() || set.proposal.strain <= (1 - kLeastGain) * best.back().strain) best.push_back(set.proposal);
+  }
+  std::reverse(best.begin(), best.end());
+  best.resize(std::min(best.size(), static_cast<std::size_t>(wishes_.count)));
+  return best;
+}
+
+std::vector<DartProposal> FirstCuts::search() {
+  const CutMask opened = opening();
+  if (length_of_cut(chart_.mesh, opened) == 0) throw none_serves(input_chart_, wishes_);
+  std::vector<CutSet> sets{flatten(opened)};
+  const DartProposal& least = sets.front().proposal;
+  if (!sets.front().lies_flat) throw none_serves(input_chart_, wishes_);
+  if (least.length > wishes_.longest) throw too_long(input_chart_, least.length, wishes_.longest);
+  while (sets.size() <= kMostCuts && sets.back().proposal.strain > aim_) {
+    std::optional<CutSet> more = cut_once_more(sets.back());
+    if (!more) break;
+    sets.push_back(std::move(*more));
+  }
+  return best_of(sets);
+}
+
+}  // namespace wirewarp

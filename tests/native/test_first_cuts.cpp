@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sets of seams that are proposed for models without any: they do what is claimed, and are the same however the input
+// is given.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ostream>
+#include <set>
+#include <string>
+
+#include "disguise.h"
+#include "planar.h"
+#include "test_meshes.h"
+#include "wirewarp/propose.h"
+
+namespace wirewarp {
+namespace {
+
+using Shape = std::function<Eigen::Vector3d(const Eigen::Vector3d& direction)>;
+
+/// A closed surface around the origin, from pole to pole.
+FlattenInput closed(int around, int rings, const Shape& shape) {
+  FlattenInput input;
+  const int top = 1 + around * (rings - 1);
+  input.vertices.resize(top + 1, 3);
+  input.vertices.row(0) = shape(-Eigen::Vector3d::UnitZ());
+  input.vertices.row(top) = shape(Eigen::Vector3d::UnitZ());
+  for (int j = 1; j < rings; ++j) {
+    for (int i = 0; i < around; ++i) {
+      const double angle = 2 * kPi * i / around, down = kPi * j / rings;
+      input.vertices.row(1 + (j - 1) * around + i) =
+          shape({std::sin(down) * std::cos(angle), std::sin(down) * std::sin(angle), -std::cos(down)});
+    }
+  }
+  std::vector<Eigen::RowVector3i> faces;
+  const auto at = [&](int i, int j) { return 1 + (j - 1) * around + i % around; };
+  for (int i = 0; i < around; ++i) {
+    faces.emplace_back(0, at(i + 1, 1), at(i, 1));
+    faces.emplace_back(top, at(i, rings - 1), at(i + 1, rings - 1));
+    for (int j = 1; j + 1 < rings; ++j) {
+      const int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+      const bool rises = (i < around / 2) == (j % 2 == 0);  // diagonals are mirrored across y = 0
+      faces.emplace_back(a, b, rises ? c : d);
+      faces.emplace_back(rises ? a : b, c, d);
+    }
+  }
+  input.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f) input.faces.row(static_cast<Eigen::Index>(f)) = faces[f];
+  return input;
+}
+
+FlattenInput ball() {
+  return closed(12, 10, [](const Eigen::Vector3d& p) { return p; });
+}
+
+/// An animal's head of plush with two ears, mirrored across y = 0; tilt: off the plane.
+FlattenInput head(double tilt = 0) {
+  return closed(16, 12, [tilt](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    const Eigen::Vector3d ear(-0.1, 0.6, 0.8);
+    const double ears = std::exp(-8 * (Eigen::Vector3d(p.x(), std::abs(p.y()), p.z()) - ear).squaredNorm());
+    const double snout = std::exp(-6 * (p - Eigen::Vector3d(1, tilt, -0.2)).squaredNorm());
+    return (1 + 0.3 * ears + 0.4 * snout) * Eigen::Vector3d(p.x(), 0.9 * p.y(), 0.8 * p.z());
+  });
+}
+
+FlattenInput torus() {
+  const int around = 18, across = 9, count = around * across;
+  FlattenInput input = test::make_tube(around, across, [](double s, double t) {
+    const double radius = 2 + std::cos(2 * kPi * t);
+    return Eigen::Vector3d(radius * std::cos(2 * kPi * s), radius * std::sin(2 * kPi * s), std::sin(2 * kPi * t));
+  });
+  input.faces = input.faces.unaryExpr([&](int v) { return v % count; }).eval();
+  input.vertices.conservativeResize(count, 3);
+  return input;
+}
+
+/// What 99% of a piece's area stay below of max(sigma_1, 1/sigma_2) - 1.
+double strain_of(const FlattenInput& input, const Piece& piece) {
+  std::vector<std::pair<double, double>> faces;  // strain, area
+  double area = 0;
+  for (std::size_t f = 0; f < piece.source_face.size(); ++f) {
+    const auto corners = input.faces.row(piece.source_face[f]);
+    const Eigen::Vector3d a = input.vertices.row(corners[0]), b = input.vertices.row(corners[1]),
+                          c = input.vertices.row(corners[2]);
+    faces.emplace_back(piece.metrics.face_aspect_ratio[static_cast<Eigen::Index>(f)] - 1,
+                       (b - a).cross(c - a).norm() / 2);
+    area += faces.back().second;
+  }
+  std::sort(faces.begin(), faces.end());
+  double below = 0;
+  for (const auto& [strain, part] : faces) {
+    below += part;
+    if (below >= 0.99 * area) return strain;
+  }
+  return faces.back().first;
+}
+
+struct Case {
+  const char* name;
+  FlattenInput input;
+};
+
+/// For the names of tests in a report.
+void PrintTo(const Case& shape, std::ostream* out) { *out << shape.name; }
+
+class FirstCutsOf : public testing::TestWithParam<Case> {};
+
+TEST_P(FirstCutsOf, LetAllLieFlatWithTheFiguresOfAFreshRun) {
+  const FlattenInput& input = GetParam().input;
+  CutWishes wishes;
+  wishes.strain = 0.15;
+  const std::vector<DartProposal> sets = propose_seams(input, {}, wishes);
+  ASSERT_FALSE(sets.empty());
+  EXPECT_LE(sets.front().strain, *wishes.strain);
+  for (const DartProposal& set : sets) {
+    const FlattenResult result = flatten(test::with_seams(input, set.edges));
+    double energy = 0, area = 0, strain = 0, length = 0;
+    for (const Piece& piece : result.pieces) {
+      ASSERT_FALSE(piece.error) << piece.error->what();
+      energy += piece.metrics.arap_energy * piece.metrics.area_3d;
+      area += piece.metrics.area_3d;
+      strain = std::max(strain, strain_of(input, piece));
+    }
+    for (const VertexPair& edge : set.edges) {
+      length += (input.vertices.row(edge[0]) - input.vertices.row(edge[1])).norm();
+    }
+    EXPECT_NEAR(set.energy, energy / area, 1e-6 * (energy / area) + 1e-15);
+    EXPECT_NEAR(set.strain, strain, 1e-6 * strain + 1e-12);
+    EXPECT_NEAR(set.length, length, 1e-12 * length);
+    EXPECT_EQ(set.energy_before, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(set.strain_before, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(set.piece, 0);
+    EXPECT_FALSE(set.twin);
+  }
+  for (std::size_t i = 1; i < sets.size(); ++i) {
+    EXPECT_GT(sets[i].strain, sets[i - 1].strain);
+    EXPECT_LT(sets[i].length, sets[i - 1].length);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, FirstCutsOf,
+                         testing::Values(Case{"ball", ball()}, Case{"head", head()}, Case{"lopsided_head", head(0.5)},
+                                         Case{"torus", torus()}, Case{"tube", test::cylinder_tube(16, 8, 1, 4)}),
+                         [](const testing::TestParamInfo<Case>& test) { return std::string(test.param.name); });
+
+/// Sets of few cuts: quick to find.
+CutWishes rough() {
+  CutWishes wishes;
+  wishes.strain = 0.3;
+  return wishes;
+}
+
+std::set<VertexPair> undirected(const std::vector<VertexPair>& edges) {
+  std::set<VertexPair> pairs;
+  for (const VertexPair& edge : edges) pairs.insert({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])});
+  return pairs;
+}
+
+TEST(FirstCuts, OfATubeAreTheShortestLineAlongIt) {
+  const DartProposal set = propose_seams(test::cylinder_tube(16, 8, 1, 4)).front();
+  EXPECT_NEAR(set.length, 4, 1e-12);
+  EXPECT_LT(set.energy, 1e-12);
+}
+
+TEST(FirstCuts, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
+  const FlattenInput input = head(0.5);
+  const FlattenInput other = test::disguised(input);
+  const std::vector<DartProposal> here = propose_seams(input, {}, rough()), there = propose_seams(other, {}, rough());
+  ASSERT_EQ(here.size(), there.size());
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    EXPECT_EQ(undirected(test::disguised(input, here[i].edges)), undirected(there[i].edges));
+    EXPECT_NEAR(here[i].energy, there[i].energy, 1e-6 * here[i].energy);
+    EXPECT_NEAR(here[i].strain, there[i].strain, 1e-5 * here[i].strain);
+  }
+}
+
+TEST(FirstCuts, OfASymmetricModelAreSymmetric) {
+  const FlattenInput input = head();
+  for (const DartProposal& set : propose_seams(input, {}, rough())) {
+    std::vector<VertexPair> image;
+    for (const VertexPair& edge : set.edges) {
+      VertexPair opposite{};
+      for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+        const Eigen::Vector3d p = input.vertices.row(edge[end]);
+        opposite[end] = test::nearest_vertex(input, {p.x(), -p.y(), p.z()});
+      }
+      image.push_back(opposite);
+    }
+    EXPECT_EQ(undirected(image), undirected(set.edges));
+  }
+}
+
+VertexPairs as_rows(const std::set<VertexPair>& edges) {
+  VertexPairs rows(static_cast<Eigen::Index>(edges.size()), 2);
+  Eigen::Index row = 0;
+  for (const VertexPair& edge : edges) rows.row(row++) << edge[1], edge[0];  // either way round
+  return rows;
+}
+
+TEST(FirstCuts, RunAlongNoEdgeThatIsToHaveNoSeam) {
+  for (const FlattenInput& input : {ball(), head(), head(0.5)}) {
+    CutWishes wishes = rough();
+    const std::set<VertexPair> barred = undirected(propose_seams(input, {}, wishes).front().edges);
+    wishes.no_seam = as_rows(barred);
+    for (const DartProposal& set : propose_seams(input, {}, wishes)) {
+      for (const VertexPair& edge : undirected(set.edges)) EXPECT_EQ(barred.count(edge), 0U);
+    }
+  }
+}
+
+TEST(FirstCuts, AreNoLongerThanWished) {
+  CutWishes wishes = rough();
+  const std::vector<DartProposal> sets = propose_seams(head(), {}, wishes);
+  ASSERT_GT(sets.size(), 1U);
+  wishes.longest = sets.front().length * (1 - 1e-9);
+  for (const DartProposal& set : propose_seams(head(), {}, wishes)) EXPECT_LE(set.length, wishes.longest);
+}
+
+TEST(FirstCuts, AreOfThePieceThatLacksThem) {
+  FlattenInput input = ball();
+  const FlattenInput sheet = test::flat_rectangle(2, 2, 1, 1);
+  const int count = static_cast<int>(sheet.vertices.rows());
+  FlattenInput both = sheet;
+  both.vertices.conservativeResize(count + input.vertices.rows(), 3);
+  both.vertices.bottomRows(input.vertices.rows()) = input.vertices.rowwise() + Eigen::RowVector3d(5, 0, 0);
+  both.faces.conservativeResize(sheet.faces.rows() + input.faces.rows(), 3);
+  both.faces.bottomRows(input.faces.rows()) = input.faces.array() + count;
+  EXPECT_EQ(propose_seams(both, {}, rough()).front().piece, 1);
+}
+
+std::string refusal(const FlattenInput& input, const CutWishes& wishes) {
+  try {
+    propose_seams(input, {}, wishes);
+  } catch (const FlattenError& error) {
+    EXPECT_EQ(error.code, ErrorCode::no_proposal);
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return "";
+}
+
+TEST(FirstCuts, SayWhyThereAreNone) {
+  const FlattenInput input = ball();
+  CutWishes wishes = rough();
+  wishes.longest = 0.1;
+  EXPECT_NE(refusal(input, wishes).find("lies flat with seams of "), std::string::npos);
+  wishes = rough();
+  std::vector<VertexPair> all;
+  for (Eigen::Index f = 0; f < input.faces.rows(); ++f) {
+    for (Eigen::Index k = 0; k < 3; ++k) all.push_back({input.faces(f, k), input.faces(f, (k + 1) % 3)});
+  }
+  wishes.no_seam = as_rows(undirected(all));
+  EXPECT_NE(refusal(input, wishes).find("no set of seams was found along edges that may have a seam"),
+            std::string::npos);
+}
+
+TEST(FirstCuts, CanBeCancelled) {
+  for (const int last : {5, 60}) {
+    int asked = 0;
+    try {
+      propose_seams(head(), {}, {}, [&](const std::string&, double) { return ++asked < last; });
+      ADD_FAILURE() << "nothing was thrown";
+    } catch (const FlattenError& error) {
+      EXPECT_EQ(error.code, ErrorCode::cancelled);
+    }
+    EXPECT_EQ(asked, last);
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp
