@@ -307,10 +307,52 @@ def test_why_there_is_nothing_to_suggest():
         SUGGEST["DARTS"]()
     tube()
     with pytest.raises(RuntimeError, match="mark a seam"):
-        SUGGEST["SEAMS"]()
+        SUGGEST["DARTS"]()
     bpy.ops.mesh.primitive_cube_add()  # twelve triangles, closed
     with pytest.raises(RuntimeError, match="closed"):
         SUGGEST["DARTS"]()
+
+
+def ball():
+    """Closed, of triangles, smaller at one side."""
+    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=2)
+    source = bpy.context.object
+    places = read(source.data.vertices, "co", np.float32, 3)
+    source.data.vertices.foreach_set("co", (places * (1 + 0.3 * places[:, :1])).ravel())
+    source.data.update()
+    return source
+
+
+def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, capfd):
+    source = ball()
+    buttons = []
+    with pytest.raises(RuntimeError):
+        bpy.ops.object.wirewarp_flatten()
+    draw_panels(addon, buttons)
+    assert "object.wirewarp_suggest_seams" in buttons and "object.wirewarp_suggest_darts" not in buttons
+    assert SUGGEST["SEAMS"]() == {"FINISHED"}
+    cuts = found(addon, source).cuts
+    assert f"{len(cuts)} sets of seams suggested; for " in capfd.readouterr().out
+    assert all(cut.is_first and cut.piece == 0 and len(cut.lengths) == 1 for cut in cuts)
+    assert [cut.strain for cut in cuts] == sorted(cut.strain for cut in cuts)
+    words = draw_panels(addon)
+    assert "Suggested Seams" in words and "→" not in words
+    (drawn,) = (each for each in addon.overlay.shown.drawings(view_context()) if each.target == source)
+    places = read(source.data.vertices, "co", np.float32, 3)[np.unique(cuts[0].edges)]
+    proposed = {tuple(place) for place in drawn.failures.lines["proposed"].tolist()}
+    assert {tuple(place) for place in places.tolist()} <= proposed
+    assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
+    assert pairs(seams_of(source)) == pairs(cuts[0].edges)
+    pieces = addon.flat.reports.last_report(source)["pieces"]
+    assert pieces and all(piece["ok"] for piece in pieces)
+    assert widespread(addon, source) <= cuts[0].strain * 1.05  # of all pieces; that of the worst one is claimed
+
+
+def test_where_all_is_painted_there_are_no_first_cuts(addon):
+    source = ball()
+    source.vertex_groups.new(name="wirewarp_no_seam").add(range(len(source.data.vertices)), 1.0, "REPLACE")
+    with pytest.raises(RuntimeError, match='no set of seams was found.* Nor may a seam run where "wirewarp_no_seam"'):
+        SUGGEST["SEAMS"]()
 
 
 @pytest.mark.parametrize(("kind", "settings"), [("SUBSURF", {"levels": 1}), ("EDGE_SPLIT", {"split_angle": 0})])

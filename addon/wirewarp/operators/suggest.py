@@ -11,7 +11,7 @@ from ..flat.suggestions import choose, drop
 from ..issues import ObjectError
 from ..model.owners import model_or_self
 from ..properties import mend_settings
-from ..report.suggestions import cut_text, kind_words
+from ..report.suggestions import cut_text, found_words
 from ..run import window_run
 from ..run.suggest import Search, begin_search, keep_found
 from ..run.targets import active_target, nothing_to_flatten
@@ -98,8 +98,7 @@ class SuggestCuts(WindowSteps):
         redraw_views()
         best, name = cut_text(cuts[0], length_text(context.scene)), found.names[0]
         piece = quoted([name]) if cuts[0].piece in self._search.names else name
-        count = sum(len(cut.lengths) for cut in cuts)
-        self.report({"INFO"}, f"{kind_words(self.kind, count)} suggested; for {piece}: {best}")
+        self.report({"INFO"}, f"{found_words(self.kind, cuts)} suggested; for {piece}: {best}")
         return {"FINISHED"}
 
     def _refuse(self, context: bpy.types.Context, error: ObjectError) -> set[str]:
@@ -116,7 +115,7 @@ class OBJECT_OT_wirewarp_suggest_darts(SuggestCuts, bpy.types.Operator):
 
 
 class OBJECT_OT_wirewarp_suggest_seams(SuggestCuts, bpy.types.Operator):
-    """Search for the seams across the piece that reduce its distortion most. Each is tested by flattening with it"""
+    """Search for the seams that reduce the distortion of the piece most, or for the first ones of a closed model"""
 
     bl_idname = "object.wirewarp_suggest_seams"
     bl_label = "Suggest Seams"

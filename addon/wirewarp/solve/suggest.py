@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cuts that the core library proposes, as edges to mark. No Blender in here."""
 
+import math
 from dataclasses import dataclass, replace
 from types import ModuleType
 
@@ -31,14 +32,19 @@ class NoSeam:
 
 @dataclass(frozen=True)
 class Cut:
-    """A dart or a seam, or two that are mirror images of each other, and what marking them does."""
+    """A dart or a seam, or two that are mirror images of each other, or a set of first cuts; and what marking does."""
 
     edges: Pairs
     diagonals: Pairs  # those of them that are none of the mesh yet, but lie across a face of four corners
     piece: int  # as flattening numbers them
-    lengths: list[float]  # of each of them on the model, Blender units
+    lengths: list[float]  # of each of them on the model, of a set in all, Blender units
     strain: float  # what 99% of the piece must stretch or ease less than, when cut so, as a share
-    strain_before: float
+    strain_before: float  # infinite before first cuts
+
+    @property
+    def is_first(self) -> bool:
+        """Without it the piece has no flat shape."""
+        return math.isinf(self.strain_before)
 
 
 def suggest_cuts(

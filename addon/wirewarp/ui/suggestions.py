@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The buttons that suggest darts and seams, and the list of what they found: the chosen cut is drawn in the views."""
 
+from collections.abc import Sequence
+
 import bpy
 
 from ..blender.cache import stamp
@@ -15,16 +17,17 @@ from .progress import draw_progress
 from .settings import figures_sentence
 from .shown import shown_source
 
+KINDS = ("darts", "seams")
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams"}
 
 
-def draw_suggest(layout: bpy.types.UILayout, piece: int) -> None:
-    """The buttons, or how far a search is; piece: in the report."""
+def draw_suggest(layout: bpy.types.UILayout, piece: int, kinds: Sequence[str] = KINDS) -> None:
+    """The buttons, or how far a search is; piece: in the report, -1 for any."""
     row = layout.row(align=True)
     if draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts"):
         return
-    for operator in ("object.wirewarp_suggest_darts", "object.wirewarp_suggest_seams"):
-        row.operator(operator).piece = piece
+    for kind in kinds:
+        row.operator(f"object.wirewarp_suggest_{kind}").piece = piece
 
 
 class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
