@@ -41,7 +41,16 @@ VIEWS = {
     "wetsuit_upper_body": (-30, 10),
     "toy": (-28, 14),
     "armchair_cover": (-32, 20),
+    "swimsuit": (-28, 8),
+    "set-in_sleeve": (-24, 8),
+    "gathered_skirt": (-28, 14),
 }
+
+
+def settings_of_the_file() -> dict[str, str | float]:
+    """How the sample is to be flattened: an operator that a script calls takes none of the scene's settings itself."""
+    names = ("cloth", "worn_across", "worn_along", "fairness")
+    return {name: getattr(bpy.context.scene.wirewarp, name) for name in names}
 
 
 def flatten_sample(name: str, output: Path, terminal: TextIO) -> bool:
@@ -52,7 +61,7 @@ def flatten_sample(name: str, output: Path, terminal: TextIO) -> bool:
     begin = time.monotonic()
     problem = ""
     try:
-        bpy.ops.object.wirewarp_flatten(report_path=str(report_path))
+        bpy.ops.object.wirewarp_flatten(report_path=str(report_path), **settings_of_the_file())
     except RuntimeError as error:  # the add-on has written what there is; the demo goes on with the next sample
         problem = str(error)
     seconds = time.monotonic() - begin

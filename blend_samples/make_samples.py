@@ -18,9 +18,10 @@ import numpy as np
 FOLDER = Path(__file__).resolve().parent
 sys.path[:0] = [str(FOLDER), str(FOLDER.parent / "addon" / "wirewarp" / "blender")]
 
-from shapes import Shape, all_shapes  # noqa: E402 (the folder must be on the path first)
+from shapes import FAIRNESS, Shape, all_shapes  # noqa: E402 (the folder must be on the path first)
 from views import Projection, fit  # noqa: E402 (the folder must be on the path first)
 
+CLOTHS = ("", "woven", "denim", "jersey", "swim", "leather", "neoprene")  # in the order of the add-on's setting
 COTANGENTS = (1.7, 2.6)  # of half the angles of Blender's usual view, the sidebar and the toolbar taken off
 
 
@@ -71,9 +72,26 @@ def add_mesh(shape: Shape) -> bpy.types.Mesh:
         tolerances[edges] = wire.tolerance
     mesh.attributes.new("wirewarp_wire", "INT", "EDGE").data.foreach_set("value", wires)
     mesh.attributes.new("wirewarp_tolerance", "FLOAT", "EDGE").data.foreach_set("value", tolerances)
+    if shape.eases:
+        corner_of = {pair: corner for corner, pair in enumerate(zip(corners.tolist(), following.tolist(), strict=True))}
+        eases = np.zeros(len(corners), dtype=np.float32)
+        for ease in shape.eases:
+            eases[[corner_of[tuple(pair)] for pair in ease.half_edges.tolist()]] = ease.ratio
+        mesh.attributes.new("wirewarp_side_ease", "FLOAT", "CORNER").data.foreach_set("value", eases)
     # The add-on keeps the names of wires in a collection property of this name.
     mesh["wirewarp_names"] = [{"name": wire.name, "wire_id": wire_id(wire.name)} for wire in shape.wires]
     return mesh
+
+
+def settings(shape: Shape) -> dict[str, int | float]:
+    """The add-on's settings of the scene that are not its defaults; it keeps them in a property of this form."""
+    found: dict[str, int | float] = {}
+    if shape.cloth:
+        found["cloth"] = CLOTHS.index(shape.cloth)
+        found["worn_across"], found["worn_along"] = (100 * share for share in shape.stretch)
+    if shape.fairness != FAIRNESS:
+        found["fairness"] = shape.fairness
+    return found
 
 
 def file_name(shape: Shape) -> str:
@@ -99,6 +117,8 @@ def write_sample(shape: Shape) -> Path:
     units.system, units.length_unit = "METRIC", "MILLIMETERS"
     model = bpy.data.objects.new(shape.name, add_mesh(shape))
     bpy.context.scene.collection.objects.link(model)
+    if settings(shape):
+        bpy.context.scene["wirewarp"] = settings(shape)
     bpy.context.view_layer.objects.active = model
     model.select_set(True)
     show_all(shape.vertices)  # the first Flatten brings the pieces into view

@@ -106,7 +106,8 @@ def _draw_lengths(sheet: Sheet, report: dict) -> None:
             sheet.add_text(cell, x, TABLE_Y - TABLE_STEP * row, TABLE_TEXT, color, align)
     if report["seams"]:
         worst = 1000 * max(seam["mismatch_m"] for seam in report["seams"])
-        text = f"The sides of every seam differ by less than {max(math.ceil(1e4 * worst), 1) / 1e4:.4f} mm"
+        sides = "But for their ease, the sides" if any(any(seam["eases"]) for seam in report["seams"]) else "The sides"
+        text = f"{sides} of every seam differ by less than {max(math.ceil(1e4 * worst), 1) / 1e4:.4f} mm"
         sheet.add_text(text, MODEL_BOX.left, TABLE_Y - TABLE_STEP * len(rows), TABLE_TEXT, FAINT_INK)
 
 

@@ -10,16 +10,19 @@ from .developable import half_cylinder, lampshade
 from .hat import hat
 from .jeans import jeans
 from .mask import mask
-from .shape import Shape, ShapeBuilder, Wire, chain_of
+from .set_in_sleeve import set_in_sleeve
+from .shape import FAIRNESS, Ease, Shape, ShapeBuilder, Wire, chain_of
+from .skirt import gathered_skirt
 from .spheres import ball, quarter_sphere
+from .swimsuit import swimsuit
 from .top import fitted_top
 from .toy import toy
 from .wetsuit import wetsuit_upper_body
 
 __all__ = [
-    "Shape", "ShapeBuilder", "Wire", "all_shapes", "armchair_cover", "ball", "chain_of", "cushion", "fitted_top",
-    "half_cylinder", "hat", "jeans", "lampshade", "mask", "quarter_sphere", "toy", "wetsuit_collar",
-    "wetsuit_upper_body",
+    "FAIRNESS", "Ease", "Shape", "ShapeBuilder", "Wire", "all_shapes", "armchair_cover", "ball", "chain_of", "cushion",
+    "fitted_top", "gathered_skirt", "half_cylinder", "hat", "jeans", "lampshade", "mask", "quarter_sphere",
+    "set_in_sleeve", "swimsuit", "toy", "wetsuit_collar", "wetsuit_upper_body",
 ]  # fmt: skip
 
 
@@ -27,5 +30,6 @@ def all_shapes() -> list[Shape]:
     """Every sample, in the order in which the demo shows them."""
     return [
         fitted_top(), quarter_sphere(), ball(), half_cylinder(), lampshade(), cushion(), hat(), mask(),
-        jeans(), wetsuit_collar(), wetsuit_upper_body(), toy(), armchair_cover(),
+        jeans(), wetsuit_collar(), wetsuit_upper_body(), toy(), armchair_cover(), swimsuit(), set_in_sleeve(),
+        gathered_skirt(),
     ]  # fmt: skip

@@ -17,17 +17,16 @@ ARMHOLE = np.array(
         [0.1640, 0.91], [0.1693, 0.975], [0.1700, 1.0],
     ]
 )  # fmt: skip
-SHOULDER_TIP = 7  # row of ARMHOLE
 NECK_POINT = 0.072  # x
 
 
-def armhole(half: int) -> np.ndarray:
-    """(n, 2) longitude and v from the underarm to the shoulder tip."""
-    loop = cubic_spline(chord_lengths(ARMHOLE * [4, 1]), ARMHOLE)(np.linspace(0, 1, 1601))
+def armhole(half: int, points: np.ndarray = ARMHOLE) -> np.ndarray:
+    """(n, 2) longitude and v from the underarm to the shoulder tip; points are as in ARMHOLE, the tip in the middle."""
+    loop = cubic_spline(chord_lengths(points * [4, 1]), points)(np.linspace(0, 1, 1601))
     x, down = loop[loop[:, 1] <= 0].T if half > 0 else loop[::-1][loop[::-1, 1] >= 0].T
     v = 1 - np.abs(down) * (1 - torso.UNDERARM_V)
     curve = np.stack([torso.longitude_at(x, v), v], axis=-1)
-    curve[[0, -1]] = [np.pi / 2, torso.UNDERARM_V], [torso.longitude_at(ARMHOLE[SHOULDER_TIP, 0], 1.0), 1.0]
+    curve[[0, -1]] = [np.pi / 2, torso.UNDERARM_V], [torso.longitude_at(points[len(points) // 2, 0], 1.0), 1.0]
     return curve
 
 

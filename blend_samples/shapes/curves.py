@@ -44,15 +44,19 @@ def even_parameters(curve: Callable[[np.ndarray], np.ndarray], begin: float, end
     return np.interp(np.linspace(0, 1, count + 1), chord_lengths(curve(t)), t)
 
 
-def hermite_curves(begin: np.ndarray, leave: np.ndarray, end: np.ndarray, arrive: np.ndarray, count: int) -> np.ndarray:
-    """(count + 1, n, d) points of cubic curves from begin to end (n, d) with the velocities leave and arrive there."""
-    t = np.linspace(0, 1, count + 1)[:, None, None]
+def hermite(t: np.ndarray, begin: np.ndarray, leave: np.ndarray, end: np.ndarray, arrive: np.ndarray) -> np.ndarray:
+    """Points at t, 0 to 1, of cubic curves from begin to end with the velocities leave and arrive there."""
     return (
         (1 + 2 * t) * (1 - t) ** 2 * begin
         + t * (1 - t) ** 2 * leave
         + t**2 * (3 - 2 * t) * end
         - t**2 * (1 - t) * arrive
     )
+
+
+def hermite_curves(begin: np.ndarray, leave: np.ndarray, end: np.ndarray, arrive: np.ndarray, count: int) -> np.ndarray:
+    """(count + 1, n, d) points of cubic curves from begin to end (n, d) with the velocities leave and arrive there."""
+    return hermite(np.linspace(0, 1, count + 1)[:, None, None], begin, leave, end, arrive)
 
 
 def coons_patch(bottom: np.ndarray, top: np.ndarray, left: np.ndarray, right: np.ndarray) -> np.ndarray:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+FAIRNESS = 0.05  # the default of wirewarp.Options
 WELD_DISTANCE = 1e-7  # meters; patches of one sample meet in equal points to about 1e-15
 
 
@@ -21,6 +22,14 @@ class Wire:
 
 
 @dataclass
+class Ease:
+    """A side of a seam, or a stretch of outline, that is cut longer than it is on the surface."""
+
+    half_edges: np.ndarray  # (k, 2) an edge from a to b is that of the face with a, b in its own order
+    ratio: float  # 0.05: by 5%
+
+
+@dataclass
 class Shape:
     """A surface in meters, quads and triangles seen from outside counter-clockwise."""
 
@@ -29,6 +38,10 @@ class Shape:
     faces: list[tuple[int, ...]]
     seams: np.ndarray  # (k, 2) vertex pairs
     wires: list[Wire] = field(default_factory=list)
+    eases: list[Ease] = field(default_factory=list)
+    cloth: str = ""  # a name of wirewarp.Cloth.presets(), or none
+    stretch: tuple[float, float] = (0.0, 0.0)  # how far that cloth is stretched when worn, across and along the grain
+    fairness: float = FAIRNESS  # of wirewarp.Options
 
     def triangles(self) -> np.ndarray:
         """(m, 3) triangles; quads are cut from their first to their third corner, as Blender cuts them."""
@@ -55,6 +68,7 @@ class ShapeBuilder:
         self._faces: list[tuple[int, ...]] = []
         self._seams: set[tuple[int, int]] = set()
         self._wires: list[Wire] = []
+        self._eases: list[Ease] = []
 
     def add_points(self, points: np.ndarray) -> np.ndarray:
         """Vertex indices of an array of points (..., 3), in an array of shape (...)."""
@@ -120,12 +134,19 @@ class ShapeBuilder:
         """Marks a wire along a chain of vertices: rigid, or elastic with a tolerance, 0.05 for 5%."""
         self._wires.append(Wire([int(v) for v in chain], name, tolerance))
 
-    def build(self, name: str) -> Shape:
-        """The finished surface, without the points inside holes."""
+    def add_ease(self, chain: np.ndarray, ratio: float) -> None:
+        """Makes one side of a chain of vertices longer: that of the faces to its left, seen from outside."""
+        self._eases.append(Ease(np.column_stack([chain[:-1], chain[1:]]), ratio))
+
+    def build(
+        self, name: str, cloth: str = "", stretch: tuple[float, float] = (0.0, 0.0), fairness: float = FAIRNESS
+    ) -> Shape:
+        """The finished surface, without the points inside holes; the rest is how it is to be flattened, see Shape."""
         used = np.unique(np.concatenate(self._faces))
         number = np.full(len(self._points), -1)
         number[used] = np.arange(len(used))
         faces = [tuple(number[list(face)].tolist()) for face in self._faces]
         seams = number[np.array(sorted(self._seams), dtype=np.int64).reshape(-1, 2)]
         wires = [Wire(number[wire.vertices].tolist(), wire.name, wire.tolerance) for wire in self._wires]
-        return Shape(name, np.array(self._points)[used], faces, seams, wires)
+        eases = [Ease(number[ease.half_edges], ease.ratio) for ease in self._eases]
+        return Shape(name, np.array(self._points)[used], faces, seams, wires, eases, cloth, stretch, fairness)

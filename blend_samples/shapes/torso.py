@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The upper body of a dress form as a smooth surface: front and back halves that meet at the sides and shoulders.
 
-A point is given by its longitude phi (0 in the middle, +-pi/2 at the sides) and v (0 the hip, 1 the shoulder line).
-The front looks along -y, the wearer's left is +x, z is up; meters.
+A point is given by its longitude phi (0 in the middle, +-pi/2 at the sides) and v (0 the hip, 1 the shoulder line;
+CROTCH_V the crotch). The front looks along -y, the wearer's left is +x, z is up; meters.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .curves import chord_lengths, cubic_spline
+from .curves import chord_lengths, cubic_spline, hermite
 
 #                   z     front  back   half width   from the hip to the shoulder line
 PROFILE = np.array([
@@ -31,10 +31,23 @@ WAIST, BUST, UNDERARM = 0.20, 0.37, 0.42  # heights
 SHOULDER_DROP = 0.060  # how far the shoulder line falls from the middle to the half width
 BUST_POINT = np.array([0.078, 0.37])  # |x| and z
 BUST_RISE, BUST_SIZE = 0.032, 0.058
+# Below the hip.
+CROTCH = np.array([-0.075, 0.0, 0.0, 0.165])  # as a row of PROFILE
+CROTCH_ARRIVAL = np.array([0.0, -0.20, -0.22, 0.0])  # and how it is reached: level, from front and back
+CROTCH_V = -0.22  # the way to it from the hip, in lengths of the way from hip to shoulder
 
 _lengths = chord_lengths(PROFILE[:, :2])
-_profile = cubic_spline(_lengths / _lengths[-2], PROFILE)
+_above_hip = cubic_spline(_lengths / _lengths[-2], PROFILE)
+_HIP_SLOPE = (_above_hip(1e-6) - _above_hip(0.0)) / 1e-6
 _FINE = np.linspace(0, 1, 4001)
+
+
+def _profile(v: np.ndarray) -> np.ndarray:
+    """(..., 4) as the columns of PROFILE; below the hip one cubic that goes on smoothly."""
+    v = np.asarray(v, dtype=float)
+    t = np.clip(v / CROTCH_V, 0, 1)[..., None]  # from the hip to the crotch
+    below = hermite(t, PROFILE[0], CROTCH_V * _HIP_SLOPE, CROTCH, CROTCH_ARRIVAL)
+    return np.where((v < 0)[..., None], below, _above_hip(v))
 
 
 def v_at_height(z: float) -> float:

@@ -51,6 +51,21 @@ def test_the_file_holds_what_the_script_makes(name):
 
 
 @pytest.mark.parametrize("name", SAMPLES)
+def test_the_file_holds_eases_and_cloth(name, addon):
+    shape, mesh = SAMPLES[name], open_sample(name).data
+    starts = read(mesh.loops, "vertex_index", np.int32)
+    ends = np.concatenate([np.roll(starts[list(polygon.loop_indices)], -1) for polygon in mesh.polygons])
+    ratios = addon.model.side_eases.read_side_eases(mesh)
+    eased = np.flatnonzero(ratios)
+    found = {(int(starts[corner]), int(ends[corner])): ratios[corner] for corner in eased}
+    assert found == {tuple(pair): np.float32(ease.ratio) for ease in shape.eases for pair in ease.half_edges.tolist()}
+    settings = bpy.context.scene.wirewarp
+    assert settings.cloth == (shape.cloth or "none").upper()
+    assert (settings.worn_across, settings.worn_along) == pytest.approx([100 * share for share in shape.stretch])
+    assert settings.fairness == pytest.approx(shape.fairness)
+
+
+@pytest.mark.parametrize("name", SAMPLES)
 def test_the_model_fills_the_view_that_the_file_opens_with(name):
     """In a window a half as wide again as high, by Blender's own projection of 50 mm."""
     source = open_sample(name)
@@ -64,10 +79,39 @@ def test_the_model_fills_the_view_that_the_file_opens_with(name):
         assert 0.5 < farthest < 1
 
 
+def flatten_as_the_file_says(folder):
+    """The object's part of the report."""
+    settings = bpy.context.scene.wirewarp
+    chosen = {name: getattr(settings, name) for name in ("cloth", "worn_across", "worn_along", "fairness")}
+    report_path = folder / "report.json"
+    assert bpy.ops.object.wirewarp_flatten(report_path=str(report_path), **chosen) == {"FINISHED"}
+    (report,) = json.loads(report_path.read_text())["objects"]
+    return report
+
+
 @pytest.mark.parametrize("name", SAMPLES)
 def test_flatten_keeps_every_length(name, tmp_path):
     open_sample(name)
-    assert bpy.ops.object.wirewarp_flatten(report_path=str(tmp_path / "report.json")) == {"FINISHED"}
-    (report,) = json.loads((tmp_path / "report.json").read_text())["objects"]
+    report = flatten_as_the_file_says(tmp_path)
     assert report["ok"]
+    assert all(seam["mismatch_m"] < 1e-6 for seam in report["seams"])
     assert [wire["name"] for wire in report["wires"]] == [wire.name for wire in SAMPLES[name].wires]
+
+
+def test_the_swimsuit_is_cut_shorter_by_the_stretch_along_its_grain(tmp_path):
+    open_sample("swimsuit")
+    wires = {wire["name"]: wire for wire in flatten_as_the_file_says(tmp_path)["wires"]}
+    along = 1 + SAMPLES["swimsuit"].stretch[1]
+    for name in ("Middle front", "Middle back"):
+        assert wires[name]["length_2d_m"] == pytest.approx([wires[name]["length_3d_m"] / along], rel=1e-6)
+
+
+def test_the_sleeve_head_alone_is_eased(tmp_path):
+    open_sample("set-in_sleeve")
+    report = flatten_as_the_file_says(tmp_path)
+    for seam in report["seams"]:
+        armhole, head = sorted(seam["length_2d_m"])
+        is_head = len(set(seam["pieces"])) == 2 and 2 in seam["pieces"]
+        assert armhole == pytest.approx(seam["length_3d_m"], rel=1e-6)
+        assert head / armhole == pytest.approx(1 + (max(seam["eases"]) if is_head else 0), rel=1e-6)
+    assert sum(max(seam["eases"]) > 0.05 for seam in report["seams"]) == 2

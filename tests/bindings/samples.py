@@ -21,3 +21,18 @@ def flatten(shape: Shape, **options) -> wirewarp.FlattenResult:
         wires=[wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires],
         options=wirewarp.Options(**options),
     )
+
+
+def flatten_as_made(shape: Shape) -> wirewarp.FlattenResult:
+    """With the eases of the sample, and in its cloth."""
+    cloth = None
+    if shape.cloth:
+        cloth = wirewarp.Cloth(**wirewarp.Cloth.preset(shape.cloth).to_dict() | {"stretch": shape.stretch})
+    return wirewarp.flatten(
+        shape.vertices,
+        shape.triangles(),
+        seams=shape.seams,
+        wires=[wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires],
+        eases=[wirewarp.Ease(ease.half_edges, ease.ratio) for ease in shape.eases],
+        options=wirewarp.Options(cloth=cloth, fairness=shape.fairness),
+    )

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A skirt gathered to its waistband: front and back are cut twice as wide at the top as the band they are sewn to."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .curves import cubic_spline
+from .shape import Shape, ShapeBuilder
+
+#                   z     half width, half depth
+PROFILE = np.array([
+    [0.000, 0.255, 0.215],  # the hem, twice as long as the waist
+    [0.200, 0.248, 0.207],
+    [0.350, 0.229, 0.188],
+    [0.450, 0.196, 0.156],
+    [0.500, 0.154, 0.114],
+    [0.520, 0.132, 0.094],  # the waist
+])  # fmt: skip
+BAND = 0.035  # height
+GATHERS = 1.0  # of the top edge: two lengths of skirt on one of waistband
+FAIRNESS = 0.2  # a gathered edge is far too long for the cloth below it, and would run in waves with less
+
+
+def gathered_skirt(panel: int = 40, length: int = 20, band: int = 3) -> Shape:
+    """Two panels and a band, which closes behind; the counts are edges across a panel, down it and up the band."""
+    builder = ShapeBuilder()
+    waist = PROFILE[-1, 0]
+    heights = np.linspace(0, waist, length + 1)
+    skirt = builder.add_grid(_rings(heights, cubic_spline(PROFILE[:, 0], PROFILE[:, 1:])(heights), 2 * panel))
+    heights = np.linspace(waist, waist + BAND, band + 1)
+    waistband = builder.add_grid(_rings(heights, np.repeat(PROFILE[-1:, 1:], band + 1, axis=0), 2 * panel))
+    back, side, front = panel // 2, panel, panel + panel // 2
+    for column in (0, side):
+        builder.add_seam(skirt[:, column])
+    builder.add_seam(skirt[-1])
+    builder.add_seam(waistband[:, back])
+    builder.add_ease(skirt[-1, ::-1], GATHERS)
+    builder.add_wire(skirt[:, front], "Middle front")
+    builder.add_wire(skirt[:, back], "Middle back")
+    return builder.build("Gathered skirt", fairness=FAIRNESS)
+
+
+def _rings(heights: np.ndarray, radii: np.ndarray, edges: int) -> np.ndarray:
+    """(r, edges + 1, 3) points of closed ellipses with radii (r, 2) at heights (r,), from the left over the back."""
+    turn = np.linspace(0, 2 * np.pi, edges + 1)
+    x, y = radii[:, :1] * np.cos(turn), radii[:, 1:] * np.sin(turn)
+    points = np.stack([x, y, np.broadcast_to(heights[:, None], x.shape)], axis=-1)
+    points[:, -1] = points[:, 0]
+    return points

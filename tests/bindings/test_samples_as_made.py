@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Samples with eases, and in cloth that is stretched when worn: what is cut has the lengths asked for."""
+
+from collections import defaultdict
+
+import numpy as np
+import pytest
+import wirewarp
+from samples import SAMPLES, flatten, flatten_as_made
+
+EASED = [name for name, shape in SAMPLES.items() if shape.eases]
+STRETCHED = [name for name, shape in SAMPLES.items() if any(shape.stretch)]
+
+
+@pytest.fixture(scope="module")
+def results():
+    return {name: flatten_as_made(SAMPLES[name]) for name in [*EASED, *STRETCHED]}
+
+
+def flat_half_edges(result: wirewarp.FlattenResult) -> dict[tuple[int, int], np.ndarray]:
+    """(2,) vector in the plane by the vertices on the model, in the order of the triangle that it belongs to."""
+    return {
+        (int(piece.source_vertex[a]), int(piece.source_vertex[b])): piece.vertices[b] - piece.vertices[a]
+        for piece in result.pieces
+        for a, b in np.concatenate([piece.faces[:, [k, (k + 1) % 3]] for k in range(3)]).tolist()
+    }
+
+
+@pytest.mark.parametrize("name", [*EASED, *STRETCHED])
+def test_every_piece_is_good(results, name):
+    for piece in results[name].pieces:
+        assert piece.error is None
+        assert piece.report.termination == "converged"
+        assert piece.report.warnings == []
+
+
+@pytest.mark.parametrize("name", EASED)
+def test_eased_sides_and_no_others_are_longer(results, name):
+    shape, flat = SAMPLES[name], flat_half_edges(results[name])
+    ratios = {tuple(pair): ease.ratio for ease in shape.eases for pair in ease.half_edges.tolist()}
+    assert ratios.keys() <= flat.keys()
+    for a, b in shape.seams.tolist():
+        length = np.linalg.norm(shape.vertices[a] - shape.vertices[b])
+        for side in ((a, b), (b, a)):
+            assert np.linalg.norm(flat[side]) == pytest.approx((1 + ratios.get(side, 0)) * length, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", [*EASED, *STRETCHED])
+def test_sides_of_seams_are_equal_after_their_ease(results, name):
+    for seam in results[name].seams:
+        left, right = (length / (1 + ease) for length, ease in zip(seam.length_2d, seam.eases, strict=True))
+        assert left == pytest.approx(right, rel=1e-12)
+        assert seam.mismatch <= 1e-12
+
+
+def test_the_sleeve_head_is_eased_by_two_to_three_centimeters(results):
+    seams = results["Set-in sleeve"].seams
+    head = [seam for seam in seams if any(seam.eases)]
+    assert len(head) == 2  # to the front and to the back
+    assert 0.020 <= sum(max(seam.length_2d) - min(seam.length_2d) for seam in head) <= 0.030
+
+
+def test_the_skirt_is_twice_as_wide_as_its_waistband(results):
+    for seam in results["Gathered skirt"].seams:
+        if any(seam.eases):
+            assert max(seam.length_2d) == pytest.approx(2 * min(seam.length_2d), rel=1e-12)
+
+
+@pytest.mark.parametrize("name", STRETCHED)
+def test_negative_ease_follows_the_direction_on_the_cloth(results, name):
+    """An edge across or along is 1 + stretch times shorter, others between; those of a seam by their sides' mean."""
+    shape = SAMPLES[name]
+    unstretched, flat = flat_half_edges(flatten(shape, cloth=shape.cloth)), flat_half_edges(results[name])
+    shares = defaultdict(list)
+    for (a, b), side in unstretched.items():
+        is_inside = (b, a) in unstretched and np.allclose(unstretched[b, a], -side, atol=1e-12)
+        if not is_inside:
+            across = side / np.linalg.norm(side) / (1 + np.array(shape.stretch))
+            shares[min(a, b), max(a, b)].append(np.linalg.norm(across))
+    for wire in shape.wires:
+        for a, b in zip(wire.vertices[:-1], wire.vertices[1:], strict=True):
+            direction = unstretched[a, b] / np.linalg.norm(unstretched[a, b])
+            shares[min(a, b), max(a, b)].append(np.linalg.norm(direction / (1 + np.array(shape.stretch))))
+    for (a, b), found in shares.items():
+        length = np.linalg.norm(shape.vertices[a] - shape.vertices[b])
+        for side in {(a, b), (b, a)} & flat.keys():
+            assert np.linalg.norm(flat[side]) == pytest.approx(np.mean(found) * length, rel=1e-9)
