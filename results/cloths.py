@@ -51,7 +51,10 @@ def of_all(values: list[np.ndarray]) -> np.ndarray:
 def cut_from(shape: Shape, options: dict[str, str]) -> Strained:
     begin = time.process_time()
     result = flatten(shape, **options)
-    seconds = time.process_time() - begin
+    return strained(shape, result, time.process_time() - begin)
+
+
+def strained(shape: Shape, result: wirewarp.FlattenResult, seconds: float) -> Strained:
     areas = np.concatenate([piece_areas(shape.vertices, piece) for piece in result.pieces])
     metrics = [piece.metrics for piece in result.pieces]
     return Strained(

@@ -29,6 +29,19 @@ def flatten(shape: Shape, more_wires: Sequence[wirewarp.Wire] = (), **options: s
     )
 
 
+def flatten_as_made(shape: Shape, cloth: str = "", stretch: tuple[float, float] = (0, 0)) -> wirewarp.FlattenResult:
+    """With the sample's eases and fairness too, in this cloth: flatten keeps the lengths of the model instead."""
+    chosen = wirewarp.Cloth(**wirewarp.Cloth.preset(cloth).to_dict() | {"stretch": stretch}) if cloth else None
+    return wirewarp.flatten(
+        shape.vertices,
+        shape.triangles(),
+        seams=shape.seams,
+        wires=wires_of(shape),
+        eases=[wirewarp.Ease(ease.half_edges, ease.ratio) for ease in shape.eases],
+        options=wirewarp.Options(cloth=chosen, fairness=shape.fairness),
+    )
+
+
 def paper_warping(shape: Shape) -> wirewarp.FlattenResult:
     """WireWarping to the letter: the first angles that close all loops, all nodes weighted the same."""
     return flatten(shape, method="wirewarping", inner="least-norm", node_weight="uniform")

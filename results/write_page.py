@@ -20,6 +20,7 @@ os.environ["IGL_NUM_THREADS"] = os.environ["OMP_NUM_THREADS"] = "1"  # the same 
 import all_samples  # noqa: E402 (threads are set when the modules are loaded)
 import beyond_the_paper  # noqa: E402
 import cloths  # noqa: E402
+import ease_and_stretch  # noqa: E402
 import figure_1  # noqa: E402
 import figure_3  # noqa: E402
 import figure_6  # noqa: E402
@@ -37,7 +38,7 @@ from which_commit import commit  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
 PAPER = [figure_1, figure_3, figure_6, figure_8, figure_9, figure_11]
-SECTIONS = [*PAPER, beyond_the_paper, cloths, seams_that_give, all_samples]
+SECTIONS = [*PAPER, beyond_the_paper, cloths, seams_that_give, ease_and_stretch, all_samples]
 
 
 def contents(sections: list[str]) -> str:
