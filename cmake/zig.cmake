@@ -11,7 +11,10 @@ if(WIREWARP_TARGET MATCHES "^([^-]+)-(windows|macos|linux)")
 else()
   message(FATAL_ERROR "WIREWARP_TARGET=${WIREWARP_TARGET} is no target of zig for Windows, macOS or Linux")
 endif()
-set(CMAKE_CXX_COMPILER "${WIREWARP_ZIG}" c++ -target ${WIREWARP_TARGET})
-set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)  # to link, zig would first compile its libraries, not optimized
+set(CMAKE_CXX_COMPILER "${WIREWARP_ZIG}" c++)
+# To link, zig would first compile its libraries, not optimized: neither when CMake looks who the compiler is (it does
+# not link where a target is set) nor when it tries what it can do.
+set(CMAKE_CXX_COMPILER_TARGET ${WIREWARP_TARGET})
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_CXX_FLAGS_INIT -g0)  # else zig adds what debuggers read, which takes a fifth of the time
 set(CMAKE_USER_MAKE_RULES_OVERRIDE_CXX "${CMAKE_CURRENT_LIST_DIR}/zig_rules.cmake")
