@@ -13,7 +13,6 @@ from .request import MILLIMETERS, CutRequest
 from .suffixes import BLEND
 from .verdicts import NOTHING, PROPOSED, REFUSED, STOPPED, Line, unfinished
 
-STRAIN = 0.005  # as propose_darts has it: pieces strained by no more are left as they are
 IN_BLENDER = "In Blender the add-on suggests darts and seams; here models are OBJ, PLY, STL or glTF."
 
 
@@ -45,16 +44,17 @@ def _line(request: CutRequest) -> Line:
         "no_seam": edges_of(request.no_seam),
         "options": material_options(request.material, request.unit),
     }
+    if request.strain is not None:
+        mesh["strain"] = request.strain
     longest = None if request.longest is None else request.longest / per_unit
     if request.together:
-        strain = STRAIN if request.strain is None else request.strain
-        cuts = plan_cuts(**mesh, kind=request.kind, strain=strain, most=request.together, longest=longest)
+        cuts = plan_cuts(**mesh, kind=request.kind, most=request.together, longest=longest)
     else:
         propose = propose_darts if request.kind == "dart" else propose_seams
         piece = None if request.piece is None else request.piece - 1
         if request.count is not None:
             mesh["count"] = request.count
-        cuts = propose(**mesh, piece=piece, strain=request.strain, longest=longest)
+        cuts = propose(**mesh, piece=piece, longest=longest)
     return {
         "verdict": PROPOSED,
         "cut": request.kind,
