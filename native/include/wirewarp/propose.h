@@ -50,7 +50,7 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// First cuts, where the piece asked for has no flat shape for want of seams (closed, with handles, or with an outline
 /// that cannot hold it), of all pieces the largest such one: each proposal is a set of seams and darts under which all
 /// parts lie flat. The first one has as many cuts as bring every part to the strain that may stay, as far as further
-/// ones help, ten and their mirror images at most; each after it is the same without the last cut. Sets are mirrored
+/// ones help, twenty and their mirror images at most; each after it is the same without the last cut. Sets are mirrored
 /// where the piece is. They may cross wires, and run along no edge whose mirror image is to have no seam.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},
                                         const CutWishes& wishes = {}, const Progress& progress = {});

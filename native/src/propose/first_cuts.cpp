@@ -22,8 +22,8 @@ namespace {
 /// What woven cloth takes at most: where nothing else is asked for, pieces with no more are not cut again.
 constexpr double kAim = 0.05;
 
-/// Cuts and their mirror images after those that open the piece: a ball is in twelve gores then.
-constexpr std::size_t kMostCuts = 10;
+/// Cuts and their mirror images after those that open the piece: two for each of ten parts, as a plush animal has.
+constexpr std::size_t kMostCuts = 20;
 
 /// Of the best cuts, for each kind: what is better beside the others is found out in full.
 constexpr int kPlaces = 2;
@@ -182,7 +182,7 @@ std::vector<DartProposal> FirstCuts::candidates(const CutSet& set, std::size_t p
   std::vector<DartProposal> found;
   for (const CutKind kind : {CutKind::seam, CutKind::dart}) {
     try {
-      PieceSearch search(set.pieces[piece], kind, wishes, trials_, go_on_);
+      PieceSearch search(set.pieces[piece], kind, Effort::quick, wishes, trials_, go_on_);
       for (DartProposal& cut : search.search(before)) found.push_back(std::move(cut));
     } catch (const FlattenError& error) {
       if (error.code != ErrorCode::no_proposal) throw;

@@ -152,13 +152,14 @@ bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const 
 
 }  // namespace
 
-PieceSearch::PieceSearch(const Chart& chart, CutKind kind, const CutWishes& wishes, FullTrials& trials,
+PieceSearch::PieceSearch(const Chart& chart, CutKind kind, Effort effort, const CutWishes& wishes, FullTrials& trials,
                          const std::function<bool()>& go_on)
     : input_chart_(chart),
       chart_(in_canonical_order(chart)),
       image_(mirror_image(chart_)),
       barred_(find_barred(chart_, chart, wishes.no_seam)),
       kind_(kind),
+      effort_(effort),
       wishes_(wishes),
       trials_(trials),
       go_on_(go_on) {}
@@ -191,7 +192,9 @@ std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
   if (candidates.empty()) throw no_room(input_chart_, kind_, wishes_);
   std::vector<HalfEdgeChain> chains;
   bool is_way = false;
-  const CutLimits limits{wishes_.count + kMorePlaces, kShareInFull, wishes_.longest};
+  const CutLimits limits = effort_ == Effort::thorough
+                               ? CutLimits{wishes_.count + kMorePlaces, kShareInFull, wishes_.longest}
+                               : CutLimits{wishes_.count, 0, wishes_.longest};
   const std::vector<RankedCut> ranked =
       rank_cuts(copy.chart, coarse_paths, candidates, trials_.options(), limits, go_on_);
   for (const RankedCut& cut : ranked) {
@@ -265,7 +268,9 @@ std::vector<DartProposal> PieceSearch::search(const PieceFigures& before) {
     if (!is_beside && static_cast<int>(best.size()) < wishes_.count) best.push_back(std::move(tried));
   }
   std::vector<HalfEdgeChain> twin_chains;
-  for (const Tried& tried : best) twin_chains.push_back(twin_of(tried.chain));
+  for (const Tried& tried : best) {
+    twin_chains.push_back(effort_ == Effort::thorough ? twin_of(tried.chain) : HalfEdgeChain{});
+  }
   std::vector<std::optional<Tried>> twins = flatten(twin_chains, before);
   std::vector<HalfEdgeChain> both_chains(best.size());
   for (std::size_t i = 0; i < best.size(); ++i) {

@@ -11,11 +11,17 @@
 
 namespace wirewarp {
 
+/// How much is flattened in full.
+enum class Effort {
+  thorough,  // what the coarse copy may have mistaken, too, and mirror images
+  quick,     // the best alone: of several cuts on the way to a set
+};
+
 /// The search in one piece: candidates are ranked on a coarse copy, and the best of them flattened in full.
 class PieceSearch {
  public:
-  /// All but the kind are kept by reference.
-  PieceSearch(const Chart& chart, CutKind kind, const CutWishes& wishes, FullTrials& trials,
+  /// All but the kind and the effort are kept by reference.
+  PieceSearch(const Chart& chart, CutKind kind, Effort effort, const CutWishes& wishes, FullTrials& trials,
               const std::function<bool()>& go_on);
 
   /// The best first; without piece. Throws no_proposal.
@@ -41,6 +47,7 @@ class PieceSearch {
   const std::vector<VertexHandle> image_;
   const Barred barred_;
   const CutKind kind_;
+  const Effort effort_;
   const CutWishes& wishes_;
   FullTrials& trials_;
   const std::function<bool()>& go_on_;

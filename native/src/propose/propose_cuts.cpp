@@ -92,7 +92,8 @@ std::vector<DartProposal> search_pieces(const std::vector<Chart>& charts, const 
     if (before[c].error || gain_more >= 2 * wishes.count) break;  // twins counted
     try {
       const int first = static_cast<int>(proposals.size());
-      for (DartProposal& proposal : PieceSearch(charts[c], kind, wishes, trials, go_on).search(before[c])) {
+      for (DartProposal& proposal :
+           PieceSearch(charts[c], kind, Effort::thorough, wishes, trials, go_on).search(before[c])) {
         proposal.piece = c;
         if (proposal.twin) *proposal.twin += first;
         gains.push_back((proposal.energy_before - proposal.energy) * before[c].area);
