@@ -33,14 +33,14 @@ void free_start_from_rigid(benchmark::State& state) {
   state.counters["iterations"] = iterations;
 }
 
-void sizes(benchmark::internal::Benchmark* benchmark) {
+void start_sizes(benchmark::internal::Benchmark* benchmark) {
   benchmark->ArgNames({"triangles", "wires"})
       ->ArgsProduct({{10'000, 100'000, 1'000'000}, {8}})
       ->Unit(benchmark::kMillisecond);
 }
-BENCHMARK(circle_embedding)->Apply(sizes);
-BENCHMARK(free_start)->Apply(sizes);
-BENCHMARK(free_start_from_rigid)->Apply(sizes);
+BENCHMARK(circle_embedding)->Apply(start_sizes);
+BENCHMARK(free_start)->Apply(start_sizes);
+BENCHMARK(free_start_from_rigid)->Apply(start_sizes);
 
 }  // namespace
 }  // namespace wirewarp

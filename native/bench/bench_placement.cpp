@@ -23,13 +23,13 @@ void placement_solve(benchmark::State& state) {
   for (auto _ : state) placement.place(uv);
 }
 
-void sizes(benchmark::internal::Benchmark* placement) {
+void placement_sizes(benchmark::internal::Benchmark* placement) {
   placement->ArgNames({"triangles", "wires"})
       ->ArgsProduct({{10'000, 100'000, 1'000'000}, {0, 2, 8}})
       ->Unit(benchmark::kMillisecond);
 }
-BENCHMARK(placement_factor)->Apply(sizes);
-BENCHMARK(placement_solve)->Apply(sizes);
+BENCHMARK(placement_factor)->Apply(placement_sizes);
+BENCHMARK(placement_solve)->Apply(placement_sizes);
 
 }  // namespace
 }  // namespace wirewarp

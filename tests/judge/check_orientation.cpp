@@ -10,7 +10,7 @@
 namespace wirewarp::test {
 namespace {
 
-constexpr double kRounding = 1e-6;
+constexpr double kDirectionRounding = 1e-6;
 constexpr double kShortChord = 0.1;              // of a line's length: then its box stands upright, not its chord
 constexpr double kStraight = 0.087266462599716;  // 5 degrees
 constexpr double kLevel = 0.01;
@@ -53,14 +53,16 @@ void check_upright(Judged& judged, const Line& line, const std::string& what) {
   if (line.points.empty()) return;
   const Eigen::Vector2d chord = line.points.back() - line.points.front();
   if (chord.norm() > 1.001 * kShortChord * line.length) {
-    if (std::abs(chord.x()) > kRounding * chord.norm() || chord.y() <= 0) judged.say(what + " does not stand upright");
+    if (std::abs(chord.x()) > kDirectionRounding * chord.norm() || chord.y() <= 0)
+      judged.say(what + " does not stand upright");
   } else if (chord.norm() < 0.999 * kShortChord * line.length) {
     Eigen::Vector2d low = line.points[0], high = low;
     for (const Eigen::Vector2d& p : line.points) {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
-    if (high.y() - low.y() < (1 - kRounding) * (high.x() - low.x())) judged.say("the box of " + what + " lies down");
+    if (high.y() - low.y() < (1 - kDirectionRounding) * (high.x() - low.x()))
+      judged.say("the box of " + what + " lies down");
   }
 }
 
@@ -108,7 +110,7 @@ void check_straightest_stretch(Judged& judged, int number) {
   for (const auto& [a, b] : judged.outline_of(piece)) {
     const Eigen::Vector2d edge = (piece.vertices.row(b) - piece.vertices.row(a)).transpose();
     longest_edge = std::max(longest_edge, edge.norm());
-    if (std::abs(std::atan2(edge.x(), edge.y())) > kStraight + kRounding) continue;
+    if (std::abs(std::atan2(edge.x(), edge.y())) > kStraight + kDirectionRounding) continue;
     upright[a] = edge;
     next[a] = b;
   }
@@ -151,7 +153,7 @@ void check_orientation(Judged& judged, int number) {
     const std::optional<Eigen::Vector2d> rise = mean_rise(judged, judged.result.pieces[number]);
     if (!rise) return;
     if (rise->norm() > 1.001 * kLevel) {
-      const bool is_up = std::abs(rise->x()) <= kRounding * rise->norm() && rise->y() > 0;
+      const bool is_up = std::abs(rise->x()) <= kDirectionRounding * rise->norm() && rise->y() > 0;
       if (!is_up) judged.say("up in space is not up in the piece");
       return;
     }

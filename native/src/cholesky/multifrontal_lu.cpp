@@ -14,9 +14,9 @@
 namespace wirewarp {
 namespace {
 
-using Columns = Eigen::SparseMatrix<double>;
+using SparseMatrix = Eigen::SparseMatrix<double>;
 
-bool have_same_pattern(const Columns& a, const Columns& b) {
+bool have_same_pattern(const SparseMatrix& a, const SparseMatrix& b) {
   return a.nonZeros() == b.nonZeros() &&
          std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
          std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
@@ -45,7 +45,7 @@ struct MultifrontalLu::Triangles {
     }
   }
 
-  Columns lower, upper;
+  SparseMatrix lower, upper;
   DissectionTree tree;
 };
 

@@ -13,7 +13,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 struct ChainLength {
   double length_3d = 0;
@@ -124,11 +124,11 @@ WireReport measure_whole_wire(const Wire& wire, bool is_boundary, const WireEdge
     const int b = wire.vertices[i + 1];
     report.length_3d += distance(vertices, a, b);
     const auto edge = known.edges.find(sorted(a, b));
-    report.length_2d += edge == known.edges.end() ? kNaN : edge->second.length_2d;
-    intended += edge == known.edges.end() ? kNaN : edge->second.intended;
+    report.length_2d += edge == known.edges.end() ? kUnknown : edge->second.length_2d;
+    intended += edge == known.edges.end() ? kUnknown : edge->second.intended;
   }
   report.variation = intended / report.length_3d - 1;
-  report.max_edge_error = std::isnan(intended) ? kNaN : known.max_edge_error;
+  report.max_edge_error = std::isnan(intended) ? kUnknown : known.max_edge_error;
   report.vertices = wire.vertices;
   return report;
 }
@@ -182,13 +182,13 @@ std::vector<SeamReport> measure_seams(const FlattenInput& input, const Charts& c
     SeamReport report;
     report.edges = seam.edges;
     for (const VertexPair& edge : seam.edges) report.length_3d += distance(input.vertices, edge[0], edge[1]);
-    report.variation = kNaN;
+    report.variation = kUnknown;
     std::vector<double> known;
     for (const Seam::Side& side : seam.sides) {
       const Piece& piece = pieces[side.chart];
       report.pieces.push_back(side.chart);
-      report.length_2d.push_back(has_layout(piece) ? piece.boundaries[side.boundary_chain].length_2d : kNaN);
-      report.eases.push_back(kNaN);
+      report.length_2d.push_back(has_layout(piece) ? piece.boundaries[side.boundary_chain].length_2d : kUnknown);
+      report.eases.push_back(kUnknown);
       if (!has_layout(piece)) continue;
       const Chart& chart = charts.charts[side.chart];
       const SideLength length = measure_side(chart, chart.boundary_chains[side.boundary_chain].half_edges, piece,
@@ -198,7 +198,7 @@ std::vector<SeamReport> measure_seams(const FlattenInput& input, const Charts& c
       if (std::isnan(report.variation)) report.variation = length.shared / length.unstretched - 1;
     }
     const auto [shortest, longest] = std::minmax_element(known.begin(), known.end());
-    report.mismatch = known.size() < 2 ? kNaN : *longest - *shortest;
+    report.mismatch = known.size() < 2 ? kUnknown : *longest - *shortest;
     reports.push_back(std::move(report));
   }
   return reports;

@@ -14,8 +14,8 @@
 namespace wirewarp {
 namespace {
 
-// Lengths closer than this are the same: rounding must not choose between the two sides of a symmetric piece.
-constexpr double kSameLength = 1e-6;
+// Sizes closer than this are the same: rounding must not choose between the two sides of a symmetric piece.
+constexpr double kSameSize = 1e-6;
 
 // A chord below this fraction of its chain's length says nothing about where the chain leads.
 constexpr double kShortChord = 0.1;
@@ -61,7 +61,7 @@ Eigen::Vector2d long_side_of_smallest_box(const std::vector<Eigen::Vector2d>& po
     const double low = along.dot(corner(left) - corner(i)), high = along.dot(corner(right) - corner(i));
     const double width = across.dot(corner(top) - corner(i));
     const double area = (high - low) * width;
-    if (area >= best_area * (1 - kSameLength)) continue;
+    if (area >= best_area * (1 - kSameSize)) continue;
     best_area = area;
     best = high - low >= width ? along : across;
   }
@@ -97,7 +97,7 @@ const HalfEdgeChain& longest_boundary_chain(const Chart& chart) {
   double best_length = 0;
   for (const BoundaryChain& chain : chart.boundary_chains) {
     const double length = length_of(chart.mesh, chain.half_edges);
-    if (best && length <= best_length * (1 + kSameLength)) continue;
+    if (best && length <= best_length * (1 + kSameSize)) continue;
     best = &chain.half_edges;
     best_length = length;
   }

@@ -11,7 +11,7 @@ namespace wirewarp {
 namespace {
 
 /// Over the root of the area: meshes of single precision, modeled in halves, keep to that.
-constexpr double kSame = 1e-4;
+constexpr double kSamePlace = 1e-4;
 
 constexpr double kClearly = 1 + 1e-9;  // longer: the same plane however the mesh is turned
 
@@ -56,7 +56,7 @@ class MirrorSearch {
  public:
   explicit MirrorSearch(const Chart& chart)
       : mesh_(chart.mesh), points_(centered(points_of(chart.mesh))), in_order_(points_) {
-    tolerance_ = kSame * std::sqrt(surface_area(mesh_));
+    tolerance_ = kSamePlace * std::sqrt(surface_area(mesh_));
   }
 
   /// By the plane along which edges run longest. No plane has all corners of a face and the middle in it but that of a

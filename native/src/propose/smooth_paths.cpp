@@ -19,7 +19,7 @@ constexpr double kPriceOfLanding = 0.05;
 
 /// A leg that turns more at one vertex (radians) has a corner, which nobody sews as a dart: less than along two sides
 /// of a square, more than between the edges of regular triangles.
-constexpr double kCorner = 80 * kPi / 180;
+constexpr double kSharpTurn = 80 * kPi / 180;
 
 }  // namespace
 
@@ -92,7 +92,7 @@ SmoothPaths SmoothPathFinder::paths_from(VertexHandle start) const {
     for (const HalfedgeHandle out : mesh_.voh_range(v)) {
       if (out == mesh_.opposite_halfedge_handle(h)) continue;
       const double angle = turn(h, out);
-      if (std::abs(angle) > kCorner) continue;
+      if (std::abs(angle) > kSharpTurn) continue;
       const double length = edge_length(mesh_, out);
       reach(out, h, cost + length + angle * angle * (length + edge_length(mesh_, h)) / 2);
     }

@@ -11,10 +11,10 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kCoarsening = 4;       // length of a coarse edge over that of a fine one
-constexpr double kLeastCoarsening = 2;  // a quarter of the faces: with more the coarse chart costs what it saves
-constexpr double kPerWiggle = 0.9;      // length of a coarse edge over the shortest wiggle of wires, at most
-constexpr int kMaxFactorizations = 30;  // and half of what is left: the chart itself needs some
+constexpr double kCoarsening = 4;             // length of a coarse edge over that of a fine one
+constexpr double kLeastCoarsening = 2;        // a quarter of the faces: with more the coarse chart costs what it saves
+constexpr double kPerWiggle = 0.9;            // length of a coarse edge over the shortest wiggle of wires, at most
+constexpr int kMaxCoarseFactorizations = 30;  // and half of what is left: the chart itself needs some
 
 }  // namespace
 
@@ -27,7 +27,7 @@ std::optional<RefinementStart> start_from_coarse(const RefineTask& task, RefineB
   at_start.check();
   const CoarseChart coarse = coarsen(chart, task.network, wanted, at_start);
   at_start.check();
-  RefineBudget coarse_budget(budget, std::min(kMaxFactorizations, budget.left() / 2));
+  RefineBudget coarse_budget(budget, std::min(kMaxCoarseFactorizations, budget.left() / 2));
   const RefinedShape shape =
       refine_from_scratch({coarse.chart, coarse.network, task.fairness}, coarse_budget, at_start).shape;
   if (!shape.is_exact) return std::nullopt;

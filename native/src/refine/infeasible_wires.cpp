@@ -22,7 +22,7 @@ constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
 constexpr double kUneven = 5e-3;                  // strain_rms that a larger variation of other wires may take away
 constexpr double kFineStep = 1e-3, kStep = 5e-3;  // of what is proposed: 0.1 %, from 0.5 % on 0.5 %
 constexpr double kLargest = 0.5;
-constexpr double kFree = std::numeric_limits<double>::infinity();
+constexpr double kFreeTolerance = std::numeric_limits<double>::infinity();
 constexpr int kMaxFreeFactorizations = 40;  // those of a coarser or a sewn chart count
 constexpr int kMostTrials = 30;             // of fewer wires, and again of smaller tolerances: project_to_lengths each
 constexpr std::size_t kFewWires =
@@ -43,14 +43,14 @@ Tolerances giving_way(const Chart& chart, const RelaxedShape& loose, double kept
     const WirePart& part = chart.wire_parts[i];
     const auto p = static_cast<Eigen::Index>(i);
     const bool gives_way = loose.strain_rms[p] > kUneven || loose.tolerance_violation[p] > kept;
-    if (is_held(part) && gives_way) wires[part.wire_index] = kFree;
+    if (is_held(part) && gives_way) wires[part.wire_index] = kFreeTolerance;
   }
   return wires;
 }
 
 double rounded_up(double tolerance) {
   const double step = tolerance > kStep ? kStep : kFineStep;
-  return tolerance > kLargest ? kFree : std::ceil(tolerance / step - 1e-9) * step;
+  return tolerance > kLargest ? kFreeTolerance : std::ceil(tolerance / step - 1e-9) * step;
 }
 
 Tolerances doubled(Tolerances tolerances) {
@@ -74,7 +74,7 @@ Tolerances free_wires_that_change(const Chart& chart, const RefinedShape& free) 
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     const WirePart& part = chart.wire_parts[i];
     const bool changes = std::abs(free.variation[static_cast<Eigen::Index>(i)]) > solver_tolerance(part) + kLadder[0];
-    if (is_held(part) && changes) tolerances[part.wire_index] = kFree;
+    if (is_held(part) && changes) tolerances[part.wire_index] = kFreeTolerance;
   }
   return tolerances;
 }
@@ -86,7 +86,7 @@ bool is_any_free(const Tolerances& tolerances) {
 Tolerances free_wires(const Chart& chart) {
   Tolerances tolerances;
   for (const WirePart& part : chart.wire_parts) {
-    if (is_held(part)) tolerances[part.wire_index] = kFree;
+    if (is_held(part)) tolerances[part.wire_index] = kFreeTolerance;
   }
   return tolerances;
 }
@@ -256,9 +256,9 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   Tolerances proposed;
   if (are_few_elastic) proposed = first_flat({few, doubled(few)});
   if (proposed.empty()) {
-    proposed = search.lowest_shared(freed, kFree, lie_flat);
+    proposed = search.lowest_shared(freed, kFreeTolerance, lie_flat);
     // More wires are worth naming where that more than halves their tolerance.
-    const double below = proposed.empty() ? kFree : proposed.begin()->second / 2;
+    const double below = proposed.empty() ? kFreeTolerance : proposed.begin()->second / 2;
     const Tolerances of_many = search.lowest_shared(free_wires_that_change(chart, free), below, lie_flat);
     if (!of_many.empty()) proposed = of_many;
   }

@@ -10,9 +10,9 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kMaxSteps = 10;               // with one factor
-constexpr double kShortestStep = 1.0 / 64;  // below, the lengths are as near as they get from here
-constexpr double kSufficient = 0.1;         // share of the decrease of the strain which a step must bring
+constexpr int kMaxProjectSteps = 10;               // with one factor
+constexpr double kShortestProjectStep = 1.0 / 64;  // below, the lengths are as near as they get from here
+constexpr double kSufficientProjectStep = 0.1;     // share of the decrease of the strain which a step must bring
 
 struct Iterate {
   Positions2 uv;
@@ -45,13 +45,13 @@ class Projection {
     const Iterate far = moved();
     double t = 1;
     Iterate next = far;
-    while (!(strain(next) <= (1 - kSufficient * t) * strain(now_))) {
+    while (!(strain(next) <= (1 - kSufficientProjectStep * t) * strain(now_))) {
       t /= 2;
-      if (t < kShortestStep) return false;
+      if (t < kShortestProjectStep) return false;
       next = at(now_.uv + t * (far.uv - now_.uv), now_.variation + t * (far.variation - now_.variation));
     }
     now_ = std::move(next);
-    for (int k = 1; k < kMaxSteps && !has(LengthConstraints::exact); ++k) {
+    for (int k = 1; k < kMaxProjectSteps && !has(LengthConstraints::exact); ++k) {
       Iterate nearer = moved();
       if (!(strain(nearer) < 0.5 * strain(now_))) break;
       now_ = std::move(nearer);

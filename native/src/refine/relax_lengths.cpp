@@ -14,12 +14,12 @@ namespace {
 constexpr double kWeightOfExcess = 10;       // V over the square root of the area: far above the forces in wires
 constexpr double kWeightOfUnevenness = 100;  // W of wire parts, the same
 constexpr double kWeightOfBoundary = 1000;
-constexpr double kWithinTolerance = 0.99;               // of it, so that what smoothing leaves stays within
-constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};     // σ
-constexpr int kMaxSteps = kMaxRelaxFactorizations / 3;  // for each σ
-constexpr double kWorthwhile = 1e-5;                    // promised decrease over Φ
-constexpr double kSufficient = 1e-4;                    // share of it that a step must bring
-constexpr double kShortestStep = 1e-3;                  // ten halvings
+constexpr double kWithinTolerance = 0.99;                    // of it, so that what smoothing leaves stays within
+constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};          // σ
+constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // for each σ
+constexpr double kWorthwhile = 1e-5;                         // promised decrease over Φ
+constexpr double kSufficientRelaxStep = 1e-4;                // share of it that a step must bring
+constexpr double kShortestRelaxStep = 1e-3;                  // ten halvings
 
 /// The chart with those wire parts elastic whose edges share a variation, whatever their tolerance. A single edge needs
 /// none: r is the variation.
@@ -188,7 +188,7 @@ RelaxedLengths::Step RelaxedLengths::step(double smoothing, const StopToken& sto
 /// False where the budget was spent before.
 bool RelaxedLengths::minimize(double smoothing, RefineBudget& budget, const StopToken& stop) {
   double now = value(now_, smoothing);
-  for (int i = 0; i < kMaxSteps; ++i) {
+  for (int i = 0; i < kMaxRelaxSteps; ++i) {
     if (!budget.allows()) return false;
     budget.spend(1);
     const Step full = step(smoothing, stop);
@@ -196,12 +196,12 @@ bool RelaxedLengths::minimize(double smoothing, RefineBudget& budget, const Stop
     double t = 1;
     Iterate trial;
     double reached = 0;
-    for (; t > kShortestStep; t /= 2) {
+    for (; t > kShortestRelaxStep; t /= 2) {
       trial = {now_.uv + t * full.d, now_.variation + t * full.variation};
       reached = value(trial, smoothing);
-      if (reached <= now + kSufficient * t * full.slope) break;
+      if (reached <= now + kSufficientRelaxStep * t * full.slope) break;
     }
-    if (t <= kShortestStep) return true;
+    if (t <= kShortestRelaxStep) return true;
     now_ = std::move(trial);
     now = reached;
   }

@@ -16,9 +16,9 @@ constexpr double kMostStrain = 1e-4;
 
 /// Where a face is to be laid: longer sides come first, of about the same length those that were met first, so that the
 /// way to each face is short.
-struct Side {
-  Side(double length, int place, HalfedgeHandle h) : magnitude(std::ilogb(length)), rank(place), half_edge(h) {}
-  bool operator<(const Side& other) const {
+struct OpenSide {
+  OpenSide(double length, int place, HalfedgeHandle h) : magnitude(std::ilogb(length)), rank(place), half_edge(h) {}
+  bool operator<(const OpenSide& other) const {
     return std::make_pair(magnitude, -rank) < std::make_pair(other.magnitude, -other.rank);
   }
 
@@ -60,7 +60,7 @@ std::optional<Positions2> unfold(const Chart& chart) {
   const HalfedgeHandle first = longest_side(mesh, FaceHandle(0));
   uv(mesh.to_vertex_handle(first).idx(), 0) = edge_length(mesh, first);
   has_place[mesh.from_vertex_handle(first).idx()] = has_place[mesh.to_vertex_handle(first).idx()] = 1;
-  std::priority_queue<Side> sides;  // of faces to lay
+  std::priority_queue<OpenSide> sides;  // of faces to lay
   int num_sides = 0;
   const auto add_side = [&](HalfedgeHandle h) { sides.emplace(edge_length(mesh, h), num_sides++, h); };
   add_side(first);
