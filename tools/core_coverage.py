@@ -2,6 +2,7 @@
 """How much of the core its tests run, by what the compiler counts in build/asan."""
 
 import json
+import re
 from collections import defaultdict
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -56,7 +57,9 @@ def _share(files: list[Counts]) -> str:
 def _read() -> dict[str, Counts]:
     """What gcov says of each source of the core, by name. Of headers it knows little: where a test includes one, too,
     the linker takes the test's copy, which counts nothing."""
-    notes = [OBJECTS / source.relative_to(ROOT).with_suffix(".cpp.gcno") for source in SOURCES.rglob("*.cpp")]
+    commands = (TREE / "compile_commands.json").read_text()
+    outputs = [TREE / name for name in re.findall(r" -o (\S+)", commands)]
+    notes = [output.with_suffix(".gcno") for output in outputs if OBJECTS in output.parents]
     lines = output_of(["gcov", "--json-format", "--stdout", *notes]).splitlines()  # one for each object
     found: dict[str, Counts] = defaultdict(Counts)
     for file in (file for line in lines for file in json.loads(line)["files"]):

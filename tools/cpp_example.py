@@ -27,7 +27,6 @@ def example_tests() -> None:
     commands = (FOLDER / "installed" / "compile_commands.json").read_text()
     if "eigen3" in commands or "openmesh" in commands.lower():
         raise StepError("the installed library needs headers from elsewhere: see build/example/installed")
-    # With the flags of build/release ccache has all objects.
     build_and_check("from-source", WIREWARP_FROM_SOURCE="ON", CMAKE_COMPILE_WARNING_AS_ERROR="ON", **openmesh)
 
 

@@ -49,6 +49,7 @@ def clean_environment(**more: str) -> dict[str, str]:
         "PYTHONDONTWRITEBYTECODE": "1",
         "CXX": "/usr/bin/g++",  # one name for all builds, so that ccache knows them as the same
         "CCACHE_DIR": str(BUILD / "ccache"),
+        "CCACHE_BASEDIR": str(BUILD),  # so that builds in build/NAME share objects of what CMake writes there
         "CCACHE_SLOPPINESS": "pch_defines,time_macros",  # or it keeps nothing that precompiled headers are in
         "CMAKE_CXX_COMPILER_LAUNCHER": "ccache",
     }

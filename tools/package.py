@@ -188,7 +188,7 @@ def build_wheel_alone(version: str, python: Path) -> Path:
         "SOURCE_DATE_EPOCH": TIME_STAMP,
         "PATH": f"{interpreter.parent}:{clean_environment()['PATH']}",
     }
-    options = {"build-dir": str(BUILD / "wheels" / f"cmake-{tag}")}
+    options = {"build-dir": str(BUILD / f"wheel-{tag}")}  # beside build/release, which has the same core
     options["cmake.define.CMAKE_COMPILE_WARNING_AS_ERROR"] = "ON"  # not where users build, with compilers to come
     options |= {f"cmake.define.{name}": value for name, value in old_glibc.cmake_definitions().items()}
     build = ("pip", "wheel", "--quiet", "--no-build-isolation", "--no-deps", "-w", raw)

@@ -62,7 +62,7 @@ def source_package_tests() -> None:
     python = venv("source", DEBIAN_PYTHON, PYTEST, HYPOTHESIS, NUMPY[DEBIAN_VERSION], *PATTERN)
     options = ("--config-settings=cmake.define.FETCHCONTENT_FULLY_DISCONNECTED=ON", "--no-deps", "--force-reinstall")
     (sources,) = unpacked.iterdir()
-    # Without ccache, as users build: then the core has precompiled headers.
+    # Without ccache, as users build.
     install: list[str | Path] = [python, "-m", "pip", "install", *options, sources]
     run_quietly("building a wheel from the source package", install, CMAKE_CXX_COMPILER_LAUNCHER="")
     run([python, "-m", "pytest", "-q", "tests/bindings/test_readme.py", "tests/bindings/test_stub.py"])
