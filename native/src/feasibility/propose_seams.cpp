@@ -32,7 +32,7 @@ constexpr int kMostTrials =
 constexpr double kPriceOfDistortion = 10;
 
 /// Shares of the area and prices that differ by less are the same: which is first depends on no rounding.
-constexpr double kTie = 1e-6;
+constexpr double kSamePrice = 1e-6;
 
 /// How a chart lies when no length is held.
 struct FreeLook {
@@ -202,7 +202,7 @@ std::vector<Division> SeamSearch::divisions(const Chart& piece) const {
     result.push_back(divide(piece, std::move(cut)));
   }
   const auto rank = [](const Division& division) {
-    return std::make_pair(std::round(division.covered / kTie), std::round(division.price / kTie));
+    return std::make_pair(std::round(division.covered / kSamePrice), std::round(division.price / kSamePrice));
   };
   std::stable_sort(result.begin(), result.end(),
                    [&](const Division& a, const Division& b) { return rank(a) < rank(b); });

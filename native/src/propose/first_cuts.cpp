@@ -30,7 +30,7 @@ constexpr int kPlaces = 2;
 constexpr std::size_t kMostTrials = 3;
 
 /// Less than this part of the energy, or of the strain, is not worth a cut and the sewing of it.
-constexpr double kLeastGain = 0.02;
+constexpr double kLeastGainOfSet = 0.02;
 
 FlattenError no_set(const Chart& chart, const std::string& reason) {
   return FlattenError(ErrorCode::no_proposal, introduce_piece(chart.source_face) + " " + reason,
@@ -48,7 +48,7 @@ FlattenError too_long(const Chart& chart, double length, double longest) {
                            ": allow more.");
 }
 
-VertexPair in_one_order(VertexPair ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }
+VertexPair sorted_ends(VertexPair ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }
 
 bool has_face_of(const Chart& chart, const Chart& piece) {
   return std::binary_search(chart.source_face.begin(), chart.source_face.end(), piece.source_face.front());
@@ -56,7 +56,7 @@ bool has_face_of(const Chart& chart, const Chart& piece) {
 
 void bar(const VertexPairs& pairs, const std::map<VertexPair, EdgeHandle>& edge_between, CutMask& barred) {
   for (const auto& ends : pairs.rowwise()) {
-    const auto found = edge_between.find(in_one_order({ends[0], ends[1]}));
+    const auto found = edge_between.find(sorted_ends({ends[0], ends[1]}));
     if (found != edge_between.end()) barred[found->second.idx()] = 1;
   }
 }
@@ -90,7 +90,7 @@ FirstCuts::FirstCuts(const FlattenInput& flattened, const Chart& chart, const Cu
       trials_(trials),
       go_on_(go_on) {
   for (const EdgeHandle e : chart_.mesh.edges()) {
-    if (!chart_.mesh.is_boundary(e)) edge_between_[in_one_order(ends_in_input(chart_.mesh.halfedge_handle(e, 0)))] = e;
+    if (!chart_.mesh.is_boundary(e)) edge_between_[sorted_ends(ends_in_input(chart_.mesh.halfedge_handle(e, 0)))] = e;
   }
   barred_.assign(chart_.mesh.n_edges(), 0);
   bar(wishes.no_seam, edge_between_, barred_);
@@ -155,7 +155,7 @@ FirstCuts::CutSet FirstCuts::flatten(const CutMask& cut) const {
 /// The edges and their mirror image.
 CutMask FirstCuts::symmetric(const std::vector<VertexPair>& edges) const {
   CutMask cut(chart_.mesh.n_edges(), 0);
-  for (const VertexPair& ends : edges) cut[edge_between_.at(in_one_order(ends)).idx()] = 1;
+  for (const VertexPair& ends : edges) cut[edge_between_.at(sorted_ends(ends)).idx()] = 1;
   return mirrored_.with_image(cut);
 }
 
@@ -207,7 +207,7 @@ std::optional<FirstCuts::CutSet> FirstCuts::cut_once_more(const CutSet& set) con
     for (std::size_t e = 0; e < cut.size(); ++e) cut[e] = cut[e] != 0 || set.cut[e] != 0;
     if (length_of_cut(chart_.mesh, cut) > wishes_.longest) continue;
     CutSet more = flatten(cut);
-    if (more.lies_flat && more.proposal.energy <= (1 - kLeastGain) * set.proposal.energy) return more;
+    if (more.lies_flat && more.proposal.energy <= (1 - kLeastGainOfSet) * set.proposal.energy) return more;
   }
   return std::nullopt;
 }
@@ -216,7 +216,7 @@ std::optional<FirstCuts::CutSet> FirstCuts::cut_once_more(const CutSet& set) con
 std::vector<DartProposal> FirstCuts::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {
-    if (best.empty() || set.proposal.strain <= (1 - kLeastGain) * best.back().strain) best.push_back(set.proposal);
+    if (best.empty() || set.proposal.strain <= (1 - kLeastGainOfSet) * best.back().strain) best.push_back(set.proposal);
   }
   std::reverse(best.begin(), best.end());
   best.resize(std::min(best.size(), static_cast<std::size_t>(wishes_.count)));

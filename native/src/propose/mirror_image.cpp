@@ -13,7 +13,7 @@ namespace {
 /// Over the root of the area: meshes of single precision, modeled in halves, keep to that.
 constexpr double kSamePlace = 1e-4;
 
-constexpr double kClearly = 1 + 1e-9;  // longer: the same plane however the mesh is turned
+constexpr double kClearlyLonger = 1 + 1e-9;  // longer: the same plane however the mesh is turned
 
 /// Of a surface of revolution the others are like them.
 constexpr int kMostPlanes = 16;
@@ -75,7 +75,7 @@ class MirrorSearch {
         if (image.empty()) continue;
         --planes_left;
         const double length = length_in_plane(image);
-        if (length <= kClearly * longest) continue;
+        if (length <= kClearlyLonger * longest) continue;
         longest = length;
         best = std::move(image);
       }

@@ -24,7 +24,7 @@ namespace {
 /// beforehand.
 constexpr int kTypicalQuestions = 2000;
 
-constexpr double kClearly = 1 + 1e-9;  // larger: the same piece however the mesh is turned
+constexpr double kClearlyLarger = 1 + 1e-9;  // larger: the same piece however the mesh is turned
 
 /// In this order, twins by their new places; each pair counts once.
 std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, const std::vector<double>& gains,
@@ -116,7 +116,7 @@ std::optional<int> without_shape(const std::vector<Chart>& charts, const std::ve
   for (int c = 0; c < static_cast<int>(charts.size()); ++c) {
     if (!before[c].error || !lacks_seams(charts[c], *before[c].error) || wishes.piece.value_or(c) != c) continue;
     const double area = surface_area(charts[c].mesh);
-    if (area <= kClearly * most) continue;
+    if (area <= kClearlyLarger * most) continue;
     most = area;
     largest = c;
   }
