@@ -58,12 +58,14 @@ class ClothLaw {
   double stiffness_at_rest() const;
 
  private:
-  /// φ and its derivatives by p, q, g and D.
+  /// Derivatives of φ by p, q, g and D.
   struct Expansion {
-    double value;
     Eigen::Vector4d slope;
     Eigen::Matrix4d curvature;
   };
+
+  /// φ.
+  double value(const Invariants& of) const;
 
   Expansion expand(const Invariants& of) const;
   void add_locking(const Invariants& of, Expansion& by) const;
