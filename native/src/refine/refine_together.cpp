@@ -34,19 +34,19 @@ std::optional<ClothOnChart> unite_cloths(const UnitedCharts& united, const std::
 
 /// All starts side by side, so that the order of elimination tells the charts apart.
 RefinementStart place_side_by_side(const UnitedCharts& united, const HeldNetwork& network,
-                                   const std::vector<Chart>& charts, const std::vector<ClothOnChart>& cloths,
+                                   const std::vector<HeldNetwork>& networks, const std::vector<ClothOnChart>& cloths,
                                    const std::vector<RefinementStart>& starts) {
   std::size_t num_rows = network.edges.size(), next_row = num_rows;
   for (const ClothOnChart& cloth : cloths) num_rows += cloth.grains.size();
   RefinementStart all{Positions2(static_cast<Eigen::Index>(united.chart.mesh.n_vertices()), 2),
                       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(num_rows))};
   double right = 0;
-  for (std::size_t c = 0; c < charts.size(); ++c) {
+  for (std::size_t c = 0; c < starts.size(); ++c) {
     const Eigen::RowVector2d low = starts[c].uv.colwise().minCoeff();
     const Positions2 uv = starts[c].uv.rowwise() + (Eigen::RowVector2d(right, 0) - low);
     right = uv.col(0).maxCoeff();
     all.uv.middleRows(united.first_vertex[c], uv.rows()) = uv;
-    const HeldNetwork own = build_held_network(charts[c]);
+    const HeldNetwork& own = networks[c];
     const Eigen::VectorXd& multipliers = starts[c].multipliers;
     const auto multiplier = [&](std::size_t row) {
       const auto index = static_cast<Eigen::Index>(row);
@@ -88,22 +88,23 @@ JoinedShapes refine_together(const std::vector<Chart>& charts, double fairness, 
                              const std::vector<RefinementStart>& starts, const RefinementLimits& limits) {
   const UnitedCharts united = unite(charts);
   const HeldNetwork network = build_held_network(united.chart);
+  std::vector<HeldNetwork> networks;
+  for (const Chart& chart : charts) networks.push_back(build_held_network(chart));
   const std::optional<ClothOnChart> cloth = unite_cloths(united, charts, cloths);
   const RefineTask task{united.chart, network, fairness, cloth ? &*cloth : nullptr};
-  const RefinementStart start = place_side_by_side(united, network, charts, cloths, starts);
+  const RefinementStart start = place_side_by_side(united, network, networks, cloths, starts);
   const RefinedShape whole =
       charts.size() == 1 ? refine_with_shut_slits(task, start, limits) : refine_shape(task, start, limits);
   JoinedShapes joined;
   joined.projected_gradient = projected_gradient(task, whole);
   for (std::size_t c = 0; c < charts.size(); ++c) {
-    const HeldNetwork own = build_held_network(charts[c]);
     RefinedShape shape = whole;
     shape.multipliers.resize(0);
     if (c > 0) shape.factorizations = 0;  // told once
     shape.uv = whole.uv.middleRows(united.first_vertex[c], starts[c].uv.rows());
     shape.variation =
         whole.variation.segment(united.first_part[c], static_cast<Eigen::Index>(charts[c].wire_parts.size()));
-    const RefineTask alone{charts[c], own, fairness, cloth ? &cloths[c] : nullptr};
+    const RefineTask alone{charts[c], networks[c], fairness, cloth ? &cloths[c] : nullptr};
     shape.objective = FairShapeError(alone).value(shape.uv) / surface_area(charts[c].mesh);
     joined.shapes.push_back(std::move(shape));
   }
