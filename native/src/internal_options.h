@@ -16,7 +16,7 @@ struct InternalOptions : Options {
   std::size_t large_chart = 8'000;  // faces: from here on a coarse start saves more than it costs
   bool with_proposals = true;       // what would mend a piece that fails is looked for: that takes far longer
 
-  double worthwhile = RefineConstants::worthwhile;  // of the refined method: decrease that a step must promise, over f
+  Aim aim = Aim::minimum;  // of the refined method
 };
 
 /// flatten() with such options; the same ones in all runs with one cache.

@@ -47,7 +47,7 @@ class ClothRefinement {
 
   std::vector<Turn> best_turns(const Positions2& uv) const;
   RefineTask task(const ClothOnChart& cloth) const {
-    return {chart_, network_, options_.fairness, &cloth, options_.worthwhile};
+    return {chart_, network_, options_.fairness, &cloth, options_.aim};
   }
   ClothOnChart cloth_held_as(const Positions2& uv) const;
   RefinedShape refine_held(const RefinementStart& start, RefineBudget& budget) const;

@@ -12,7 +12,7 @@ namespace {
 
 /// Triangles turned over that are not expected to open any more.
 bool stays_flipped(const RefineState& state) {
-  return state.system.num_factorizations() >= RefineConstants::patience &&
+  return state.num_factorizations() >= RefineConstants::patience &&
          state.problem.objective().count_flips(state.now.uv) > 0;
 }
 
@@ -28,6 +28,10 @@ RefinedShape refine_shape(const RefineTask& task, const RefinementStart& start, 
   StepOutcome outcome = reach_exact_lengths(state, start.multipliers.size() > 0);
   const bool is_exact = outcome != StepOutcome::rejected;
 
+  const auto is_enough = [&] {
+    return task.aim == Aim::newton_step && state.problem.objective().count_flips(state.now.uv) == 0;
+  };
+
   TrustRegion trust_region;
   bool try_newton = true;
   while (outcome == StepOutcome::accepted && !is_isometric() && !stays_flipped(state) && state.may_go_on()) {
@@ -36,6 +40,7 @@ RefinedShape refine_shape(const RefineTask& task, const RefinementStart& start, 
     ++state.iterations;
     // 3. A Newton step, where the exact Hessian may be positive on the tangent space of the lengths.
     outcome = try_newton ? take_newton_step(state) : StepOutcome::rejected;
+    if (outcome == StepOutcome::accepted && is_enough()) outcome = StepOutcome::converged;
     // 4. Where it is not, or the step does not go down as promised: a step in a trust region.
     if (outcome == StepOutcome::rejected && state.may_go_on()) {
       outcome = trust_region.take_step(state);
@@ -46,7 +51,7 @@ RefinedShape refine_shape(const RefineTask& task, const RefinementStart& start, 
   RefinedShape shape = state.problem.describe(state.now);
   shape.multipliers = std::move(state.multipliers);
   shape.iterations = state.iterations;
-  shape.factorizations = state.system.num_factorizations();
+  shape.factorizations = state.num_factorizations();
   shape.is_exact = is_exact;
   shape.converged = is_exact && (outcome == StepOutcome::converged || is_isometric());
   return shape;

@@ -5,10 +5,10 @@
 
 namespace wirewarp {
 
-RefineState::RefineState(const RefineTask& task, const RefinementStart& start,
+RefineState::RefineState(const RefineTask& refine_task, const RefinementStart& start,
                          const RefinementLimits& refinement_limits)
-    : problem(task, refinement_limits.injectivity, start.uv),
-      system(task.chart, problem.objective(), problem.constraints(), start.uv, refinement_limits.stop),
+    : task(refine_task),
+      problem(task, refinement_limits.injectivity, start.uv),
       limits(refinement_limits),
       now(problem.iterate_at(start.uv)),
       multipliers(start.multipliers) {
@@ -16,16 +16,17 @@ RefineState::RefineState(const RefineTask& task, const RefinementStart& start,
 }
 
 bool RefineState::factorize(const Convexity& convexity) {
+  if (!system) system.emplace(task.chart, problem.objective(), problem.constraints(), now.uv, limits.stop);
   limits.budget.spend(1);
-  if (!system.factorize(now.uv, multipliers, convexity, limits.stop)) return false;
-  if (problem.constraints().num_elastic() > 0) dlambda_dh = system.dlambda_dh(limits.stop);
+  if (!system->factorize(now.uv, multipliers, convexity, limits.stop)) return false;
+  if (problem.constraints().num_elastic() > 0) dlambda_dh = system->dlambda_dh(limits.stop);
   return !limits.stop.is_stopped();
 }
 
 bool RefineState::evaluate(RefineIterate& trial) const {
   if (limits.stop.is_stopped()) return false;
   trial.variation = problem.constraints().within_tolerance(trial.variation);
-  if (!retract_to_lengths(problem.constraints(), system, trial.variation, trial.uv, limits.stop)) return false;
+  if (!retract_to_lengths(problem.constraints(), *system, trial.variation, trial.uv, limits.stop)) return false;
   if (problem.objective().longest_step(now.uv, trial.uv - now.uv) < 1) return false;
   trial.value = problem.objective().value(trial.uv);
   return true;

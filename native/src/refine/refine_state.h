@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "refine/newton_system.h"
 #include "refine/refine_problem.h"
 
@@ -18,7 +20,7 @@ enum class StepOutcome {
 
 /// What the steps of refine_shape work on: the shape at hand, and the linear system of its last factorization.
 struct RefineState {
-  RefineState(const RefineTask& task, const RefinementStart& start, const RefinementLimits& refinement_limits);
+  RefineState(const RefineTask& refine_task, const RefinementStart& start, const RefinementLimits& refinement_limits);
   RefineState(const RefineState&) = delete;  // the system refers to the problem
   RefineState& operator=(const RefineState&) = delete;
 
@@ -28,6 +30,8 @@ struct RefineState {
   /// f and its gradient at the shape at hand.
   void update_gradient() { now.value = problem.objective().value_and_gradient(now.uv, gradient); }
 
+  int num_factorizations() const { return system ? system->num_factorizations() : 0; }
+
   /// The system at the shape at hand; false where the Hessian is not positive on the tangent space of the lengths.
   bool factorize(const Convexity& convexity);
 
@@ -35,8 +39,9 @@ struct RefineState {
   /// way, or the caller stopped.
   bool evaluate(RefineIterate& trial) const;
 
+  const RefineTask& task;
   RefineProblem problem;
-  NewtonSystem system;
+  std::optional<NewtonSystem> system;  // from the first factorization on: shapes without strain need none
   RefinementLimits limits;
   RefineIterate now;
   Positions2 gradient;          // of f

@@ -29,9 +29,7 @@ struct RefineTask {
   const HeldNetwork& network;
   double fairness;                      // shortest wiggle of wires that is left alone, over the square root of the area
   const ClothOnChart* cloth = nullptr;  // null: f has the shape error of Eq. (4)
-
-  /// Decrease of f that a step must promise, over f.
-  double worthwhile = RefineConstants::worthwhile;
+  Aim aim = Aim::minimum;
 };
 
 }  // namespace wirewarp

@@ -15,7 +15,7 @@ class SewnProblem {
   SewnProblem(const RefineTask& open, SewnChart sewn);
 
   /// Refers to this problem.
-  RefineTask task() const { return {sewn_.chart, network_, fairness_, cloth_ ? &*cloth_ : nullptr, worthwhile_}; }
+  RefineTask task() const { return {sewn_.chart, network_, fairness_, cloth_ ? &*cloth_ : nullptr, aim_}; }
 
   /// Edges that are sewn together bear the forces of both.
   RefinementStart to_sewn(const RefinementStart& open) const;
@@ -25,7 +25,8 @@ class SewnProblem {
  private:
   SewnChart sewn_;
   HeldNetwork network_;
-  double fairness_, worthwhile_;
+  double fairness_;
+  Aim aim_;
   std::optional<ClothOnChart> cloth_;
   std::vector<int> row_;  // of the sewn constraints, one per row of the open ones
   int num_rows_;          // of the sewn constraints

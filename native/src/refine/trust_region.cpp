@@ -29,7 +29,7 @@ std::vector<int> free_parts(const RefineState& state) {
 /// way down may be against a symmetry that the gradient has.
 Positions2 forces_across_symmetry(const RefineState& state) {
   Positions2 tension = Positions2::Zero(state.now.uv.rows(), 2), turned(tension.rows(), 2);
-  state.problem.constraints().add_transposed(state.system.directions(), state.multipliers, tension);
+  state.problem.constraints().add_transposed(state.system->directions(), state.multipliers, tension);
   turned.col(0) = -tension.col(1);
   turned.col(1) = tension.col(0);
   return turned;
@@ -41,9 +41,9 @@ StepOutcome TrustRegion::take_step(RefineState& state) {
   if (!state.factorize(kConvexHessian)) return StepOutcome::rejected;
   const LengthConstraints& constraints = state.problem.constraints();
   state.multipliers =
-      state.system.solve_on_wires(-state.gradient, Eigen::VectorXd::Zero(constraints.size())).multipliers;
-  const TangentSpace space(state.system, constraints, state.dlambda_dh, free_parts(state));
-  const Eigen::SparseMatrix<double> hessian = state.system.hessian(state.now.uv, state.multipliers, kExactHessian);
+      state.system->solve_on_wires(-state.gradient, Eigen::VectorXd::Zero(constraints.size())).multipliers;
+  const TangentSpace space(*state.system, constraints, state.dlambda_dh, free_parts(state));
+  const Eigen::SparseMatrix<double> hessian = state.system->hessian(state.now.uv, state.multipliers, kExactHessian);
   const auto times_hessian = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
     Eigen::VectorXd y = Eigen::VectorXd::Zero(x.size());
     y.head(hessian.rows()) = hessian.selfadjointView<Eigen::Lower>() * x.head(hessian.rows());
