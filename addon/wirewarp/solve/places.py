@@ -39,10 +39,11 @@ STAY = Motion()
 
 def fit_motion(points: np.ndarray, places: np.ndarray) -> Motion:
     """The motion that brings points (k,2) nearest to their places (k,2) in the sum of squares."""
-    start, goal = (each[:, 0] + 1j * each[:, 1] for each in (points, places))
-    spin = np.vdot(start - start.mean(), goal - goal.mean())  # the sum of conj(start) goal
-    turn = complex(spin / abs(spin)) if abs(spin) > 0 else 1.0
-    return Motion(turn, complex(goal.mean() - turn * start.mean()))
+    start, goal = points.mean(axis=0), places.mean(axis=0)
+    (x, y), (u, v) = (points - start).T, (places - goal).T
+    spin = complex(x @ u + y @ v, x @ v - y @ u)  # the sum of conj(x + iy) (u + iv)
+    turn = spin / abs(spin) if abs(spin) > 0 else 1.0
+    return Motion(turn, complex(*goal) - turn * complex(*start))
 
 
 @dataclass(frozen=True)
