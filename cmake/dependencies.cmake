@@ -48,7 +48,7 @@ else()
   FetchContent_MakeAvailable(OpenMesh)
   set(core ${openmesh_SOURCE_DIR}/src/OpenMesh/Core)
   file(GLOB openmesh_sources ${core}/Mesh/*.cc ${core}/Utils/BaseProperty.cc ${core}/System/omstream.cc)
-  set_source_files_properties(${openmesh_sources} PROPERTIES COMPILE_OPTIONS -w SKIP_PRECOMPILE_HEADERS ON
+  set_source_files_properties(${openmesh_sources} PROPERTIES COMPILE_OPTIONS -w
                               COMPILE_DEFINITIONS "NOMINMAX;_USE_MATH_DEFINES")  # as its own build for Windows has it
   target_include_directories(wirewarp_openmesh SYSTEM INTERFACE ${core}/../..)  # they do not keep to our warnings
 endif()

@@ -12,7 +12,7 @@ else()
   message(FATAL_ERROR "WIREWARP_TARGET=${WIREWARP_TARGET} is no target of zig for Windows, macOS or Linux")
 endif()
 set(CMAKE_CXX_COMPILER "${WIREWARP_ZIG}" c++)
-# To link, zig would first compile its libraries, not optimized: neither when CMake looks who the compiler is (it does
+# To link, zig would first compile its libraries, not optimized: neither when CMake identifies the compiler (it does
 # not link where a target is set) nor when it tries what it can do.
 set(CMAKE_CXX_COMPILER_TARGET ${WIREWARP_TARGET})
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)

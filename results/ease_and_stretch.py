@@ -113,8 +113,8 @@ they, too, have the lengths of the model.
 
 {table(["mm", "worn", "cut", "difference", "share"], [length_row(line) for line in lines])}
 
-Lines across the swim knit are cut {1 + across:.2f} times shorter, lines along it {1 + along:.2f} times, those between
-by their direction, and a seam by the mean of its two sides. Each eased edge is
+Lines across the swim knit are cut to 1/{1 + across:.2f} of their length, lines along it to 1/{1 + along:.2f}, those
+between by their direction, and a seam by the mean of its two sides. Each eased edge is
 longer by the same share. But for that ease, the two sides of a seam {differ(mismatch)}.
 
 {chr(10).join(draw(inputs, name, as_made[name]) for name in DRAWN)}

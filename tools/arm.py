@@ -28,7 +28,7 @@ QEMU_APT = ("qemu-user",)
 PYTHON_APT = (f"python{DEBIAN_VERSION}-minimal", f"libpython{DEBIAN_VERSION}-stdlib", "libstdc++6")
 FOLDER = BUILD / "arm"
 PLATFORMS = ("manylinux_2_28_aarch64", "manylinux2014_aarch64")  # pip's words; a package has a wheel for one of them
-# All that need no other program: a test would start one of this machine's kind.
+# QEMU is slow, and what a test starts would be this machine's program: the tests that Windows' short step runs.
 TESTS = ("test_readme", "test_errors", "test_results", "test_samples", "test_pattern_files")
 
 
@@ -55,7 +55,8 @@ def arm_python() -> Path:
     root = FOLDER / "root"
     key = fingerprint([], *PYTHON_APT)
     if not (root.is_dir() and is_current("arm-python", key)):
-        shutil.rmtree(root, ignore_errors=True)
+        for folder in (root, FOLDER / "apt"):
+            shutil.rmtree(folder, ignore_errors=True)
         lists, archives, status = FOLDER / "apt" / "lists", FOLDER / "apt" / "archives", FOLDER / "apt" / "status"
         for folder in (lists, archives):
             (folder / "partial").mkdir(parents=True, exist_ok=True)
@@ -70,7 +71,7 @@ def arm_python() -> Path:
             "Dir::Cache::pkgcache": "",
             "Dir::Cache::srcpkgcache": "",
         }
-        apt = ["apt-get", "-q", *(f"-o{key}={value}" for key, value in settings.items())]
+        apt = ["apt-get", "-q", *(f"-o{name}={value}" for name, value in settings.items())]
         run_quietly("asking Debian for its packages for ARM", [*apt, "update"])
         options = ("--yes", "--no-install-recommends", "--download-only")
         run_quietly(f"fetching {' '.join(PYTHON_APT)} for ARM", [*apt, *options, "install", *PYTHON_APT])

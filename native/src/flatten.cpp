@@ -53,7 +53,7 @@ std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
 
 /// Options for shapes that others begin at. The best direction of a cloth stays, so it has to be exact.
 InternalOptions on_the_way(InternalOptions options) {
-  if (options.orientation != Orientation::best) options.aim = options.cloth ? Aim::near_minimum : Aim::newton_step;
+  if (options.orientation != Orientation::best) options.aim = options.cloth ? Aim::rough : Aim::newton_step;
   return options;
 }
 

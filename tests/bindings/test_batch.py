@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from multiprocessing import active_children
 from pathlib import Path
 
@@ -22,6 +23,12 @@ from works_apart import hang_or_wait, square_or_crash, take_memory_and_hang
 pytest.importorskip("trimesh")
 posix = pytest.mark.skipif(os.name != "posix", reason="shell scripts and limits of POSIX")
 NEVER = Limits(3600.0, 10**12)
+# A run of the tests in the background ignores SIGINT, and so do the programs that it starts.
+HEARS_CTRL_C = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
+COMMAND = """
+import runpy
+runpy.run_module("wirewarp", run_name="__main__")
+"""
 
 
 def run(*words, code=0, **how):
@@ -156,6 +163,37 @@ def test_ctrl_c_halfway_through_a_start_ends_what_was_started(tmp_path, monkeypa
     with pytest.raises(KeyboardInterrupt):
         next(each_apart(hang_or_wait, [("wait", tmp_path / "never")], 1, NEVER, []))
     assert active_children() == []
+
+
+# The server of processes loads such a module first.
+LOADS_SLOWLY = """
+import os, time
+open(os.environ["BEGUN"], "w").close()
+while not os.path.exists(os.environ["GO_ON"]):
+    time.sleep(0.01)
+"""
+APART = """
+import sys
+from wirewarp.command.apart import Limits, each_apart
+try:
+    next(each_apart(abs, [1], 1, Limits(3600.0, 10**12), ["loads_slowly"]))
+except KeyboardInterrupt:
+    print("stopped", file=sys.stderr)
+"""
+
+
+@posix
+def test_ctrl_c_while_the_server_loads_is_no_traceback(tmp_path):
+    (tmp_path / "loads_slowly.py").write_text(LOADS_SLOWLY)
+    begun, go_on = tmp_path / "begun", tmp_path / "go on"
+    settings = {**os.environ, "BEGUN": str(begun), "GO_ON": str(go_on), "PYTHONPATH": str(tmp_path)}
+    command = [sys.executable, "-c", HEARS_CTRL_C + APART]
+    with subprocess.Popen(command, start_new_session=True, stderr=subprocess.PIPE, text=True, env=settings) as process:
+        while not begun.exists():
+            time.sleep(0.01)
+        os.killpg(process.pid, signal.SIGINT)
+        go_on.touch()
+        assert process.stderr.read() == "stopped\n"
 
 
 def test_what_hangs_is_stopped_in_time(tmp_path):
@@ -299,20 +337,12 @@ def test_nobody_who_reads_is_one_sentence_and_nothing_hidden_is_left(models, ble
     assert all(not path.name.startswith(".") for path in (tmp_path / "out").rglob("*"))
 
 
-# A run of the tests in the background ignores SIGINT, and so do the programs that it starts.
-INTERRUPTIBLE = """
-import runpy, signal
-signal.signal(signal.SIGINT, signal.default_int_handler)
-runpy.run_module("wirewarp", run_name="__main__")
-"""
-
-
 @posix
 def test_ctrl_c_ends_all_and_nothing_hidden_is_left(models, blender, tmp_path):
     (models / "b hangs").mkdir()
     (models / "b hangs" / "hangs.blend").write_bytes(b"BLENDER")
     words = ["batch", models, "--out", tmp_path / "out", "--format", "svg", "--blender", blender, "--jobs", "2"]
-    command = [sys.executable, "-c", INTERRUPTIBLE, *words]
+    command = [sys.executable, "-c", HEARS_CTRL_C + COMMAND, *words]
     piped = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
     with subprocess.Popen(command, start_new_session=True, **piped) as process:
         assert json.loads(process.stdout.readline())["verdict"] == "ready to cut"

@@ -68,7 +68,10 @@ def test_the_skirt_is_twice_as_wide_as_its_waistband(results):
 
 @pytest.mark.parametrize("name", STRETCHED)
 def test_negative_ease_follows_the_direction_on_the_cloth(results, name):
-    """An edge across or along is 1 + stretch times shorter, others between; those of a seam by their sides' mean."""
+    """The length of an edge across or along is divided by 1 + stretch, that of others by what is between.
+
+    That of a seam is divided by the mean of its sides.
+    """
     shape = SAMPLES[name]
     unstretched, flat = flat_half_edges(flatten(shape, cloth=shape.cloth)), flat_half_edges(results[name])
     shares = defaultdict(list)

@@ -218,6 +218,16 @@ TEST(FirstCuts, AreNoLongerThanWished) {
   for (const DartProposal& set : propose_seams(head(), {}, wishes)) EXPECT_LE(set.length, wishes.longest);
 }
 
+TEST(FirstCuts, BeginWithASetThatMeetsTheAim) {
+  CutWishes wishes = rough();
+  const std::vector<DartProposal> sets = propose_seams(head(), {}, wishes);
+  ASSERT_GT(sets.size(), 1U);
+  for (const double least_gain : {1e-9, 0.01, 0.05}) {  // also where the set before is hardly worse
+    wishes.strain = (1 - least_gain) * sets[1].strain;
+    EXPECT_LE(propose_seams(head(), {}, wishes).front().strain, *wishes.strain);
+  }
+}
+
 TEST(FirstCuts, AreOfThePieceThatLacksThem) {
   FlattenInput input = ball();
   const FlattenInput sheet = test::flat_rectangle(2, 2, 1, 1);

@@ -8,11 +8,11 @@
 #include <numeric>
 
 #include "delaunay.h"
+#include "planar.h"
 
 namespace wirewarp::test {
 namespace {
 
-constexpr double kHalfTurn = 3.141592653589793;
 constexpr double kThinnest = 1e-4;  // height of a face over its longest side
 
 using Face = std::array<int, 3>;
@@ -23,7 +23,7 @@ class Domain {
  public:
   explicit Domain(RandomStream& random) : bays_(random.chance(0.5) ? random.between(0, 0.6) : 0) {
     num_bays_ = random.whole(2, 6);
-    turn_ = random.between(0, kHalfTurn);
+    turn_ = random.between(0, kPi);
     const int num_holes = random.chance(0.5) ? 0 : random.whole(1, 4);
     for (int i = 0; i < num_holes; ++i) {
       holes_.push_back({{random.between(-0.6, 0.6), random.between(-0.6, 0.6)}, random.between(0.05, 0.3)});

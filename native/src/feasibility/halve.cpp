@@ -42,8 +42,8 @@ bool is_border(const HalfEdgeMesh& mesh, const Sides& side, HalfedgeHandle h) {
   return side[mesh.face_handle(h).idx()] != side[mesh.opposite_face_handle(h).idx()];
 }
 
-/// By how much the border between two sides grows if all faces around a vertex go to one side. There is none yet along
-/// an edge without a price.
+/// By how much the border between two sides grows if all faces around a vertex go to one side. Where the border
+/// cannot be, the price is infinite.
 double growth_of_border(const HalfEdgeMesh& mesh, const Prices& prices, const Sides& side, VertexHandle v, char to) {
   const auto price = [&](HalfedgeHandle h) { return prices[mesh.edge_handle(h).idx()]; };
   double growth = 0;

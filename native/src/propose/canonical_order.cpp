@@ -8,6 +8,7 @@
 
 #include "feasibility/cut_apart.h"
 #include "mesh/geometry.h"
+#include "stop_token.h"
 
 namespace wirewarp {
 namespace {
@@ -134,8 +135,9 @@ std::vector<VertexHandle> breadth_first(const HalfEdgeMesh& mesh, Start start) {
   return walk.order();
 }
 
-/// At one of the longest edges: there are few, and of these most differ after a few steps.
-Start start_on_closed(const HalfEdgeMesh& mesh) {
+/// At one of the longest edges. Mostly there are few, and they differ after a few steps; on a surface of revolution
+/// there are as many as segments, and each takes a walk of the whole surface.
+Start start_on_closed(const HalfEdgeMesh& mesh, const std::function<bool()>& go_on) {
   double longest = 0;
   for (const EdgeHandle e : mesh.edges()) longest = std::max(longest, edge_length(mesh, mesh.halfedge_handle(e, 0)));
   const double same = kSame * std::sqrt(surface_area(mesh));
@@ -153,6 +155,7 @@ Start start_on_closed(const HalfEdgeMesh& mesh) {
   Start best;
   for (const HalfedgeHandle h : mesh.halfedges()) {
     if (edge_length(mesh, h) < longest - same) continue;
+    if (!go_on()) throw Stopped();
     for (const bool backwards : {false, true}) {
       const Start start{h, backwards};
       if (!best.first.is_valid() || walk_comes_before(start, best)) best = start;
@@ -163,9 +166,9 @@ Start start_on_closed(const HalfEdgeMesh& mesh) {
 
 }  // namespace
 
-Chart in_canonical_order(const Chart& chart) {
+Chart in_canonical_order(const Chart& chart, const std::function<bool()>& go_on) {
   const HalfEdgeMesh& mesh = chart.mesh;
-  const Start start = chart.boundary_loops.empty() ? start_on_closed(mesh) : start_on_outline(chart);
+  const Start start = chart.boundary_loops.empty() ? start_on_closed(mesh, go_on) : start_on_outline(chart);
   const std::vector<VertexHandle> vertices = breadth_first(mesh, start);
   std::vector<int> rank(mesh.n_vertices());
   for (std::size_t i = 0; i < vertices.size(); ++i) rank[vertices[i].idx()] = static_cast<int>(i);

@@ -29,7 +29,7 @@ constexpr std::size_t kMostCuts = 20;
 constexpr int kPlaces = 2;
 constexpr std::size_t kMostTrials = 3;
 
-/// Less than this part of the energy, or of the strain, is not worth a cut and the sewing of it.
+/// A cut that takes less than this part of the energy, or of the strain, is not worth the sewing.
 constexpr double kLeastGainOfSet = 0.02;
 
 FlattenError no_set(const Chart& chart, const std::string& reason) {
@@ -61,6 +61,12 @@ void bar(const VertexPairs& pairs, const std::map<VertexPair, EdgeHandle>& edge_
   }
 }
 
+/// Of a set with a cut more: a small part may hold all the strain and hardly any of the energy.
+bool is_worth_it(const DartProposal& more, const DartProposal& set) {
+  if (more.energy > set.energy) return false;
+  return more.energy <= (1 - kLeastGainOfSet) * set.energy || more.strain <= (1 - kLeastGainOfSet) * set.strain;
+}
+
 }  // namespace
 
 bool lacks_seams(const Chart& chart, const FlattenError& error) {
@@ -82,8 +88,8 @@ FirstCuts::FirstCuts(const FlattenInput& flattened, const Chart& chart, const Cu
                      const std::function<bool()>& go_on)
     : flattened_(flattened),
       input_chart_(chart),
-      chart_(in_canonical_order(chart)),
-      image_(mirror_image(chart_)),
+      chart_(in_canonical_order(chart, go_on)),
+      image_(mirror_image(chart_, go_on)),
       mirrored_(chart_, image_),
       wishes_(wishes),
       aim_(wishes.strain.value_or(kAim)),
@@ -207,16 +213,18 @@ std::optional<FirstCuts::CutSet> FirstCuts::cut_once_more(const CutSet& set) con
     for (std::size_t e = 0; e < cut.size(); ++e) cut[e] = cut[e] != 0 || set.cut[e] != 0;
     if (length_of_cut(chart_.mesh, cut) > wishes_.longest) continue;
     CutSet more = flatten(cut);
-    if (more.lies_flat && more.proposal.energy <= (1 - kLeastGainOfSet) * set.proposal.energy) return more;
+    if (more.lies_flat && is_worth_it(more.proposal, set.proposal)) return more;
   }
   return std::nullopt;
 }
 
-/// The last ones, but for those that are hardly better than one with fewer cuts.
+/// The last ones, but for those that are hardly better than one with fewer cuts. What meets the aim is better.
 std::vector<DartProposal> FirstCuts::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {
-    if (best.empty() || set.proposal.strain <= (1 - kLeastGainOfSet) * best.back().strain) best.push_back(set.proposal);
+    const double strain = set.proposal.strain;
+    const bool meets_aim = !best.empty() && strain <= aim_ && best.back().strain > aim_;
+    if (best.empty() || meets_aim || strain <= (1 - kLeastGainOfSet) * best.back().strain) best.push_back(set.proposal);
   }
   std::reverse(best.begin(), best.end());
   best.resize(std::min(best.size(), static_cast<std::size_t>(wishes_.count)));

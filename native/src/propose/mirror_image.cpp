@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "mesh/geometry.h"
+#include "stop_token.h"
 
 namespace wirewarp {
 namespace {
@@ -61,7 +62,7 @@ class MirrorSearch {
 
   /// By the plane along which edges run longest. No plane has all corners of a face and the middle in it but that of a
   /// flat piece, so one of them moves.
-  std::vector<VertexHandle> best_image() const {
+  std::vector<VertexHandle> best_image(const std::function<bool()>& go_on) const {
     std::vector<VertexHandle> best;
     double longest = -1;
     int planes_left = kMostPlanes;
@@ -71,6 +72,7 @@ class MirrorSearch {
         const Eigen::RowVector3d apart = points_.row(v) - from;
         const bool is_as_far = std::abs(points_.row(v).norm() - from.norm()) < tolerance_;
         if (!is_as_far || apart.norm() < tolerance_) continue;
+        if (!go_on()) throw Stopped();
         std::vector<VertexHandle> image = across(apart.normalized());
         if (image.empty()) continue;
         --planes_left;
@@ -101,9 +103,8 @@ class MirrorSearch {
     return length;
   }
 
-  /// Empty where the plane across a direction does not mirror the surface, or where it lies in the plane.
+  /// Empty where the plane across a direction does not mirror the surface.
   std::vector<VertexHandle> across(const Eigen::RowVector3d& normal) const {
-    if ((points_ * normal.transpose()).cwiseAbs().maxCoeff() < tolerance_) return {};
     std::vector<VertexHandle> image;
     for (Eigen::Index v = 0; v < points_.rows(); ++v) {
       const Eigen::RowVector3d opposite = points_.row(v) - 2 * points_.row(v).dot(normal) * normal;
@@ -122,7 +123,9 @@ class MirrorSearch {
 
 }  // namespace
 
-std::vector<VertexHandle> mirror_image(const Chart& chart) { return MirrorSearch(chart).best_image(); }
+std::vector<VertexHandle> mirror_image(const Chart& chart, const std::function<bool()>& go_on) {
+  return MirrorSearch(chart).best_image(go_on);
+}
 
 HalfEdgeChain mirrored(const Chart& chart, const std::vector<VertexHandle>& image, const HalfEdgeChain& chain) {
   HalfEdgeChain result;

@@ -155,8 +155,8 @@ bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const 
 PieceSearch::PieceSearch(const Chart& chart, CutKind kind, Effort effort, const CutWishes& wishes, FullTrials& trials,
                          const std::function<bool()>& go_on)
     : input_chart_(chart),
-      chart_(in_canonical_order(chart)),
-      image_(mirror_image(chart_)),
+      chart_(in_canonical_order(chart, go_on)),
+      image_(mirror_image(chart_, go_on)),
       barred_(find_barred(chart_, chart, wishes.no_seam)),
       kind_(kind),
       effort_(effort),

@@ -86,7 +86,7 @@ RefineResult without_flips_and_overlaps(RefineResult result, const StartProblem&
 RefineResult refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
   const HeldNetwork network = build_held_network(chart);
   RefineBudget budget(options.max_factorizations);
-  const Aim aim = options.cloth ? Aim::near_minimum : options.aim;
+  const Aim aim = options.cloth ? Aim::rough : options.aim;
   const StartProblem problem{{chart, network, options.fairness, nullptr, aim}, budget, stop, options.large_chart};
   RefineResult result;
   if (const std::vector<Slit> slits = find_slits(chart); !slits.empty()) result = refine_with_slits(problem, slits);

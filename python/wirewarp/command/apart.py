@@ -15,6 +15,7 @@ import time
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
+from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from typing import Generic, TypeVar
 
@@ -58,6 +59,8 @@ def each_apart(
     Whoever stops asking for results, or is killed, ends all of them.
     """
     CONTEXT.set_forkserver_preload(modules)
+    if sys.platform != "win32":
+        resource_tracker.ensure_running()  # as it starts it lets Ctrl+C through, whatever was held back before
     waiting = enumerate(items)
     running: list[_Run[Result]] = []
     looked = time.monotonic()

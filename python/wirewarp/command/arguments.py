@@ -147,8 +147,8 @@ def _cut_options() -> argparse.ArgumentParser:
         "--strain",
         type=_share,
         metavar="5%",
-        help="what may stay: pieces with less in 99%% of their area are left alone (0.5%%; 5%% of what first cuts "
-        "leave, and with --together)",
+        help="what may stay: pieces with less in 99%% of their area are left alone (0.5%%; for first cuts "
+        "and with --together 5%%)",
     )
     options.add_argument(
         "--together", type=_count, metavar="N", help="N cuts at most that are taken together, until --strain is met"
