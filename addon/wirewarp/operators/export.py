@@ -100,7 +100,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         return super().invoke(context, event)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        ending = Path(self.filepath).suffix[1:].upper()
+        ending = Path(bpy.path.abspath(self.filepath)).suffix[1:].upper()  # Windows takes what follows // for a server
         if not self.properties.is_property_set("format") and ending in {key for key, _, _ in FORMATS}:
             self.format = ending
         if self._has_dialog:
