@@ -28,8 +28,15 @@ QEMU_APT = ("qemu-user",)
 PYTHON_APT = (f"python{DEBIAN_VERSION}-minimal", f"libpython{DEBIAN_VERSION}-stdlib", "libstdc++6")
 FOLDER = BUILD / "arm"
 PLATFORMS = ("manylinux_2_28_aarch64", "manylinux2014_aarch64")  # pip's words; a package has a wheel for one of them
-# QEMU is slow, and what a test starts would be this machine's program: the tests that Windows' short step runs.
-TESTS = ("test_readme", "test_errors", "test_results", "test_samples", "test_pattern_files")
+# QEMU is slow, and what a test starts would be this machine's program: lengths, errors and files of patterns.
+TESTS = (
+    "test_readme",
+    "test_errors",
+    "test_results",
+    "test_wire_and_options",
+    "test_elastic_wires",
+    "test_pattern_files",
+)
 
 
 def arm_tests() -> None:
