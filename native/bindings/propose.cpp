@@ -46,7 +46,7 @@ Arguments, figures and errors are those of propose_darts().
 First cuts: where the piece has no flat shape for want of seams (it is closed, such as a ball, has handles, or an outline
 that cannot hold it, such as a tube), each proposal is a set of seams and darts under which all parts lie flat. Of all pieces
 the largest such one comes first. The first set has as many cuts as bring every part to the strain that may stay (None
-for 0.05), as far as further ones help, twenty and their mirror images at most; each set after it has fewer. Sets are
+for 0.05), as far as further ones help, forty and their mirror images at most; each set after it has fewer. Sets are
 symmetric where the piece is, and may cross wires. Of a set, edges is one line after the other, energy that of all
 parts, strain that of the part with most, longest is of the whole set; energy_before and strain_before are infinite.
 "no_proposal" is raised where no_seam or longest leaves none.)";

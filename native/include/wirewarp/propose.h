@@ -50,7 +50,7 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// First cuts, where the piece asked for has no flat shape for want of seams (closed, with handles, or with an outline
 /// that cannot hold it), of all pieces the largest such one: each proposal is a set of seams and darts under which all
 /// parts lie flat. The first one has as many cuts as bring every part to the strain that may stay, as far as further
-/// ones of the part strained most help, twenty and their mirror images at most; each after it is the same without some
+/// ones of the part strained most help, forty and their mirror images at most; each after it is the same without some
 /// of the last. Sets are symmetric where the piece is. They may cross wires, and run neither along edges of no_seam nor
 /// along the mirror images of these.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},

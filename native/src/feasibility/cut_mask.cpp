@@ -5,6 +5,12 @@
 
 namespace wirewarp {
 
+CutMask cut_along(const HalfEdgeMesh& mesh, const HalfEdgeChain& half_edges) {
+  CutMask cut(mesh.n_edges(), 0);
+  for (const HalfedgeHandle h : half_edges) cut[mesh.edge_handle(h).idx()] = 1;
+  return cut;
+}
+
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut) {
   double length = 0;
   for (const EdgeHandle e : mesh.edges()) {

@@ -8,16 +8,9 @@
 #include "mesh/geometry.h"
 
 namespace wirewarp {
-namespace {
 
-/// Asked for; about half as many come out. With half of these the order of the best cuts is no longer that of the piece
-/// itself: on a hat the best dart of all was the eleventh.
-constexpr double kFaces = 800;
-
-}  // namespace
-
-CoarseCopy coarse_copy(const Chart& chart, const StopToken& stop) {
-  const double wanted = std::sqrt(4 / std::sqrt(3.0) * surface_area(chart.mesh) / kFaces);
+CoarseCopy coarse_copy(const Chart& chart, double faces, const StopToken& stop) {
+  const double wanted = std::sqrt(4 / std::sqrt(3.0) * surface_area(chart.mesh) / faces);
   if (wanted < typical_edge_length(chart.mesh) || !can_coarsen(chart)) {
     return {chart, std::vector<VertexHandle>(chart.mesh.vertices_begin(), chart.mesh.vertices_end())};
   }

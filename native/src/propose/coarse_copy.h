@@ -14,7 +14,7 @@ struct CoarseCopy {
   std::vector<VertexHandle> fine_vertex;  // of each vertex
 };
 
-/// The chart itself where it has few faces. Throws Stopped.
-CoarseCopy coarse_copy(const Chart& chart, const StopToken& stop);
+/// About half as many faces as are asked for; the chart itself where it has few. Throws Stopped.
+CoarseCopy coarse_copy(const Chart& chart, double faces, const StopToken& stop);
 
 }  // namespace wirewarp

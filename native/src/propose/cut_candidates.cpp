@@ -14,8 +14,6 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kInnerPoints = 24;       // about a fifth of the piece's width apart
-constexpr int kOutlinePoints = 14;     // a short piece's width apart; half of them at corners, where there are so many
 constexpr double kWindow = 1.0 / 24;   // of the outline to each side: where a way is the shortest of its neighborhood
 constexpr double kCorner = kPi / 6;    // turn of the outline, radians
 constexpr double kClearly = 1 + 1e-9;  // sharper: the same however the mesh is turned
@@ -82,7 +80,7 @@ std::vector<VertexHandle> spread(const Chart& chart, std::vector<VertexHandle> s
 
 /// Points spread along the outline: corners first, then any.
 std::vector<VertexHandle> spread_on_outline(const Chart& chart, const std::vector<OutlineLoop>& loops,
-                                            const SmoothPathFinder& paths) {
+                                            const SmoothPathFinder& paths, int count) {
   std::vector<char> is_corner(chart.mesh.n_vertices(), 0), is_on_outline = is_corner;
   VertexHandle sharpest;
   double sharpest_turn = -1;
@@ -98,20 +96,19 @@ std::vector<VertexHandle> spread_on_outline(const Chart& chart, const std::vecto
   }
   if (!sharpest.is_valid()) return {};
   std::vector<VertexHandle> points{sharpest};
-  for (const auto& [may_take, count] :
-       {std::pair(is_corner, kOutlinePoints / 2), std::pair(is_on_outline, kOutlinePoints)}) {
-    const std::vector<VertexHandle> more = spread(chart, points, may_take, count - static_cast<int>(points.size()));
+  for (const auto& [may_take, most] : {std::pair(is_corner, count / 2), std::pair(is_on_outline, count)}) {
+    const std::vector<VertexHandle> more = spread(chart, points, may_take, most - static_cast<int>(points.size()));
     points.insert(points.end(), more.begin(), more.end());
   }
   return points;
 }
 
-std::vector<VertexHandle> spread_inside(const Chart& chart, const SmoothPathFinder& paths) {
+std::vector<VertexHandle> spread_inside(const Chart& chart, const SmoothPathFinder& paths, int count) {
   std::vector<char> may_take(chart.mesh.n_vertices(), 0);
   for (const VertexHandle v : chart.mesh.vertices()) {
     may_take[v.idx()] = chart.mesh.is_boundary(v) || paths.is_barred(v) ? 0 : 1;
   }
-  return spread(chart, boundary_vertices(chart.mesh), may_take, kInnerPoints);
+  return spread(chart, boundary_vertices(chart.mesh), may_take, count);
 }
 
 /// A seam has two ends on the outline, alike in all: the one with the lower number first.
@@ -122,12 +119,13 @@ CutEnds in_one_order(const Chart& chart, CutEnds cut) {
 
 }  // namespace
 
-std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind) {
+std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind,
+                                     CandidatePoints count) {
   std::vector<OutlineLoop> loops;
   for (const HalfEdgeChain& loop : chart.boundary_loops) loops.push_back(measure_loop(chart, loop));
-  const std::vector<VertexHandle> on_outline = spread_on_outline(chart, loops, paths);
+  const std::vector<VertexHandle> on_outline = spread_on_outline(chart, loops, paths, count.on_outline);
   std::set<CutEnds> cuts;
-  for (const VertexHandle end : kind == CutKind::seam ? on_outline : spread_inside(chart, paths)) {
+  for (const VertexHandle end : kind == CutKind::seam ? on_outline : spread_inside(chart, paths, count.inside)) {
     const SmoothPaths from_end = paths.paths_from(end);
     std::vector<VertexHandle> starts;
     for (const VertexHandle start : on_outline) {

@@ -22,9 +22,16 @@ struct CutEnds {
   bool operator<(const CutEnds& other) const { return start == other.start ? end < other.end : start < other.start; }
 };
 
+/// Of points that cuts begin and end at.
+struct CandidatePoints {
+  int inside;
+  int on_outline;  // half of them at corners, where there are so many
+};
+
 /// Darts: from points spread over the inside to points spread along the outline, and to where ways to it are the
 /// shortest of their neighborhood. Seams likewise, from points spread along the outline.
-std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind);
+std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind,
+                                     CandidatePoints count);
 
 /// Cuts with one end moved to a neighboring vertex.
 std::vector<CutEnds> neighbors_of(const Chart& chart, const SmoothPathFinder& paths, CutEnds cut);

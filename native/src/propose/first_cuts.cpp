@@ -2,15 +2,20 @@
 #include "propose/first_cuts.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "charts/cut_into_charts.h"
 #include "errors/sentence.h"
+#include "feasibility/halve.h"
 #include "feasibility/propose_seams.h"
+#include "in_threads.h"
 #include "propose/canonical_order.h"
 #include "propose/cut_chains.h"
+#include "propose/cut_trial.h"
 #include "propose/mirror_image.h"
 #include "propose/piece_search.h"
 #include "refine/lies_flat.h"
@@ -22,15 +27,20 @@ namespace {
 /// What woven cloth takes at most: where nothing else is asked for, pieces with no more are not cut again.
 constexpr double kAim = 0.05;
 
-/// Cuts and their mirror images after those that open the piece: two for each of ten parts, as a plush animal has.
-constexpr std::size_t kMostCuts = 20;
+/// Cuts and their mirror images after those that open the piece: two for each of twenty parts, as a plush animal has.
+constexpr std::size_t kMostCuts = 40;
 
 /// Of the best cuts, for each kind: what is better beside the others is found out in full.
 constexpr int kPlaces = 2;
-constexpr std::size_t kMostTrials = 3;
+constexpr std::size_t kMostTrials = 5;
 
-/// A cut that takes less than this part of the energy, or of the strain, is not worth the sewing.
-constexpr double kLeastGainOfSet = 0.02;
+/// A cut that takes less than this share of the energy of its part is not worth the sewing, nor a set whose strain is
+/// less by no more.
+constexpr double kWorthSewing = 0.02;
+
+/// Cuts that take this share come before those that take more for their length: many small darts are slow to sew, and
+/// slow to find.
+constexpr double kLargeGain = 0.25;
 
 FlattenError no_set(const Chart& chart, const std::string& reason) {
   return FlattenError(ErrorCode::no_proposal, introduce_piece(chart.source_face) + " " + reason,
@@ -59,12 +69,6 @@ void bar(const VertexPairs& pairs, const std::map<VertexPair, EdgeHandle>& edge_
     const auto found = edge_between.find(sorted_ends({ends[0], ends[1]}));
     if (found != edge_between.end()) barred[found->second.idx()] = 1;
   }
-}
-
-/// Of a set with a cut more: a small part may hold all the strain and hardly any of the energy.
-bool is_worth_it(const DartProposal& more, const DartProposal& set) {
-  if (more.energy > set.energy) return false;
-  return more.energy <= (1 - kLeastGainOfSet) * set.energy || more.strain <= (1 - kLeastGainOfSet) * set.strain;
 }
 
 }  // namespace
@@ -158,6 +162,20 @@ FirstCuts::CutSet FirstCuts::flatten(const CutMask& cut) const {
   return set;
 }
 
+/// Of an edge inside one of its parts.
+EdgeHandle FirstCuts::edge_of_chart(const Chart& part, HalfedgeHandle h) const {
+  return edge_between_.at(sorted_ends(source_edge(part, h)));
+}
+
+/// What of a cut lies inside a part, on the edges of the part.
+CutMask FirstCuts::inside(const Chart& part, const CutMask& cut) const {
+  CutMask own(part.mesh.n_edges(), 0);
+  for (const EdgeHandle e : part.mesh.edges()) {
+    if (!part.mesh.is_boundary(e)) own[e.idx()] = cut[edge_of_chart(part, part.mesh.halfedge_handle(e, 0)).idx()];
+  }
+  return own;
+}
+
 /// The edges and their mirror image.
 CutMask FirstCuts::symmetric(const std::vector<VertexPair>& edges) const {
   CutMask cut(chart_.mesh.n_edges(), 0);
@@ -176,8 +194,8 @@ VertexPairs FirstCuts::barred_edges() const {
   return pairs;
 }
 
-/// Darts and seams of one of its pieces, those with the greatest gain for their length first.
-std::vector<DartProposal> FirstCuts::candidates(const CutSet& set, std::size_t piece) const {
+/// Darts and seams of one of its pieces.
+void FirstCuts::add_lines(const CutSet& set, std::size_t piece, std::vector<Candidate>& found) const {
   CutWishes wishes;
   wishes.count = kPlaces;
   wishes.strain = aim_;
@@ -185,50 +203,116 @@ std::vector<DartProposal> FirstCuts::candidates(const CutSet& set, std::size_t p
   wishes.no_seam = barred_edges();
   PieceFigures before = set.figures[piece];
   before.strain = std::numeric_limits<double>::infinity();  // it may rise on the way, while the energy falls
-  std::vector<DartProposal> found;
   for (const CutKind kind : {CutKind::seam, CutKind::dart}) {
     try {
       PieceSearch search(set.pieces[piece], kind, Effort::quick, wishes, trials_, go_on_);
-      for (DartProposal& cut : search.search(before)) found.push_back(std::move(cut));
+      for (const DartProposal& cut : search.search(before)) {
+        const double gain = 1 - cut.energy / cut.energy_before;
+        found.push_back({symmetric(cut.edges), gain, gain / cut.length});
+      }
     } catch (const FlattenError& error) {
       if (error.code != ErrorCode::no_proposal) throw;
     }
   }
-  const auto gain = [](const DartProposal& cut) { return (cut.energy_before - cut.energy) / cut.length; };
-  std::stable_sort(found.begin(), found.end(),
-                   [&](const DartProposal& a, const DartProposal& b) { return gain(a) > gain(b); });
-  return found;
+}
+
+/// Cuts through one of its pieces: they help where no single line does.
+void FirstCuts::add_halves(const CutSet& set, std::size_t piece, std::vector<Candidate>& found) const {
+  const Chart& part = set.pieces[piece];
+  const auto energy_with = [&](const CutMask& cut) {
+    return energy_when_cut(part, cut, trials_.options(), StopToken([&](const char*) { return go_on_(); }));
+  };
+  const double uncut = energy_with(CutMask(part.mesh.n_edges(), 0));
+  const std::vector<CutMask> halves = halves_of(part);
+  std::vector<Candidate> tried(halves.size());
+  run_in_threads(
+      halves.size(), num_cores(),
+      [&](std::size_t i) {
+        const CutMask own = inside(part, halves[i]);
+        const double gain = 1 - energy_with(own) / uncut;
+        tried[i] = {halves[i], gain, gain / length_of_cut(part.mesh, own)};
+      },
+      [&] { go_on_(); });
+  std::copy_if(tried.begin(), tried.end(), std::back_inserter(found),
+               [](const Candidate& candidate) { return candidate.gain >= kWorthSewing; });
+}
+
+/// Of a part; where the chart has a mirror image, each half in the two ways that are symmetric.
+std::vector<CutMask> FirstCuts::halves_of(const Chart& part) const {
+  const Chart ordered = in_canonical_order(part, go_on_);
+  const auto in_chart = [&](EdgeHandle e) {
+    const HalfedgeHandle h = ordered.mesh.halfedge_handle(e, 0);
+    const auto [from, to] = source_edge(ordered, h);
+    return edge_of_chart(part, part.mesh.find_halfedge(VertexHandle(from), VertexHandle(to)));
+  };
+  CutMask barred(ordered.mesh.n_edges(), 0);
+  for (const EdgeHandle e : ordered.mesh.edges()) {
+    if (!ordered.mesh.is_boundary(e)) barred[e.idx()] = barred_[in_chart(e).idx()];
+  }
+  std::vector<CutMask> cuts;
+  for (const CutMask& half : halving_cuts(ordered.mesh, barred)) {
+    CutMask drawn(chart_.mesh.n_edges(), 0);
+    for (const EdgeHandle e : ordered.mesh.edges()) {
+      if (half[e.idx()] != 0) drawn[in_chart(e).idx()] = 1;
+    }
+    for (const CutMask& cut : mirrored_.both_ways(drawn)) {
+      CutMask symmetric = mirrored_.with_image(cut);
+      const bool is_known = std::find(cuts.begin(), cuts.end(), symmetric) != cuts.end();
+      if (!is_known && length_of_cut(part.mesh, inside(part, symmetric)) > 0) cuts.push_back(std::move(symmetric));
+    }
+  }
+  return cuts;
 }
 
 std::optional<FirstCuts::CutSet> FirstCuts::cut_once_more(const CutSet& set) const {
   const auto has_less = [](const PieceFigures& a, const PieceFigures& b) { return a.strain < b.strain; };
-  const auto worst = std::max_element(set.figures.begin(), set.figures.end(), has_less) - set.figures.begin();
+  const auto worst = static_cast<std::size_t>(std::max_element(set.figures.begin(), set.figures.end(), has_less) -
+                                              set.figures.begin());
   trials_.take(set.proposal.edges);
+  std::vector<Candidate> candidates;
+  add_lines(set, worst, candidates);
+  add_halves(set, worst, candidates);
+  const auto is_better = [](const Candidate& a, const Candidate& b) {
+    const bool a_is_large = a.gain >= kLargeGain, b_is_large = b.gain >= kLargeGain;
+    return a_is_large != b_is_large ? a_is_large : a.gain_for_length > b.gain_for_length;
+  };
+  std::stable_sort(candidates.begin(), candidates.end(), is_better);
   std::vector<CutMask> tried;
-  for (const DartProposal& candidate : candidates(set, static_cast<std::size_t>(worst))) {
-    CutMask cut = symmetric(candidate.edges);
-    const bool is_known = std::find(tried.begin(), tried.end(), cut) != tried.end();
+  for (const Candidate& candidate : candidates) {
+    const bool is_known = std::find(tried.begin(), tried.end(), candidate.cut) != tried.end();
     if (is_known || tried.size() == kMostTrials) continue;
-    tried.push_back(cut);
-    for (std::size_t e = 0; e < cut.size(); ++e) cut[e] = cut[e] != 0 || set.cut[e] != 0;
+    tried.push_back(candidate.cut);
+    CutMask cut = set.cut;
+    for (std::size_t e = 0; e < cut.size(); ++e) cut[e] = cut[e] != 0 || candidate.cut[e] != 0;
     if (length_of_cut(chart_.mesh, cut) > wishes_.longest) continue;
     CutSet more = flatten(cut);
-    if (more.lies_flat && is_worth_it(more.proposal, set.proposal)) return more;
+    // The strain may rise on the way, where halves have more outline to hold than the whole.
+    if (more.lies_flat && more.proposal.energy < set.proposal.energy) return more;
   }
   return std::nullopt;
 }
 
-/// The last ones, but for those that are hardly better than one with fewer cuts. What meets the aim is better.
+/// But for those that are hardly better than one with fewer cuts. What meets the aim is better. That with most cuts
+/// first; of too many, those whose strains are about evenly apart, as ratios.
 std::vector<DartProposal> FirstCuts::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {
     const double strain = set.proposal.strain;
     const bool meets_aim = !best.empty() && strain <= aim_ && best.back().strain > aim_;
-    if (best.empty() || meets_aim || strain <= (1 - kLeastGainOfSet) * best.back().strain) best.push_back(set.proposal);
+    if (best.empty() || meets_aim || strain <= (1 - kWorthSewing) * best.back().strain) best.push_back(set.proposal);
   }
   std::reverse(best.begin(), best.end());
-  best.resize(std::min(best.size(), static_cast<std::size_t>(wishes_.count)));
-  return best;
+  const auto count = static_cast<std::size_t>(wishes_.count);
+  if (best.size() <= count) return best;
+  std::vector<DartProposal> chosen{best.front()};
+  const double ratio = best.back().strain / best.front().strain;
+  for (std::size_t i = 1; i < best.size() && chosen.size() < count; ++i) {
+    const double step = static_cast<double>(chosen.size()) / static_cast<double>(count - 1);
+    const bool is_far_enough = best[i].strain >= best.front().strain * std::pow(ratio, step) * (1 - kWorthSewing);
+    const bool are_all_needed = best.size() - i <= count - chosen.size();
+    if (is_far_enough || are_all_needed) chosen.push_back(best[i]);
+  }
+  return chosen;
 }
 
 std::vector<DartProposal> FirstCuts::search() {

@@ -39,11 +39,22 @@ class FirstCuts {
     bool lies_flat = false;
   };
 
+  /// A further cut.
+  struct Candidate {
+    CutMask cut;      // symmetric
+    double gain = 0;  // share of the energy of the piece that it takes
+    double gain_for_length = 0;
+  };
+
   CutMask opening() const;
   CutSet flatten(const CutMask& cut) const;
   std::optional<CutSet> cut_once_more(const CutSet& set) const;
   std::vector<DartProposal> best_of(const std::vector<CutSet>& sets) const;
-  std::vector<DartProposal> candidates(const CutSet& set, std::size_t piece) const;
+  void add_lines(const CutSet& set, std::size_t piece, std::vector<Candidate>& found) const;
+  void add_halves(const CutSet& set, std::size_t piece, std::vector<Candidate>& found) const;
+  std::vector<CutMask> halves_of(const Chart& part) const;
+  EdgeHandle edge_of_chart(const Chart& part, HalfedgeHandle h) const;
+  CutMask inside(const Chart& part, const CutMask& cut) const;
   CutMask symmetric(const std::vector<VertexPair>& edges) const;
   VertexPairs barred_edges() const;
   std::vector<VertexPair> edges_of(const CutMask& cut) const;

@@ -46,7 +46,7 @@ void CutSearch::try_all(const std::vector<CutEnds>& cuts) {
         stop.check();
         const HalfEdgeChain chain = chain_of(paths_, fresh[i]);
         if (!chain.empty() && length_of(chart_.mesh, chain) <= longest_)
-          energies[i] = energy_when_cut(chart_, chain, options_, stop);
+          energies[i] = energy_when_cut(chart_, cut_along(chart_.mesh, chain), options_, stop);
       },
       [&] { go_on_(); });
   for (std::size_t i = 0; i < fresh.size(); ++i) energies_[fresh[i]] = energies[i];
@@ -88,7 +88,7 @@ std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& pat
                                  const std::vector<CutEnds>& candidates, const InternalOptions& options,
                                  const CutLimits& limits, const std::function<bool()>& go_on) {
   CutSearch search(chart, paths, options, limits.longest, go_on);
-  const double uncut = energy_when_cut(chart, {}, options, StopToken([&](const char*) { return go_on(); }));
+  const double uncut = energy_when_cut(chart, cut_along(chart.mesh, {}), options, StopToken([&](const char*) { return go_on(); }));
   search.try_all(candidates);
   std::vector<RankedCut> best;
   const auto is_beside_best = [&](const RankedCut& cut) {
