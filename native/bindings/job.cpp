@@ -112,8 +112,8 @@ std::unique_ptr<Job> start(const py::object& vertices, const py::object& faces, 
 constexpr const char* kJobDoc =
     R"(A run of the core in a thread of its own, which goes on while Python does something else.
 
-start(), start_darts() and start_seams() make one. When nobody holds it any more it is cancelled, and waited for; so it
-is when Python ends.)";
+start(), start_darts(), start_seams() and start_plan() make one. When nobody holds it any more it is cancelled, and waited
+for; so it is when Python ends.)";
 
 constexpr const char* kStartDoc =
     R"(Starts flatten() with these arguments and returns a Job at once.

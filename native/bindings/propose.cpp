@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.propose_darts and wirewarp.propose_seams: where to cut. And as jobs wirewarp.start_darts and start_seams.
+// wirewarp.propose_darts, propose_seams and plan_cuts: where to cut. And as jobs start_darts, start_seams, start_plan.
 #include "wirewarp/propose.h"
 
 #include <memory>
@@ -20,6 +20,7 @@ namespace wirewarp::bindings {
 namespace {
 
 using Propose = std::vector<DartProposal> (*)(const FlattenInput&, const Options&, const CutWishes&, const Progress&);
+using Plan = std::vector<DartProposal> (*)(const FlattenInput&, const Options&, const CutAim&, const Progress&);
 
 constexpr const char* kDartsDoc =
     R"(Darts that lower the distortion of a piece that lies flat, those that take most from the model first.
@@ -57,28 +58,58 @@ constexpr const char* kStartDartsDoc =
 constexpr const char* kStartSeamsDoc =
     R"(Starts propose_seams() with these arguments and returns a Job at once, as start() does.)";
 
+constexpr const char* kPlanDoc =
+    R"(Cuts one after the other, each the one that leaves least strain beside those before it, until that is enough.
+
+kind: "dart" or "seam", as propose_darts() and propose_seams() propose them.
+strain: the aim, 0.05 for 5%: pieces strained by no more (DartProposal.strain) are left as they are.
+most: cuts at most, 1 or more; a set of first cuts (see propose_seams()) counts as one.
+longest: no cut is longer on the surface, scene units; None for any length.
+total_length: of all cuts together at most, on the surface, scene units; None for any length.
+piece: the piece to cut, as flatten() numbers them, and then its parts; None for any.
+twins: mirror images are taken together where that is better and allowed: they count as two cuts, one after the other.
+no_seam: (k, 2) vertex pairs, edges along which no cut is to run.
+The other arguments are those of flatten(); progress is as propose_darts() calls it.
+
+The figures of each, and the number of its piece, are those beside the cuts before it; strain_left is what the part with
+most strain has with all of them. Fewer cuts than are allowed mean that the aim is met, or that no further one helps.
+Raises what propose_darts() raises for the first cut: FlattenError "no_proposal" where the aim is met without any.)";
+
+constexpr const char* kStartPlanDoc =
+    R"(Starts plan_cuts() with these arguments and returns a Job at once, as start() does.)";
+
 CutWishes read_wishes(std::optional<int> piece, int count, std::optional<double> strain, std::optional<double> longest,
                       const py::object& no_seam) {
   return {piece, count, strain, longest.value_or(CutWishes().longest), read_no_seam(no_seam)};
 }
 
-template <Propose propose>
-std::vector<DartProposal> run(const py::object& vertices, const py::object& faces, const py::object& seams,
-                              const py::object& wires, const py::object& options, const py::object& eases,
-                              std::optional<int> piece, int count, std::optional<double> strain,
-                              std::optional<double> longest, const py::object& no_seam, const py::object& progress) {
-  const FlattenInput input = read_input(vertices, faces, seams, wires, eases);
-  const Options checked_options = read_options(options);
-  const CutWishes wishes = read_wishes(piece, count, strain, longest, no_seam);
+CutAim read_aim(double strain, int most, std::optional<double> longest, std::optional<double> total_length,
+                std::optional<int> piece, bool twins, const py::object& no_seam) {
+  return {strain,
+          most,
+          longest.value_or(CutAim().longest),
+          total_length.value_or(CutAim().total_length),
+          piece,
+          twins,
+          read_no_seam(no_seam)};
+}
+
+Plan plan_of(const std::string& kind) {
+  if (kind == "dart") return plan_darts;
+  if (kind == "seam") return plan_seams;
+  throw FlattenError(ErrorCode::invalid_option, "kind must be dart or seam, not " + kind + ".");
+}
+
+/// find: called with a Progress.
+template <class Find>
+std::vector<DartProposal> find_now(const Find& find, const py::object& progress) {
   PythonProgress python_progress(progress);
   const RunningCall running;
   std::vector<DartProposal> proposals;
   try {
     const py::gil_scoped_release no_gil;
-    const auto report = [&](const std::string& stage, double fraction) {
-      return python_progress.report(stage, fraction);
-    };
-    proposals = propose(input, checked_options, wishes, report);
+    proposals =
+        find([&](const std::string& stage, double fraction) { return python_progress.report(stage, fraction); });
   } catch (...) {
     python_progress.rethrow();
     throw;
@@ -87,25 +118,73 @@ std::vector<DartProposal> run(const py::object& vertices, const py::object& face
   return proposals;
 }
 
+/// What propose() and plan() do with these arguments, as a function of a Progress.
+template <class Search, class Wishes>
+auto search_of(Search search, const py::object& vertices, const py::object& faces, const py::object& seams,
+               const py::object& wires, const py::object& options, const py::object& eases, Wishes wishes) {
+  return [search, input = read_input(vertices, faces, seams, wires, eases), checked_options = read_options(options),
+          wishes = std::move(wishes)](const Progress& progress) {
+    return search(input, checked_options, wishes, progress);
+  };
+}
+
+template <Propose propose>
+std::vector<DartProposal> run(const py::object& vertices, const py::object& faces, const py::object& seams,
+                              const py::object& wires, const py::object& options, const py::object& eases,
+                              std::optional<int> piece, int count, std::optional<double> strain,
+                              std::optional<double> longest, const py::object& no_seam, const py::object& progress) {
+  const CutWishes wishes = read_wishes(piece, count, strain, longest, no_seam);
+  return find_now(search_of(propose, vertices, faces, seams, wires, options, eases, wishes), progress);
+}
+
 template <Propose propose>
 std::unique_ptr<Job> start(const py::object& vertices, const py::object& faces, const py::object& seams,
                            const py::object& wires, const py::object& options, const py::object& eases,
                            std::optional<int> piece, int count, std::optional<double> strain,
                            std::optional<double> longest, const py::object& no_seam) {
-  auto find = [input = read_input(vertices, faces, seams, wires, eases), checked_options = read_options(options),
-               wishes = read_wishes(piece, count, strain, longest, no_seam)](const Progress& progress) {
-    return propose(input, checked_options, wishes, progress);
-  };
-  return std::make_unique<Job>(work_that(std::move(find)));
+  const CutWishes wishes = read_wishes(piece, count, strain, longest, no_seam);
+  return std::make_unique<Job>(work_that(search_of(propose, vertices, faces, seams, wires, options, eases, wishes)));
+}
+
+std::vector<DartProposal> run_plan(const py::object& vertices, const py::object& faces, const py::object& seams,
+                                   const py::object& wires, const py::object& options, const py::object& eases,
+                                   const std::string& kind, double strain, int most, std::optional<double> longest,
+                                   std::optional<double> total_length, std::optional<int> piece, bool twins,
+                                   const py::object& no_seam, const py::object& progress) {
+  const CutAim aim = read_aim(strain, most, longest, total_length, piece, twins, no_seam);
+  return find_now(search_of(plan_of(kind), vertices, faces, seams, wires, options, eases, aim), progress);
+}
+
+std::unique_ptr<Job> start_plan(const py::object& vertices, const py::object& faces, const py::object& seams,
+                                const py::object& wires, const py::object& options, const py::object& eases,
+                                const std::string& kind, double strain, int most, std::optional<double> longest,
+                                std::optional<double> total_length, std::optional<int> piece, bool twins,
+                                const py::object& no_seam) {
+  const CutAim aim = read_aim(strain, most, longest, total_length, piece, twins, no_seam);
+  return std::make_unique<Job>(work_that(search_of(plan_of(kind), vertices, faces, seams, wires, options, eases, aim)));
+}
+
+/// own: of arguments that follow those of the mesh.
+template <class Function, class... Own>
+void define(py::module_& module, const char* name, Function function, const char* doc, const Own&... own) {
+  module.def(name, function, py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("seams") = py::none(),
+             py::arg("wires") = py::tuple(), py::arg("options") = py::none(), py::arg("eases") = py::tuple(), own...,
+             doc);
 }
 
 /// more: of arguments that follow those that both have.
-template <class Function, class... Extra>
-void define(py::module_& module, const char* name, Function function, const char* doc, const Extra&... more) {
-  module.def(name, function, py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("seams") = py::none(),
-             py::arg("wires") = py::tuple(), py::arg("options") = py::none(), py::arg("eases") = py::tuple(),
-             py::arg("piece") = py::none(), py::arg("count") = CutWishes().count, py::arg("strain") = py::none(),
-             py::arg("longest") = py::none(), py::arg("no_seam") = py::none(), more..., doc);
+template <class Function, class... More>
+void define_proposals(py::module_& module, const char* name, Function function, const char* doc, const More&... more) {
+  define(module, name, function, doc, py::arg("piece") = py::none(), py::arg("count") = CutWishes().count,
+         py::arg("strain") = py::none(), py::arg("longest") = py::none(), py::arg("no_seam") = py::none(), more...);
+}
+
+template <class Function, class... More>
+void define_plan(py::module_& module, const char* name, Function function, const char* doc, const More&... more) {
+  const CutAim aim;
+  define(module, name, function, doc, py::arg("kind") = "dart", py::arg("strain") = aim.strain,
+         py::arg("most") = aim.most, py::arg("longest") = py::none(), py::arg("total_length") = py::none(),
+         py::arg("piece") = py::none(), py::arg("twins") = aim.twins, py::arg("no_seam") = py::none(), more...);
 }
 
 }  // namespace
@@ -122,12 +201,15 @@ void bind_propose(py::module_& module) {
       .field("twin", &DartProposal::twin)
       .field("energy_with_twin", &DartProposal::energy_with_twin)
       .field("strain_with_twin", &DartProposal::strain_with_twin)
+      .field("strain_left", &DartProposal::strain_left)
       .picklable();
   const py::arg_v progress = py::arg("progress") = py::none();
-  define(module, "propose_darts", &run<propose_darts>, kDartsDoc, progress);
-  define(module, "propose_seams", &run<propose_seams>, kSeamsDoc, progress);
-  define(module, "start_darts", &start<propose_darts>, kStartDartsDoc);
-  define(module, "start_seams", &start<propose_seams>, kStartSeamsDoc);
+  define_proposals(module, "propose_darts", &run<propose_darts>, kDartsDoc, progress);
+  define_proposals(module, "propose_seams", &run<propose_seams>, kSeamsDoc, progress);
+  define_plan(module, "plan_cuts", &run_plan, kPlanDoc, progress);
+  define_proposals(module, "start_darts", &start<propose_darts>, kStartDartsDoc);
+  define_proposals(module, "start_seams", &start<propose_seams>, kStartSeamsDoc);
+  define_plan(module, "start_plan", &start_plan, kStartPlanDoc);
 }
 
 }  // namespace wirewarp::bindings

@@ -3,7 +3,6 @@
 
 from . import _binary as _binary
 from ._errors import ErrorCode, FlattenError
-from ._plan import plan_cuts
 from ._wirewarp import (
     BoundaryReport,
     Cache,
@@ -23,10 +22,12 @@ from ._wirewarp import (
     __version__,
     flatten,
     measure,
+    plan_cuts,
     propose_darts,
     propose_seams,
     start,
     start_darts,
+    start_plan,
     start_seams,
 )
 
@@ -56,5 +57,6 @@ __all__ = [
     "propose_seams",
     "start",
     "start_darts",
+    "start_plan",
     "start_seams",
 ]

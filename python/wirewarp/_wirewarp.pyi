@@ -293,6 +293,8 @@ class DartProposal:
     def energy_with_twin(self) -> float | None: ...
     @property
     def strain_with_twin(self) -> float | None: ...
+    @property
+    def strain_left(self) -> float | None: ...
     def to_dict(self) -> dict[str, Any]: ...
 
 class Cache:
@@ -370,6 +372,24 @@ def propose_seams(
     no_seam: npt.ArrayLike | None = None,
     progress: Callable[[str, float], bool | None] | None = None,
 ) -> list[DartProposal]: ...
+def plan_cuts(
+    vertices: npt.ArrayLike,
+    faces: npt.ArrayLike,
+    *,
+    seams: npt.ArrayLike | None = None,
+    wires: Iterable[Wire] = (),
+    options: Options | None = None,
+    eases: Iterable[Ease] = (),
+    kind: Literal["dart", "seam"] = "dart",
+    strain: float = 0.05,
+    most: int = 2,
+    longest: float | None = None,
+    total_length: float | None = None,
+    piece: int | None = None,
+    twins: bool = False,
+    no_seam: npt.ArrayLike | None = None,
+    progress: Callable[[str, float], bool | None] | None = None,
+) -> list[DartProposal]: ...
 def start_darts(
     vertices: npt.ArrayLike,
     faces: npt.ArrayLike,
@@ -396,5 +416,22 @@ def start_seams(
     count: int = 5,
     strain: float | None = None,
     longest: float | None = None,
+    no_seam: npt.ArrayLike | None = None,
+) -> Job[list[DartProposal]]: ...
+def start_plan(
+    vertices: npt.ArrayLike,
+    faces: npt.ArrayLike,
+    *,
+    seams: npt.ArrayLike | None = None,
+    wires: Iterable[Wire] = (),
+    options: Options | None = None,
+    eases: Iterable[Ease] = (),
+    kind: Literal["dart", "seam"] = "dart",
+    strain: float = 0.05,
+    most: int = 2,
+    longest: float | None = None,
+    total_length: float | None = None,
+    piece: int | None = None,
+    twins: bool = False,
     no_seam: npt.ArrayLike | None = None,
 ) -> Job[list[DartProposal]]: ...

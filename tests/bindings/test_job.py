@@ -86,6 +86,24 @@ def test_proposals_are_found_in_a_job(kind):
     assert caught.value.code == wirewarp.ErrorCode.cancelled
 
 
+def test_a_plan_is_found_in_a_job():
+    mesh, limits = spherical_patch(8, 8), {"kind": "dart", "strain": 0.0, "most": 2, "twins": True}
+    job = wirewarp.start_plan(*mesh, **limits)
+    found = job.result()
+    assert job.progress()[0] == "cuts" and job.progress()[1] > 0.5
+    assert [each.to_dict() for each in found] == [each.to_dict() for each in wirewarp.plan_cuts(*mesh, **limits)]
+    assert all(each.strain_left < found[0].strain_before for each in found)
+    with pytest.raises(wirewarp.FlattenError, match="kind must be dart or seam"):
+        wirewarp.start_plan(*mesh, kind="zip")  # at once
+    with pytest.raises(wirewarp.FlattenError, match="most must be at least 1"):
+        wirewarp.start_plan(*mesh, most=0).result()
+    job = wirewarp.start_plan(*spherical_patch(100, 100), most=3)
+    job.cancel()
+    with pytest.raises(wirewarp.FlattenError) as caught:
+        job.result()
+    assert caught.value.code == wirewarp.ErrorCode.cancelled
+
+
 def test_several_jobs_run_at_once():
     meshes = [half_cylinder(20, 20), spherical_patch(20, 20)] * 3
     jobs = [wirewarp.start(*mesh) for mesh in meshes]

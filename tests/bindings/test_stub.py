@@ -104,10 +104,12 @@ def parameters(function: ast.FunctionDef) -> list[tuple[str, str]]:
     [
         "flatten",
         "measure",
+        "plan_cuts",
         "propose_darts",
         "propose_seams",
         "start",
         "start_darts",
+        "start_plan",
         "start_seams",
     ],
 )

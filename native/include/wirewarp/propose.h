@@ -25,6 +25,8 @@ struct DartProposal {
   std::optional<int> twin;        // index of the proposal that is its mirror image; none where there is none
   std::optional<double> energy_with_twin;  // of the piece with both cuts; none unless that is less, or if they meet
   std::optional<double> strain_with_twin;  // likewise
+  std::optional<double> strain_left;       // of a plan: what the part with most strain has when it, what is taken with
+                                           // it and all before are cut; see CutAim::piece
 };
 
 /// What to propose.
@@ -55,5 +57,27 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// along the mirror images of these.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},
                                         const CutWishes& wishes = {}, const Progress& progress = {});
+
+/// What cuts that are taken together are to reach.
+struct CutAim {
+  double strain = 0.05;  // pieces with no more (DartProposal::strain) are left as they are; >= 0
+  int most = 2;          // cuts at most; a set of first cuts counts as one; >= 1
+  double longest = std::numeric_limits<double>::infinity();       // of one cut or set, on the surface, scene units; > 0
+  double total_length = std::numeric_limits<double>::infinity();  // of all together, likewise
+  std::optional<int> piece;  // to cut, as flatten() numbers them, and then its parts; none: any
+  bool twins = false;  // mirror images are taken together where that is better and allowed: they count as two cuts
+  VertexPairs no_seam = VertexPairs(0, 2);  // (k, 2) edges along which none is to run
+};
+
+/// Darts one after the other, each the one that leaves least strain beside those before it, until that is enough. The
+/// figures of each, and the number of its piece, are those beside the cuts before it; twin is the one that is taken
+/// with it. Fewer than are allowed mean that the aim is met, or that no further one helps. Throws what propose_darts()
+/// throws for the first one: no_proposal where the aim is met without any.
+std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& options = {}, const CutAim& aim = {},
+                                     const Progress& progress = {});
+
+/// Seams and sets of first cuts, likewise.
+std::vector<DartProposal> plan_seams(const FlattenInput& input, const Options& options = {}, const CutAim& aim = {},
+                                     const Progress& progress = {});
 
 }  // namespace wirewarp

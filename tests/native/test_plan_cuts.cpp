@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts that are to be taken together: what is claimed of them is what flattening with them gives, and limits hold.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "disguise.h"
+#include "metrics/widespread.h"
+#include "test_meshes.h"
+#include "wirewarp/propose.h"
+
+namespace wirewarp {
+namespace {
+
+/// Two hills, mirror images of each other across x = 0, on a sheet of 2 by 3.
+FlattenInput hills(int n) {
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    const double x = 2 * s - 1, y = 1.5 * (2 * t - 1);
+    const double across = std::abs(x) - 0.4, along = y - 1.1;
+    return Eigen::Vector3d(x, y, 0.6 * std::exp(-4 * (across * across + along * along)) + 0.1 * y);
+  });
+  test::alternate_diagonals(input, n);
+  return input;
+}
+
+/// Of the piece with most, when the input is flattened with these cuts.
+double most_strain(FlattenInput input, const std::vector<DartProposal>& cuts, std::size_t num_cuts) {
+  for (std::size_t i = 0; i < num_cuts; ++i) input = test::with_seams(std::move(input), cuts[i].edges);
+  double most = 0;
+  for (const Piece& piece : flatten(input).pieces) {
+    EXPECT_FALSE(piece.error);
+    std::vector<double> areas;
+    for (const int f : piece.source_face) {
+      const Eigen::Vector3d a = input.vertices.row(input.faces(f, 0)), b = input.vertices.row(input.faces(f, 1)),
+                            c = input.vertices.row(input.faces(f, 2));
+      areas.push_back((b - a).cross(c - a).norm() / 2);
+    }
+    most = std::max(most, widespread(areas, piece.metrics.face_aspect_ratio.array() - 1));
+  }
+  return most;
+}
+
+TEST(PlanCuts, WhatIsLeftIsThatOfAFreshRun) {
+  const FlattenInput input = hills(6);
+  CutAim aim;
+  aim.strain = 0;
+  const std::vector<DartProposal> seams = plan_seams(input, {}, aim);
+  ASSERT_EQ(seams.size(), 2U);
+  for (std::size_t i = 0; i < seams.size(); ++i) {
+    EXPECT_NEAR(*seams[i].strain_left, most_strain(input, seams, i + 1), 1e-6 * seams[0].strain_before);
+  }
+}
+
+TEST(PlanCuts, MirrorImagesAreTakenTogetherWhereBothAreAllowed) {
+  FlattenInput input = hills(8);
+  test::add_wire(input, test::grid_column(8, 8, 4));  // which no dart crosses, to serve both hills
+  CutAim aim;
+  aim.strain = 0;
+  aim.twins = true;
+  const std::vector<DartProposal> both = plan_darts(input, {}, aim);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[0].twin, 1);
+  EXPECT_EQ(both[1].twin, 0);
+  EXPECT_NEAR(both[0].length, both[1].length, 1e-9);
+  EXPECT_NEAR(*both[0].strain_left, *both[0].strain_with_twin, 1e-6 * both[0].strain_before);
+  EXPECT_EQ(both[0].strain_left, both[1].strain_left);
+  EXPECT_NEAR(*both[0].strain_left, most_strain(input, both, 2), 1e-6 * both[0].strain_before);
+  for (const bool is_number : {true, false}) {
+    CutAim less = aim;
+    if (is_number) less.most = 1;
+    if (!is_number) less.total_length = 1.5 * both[0].length;
+    const std::vector<DartProposal> cuts = plan_darts(input, {}, less);
+    double length = 0;
+    for (const DartProposal& cut : cuts) {
+      EXPECT_FALSE(cut.twin);
+      length += cut.length;
+    }
+    EXPECT_LE(static_cast<int>(cuts.size()), less.most);
+    EXPECT_LE(length, less.total_length);
+  }
+}
+
+TEST(PlanCuts, OfOnePieceAreInItsParts) {
+  const int n = 6;
+  FlattenInput input = hills(n);
+  test::add_seam(input, test::grid_column(n, n, n / 2));
+  const std::vector<int> own = flatten(input).pieces[1].source_vertex;
+  CutAim aim;
+  aim.strain = 0;
+  aim.most = 3;
+  aim.piece = 1;
+  for (const DartProposal& cut : plan_seams(input, {}, aim)) {
+    for (const VertexPair& edge : cut.edges) {
+      for (const int v : edge) EXPECT_GT(std::count(own.begin(), own.end(), v), 0);
+    }
+  }
+}
+
+std::string refusal(const CutAim& aim) {
+  try {
+    plan_darts(hills(4), {}, aim);
+  } catch (const FlattenError& error) {
+    EXPECT_EQ(error.code, ErrorCode::invalid_option);
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return "";
+}
+
+TEST(PlanCuts, RefuseLimitsOutOfRange) {
+  CutAim aim;
+  aim.most = 0;
+  EXPECT_EQ(refusal(aim), "most must be at least 1, not 0.");
+  aim = {};
+  aim.total_length = 0;
+  EXPECT_EQ(refusal(aim), "total_length must be above 0, not 0.");
+  aim = {};
+  aim.strain = -1;
+  EXPECT_EQ(refusal(aim), "strain must be 0 or more, not -1.");
+  aim = {};
+  aim.piece = 1;
+  EXPECT_EQ(refusal(aim), "piece is 1, but pieces are counted from 0, and the mesh has 1.");
+}
+
+TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRoundAndBetweenTwo) {
+  CutAim aim;
+  aim.strain = 0;
+  const std::vector<std::function<bool(double before, double now)>> is_end = {
+      [](double, double now) { return now > 0; },
+      [](double before, double now) { return before == now; },  // while what the first one leaves is measured
+      [](double, double now) { return now > 0.5; }};
+  for (const auto& ends : is_end) {
+    double told = -1;
+    bool has_ended = false;
+    try {
+      plan_darts(hills(4), {}, aim, [&](const std::string&, double fraction) {
+        EXPECT_FALSE(has_ended);
+        EXPECT_GE(fraction, told);
+        has_ended = ends(told, fraction);
+        told = fraction;
+        return !has_ended;
+      });
+      ADD_FAILURE() << "nothing was thrown";
+    } catch (const FlattenError& error) {
+      EXPECT_EQ(error.code, ErrorCode::cancelled);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp
