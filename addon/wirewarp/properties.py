@@ -14,7 +14,7 @@ from bpy.props import (
 
 from .blender.views import redraw_views
 from .run.auto_update import note_change
-from .run.settings import FlattenSettings
+from .run.settings import AimSettings, FlattenSettings
 from .solve.papers import PAPERS
 
 
@@ -175,7 +175,7 @@ def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Con
         note_change(settings.id_data.name_full)
 
 
-class WIREWARP_PG_settings(FlattenSettings, PatternSettings, EaseAmount, bpy.types.PropertyGroup):
+class WIREWARP_PG_settings(FlattenSettings, PatternSettings, AimSettings, EaseAmount, bpy.types.PropertyGroup):
     auto_update: BoolProperty(
         name="Auto",
         description="Flatten again automatically when seams, wires, shape or scale change, or with Modifiers their "

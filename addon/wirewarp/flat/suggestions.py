@@ -11,20 +11,21 @@ from ..issues import ObjectError
 from ..model.no_seam import read_no_seam
 from ..model.state import has_changed
 from ..solve.flatten import FlattenChoices
-from ..solve.suggest import Cut, NoSeam
+from ..solve.suggest import Aim, Cut, NoSeam
 
 
 @dataclass(frozen=True)
 class Suggestions:
     kind: str  # DARTS or SEAMS
-    cuts: list[Cut]
+    cuts: list[Cut]  # to choose one from; towards an aim each with all before it
+    aim: Aim | None
     names: list[str]  # of the piece that each of them cuts
     choices: FlattenChoices  # with which they were measured
     grain_wire: int  # the id that the mesh had for it; 0: none
     wire_ids: set[int]  # of the wires that there were
     state: dict  # of the model, see model_state
     no_seam: NoSeam  # along which none runs
-    chosen: int = 0  # of the cuts
+    chosen: int  # of the cuts
 
 
 _by_object: dict[str, Suggestions] = {}  # by Object.name_full; another of that name is in another state

@@ -11,14 +11,14 @@ from ..flat.suggestions import choose, drop
 from ..issues import ObjectError
 from ..model.owners import model_or_self
 from ..properties import mend_settings
-from ..report.suggestions import cut_text, found_words
+from ..report.suggestions import cut_text, found_words, shortfall, step_text
 from ..run import window_run
 from ..run.suggest import Search, begin_search, keep_found
 from ..run.targets import active_target, nothing_to_flatten
 from ..run.window_run import CancelledError
 from ..solve.sentences import plain_sentence
 from ..solve.suggest import Cut
-from ..words import quoted
+from ..words import paragraph, quoted
 from .window_steps import WindowSteps, fault_sentence
 
 
@@ -96,9 +96,14 @@ class SuggestCuts(WindowSteps):
         """In any mode: leaving Edit Mode under a tool that is still going on crashes Blender. Raises ObjectError."""
         found = keep_found(self._search, cuts)
         redraw_views()
-        best, name = cut_text(cuts[0], length_text(context.scene)), found.names[0]
-        piece = quoted([name]) if cuts[0].piece in self._search.names else name
-        self.report({"INFO"}, f"{found_words(self.kind, cuts)} suggested; for {piece}: {best}")
+        lengths, name = length_text(context.scene), found.names[0]
+        is_named = cuts[0].piece in self._search.names or self._search.is_of_model
+        piece = quoted([name]) if is_named else name
+        if found.aim:
+            said = [f"For {piece}: {step_text(self.kind, cuts[-1], lengths)}", shortfall(self.kind, cuts, found.aim)]
+        else:
+            said = [f"{found_words(self.kind, cuts)} suggested; for {piece}: {cut_text(cuts[0], lengths)}"]
+        self.report({"INFO"}, paragraph(each for each in said if each))
         return {"FINISHED"}
 
     def _refuse(self, context: bpy.types.Context, error: ObjectError) -> set[str]:

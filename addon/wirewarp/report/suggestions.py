@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Suggested cuts in words."""
 
-from ..solve.suggest import Cut
+from ..solve.suggest import Aim, Cut
 from ..words import LengthText, counted
 from .cloth import percent_text
 
@@ -15,11 +15,43 @@ def found_words(kind: str, cuts: list[Cut]) -> str:
     return counted(sum(len(cut.lengths) for cut in cuts), *WORDS[kind])
 
 
+def taken_words(kind: str, cut: Cut) -> str:
+    """Of cuts that are taken together, "2 darts", "first seams", "first seams and 1 seam"."""
+    if not cut.is_first:
+        return counted(len(cut.lengths), *WORDS[kind])
+    more = len(cut.lengths) - 1
+    return f"first seams and {counted(more, *WORDS[kind])}" if more else "first seams"
+
+
+def step_text(kind: str, cut: Cut, text: LengthText) -> str:
+    """Of cuts that are taken together, "2 darts: stretch 12 → 5.0%, 270 mm"."""
+    words = taken_words(kind, cut)
+    return f"{words[0].upper()}{words[1:]}: {_stretch_text(cut)}, {text.rough(sum(cut.lengths))}"
+
+
+def shortfall(kind: str, cuts: list[Cut], aim: Aim) -> str:
+    """Why the aim is not reached; empty where it is."""
+    last = cuts[-1]
+    if last.strain <= aim.strain:
+        return ""
+    if len(last.lengths) >= aim.most:
+        remedy = "Allow more cuts"
+    elif aim.length is not None:
+        remedy = "Allow more length, if any other cut helps"
+    else:
+        remedy = f"No other {WORDS[kind][0]} helps"
+    return f"{percent_text(last.strain)} is left, more than the {percent_text(aim.strain)} you want. {remedy}."
+
+
 def cut_text(cut: Cut, text: LengthText) -> str:
     """ "stretch 12 → 6.0%, 140 mm", of mirror images "2×140 mm": it fits a button in a narrow sidebar.
 
     Of first cuts "stretch 6.0%, 1.40 m".
     """
     times = f"{len(cut.lengths)}×" if len(cut.lengths) > 1 else ""
+    return f"{_stretch_text(cut)}, {times}{text.rough(cut.lengths[0])}"
+
+
+def _stretch_text(cut: Cut) -> str:
     before = "" if cut.is_first else f"{percent_text(cut.strain_before).removesuffix('%')} → "
-    return f"stretch {before}{percent_text(cut.strain)}, {times}{text.rough(cut.lengths[0])}"
+    return f"stretch {before}{percent_text(cut.strain)}"

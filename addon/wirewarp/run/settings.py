@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a run asks for: the settings of the scene and of the operator, as the solver takes them."""
+"""What a run and a search ask for: the settings of the scene and of the operator, as the solver takes them."""
 
 import math
 
-from bpy.props import BoolProperty, EnumProperty, FloatProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
 from ..solve.flatten import ClothChoice, FlattenChoices
+from ..solve.suggest import Aim
 
 METHODS = [
     (
@@ -236,6 +237,42 @@ class FlattenSettings:
     )
 
 
+class AimSettings:
+    """What Suggest Darts and Suggest Seams ask for: of the scene."""
+
+    suggest_together: BoolProperty(
+        name="Towards an Aim",
+        description="Suggest cuts to be marked together, one after the other, until the cloth need not stretch more "
+        "than you want. Off: cuts of which you mark one",
+        default=False,
+    )
+    aim_stretch: FloatProperty(
+        name="Max Stretch",
+        description="By how much 99% of a piece may stretch or be eased in: no further cut is suggested for it then",
+        subtype="PERCENTAGE",
+        min=0.0,
+        max=100.0,
+        soft_max=25.0,
+        default=5.0,  # as the library has it
+        precision=1,
+    )
+    aim_cuts: IntProperty(
+        name="Max Cuts",
+        description="How many cuts at most. Mirror images count as two, a set of first seams of a closed model as one",
+        min=1,
+        max=100,
+        soft_max=10,
+        default=4,  # on either side a dart at the bust and one at the waist
+    )
+    aim_length: FloatProperty(
+        name="Max Length",
+        description="How long all cuts together may be on the model. 0: any length",
+        subtype="DISTANCE",
+        min=0.0,
+        precision=3,
+    )
+
+
 def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
     """Of the scene's settings, or of an operator's. meters: in a Blender unit."""
     return FlattenChoices(
@@ -263,3 +300,10 @@ def _cloth_of(settings: FlattenSettings) -> ClothChoice | None:
         stiffness = {"weft": settings.cloth_across, "warp": settings.cloth_along, "shear": settings.cloth_shear}
         return ClothChoice("custom", **shares, **stiffness)
     return ClothChoice(settings.cloth.lower(), **shares)
+
+
+def aim_of(settings: AimSettings) -> Aim | None:
+    """None where each cut is to be suggested by itself."""
+    if not settings.suggest_together:
+        return None
+    return Aim(settings.aim_stretch / 100, settings.aim_cuts, settings.aim_length or None)

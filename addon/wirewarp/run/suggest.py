@@ -17,10 +17,10 @@ from ..model.no_seam import read_no_seam
 from ..model.state import has_changed
 from ..solve.flatten import FlattenChoices, used_choices
 from ..solve.steps import Steps
-from ..solve.suggest import Cut, NoSeam, suggest_cuts
+from ..solve.suggest import Aim, Cut, NoSeam, suggest_cuts
 from .models import Model
 from .read import find_source, is_current, read_models
-from .settings import choices_of
+from .settings import aim_of, choices_of
 
 WITH_MODIFIERS = (
     "Suggested cuts are edges of the model itself: apply what changes its shape ({}), or flatten without Modifiers."
@@ -32,11 +32,18 @@ class Search:
     """Under way for one model, as it was read."""
 
     kind: str  # DARTS or SEAMS
+    piece: int | None  # as asked for
+    aim: Aim | None
     model: Model
     choices: FlattenChoices
     no_seam: NoSeam
     steps: Steps[list[Cut]]
     names: dict[int, str]  # of pieces, where they are known
+
+    @property
+    def is_of_model(self) -> bool:
+        """Cuts that are taken together, of any piece: they may be of several, which they number anew."""
+        return self.aim is not None and self.piece is None
 
 
 def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str, piece: int | None) -> Search:
@@ -61,24 +68,33 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
         raise changed_error(source.name)
     names = {index: each["name"] for index, each in enumerate(report["pieces"])} if is_true else {}
     choices = choices_of(settings, meters_per_blender_unit(context.scene))
-    no_seam = read_no_seam(source)
-    steps = suggest_cuts(core.library(), model.arrays, choices, kind, piece, no_seam)
-    return Search(kind, model, used_choices(choices, model.arrays), no_seam, steps, names)
+    no_seam, aim = read_no_seam(source), aim_of(settings)
+    steps = suggest_cuts(core.library(), model.arrays, choices, kind, piece, no_seam, aim)
+    return Search(kind, piece, aim, model, used_choices(choices, model.arrays), no_seam, steps, names)
+
+
+def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
+    """Of what each of them cuts."""
+    if search.is_of_model:
+        return [search.model.facts["object"]] * len(cuts)
+    return [search.names.get(cut.piece, f"Piece {cut.piece + 1}") for cut in cuts]
 
 
 def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
     """For the panel and the overlay. Raises ObjectError if the model is no longer as it was read. In any mode."""
-    model, names = search.model, [search.names.get(cut.piece, f"Piece {cut.piece + 1}") for cut in cuts]
+    model = search.model
     wire_ids = {wire.chain.wire_id for wire in model.arrays.wires}
     found = Suggestions(
         search.kind,
         cuts,
-        names,
+        search.aim,
+        _names_of(search, cuts),
         search.choices,
         model.arrays.grain_wire,
         wire_ids,
         model.state,
         search.no_seam,
+        chosen=len(cuts) - 1 if search.aim else 0,
     )
     source = find_source(model)
     if not (is_current(model) and are_current(source, found, read_anew)):

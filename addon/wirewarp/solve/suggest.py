@@ -4,10 +4,11 @@
 import math
 from dataclasses import dataclass, replace
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 
-from ..core import DartProposal
+from ..core import DartProposal, Job
 from ..issues import ObjectError
 from ..names import NO_SEAM
 from ..pattern.chains import edge_keys
@@ -31,14 +32,26 @@ class NoSeam:
 
 
 @dataclass(frozen=True)
+class Aim:
+    """What cuts that are taken together are to reach."""
+
+    strain: float  # as Cut.strain
+    most: int  # cuts; a set of first cuts counts as one
+    length: float | None  # of all of them on the model, Blender units; None for any
+
+
+@dataclass(frozen=True)
 class Cut:
-    """A dart or a seam, or two that are mirror images of each other, or a set of first cuts; and what marking does."""
+    """A dart or a seam, or two that are mirror images of each other, or a set of first cuts; and what marking does.
+
+    Towards an aim it is all of these from the first to one of them.
+    """
 
     edges: Pairs
     diagonals: Pairs  # those of them that are none of the mesh yet, but lie across a face of four corners
     piece: int  # as flattening numbers them
     lengths: list[float]  # of each of them on the model, of a set in all, Blender units
-    strain: float  # what 99% of the piece must stretch or ease less than, when cut so, as a share
+    strain: float  # what 99% of the piece (of the worst part) must stretch or ease less than, when cut so
     strain_before: float  # infinite before first cuts
 
     @property
@@ -48,24 +61,38 @@ class Cut:
 
 
 def suggest_cuts(
-    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, kind: str, piece: int | None, no_seam: NoSeam
+    library: ModuleType,
+    arrays: MeshArrays,
+    choices: FlattenChoices,
+    kind: str,
+    piece: int | None,
+    no_seam: NoSeam,
+    aim: Aim | None,
 ) -> Steps[list[Cut]]:
-    """The best first. kind: DARTS or SEAMS; piece: None for any.
+    """The best first; with an aim each with all before it. kind: DARTS or SEAMS; piece: None for any.
 
     Raises ObjectError, also where there is nothing to gain.
     """
-    start = library.start_darts if kind == "DARTS" else library.start_seams
     try:
-        arguments = library_arguments(library, arrays, choices)
+        shared = library_arguments(library, arrays, choices)
         across = diagonals(arrays)
         barred = np.concatenate([_barred_edges(arrays, no_seam), _barred_diagonals(across, arrays, no_seam)])
-        job = start(arrays.vertices, arrays.triangles, **arguments, piece=piece, no_seam=barred)
-        return _with_twins((yield from result_of(job)), {tuple(pair) for pair in across.tolist()})
+        arguments = {"vertices": arrays.vertices, "faces": arrays.triangles, **shared, "piece": piece}
+        job = _start(library, kind, aim, arguments | {"no_seam": barred})
+        proposals, new = (yield from result_of(job)), {tuple(pair) for pair in across.tolist()}
+        return _with_twins(proposals, new) if aim is None else _steps_of(proposals, new, piece)
     except library.FlattenError as error:
         issue = issue_of_error(error, arrays)
         if issue.code == "no_proposal" and (no_seam.faces.any() or no_seam.vertices.any()):
             issue = replace(issue, sentence=issue.sentence + PAINTED)
         raise ObjectError(issue) from error
+
+
+def _start(library: ModuleType, kind: str, aim: Aim | None, arguments: dict[str, Any]) -> "Job[list[DartProposal]]":
+    if aim is None:
+        return (library.start_darts if kind == "DARTS" else library.start_seams)(**arguments)
+    limits = {"strain": aim.strain, "most": aim.most, "total_length": aim.length}
+    return library.start_plan(**arguments, **limits, kind="dart" if kind == "DARTS" else "seam", twins=True)
 
 
 def diagonals(arrays: MeshArrays) -> np.ndarray:
@@ -97,14 +124,23 @@ def _with_twins(proposals: list[DartProposal], across: set[tuple[int, int]]) -> 
         if proposal.twin is not None and proposal.twin < index:
             continue
         if proposal.strain_with_twin is None:
-            cuts.append(_cut([proposal], proposal.strain, across))
+            cuts.append(_cut([proposal], proposal.strain, proposal.strain_before, across))
         else:
-            cuts.append(_cut([proposal, proposals[proposal.twin]], proposal.strain_with_twin, across))
+            both = [proposal, proposals[proposal.twin]]
+            cuts.append(_cut(both, proposal.strain_with_twin, proposal.strain_before, across))
     return sorted(cuts, key=lambda cut: cut.strain)
 
 
-def _cut(proposals: list[DartProposal], strain: float, across: set[tuple[int, int]]) -> Cut:
+def _steps_of(plan: list[DartProposal], across: set[tuple[int, int]], piece: int | None) -> list[Cut]:
+    """Mirror images that are taken together are one step. piece: that was asked for."""
+    first = plan[0]
+    # Of any piece: another one, which stays as it is, may be strained more than what is cut first.
+    before = first.strain_before if piece is not None else max(first.strain_before, first.strain_left)
+    ends = [index + 1 for index, each in enumerate(plan) if each.twin is None or each.twin < index]
+    return [_cut(plan[:end], plan[end - 1].strain_left, before, across) for end in ends]
+
+
+def _cut(proposals: list[DartProposal], strain: float, before: float, across: set[tuple[int, int]]) -> Cut:
     edges = [(min(pair), max(pair)) for proposal in proposals for pair in proposal.edges.tolist()]
-    first = proposals[0]
     new = [edge for edge in edges if edge in across]
-    return Cut(edges, new, first.piece, [each.length for each in proposals], strain, first.strain_before)
+    return Cut(edges, new, proposals[0].piece, [each.length for each in proposals], strain, before)

@@ -85,9 +85,9 @@ def _draw_state(context: bpy.types.Context, layout: bpy.types.UILayout, source: 
         for name, value in step.settings.items():
             setattr(asked, name, value)
         if step.settings.get("what") == "HINT":  # the verdict has said to add a dart or seam there
-            draw_suggest(layout, report["hints"][step.settings["index"]]["piece"])
+            draw_suggest(layout, context.scene.wirewarp, report["hints"][step.settings["index"]]["piece"])
         if step.settings.get("what") == "SEAMS":  # others, with what they cost and leave
-            draw_suggest(layout, -1, ["seams"])
+            draw_suggest(layout, context.scene.wirewarp, -1, ["seams"])
     # Of the last run, though it may have left the earlier pieces: to flatten again would change nothing.
     sentence = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if sentence:

@@ -91,7 +91,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         if chosen:
             draw_figures(context, self.layout, chosen)
             if chosen.ok and chosen.strain >= WORTH_A_CUT:
-                draw_suggest(self.layout, chosen.index)
+                draw_suggest(self.layout, context.scene.wirewarp, chosen.index)
         if context.scene.wirewarp.keep_places:
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
             button.keep_places, button.only_active = False, True

@@ -52,7 +52,7 @@ def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: d
         if len(hints) > SHOWN_HINTS:
             column.label(text=f"and {len(hints) - SHOWN_HINTS} more", icon="BLANK1")
         if code in {STRAINED, BEYOND_CLOTH}:
-            draw_suggest(layout, hints[0][1]["piece"])  # the worst
+            draw_suggest(layout, context.scene.wirewarp, hints[0][1]["piece"])  # the worst
 
 
 def _draw_entry(

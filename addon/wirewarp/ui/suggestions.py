@@ -9,7 +9,8 @@ from ..blender.cache import stamp
 from ..blender.units import length_text
 from ..flat.suggestions import Suggestions, current_suggestions, suggestions_of
 from ..overlay.cache import Same, kept_drawing
-from ..report.suggestions import cut_text
+from ..report.suggestions import cut_text, shortfall, step_text
+from ..run.settings import AimSettings
 from ..run.window_run import SUGGEST
 from ..words import counted
 from .layout import SidebarPanel, draw_sentence
@@ -19,15 +20,21 @@ from .shown import shown_source
 
 KINDS = ("darts", "seams")
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams"}
+AIM = ("aim_stretch", "aim_cuts", "aim_length")
 
 
-def draw_suggest(layout: bpy.types.UILayout, piece: int, kinds: Sequence[str] = KINDS) -> None:
-    """The buttons, or how far a search is; piece: in the report, -1 for any."""
+def draw_suggest(layout: bpy.types.UILayout, settings: AimSettings, piece: int, kinds: Sequence[str] = KINDS) -> None:
+    """The buttons and what is aimed at, or how far a search is; piece: in the report, -1 for any."""
     row = layout.row(align=True)
     if draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts"):
         return
     for kind in kinds:
         row.operator(f"object.wirewarp_suggest_{kind}").piece = piece
+    layout.prop(settings, "suggest_together")
+    if settings.suggest_together:
+        column = layout.column(align=True)
+        for name in AIM:
+            column.prop(settings, name)
 
 
 class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
@@ -47,9 +54,13 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
         for name in dict.fromkeys(found.names):
             column.label(text=f"{LABELS[found.kind]}, {name}")
             for index in (index for index, own in enumerate(found.names) if own == name):
-                text, is_chosen = cut_text(found.cuts[index], lengths), index == found.chosen
+                cut, is_chosen = found.cuts[index], index <= found.chosen if found.aim else index == found.chosen
+                text = step_text(found.kind, cut, lengths) if found.aim else cut_text(cut, lengths)
                 button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen)
                 button.index = index
+        missed = shortfall(found.kind, found.cuts, found.aim) if found.aim else ""
+        if missed:
+            draw_sentence(context, layout, missed, "INFO")
         sentence = figures_sentence(shown_source(context), found, context.scene.wirewarp)
         if sentence:
             draw_sentence(context, layout, sentence, "INFO")

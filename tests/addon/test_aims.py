@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cuts that are suggested towards an aim: each row takes those before it, too; what it says is what Flatten gives."""
+
+import bpy
+import numpy as np
+import pytest
+from everything import draw_panels
+from suggesting import SUGGEST, found, pairs
+from surfaces import bump, grid, half_cylinder, mark, on_line, read
+from test_proposals import seams_of
+from test_suggestions import ball, two_hills, widespread
+
+
+@pytest.fixture
+def settings():
+    """Two cuts, whatever stretch they leave."""
+    wanted = bpy.context.scene.wirewarp
+    wanted.suggest_together, wanted.aim_stretch, wanted.aim_cuts = True, 0.0, 2
+    return wanted
+
+
+def aim(settings, **values):
+    for name, value in values.items():
+        setattr(settings, name, value)
+
+
+@pytest.mark.parametrize("row", [0, 1])
+def test_a_row_is_marked_with_all_before_it_and_leaves_what_it_says(addon, settings, row):
+    source = grid("Bump", bump, faces="triangles")
+    SUGGEST["DARTS"]()
+    first, second = found(addon, source).cuts
+    assert found(addon, source).chosen == 1
+    assert pairs(first.edges) < pairs(second.edges)
+    assert second.lengths[:1] == first.lengths
+    assert first.strain_before == second.strain_before > first.strain > second.strain
+    bpy.ops.object.wirewarp_choose_suggestion(index=row)
+    chosen = (first, second)[row]
+    ends = addon.overlay.suggested.suggested_lines(source)
+    places = read(source.data.vertices, "co", np.float32, 3)[np.unique(chosen.edges)]
+    assert {tuple(end) for end in ends.tolist()} == {tuple(place) for place in places.tolist()}
+    assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
+    assert pairs(seams_of(source)) == pairs(chosen.edges)
+    assert widespread(addon, source) == pytest.approx(chosen.strain, rel=1e-5)  # of single precision
+
+
+def test_the_figure_before_is_that_of_the_model_as_it_is(addon, settings):
+    source = grid("Bump", bump, faces="triangles")
+    before = widespread(addon, source)
+    SUGGEST["DARTS"](piece=0)
+    assert found(addon, source).cuts[0].strain_before == pytest.approx(before, rel=1e-5)
+
+
+def test_seams_divide_the_piece_and_its_parts(addon, settings):
+    source = grid("Bump", bump)
+    bpy.ops.object.wirewarp_flatten()
+    SUGGEST["SEAMS"](piece=0)
+    words = draw_panels(addon)
+    assert "1 seam: stretch" in words and "2 seams: stretch" in words
+    assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
+    pieces = addon.flat.reports.last_report(source)["pieces"]
+    assert len(pieces) == 3 and all(piece["ok"] for piece in pieces)
+
+
+def test_mirror_images_are_one_row(addon, settings):
+    source = two_hills()
+    mark(source, on_line(0, 0.0))  # which no dart crosses, to serve both hills
+    SUGGEST["DARTS"]()
+    (cut,) = found(addon, source).cuts
+    assert len(cut.lengths) == 2
+    middles = read(source.data.vertices, "co", np.float32, 3)[np.array(cut.edges)].mean(axis=1).round(4)
+    assert {tuple(middle) for middle in middles.tolist()} == {(-x, y, z) for x, y, z in middles.tolist()}
+    assert "2 darts: stretch" in draw_panels(addon)
+
+
+def test_no_cut_more_than_the_aim_asks_for(addon, settings, capfd):
+    source = grid("Bump", bump)
+    SUGGEST["DARTS"]()
+    first, second = found(addon, source).cuts
+    assert "left, more than the 0.0% you want. Allow more cuts." in draw_panels(addon)
+    assert "you want. Allow more cuts." in capfd.readouterr().out
+    aim(settings, aim_stretch=100 * (first.strain + second.strain) / 2)
+    SUGGEST["DARTS"]()
+    assert len(found(addon, source).cuts) == 2
+    assert "you want" not in draw_panels(addon)
+    aim(settings, aim_stretch=100 * (first.strain + first.strain_before) / 2)
+    SUGGEST["DARTS"]()
+    assert [cut.edges for cut in found(addon, source).cuts] == [first.edges]
+    aim(settings, aim_stretch=100.0)
+    with pytest.raises(RuntimeError, match=r"is flat enough.* and 100% may stay"):
+        SUGGEST["DARTS"]()
+
+
+def test_all_cuts_together_are_no_longer_than_allowed(addon, settings):
+    source = grid("Bump", bump)
+    SUGGEST["DARTS"]()
+    (longest,) = found(addon, source).cuts[0].lengths
+    aim(settings, aim_length=0.9 * longest, aim_cuts=9)
+    SUGGEST["DARTS"]()
+    cuts = found(addon, source).cuts
+    assert sum(cuts[-1].lengths) <= settings.aim_length
+    assert "Allow more length, if any other cut helps." in draw_panels(addon)
+
+
+def test_first_cuts_meet_the_aim(addon, settings):
+    source = ball()
+    aim(settings, aim_stretch=30.0)
+    with pytest.raises(RuntimeError, match="is closed"):
+        bpy.ops.object.wirewarp_flatten()
+    SUGGEST["SEAMS"]()
+    (cut,) = found(addon, source).cuts
+    assert cut.is_first and cut.strain <= 0.3
+    words = draw_panels(addon)
+    assert "First seams: stretch" in words and f"Suggested Seams, {source.name}" in words
+    longest = cut.lengths[0]
+    aim(settings, aim_length=0.9 * longest)
+    SUGGEST["SEAMS"]()
+    assert sum(found(addon, source).cuts[-1].lengths) <= 0.9 * longest
+
+
+def test_a_flat_model_needs_none(settings):
+    grid("Half", half_cylinder)
+    with pytest.raises(RuntimeError, match="is flat enough"):
+        SUGGEST["DARTS"]()
+
+
+def test_without_an_aim_there_are_rows_to_choose_one_from(addon):
+    source = grid("Bump", bump)
+    SUGGEST["DARTS"]()
+    suggestions = found(addon, source)
+    assert suggestions.aim is None and suggestions.chosen == 0
+    assert "dart: stretch" not in draw_panels(addon)
