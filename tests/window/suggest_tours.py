@@ -24,26 +24,38 @@ def suggest() -> drive.Tour:
     yield lambda: not window_run.is_running()
 
 
-def a_suggestion_is_taken_and_undone_with_one_click_each() -> drive.Tour:
-    source = grid("Bump", bump, size=16)
+def take_and_undo(source: bpy.types.Object, picture: str) -> drive.Tour:
+    """What is chosen after the search."""
     remember()
     yield from flatten()
     before = contents(source)
     yield from suggest()
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_suggestions)
     yield from drive.ticks(10)
-    drive.screenshot("suggestions")
+    drive.screenshot(picture)
     assert contents(source) == before
-    edges = current(source).cuts[0].edges
+    found = current(source)
+    edges = found.cuts[found.chosen].edges
     yield from drive.click_button("bpy.ops.object.wirewarp_mend(")
     yield lambda: seam_count() == len(edges) and not window_run.is_running()
     assert current(bpy.data.objects["Bump"]) is None
     yield from undo()
     yield lambda: contents(bpy.data.objects["Bump"]) == before
     assert seam_count() == 0
-    assert current(bpy.data.objects["Bump"]).cuts[0].edges == edges  # the model is what it was when they were found
+    assert current(bpy.data.objects["Bump"]).cuts == found.cuts  # the model is what it was when they were found
     yield from redo()
     yield lambda: seam_count() == len(edges)
+
+
+def a_suggestion_is_taken_and_undone_with_one_click_each() -> drive.Tour:
+    yield from take_and_undo(grid("Bump", bump, size=16), "suggestions")
+
+
+def cuts_towards_an_aim_are_taken_and_undone_with_one_click_each() -> drive.Tour:
+    settings = bpy.context.scene.wirewarp
+    settings.suggest_together, settings.aim_stretch, settings.aim_cuts = True, 0.0, 2
+    source = grid("Bump", bump, size=12)
+    yield from take_and_undo(source, "aim")
 
 
 def escape_ends_the_search() -> drive.Tour:

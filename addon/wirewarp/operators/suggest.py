@@ -100,7 +100,8 @@ class SuggestCuts(WindowSteps):
         is_named = cuts[0].piece in self._search.names or self._search.is_of_model
         piece = quoted([name]) if is_named else name
         if found.aim:
-            said = [f"For {piece}: {step_text(self.kind, cuts[-1], lengths)}", shortfall(self.kind, cuts, found.aim)]
+            step = step_text(self.kind, cuts[-1], lengths)
+            said = [f"Stretch of {piece} with {step}", shortfall(self.kind, cuts, found.aim)]
         else:
             said = [f"{found_words(self.kind, cuts)} suggested; for {piece}: {cut_text(cuts[0], lengths)}"]
         self.report({"INFO"}, paragraph(each for each in said if each))

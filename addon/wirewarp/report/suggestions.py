@@ -24,9 +24,8 @@ def taken_words(kind: str, cut: Cut) -> str:
 
 
 def step_text(kind: str, cut: Cut, text: LengthText) -> str:
-    """Of cuts that are taken together, "2 darts: stretch 12 → 5.0%, 270 mm"."""
-    words = taken_words(kind, cut)
-    return f"{words[0].upper()}{words[1:]}: {_stretch_text(cut)}, {text.rough(sum(cut.lengths))}"
+    """Of cuts that are taken together, "2 darts: 12 → 5.0%, 270 mm": it fits a button in a narrow sidebar."""
+    return f"{taken_words(kind, cut)}: {_shares(cut)}, {text.rough(sum(cut.lengths))}"
 
 
 def shortfall(kind: str, cuts: list[Cut], aim: Aim) -> str:
@@ -49,9 +48,9 @@ def cut_text(cut: Cut, text: LengthText) -> str:
     Of first cuts "stretch 6.0%, 1.40 m".
     """
     times = f"{len(cut.lengths)}×" if len(cut.lengths) > 1 else ""
-    return f"{_stretch_text(cut)}, {times}{text.rough(cut.lengths[0])}"
+    return f"stretch {_shares(cut)}, {times}{text.rough(cut.lengths[0])}"
 
 
-def _stretch_text(cut: Cut) -> str:
+def _shares(cut: Cut) -> str:
     before = "" if cut.is_first else f"{percent_text(cut.strain_before).removesuffix('%')} → "
-    return f"stretch {before}{percent_text(cut.strain)}"
+    return f"{before}{percent_text(cut.strain)}"

@@ -12,7 +12,8 @@ from ..overlay.cache import Same, kept_drawing
 from ..report.suggestions import cut_text, shortfall, step_text
 from ..run.settings import AimSettings
 from ..run.window_run import SUGGEST
-from ..words import counted
+from ..solve.suggest import Cut
+from ..words import LengthText, counted
 from .layout import SidebarPanel, draw_sentence
 from .progress import draw_progress
 from .settings import figures_sentence
@@ -20,6 +21,7 @@ from .shown import shown_source
 
 KINDS = ("darts", "seams")
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams"}
+AIM_LABELS = {"DARTS": "Stretch with Darts", "SEAMS": "Stretch with Seams"}
 AIM = ("aim_stretch", "aim_cuts", "aim_length")
 
 
@@ -49,13 +51,13 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         found, layout = _shown(context), self.layout
-        lengths = length_text(context.scene)
+        lengths, labels = length_text(context.scene), AIM_LABELS if found.aim else LABELS
         column = layout.column(align=True)
         for name in dict.fromkeys(found.names):
-            column.label(text=f"{LABELS[found.kind]}, {name}")
+            column.label(text=f"{labels[found.kind]}, {name}")
             for index in (index for index, own in enumerate(found.names) if own == name):
                 cut, is_chosen = found.cuts[index], index <= found.chosen if found.aim else index == found.chosen
-                text = step_text(found.kind, cut, lengths) if found.aim else cut_text(cut, lengths)
+                text = _row_text(found, cut, lengths)
                 button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen)
                 button.index = index
         missed = shortfall(found.kind, found.cuts, found.aim) if found.aim else ""
@@ -70,6 +72,13 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
         take = layout.row()
         take.scale_y = 1.2
         take.operator("object.wirewarp_mend", text="Mark and Flatten", icon="EDGESEL").what = "SUGGESTION"
+
+
+def _row_text(found: Suggestions, cut: Cut, lengths: LengthText) -> str:
+    if found.aim is None:
+        return cut_text(cut, lengths)
+    text = step_text(found.kind, cut, lengths)
+    return text[0].upper() + text[1:]
 
 
 def _shown(context: bpy.types.Context) -> Suggestions | None:
