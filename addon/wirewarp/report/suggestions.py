@@ -28,6 +28,14 @@ def step_text(kind: str, cut: Cut, text: LengthText) -> str:
     return f"{taken_words(kind, cut)}: {_shares(cut)}, {text.rough(sum(cut.lengths))}"
 
 
+def row_text(kind: str, cut: Cut, aim: Aim | None, text: LengthText) -> str:
+    """In the list."""
+    if aim is None:
+        return cut_text(cut, text)
+    step = step_text(kind, cut, text)
+    return step[0].upper() + step[1:]
+
+
 def shortfall(kind: str, cuts: list[Cut], aim: Aim) -> str:
     """Why the aim is not reached; empty where it is."""
     last = cuts[-1]

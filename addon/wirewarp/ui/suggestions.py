@@ -9,11 +9,10 @@ from ..blender.cache import stamp
 from ..blender.units import length_text
 from ..flat.suggestions import Suggestions, current_suggestions, suggestions_of
 from ..overlay.cache import Same, kept_drawing
-from ..report.suggestions import cut_text, shortfall, step_text
+from ..report.suggestions import row_text, shortfall
 from ..run.settings import AimSettings
 from ..run.window_run import SUGGEST
-from ..solve.suggest import Cut
-from ..words import LengthText, counted
+from ..words import counted
 from .layout import SidebarPanel, draw_sentence
 from .progress import draw_progress
 from .settings import figures_sentence
@@ -57,7 +56,7 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
             column.label(text=f"{labels[found.kind]}, {name}")
             for index in (index for index, own in enumerate(found.names) if own == name):
                 cut, is_chosen = found.cuts[index], index <= found.chosen if found.aim else index == found.chosen
-                text = _row_text(found, cut, lengths)
+                text = row_text(found.kind, cut, found.aim, lengths)
                 button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen)
                 button.index = index
         missed = shortfall(found.kind, found.cuts, found.aim) if found.aim else ""
@@ -72,13 +71,6 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
         take = layout.row()
         take.scale_y = 1.2
         take.operator("object.wirewarp_mend", text="Mark and Flatten", icon="EDGESEL").what = "SUGGESTION"
-
-
-def _row_text(found: Suggestions, cut: Cut, lengths: LengthText) -> str:
-    if found.aim is None:
-        return cut_text(cut, lengths)
-    text = step_text(found.kind, cut, lengths)
-    return text[0].upper() + text[1:]
 
 
 def _shown(context: bpy.types.Context) -> Suggestions | None:
