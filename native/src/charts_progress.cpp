@@ -26,8 +26,8 @@ constexpr double kPerStep = 0.05;
 
 }  // namespace
 
-ChartsProgress::ChartsProgress(ProgressReport& report, const std::vector<Chart>& charts)
-    : report_(report), share_done_(charts.size(), 0) {
+ChartsProgress::ChartsProgress(ProgressReport& report, const std::vector<Chart>& charts, double begin, double end)
+    : report_(report), begin_(begin), end_(end), share_done_(charts.size(), 0) {
   double num_faces = 0;
   for (const Chart& chart : charts) num_faces += static_cast<double>(chart.source_face.size());
   for (const Chart& chart : charts) {
@@ -63,7 +63,7 @@ bool ChartsProgress::tell() {
     stage = stage_;
     done = std::min(done_, 1.0);
   }
-  return report_.go_on(stage, 0.2 + 0.7 * done);
+  return report_.go_on(stage, begin_ + (end_ - begin_) * done);
 }
 
 /// Needs the lock.

@@ -9,14 +9,36 @@
 #include <vector>
 
 #include "charts/chart.h"
+#include "in_threads.h"
 #include "progress_report.h"
+#include "stop_token.h"
 
 namespace wirewarp {
 
 /// Gathers the steps of all charts; tells them in the thread that made it alone, as callers expect.
 class ChartsProgress {
  public:
-  ChartsProgress(ProgressReport& report, const std::vector<Chart>& charts);
+  /// begin, end: of all that is done for them, as fractions of the run.
+  ChartsProgress(ProgressReport& report, const std::vector<Chart>& charts, double begin, double end);
+
+  /// Calls work(0) to work(count - 1) on all cores. Once one has thrown, the others are told to stop.
+  template <typename Work>
+  void run(std::size_t count, const Work& work) {
+    const auto work_or_stop_all = [&](std::size_t i) {
+      try {
+        work(i);
+      } catch (...) {
+        report_.cancel();
+        throw;
+      }
+    };
+    if (count > 0) run_in_threads(count, num_cores(), work_or_stop_all, [&] { tell(); });
+  }
+
+  /// For the work on a chart.
+  StopToken stop_token(std::size_t chart) {
+    return StopToken([this, chart](const char* stage) { return go_on(chart, stage); });
+  }
 
   /// At a step of a chart, in any thread. False once the caller has cancelled.
   bool go_on(std::size_t chart, const char* stage);
@@ -31,6 +53,7 @@ class ChartsProgress {
   void advance(std::size_t chart, double share);
 
   ProgressReport& report_;
+  double begin_, end_;
   const std::thread::id caller_ = std::this_thread::get_id();
   std::mutex mutex_;
   std::vector<double> part_of_all_;  // per chart

@@ -14,7 +14,6 @@
 #include "charts/seams_that_give.h"
 #include "charts_progress.h"
 #include "check_input/check_input.h"
-#include "in_threads.h"
 #include "internal_options.h"
 #include "join_charts.h"
 #include "metrics/assemble_result.h"
@@ -22,6 +21,7 @@
 #include "packing/pack_pieces.h"
 #include "piece_report.h"
 #include "progress_report.h"
+#include "refine/refine_cloth.h"
 #include "solve_chart.h"
 #include "stop_token.h"
 #include "stretch_charts.h"
@@ -51,6 +51,14 @@ std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
   return order;
 }
 
+bool is_stretched(const Options& options) {
+  return options.cloth && options.cloth->stretch != std::array<double, 2>{0, 0};
+}
+
+// How much of a run is done once charts are cut, once each is flat but for the cloth's stretch, once all are. The
+// stretch begins near its end.
+constexpr double kCut = 0.2, kLoose = 0.7, kFlat = 0.9;
+
 /// Options for shapes that others begin at. The best direction of a cloth stays, so it has to be exact.
 InternalOptions on_the_way(InternalOptions options) {
   if (options.orientation != Orientation::best) options.aim = options.cloth ? Aim::rough : Aim::newton_step;
@@ -66,7 +74,7 @@ class ChartsSolver {
         run_(run),
         report_(report),
         session_(session),
-        progress_(report, charts),
+        progress_(report, charts, kCut, is_stretched(run.options) ? kLoose : kFlat),
         solved_(charts.size()),
         is_done_(charts.size(), 0),
         is_together_(charts.size(), 0),
@@ -80,28 +88,13 @@ class ChartsSolver {
   std::vector<SolvedChart> solve() {
     for (const std::vector<int>& group : groups_) recall(group);
     const std::vector<std::size_t> order = largest_first(charts_);
-    run(charts_.size(), [&](std::size_t i) { solve_one(order[i]); });
-    run(groups_.size(), [&](std::size_t g) { join(groups_[g]); });
+    progress_.run(charts_.size(), [&](std::size_t i) { solve_one(order[i]); });
+    progress_.run(groups_.size(), [&](std::size_t g) { join(groups_[g]); });
     return std::move(solved_);
   }
 
  private:
-  template <typename Work>
-  void run(std::size_t count, const Work& work) {
-    const auto work_or_stop_all = [&](std::size_t i) {
-      try {
-        work(i);
-      } catch (...) {
-        report_.cancel();
-        throw;
-      }
-    };
-    if (count > 0) run_in_threads(count, num_cores(), work_or_stop_all, [&] { progress_.tell(); });
-  }
-
-  StopToken stop_token(std::size_t c) {
-    return StopToken([this, c](const char* stage) { return progress_.go_on(c, stage); });
-  }
+  StopToken stop_token(std::size_t c) { return progress_.stop_token(c); }
 
   std::vector<const Chart*> members(const std::vector<int>& group) const {
     std::vector<const Chart*> members;
@@ -161,11 +154,15 @@ class ChartsSolver {
     if (is_done_[group.front()] != 0) return;  // from the cache
     std::vector<ChartToJoin> to_join;
     for (const int c : group) {
-      if (solved_[c].uv.rows() > 0) to_join.push_back({charts_[c], solved_[c], is_settled_[c] != 0});
+      if (solved_[c].uv.rows() == 0) continue;
+      to_join.push_back({charts_[c], solved_[c], is_settled_[c] != 0, cloth_on(c)});
     }
     if (!to_join.empty()) {
+      const auto from_scratch = [&](std::size_t, const Chart& settled, const StopToken& stop) {
+        return refine_unfolded(settled, run_.options, stop);
+      };
       const JoinOutcome outcome =
-          join_charts(to_join, run_.options, stop_token(static_cast<std::size_t>(group.front())));
+          join_charts(to_join, run_.options, from_scratch, stop_token(static_cast<std::size_t>(group.front())));
       to_join.front().solved.report.factorizations += outcome.factorizations;
       std::size_t next = 0;  // of those to join
       for (const int c : group) {
@@ -177,6 +174,13 @@ class ChartsSolver {
     for (const int c : group) solved.push_back(&solved_[c]);
     session_.keep(members(group), solved);
     for (const int c : group) progress_.finish(static_cast<std::size_t>(c));
+  }
+
+  /// As it is turned, without its stretch.
+  std::optional<ClothOnChart> cloth_on(int c) const {
+    if (!run_.options.cloth) return std::nullopt;
+    return ClothOnChart{
+        without_stretch(*run_.options.cloth), {hold_upright(charts_[c], solved_[c].uv, run_.options)}, {}};
   }
 
   /// Without common lengths a chart has those at h = ease, or the error that it has so.
@@ -211,9 +215,7 @@ class ChartsSolver {
     solved.multipliers.resize(0);
     solved.report.factorizations += spent;
     if (solved.error || solved.report.termination == Termination::cancelled) return;
-    solved.report.warnings.push_back(
-        "No good shapes were found with other lengths of the seams that give: they have those of their ease.");
-    solved.report.termination = Termination::stalled;
+    report_settled(solved.report);
   }
 
   const std::vector<Chart>& charts_;
@@ -259,9 +261,9 @@ FlattenResult flatten_surface(const Run& run, const EdgeTable& edges, ProgressRe
   CacheSession session(cache, run.input, run.options);
   std::vector<SolvedChart> solved_charts = ChartsSolver(charts.charts, run, report, session).solve();
   session.finish();
-  if (run.options.cloth && run.options.cloth->stretch != std::array<double, 2>{0, 0}) {
-    const StopToken stop([&](const char* stage) { return report.go_on(stage, 0.9); });
-    stretch_charts(charts, run.options, stop.in("shape"), solved_charts);
+  if (is_stretched(run.options)) {
+    ChartsProgress progress(report, charts.charts, kLoose, kFlat);
+    stretch_charts(charts, run, progress, solved_charts);
   }
   const bool was_cancelled = report.is_cancelled();
   if (!was_cancelled) report.go_on("measure", 0.9);

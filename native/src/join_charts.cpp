@@ -12,7 +12,6 @@
 #include "factorization_failed.h"
 #include "feasibility/folded_faces.h"
 #include "network/length_variation.h"
-#include "orientation/upright_direction.h"
 #include "piece_report.h"
 #include "progress_report.h"
 #include "refine/refine_chart.h"
@@ -37,11 +36,9 @@ std::optional<JoinedShapes> find_shapes(const std::vector<ChartToJoin>& charts, 
   std::vector<ClothOnChart> cloths;
   std::vector<RefinementStart> starts;
   for (const ChartToJoin& one : charts) {
-    const Positions2& uv = one.solved.uv;
     copies.push_back(one.chart);
-    starts.emplace_back(uv, one.solved.multipliers);
-    if (!options.cloth) continue;
-    cloths.push_back({without_stretch(*options.cloth), {hold_direction(upright_pair(one.chart, uv, options), uv)}, {}});
+    starts.emplace_back(one.solved.uv, one.solved.multipliers);
+    if (one.cloth) cloths.push_back(*one.cloth);
   }
   try {
     const Injectivity injectivity = options.cloth ? Injectivity::local : Injectivity::none;
@@ -55,26 +52,13 @@ std::optional<JoinedShapes> find_shapes(const std::vector<ChartToJoin>& charts, 
   }
 }
 
-/// None where nothing that is neither turned over nor over itself is found.
-std::optional<RefineResult> refine_unfolded(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
-  try {
-    RefineResult refined = refine_chart(chart, options, stop);
-    const bool is_good = refined.shape.is_exact && refined.shape.injectivity == Injectivity::global;
-    if (is_good && options.cloth) refine_cloth(chart, options, stop.in("shape"), refined);
-    return is_good ? std::optional(std::move(refined)) : std::nullopt;
-  } catch (const FactorizationFailed&) {
-    return std::nullopt;
-  } catch (const Stopped&) {
-    return std::nullopt;
-  }
-}
-
 /// The chart alone with its seams at these lengths, if that shape is good. Whether it is.
-bool replace_folded(const ChartToJoin& one, const InternalOptions& options, const StopToken& stop) {
+bool replace_folded(const std::vector<ChartToJoin>& charts, std::size_t index, const RefineAlone& refine_alone,
+                    const StopToken& stop) {
   if (stop.is_stopped()) return false;
-  SolvedChart& solved = one.solved;
-  const Chart settled = with_settled_seams(one.chart, solved.variation);
-  std::optional<RefineResult> refined = refine_unfolded(settled, options, stop);
+  SolvedChart& solved = charts[index].solved;
+  const Chart settled = with_settled_seams(charts[index].chart, solved.variation);
+  std::optional<RefineResult> refined = refine_alone(index, settled, stop);
   if (!refined) return false;
   refined->factorizations += solved.report.factorizations;
   solved.report.warnings.clear();
@@ -103,7 +87,21 @@ bool were_good(const std::vector<ChartToJoin>& charts, const std::vector<SolvedC
 
 }  // namespace
 
-JoinOutcome join_charts(const std::vector<ChartToJoin>& charts, const InternalOptions& options, const StopToken& stop) {
+std::optional<RefineResult> refine_unfolded(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
+  try {
+    RefineResult refined = refine_chart(chart, options, stop);
+    const bool is_good = refined.shape.is_exact && refined.shape.injectivity == Injectivity::global;
+    if (is_good && options.cloth) refine_cloth(chart, options, stop.in("shape"), refined);
+    return is_good ? std::optional(std::move(refined)) : std::nullopt;
+  } catch (const FactorizationFailed&) {
+    return std::nullopt;
+  } catch (const Stopped&) {
+    return std::nullopt;
+  }
+}
+
+JoinOutcome join_charts(const std::vector<ChartToJoin>& charts, const InternalOptions& options,
+                        const RefineAlone& refine_alone, const StopToken& stop) {
   std::vector<SolvedChart> before;
   for (const ChartToJoin& one : charts) before.push_back(one.solved);
   RefineBudget budget(options.max_factorizations);
@@ -116,11 +114,12 @@ JoinOutcome join_charts(const std::vector<ChartToJoin>& charts, const InternalOp
   charts.front().solved.report.seconds["shape"] += seconds["shape"];
   if (!joined) return {false, budget.spent(), {}};
   for (std::size_t k = 0; k < charts.size(); ++k) {
-    take_shape(std::move(joined->shapes[k]), joined->projected_gradient, stop.is_stopped(), charts[k]);
+    const double gradient = charts.size() > 1 ? joined->projected_gradient : std::numeric_limits<double>::quiet_NaN();
+    take_shape(std::move(joined->shapes[k]), gradient, stop.is_stopped(), charts[k]);
   }
   std::vector<char> is_folded = find_folded(charts);
   for (std::size_t k = 0; k < charts.size(); ++k) {
-    if (is_folded[k] != 0 && replace_folded(charts[k], options, stop)) is_folded[k] = 0;
+    if (is_folded[k] != 0 && replace_folded(charts, k, refine_alone, stop)) is_folded[k] = 0;
   }
   const bool is_any_folded =
       std::count(is_folded.begin(), is_folded.end(), 0) < static_cast<std::ptrdiff_t>(is_folded.size());

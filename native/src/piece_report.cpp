@@ -47,6 +47,12 @@ void report_next_refinement(const RefinedShape& shape, bool was_stopped, PieceRe
   report_shape(shape, was_stopped, report);
 }
 
+void report_settled(PieceReport& report) {
+  report.warnings.push_back(
+      "No good shapes were found with other lengths of the seams that give: they have those of their ease.");
+  report.termination = Termination::stalled;
+}
+
 void report_cancelled(PieceReport& report) {
   report.warnings.push_back("Cancelled: the lengths are exact, but the shape could be less distorted.");
   report.termination = Termination::cancelled;

@@ -9,10 +9,11 @@
 #include "charts/seams_that_give.h"
 #include "errors/sentence.h"
 #include "factorization_failed.h"
+#include "join_charts.h"
 #include "mesh/geometry.h"
 #include "network/length_variation.h"
-#include "orientation/upright_direction.h"
 #include "piece_report.h"
+#include "refine/injective_shape.h"
 #include "refine/refine_cloth.h"
 #include "refine/refine_together.h"
 
@@ -115,21 +116,6 @@ void ask_for(const PerEdge& ratios, Chart& chart) {
   for (std::size_t e = 0; e < ratios.size(); ++e) chart.length_ratio[e] *= ratios[e];
 }
 
-/// shape: in the plane of the stretched cloth. chart: asks for the flat lengths.
-void take_shape(const RefinedShape& shape, const Cloth& cloth, bool was_stopped, const Chart& chart,
-                SolvedChart& solved) {
-  report_next_refinement(shape, was_stopped, solved.report);
-  solved.report.objective *= flat_share(cloth).prod();  // per flat area
-  solved.uv = shape.uv * flat_share(cloth).asDiagonal();
-  solved.network = build_wire_network(chart);
-  Eigen::VectorXd variation = shape.variation;
-  const Eigen::VectorXd flat = length_variation(chart, solved.uv);
-  for (Eigen::Index i = 0; i < variation.size(); ++i) {
-    if (chart.wire_parts[i].kind == WireKind::super_elastic) variation[i] = flat[i];
-  }
-  solved.variation = variations_of(chart, variation);
-}
-
 void lose_layout(FlattenError error, Termination termination, SolvedChart& solved) {
   solved.uv.resize(0, 2);
   solved.network.reset();
@@ -146,70 +132,144 @@ FlattenError no_stretched_shape(const Chart& chart) {
                       {{}, {}, chart.source_face});
 }
 
-/// Charts that seams which give hold together, or one.
+/// A layout in the plane of the stretched cloth becomes the flat one. chart: asks for its lengths.
+void lie_flat(const Chart& chart, const Cloth& cloth, SolvedChart& solved) {
+  solved.report.objective *= flat_share(cloth).prod();  // per flat area
+  solved.uv = solved.uv * flat_share(cloth).asDiagonal();
+  solved.network = build_wire_network(chart);
+  const std::vector<double> flat = variations_of(chart, length_variation(chart, solved.uv));
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    if (chart.wire_parts[i].kind == WireKind::super_elastic) solved.variation[i] = flat[i];
+  }
+}
+
+/// Charts that seams which give hold together, or one; with layouts that turn no triangle over.
 class GroupToStretch {
  public:
-  GroupToStretch(const std::vector<int>& group, const std::vector<PerEdge>& ratios, const InternalOptions& options,
+  GroupToStretch(std::vector<int> members, const std::vector<PerEdge>& ratios, const Run& run,
                  std::vector<Chart>& charts, std::vector<SolvedChart>& solved)
-      : options_(options), charts_(charts), solved_(solved) {
-    for (const int c : group) {
-      if (ratios[c].empty()) continue;
-      members_.push_back(c);
-      const Positions2& uv = solved[c].uv;
-      copies_.push_back(charts[c]);
-      cloths_.push_back({*options.cloth, {hold_direction(upright_pair(charts[c], uv, options), uv)}, ratios[c]});
-      starts_.emplace_back(uv);
+      : members_(std::move(members)), run_(run), charts_(charts), solved_(solved) {
+    for (const int c : members_) {
+      loose_.push_back(solved[c]);
+      cloths_.push_back({*run.options.cloth, {hold_upright(charts[c], solved[c].uv, run.options)}, ratios[c]});
+      const std::vector<WirePart>& parts = charts[c].wire_parts;
+      gives_ = gives_ || std::any_of(parts.begin(), parts.end(), gives_on_boundary);
     }
   }
 
   void stretch(const StopToken& stop) {
-    if (members_.empty()) return;
-    std::optional<JoinedShapes> joined;
-    try {
-      RefineBudget budget(options_.max_factorizations);
-      stop.check();
-      joined = refine_together(copies_, options_.fairness, cloths_, starts_, {budget, stop, Injectivity::local});
-      if (!joined->shapes.front().is_exact) joined.reset();
-    } catch (const Stopped&) {
-      for (const int c : members_) lose_layout(cancelled(), Termination::cancelled, solved_[c]);
-      return;
-    } catch (const FactorizationFailed&) {
-      joined.reset();  // no shape is found
-    }
+    for (const int c : members_) solved_[c].multipliers.resize(0);  // told for other lengths
+    std::vector<ChartToJoin> together;
+    for (std::size_t k = 0; k < members_.size(); ++k) together.push_back(to_join(k, charts_[members_[k]], gives_));
+    const std::optional<JoinOutcome> outcome = join(together, 0, stop);
     for (std::size_t k = 0; k < members_.size(); ++k) {
-      const int c = members_[k];
-      if (!joined) {
-        lose_layout(no_stretched_shape(charts_[c]), Termination::failed, solved_[c]);
-        continue;
+      if (outcome) {
+        finish(k, outcome->is_folded[k] != 0, stop);
+      } else {
+        stretch_settled(k, stop);
       }
-      ask_for(cloths_[k].flat_ratio, charts_[c]);
-      take_shape(joined->shapes[k], *options_.cloth, stop.is_stopped(), charts_[c], solved_[c]);
     }
   }
 
  private:
-  const InternalOptions& options_;
+  ChartToJoin to_join(std::size_t k, const Chart& chart, bool may_be_settled) {
+    return {chart, solved_[members_[k]], may_be_settled, cloths_[k]};
+  }
+
+  /// first: of the members. None: not joined.
+  std::optional<JoinOutcome> join(const std::vector<ChartToJoin>& charts, std::size_t first, const StopToken& stop) {
+    if (!stop.may_go_on()) return std::nullopt;
+    const auto alone = [&](std::size_t index, const Chart& settled, const StopToken& in_shape) {
+      return refine_apart(first + index, settled, in_shape);
+    };
+    JoinOutcome outcome = join_charts(charts, run_.options, alone, stop);
+    charts.front().solved.report.factorizations += outcome.factorizations;
+    return outcome.is_joined ? std::optional(std::move(outcome)) : std::nullopt;
+  }
+
+  /// From the layout without the stretch, by no way that lies over itself.
+  std::optional<RefineResult> refine_apart(std::size_t k, const Chart& settled, const StopToken& stop) const {
+    if (injectivity_of(settled, loose_[k].uv) != Injectivity::global) return std::nullopt;
+    RefineBudget budget(run_.options.max_factorizations);
+    RefineResult refined;
+    try {
+      refined.shape = refine_together({settled}, run_.options.fairness, {cloths_[k]}, {RefinementStart(loose_[k].uv)},
+                                      {budget, stop, Injectivity::global})
+                          .shapes.front();
+    } catch (const Stopped&) {
+      return std::nullopt;
+    } catch (const FactorizationFailed&) {
+      return std::nullopt;
+    }
+    if (!refined.shape.is_exact || injectivity_of(settled, refined.shape.uv) != Injectivity::global)
+      return std::nullopt;
+    refined.start = loose_[k].report.start.c_str();
+    refined.shape.iterations += loose_[k].report.outer_iterations;
+    refined.factorizations = budget.spent();
+    return refined;
+  }
+
+  /// With the seams beside it that give at h = ease.
+  void stretch_settled(std::size_t k, const StopToken& stop) {
+    const int c = members_[k];
+    const Chart settled = with_settled_seams(charts_[c]);
+    const std::optional<JoinOutcome> outcome = gives_ ? join({to_join(k, settled, false)}, k, stop) : std::nullopt;
+    if (outcome) {
+      finish(k, outcome->is_folded.front() != 0, stop);
+      if (solved_[c].report.termination != Termination::cancelled) report_settled(solved_[c].report);
+    } else if (stop.is_stopped()) {
+      lose_layout(cancelled(), Termination::cancelled, solved_[c]);
+    } else if (injectivity_of(charts_[c], loose_[k].uv) == Injectivity::global) {
+      lose_layout(no_stretched_shape(charts_[c]), Termination::failed, solved_[c]);
+    }  // else its error is that it covers itself, stretched or not
+  }
+
+  void finish(std::size_t k, bool is_folded, const StopToken& stop) {
+    SolvedChart& solved = solved_[members_[k]];
+    Chart& chart = charts_[members_[k]];
+    if (is_folded && solved.proposed_seams.empty() && !stop.is_stopped()) propose_seams_for(chart, solved, stop);
+    ask_for(cloths_[k].flat_ratio, chart);
+    lie_flat(chart, *run_.options.cloth, solved);
+  }
+
+  void propose_seams_for(const Chart& chart, SolvedChart& solved, const StopToken& stop) const {
+    try {
+      solved.proposed_seams = propose_seams(chart, run_, stop);
+    } catch (const Stopped&) {
+      report_cancelled(solved.report);
+    }
+  }
+
+  std::vector<int> members_;
+  const Run& run_;
   std::vector<Chart>& charts_;
   std::vector<SolvedChart>& solved_;
-  std::vector<int> members_;  // with a layout
-  std::vector<Chart> copies_;
-  std::vector<ClothOnChart> cloths_;
-  std::vector<RefinementStart> starts_;
+  std::vector<SolvedChart> loose_;    // without the stretch, per member
+  std::vector<ClothOnChart> cloths_;  // per member
+  bool gives_ = false;                // it has seams or outlines that do
 };
 
 }  // namespace
 
-void stretch_charts(Charts& charts, const InternalOptions& options, const StopToken& stop,
-                    std::vector<SolvedChart>& solved) {
+void stretch_charts(Charts& charts, const Run& run, ChartsProgress& progress, std::vector<SolvedChart>& solved) {
   std::vector<PerEdge> ratios(charts.charts.size());
   for (std::size_t c = 0; c < charts.charts.size(); ++c) {
-    if (solved[c].uv.rows() > 0) ratios[c] = ratios_by_direction(charts.charts[c], solved[c].uv, *options.cloth);
+    if (solved[c].uv.rows() > 0) ratios[c] = ratios_by_direction(charts.charts[c], solved[c].uv, *run.options.cloth);
   }
   const std::vector<std::vector<std::string>> warnings = warn_of_sides(charts, ratios);
   share_among_sides(charts.charts, ratios);
-  for (const std::vector<int>& group : group_by_seams_that_give(charts.charts)) {
-    GroupToStretch(group, ratios, options, charts.charts, solved).stretch(stop);
-  }
+  const std::vector<std::vector<int>> groups = group_by_seams_that_give(charts.charts);
+  progress.run(groups.size(), [&](std::size_t g) {
+    const std::vector<int>& group = groups[g];
+    std::vector<int> members;
+    for (const int c : group) {
+      const bool has_layout = solved[c].uv.rows() > 0;
+      if (has_layout && injectivity_of(charts.charts[c], solved[c].uv) != Injectivity::none) members.push_back(c);
+    }
+    const StopToken stop = progress.stop_token(static_cast<std::size_t>(group.front())).in("shape");
+    if (!members.empty()) GroupToStretch(std::move(members), ratios, run, charts.charts, solved).stretch(stop);
+    for (const int c : group) progress.finish(static_cast<std::size_t>(c));
+  });
   for (std::size_t c = 0; c < warnings.size(); ++c) {
     std::vector<std::string>& own = solved[c].report.warnings;
     own.insert(own.end(), warnings[c].begin(), warnings[c].end());

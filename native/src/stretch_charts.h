@@ -10,16 +10,17 @@
 
 #include <vector>
 
-#include "internal_options.h"
+#include "charts_progress.h"
+#include "solve_chart.h"
 #include "solved_chart.h"
-#include "stop_token.h"
 
 namespace wirewarp {
 
 /// solved: upright, without the stretch; then flat pieces with it, and a warning where the sides of a seam would have
-/// shrunk by different shares. charts: ask for the flat lengths from then on. Charts without a layout are left alone;
-/// one without a shape for the flat lengths, or stopped before it has it, loses its layout to an error.
-void stretch_charts(Charts& charts, const InternalOptions& options, const StopToken& stop,
-                    std::vector<SolvedChart>& solved);
+/// shrunk by different shares. charts: ask for the flat lengths from then on. The lengths of seams that give are found
+/// anew, in the same ways (join_charts.h). Charts without a layout or turned over are left alone, which have an
+/// error as they are; another one without a shape for the flat lengths, or stopped before it has it, loses its layout
+/// to an error.
+void stretch_charts(Charts& charts, const Run& run, ChartsProgress& progress, std::vector<SolvedChart>& solved);
 
 }  // namespace wirewarp

@@ -74,7 +74,7 @@ class MultiplierMethod {
 MultiplierMethod::MultiplierMethod(const RefineTask& task, const Positions2& map, const RefinementLimits& limits)
     : task_(task),
       limits_(limits),
-      constraints_(task.chart, task.network),
+      constraints_(task.chart, task.network, task.cloth, map),
       lengths_(constraints_.elastic_lengths()),
       multipliers_(Eigen::VectorXd::Zero(constraints_.size())) {
   now_ = {map, constraints_.within_tolerance(constraints_.variation(map))};

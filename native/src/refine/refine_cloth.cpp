@@ -170,6 +170,10 @@ std::optional<RefinedShape> refine_from_upright(const Chart& chart, const Intern
 
 }  // namespace
 
+GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& options) {
+  return hold_direction(upright_pair(chart, uv, options), uv);
+}
+
 void refine_cloth(const Chart& chart, const InternalOptions& options, const StopToken& stop, RefineResult& result) {
   stand_upright(result.shape.uv, upright_direction(chart, result.shape.uv, options));
   result.shape.converged = false;  // until its energy is least for the cloth

@@ -25,6 +25,9 @@ inline GrainRow hold_direction(const VertexPair& pair, const Positions2& uv) {
   return {pair[0], pair[1], {chord.y(), -chord.x()}};
 }
 
+/// The direction that says how a chart is turned.
+GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& options);
+
 /// result: the shape of refine_chart(), exact; upright afterwards, x along the weft, and refined for options.cloth
 /// unless it has triangles turned over; its multipliers then have one for the row, last. Where the caller stops, the
 /// factorizations of options are spent, or the cloth would turn a triangle over or lay the piece over itself, the shape

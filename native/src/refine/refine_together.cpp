@@ -8,6 +8,7 @@
 
 #include "charts/seams_that_give.h"
 #include "mesh/geometry.h"
+#include "refine/injective_start.h"
 #include "refine/length_constraints.h"
 #include "refine/shut_slits.h"
 
@@ -82,6 +83,20 @@ double projected_gradient(const RefineTask& task, const RefinedShape& shape) {
   return largest;
 }
 
+/// Where the start is too far from exact lengths for one step, by the method of multipliers from there.
+RefinedShape refine_near(const RefineTask& task, const RefinementStart& start, bool is_one,
+                         const RefinementLimits& limits) {
+  const int spent_before = limits.budget.spent();
+  RefinedShape shape = is_one ? refine_with_shut_slits(task, start, limits) : refine_shape(task, start, limits);
+  const bool may_not_turn_over = limits.injectivity != Injectivity::none;
+  if (!shape.is_exact && may_not_turn_over && FairShapeError(task).count_flips(start.uv) == 0) {
+    const std::optional<RefinementStart> exact = injective_start(task, start.uv, limits);
+    if (exact) shape = refine_shape(task, *exact, limits);
+  }
+  shape.factorizations = limits.budget.spent() - spent_before;
+  return shape;
+}
+
 }  // namespace
 
 JoinedShapes refine_together(const std::vector<Chart>& charts, double fairness, const std::vector<ClothOnChart>& cloths,
@@ -93,8 +108,7 @@ JoinedShapes refine_together(const std::vector<Chart>& charts, double fairness, 
   const std::optional<ClothOnChart> cloth = unite_cloths(united, charts, cloths);
   const RefineTask task{united.chart, network, fairness, cloth ? &*cloth : nullptr};
   const RefinementStart start = place_side_by_side(united, network, networks, cloths, starts);
-  const RefinedShape whole =
-      charts.size() == 1 ? refine_with_shut_slits(task, start, limits) : refine_shape(task, start, limits);
+  const RefinedShape whole = refine_near(task, start, charts.size() == 1, limits);
   JoinedShapes joined;
   joined.projected_gradient = projected_gradient(task, whole);
   for (std::size_t c = 0; c < charts.size(); ++c) {

@@ -18,8 +18,9 @@ struct JoinedShapes {
   double projected_gradient = 0;     // PieceReport::projected_gradient
 };
 
-/// From starts near exact lengths. Their multipliers: one per edge of the chart's held network, then those of the grain
-/// rows; what is missing counts as 0. cloths: one per chart, or none for no cloth. All shapes are exact, or none.
+/// From starts near exact lengths; where no triangle may turn over and none is, they may be farther from them. Their
+/// multipliers: one per edge of the chart's held network, then those of the grain rows; what is missing counts as 0.
+/// cloths: one per chart, or none for no cloth. All shapes are exact, or none.
 JoinedShapes refine_together(const std::vector<Chart>& charts, double fairness, const std::vector<ClothOnChart>& cloths,
                              const std::vector<RefinementStart>& starts, const RefinementLimits& limits);
 
