@@ -125,6 +125,26 @@ def test_an_ease_of_a_side_that_was_copied_to_the_other_is_told_until_it_is_mark
     assert sorted(shares(half)) == pytest.approx([0.0, 0.05], abs=1e-5)
 
 
+def test_an_ease_of_one_side_of_a_middle_that_a_mirror_merges_is_told_what_to_do(addon):
+    """Both sides of the middle are one face there and its image: only the applied model tells them apart."""
+    half = grid("Half", lambda x, y: (x + 1, y, 0))
+    mark_seam(half, SEAM)
+    half.modifiers.new("Mirror", "MIRROR")
+    ease(half, SEAM, sides="ONE", ease_percent=5.0)
+    with pytest.raises(RuntimeError, match="8 edges .*modifiers copied.*Apply them and mark it again, or mark it on"):
+        bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    (issue,) = addon.flat.reports.last_report(half)["issues"]
+    assert (issue["code"], len(issue["edges"])) == ("side_unknown", 8)
+    ease(half, SEAM, sides="NONE")
+    ease(half, SEAM, sides="ALL", ease_percent=5.0)
+    assert bpy.ops.object.wirewarp_flatten(use_modifiers=True) == {"FINISHED"}
+    bpy.ops.object.modifier_apply(modifier="Mirror")
+    ease(half, SEAM, sides="ALL", ease_percent=0.0)
+    ease(half, SEAM, sides="ONE", ease_percent=5.0)
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    assert sorted(shares(half)) == pytest.approx([0.0, 0.05], abs=1e-5)
+
+
 def write_corners(source, values):
     """values: by the sign of the side's place; on the corners at which edges of the seam begin."""
     sides = source.data.attributes.get("wirewarp_side_ease") or source.data.attributes.new(

@@ -27,9 +27,9 @@ def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.
     """The object's base mesh, or with a depsgraph the mesh that its modifiers make. Raises ObjectError."""
     linear = linear_part(source)
     if depsgraph is None:
-        return _to_arrays(source.data, base, source, linear)
+        return _to_arrays(source.data, base, source, linear, has_modifiers=False)
     with evaluated_mesh(source, depsgraph) as mesh:
-        return _to_arrays(mesh, read_marked(mesh), source, linear)
+        return _to_arrays(mesh, read_marked(mesh), source, linear, has_modifiers=True)
 
 
 def _check_size(source: bpy.types.Object, vertices: np.ndarray) -> None:
@@ -41,8 +41,10 @@ def _check_size(source: bpy.types.Object, vertices: np.ndarray) -> None:
         )
 
 
-def _to_arrays(mesh: bpy.types.Mesh, marked: MarkedMesh, source: bpy.types.Object, linear: np.ndarray) -> MeshArrays:
-    """marked: what is read of the mesh already."""
+def _to_arrays(
+    mesh: bpy.types.Mesh, marked: MarkedMesh, source: bpy.types.Object, linear: np.ndarray, *, has_modifiers: bool
+) -> MeshArrays:
+    """marked: what is read of the mesh already; has_modifiers: it is what they made."""
     mirrored = bool(np.linalg.det(linear) < 0)
     mesh.calc_loop_triangles()
     # A mirrored object's faces still look outward in Blender, but their corners run the other way round.
@@ -51,7 +53,7 @@ def _to_arrays(mesh: bpy.types.Mesh, marked: MarkedMesh, source: bpy.types.Objec
         loops = np.ascontiguousarray(loops[:, ::-1])
     vertices = marked.places.astype(np.float64) @ linear.T
     _check_size(source, vertices)
-    check_side_eases(mesh)
+    check_side_eases(mesh, has_modifiers=has_modifiers)
     edges, sizes = marked.edges, marked.face_sizes
     face_count = np.bincount(marked.corner_edges, minlength=len(edges))
     in_face = face_count > 0

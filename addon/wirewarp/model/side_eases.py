@@ -36,12 +36,12 @@ def check_side_attributes(mesh: bpy.types.Mesh) -> None:
     check_sides(mesh, _NAMES)
 
 
-def check_side_eases(mesh: bpy.types.Mesh) -> None:
+def check_side_eases(mesh: bpy.types.Mesh, *, has_modifiers: bool) -> None:
     """Raises ObjectError if an attribute of our name is another's, where it cannot be told which side is eased, or if a
     corner and its edge say different things.
     """
     check_side_attributes(mesh)
-    check_sides_told(mesh, _NAMES, "ease")
+    check_sides_told(mesh, _NAMES, "ease", has_modifiers=has_modifiers)
     corners, marked = _read(mesh, SIDE_EASE), values_at_edges(mesh, _NAMES)
     contradict = np.unique(corner_edges(mesh)[(corners != 0) & (marked != 0) & (corners != marked)])
     if len(contradict):

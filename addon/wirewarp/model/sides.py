@@ -64,20 +64,24 @@ def values_at_edges(mesh: bpy.types.Mesh, names: SideNames) -> np.ndarray:
     return np.where(marked & (counts[loop_edges] == 1), values, 0)
 
 
-def check_sides_told(mesh: bpy.types.Mesh, names: SideNames, what: str) -> None:
+def check_sides_told(mesh: bpy.types.Mesh, names: SideNames, what: str, *, has_modifiers: bool = False) -> None:
     """Raises ObjectError where it cannot be told of which side something is.
 
     what: "ease", as a sentence calls it. An edge of a single face that is not the one has lost it with that face.
+    has_modifiers: the mesh is what they made; a Mirror that merges its middle has the same face on both sides there.
     """
     _, counts = _marked_corners(mesh, names.side)
     sides, values = read_values(mesh, names.side, "INT", "EDGE"), read_values(mesh, names.value, "FLOAT", "EDGE")
     lost = np.flatnonzero((sides != 0) & is_set(values) & (counts != 1) & (faces_at_edges(mesh) > 1))
     if len(lost):
+        why, first = "faces there were copied or replaced", "Mark it again"
+        if has_modifiers:
+            why, first = "modifiers copied or replaced faces there", "Apply them and mark it again"
         raise ObjectError(
             Issue(
                 "side_unknown",
                 f'{counted(len(lost), "edge")} of "{mesh.name}" with an {what} of one side: which side that is '
-                "cannot be told, for faces there were copied or replaced. Mark it again, or on all sides alike.",
+                f"cannot be told, for {why}. {first}, or mark it on all sides alike.",
                 edges=[tuple(pair) for pair in edge_vertices(mesh)[lost].tolist()],
             )
         )
