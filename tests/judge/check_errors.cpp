@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include "check_unfolding.h"
 #include "judge.h"
 #include "planar_overlap.h"
 
@@ -85,6 +86,13 @@ void check_flips(Judged& judged, const Piece& piece) {
   }
 }
 
+/// Its lengths are others than those of the surface, so that a seam or a tolerance need not mend it: it has eases, or a
+/// shape without the stretch.
+bool asks_for_other_lengths(const Judged& judged, int number) {
+  const bool is_of_stretch = judged.unstretched && !judged.unstretched->pieces[number].error;
+  return is_of_stretch || has_other_outline(judged, judged.result.pieces[number]);
+}
+
 }  // namespace
 
 bool is_of_mesh(ErrorCode code) {
@@ -133,7 +141,10 @@ void check_error(Judged& judged, int number) {
     }
     case ErrorCode::infeasible_lengths:
       if (has_seams && has_tolerances) judged.say("seams and tolerances are proposed at once");
-      if (judged.options.method == Method::refined && !has_seams && !has_tolerances) judged.say("nothing is proposed");
+      if (judged.options.method == Method::refined && !asks_for_other_lengths(judged, number) && !has_seams &&
+          !has_tolerances) {
+        judged.say("nothing is proposed");
+      }
       break;
     case ErrorCode::flipped_faces:
       check_flips(judged, piece);

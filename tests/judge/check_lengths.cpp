@@ -5,23 +5,31 @@
 #include <limits>
 #include <set>
 
+#include "check_stretch.h"
+
 namespace wirewarp::test {
 namespace {
 
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
 struct EdgeLengths {
-  double in_space;
+  double asked;  // where h and r are 0
   double planar;
   double slack;  // what the promise leaves of the planar length
 };
 
-/// Of a side that is (1+r) times what it would be, without that.
-EdgeLengths lengths_of(const Judged& judged, const Edge& edge, const Side& side, double ease) {
-  const Piece& piece = judged.result.pieces[judged.piece_of(side.face)];
+/// Of a side that is (1+r) times what it would be, without that. is_stretched: it shrinks as the cloth is worn.
+EdgeLengths lengths_of(const Judged& judged, const Edge& edge, const Side& side, double ease, bool is_stretched) {
   const double in_space = judged.length_3d(edge);
-  const double slack = 1.0001e-9 * in_space + kRounding * judged.uv_size(piece);
-  return {in_space, judged.length_2d(side) / (1 + ease), slack / (1 + ease)};
+  const int piece = judged.piece_of(side.face);
+  double rounding = kRounding * judged.uv_size(judged.result.pieces[piece]);
+  double share = 1;
+  if (is_stretched && judged.unstretched) {
+    share = stretched_share(judged, edge);
+    rounding += kRounding * judged.uv_size(judged.unstretched->pieces[piece]);  // its directions
+  }
+  const double slack = 1.0001e-9 * in_space + rounding;
+  return {share * in_space, judged.length_2d(side) / (1 + ease), slack / (1 + ease)};
 }
 
 bool is_all_rigid(const Options& options) {
@@ -46,7 +54,7 @@ std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire&
     const Side side = judged.sides().at(edge).front();
     const Piece& piece = judged.result.pieces[piece_at(i)];
     if (judged.is_outline(edge) || piece.error) continue;  // outlines are checked; failed pieces promise nothing
-    parts.back().push_back(lengths_of(judged, edge, side, 0));
+    parts.back().push_back(lengths_of(judged, edge, side, 0, wire.ease == 0));
   }
   const bool goes_on = wire.vertices.front() == wire.vertices.back() && !begins_part(0);
   if (goes_on && parts.size() > 1) {  // across the wire's begin
@@ -64,8 +72,8 @@ struct Variations {
   explicit Variations(double tolerance, double ease = 0) : low(ease - tolerance), high(ease + tolerance) {}
 
   void meet(const EdgeLengths& edge) {
-    low = std::max(low, (edge.planar - edge.slack) / edge.in_space - 1);
-    high = std::min(high, (edge.planar + edge.slack) / edge.in_space - 1);
+    low = std::max(low, (edge.planar - edge.slack) / edge.asked - 1);
+    high = std::min(high, (edge.planar + edge.slack) / edge.asked - 1);
   }
 
   /// By how much they miss one another; not above 0: not at all.
@@ -92,11 +100,11 @@ double ease_of(const Judged& judged, const Side& side) {
 }
 
 /// The sides of an outline edge in good pieces, without their eases.
-std::vector<EdgeLengths> uneased_sides(const Judged& judged, const Edge& edge) {
+std::vector<EdgeLengths> uneased_sides(const Judged& judged, const Edge& edge, bool is_stretched) {
   std::vector<EdgeLengths> sides;
   for (const Side& side : judged.sides().at(edge)) {
     const bool is_good = !judged.result.pieces[judged.piece_of(side.face)].error;
-    if (is_good) sides.push_back(lengths_of(judged, edge, side, ease_of(judged, side)));
+    if (is_good) sides.push_back(lengths_of(judged, edge, side, ease_of(judged, side), is_stretched));
   }
   return sides;
 }
@@ -155,7 +163,7 @@ std::vector<std::vector<Edge>> runs_along_outlines(const Judged& judged, const W
 void check_run(Judged& judged, const Wire& wire, const std::vector<Edge>& run) {
   Variations variations(is_all_rigid(judged.options) ? 0 : wire.tolerance, wire.ease);
   for (const Edge& edge : run) {
-    for (const EdgeLengths& side : uneased_sides(judged, edge)) variations.meet(side);
+    for (const EdgeLengths& side : uneased_sides(judged, edge, wire.ease == 0)) variations.meet(side);
   }
   if (variations.gap() > 0) {
     judged.say("wire \"" + wire.name + "\" breaks its tolerance by " + std::to_string(variations.gap()) +
@@ -166,7 +174,7 @@ void check_run(Judged& judged, const Wire& wire, const std::vector<Edge>& run) {
 /// Where no wire lies: all sides of an outline edge have planar lengths (1+r) l.
 void check_plain_edge(Judged& judged, const Edge& edge) {
   Variations variations(0);
-  for (const EdgeLengths& side : uneased_sides(judged, edge)) variations.meet(side);
+  for (const EdgeLengths& side : uneased_sides(judged, edge, true)) variations.meet(side);
   if (variations.gap() > 0) judged.say("outline " + name(edge) + " is off by " + std::to_string(variations.gap()));
 }
 

@@ -21,8 +21,6 @@ constexpr double kCloses = 1e-11, kStrain = 1e-7;
 // E (Eq. 4) over the 3D area: rounding, and what the stop of Eq. 1 leaves of angles.
 constexpr double kUndistorted = 1e-12, kUndistortedAngles = 1e-9;
 
-constexpr int kFewFactorizations = 20;  // a method that may take no more can stop anywhere
-
 double triangle_area(const PlanarTriangle& t) { return static_cast<double>(doubled_area(t)) / 2; }
 
 /// The third corner of a face that lies on the left of the side from a to b in the plane.
@@ -96,7 +94,8 @@ double energy(const PlanarTriangle& from, const PlanarTriangle& to) {
   return triangle_area(from) * (2 * (z - 1) * (z - 1) + 2 * w * w);
 }
 
-/// Its outline may get, or gets, other lengths than those of the surface.
+}  // namespace
+
 bool has_other_outline(const Judged& judged, const Piece& piece) {
   const int number = judged.piece_of(piece.source_face.front());
   const auto lies_in_piece = [&](const Edge& edge) { return !judged.sides_in(edge, number).empty(); };
@@ -115,12 +114,10 @@ bool has_other_outline(const Judged& judged, const Piece& piece) {
   return false;
 }
 
-}  // namespace
-
 void check_unfolding(Judged& judged, const Piece& piece) {
-  if (has_other_outline(judged, piece)) return;
+  if (judged.unstretched || has_other_outline(judged, piece)) return;
   const bool is_refined = judged.options.method == Method::refined;
-  if (is_refined && judged.options.max_factorizations < kFewFactorizations) return;
+  if (is_refined && judged.may_stop_anywhere()) return;
   // The paper's methods turn faces over now and then, or stop short, and say so.
   if (!is_refined && (piece.error || piece.report.termination != Termination::converged)) return;
   const auto unfolded = unfold(judged, piece);

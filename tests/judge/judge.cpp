@@ -6,6 +6,7 @@
 #include "check_errors.h"
 #include "check_layout.h"
 #include "check_lengths.h"
+#include "check_stretch.h"
 #include "check_unfolding.h"
 #include "judged.h"
 #include "planar_overlap.h"
@@ -48,7 +49,8 @@ void check_shape(Judged& judged, const Piece& piece) {
 
 void check_piece(Judged& judged, int number) {
   const Piece& piece = judged.result.pieces[number];
-  if (judged.has_layout(piece)) check_orientation(judged, number);
+  // A cloth keeps the direction of two vertices alone, and stretch turns what is neither weft nor warp.
+  if (judged.has_layout(piece) && !judged.options.cloth) check_orientation(judged, number);
   if (piece.error) return check_error(judged, number);
   if (!std::isfinite(judged.uv_size(piece))) {
     return judged.say("piece " + std::to_string(number) + " has no error and no coordinates");
@@ -60,8 +62,9 @@ void check_piece(Judged& judged, int number) {
 
 }  // namespace
 
-Sentences broken_promises(const FlattenInput& input, const Options& options, const FlattenResult& result) {
-  Judged judged(input, options, result);
+Sentences broken_promises(const FlattenInput& input, const Options& options, const FlattenResult& result,
+                          const FlattenResult* unstretched) {
+  Judged judged(input, options, result, unstretched);
   for (int p = 0; p < static_cast<int>(result.pieces.size()); ++p) check_piece(judged, p);
   check_room(judged);
   check_wires(judged);
@@ -69,14 +72,15 @@ Sentences broken_promises(const FlattenInput& input, const Options& options, con
 }
 
 Sentences broken_demands(const FlattenInput& input, const Options& options, const FlattenResult& result,
-                         const std::optional<ErrorCode>& fault) {
-  Judged judged(input, options, result);
+                         const std::optional<ErrorCode>& fault, const FlattenResult* unstretched) {
+  Judged judged(input, options, result, unstretched);
   for (const Piece& piece : result.pieces) {
     const std::string name = piece.error ? describe(piece.error->code).name : "";
     const bool is_of_fault = piece.error && (piece.error->code == fault);
     if (!is_of_fault && piece.error && is_of_mesh(piece.error->code)) judged.say("legal input has the error " + name);
     if (piece.error && is_of_mesh(piece.error->code)) continue;
     check_unfolding(judged, piece);
+    check_even_stretch(judged, piece);
     if (piece.error &&
         (piece.error->code == ErrorCode::not_solvable || piece.error->code == ErrorCode::lengths_not_kept)) {
       judged.say("a piece fails with " + name + ": " + piece.error->what());

@@ -3,8 +3,13 @@
 
 namespace wirewarp::test {
 
-Judged::Judged(const FlattenInput& the_input, const Options& the_options, const FlattenResult& the_result)
-    : input(the_input), options(the_options), result(the_result), piece_of_(input.faces.rows(), -1) {
+Judged::Judged(const FlattenInput& the_input, const Options& the_options, const FlattenResult& the_result,
+               const FlattenResult* the_unstretched)
+    : input(the_input),
+      options(the_options),
+      result(the_result),
+      unstretched(the_unstretched),
+      piece_of_(input.faces.rows(), -1) {
   for (int f = 0; f < input.faces.rows(); ++f) {
     for (int k = 0; k < 3; ++k) sides_[edge_of(vertex(f, k), vertex(f, k + 1))].push_back({f, k});
   }

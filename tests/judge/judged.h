@@ -29,7 +29,9 @@ struct Side {
 /// An input and its result, as the judge looks them up; and the broken promises found so far.
 class Judged {
  public:
-  Judged(const FlattenInput& input, const Options& options, const FlattenResult& result);
+  /// unstretched: of a cloth that is worn stretched, what it is without; null of any other.
+  Judged(const FlattenInput& input, const Options& options, const FlattenResult& result,
+         const FlattenResult* unstretched = nullptr);
 
   /// Notes a broken promise; the first ten are enough.
   void say(std::string sentence) {
@@ -47,6 +49,9 @@ class Judged {
   /// max |uv| of a piece, NaN without a layout.
   double uv_size(const Piece& piece) const;
   bool has_layout(const Piece& piece) const { return !std::isnan(uv_size(piece)); }
+
+  /// The refined method may take but a few factorizations.
+  bool may_stop_anywhere() const { return options.max_factorizations < 20; }
 
   const std::map<Edge, std::vector<Side>>& sides() const { return sides_; }
   bool is_edge(const Edge& edge) const { return sides_.count(edge) > 0; }
@@ -69,6 +74,7 @@ class Judged {
   const FlattenInput& input;
   const Options& options;
   const FlattenResult& result;
+  const FlattenResult* const unstretched;
 
  private:
   std::map<Edge, std::vector<Side>> sides_;

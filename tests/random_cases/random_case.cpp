@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "random_case.h"
 
+#include "random_cloth.h"
 #include "random_faults.h"
 #include "random_mesh.h"
 #include "random_network.h"
@@ -54,6 +55,9 @@ RandomCase make_random_case(std::uint64_t seed) {
   }
   if (!result.fault && random.chance(0.1) && let_parts_touch(random, result.input)) result.description += " touching";
   result.options.large_chart = static_cast<std::size_t>(random.across_scales(50, 8'000));
+  if (!result.fault && result.options.method == Method::refined && random.chance(0.5)) {
+    add_random_stretch(random, result.input, result.options, result.description);
+  }
   return result;
 }
 

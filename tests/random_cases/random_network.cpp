@@ -11,10 +11,6 @@
 namespace wirewarp::test {
 namespace {
 
-using Edge = VertexPair;  // the smaller vertex first
-
-Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-
 /// The edges of a mesh by vertex, and how many faces each has.
 struct EdgeGraph {
   std::vector<std::vector<int>> neighbors;

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "random_stream.h"
 #include "wirewarp/flatten.h"
 
 namespace wirewarp::test {
+
+using Edge = VertexPair;  // the smaller vertex first
+
+inline Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// Adds random seams: walks along edges, shortest paths from border to border, darts, slits and loops of a few edges,
 /// or none.
