@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces of a stretched cloth were refused or covered themselves that were good without the stretch: where the sides of
+// a seam shrink by shares far apart, its mean was out of reach of one step; nothing kept a piece from covering itself;
+// and one that is turned over as it is lost its layout and what would mend it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planar.h"
+#include "test_meshes.h"
+
+namespace wirewarp {
+namespace {
+
+Options stretched(double weft, double warp) {
+  Options options;
+  options.cloth.emplace();
+  options.cloth->shear = 0.05;
+  options.cloth->stretch = {weft, warp};
+  return options;
+}
+
+/// Two sheets of 2 by 2, one with its grain along the seam, the other across.
+FlattenInput sheets_with_crossed_grain(double bump) {
+  FlattenInput input = test::make_grid(8, 4, [=](double s, double t) -> Eigen::Vector3d {
+    return {4 * s, 2 * t, bump * std::sin(3 * s) * std::sin(3 * t)};
+  });
+  test::add_seam(input, test::grid_column(8, 4, 4));
+  test::add_wire(input, test::grid_column(8, 4, 2));
+  const std::vector<int> row = test::grid_row(8, 2);
+  test::add_wire(input, {row.begin() + 4, row.end()});
+  return input;
+}
+
+/// A ruffle nearly all around: laid flat it would reach beyond where it began.
+FlattenInput ruffle() {
+  return test::make_grid(24, 3, [](double s, double t) -> Eigen::Vector3d {
+    const double angle = 0.95 * 2 * kPi * s, radius = 1 + t;
+    return {radius * std::cos(angle), radius * std::sin(angle), 0.2 * radius * std::cos(3 * angle)};
+  });
+}
+
+void expect_good(const FlattenResult& result) {
+  for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
+  for (const SeamReport& seam : result.seams) EXPECT_LT(seam.mismatch, 1e-9 * seam.length_3d);
+}
+
+TEST(Bugs, ASeamWhoseSidesShrinkByFarSharesIsReached) {
+  for (const double bump : {0.0, 0.6}) {
+    FlattenInput input = sheets_with_crossed_grain(bump);
+    expect_good(flatten(input, stretched(1, -0.3)));
+    test::add_wire(input, test::grid_column(8, 4, 4), 0.02);
+    expect_good(flatten(input, stretched(1, -0.3)));
+  }
+}
+
+TEST(Bugs, AStretchedPieceDoesNotCoverItself) {
+  expect_good(flatten(ruffle(), stretched(0, 0)));
+  expect_good(flatten(ruffle(), stretched(0.25, 0.1)));
+}
+
+TEST(Bugs, StretchedSeamsThatGiveHaveTheirEaseWhereNoOtherLengthIsFound) {
+  FlattenInput input = sheets_with_crossed_grain(0);
+  test::add_wire(input, test::grid_column(8, 4, 4), 0.2);
+  Options options = stretched(0.3, -0.3);
+  options.max_factorizations = 2;  // too few for both pieces at once, enough for each
+  const FlattenResult result = flatten(input, options);
+  expect_good(result);
+  EXPECT_NEAR(result.seams.at(0).length_2d[0], 2 * (1 / 1.3 + 1 / 0.7) / 2, 1e-8);
+  for (const Piece& piece : result.pieces) {
+    EXPECT_EQ(piece.report.termination, Termination::stalled);
+    const std::vector<std::string>& warnings = piece.report.warnings;
+    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+      return warning.find("they have those of their ease") != std::string::npos;
+    }));
+  }
+}
+
+TEST(Bugs, APieceThatIsTurnedOverAnywayIsNoOtherUnderAStretch) {
+  FlattenInput input = test::make_grid(8, 4, [](double s, double t) -> Eigen::Vector3d {
+    return {2 * s, t, 2 * std::exp(-12 * ((2 * s - 0.5) * (2 * s - 0.5) + (t - 0.5) * (t - 0.5)))};
+  });
+  test::add_seam(input, test::grid_column(8, 4, 4));
+  for (const int j : {1, 2, 3}) {  // too much for rigid wires on the left half
+    const std::vector<int> row = test::grid_row(8, j);
+    test::add_wire(input, {row.begin(), row.begin() + 5});
+  }
+  test::add_wire(input, test::grid_column(8, 4, 6));
+  const FlattenResult loose = flatten(input, stretched(0, 0)), tight = flatten(input, stretched(0.2, 0.05));
+  const std::optional<FlattenError>&before = loose.pieces.at(0).error, &after = tight.pieces.at(0).error;
+  ASSERT_TRUE(before && before->code == ErrorCode::flipped_faces);
+  ASSERT_TRUE(after && after->code == ErrorCode::flipped_faces);
+  EXPECT_TRUE(after->has_layout);
+  EXPECT_EQ(after->elements.proposed_seams, before->elements.proposed_seams);
+  EXPECT_FALSE(tight.pieces.at(1).error);
+}
+
+}  // namespace
+}  // namespace wirewarp
