@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "judge.h"
@@ -116,6 +118,34 @@ TEST(Judge, TellsOfPiecesThatUnfoldAndDoNotComeOutFlat) {
   expect_demanded(
       patch, [](JudgeCase& c) { fail(c, ErrorCode::infeasible_lengths); },
       "a piece that unfolds has the error infeasible_lengths");
+}
+
+TEST(Judge, KnowsTheLengthsOfAStretchedClothByTheDirectionsWithoutTheStretch) {
+  const FlattenInput input = two_sheets().input;
+  Options options;
+  options.cloth.emplace();
+  const FlattenResult unstretched = flatten(input, options);
+  options.cloth->stretch = {0.2, 0.05};
+  const FlattenResult result = flatten(input, options);
+  EXPECT_EQ(test::broken_promises(input, options, result, &unstretched), std::vector<std::string>{});
+  EXPECT_EQ(test::broken_demands(input, options, result, std::nullopt, &unstretched), std::vector<std::string>{});
+  std::swap(options.cloth->stretch[0], options.cloth->stretch[1]);
+  EXPECT_FALSE(test::broken_promises(input, options, result, &unstretched).empty());
+}
+
+TEST(Judge, KnowsTheShapeOfAStretchedPieceThatUnfolds) {
+  const FlattenInput input = test::cylinder_patch(4, 3, 1, 2, 1);
+  Options options;
+  options.cloth.emplace();
+  const FlattenResult unstretched = flatten(input, options);
+  options.cloth->stretch = {0.2, 0.05};
+  FlattenResult result = flatten(input, options);
+  const auto demands = [&] { return test::broken_demands(input, options, result, std::nullopt, &unstretched); };
+  EXPECT_EQ(demands(), std::vector<std::string>{});
+  result.corner_uv(0, 0) += 1e-3;
+  EXPECT_EQ(demands().size(), 1U);
+  result.pieces.at(0).error.emplace(ErrorCode::overlapping_faces, "It covers itself.");
+  EXPECT_EQ(demands().size(), 1U);
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ struct Options {
 
   /// Of the refined method: after so many factorizations of its Newton systems, those of the coarser mesh of a large
   /// piece and of a piece with slits sewn up among them, a piece stops at the shape it has. Those that find out which
-  /// wires contradict have limits of their own; so have seams that give, for all pieces they join. >= 1.
+  /// wires contradict have limits of their own; so have seams that give, for all pieces they join, and the stretch of a
+  /// cloth, which begins where the piece without it ends: each time as many again. >= 1.
   int max_factorizations = 100;
 
   /// Of the refined method: what the pieces are cut from, x along its weft, y along its warp. None: a material that
