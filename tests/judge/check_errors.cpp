@@ -150,7 +150,9 @@ void check_error(Judged& judged, int number) {
       check_flips(judged, piece);
       [[fallthrough]];
     case ErrorCode::overlapping_faces:
-      if (judged.options.method == Method::refined && !has_seams) judged.say("no seam is proposed");
+      if (judged.options.method == Method::refined && !has_seams && !has_other_outline(judged, piece)) {
+        judged.say("no seam is proposed");
+      }
       break;
     default:
       break;
