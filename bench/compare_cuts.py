@@ -1,0 +1,272 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cuts of the same surfaces by OptCuts and by WireWarp, at equal distortion, and the page that says how they compare:
+
+PYTHONPATH=results python bench/compare_cuts.py PAGE [--most-triangles N]
+
+In the environment OPTCUTS_MESHES names a folder of OBJ files, OPTCUTS_PROGRAM the executable built from OptCuts' public
+sources, and OPTCUTS_RESULTS a folder that keeps every result of either, so that none is computed twice.
+"""
+
+import argparse
+import json
+import os
+import resource
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from statistics import median
+
+import numpy as np
+import wirewarp
+from cut_measures import CutFigures, measure_cuts, read_corner_uv
+from machine import machine
+from mesh_files import read_obj
+from optcuts import BOUND, HEADLESS, LIMIT, OPTIONS, by_size, kept_run, limit_processor_time
+from run_apart import NoAnswerError, run_apart
+from tables import table
+from text import wrap
+from which_commit import commit
+
+AIMS = (0.5, 0.25, 0.1, 0.05)  # strains; OptCuts leaves about the first, and 5% is what first cuts aim at by default
+LADDER = 30  # proposals asked for: more than a set of first cuts has cuts
+FEWEST = 2  # sets to which darts are added: those with more cuts gave longer ones in the end
+DARTS = 20  # at most, as many as a set of first cuts has cuts
+CHOICE = 5  # of darts, the default of propose_darts()
+CLOCK_LIMIT = 10 * LIMIT  # seconds; other processes may keep the core from it
+
+
+@dataclass(frozen=True)
+class Outcome:
+    seconds: float  # of processor time
+    without: str  # why there are no figures; empty where there are
+    figures: CutFigures | None
+    set_length: float | None = None  # as CutFigures.length, of the shortest set of first cuts without darts
+
+
+Cuts = tuple[np.ndarray, CutFigures]  # edges and what they allow
+
+
+def flat(vertices: np.ndarray, faces: np.ndarray, seams: np.ndarray) -> CutFigures | None:
+    """None where a part does not lie flat under these seams, or not without overlaps, as those of OptCuts do."""
+    flattening = wirewarp.flatten(vertices, faces, seams=seams)
+    if any(piece.error or len(piece.metrics.overlapping_faces) for piece in flattening.pieces):
+        return None
+    return measure_cuts(vertices, faces, flattening.corner_uv)
+
+
+def cut(vertices: np.ndarray, faces: np.ndarray) -> tuple[CutFigures, float | None]:
+    """The shortest cuts found under which the energy keeps below the bound; and Outcome.set_length."""
+    sets = flat_sets(vertices, faces)
+    is_enough = sets[-1][1].energy <= BOUND
+    best = sets[-1][1] if is_enough else None
+    for first in sets[:FEWEST]:
+        best = with_darts(vertices, faces, first, best)
+    if not best:
+        raise ValueError(f"{DARTS} darts more leave an energy over {BOUND}")
+    return best, sets[-1][1].length if is_enough else None
+
+
+def flat_sets(vertices: np.ndarray, faces: np.ndarray) -> list[Cuts]:
+    """Sets of first cuts under which all lies flat, the shortest first and none after one that is enough."""
+    seams = np.zeros((0, 2), dtype=int)
+    if uncut := flat(vertices, faces, seams):
+        return [(seams, uncut)]
+    for aim in AIMS:
+        sets = []
+        proposals = wirewarp.propose_seams(vertices, faces, strain=aim, count=LADDER)
+        for proposal in sorted(proposals, key=lambda proposal: proposal.length):
+            if figures := flat(vertices, faces, proposal.edges):
+                sets.append((proposal.edges, figures))
+                if figures.energy <= BOUND:
+                    return sets
+    if not sets:
+        raise ValueError("no set of first cuts lies flat without overlaps")
+    return sets
+
+
+def with_darts(vertices: np.ndarray, faces: np.ndarray, cuts: Cuts, best: CutFigures | None) -> CutFigures | None:
+    """Darts one by one, each the one that takes most energy for its length; best, unless that gives shorter cuts."""
+    seams, figures = cuts
+    longest = best.length if best else np.inf
+    for _ in range(DARTS):
+        if figures.energy <= BOUND or figures.length >= longest:
+            break
+        tried = []
+        for dart in propose_darts(vertices, faces, seams):
+            together = np.concatenate([seams, dart.edges])
+            if after := flat(vertices, faces, together):
+                tried.append(((figures.energy - max(after.energy, BOUND)) / dart.length, together, after))
+        if not tried:
+            break
+        _, seams, figures = max(tried, key=lambda gain_and_cuts: gain_and_cuts[0])
+    return figures if figures.energy <= BOUND and figures.length < longest else best
+
+
+def propose_darts(vertices: np.ndarray, faces: np.ndarray, seams: np.ndarray) -> list[wirewarp.DartProposal]:
+    try:
+        return wirewarp.propose_darts(vertices, faces, seams=seams, strain=0, count=CHOICE)
+    except wirewarp.FlattenError as error:
+        if error.code == wirewarp.ErrorCode.no_proposal:
+            return []
+        raise
+
+
+def in_limited_time(mesh: Path) -> tuple[CutFigures, float | None]:
+    limit_processor_time()
+    return cut(*read_obj(mesh))
+
+
+def ours(mesh: Path, results: Path) -> Outcome:
+    kept = results / f"{mesh.stem}.ours.json"
+    if kept.exists():
+        told = json.loads(kept.read_text())
+        return Outcome(**told | {"figures": told["figures"] and CutFigures(**told["figures"])})
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    without, figures, set_length = "", None, None
+    try:
+        figures, set_length = run_apart(lambda: in_limited_time(mesh), CLOCK_LIMIT)
+    except NoAnswerError as reason:
+        without = str(reason)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    outcome = Outcome(seconds, f"over {LIMIT} s" if without and seconds >= LIMIT else without, figures, set_length)
+    kept.write_text(json.dumps(asdict(outcome)), encoding="utf-8")
+    return outcome
+
+
+def theirs(mesh: Path, results: Path, program: Path) -> Outcome:
+    run = kept_run(program, mesh, results)
+    if run.without:
+        return Outcome(run.seconds, run.without, None)
+    shape = results / f"{mesh.stem}.obj"
+    return Outcome(run.seconds, "", measure_cuts(*read_obj(shape), read_corner_uv(shape)))
+
+
+def cells(outcome: Outcome) -> list[str]:
+    figures = outcome.figures
+    if not figures:
+        return ["–"] * 5 + [f"{outcome.seconds:,.0f}"]
+    return [
+        f"{figures.length:.2f}",
+        f"{figures.energy:.3f}",
+        f"{100 * figures.strain:.0f}%",
+        f"{1000 * figures.mismatch:.2g}",
+        str(figures.charts),
+        f"{outcome.seconds:,.0f}",
+    ]
+
+
+def own_cells(outcome: Outcome) -> list[str]:
+    length, *others = cells(outcome)
+    return [length, f"{outcome.set_length:.2f}" if outcome.set_length else "–", *others]
+
+
+def verdict(peer: Outcome, own: Outcome) -> str:
+    if not peer.figures and not own.figures:
+        return "neither"
+    if not own.figures:
+        return f"OptCuts; ours: {own.without}"
+    if not peer.figures:
+        return f"ours; OptCuts: {peer.without}"
+    return "ours" if own.figures.length < peer.figures.length else "OptCuts"
+
+
+def in_brief(rows: list[tuple[Outcome, Outcome]]) -> str:
+    """Who has the shorter cuts, in counts and medians, over the surfaces that both cut."""
+    both = [(peer, own) for peer, own in rows if peer.figures and own.figures]
+    if not both:
+        return "Neither cut the surfaces that the other did."
+    won = sum(own.figures.length < peer.figures.length for peer, own in both)
+
+    def middle(read: str) -> list[float]:
+        return [median(getattr(outcome[i].figures, read) for outcome in both) for i in (0, 1)]
+
+    ratio = median(own.figures.length / peer.figures.length for peer, own in both)
+    mismatch, strain, charts = middle("mismatch"), middle("strain"), middle("charts")
+    seconds = [median(outcome[i].seconds for outcome in both) for i in (0, 1)]
+    return (
+        f"Of {len(rows)} surfaces both methods cut {len(both)} below the bound within the time; WireWarp alone "
+        f"{sum(bool(own.figures and not peer.figures) for peer, own in rows)}, OptCuts alone "
+        f"{sum(bool(peer.figures and not own.figures) for peer, own in rows)}. Of these {len(both)} WireWarp has the "
+        f"shorter cuts on {won} and OptCuts on {len(both) - won}; the median of WireWarp's length over that of OptCuts "
+        f"is {ratio:.2f}. Medians of OptCuts and of WireWarp: sides of a cut that differ by {1000 * mismatch[0]:.3g} "
+        f"and by {1000 * mismatch[1]:.2g} mm per m, strain {100 * strain[0]:.0f}% and {100 * strain[1]:.0f}%, "
+        f"{charts[0]:.3g} and {charts[1]:.3g} charts, {seconds[0]:,.1f} and {seconds[1]:,.1f} s."
+    )
+
+
+def page(meshes: list[Path], found: list[tuple[Outcome, Outcome]], all_meshes: int, most: int | None) -> str:
+    which = (
+        f"Here are all {len(meshes)} of at most {most:,} triangles of the {all_meshes} in the benchmark; the others "
+        "are not measured, for want of time."
+        if most
+        else f"Here are all {all_meshes} of them."
+    )
+    call = " ".join([HEADLESS, "MESH", *OPTIONS])
+    text = f"""# Cuts beside OptCuts
+
+Written by `bench/compare_cuts.py`, which says how; not part of `./dev bench`. Machine: {machine()}. Commit: {commit()}.
+
+[OptCuts](https://github.com/liminchen/OptCuts) (Li, Kaufman, Kim, Solomon, Sheffer 2018) finds cuts and flat shape at
+once. It runs as its authors measure it, with the energy bound to {BOUND} and without overlaps (`{call}`), built
+without its window. The surfaces are its benchmark's, whole: closed ones, and ones with an outline. {which}
+
+{in_brief(found)}
+
+**What is measured.** Both results are measured by one code, `bench/cut_measures.py`. *Energy* is the symmetric
+Dirichlet energy, the mean over the surface's area of σ₁² + σ₂² + 1/σ₁² + 1/σ₂²; 4 where nothing is distorted. It is
+normalized as OptCuts does it: by the area of the surface, with the flat shape at the size it has, not scaled. *Length*
+is that of the cuts on the surface, every edge counted once and the outlines it had before not at all, over √area;
+OptCuts divides by √(area / π), which makes its figures 1.77 times as large. *Strain* is what 99% of the area stay below
+of max(σ₁, 1/σ₂) − 1. *Mismatch* is by how much the two sides of a cut differ in length when flat, edge by edge, mean
+over the length of the cuts, mm per m. *s* are seconds of processor time on one core, at most {LIMIT} for either.
+
+**What is compared.** Of WireWarp the shortest cuts found under which the energy keeps below {BOUND}. A surface with no
+flat shape is cut by `propose_seams`, which proposes sets of cuts, each with fewer than the one before, for an aimed
+strain of {100 * AIMS[0]:.0f}%, and if none of these keeps below, of
+{", ".join(f"{100 * aim:.0f}%" for aim in AIMS[1:])}. The column *without darts* has the shortest set that keeps below.
+To the {FEWEST} sets with fewest cuts, or to a surface that lies flat uncut, darts are added besides: of {CHOICE} by
+`propose_darts` always the one that takes most energy for its length, until the energy keeps below the bound. What is
+shorter counts. WireWarp keeps the length of every cut and outline, so that the sides of a cut can be sewn to one
+another; OptCuts does not: it asks only for little distortion over the area. That freedom lets it have shorter cuts.
+
+## Surfaces
+"""
+    rows = []
+    for mesh, (peer, own) in zip(meshes, found, strict=True):
+        rows.append([mesh.stem, f"{len(read_obj(mesh)[1]):,}", *cells(peer), *own_cells(own), verdict(peer, own)])
+    names = ["length", "energy", "strain", "mismatch", "charts", "s"]
+    head = [
+        "mesh",
+        "triangles",
+        *(f"OptCuts: {names[0]}", *names[1:]),
+        "ours: length",
+        "without darts",
+        *names[1:],
+        "verdict",
+    ]
+    return wrap(text) + "\n" + "\n".join(table(head, rows)) + "\n"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("page", type=Path)
+    parser.add_argument("--most-triangles", type=int, help="only surfaces of so many")
+    arguments = parser.parse_args()
+
+    results, program = Path(os.environ["OPTCUTS_RESULTS"]), Path(os.environ["OPTCUTS_PROGRAM"])
+    every = by_size(Path(os.environ["OPTCUTS_MESHES"]))
+    most = arguments.most_triangles
+    meshes = [mesh for mesh in every if most is None or len(read_obj(mesh)[1]) <= most]
+    found = []
+    for mesh in meshes:
+        found.append((theirs(mesh, results, program), ours(mesh, results)))
+        print(
+            f"{mesh.stem:28} {' '.join(cells(found[-1][0]))}  |  {' '.join(own_cells(found[-1][1]))}  "
+            f"{verdict(*found[-1])}",
+            flush=True,
+        )
+    arguments.page.write_text(page(meshes, found, len(every), most), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

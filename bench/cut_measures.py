@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What cuts cost and what flat shape they allow, read off the shape alone, so that every method is measured alike."""
+
+from collections import defaultdict
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+MOST_OF_AREA = 0.99  # as DartProposal.strain has it
+
+
+@dataclass(frozen=True)
+class CutFigures:
+    energy: float  # symmetric Dirichlet: mean over the area of |J|^2 + |1/J|^2; 4 where nothing is distorted
+    strain: float  # as DartProposal.strain, of the whole surface
+    length: float  # of the cuts on the surface, each edge counted once, over the root of the area
+    mismatch: float  # of the two sides of an edge of a cut when flat, mean over the cuts' length: 0.01 for 10 mm per m
+    charts: int
+    flipped: int  # triangles turned over
+
+
+def read_corner_uv(path: Path) -> np.ndarray:
+    """(m, 3, 2) texture coordinates of the corners, of an OBJ file of triangles."""
+    uv, corners = [], []
+    for line in path.read_text().splitlines():
+        kind, *words = line.split() or [""]
+        if kind == "vt":
+            uv.append([float(word) for word in words[:2]])
+        elif kind == "f":
+            corners.append([int(word.split("/")[1]) - 1 for word in words])
+    return np.array(uv)[np.array(corners)]
+
+
+def measure_cuts(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray) -> CutFigures:
+    """A cut is where corners of neighbors at one vertex lie apart in corner_uv, (m, 3, 2)."""
+    points = vertices[faces]
+    areas = np.linalg.norm(np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]), axis=1) / 2
+    values, is_flipped = stretches(points, corner_uv)
+    lengths, sides, charts = cuts_of(vertices, faces, corner_uv)
+    strains = np.maximum(values[:, 0], 1 / values[:, 1]) - 1
+    return CutFigures(
+        energy=float(np.average((values**2 + values**-2.0).sum(axis=1), weights=areas)),
+        strain=most_stay_below(strains, areas),
+        length=float(lengths.sum() / np.sqrt(areas.sum())),
+        mismatch=float(np.abs(sides[:, 0] - sides[:, 1]).sum() / lengths.sum()) if len(lengths) else 0.0,
+        charts=charts,
+        flipped=int(is_flipped.sum()),
+    )
+
+
+def stretches(points: np.ndarray, corner_uv: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(m, 2) singular values of each triangle's map to the plane, the larger first; and which turn it over."""
+    edges, flat = points[:, 1:] - points[:, :1], corner_uv[:, 1:] - corner_uv[:, :1]
+    along = np.linalg.norm(edges[:, 0], axis=1)
+    x = (edges[:, 0] * edges[:, 1]).sum(axis=1) / along
+    y = np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1) / along
+    first = flat[:, 0] / along[:, None]
+    second = (flat[:, 1] - first * x[:, None]) / y[:, None]
+    jacobian = np.stack([first, second], axis=2)
+    return np.linalg.svd(jacobian, compute_uv=False), np.linalg.det(jacobian) <= 0
+
+
+def most_stay_below(strains: np.ndarray, areas: np.ndarray) -> float:
+    order = np.argsort(strains)
+    return float(strains[order][np.searchsorted(areas[order].cumsum(), MOST_OF_AREA * areas.sum())])
+
+
+def cuts_of(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
+    """Of each edge cut its length on the surface and the lengths of its two sides (k, 2); and how many charts."""
+    neighbors = defaultdict(list)
+    for f, face in enumerate(faces):
+        for i in range(3):
+            a, b = (int(face[i]), corner_uv[f, i]), (int(face[i - 2]), corner_uv[f, i - 2])
+            (start, start_uv), (end, end_uv) = (a, b) if a[0] < b[0] else (b, a)
+            neighbors[start, end].append((f, start_uv, end_uv))
+    chart = list(range(len(faces)))
+    lengths, sides = [], []
+    for (start, end), around in neighbors.items():
+        if len(around) < 2:
+            continue  # an outline of the surface itself
+        (f, f_start, f_end), (g, g_start, g_end) = around
+        if (f_start == g_start).all() and (f_end == g_end).all():
+            chart[root(chart, f)] = root(chart, g)
+        else:
+            lengths.append(np.linalg.norm(vertices[end] - vertices[start]))
+            sides.append((np.linalg.norm(f_end - f_start), np.linalg.norm(g_end - g_start)))
+    charts = len({root(chart, f) for f in range(len(faces))})
+    return np.array(lengths), np.array(sides).reshape(-1, 2), charts
+
+
+def root(parent: list[int], item: int) -> int:
+    while parent[item] != item:
+        parent[item] = item = parent[parent[item]]
+    return item

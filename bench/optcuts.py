@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs OptCuts, built from its public sources, and keeps what it makes: NAME.obj, the surface with its flat shape as
+texture coordinates, NAME.json with what the run took or why it has no result, and NAME.log with what it printed."""
+
+import json
+import os
+import resource
+import shutil
+import subprocess
+import tempfile
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from mesh_files import read_obj
+
+BOUND = 4.1  # of the energy: the default of OptCuts, with which its authors measured their benchmark
+LIMIT = 600  # seconds of processor time for one surface
+HEADLESS = "100"
+OPTIONS = ["0.999", "1", "0", str(BOUND), "1", "0"]  # its README's: first weight, name, method, bound, bijective, start
+
+
+@dataclass(frozen=True)
+class PeerRun:
+    seconds: float  # of processor time
+    without: str  # why there is no result; empty where there is one
+
+
+def by_size(meshes: Path) -> list[Path]:
+    """Fewer triangles first."""
+    return sorted(meshes.glob("*.obj"), key=lambda path: (len(read_obj(path)[1]), path.name))
+
+
+def limit_processor_time() -> None:
+    """Of this process, and to one core."""
+    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
+    resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT + 5))
+
+
+def kept_run(program: Path, mesh: Path, folder: Path) -> PeerRun:
+    told = folder / f"{mesh.stem}.json"
+    if not told.exists():
+        told.write_text(json.dumps(asdict(run(program, mesh, folder))), encoding="utf-8")
+    return PeerRun(**json.loads(told.read_text()))
+
+
+def run(program: Path, mesh: Path, folder: Path) -> PeerRun:
+    with tempfile.TemporaryDirectory() as work:  # below which it writes
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        with (folder / f"{mesh.stem}.log").open("w") as log:
+            command = [program.resolve(), HEADLESS, mesh.resolve(), *OPTIONS]
+            ended = subprocess.run(command, cwd=work, stdout=log, stderr=log, preexec_fn=limit_processor_time)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        for shape in Path(work).glob("output/*/finalResult_mesh.obj"):
+            shutil.copyfile(shape, folder / f"{mesh.stem}.obj")
+            return PeerRun(seconds, "")
+    return PeerRun(seconds, f"over {LIMIT} s" if seconds >= LIMIT else f"it ended with code {ended.returncode}")
