@@ -149,7 +149,7 @@ def cells(outcome: Outcome) -> list[str]:
         f"{figures.length:.2f}",
         f"{figures.energy:.3f}",
         f"{100 * figures.strain:.0f}%",
-        f"{1000 * figures.mismatch:.2g}",
+        f"{1000 * figures.mismatch:.1f}",
         str(figures.charts),
         f"{outcome.seconds:,.0f}",
     ]
@@ -194,7 +194,10 @@ def in_brief(rows: list[tuple[Outcome, Outcome]]) -> str:
     )
 
 
-def page(meshes: list[Path], found: list[tuple[Outcome, Outcome]], all_meshes: int, most: int | None) -> str:
+def page(
+    meshes: list[Path], found: list[tuple[Outcome, Outcome]], all_meshes: int, arguments: argparse.Namespace
+) -> str:
+    most = arguments.most_triangles
     which = (
         f"Here are all {len(meshes)} of at most {most:,} triangles of the {all_meshes} in the benchmark; the others "
         "are not measured, for want of time."
@@ -204,7 +207,8 @@ def page(meshes: list[Path], found: list[tuple[Outcome, Outcome]], all_meshes: i
     call = " ".join([HEADLESS, "MESH", *OPTIONS])
     text = f"""# Cuts beside OptCuts
 
-Written by `bench/compare_cuts.py`, which says how; not part of `./dev bench`. Machine: {machine()}. Commit: {commit()}.
+Written by `bench/compare_cuts.py`, which says how; not part of `./dev bench`. Machine: {machine()}. Commit:
+{arguments.commit}.
 
 [OptCuts](https://github.com/liminchen/OptCuts) (Li, Kaufman, Kim, Solomon, Sheffer 2018) finds cuts and flat shape at
 once. It runs as its authors measure it, with the energy bound to {BOUND} and without overlaps (`{call}`), built
@@ -227,7 +231,8 @@ strain of {100 * AIMS[0]:.0f}%, and if none of these keeps below, of
 To the {FEWEST} sets with fewest cuts, or to a surface that lies flat uncut, darts are added besides: of {CHOICE} by
 `propose_darts` always the one that takes most energy for its length, until the energy keeps below the bound. What is
 shorter counts. WireWarp keeps the length of every cut and outline, so that the sides of a cut can be sewn to one
-another; OptCuts does not: it asks only for little distortion over the area. That freedom lets it have shorter cuts.
+another; OptCuts does not: it asks only for little distortion over the area. How much of the difference in length is due
+to that is not measured.
 
 ## Surfaces
 """
@@ -251,6 +256,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("page", type=Path)
     parser.add_argument("--most-triangles", type=int, help="only surfaces of so many")
+    parser.add_argument("--commit", default=commit(), help="another one, with which kept results were computed")
     arguments = parser.parse_args()
 
     results, program = Path(os.environ["OPTCUTS_RESULTS"]), Path(os.environ["OPTCUTS_PROGRAM"])
@@ -265,7 +271,7 @@ def main() -> None:
             f"{verdict(*found[-1])}",
             flush=True,
         )
-    arguments.page.write_text(page(meshes, found, len(every), most), encoding="utf-8")
+    arguments.page.write_text(page(meshes, found, len(every), arguments), encoding="utf-8")
 
 
 if __name__ == "__main__":

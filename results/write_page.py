@@ -68,6 +68,8 @@ happens to the length of a line is said of whole wires and of stretches of outli
 where the paper stops at the first angles that close all loops; nodes count by the length of wire around them; the
 gradient of *E* by *h* is exact; and a piece that turns triangles over is said to do so. "Refined" is not in the paper
 at all: [Beyond the paper](#beyond-the-paper) says what it does.
+
+[Cuts beside OptCuts](cuts.md), on its benchmark, are a page of their own, which is not made by `./dev results`.
 """
 
 
