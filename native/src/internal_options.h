@@ -16,8 +16,8 @@ struct InternalOptions : Options {
   std::size_t large_chart = 8'000;  // faces: from here on a coarse start saves more than it costs
   bool with_proposals = true;       // what would mend a piece that fails is looked for: that takes far longer
 
-  bool mends_folds = true;   // another shape is looked for where one is turned over or covers itself
-  Aim aim = Aim::minimum;    // of the refined method
+  bool mends_folds = true;  // another shape is looked for where one is turned over or covers itself
+  Aim aim = Aim::minimum;   // of the refined method
 };
 
 /// flatten() with such options; the same ones in all runs with one cache.

@@ -4,8 +4,19 @@
 What a search finds is told with a decorator, @reproduce_failure, that repeats it.
 """
 
+import signal
+
+import pytest
 from hypothesis import settings
 
 settings.register_profile("repeatable", max_examples=150, derandomize=True, deadline=None)
 settings.register_profile("search", max_examples=3_000, deadline=None, database=None, print_blob=True)
 settings.load_profile("repeatable")  # the option --hypothesis-profile takes another
+
+
+@pytest.fixture
+def python_handles_ctrl_c():
+    """A run in the background has it ignored."""
+    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, handler)

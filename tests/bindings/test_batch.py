@@ -152,7 +152,7 @@ def test_what_hangs_ends_with_what_it_has_started(tmp_path):
     wait_until_gone(int(path.read_text()))
 
 
-def test_ctrl_c_halfway_through_a_start_ends_what_was_started(tmp_path, monkeypatch):
+def test_ctrl_c_halfway_through_a_start_ends_what_was_started(tmp_path, monkeypatch, python_handles_ctrl_c):
     begin = CONTEXT.Process.start
 
     def begin_interrupted(process):

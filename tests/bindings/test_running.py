@@ -65,14 +65,6 @@ def test_an_answer_that_cannot_be_judged_is_an_exception():
         wirewarp.flatten(*half_cylinder(), progress=lambda stage, fraction: np.zeros(2))
 
 
-@pytest.fixture
-def python_handles_ctrl_c():
-    """A run in the background has it ignored."""
-    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
-    yield
-    signal.signal(signal.SIGINT, handler)
-
-
 def test_ctrl_c_stops_the_run(python_handles_ctrl_c):
     with pytest.raises(KeyboardInterrupt):
         wirewarp.flatten(*half_cylinder(), progress=lambda stage, fraction: signal.raise_signal(signal.SIGINT))

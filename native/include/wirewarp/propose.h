@@ -25,8 +25,8 @@ struct DartProposal {
   std::optional<int> twin;        // index of the proposal that is its mirror image; none where there is none
   std::optional<double> energy_with_twin;  // of the piece with both cuts; none unless that is less, or if they meet
   std::optional<double> strain_with_twin;  // likewise
-  std::optional<double> strain_left;       // of a plan: what the part with most strain has when it, what is taken with
-                                           // it and all before are cut; see CutAim::piece
+  std::optional<double> strain_left;  // of a plan: what the part with most strain, of those that lie flat, has when
+                                      // it, what is taken with it and all before are cut; see CutAim::piece
 };
 
 /// What to propose.
@@ -69,10 +69,11 @@ struct CutAim {
   VertexPairs no_seam = VertexPairs(0, 2);  // (k, 2) edges along which none is to run
 };
 
-/// Darts one after the other, each the one that leaves least strain beside those before it, until that is enough. The
-/// figures of each, and the number of its piece, are those beside the cuts before it; twin is the one that is taken
-/// with it. Fewer than are allowed mean that the aim is met, or that no further one helps. Throws what propose_darts()
-/// throws for the first one: no_proposal where the aim is met without any.
+/// Darts one after the other, each the one that leaves least strain, of those that take most from the model beside
+/// those before it, until that is enough. The figures of each, and the number of its piece, are those beside the cuts
+/// before it, of a pair each by itself; twin is the one that is taken with it. Fewer than are allowed mean that the aim
+/// is met, or that no further one helps. Throws what propose_darts() throws for the first one: no_proposal where the
+/// aim is met without any.
 std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& options = {}, const CutAim& aim = {},
                                      const Progress& progress = {});
 

@@ -17,8 +17,7 @@ constexpr int kMaxFactorizations = 20;
 
 }  // namespace
 
-double energy_when_cut(const Chart& chart, const CutMask& cut, const InternalOptions& options,
-                       const StopToken& stop) {
+double energy_when_cut(const Chart& chart, const CutMask& cut, const InternalOptions& options, const StopToken& stop) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   InternalOptions brief = options;
   brief.max_factorizations = kMaxFactorizations;

@@ -10,7 +10,6 @@ namespace wirewarp {
 
 /// E of Eq. (4) of a chart cut along edges of it (none: as it is) by the refined method, scene units squared;
 /// infinite where it does not lie flat so. Throws Stopped.
-double energy_when_cut(const Chart& chart, const CutMask& cut, const InternalOptions& options,
-                       const StopToken& stop);
+double energy_when_cut(const Chart& chart, const CutMask& cut, const InternalOptions& options, const StopToken& stop);
 
 }  // namespace wirewarp

@@ -19,7 +19,8 @@ namespace wirewarp {
 bool lacks_seams(const Chart& chart, const FlattenError& error);
 
 /// The search for sets of seams in one piece that has no flat shape: first those that let all of it lie flat, then one
-/// cut after the other, the one that takes most distortion for its length from what is strained most.
+/// cut after the other through what is strained most: of those that take much of its distortion, lines and halves
+/// alike, the one that takes most for its length.
 class FirstCuts {
  public:
   /// All are kept by reference. flattened: the input, in the middle of its material.
@@ -48,6 +49,7 @@ class FirstCuts {
 
   CutMask opening() const;
   CutSet flatten(const CutMask& cut) const;
+  static double energy_within(const CutSet& set, const Chart& part);
   std::optional<CutSet> cut_once_more(const CutSet& set) const;
   std::vector<DartProposal> best_of(const std::vector<CutSet>& sets) const;
   void add_lines(const CutSet& set, std::size_t piece, std::vector<Candidate>& found) const;

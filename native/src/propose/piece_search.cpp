@@ -42,7 +42,8 @@ struct Grid {
 
 /// Points inside are about a fifth of the piece's width apart, those of a short piece's outline a width. With half the
 /// faces the order of the best cuts is no longer that of the piece itself: on a hat the best dart of all was the
-/// eleventh. On the way to a set each cut is one of many: there half of all does.
+/// eleventh. On the way to a set each cut is one of many, and the next one mends what it lacks: about half of all
+/// points and faces lead to sets as good in a fourth of the time.
 Grid grid_of(Effort effort) { return effort == Effort::thorough ? Grid{{24, 14}, 800} : Grid{{12, 8}, 400}; }
 
 FlattenError no_proposal(const Chart& chart, const std::string& reason) {

@@ -2,8 +2,10 @@
 // Cuts to be taken together, towards an aim in numbers: with the best of each round the next one begins.
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "charts/cut_into_charts.h"
 #include "errors/sentence.h"
@@ -68,7 +70,7 @@ class PlanOfCuts {
   }
 
   bool comes_with_twin(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
-    return aim_.twins && cut.strain_with_twin && num_left() >= 2 &&
+    return aim_.twins && cut.strain_with_twin && *cut.strain_with_twin < cut.strain && num_left() >= 2 &&
            cut.length + proposals[*cut.twin].length <= length_left();
   }
 
@@ -77,10 +79,10 @@ class PlanOfCuts {
     const auto strain = [&](const DartProposal& cut) {
       return comes_with_twin(cut, proposals) ? *cut.strain_with_twin : cut.strain;
     };
-    const auto is_worse = [&](const DartProposal& a, const DartProposal& b) {
+    const auto comes_first = [&](const DartProposal& a, const DartProposal& b) {
       return a.strain_before == b.strain_before ? strain(a) < strain(b) : a.strain_before > b.strain_before;
     };
-    return *std::min_element(proposals.begin(), proposals.end(), is_worse);
+    return *std::min_element(proposals.begin(), proposals.end(), comes_first);
   }
 
   void take(const DartProposal& best, const std::vector<DartProposal>& proposals) {

@@ -88,7 +88,8 @@ std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& pat
                                  const std::vector<CutEnds>& candidates, const InternalOptions& options,
                                  const CutLimits& limits, const std::function<bool()>& go_on) {
   CutSearch search(chart, paths, options, limits.longest, go_on);
-  const double uncut = energy_when_cut(chart, cut_along(chart.mesh, {}), options, StopToken([&](const char*) { return go_on(); }));
+  const double uncut =
+      energy_when_cut(chart, cut_along(chart.mesh, {}), options, StopToken([&](const char*) { return go_on(); }));
   search.try_all(candidates);
   std::vector<RankedCut> best;
   const auto is_beside_best = [&](const RankedCut& cut) {

@@ -91,7 +91,10 @@ RefineResult refine_chart(const Chart& chart, const InternalOptions& options, co
   RefineResult result;
   if (const std::vector<Slit> slits = find_slits(chart); !slits.empty()) result = refine_with_slits(problem, slits);
   if (!result.shape.is_exact) result = try_starts(problem, kAll);
-  return options.mends_folds ? without_flips_and_overlaps(std::move(result), problem) : result;
+  if (options.mends_folds) return without_flips_and_overlaps(std::move(result), problem);
+  result.factorizations = budget.spent();
+  result.ran_out = budget.ran_out();
+  return result;
 }
 
 RefineResult refine_from_scratch(const RefineTask& task, RefineBudget& budget, const StopToken& stop) {
