@@ -27,9 +27,9 @@ from text import wrap
 from which_commit import commit
 
 AIMS = (0.5, 0.25, 0.1, 0.05)  # strains; OptCuts leaves about the first, and 5% is what first cuts aim at by default
-LADDER = 30  # proposals asked for: more than a set of first cuts has cuts
+LADDER = 60  # proposals asked for: more than a set of first cuts has cuts
 FEWEST = 2  # sets to which darts are added: those with more cuts gave longer ones in the end
-DARTS = 20  # at most, as many as a set of first cuts has cuts
+DARTS = 20  # at most, half as many as a set of first cuts has cuts
 CHOICE = 5  # of darts, the default of propose_darts()
 CLOCK_LIMIT = 10 * LIMIT  # seconds; other processes may keep the core from it
 
