@@ -5,7 +5,7 @@
 
 namespace wirewarp {
 
-CutMask cut_along(const HalfEdgeMesh& mesh, const HalfEdgeChain& half_edges) {
+CutMask cut_along(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& half_edges) {
   CutMask cut(mesh.n_edges(), 0);
   for (const HalfedgeHandle h : half_edges) cut[mesh.edge_handle(h).idx()] = 1;
   return cut;

@@ -11,7 +11,7 @@ namespace wirewarp {
 /// Edges to cut along, one flag per edge of a chart's mesh.
 using CutMask = std::vector<char>;
 
-CutMask cut_along(const HalfEdgeMesh& mesh, const HalfEdgeChain& half_edges);
+CutMask cut_along(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& half_edges);
 
 /// Length of all cut edges, scene units.
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut);
