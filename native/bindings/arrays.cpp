@@ -124,10 +124,10 @@ Matrix read_indices(py::handle value, const std::string& name, const std::string
 }
 
 /// A sequence that is no array: numpy would turn True among whole numbers into 1 and huge ones into objects.
-std::vector<int> read_sequence(py::handle value) {
+std::vector<int> read_sequence(py::handle value, const std::string& owner) {
   std::vector<int> result;
   for (const py::handle item : value) {
-    const std::string element = "Wire vertex " + std::to_string(result.size());
+    const std::string element = owner + " vertex " + std::to_string(result.size());
     if (!PyIndex_Check(item.ptr()) || PyBool_Check(item.ptr())) {
       throw FlattenError(ErrorCode::invalid_type, element + " must be a whole number, not " + type_name(item) + ".");
     }
@@ -179,12 +179,12 @@ VertexPairs read_half_edges(py::handle value) {
 
 CornerUv read_corner_uv(py::handle value) { return read_reals<CornerUv>(value, "corner_uv", {3, 2}); }
 
-std::vector<int> read_chain(py::handle value) {
-  const std::string name = "Wire vertices";
+std::vector<int> read_chain(py::handle value, const std::string& owner) {
+  const std::string name = owner + " vertices";
   if (!py::isinstance<py::array>(value)) {
     const bool is_text =
         py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value) || py::isinstance<py::bytearray>(value);
-    if (PySequence_Check(value.ptr()) && !is_text) return read_sequence(value);
+    if (PySequence_Check(value.ptr()) && !is_text) return read_sequence(value, owner);
     throw FlattenError(ErrorCode::invalid_type,
                        name + " must be a sequence of whole numbers, not " + type_name(value) + ".");
   }
@@ -197,7 +197,7 @@ std::vector<int> read_chain(py::handle value) {
   }
   std::vector<int> result(static_cast<std::size_t>(array.size()));
   if (const auto found = narrow(array, result.data())) {
-    throw_too_large("Wire vertex " + std::to_string(found->index), found->value, {});
+    throw_too_large(owner + " vertex " + std::to_string(found->index), found->value, {});
   }
   return result;
 }

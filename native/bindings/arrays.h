@@ -34,8 +34,8 @@ VertexPairs read_half_edges(py::handle value);
 /// corner_uv (m, 3, 2), real numbers.
 CornerUv read_corner_uv(py::handle value);
 
-/// A wire's vertices: any sequence or one-dimensional array of whole numbers.
-std::vector<int> read_chain(py::handle value);
+/// Vertices in a row: any sequence or one-dimensional array of whole numbers; owner: "Wire", for messages.
+std::vector<int> read_chain(py::handle value, const std::string& owner);
 
 /// One real number; throws invalid_type, calling it `name`.
 double read_number(py::handle value, const std::string& name);

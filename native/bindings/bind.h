@@ -19,5 +19,6 @@ void bind_cache(py::module_& module);
 void bind_flatten(py::module_& module);
 void bind_job(py::module_& module);
 void bind_propose(py::module_& module);
+void bind_straighten(py::module_& module);
 
 }  // namespace wirewarp::bindings

@@ -18,6 +18,7 @@ PYBIND11_MODULE(in_main_interpreter, module) {
   bind_flatten(module);
   bind_job(module);
   bind_propose(module);
+  bind_straighten(module);
   bind_running_calls();
 }
 

@@ -13,7 +13,7 @@ namespace {
 Wire make_wire(const py::object& vertices, const py::object& tolerance, const py::object& name,
                const py::object& ease) {
   Wire wire;
-  wire.vertices = read_chain(vertices);
+  wire.vertices = read_chain(vertices, "Wire");
   wire.tolerance = read_number(tolerance, "Wire tolerance");
   if (!py::isinstance<py::str>(name)) {
     throw FlattenError(ErrorCode::invalid_type, "Wire name must be a string, not " + type_name(name) + ".");

@@ -29,6 +29,7 @@ from ._wirewarp import (
     start_darts,
     start_plan,
     start_seams,
+    straighten_path,
 )
 
 __all__ = [
@@ -59,4 +60,5 @@ __all__ = [
     "start_darts",
     "start_plan",
     "start_seams",
+    "straighten_path",
 ]

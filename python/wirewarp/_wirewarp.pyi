@@ -435,3 +435,11 @@ def start_plan(
     twins: bool = False,
     no_seam: npt.ArrayLike | None = None,
 ) -> Job[list[DartProposal]]: ...
+def straighten_path(
+    vertices: npt.ArrayLike,
+    faces: npt.ArrayLike,
+    path: npt.ArrayLike,
+    *,
+    seams: npt.ArrayLike | None = None,
+    wires: Iterable[Wire] = (),
+) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.float64]]: ...

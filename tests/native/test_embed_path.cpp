@@ -41,7 +41,7 @@ double area(const HalfEdgeMesh& mesh) {
 TEST(EmbedPath, EachCrossingAddsAVertexAndTwoTriangles) {
   const Plate plate;
   const WireMask wires(plate.chart);
-  const auto path = snap_to_vertices(plate.chart.mesh, wires, plate.trace(2, 4, 0.4));
+  const auto path = snap_to_wires(plate.chart.mesh, wires, plate.trace(2, 4, 0.4));
   ASSERT_TRUE(path);
   std::size_t num_crossings = 0;
   for (const PathPoint& point : *path) num_crossings += point.is_vertex() ? 0 : 1;
@@ -64,14 +64,14 @@ TEST(EmbedPath, EachCrossingAddsAVertexAndTwoTriangles) {
 
 TEST(EmbedPath, APathAtAWireEndsAtTheNearerEndOfTheEdge) {
   const Plate plate;
-  const auto path = snap_to_vertices(plate.chart.mesh, WireMask(plate.chart), plate.trace(2, 4, 0.2));
+  const auto path = snap_to_wires(plate.chart.mesh, WireMask(plate.chart), plate.trace(2, 4, 0.2));
   ASSERT_TRUE(path);
   EXPECT_EQ(path->back().vertex, plate.vertex(6, 5)) << "4 + 4 tan 0.2 = 4.81";
 }
 
 TEST(EmbedPath, APathNearAVertexRunsThroughIt) {
   const Plate plate;
-  const auto path = snap_to_vertices(plate.chart.mesh, WireMask(plate.chart), plate.trace(1, 4, 0.005));
+  const auto path = snap_to_wires(plate.chart.mesh, WireMask(plate.chart), plate.trace(1, 4, 0.005));
   ASSERT_TRUE(path);
   ASSERT_EQ(path->size(), 6u);
   for (int i = 0; i < 6; ++i) EXPECT_EQ((*path)[i].vertex, plate.vertex(1 + i, 4)) << "no crossing is left";
@@ -80,13 +80,13 @@ TEST(EmbedPath, APathNearAVertexRunsThroughIt) {
 TEST(EmbedPath, APathThatIsAWireAlreadyGoesNowhere) {
   const Plate plate;
   const SurfacePath path{PathPoint::at_vertex(plate.vertex(6, 3)), PathPoint::at_vertex(plate.vertex(6, 4))};
-  EXPECT_FALSE(snap_to_vertices(plate.chart.mesh, WireMask(plate.chart), path));
+  EXPECT_FALSE(snap_to_wires(plate.chart.mesh, WireMask(plate.chart), path));
 }
 
 TEST(EmbedPath, LaterPathsSeeEarlierOnesAsWires) {
   const Plate plate;
   SplitChart refined(plate.chart);
-  const auto first = snap_to_vertices(plate.chart.mesh, refined.wires, plate.trace(2, 4, 0.4));
+  const auto first = snap_to_wires(plate.chart.mesh, refined.wires, plate.trace(2, 4, 0.4));
   add_helper_wire(refined, embed_path(refined, *first));
 
   const HalfEdgeMesh& mesh = refined.chart.mesh;
@@ -94,7 +94,7 @@ TEST(EmbedPath, LaterPathsSeeEarlierOnesAsWires) {
   const auto second = trace_straightest(mesh, refined.wires, up, 0.05);
   ASSERT_TRUE(second);
   EXPECT_LT(position(mesh, second->back())[1], 6) << "ends on the first path, not at the boundary";
-  const auto snapped = snap_to_vertices(mesh, refined.wires, *second);
+  const auto snapped = snap_to_wires(mesh, refined.wires, *second);
   ASSERT_TRUE(snapped);
   const HalfEdgeChain chain = embed_path(refined, *snapped);
   EXPECT_TRUE(refined.wires.has(mesh.to_vertex_handle(chain.back())));
@@ -104,7 +104,7 @@ TEST(EmbedPath, LaterPathsSeeEarlierOnesAsWires) {
 TEST(EmbedPath, DelaunayFlipsStayInsideOneInputFace) {
   const Plate plate;
   SplitChart refined(plate.chart);
-  const auto path = snap_to_vertices(plate.chart.mesh, refined.wires, plate.trace(2, 4, 0.4));
+  const auto path = snap_to_wires(plate.chart.mesh, refined.wires, plate.trace(2, 4, 0.4));
   add_helper_wire(refined, embed_path(refined, *path));
   WorkMeter work{StopToken()};
   restore_delaunay(refined, work);
@@ -124,7 +124,7 @@ TEST(EmbedPath, DelaunayFlipsStayInsideOneInputFace) {
 TEST(EmbedPath, InsideAnInputFaceTheTrianglesAreDelaunay) {
   const Plate plate;
   for (const double angle : {0.4, 1.2, 2.5, 4.0, 5.5}) {
-    const auto path = snap_to_vertices(plate.chart.mesh, WireMask(plate.chart), plate.trace(3, 4, angle));
+    const auto path = snap_to_wires(plate.chart.mesh, WireMask(plate.chart), plate.trace(3, 4, angle));
     SplitChart one(plate.chart);
     add_helper_wire(one, embed_path(one, *path));
     WorkMeter work{StopToken()};

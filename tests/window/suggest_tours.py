@@ -47,6 +47,24 @@ def take_and_undo(source: bpy.types.Object, picture: str) -> drive.Tour:
     yield lambda: seam_count() == len(edges)
 
 
+def a_smooth_line_is_cut_and_undone_with_one_click_each() -> drive.Tour:
+    source = grid("Bump", bump, size=12)
+    remember()
+    yield from flatten()
+    before = contents(source)
+    yield from suggest()
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_suggestions)
+    yield from drive.ticks(10)
+    yield from drive.click_button("bpy.ops.object.wirewarp_mend(what='SMOOTH'")
+    yield lambda: len(source.data.vertices) > 13 * 13 and not window_run.is_running()
+    drive.screenshot("smooth")
+    cut = contents(source)
+    yield from undo()
+    yield lambda: contents(bpy.data.objects["Bump"]) == before
+    yield from redo()
+    yield lambda: contents(bpy.data.objects["Bump"]) == cut
+
+
 def a_suggestion_is_taken_and_undone_with_one_click_each() -> drive.Tour:
     yield from take_and_undo(grid("Bump", bump, size=16), "suggestions")
 

@@ -158,23 +158,28 @@ def write_faces(mesh: bpy.types.Mesh, starts: np.ndarray, sizes: np.ndarray) -> 
 
 def add_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
     """These edges (k,) become seams; others stay what they are."""
-    _add_edge_flags(mesh, SEAM, "use_seam", edges)
+    _set_edge_flags(mesh, SEAM, "use_seam", edges, flag=True)
+
+
+def remove_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
+    """(k,), as add_seams."""
+    _set_edge_flags(mesh, SEAM, "use_seam", edges, flag=False)
 
 
 def add_sharp_edges(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
     """(k,), as add_seams."""
-    _add_edge_flags(mesh, "sharp_edge", "use_edge_sharp", edges)
+    _set_edge_flags(mesh, "sharp_edge", "use_edge_sharp", edges, flag=True)
 
 
-def _add_edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str, edges: np.ndarray) -> None:
+def _set_edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str, edges: np.ndarray, *, flag: bool) -> None:
     if HAS_ATTRIBUTES:
         flags = _edge_flags(mesh, attribute, name)
-        flags[edges] = True
+        flags[edges] = flag
         found = mesh.attributes.get(attribute) or mesh.attributes.new(attribute, "BOOLEAN", "EDGE")
         found.data.foreach_set("value", flags)
     else:
         for edge in edges.tolist():  # few of all: to write all takes longer
-            setattr(mesh.edges[edge], name, True)
+            setattr(mesh.edges[edge], name, flag)
 
 
 def _indices(collection: bpy.types.bpy_prop_collection, name: str, columns: int = 1) -> np.ndarray:

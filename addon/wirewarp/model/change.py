@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Changing wires and seams that are there: by hand, or as is proposed. Of meshes in Object Mode."""
 
-import bmesh
 import bpy
 import numpy as np
 
-from ..blender.mesh import add_seams, edge_vertices, read_seams
+from ..blender.mesh import add_seams, corner_edges, edge_vertices, read_attribute, read_seams, remove_seams
 from ..issues import object_error
-from ..names import SIDE_ALLOWANCE, SIDE_EASE
+from ..names import ALLOWANCE
 from ..pattern.chains import EdgeMarks, edge_keys
 from .attributes import read_marks, write_marks
+from .side_allowances import side_widths_of
+from .side_eases import read_side_eases
+from .sides import is_set
 from .wire_names import find_name
 from .wires import WireSummary, find_wires, repair_names
 
@@ -54,27 +56,6 @@ def repair_marks(target: bpy.types.Object) -> EdgeMarks:
     return marks
 
 
-def cut_across_faces(mesh: bpy.types.Mesh, pairs: list) -> None:
-    """Adds edges, given as vertex pairs, across faces of four corners; the surface stays, and so do marks and maps."""
-    edited = bmesh.new()
-    try:
-        edited.from_mesh(mesh)
-        edited.verts.ensure_lookup_table()
-        layers = edited.loops.layers.float
-        sides = [layers[name] for name in (SIDE_EASE, SIDE_ALLOWANCE) if name in layers]
-        for a, b in pairs:
-            first, second = edited.verts[a], edited.verts[b]
-            face = next(each for each in first.link_faces if second in each.verts and len(each.verts) == 4)
-            _, corner = bmesh.utils.face_split(face, first, second)
-            for loop in corner.edge.link_loops:  # they are copies of corners that begin other edges
-                for side in sides:
-                    loop[side] = 0.0
-        edited.to_mesh(mesh)
-    finally:
-        edited.free()
-    mesh.update()
-
-
 def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:
     """Marks edges, given as vertex pairs, as seams. Returns how many were none before."""
     before = read_seams(mesh)
@@ -82,6 +63,21 @@ def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:
     add_seams(mesh, np.flatnonzero(wanted))
     mesh.update()
     return int(np.count_nonzero(wanted & ~before))
+
+
+def clear_seams(mesh: bpy.types.Mesh, edges: list) -> None:
+    """Edges, given as vertex pairs, are no seams any more."""
+    remove_seams(mesh, np.flatnonzero(_mask(mesh, edges)))
+    mesh.update()
+
+
+def edges_with_marks(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(e,) bool: those of wires, and with an ease or an allowance of their own. Raises ObjectError."""
+    allowances = read_attribute(mesh, ALLOWANCE, "FLOAT", "EDGE")
+    marked = read_marks(mesh).are_wires | (False if allowances is None else is_set(allowances))
+    sides = (read_side_eases(mesh) != 0) | is_set(side_widths_of(mesh))
+    marked[corner_edges(mesh)[sides]] = True
+    return marked
 
 
 def loosen_wires(mesh: bpy.types.Mesh, wires: list[dict]) -> int:

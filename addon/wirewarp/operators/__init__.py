@@ -21,6 +21,7 @@ from .report import (
     OBJECT_OT_wirewarp_copy_report,
 )
 from .sewing import OBJECT_OT_wirewarp_sewing
+from .smooth import MESH_OT_wirewarp_smooth_seam
 from .suggest import (
     OBJECT_OT_wirewarp_choose_suggestion,
     OBJECT_OT_wirewarp_drop_suggestions,
@@ -41,6 +42,7 @@ CLASSES = (
     MESH_OT_wirewarp_grain_wire,
     MESH_OT_wirewarp_select_wire,
     MESH_OT_wirewarp_seams_from_uv_islands,
+    MESH_OT_wirewarp_smooth_seam,
     MESH_OT_wirewarp_select_issues,
     MESH_OT_wirewarp_select_result,
     MESH_OT_wirewarp_take_proposal,

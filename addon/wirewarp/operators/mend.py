@@ -10,12 +10,14 @@ from ..blender.objects import check_local
 from ..flat.reports import last_report
 from ..flat.suggestions import chosen_cut
 from ..issues import ObjectError, object_error
-from ..model.change import cut_across_faces, mark_seams
+from ..model.change import mark_seams
+from ..model.cut_lines import cut_across_faces
 from ..model.mend import dissolve_faces_without_area, merge_close_vertices, recalculate_normals
 from ..model.modifiers import apply_modifiers
 from ..model.owners import check_not_edited, model_or_self
 from ..properties import take_settings
 from ..run import window_run
+from ..run.smooth_lines import cut_smooth_lines
 from ..run.targets import active_target, nothing_to_flatten
 from ..ui.settings import draw_advanced, draw_settings
 from .flatten_steps import FlattenSteps
@@ -45,6 +47,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
         items=[
             *PROPOSALS,
             ("SUGGESTION", "Suggestion", "Mark the cut that is chosen in the list of suggestions as seam"),
+            ("SMOOTH", "Smooth Suggestion", "Cut that cut into the model as a smooth line across its faces, as seam"),
             ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
             ("MERGE", "Merge", "Merge vertices of the model that lie in one place"),
             ("NORMALS", "Normals", "Turn faces of the model so that all look to one side"),
@@ -120,8 +123,8 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             apply_modifiers(source)
             self.use_modifiers = bpy.context.scene.wirewarp.use_modifiers = False
             return 1
-        if self.what == "SUGGESTION":
-            return _take_suggestion(source)
+        if self.what in {"SUGGESTION", "SMOOTH"}:
+            return _take_suggestion(source, is_smooth=self.what == "SMOOTH")
         report = last_report(source)
         if report is None:
             raise object_error("not_flattened", f'"{source.name}" has not been flattened yet. Press Flatten first.')
@@ -132,7 +135,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
         draw_advanced(self.layout, self)
 
 
-def _take_suggestion(source: bpy.types.Object) -> int:
+def _take_suggestion(source: bpy.types.Object, *, is_smooth: bool) -> int:
     """Returns how many edges were marked. Raises ObjectError."""
     check_local(source, source.data)
     check_not_edited(source)
@@ -140,6 +143,8 @@ def _take_suggestion(source: bpy.types.Object) -> int:
     if cut is None:
         sentence = f'Nothing is suggested for "{source.name}" as it is now. Press Suggest Darts or Suggest Seams.'
         raise object_error("no_suggestion", sentence)
+    if is_smooth:
+        return len(cut_smooth_lines(source, cut.edges))
     if cut.diagonals:
         cut_across_faces(source.data, cut.diagonals)
     return mark_seams(source.data, cut.edges)

@@ -104,10 +104,15 @@ def diagonals(arrays: MeshArrays) -> np.ndarray:
 
 def _barred_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
     """(k,2) with both ends painted, or all faces: what runs around painted faces is not meant."""
-    face_of_loop = np.repeat(np.arange(len(arrays.polygon_sizes)), arrays.polygon_sizes)
     counts = np.bincount(arrays.loop_edges, minlength=len(arrays.edges))
-    painted = np.bincount(arrays.loop_edges[no_seam.faces[face_of_loop]], minlength=len(arrays.edges))
+    painted = painted_at_edges(arrays, no_seam)
     return arrays.edges[((counts > 0) & (painted == counts)) | no_seam.vertices[arrays.edges].all(axis=1)]
+
+
+def painted_at_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
+    """(e,) how many painted faces each edge has."""
+    face_of_loop = np.repeat(np.arange(len(arrays.polygon_sizes)), arrays.polygon_sizes)
+    return np.bincount(arrays.loop_edges[no_seam.faces[face_of_loop]], minlength=len(arrays.edges))
 
 
 def _barred_diagonals(across: np.ndarray, arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:

@@ -40,6 +40,7 @@ class VIEW3D_MT_wirewarp_edges(bpy.types.Menu):
         _draw_marks_of_sides(layout)
         layout.operator("mesh.wirewarp_select_wire").edge = -1
         layout.operator("mesh.wirewarp_seams_from_uv_islands")
+        layout.operator("mesh.wirewarp_smooth_seam")
 
 
 def _draw_marks_of_sides(layout: bpy.types.UILayout) -> None:

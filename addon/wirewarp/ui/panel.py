@@ -48,6 +48,7 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         row.operator("mesh.mark_seam", text="Mark Seam").clear = False
         row.operator("mesh.mark_seam", text="Clear Seam").clear = True
         layout.operator("mesh.wirewarp_seams_from_uv_islands", text="From UV Islands")
+        layout.operator("mesh.wirewarp_smooth_seam")
 
         layout.label(text="Wires control lengths")
         column = layout.column(align=True)

@@ -68,9 +68,11 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
         new = len(found.cuts[found.chosen].diagonals)
         if new:
             draw_sentence(context, layout, f"Marking it adds {counted(new, 'edge')} across faces of the model.", "INFO")
-        take = layout.row()
+        take = layout.column(align=True)
         take.scale_y = 1.2
         take.operator("object.wirewarp_mend", text="Mark and Flatten", icon="EDGESEL").what = "SUGGESTION"
+        if not found.cuts[found.chosen].is_first:  # which have lines without ends
+            take.operator("object.wirewarp_mend", text="Cut Smoothly and Flatten", icon="MOD_SMOOTH").what = "SMOOTH"
 
 
 def _shown(context: bpy.types.Context) -> Suggestions | None:

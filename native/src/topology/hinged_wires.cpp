@@ -52,7 +52,7 @@ bool winds(const HalfEdgeMesh& mesh, const SurfacePath& path) {
 void extend_tail(SplitChart& refined, VertexHandle tail, HalfedgeHandle wire) {
   const HalfEdgeMesh& mesh = refined.chart.mesh;
   std::optional<SurfacePath> path = trace_straightest(mesh, refined.wires, wire, total_angle(mesh, tail) / 2);
-  if (path) path = snap_to_vertices(mesh, refined.wires, *path);
+  if (path) path = snap_to_wires(mesh, refined.wires, *path);
   if (path && !winds(mesh, *path)) {
     add_helper_wire(refined, embed_path(refined, *path));
   } else {

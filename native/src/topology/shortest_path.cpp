@@ -68,7 +68,7 @@ HalfEdgeChain join_by_shortest_path(SplitChart& refined, const std::vector<Verte
   const std::vector<VertexHandle> edge_path = shortest_edge_path(mesh, refined.wires, sources, is_target);
   if (edge_path.empty()) throw UnjoinedWires("No path leads from one wire loop to another in the same region.");
   const SurfacePath straight = straighten(mesh, refined.wires, edge_path);
-  const std::optional<SurfacePath> path = snap_to_vertices(mesh, refined.wires, straight);
+  const std::optional<SurfacePath> path = snap_to_wires(mesh, refined.wires, straight);
   if (!path) throw UnjoinedWires("A shortest path between wire loops ends off its loops.");
   HalfEdgeChain chain = embed_path(refined, *path);
   add_helper_wire(refined, chain);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// wirewarp.straighten_path: a smooth line beside a path of edges.
+#include "wirewarp/straighten.h"
+
+#include <pybind11/eigen.h>
+
+#include "arguments.h"
+#include "arrays.h"
+#include "bind.h"
+#include "running_call.h"
+
+namespace wirewarp::bindings {
+namespace {
+
+py::tuple run_straighten(const py::object& vertices, const py::object& faces, const py::object& path,
+                         const py::object& seams, const py::object& wires) {
+  const FlattenInput input = read_input(vertices, faces, seams, wires, py::tuple());
+  const std::vector<int> chain = read_chain(path, "Path");
+  const RunningCall running;
+  std::vector<LinePoint> line;
+  {
+    const py::gil_scoped_release no_gil;
+    line = straighten_path(input, chain);
+  }
+  VertexPairs edges(line.size(), 2);
+  Eigen::VectorXd t(line.size());
+  for (Eigen::Index i = 0; i < t.size(); ++i) {
+    edges.row(i) << line[i].edge[0], line[i].edge[1];
+    t[i] = line[i].t;
+  }
+  return py::make_tuple(edges, t);
+}
+
+constexpr const char* kStraightenDoc =
+    R"(The shortest line beside a path of edges: the same ends, straight across the triangles. For smooth legs of darts.
+
+path: vertices, each joined to the next by an edge that is on no seam or outline. What it is to be a seam of later must
+    not be among the seams yet.
+seams, wires: as in flatten(). The line meets them at the same vertices as the path.
+
+Returns (edges, t), one row for each point of the line, ends included: edges (k, 2) vertices, t (k,) numbers. The point
+lies at vertices[edges[i, 0]] + t[i] (vertices[edges[i, 1]] - vertices[edges[i, 0]]), with t in [0.05, 0.95]: where the line
+would pass nearer to a vertex, it passes through it. A vertex is given twice in its row, with t = 0.
+
+Raises what flatten() raises of the mesh; FlattenError "invalid_option", naming the pair, for a path that is none.)";
+
+}  // namespace
+
+void bind_straighten(py::module_& module) {
+  module.def("straighten_path", &run_straighten, py::arg("vertices"), py::arg("faces"), py::arg("path"), py::kw_only(),
+             py::arg("seams") = py::none(), py::arg("wires") = py::tuple(), kStraightenDoc);
+}
+
+}  // namespace wirewarp::bindings

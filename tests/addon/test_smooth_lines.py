@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Smooth lines cut into the mesh: of suggestions and of the user's own seams; surface, marks and maps stay."""
+
+import bpy
+import numpy as np
+import pytest
+from suggesting import SUGGEST, found, pairs
+from surfaces import bump, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, round_bump, select_edges
+from test_proposals import seams_of
+from test_suggestions import two_hills
+
+SIZE = 8
+
+
+# Vertices of the grid, in a row or column: along edges that it has of n-gons, too.
+STAIRS = [(2, 2), (3, 2), (4, 2), (4, 3), (5, 3), (6, 3), (6, 4)]
+
+
+def stairs(target):
+    """Marks a seam along stairs inside the grid; returns its ends."""
+    path = [x + (SIZE + 1) * y for x, y in STAIRS]
+    steps = {frozenset(pair) for pair in zip(path, path[1:], strict=False)}
+    for edge in target.data.edges:
+        edge.use_seam |= frozenset(edge.vertices) in steps
+    return places(target)[[path[0], path[-1]]]
+
+
+def smooth(target, line=lambda a, b: True):
+    """Presses Smooth Seam with these edges selected."""
+    select_edges(target, line)
+    result = bpy.ops.mesh.wirewarp_smooth_seam()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    return result
+
+
+def places(source):
+    return read(source.data.vertices, "co", np.float32, 3).astype(float)
+
+
+def seam_places(source):
+    """The ends of each seam edge (k,2,3)."""
+    return places(source)[np.array(seams_of(source)).reshape(-1, 2)]
+
+
+def surface(source):
+    """The area, and the volume above the ground: of the triangles that Blender shows."""
+    source.data.calc_loop_triangles()
+    corners = places(source)[np.array([each.vertices for each in source.data.loop_triangles])]
+    u, v = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    normals = np.cross(u, v)
+    return np.linalg.norm(normals, axis=1).sum() / 2, (normals[:, 2] * corners[:, :, 2].mean(axis=1)).sum() / 2
+
+
+@pytest.mark.parametrize("faces", ["triangles", "quads"])
+def test_a_seam_along_stairs_becomes_a_straight_line_and_all_else_stays(faces):
+    source = grid("Grid", lambda x, y: (x, y, 0.0), faces=faces)
+    layer = source.data.uv_layers.new(name="Mine")
+    corner_places = places(source)[read(source.data.loops, "vertex_index", np.int32)]
+    layer.data.foreach_set("uv", corner_places[:, :2].astype(np.float32).ravel())
+    source.shape_key_add(name="Basis")
+    key = source.shape_key_add(name="Twice")
+    key.data.foreach_set("co", (2 * places(source)).astype(np.float32).ravel())
+    source.vertex_groups.new(name="All").add(range(len(source.data.vertices)), 0.5, "REPLACE")
+    before, area = places(source), surface(source)
+    start, end = stairs(source)
+    assert smooth(source) == {"FINISHED"}
+    assert np.array_equal(places(source)[: len(before)], before)
+    assert surface(source) == pytest.approx(area, abs=1e-6)
+    ends, length = seam_places(source), np.linalg.norm(end - start)
+    aside = np.cross(ends - start, (end - start) / length)
+    assert np.linalg.norm(aside, axis=2).max() < 0.2 * 2 / SIZE
+    assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum() == pytest.approx(length, rel=2e-3)
+    now = places(source)[read(source.data.loops, "vertex_index", np.int32)]
+    assert read(source.data.uv_layers["Mine"].data, "uv", np.float32, 2) == pytest.approx(now[:, :2], abs=1e-6)
+    twice = read(source.data.shape_keys.key_blocks["Twice"].data, "co", np.float32, 3)
+    assert twice == pytest.approx(2 * places(source), abs=1e-6)
+    assert all(source.vertex_groups["All"].weight(index) == 0.5 for index in range(len(source.data.vertices)))
+
+
+@pytest.mark.parametrize("faces", ["quads", "ngons"])
+def test_a_curved_surface_stays(faces):
+    source = grid("Bump", round_bump, faces=faces)
+    area = surface(source)
+    stairs(source)
+    assert smooth(source) == {"FINISHED"}
+    assert surface(source) == pytest.approx(area, rel=1e-6)
+
+
+def test_painted_faces_are_not_entered():
+    source = grid("Bump", bump)
+    stairs(source)
+    free = source.data.copy()
+    painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
+    painted.data.foreach_set("value", [3 + SIZE * 2 <= index < 8 + SIZE * 2 for index in range(SIZE * SIZE)])
+    assert smooth(source) == {"FINISHED"}
+    assert np.count_nonzero(read(source.data.attributes["wirewarp_no_seam"].data, "value", bool)) == 5
+    source.data = free
+    painted = free.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
+    assert smooth(source) == {"FINISHED"}
+    assert len(free.polygons) > SIZE * SIZE + 5
+
+
+def test_the_new_line_is_selected_and_the_old_one_is_no_seam_any_more():
+    source = grid("Bump", bump)
+    stairs(source)
+    old = pairs(seams_of(source))
+    select_edges(source, lambda a, b: True)
+    bpy.ops.mesh.wirewarp_smooth_seam()
+    assert source.mode == "EDIT"
+    bpy.ops.object.mode_set(mode="OBJECT")
+    new = pairs(seams_of(source))
+    selected = {tuple(sorted(each.vertices)) for each in source.data.edges if each.select}
+    assert new == selected
+    assert old - new  # but for what both follow
+
+
+def test_wires_other_seams_and_eases_are_met_where_they_were_and_stay(addon):
+    source = grid("Bump", bump)
+    mark(source, on_line(0, 0.25))
+    mark_seam(source, on_line(1, 0.5))
+    source.data.attributes.new("wirewarp_side_ease", "FLOAT", "CORNER")
+    edges = read(source.data.loops, "edge_index", np.int32)
+    outline = np.bincount(edges)[edges] == 1
+    eases = np.where(outline, 0.01, 0).astype(np.float32)
+    source.data.attributes["wirewarp_side_ease"].data.foreach_set("value", eases)
+    stairs(source)
+    crossed = on_the_wire(source)
+    count = len(source.data.vertices)
+    wires = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
+    select_edges(source, lambda a, b: True)
+    with pytest.raises(RuntimeError, match='selected edges of "Bump" would lose what is marked there'):
+        mark_allowance_and_smooth(source)
+    assert len(source.data.vertices) == count
+    assert smooth(source, lambda a, b: max(a[1], b[1]) < 0.45) == {"FINISHED"}
+    assert len(crossed) == 2 and crossed == on_the_wire(source)  # of the stairs, and of the seam that was left as it is
+    marked = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
+    assert np.count_nonzero(marked) == np.count_nonzero(wires)
+    eases = read(source.data.attributes["wirewarp_side_ease"].data, "value", np.float32)
+    assert np.count_nonzero(eases) == np.count_nonzero(outline)
+    assert set(np.unique(eases)) == {np.float32(0), np.float32(0.01)}
+
+
+def on_the_wire(source):
+    seams = seam_places(source).reshape(-1, 3).round(5)
+    return {tuple(place) for place in seams[np.abs(seams[:, 0] - 0.25) < 1e-6].tolist()}
+
+
+def mark_allowance_and_smooth(source):
+    bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=5)
+    try:
+        bpy.ops.mesh.wirewarp_smooth_seam()
+    finally:
+        bpy.ops.mesh.wirewarp_allowance(kind="DEFAULT")
+        bpy.ops.object.mode_set(mode="OBJECT")
+
+
+@pytest.mark.parametrize("kind", SUGGEST)
+@pytest.mark.parametrize("faces", ["triangles", "quads"])
+def test_a_suggestion_is_cut_smoothly_and_flattened(addon, kind, faces):
+    source = grid("Bump", bump, faces=faces)
+    SUGGEST[kind]()
+    cut = found(addon, source).cuts[0]
+    area, before = surface(source), places(source)
+    assert bpy.ops.object.wirewarp_mend(what="SMOOTH") == {"FINISHED"}
+    assert surface(source) == pytest.approx(area, rel=1e-5)
+    assert np.array_equal(places(source)[: len(before)], before)
+    ends = seam_places(source)
+    assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum() <= sum(cut.lengths) * (1 + 1e-6)
+    assert ends_of(seams_of(source)) == ends_of(cut.edges)
+    pieces = addon.flat.reports.last_report(source)["pieces"]
+    assert all(piece["ok"] for piece in pieces) and flat_of(source)
+    assert len(pieces) == (1 if kind == "DARTS" else 1 + len(cut.lengths))
+
+
+def ends_of(edges):
+    """The vertices at which lines of edges end."""
+    vertices, counts = np.unique(np.array(list(edges)), return_counts=True)
+    return set(vertices[counts != 2].tolist())
+
+
+def test_both_of_two_mirror_images_are_cut(addon):
+    source = two_hills()
+    SUGGEST["DARTS"]()
+    twins = next(index for index, cut in enumerate(found(addon, source).cuts) if len(cut.lengths) == 2)
+    bpy.ops.object.wirewarp_choose_suggestion(index=twins)
+    bpy.ops.object.wirewarp_mend(what="SMOOTH")
+    line = {tuple(place) for place in seam_places(source).mean(axis=1).round(4).tolist()}
+    assert line == {(-x, y, z) for x, y, z in line}
+
+
+def test_what_cannot_be_smoothed_is_told_and_left(addon):
+    source = grid("Bump", bump)
+    with pytest.raises(RuntimeError, match="Nothing to smooth: select edges of a seam first"):
+        smooth(source)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    ring = {(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)}
+    xs, ys = zip(*ring, strict=True)
+    mark_seam(
+        source,
+        lambda a, b: (
+            all(min(xs) <= each[0] <= max(xs) and min(ys) <= each[1] <= max(ys) for each in (a, b))
+            and any(on_line(axis, value)(a, b) for axis, value in ((0, -0.5), (0, 0.5), (1, -0.5), (1, 0.5)))
+        ),
+    )
+    before = edge_vertices(source.data)
+    with pytest.raises(RuntimeError, match='A line of "Bump" meets itself at vertex .*: smooth it in parts'):
+        smooth(source)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert np.array_equal(edge_vertices(source.data), before)
+    bpy.ops.object.wirewarp_flatten()
+    flat = flat_of(source)
+    bpy.context.view_layer.objects.active = flat
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert not bpy.ops.mesh.wirewarp_smooth_seam.poll()
+
+
+def test_where_a_second_line_fails_the_first_is_not_cut_either(addon, monkeypatch):
+    source = grid("Bump", bump)
+    stairs(source)
+    mark_seam(source, on_line(1, 0.75))
+    before = edge_vertices(source.data), seams_of(source), places(source)
+    run, calls = addon.run.smooth_lines, []
+    cut_line = run.cut_line
+
+    def cut_once(*arguments):
+        if calls:
+            raise addon.issues.object_error("no_room", "No.")
+        calls.append(arguments)
+        return cut_line(*arguments)
+
+    monkeypatch.setattr(run, "cut_line", cut_once)
+    with pytest.raises(RuntimeError, match="No"):
+        smooth(source)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert calls
+    assert np.array_equal(edge_vertices(source.data), before[0])
+    assert np.array_equal(seams_of(source), before[1])
+    assert np.array_equal(places(source), before[2])

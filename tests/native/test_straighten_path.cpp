@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Smooth lines beside paths of edges: straight where the surface is flat, and none crosses what the path does not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "test_meshes.h"
+#include "wirewarp/straighten.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr int kN = 12;  // edges a side of the grid
+
+int vertex(int i, int j) { return i + (kN + 1) * j; }
+
+/// Of edges as long as 1, with diagonals in both directions.
+FlattenInput grid() {
+  FlattenInput input = test::flat_rectangle(kN, kN, kN, kN);
+  test::alternate_diagonals(input, kN);
+  return input;
+}
+
+/// Along the edges of the grid, in turn to the right and up, as far as there is a way.
+std::vector<int> stairs(int i, int j, int end_i, int end_j) {
+  std::vector<int> path{vertex(i, j)};
+  for (bool is_right = true; i != end_i || j != end_j; is_right = !is_right) {
+    if ((is_right && i != end_i) || j == end_j) {
+      ++i;
+    } else {
+      ++j;
+    }
+    path.push_back(vertex(i, j));
+  }
+  return path;
+}
+
+Eigen::RowVector3d place(const FlattenInput& input, const LinePoint& point) {
+  return (1 - point.t) * input.vertices.row(point.edge[0]) + point.t * input.vertices.row(point.edge[1]);
+}
+
+double length_of(const FlattenInput& input, const std::vector<LinePoint>& line) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += (place(input, line[i]) - place(input, line[i - 1])).norm();
+  return length;
+}
+
+bool is_vertex(const LinePoint& point) { return point.edge[0] == point.edge[1]; }
+
+bool passes(const std::vector<LinePoint>& line, int v) {
+  return std::any_of(line.begin(), line.end(), [&](const LinePoint& p) { return is_vertex(p) && p.edge[0] == v; });
+}
+
+std::string message_of(const FlattenInput& input, const std::vector<int>& path) {
+  try {
+    straighten_path(input, path);
+  } catch (const FlattenError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(StraightenPath, BecomesTheLineBetweenItsEndsInAPlane) {
+  const FlattenInput input = grid();
+  for (const auto& [i, j] : {std::pair{11, 3}, {4, 11}, {10, 7}, {9, 9}}) {
+    const std::vector<LinePoint> line = straighten_path(input, stairs(1, 2, i, j));
+    const Eigen::RowVector3d start = input.vertices.row(vertex(1, 2));
+    const Eigen::RowVector3d end = input.vertices.row(vertex(i, j));
+    EXPECT_EQ(line.front().edge, (VertexPair{vertex(1, 2), vertex(1, 2)}));
+    EXPECT_EQ(line.back().edge, (VertexPair{vertex(i, j), vertex(i, j)}));
+    EXPECT_LT(length_of(input, line), 1.001 * (end - start).norm());
+    for (const LinePoint& point : line) {
+      const double aside = (place(input, point) - start).cross((end - start).normalized()).norm();
+      EXPECT_LT(aside, 0.2) << "of an edge, by vertices that it passes near";
+    }
+  }
+}
+
+TEST(StraightenPath, LeavesNoSliversAndTouchesEachTriangleOnce) {
+  const FlattenInput input = grid();
+  const std::vector<LinePoint> line = straighten_path(input, stairs(1, 1, 11, 8));
+  ASSERT_GT(line.size(), 10U);
+  std::vector<int> crossings(input.faces.rows(), 0);
+  for (const LinePoint& point : line) {
+    if (is_vertex(point)) {
+      EXPECT_EQ(point.t, 0);
+      continue;
+    }
+    EXPECT_GE(point.t, 0.05);
+    EXPECT_LE(point.t, 0.95);
+    for (int f = 0; f < input.faces.rows(); ++f) {
+      const auto has = [&](int v) { return (input.faces.row(f).array() == v).any(); };
+      if (has(point.edge[0]) && has(point.edge[1])) ++crossings[f];
+    }
+  }
+  EXPECT_LE(*std::max_element(crossings.begin(), crossings.end()), 2) << "in and out";
+}
+
+TEST(StraightenPath, IsAGeodesicOfACylinder) {
+  const double angle = 2;
+  const FlattenInput input = test::cylinder_patch(kN, kN, 1, angle, 2);
+  const std::vector<LinePoint> line = straighten_path(input, stairs(1, 2, 11, 7));
+  const double chord = 2 * std::sin(angle / kN / 2);  // the mesh is a prism
+  const double exact = std::hypot(10 * chord, 5 * 2.0 / kN);
+  EXPECT_GT(length_of(input, line), exact * (1 - 1e-12));
+  EXPECT_LT(length_of(input, line), exact * 1.002);
+}
+
+TEST(StraightenPath, BackwardsIsTheSameLine) {
+  FlattenInput input = grid();
+  for (Eigen::Index v = 0; v < input.vertices.rows(); ++v) {  // no two ways are equally long
+    const auto x = static_cast<double>(v);
+    input.vertices.row(v) += 0.1 * Eigen::RowVector3d(std::sin(7 * x), std::cos(5 * x), std::sin(3 * x));
+  }
+  std::vector<int> path = stairs(1, 2, 11, 7);
+  const std::vector<LinePoint> there = straighten_path(input, path);
+  std::reverse(path.begin(), path.end());
+  std::vector<LinePoint> back = straighten_path(input, path);
+  std::reverse(back.begin(), back.end());
+  ASSERT_EQ(there.size(), back.size());
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    EXPECT_LT((place(input, there[i]) - place(input, back[i])).norm(), 1e-12) << i;
+  }
+}
+
+TEST(StraightenPath, MeetsWiresAtTheVerticesOfThePath) {
+  const std::vector<int> path = stairs(1, 2, 11, 7);
+  FlattenInput input = grid();
+  EXPECT_FALSE(passes(straighten_path(input, path), path[6]));
+  const int i = path[6] % (kN + 1);
+  test::add_wire(input, test::grid_column(kN, kN, i));
+  const std::vector<LinePoint> line = straighten_path(input, path);
+  EXPECT_TRUE(passes(line, path[6]) || passes(line, path[5]) || passes(line, path[7]));
+  for (const LinePoint& point : line) {  // elsewhere it keeps to one side
+    const bool is_on_wire = std::abs(place(input, point)[0] - i) < 1e-9;
+    const bool is_of_path = is_vertex(point) && std::find(path.begin(), path.end(), point.edge[0]) != path.end();
+    EXPECT_TRUE(!is_on_wire || is_of_path);
+  }
+}
+
+TEST(StraightenPath, GoesAroundASeam) {
+  FlattenInput input = grid();
+  std::vector<int> slit = test::grid_column(kN, kN, 6);
+  slit.resize(8);  // up to row 7
+  test::add_seam(input, slit);
+  std::vector<int> path = stairs(2, 2, 2, 9);
+  for (const int v : stairs(3, 9, 10, 9)) path.push_back(v);
+  for (int j = 8; j >= 2; --j) path.push_back(vertex(10, j));
+  const std::vector<LinePoint> line = straighten_path(input, path);
+  EXPECT_GT(length_of(input, line), 2 * std::hypot(4, 5)) << "longer than through the end of the seam";
+  EXPECT_LT(length_of(input, line), 2 * std::hypot(4, 6)) << "shorter than through the vertex beyond";
+  for (const int v : slit) EXPECT_FALSE(passes(line, v));
+}
+
+TEST(StraightenPath, RefusesWhatIsNoPath) {
+  FlattenInput input = grid();
+  test::add_seam(input, test::grid_row(kN, 6));
+  EXPECT_EQ(message_of(input, {5}), "path must have two vertices or more.");
+  EXPECT_EQ(message_of(input, {5, 999}), "path has vertex 999, but the mesh has vertices 0 to 168.");
+  EXPECT_EQ(message_of(input, {14, 17}), "path has the pair 14, 17, which is no edge of the mesh.");
+  EXPECT_EQ(message_of(input, {0, 1}), "path has the pair 0, 1, which is on a seam or an outline.");
+  EXPECT_EQ(message_of(input, {vertex(3, 6), vertex(4, 6)}),
+            "path has the pair 81, 82, which is on a seam or an outline.");
+  EXPECT_EQ(message_of(input, {14, 15, 14}), "path passes vertex 14 twice: straighten it in parts.");
+}
+
+TEST(StraightenPath, SaysWhatIsWrongWithThePiece) {
+  FlattenInput input = grid();
+  input.faces.conservativeResize(input.faces.rows() + 1, 3);
+  input.faces.row(input.faces.rows() - 1) = input.faces.row(30);
+  const int a = input.faces(30, 0), b = input.faces(30, 1);
+  EXPECT_EQ(message_of(input, {a, b}), "The vertices of face 288 are those of another face: delete the copies.");
+}
+
+}  // namespace
+}  // namespace wirewarp
