@@ -104,6 +104,11 @@ HalfEdgeChain SmoothPathFinder::path_to(const SmoothPaths& paths, VertexHandle e
   HalfEdgeChain path;
   for (HalfedgeHandle h = paths.arrival[end.idx()]; h.is_valid(); h = paths.before[h.idx()]) path.push_back(h);
   std::reverse(path.begin(), path.end());
+  // Where it may not turn sharply, the cheapest way to a half-edge may make a loop, which would cut out what is inside.
+  std::vector<VertexHandle> passed;
+  for (const HalfedgeHandle h : path) passed.push_back(mesh_.to_vertex_handle(h));
+  std::sort(passed.begin(), passed.end());
+  if (std::adjacent_find(passed.begin(), passed.end()) != passed.end()) return {};
   return path;
 }
 

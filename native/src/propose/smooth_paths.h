@@ -32,7 +32,7 @@ class SmoothPathFinder {
   /// Paths that meet the outline at their ends alone, squarely where there is a choice.
   SmoothPaths paths_from(VertexHandle start) const;
 
-  /// From the start to a vertex; empty where no path leads.
+  /// From the start to a vertex; empty where no path leads, or the cheapest passes a vertex twice.
   HalfEdgeChain path_to(const SmoothPaths& paths, VertexHandle end) const;
 
   bool is_barred(VertexHandle v) const { return barred_.vertices[v.idx()] != 0; }
