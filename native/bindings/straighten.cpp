@@ -32,7 +32,7 @@ py::tuple run_straighten(const py::object& vertices, const py::object& faces, co
 }
 
 constexpr const char* kStraightenDoc =
-    R"(The shortest line beside a path of edges: the same ends, straight across the triangles. For smooth legs of darts.
+    R"(The shortest line among the triangles that touch a path of edges, with the same ends. For smooth legs of darts.
 
 path: vertices, each joined to the next by an edge that is on no seam or outline. What it is to be a seam of later must
     not be among the seams yet.

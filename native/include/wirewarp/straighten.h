@@ -14,7 +14,8 @@ struct LinePoint {
   double t = 0;     // at edge[0] + t (edge[1] - edge[0]), in (0, 1); a vertex: 0
 };
 
-/// The shortest line beside a path of edges inside the pieces of the input, with the same ends. It meets seams,
+/// The shortest line among the triangles that touch a path of edges inside the pieces of the input, with the same
+/// ends: zigzags become straight, and what bends on purpose stays within a triangle of where it was. It meets seams,
 /// outlines and wires at the same vertices as the path, and keeps a quarter of an edge away from their other vertices.
 /// Where it would cross an edge nearer to an end than a twentieth of it, it passes through the end, so that cutting it
 /// into the mesh leaves no slivers. Each triangle is crossed once at most by what lies between two vertices of the line

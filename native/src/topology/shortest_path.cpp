@@ -19,12 +19,14 @@ bool is_shorter_on_other_side(const HalfEdgeMesh& mesh, const StripTurn& turn) {
   return total_angle(mesh, turn.vertex) - kPi - turn.angle < kPi - kStraight;
 }
 
-/// Replaces the strip and its path by one that is shorter. False if there is none.
-bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, Strip& strip, StripPath& best) {
+/// Replaces the strip and its path by one that is shorter and may be taken. False if there is none.
+template <class MayTake>
+bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, const MayTake& may_take, Strip& strip, StripPath& best) {
   constexpr double kNoShorter = 1e-13;  // relative
   for (const StripTurn& turn : best.turns) {
     if (!is_shorter_on_other_side(mesh, turn)) continue;
     Strip other = pass_on_other_side(mesh, strip, turn);
+    if (!may_take(other)) continue;
     StripPath path = shortest_in_strip(mesh, wires, other);
     if (path.length >= best.length * (1 - kNoShorter)) continue;
     strip = std::move(other);
@@ -32,6 +34,16 @@ bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, Strip& strip, Stri
     return true;
   }
   return false;
+}
+
+template <class MayTake>
+SurfacePath shortest_path(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path,
+                          const MayTake& may_take) {
+  Strip strip = strip_beside(mesh, edge_path);
+  StripPath best = shortest_in_strip(mesh, wires, strip);
+  while (improve(mesh, wires, may_take, strip, best)) {
+  }
+  return best.path;
 }
 
 }  // namespace
@@ -53,11 +65,21 @@ std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const Wir
 }
 
 SurfacePath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path) {
-  Strip strip = strip_beside(mesh, edge_path);
-  StripPath best = shortest_in_strip(mesh, wires, strip);
-  while (improve(mesh, wires, strip, best)) {
+  return shortest_path(mesh, wires, edge_path, [](const Strip&) { return true; });
+}
+
+SurfacePath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires,
+                              const std::vector<VertexHandle>& edge_path) {
+  std::vector<char> touches_path(mesh.n_faces(), 0);
+  for (const VertexHandle v : edge_path) {
+    for (const FaceHandle f : mesh.vf_range(v)) touches_path[f.idx()] = 1;
   }
-  return best.path;
+  return shortest_path(mesh, wires, edge_path, [&](const Strip& strip) {
+    return std::all_of(strip.crossings.begin(), strip.crossings.end(), [&](HalfedgeHandle h) {
+      return touches_path[mesh.face_handle(h).idx()] != 0 &&
+             touches_path[mesh.face_handle(mesh.opposite_halfedge_handle(h)).idx()] != 0;
+    });
+  });
 }
 
 HalfEdgeChain join_by_shortest_path(SplitChart& refined, const std::vector<VertexHandle>& sources,

@@ -18,6 +18,10 @@ std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const Wir
 /// the other side of a vertex wherever that is shorter still. It keeps a quarter of an edge away from wires.
 SurfacePath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
+/// Likewise the shortest among the triangles that touch the path.
+SurfacePath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires,
+                              const std::vector<VertexHandle>& edge_path);
+
 /// Adds a helper wire along the straightened shortest path from any source to the nearest target, and returns it.
 /// Cuts edges for it where wires leave no room. Throws UnjoinedWires if no target lies in a region of a source, or
 /// the straightened path ends elsewhere.

@@ -99,10 +99,11 @@ std::ptrdiff_t num_vertices(const SurfacePath& path) {
   return std::count_if(path.begin(), path.end(), [](const PathPoint& point) { return point.is_vertex(); });
 }
 
-/// A crossing that moves to a vertex bends the line there. So what lies between is made straight again, until no
-/// further crossing moves.
+/// Among the triangles that touch the path, for a geodesic would leave a bend that the cut is there for. A crossing
+/// that moves to a vertex bends the line there. So what lies between is made straight again, until no further one
+/// moves.
 SurfacePath smooth_line(const HalfEdgeMesh& mesh, const WireMask& lines, const std::vector<VertexHandle>& path) {
-  SurfacePath line = snap_to_vertices(mesh, straighten(mesh, lines, path), kReach);
+  SurfacePath line = snap_to_vertices(mesh, straighten_nearby(mesh, lines, path), kReach);
   for (std::ptrdiff_t before = 0; num_vertices(line) > before;) {
     before = num_vertices(line);
     line = snap_to_vertices(mesh, straight_between_vertices(mesh, lines, line), kReach);
