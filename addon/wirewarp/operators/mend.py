@@ -47,7 +47,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
         items=[
             *PROPOSALS,
             ("SUGGESTION", "Suggestion", "Mark the cut that is chosen in the list of suggestions as seam"),
-            ("SMOOTH", "Smooth Suggestion", "Cut that cut into the model as a smooth line across its faces, as seam"),
+            ("SMOOTH", "Smooth Suggestion", "Cut the chosen suggestion into the faces as a smooth line, as seam"),
             ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
             ("MERGE", "Merge", "Merge vertices of the model that lie in one place"),
             ("NORMALS", "Normals", "Turn faces of the model so that all look to one side"),
