@@ -18,6 +18,19 @@ namespace wirewarp {
 /// That this thread may run on, 1 at least.
 std::size_t num_cores();
 
+/// As long as it lives, num_cores() is 1 on this thread: all cores have work of their own, and threads that this one
+/// began would only take turns with them.
+class OnOneCore {
+ public:
+  OnOneCore();
+  ~OnOneCore();
+  OnOneCore(const OnOneCore&) = delete;
+  OnOneCore& operator=(const OnOneCore&) = delete;
+
+ private:
+  bool was_on_one_core_;
+};
+
 /// There is a second core for a second thread.
 inline bool has_second_core() { return num_cores() > 1; }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "charts/chart.h"
 #include "feasibility/cut_mask.h"
 #include "internal_options.h"
@@ -8,8 +10,24 @@
 
 namespace wirewarp {
 
-/// E of Eq. (4) of a chart cut along edges of it (none: as it is) by the refined method, scene units squared;
-/// infinite where it does not lie flat so. Throws Stopped.
-double energy_when_cut(const Chart& chart, const CutMask& cut, const InternalOptions& options, const StopToken& stop);
+/// Tries cuts of one chart, from several threads at once.
+class CutTrials {
+ public:
+  /// The chart must outlive the trials. Throws Stopped.
+  CutTrials(const Chart& chart, const InternalOptions& options, const StopToken& stop);
+
+  /// E of Eq. (4) of the chart as it is, by the refined method, scene units squared; infinite where it does not lie
+  /// flat.
+  double energy_uncut() const { return uncut_; }
+
+  /// E of the chart cut along edges of it, likewise. Throws Stopped.
+  double energy_when_cut(const CutMask& cut, const StopToken& stop) const;
+
+ private:
+  const Chart& chart_;
+  InternalOptions options_;
+  double uncut_;
+  std::optional<Positions2> start_;  // the uncut shape, where that is near those of the cut chart
+};
 
 }  // namespace wirewarp

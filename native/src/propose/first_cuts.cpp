@@ -225,17 +225,16 @@ void FirstCuts::add_lines(const CutSet& set, std::size_t piece, std::vector<Cand
 /// no figure without a cut: then the shortest come first, and the full runs tell what they gain.
 void FirstCuts::add_halves(const CutSet& set, std::size_t piece, std::vector<Candidate>& found) const {
   const Chart& part = set.pieces[piece];
-  const auto energy_with = [&](const CutMask& cut) {
-    return energy_when_cut(part, cut, trials_.options(), StopToken([&](const char*) { return go_on_(); }));
-  };
-  const double uncut = energy_with(CutMask(part.mesh.n_edges(), 0));
+  const auto new_token = [&] { return StopToken([&](const char*) { return go_on_(); }); };
+  const CutTrials trials(part, trials_.options(), new_token());
   const std::vector<CutMask> halves = halves_of(part);
   std::vector<Candidate> tried(halves.size());
   run_in_threads(
       halves.size(), num_cores(),
       [&](std::size_t i) {
+        const OnOneCore on_one_core;
         const CutMask own = inside(part, halves[i]);
-        const double gain = 1 - energy_with(own) / uncut;
+        const double gain = 1 - trials.energy_when_cut(own, new_token()) / trials.energy_uncut();
         tried[i] = {halves[i], gain, gain / length_of_cut(part.mesh, own)};
       },
       [&] { go_on_(); });
