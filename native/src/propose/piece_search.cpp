@@ -245,6 +245,7 @@ std::vector<std::optional<PieceSearch::Tried>> PieceSearch::flatten(const std::v
       chains.size(), num_cores(),
       [&](std::size_t i) {
         if (chains[i].empty()) return;
+        const OnOneCore on_one_core;
         DartProposal proposal;
         proposal.edges = edges_of(chains[i]);
         const PieceFigures after = figures_of(trials_.run(proposal.edges), input_chart_, trials_.options());
