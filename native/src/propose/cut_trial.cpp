@@ -14,7 +14,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kDoesNotLieFlat = std::numeric_limits<double>::infinity();
 
 /// Good cuts take 3 to 8; what takes many has wires that hardly fit.
 constexpr int kMaxFactorizations = 20;
@@ -34,7 +34,7 @@ InternalOptions brief(InternalOptions options) {
 
 double energy_of(const Chart& piece, const RefinedShape& shape) {
   const bool lies_flat = shape.is_exact && find_folded_faces(piece.mesh, shape.uv).empty();
-  return lies_flat ? ShapeError(piece).energy(shape.uv) : kInfinity;
+  return lies_flat ? ShapeError(piece).energy(shape.uv) : kDoesNotLieFlat;
 }
 
 /// From the shape of the whole chart: without forces in the wires, so that the first step opens the cut.
@@ -50,27 +50,27 @@ RefinedShape refine_from(const Positions2& whole, const Chart& piece, const Inte
 }  // namespace
 
 CutTrials::CutTrials(const Chart& chart, const InternalOptions& options, const StopToken& stop)
-    : chart_(chart), options_(brief(options)), uncut_(kInfinity) {
+    : chart_(chart), options_(brief(options)), uncut_(kDoesNotLieFlat) {
   try {
     RefinedShape shape = refine_chart(chart, options_, stop).shape;
     uncut_ = energy_of(chart, shape);
     if (uncut_ < kNearFlat * surface_area(chart.mesh)) start_ = std::move(shape.uv);
   } catch (const FactorizationFailed&) {
-    uncut_ = kInfinity;
+    uncut_ = kDoesNotLieFlat;
   }
 }
 
 double CutTrials::energy_when_cut(const CutMask& cut, const StopToken& stop) const {
   double energy = 0;
   for (const Chart& piece : cut_apart(chart_, cut)) {
-    if (piece.error) return kInfinity;
+    if (piece.error) return kDoesNotLieFlat;
     try {
       RefinedShape shape;
       if (start_) shape = refine_from(*start_, piece, options_, stop);
       if (!shape.is_exact) shape = refine_chart(piece, options_, stop).shape;
       energy += energy_of(piece, shape);
     } catch (const FactorizationFailed&) {
-      return kInfinity;
+      return kDoesNotLieFlat;
     }
   }
   return energy;
