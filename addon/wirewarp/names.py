@@ -4,23 +4,56 @@
 Scripts and earlier files rely on these; what it is for stands beside it, and in the table of addon/README.md.
 """
 
-# On the model's mesh, the truth: edges.
-WIRE = "wirewarp_wire"  # INT, random 31-bit id of the wire, 0 none
-TOLERANCE = "wirewarp_tolerance"  # FLOAT, 0 rigid, finite elastic, inf super-elastic
-EASE = "wirewarp_ease"  # FLOAT: by how much the wire is to be longer, as a fraction; 0.05 is 5%
-SIDE_EASE = "wirewarp_side_ease"  # on corners, FLOAT: the same for the side of the face whose corner begins the edge
-SIDE_RATIO = "wirewarp_side_ratio"  # FLOAT: the same for one side of the edge, see model.side_eases
-EASED_SIDE = "wirewarp_eased_side"  # INT, the number of the face on that side, 0 where none is eased
-ALLOWANCE = "wirewarp_allowance"  # FLOAT, Blender units: the seam allowance; below 0 none; 0 and NaN the default
-SIDE_ALLOWANCE = "wirewarp_side_allowance"  # on corners: the same for the side of the face whose corner begins the edge
-SIDE_WIDTH = "wirewarp_side_width"  # FLOAT: the same for one side of the edge, see model.side_allowances
-SIDE = "wirewarp_side"  # INT, the number of the face on that side, 0 where both sides are alike
-FACE = "wirewarp_face"  # on faces: INT, random 31-bit number beside edges where a side is marked, 0 elsewhere
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Attribute:
+    """An attribute of a mesh: one number for each of its elements, 0 on elements that nothing was written on."""
+
+    name: str
+    data_type: str  # "INT" or "FLOAT"
+    domain: str  # "POINT", "EDGE", "FACE" or "CORNER"
+
+
+@dataclass(frozen=True)
+class Mark(Attribute):
+    """An attribute of the model's mesh by which the user says something of an edge, or of one side of it."""
+
+    is_length: bool = False  # in Blender units: it stays as long as it is when the unit of the scene is set
+    is_drawn: bool = False  # the overlay draws it on the model
+
+
+# On the model's mesh, the truth.
+WIRE = Mark("wirewarp_wire", "INT", "EDGE", is_drawn=True)  # random 31-bit id of the wire, 0 none
+TOLERANCE = Mark("wirewarp_tolerance", "FLOAT", "EDGE")  # 0 rigid, finite elastic, inf super-elastic
+EASE = Mark("wirewarp_ease", "FLOAT", "EDGE")  # how much longer the wire becomes, as a fraction: 0.05 is 5%
+SIDE_EASE = Mark("wirewarp_side_ease", "FLOAT", "CORNER", is_drawn=True)  # as EASE; of the edge that begins there
+SIDE_RATIO = Mark("wirewarp_side_ratio", "FLOAT", "EDGE", is_drawn=True)  # as EASE; of one side, see model.sides
+EASED_SIDE = Mark("wirewarp_eased_side", "INT", "EDGE")  # the number of the face on that side, 0 none
+ALLOWANCE = Mark("wirewarp_allowance", "FLOAT", "EDGE", is_length=True)  # see model.allowances
+SIDE_ALLOWANCE = Mark("wirewarp_side_allowance", "FLOAT", "CORNER", is_length=True)  # of the edge that begins there
+SIDE_WIDTH = Mark("wirewarp_side_width", "FLOAT", "EDGE", is_length=True)  # of one side, see model.sides
+SIDE = Mark("wirewarp_side", "INT", "EDGE")  # the number of the face on that side, 0 none
+FACE = Mark("wirewarp_face", "INT", "FACE")  # random 31-bit number of faces beside edges with a marked side, 0 none
+MARKS = (
+    WIRE,
+    TOLERANCE,
+    EASE,
+    SIDE_EASE,
+    SIDE_RATIO,
+    EASED_SIDE,
+    ALLOWANCE,
+    SIDE_ALLOWANCE,
+    SIDE_WIDTH,
+    SIDE,
+    FACE,
+)
 NO_SEAM = "wirewarp_no_seam"  # on faces, above 0: none is suggested there; also a vertex group of the object
 
 # On the model's mesh, written by a run.
-PIECE = "wirewarp_piece"  # face attribute INT, random 31-bit id of the piece, 0 none; on the flat mesh too
-SEAM = "wirewarp_seam"  # edge attribute INT, random 31-bit id of the seam, 0 none; on the flat mesh too
+PIECE = Attribute("wirewarp_piece", "INT", "FACE")  # random 31-bit id of the piece, 0 none; on the flat mesh too
+SEAM = Attribute("wirewarp_seam", "INT", "EDGE")  # random 31-bit id of the seam, 0 none; on the flat mesh too
 UV_LAYER = "WireWarp"  # UV map of the pieces in the unit square
 UV_SCALE = "wirewarp_uv_scale"  # custom property: Blender units in one UV unit
 
@@ -29,14 +62,14 @@ REPORT = "wirewarp_report"  # of the run that made the flat pieces, JSON
 REPORT_SEAL = "wirewarp_report_seal"  # digest of that text
 MARKER = "wirewarp_marker"  # of the last export that made one, JSON after its digest
 
-# On the flat mesh: attributes that say what its elements are of the model, all INT.
-SOURCE_VERTEX = "source_vertex"  # points
-SOURCE_CORNER = "source_corner"  # corners
-SOURCE_FACE = "source_face"  # faces
-PIECE_INDEX = "piece"  # faces: index of the piece in the report
+# On the flat mesh: which elements of the model its elements are.
+SOURCE_VERTEX = Attribute("source_vertex", "INT", "POINT")
+SOURCE_CORNER = Attribute("source_corner", "INT", "CORNER")
+SOURCE_FACE = Attribute("source_face", "INT", "FACE")
+PIECE_INDEX = Attribute("piece", "INT", "FACE")  # index of the piece in the report
 
 # On the flat mesh: what tells that it was changed by hand.
-FLAT_LENGTH = "flat_length"  # edge attribute FLOAT: as laid out
+FLAT_LENGTH = Attribute("flat_length", "FLOAT", "EDGE")  # as laid out
 FLAT_COUNTS = "wirewarp_flat_counts"  # custom property: numbers of vertices, edges and faces
 FLAT_AREAS = "wirewarp_flat_areas"  # custom property: signed area of each piece
 

@@ -9,7 +9,6 @@ from surfaces import read, select_only
 from view_context import view_context
 
 EDGE = {"edge": 0}
-ATTRIBUTES = ("wirewarp_wire", "wirewarp_tolerance", "wirewarp_allowance", "wirewarp_piece")
 KINDS = ("SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE", "HINT")
 MENDS = ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE", "NORMALS", "SUGGESTION", "APPLY")
 COMMANDS = [  # what writes comes last
@@ -32,6 +31,7 @@ COMMANDS = [  # what writes comes last
     ("mesh.wirewarp_mark", {"kind": "RIGID"}),
     ("mesh.wirewarp_clear", {}),
     ("mesh.wirewarp_allowance", {"kind": "HEM"}),
+    ("mesh.wirewarp_ease", {"sides": "ONE"}),
     ("mesh.wirewarp_seams_from_uv_islands", {}),
     ("object.wirewarp_flatten", {}),
     ("object.wirewarp_flatten", {"use_modifiers": True}),
@@ -129,20 +129,22 @@ def to_object_mode():
         bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def stored():
+def stored(addon):
     """What of all meshes, in Object Mode, may only change where something is done: marks, names, reports."""
-    return {each.name_full: _stored_on(each) for each in bpy.data.objects if each.type == "MESH"}
+    return {each.name_full: _stored_on(addon, each) for each in bpy.data.objects if each.type == "MESH"}
 
 
-def _stored_on(target):
+def _stored_on(addon, target):
     mesh = target.data
-    properties = [target.get(f"wirewarp_{name}") for name in ("report", "report_seal", "failure", "failure_seal")]
+    properties = [target.get(name) for name in (addon.names.REPORT, addon.names.REPORT_SEAL, addon.names.MARKER)]
+    names = [each.name for each in (*addon.names.MARKS, addon.names.PIECE, addon.names.SEAM)]
     return (
-        [_values(mesh.attributes[name]) for name in ATTRIBUTES if name in mesh.attributes],
+        [_values(mesh.attributes[name]) for name in names if name in mesh.attributes],
         read(mesh.edges, "use_seam", bool).tobytes(),
         [(entry.wire_id, entry.name) for entry in mesh.wirewarp_names],
         mesh.wirewarp_grain,
         [(entry.piece_id, entry.name) for entry in target.wirewarp_pieces],
+        [(entry.seam_id, entry.name) for entry in target.wirewarp_seams],
         [value if isinstance(value, str) else type(value) for value in properties],
     )
 
@@ -160,7 +162,7 @@ def place():
     return context.mode, context.active_object, set(context.selected_objects), set(context.objects_in_mode)
 
 
-def call(command, settings, before):
+def call(addon, command, settings, before):
     """What is refused or comes to nothing leaves all as it was stored before, and the user where he was.
 
     A run of Flatten may fail in part; what it leaves of results is not looked at here.
@@ -171,7 +173,7 @@ def call(command, settings, before):
         return
     assert place() == where, f"{command} {settings}: {said}"
     to_object_mode()
-    assert stored() == before, f"{command} {settings}: {said}"
+    assert stored(addon) == before, f"{command} {settings}: {said}"
 
 
 def use_everything(addon, name, mode, folder):
@@ -185,7 +187,7 @@ def use_everything(addon, name, mode, folder):
         if target is None or not target.visible_get():
             break
         select_only(target)
-        before = stored()
+        before = stored(addon)
         if mode == "EDIT" and target.type == "MESH" and not (target.data.library or target.data.override_library):
             bpy.ops.object.mode_set(mode="EDIT")
             bpy.ops.mesh.select_all(action="SELECT")
@@ -194,7 +196,7 @@ def use_everything(addon, name, mode, folder):
             draw_overlays(addon)
         else:
             path = {"filepath": str(folder / "pattern.svg")} if "export" in command else {}
-            call(command, settings | path, before)
+            call(addon, command, settings | path, before)
     to_object_mode()
     draw_panels(addon)
     draw_overlays(addon)

@@ -190,9 +190,8 @@ def test_one_side_of_a_seam_between_parts_of_a_face_can_be_marked(source, addon)
     mesh = source.data
     edges = [edge.index for edge in mesh.edges if beside(*(mesh.vertices[v].co for v in edge.vertices))]
     faces = [polygon for polygon in mesh.polygons if 0 < polygon.center.x < 0.125]
-    sides = {(key, polygon.index) for polygon in faces for key in polygon.edge_keys}
-    own = [next(face for key, face in sides if key == mesh.edges[edge].key) for edge in edges]
-    assert addon.model.side_allowances.mark_sides(mesh, edges, own, 0.2) == 8
+    loops = [loop for polygon in faces for loop in polygon.loop_indices if mesh.loops[loop].edge_index in edges]
+    assert addon.model.allowances.mark_sides(mesh, np.array(loops), 0.2) == 8
     widths = addon.model.allowances.read_allowances(mesh).side_widths
     assert sorted(widths) == pytest.approx(8 * [0.15] + 8 * [0.2])
 

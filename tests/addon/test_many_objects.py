@@ -23,8 +23,8 @@ def source():
 def asked(addon, monkeypatch):
     """The objects that are asked whether they concern us."""
     names = []
-    ask = addon.overlay.shown._concerns_us
-    monkeypatch.setattr(addon.overlay.shown, "_concerns_us", lambda each: names.append(each.name) or ask(each))
+    ask = addon.overlay.shown.concerns_us
+    monkeypatch.setattr(addon.overlay.shown, "concerns_us", lambda each: names.append(each.name) or ask(each))
     addon.blender.index.forget()
     return names
 

@@ -5,7 +5,7 @@ import math
 
 import bpy
 import pytest
-from surfaces import bump, grid, mark, mark_seam, on_line, select_edges, select_only, wire_marks
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only, wire_marks
 
 EAST_WEST, NORTH_SOUTH = on_line(1, 0.0), on_line(0, 0.0)
 
@@ -190,3 +190,27 @@ def test_the_list_of_wires_follows_the_mesh(addon):
     bpy.context.view_layer.update()
     (wire,) = addon.model.wires.wires_of(target)
     assert wire.length(identity) == pytest.approx(2 * before, rel=1e-6)
+
+
+@pytest.mark.parametrize("command", ["mark", "clear", "seams_from_uv_islands", "smooth_seam"])
+def test_what_is_marked_on_models_is_refused_on_flat_pieces(command):
+    source = grid("Bump", bump)
+    select_only(source)
+    bpy.ops.object.wirewarp_flatten()
+    flat = flat_of(source)
+    select_edges(flat, lambda *_: True)
+    before = wire_marks(flat.data)
+    with pytest.raises(RuntimeError, match="These are flat pieces: .* on the model"):
+        getattr(bpy.ops.mesh, f"wirewarp_{command}")()
+    assert wire_marks(flat.data) == before
+
+
+def test_wires_are_not_marked_while_flat_pieces_are_edited_beside_the_model():
+    source = grid("Bump", bump)
+    select_only(source)
+    bpy.ops.object.wirewarp_flatten()
+    select_only(source, flat_of(source))
+    bpy.context.view_layer.objects.active = source
+    bpy.ops.object.mode_set(mode="EDIT")
+    with pytest.raises(RuntimeError, match="Leave Edit Mode of the flat pieces first"):
+        bpy.ops.mesh.wirewarp_mark()

@@ -5,7 +5,8 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Vector
-from surfaces import bump, flat_of, flatten, grid, mark_seam, on_line, read, select_only
+from surfaces import bump, flat_of, flatten, grid, mark_seam, on_line, read, select_edges, select_only
+from two_sided import select_side
 
 
 def test_models_flattened_together_have_their_pieces_at_one_height_and_under_none_of_them():
@@ -30,14 +31,12 @@ def world_box(target):
     return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
-def gap_of_two(size, meters, marked=None):
-    """Between two pieces that are 50 mm apart, in meters; marked: the allowance of all edges, in Blender units."""
+def gap_of_two(size, meters, mark_widths=lambda _: None):
+    """Between two pieces that are 50 mm apart, in meters; mark_widths: marks allowances on the model."""
     bpy.context.scene.unit_settings.scale_length = meters
     source = grid("Plane", lambda x, y: (size * x, size * y, 0))
     mark_seam(source, on_line(0, 0.0))
-    if marked:
-        widths = source.data.attributes.new("wirewarp_allowance", "FLOAT", "EDGE")
-        widths.data.foreach_set("value", np.full(len(source.data.edges), marked, dtype=np.float32))
+    mark_widths(source)
     flatten(source, spacing=50.0)
     mesh = flat_of(source).data
     boxes = []
@@ -56,8 +55,48 @@ def test_the_gap_is_a_length_whatever_the_size_of_the_pieces_and_the_unit(size, 
     assert gap_of_two(size, meters) == pytest.approx(0.05 + 2 * 0.01, abs=1e-5)
 
 
-def test_the_gap_counts_from_the_widest_allowance_that_is_marked():
-    assert gap_of_two(0.5, 1.0, marked=0.04) == pytest.approx(0.05 + 2 * 0.04, abs=1e-5)
+def mark_everywhere(source):
+    """40 mm on all edges."""
+    widths = source.data.attributes.new("wirewarp_allowance", "FLOAT", "EDGE")
+    widths.data.foreach_set("value", np.full(len(source.data.edges), 0.04, dtype=np.float32))
+
+
+def mark_one_side(source):
+    """40 mm on one side of the seam."""
+    flatten(source, spacing=50.0)
+    select_side(source, -1)
+    assert bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=40.0) == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.data.objects.remove(flat_of(source))  # its pieces would stay where they lie
+    select_only(source)
+
+
+def mark_one_side_and_clear_it(source):
+    mark_one_side(source)
+    select_edges(source, on_line(0, 0.0))
+    assert bpy.ops.mesh.wirewarp_allowance(kind="DEFAULT") == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def mark_what_is_no_seam_any_more(source):
+    select_edges(source, on_line(1, 0.0))
+    bpy.ops.mesh.mark_seam()
+    assert bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=40.0) == {"FINISHED"}
+    bpy.ops.mesh.mark_seam(clear=True)
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+@pytest.mark.parametrize(
+    ("mark_widths", "widest"),
+    [
+        (mark_everywhere, 0.04),
+        (mark_one_side, 0.04),
+        (mark_one_side_and_clear_it, 0.01),
+        (mark_what_is_no_seam_any_more, 0.01),
+    ],
+)
+def test_the_gap_counts_from_the_widest_allowance_on_an_outline(mark_widths, widest):
+    assert gap_of_two(0.5, 1.0, mark_widths) == pytest.approx(0.05 + 2 * widest, abs=1e-5)
 
 
 def test_another_allowance_moves_no_piece_by_itself():

@@ -95,9 +95,9 @@ def test_after_a_loop_cut_one_side_is_eased_and_what_was_marked_stays(source, ad
     ease(source, SEAM, sides=sides, ease_percent=5.0)
     cut_beside_seam(source)
     mark_seam(source, BESIDE)
-    before = addon.model.side_eases.read_side_eases(source.data)
+    before = addon.model.sides.SIDE_EASES.read(source.data)
     ease(source, BESIDE, sides=beside, ease_percent=2.0)
-    after = addon.model.side_eases.read_side_eases(source.data)
+    after = addon.model.sides.SIDE_EASES.read(source.data)
     assert np.count_nonzero(before) == 8 and (after[before != 0] == np.float32(0.05)).all()
     assert np.count_nonzero(after == np.float32(0.02)) == 8  # one corner of each edge
 

@@ -147,7 +147,7 @@ def state() -> tuple:
     copied = source.data.copy()  # attributes can be read outside of Edit Mode only
     names = [entry.name for entry in copied.wirewarp_names]
     eased = wirewarp_addon.model.attributes.read_marks(copied).eases.tolist()
-    sides = wirewarp_addon.model.side_eases.read_side_eases(copied).tolist()
+    sides = wirewarp_addon.model.sides.SIDE_EASES.read(copied).tolist()
     marks = wire_marks(copied), eased, sides, names, copied.wirewarp_grain, sum(e.use_seam for e in copied.edges)
     bpy.data.meshes.remove(copied)
     return marks

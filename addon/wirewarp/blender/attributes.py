@@ -1,31 +1,77 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether a name of ours is free on a mesh: attributes, UV maps, color attributes and vertex groups share one room.
+"""Attributes of ours on meshes: read, written, and whether their names are free.
 
-Where a name is taken, Blender gives what is new another one, or makes nothing at all.
+Attributes, UV maps, color attributes and vertex groups share one room. Where a name is taken, Blender gives what is new
+another one, or makes nothing at all.
 """
 
 import bpy
+import numpy as np
 
 from ..issues import object_error
+from ..names import Attribute
+from .mesh import read_attribute
+
+_ZEROS = {"INT": np.int32, "FLOAT": np.float32}
+_ELEMENTS = {"POINT": "vertices", "EDGE": "edges", "FACE": "polygons", "CORNER": "loops"}
+_PLURALS = {"POINT": "vertices", "EDGE": "edges", "FACE": "faces", "CORNER": "face corners"}
 
 
-def check_attribute(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str) -> None:
-    """Raises ObjectError if an attribute of our name has another type or domain."""
-    attribute = mesh.attributes.get(name)
-    if attribute and (attribute.domain, attribute.data_type) != (domain, data_type):
-        plural = {"EDGE": "edges", "FACE": "faces", "CORNER": "face corners"}[domain]
+def find_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray | None:
+    """(k,) int32 or float32, any numbers; None if there is no such attribute of this type on this domain.
+
+    Of a mesh that is not in Edit Mode.
+    """
+    return read_attribute(mesh, attribute.name, attribute.data_type, attribute.domain)
+
+
+def read_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray:
+    """As find_values; zeros where there is no such attribute."""
+    found = find_values(mesh, attribute)
+    if found is not None:
+        return found
+    return np.zeros(len(getattr(mesh, _ELEMENTS[attribute.domain])), dtype=_ZEROS[attribute.data_type])
+
+
+def has_attributes(mesh: bpy.types.Mesh, *attributes: Attribute) -> bool:
+    """Whether all of them are there, with their types and domains."""
+    found = [mesh.attributes.get(each.name) for each in attributes]
+    return all(
+        each and (each.data_type, each.domain) == (ours.data_type, ours.domain)
+        for each, ours in zip(found, attributes, strict=True)
+    )
+
+
+def write_values(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray) -> None:
+    """To a mesh that is not in Edit Mode."""
+    found = mesh.attributes.get(attribute.name)
+    if found is None:
+        found = mesh.attributes.new(attribute.name, attribute.data_type, attribute.domain)
+    found.data.foreach_set("value", values)
+
+
+def write_marked(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray) -> None:
+    """As write_values; zeros make no attribute where there is none."""
+    if attribute.name in mesh.attributes or values.any():
+        write_values(mesh, attribute, values)
+
+
+def check_attribute(mesh: bpy.types.Mesh, attribute: Attribute) -> None:
+    """Raises ObjectError if an attribute of this name has another type or domain."""
+    found = mesh.attributes.get(attribute.name)
+    if found and (found.domain, found.data_type) != (attribute.domain, attribute.data_type):
         raise object_error(
             "attribute_type",
-            f'The attribute "{name}" of mesh "{mesh.name}" is not of type {data_type} on {plural}: '
-            "rename or delete it under Object Data > Attributes.",
+            f'The attribute "{attribute.name}" of mesh "{mesh.name}" is not of type {attribute.data_type} on '
+            f"{_PLURALS[attribute.domain]}: rename or delete it under Object Data > Attributes.",
         )
 
 
-def check_room(target: bpy.types.Object, name: str, data_type: str, domain: str, what: str) -> None:
-    """Raises ObjectError if the object's mesh can have no attribute of ours of this name; what: that needs it."""
-    check_attribute(target.data, name, data_type, domain)
-    if name not in target.data.attributes:
-        check_free(target, name, what)
+def check_room(target: bpy.types.Object, attribute: Attribute, what: str) -> None:
+    """Raises ObjectError if the object's mesh can have no such attribute; what: that needs it."""
+    check_attribute(target.data, attribute)
+    if attribute.name not in target.data.attributes:
+        check_free(target, attribute.name, what)
 
 
 def check_free(target: bpy.types.Object, name: str, what: str) -> None:

@@ -192,6 +192,11 @@ def _of_corners(mesh: bpy.types.Mesh, attribute: str, name: str) -> np.ndarray:
     return read(mesh.attributes[attribute].data, "value", np.int32)
 
 
+def faces_of_corners(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(l,) int64, the face of each corner."""
+    return np.repeat(np.arange(len(mesh.polygons)), face_sizes(mesh))
+
+
 def faces_at_edges(mesh: bpy.types.Mesh) -> np.ndarray:
     """(e,) how many faces each edge has."""
     return np.bincount(corner_edges(mesh), minlength=len(mesh.edges))

@@ -8,13 +8,13 @@ from contextlib import contextmanager
 import bpy
 import numpy as np
 
+from ..blender.attributes import write_marked, write_values
 from ..blender.mesh import add_seams, add_sharp_edges, write_corners, write_edges, write_faces
 from ..blender.objects import remove_object
 from ..blender.selection import deselect_all
 from ..issues import note, warning
-from ..model.attributes import write_ids, write_marks
+from ..model.attributes import write_marks
 from ..model.owners import find_flat_object, flat_name, model_of
-from ..model.side_eases import write_corner_eases
 from ..model.wire_names import write_names
 from ..names import (
     COLLECTION,
@@ -23,6 +23,7 @@ from ..names import (
     PIECE,
     PIECE_INDEX,
     SEAM,
+    SIDE_EASE,
     SOURCE_CORNER,
     SOURCE_FACE,
     SOURCE_VERTEX,
@@ -31,7 +32,7 @@ from ..solve.arrays import MeshArrays, edge_lengths
 from ..solve.flat_mesh import FlatMarks, FlatMesh, flat_marks
 from .maps import write_maps
 from .places import free_place
-from .read import add_flat_attribute, remember_shape
+from .read import remember_shape
 from .uv import write_flat_maps
 
 OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")  # in a second scene, or beside one of another file
@@ -134,7 +135,7 @@ def _write_mesh(target: bpy.types.Object, source: bpy.types.Object, flat: FlatMe
     _write_attributes(mesh, flat, arrays)
     write_maps(mesh, flat)
     _write_marks(mesh, flat_marks(flat.source_edge, arrays))
-    write_corner_eases(mesh, flat.side_eases)
+    write_marked(mesh, SIDE_EASE, flat.side_eases)
     remember_shape(mesh, lengths, flat.piece_areas)
     write_names(mesh, {wire.chain.wire_id: wire.name for wire in arrays.wires})
     write_flat_maps(mesh, flat, arrays)
@@ -158,11 +159,11 @@ def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
 
 
 def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
-    add_flat_attribute(mesh, SOURCE_VERTEX, flat.source_vertex)
-    add_flat_attribute(mesh, SOURCE_CORNER, flat.source_corner)
-    add_flat_attribute(mesh, SOURCE_FACE, flat.source_face)
-    add_flat_attribute(mesh, PIECE_INDEX, flat.face_piece)
-    add_flat_attribute(mesh, PIECE, flat.piece_id)
+    write_values(mesh, SOURCE_VERTEX, flat.source_vertex)
+    write_values(mesh, SOURCE_CORNER, flat.source_corner)
+    write_values(mesh, SOURCE_FACE, flat.source_face)
+    write_values(mesh, PIECE_INDEX, flat.face_piece)
+    write_values(mesh, PIECE, flat.piece_id)
     mesh[FACE_COUNT] = len(arrays.polygon_starts)
 
 
@@ -171,7 +172,7 @@ def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
     add_seams(mesh, np.flatnonzero(marks.seams))
     add_sharp_edges(mesh, marks.wires.rows)
     write_marks(mesh, marks.wires)
-    write_ids(mesh, SEAM, marks.seam_ids)
+    write_values(mesh, SEAM, marks.seam_ids)
 
 
 def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:

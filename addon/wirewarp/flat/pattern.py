@@ -8,6 +8,7 @@ from dataclasses import replace
 import bpy
 import numpy as np
 
+from ..blender.attributes import find_values, has_attributes
 from ..blender.cache import read_anew
 from ..blender.mesh import current_mesh, evaluated_mesh
 from ..blender.objects import linear_part
@@ -26,7 +27,7 @@ from ..solve.pattern_parts import Allowances, PatternParts
 from .grain import UP, grain_directions
 from .markers import kept_marker, marker_text
 from .object import is_true_size
-from .read import has_flat_attributes, has_kept_shape, read_flat_attribute, read_flat_pieces
+from .read import has_kept_shape, read_flat_pieces
 from .reports import pieces_report
 
 EDITED = "The flat pieces were edited by hand, and a seam of the model is missing on them. Flatten the model again."
@@ -54,7 +55,7 @@ def read_outlines(
     Mode. None where there is no report to these pieces. Raises ObjectError.
     """
     report, millimeters = pieces_report(source), 1000 * meters_per_blender_unit(scene)
-    if report is None or not has_flat_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):
+    if report is None or not has_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):
         return None
     pieces = read_flat_pieces(flat.data, millimeters)
     without_wires = replace(pieces, marks=EdgeMarks.none(len(pieces.edges)))
@@ -194,9 +195,9 @@ def _has_changed(source: bpy.types.Object, report: dict) -> bool:
 
 def _is_edited(mesh: bpy.types.Mesh, report: dict) -> bool:
     """Whether anything but the place of whole pieces is other than it was laid out."""
-    if not has_flat_attributes(mesh, PIECE_INDEX, SOURCE_VERTEX):
+    if not has_attributes(mesh, PIECE_INDEX, SOURCE_VERTEX):
         return True
-    pieces = read_flat_attribute(mesh, PIECE_INDEX)
+    pieces = find_values(mesh, PIECE_INDEX)
     faces = [piece["faces"] if piece["has_layout"] else 0 for piece in report["pieces"]]
     if np.any((pieces < 0) | (pieces >= len(faces))) or np.bincount(pieces, minlength=len(faces)).tolist() != faces:
         return True

@@ -7,12 +7,11 @@ from dataclasses import replace
 import bpy
 import numpy as np
 
+from ..blender.attributes import find_values, has_attributes, write_values
 from ..core import FlattenResult
-from ..model.attributes import write_ids
 from ..names import FACE_COUNT, PIECE, SOURCE_FACE
 from ..solve.arrays import MeshArrays
 from ..solve.identity import KnownPieces, PieceIdentity, ids_by_face
-from .read import has_flat_attributes, read_flat_attribute
 
 
 def piece_names(source: bpy.types.Object) -> dict[int, str]:
@@ -34,10 +33,10 @@ def known_pieces(
 def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
     """(face_count,) int32 for the model; zeros if it is not, face by face, the one that was flattened."""
     ids = np.zeros(face_count, dtype=np.int32)
-    if mesh.get(FACE_COUNT) == face_count and has_flat_attributes(mesh, SOURCE_FACE, PIECE):
-        faces = read_flat_attribute(mesh, SOURCE_FACE)
+    if mesh.get(FACE_COUNT) == face_count and has_attributes(mesh, SOURCE_FACE, PIECE):
+        faces = find_values(mesh, SOURCE_FACE)
         inside = (faces >= 0) & (faces < face_count)  # new faces, made by hand, carry none or any
-        ids[faces[inside]] = read_flat_attribute(mesh, PIECE)[inside]
+        ids[faces[inside]] = find_values(mesh, PIECE)[inside]
     return ids
 
 
@@ -62,4 +61,4 @@ def write_pieces(
         entry = source.wirewarp_pieces.add()
         entry.piece_id, entry.name = identity.piece_id, identity.name
     if on_model:
-        write_ids(source.data, PIECE, ids_by_face(result, arrays, identities))
+        write_values(source.data, PIECE, ids_by_face(result, arrays, identities))

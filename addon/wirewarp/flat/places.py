@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
+from ..blender.attributes import has_attributes
 from ..blender.mesh import read_numbers
 from ..blender.objects import linear_part
 from ..issues import ObjectError
@@ -18,7 +19,7 @@ from ..pattern.outlines import FlatPieces, piece_of_vertices
 from ..solve.flat_mesh import FlatMesh
 from ..solve.identity import PieceIdentity
 from ..solve.places import NONE_AWAY, find_places, points_of
-from .read import has_flat_attributes, read_flat_pieces
+from .read import read_flat_pieces
 
 GAP = 0.1  # of the model's largest dimension
 LARGE = 5.0  # times that: a room or a landscape, in which the pieces may lie
@@ -153,7 +154,7 @@ def crowded_text(names: list[str]) -> str:
 
 def _read(mesh: bpy.types.Mesh) -> FlatPieces | None:
     """None where the user has left nothing to go by."""
-    if not len(mesh.polygons) or not has_flat_attributes(mesh, SOURCE_VERTEX, PIECE):
+    if not len(mesh.polygons) or not has_attributes(mesh, SOURCE_VERTEX, PIECE):
         return None
     try:
         pieces = read_flat_pieces(mesh)

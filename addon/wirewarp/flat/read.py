@@ -4,12 +4,12 @@
 import bpy
 import numpy as np
 
+from ..blender.attributes import find_values, has_attributes, write_values
 from ..blender.mesh import (
     corner_edges,
     corner_vertices,
     edge_vertices,
     face_sizes,
-    read_attribute,
     read_numbers,
     vertex_places,
 )
@@ -20,28 +20,14 @@ from ..names import FLAT_AREAS, FLAT_COUNTS, FLAT_LENGTH, PIECE, PIECE_INDEX, SO
 from ..pattern.outlines import FlatPieces, outline_of, signed_areas
 from ..solve.arrays import edge_lengths
 
-DOMAINS = {SOURCE_VERTEX: "POINT", SOURCE_CORNER: "CORNER", SOURCE_FACE: "FACE", PIECE_INDEX: "FACE", PIECE: "FACE"}
+OF_ELEMENTS = (SOURCE_VERTEX, SOURCE_CORNER, SOURCE_FACE, PIECE_INDEX, PIECE)  # what a flat mesh always has
 # Of lengths in single precision, relative to the length and to the largest coordinate: pieces may have been moved.
 LENGTH_ERROR, PLACE_ERROR = 1e-5, 1e-6
 
 
-def add_flat_attribute(mesh: bpy.types.Mesh, name: str, values: np.ndarray) -> None:
-    """To a mesh that has none of this name; values (k,) int32."""
-    mesh.attributes.new(name, "INT", DOMAINS[name]).data.foreach_set("value", values)
-
-
-def read_flat_attribute(mesh: bpy.types.Mesh, name: str) -> np.ndarray | None:
-    """(k,) int32, any numbers; None if it is not there as it was written. Of a mesh that is not in Edit Mode."""
-    return read_attribute(mesh, name, "INT", DOMAINS[name])
-
-
-def has_flat_attributes(mesh: bpy.types.Mesh, *names: str) -> bool:
-    return all(read_flat_attribute(mesh, name) is not None for name in names)
-
-
 def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
     """Whether it holds flat pieces and nothing else, whatever became of their model. Of one not in Edit Mode."""
-    if not len(mesh.polygons) or not has_flat_attributes(mesh, *DOMAINS):
+    if not len(mesh.polygons) or not has_attributes(mesh, *OF_ELEMENTS):
         return False
     return not vertex_places(mesh)[:, 2].any()
 
@@ -50,13 +36,13 @@ def read_flat_pieces(mesh: bpy.types.Mesh, scale: float = 1.0) -> FlatPieces:
     """In Blender units times `scale`. Of a mesh in Object Mode; what is gone is None. Raises ObjectError."""
     return FlatPieces(
         vertices=vertex_places(mesh)[:, :2].astype(np.float64) * scale,
-        source_vertex=read_flat_attribute(mesh, SOURCE_VERTEX),
+        source_vertex=find_values(mesh, SOURCE_VERTEX),
         loop_vertices=corner_vertices(mesh),
         loop_edges=corner_edges(mesh),
         face_sizes=face_sizes(mesh),
-        face_piece=read_flat_attribute(mesh, PIECE_INDEX),
-        piece_id=read_flat_attribute(mesh, PIECE),
-        source_face=read_flat_attribute(mesh, SOURCE_FACE),
+        face_piece=find_values(mesh, PIECE_INDEX),
+        piece_id=find_values(mesh, PIECE),
+        source_face=find_values(mesh, SOURCE_FACE),
         edges=edge_vertices(mesh),
         marks=read_marks(mesh),
     )
@@ -72,7 +58,7 @@ def pieces_of_report(source: bpy.types.Object, report: dict) -> tuple[bpy.types.
     if (
         not has_flat_object(source)
         or "flat_object" not in report
-        or not has_flat_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX, SOURCE_FACE)
+        or not has_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX, SOURCE_FACE)
     ):
         raise object_error("no_flat_pieces", no_pieces_sentence(source))
     return flat, read_flat_pieces(flat.data)
@@ -80,7 +66,7 @@ def pieces_of_report(source: bpy.types.Object, report: dict) -> tuple[bpy.types.
 
 def remember_shape(mesh: bpy.types.Mesh, lengths: np.ndarray, areas: np.ndarray) -> None:
     """Of a flat mesh as it was laid out: lengths of the edges (e,), signed areas of the pieces (n,)."""
-    mesh.attributes.new(FLAT_LENGTH, "FLOAT", "EDGE").data.foreach_set("value", lengths.astype(np.float32))
+    write_values(mesh, FLAT_LENGTH, lengths.astype(np.float32))
     mesh[FLAT_COUNTS] = _counts(mesh)
     mesh[FLAT_AREAS] = areas.tolist()
 
@@ -90,7 +76,7 @@ def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
 
     Of a mesh with the attributes of flat pieces.
     """
-    laid_out, then = read_attribute(mesh, FLAT_LENGTH, "FLOAT", "EDGE"), read_numbers(mesh, FLAT_AREAS)
+    laid_out, then = find_values(mesh, FLAT_LENGTH), read_numbers(mesh, FLAT_AREAS)
     if laid_out is None or then is None or not np.array_equal(read_numbers(mesh, FLAT_COUNTS), _counts(mesh)):
         return False
     pieces = read_flat_pieces(mesh)

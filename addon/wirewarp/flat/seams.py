@@ -6,13 +6,13 @@ from collections.abc import Sequence
 import bpy
 import numpy as np
 
-from ..blender.mesh import edge_vertices, read_attribute
-from ..model.attributes import read_ids, write_ids
+from ..blender.attributes import find_values, has_attributes, write_values
+from ..blender.mesh import edge_vertices
+from ..model.attributes import read_ids
 from ..names import FACE_COUNT, SEAM, SOURCE_VERTEX
 from ..pattern.chains import edge_keys
 from ..solve.arrays import MeshArrays
 from ..solve.seams import GIVEN, KnownSeams, SeamIdentity
-from .read import has_flat_attributes, read_flat_attribute
 
 
 def seam_names(source: bpy.types.Object) -> dict[int, str]:
@@ -28,13 +28,13 @@ def known_seams(source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Ob
 
 def _ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.ndarray:
     """(k,) int32 for the seam edges of the model; zeros if it is not, face by face, the one that was flattened."""
-    ids, found = np.zeros(len(arrays.seams), dtype=np.int32), read_attribute(mesh, SEAM, "INT", "EDGE")
+    ids, found = np.zeros(len(arrays.seams), dtype=np.int32), find_values(mesh, SEAM)
     is_same = mesh.get(FACE_COUNT) == len(arrays.polygon_starts)
-    if found is None or not is_same or not has_flat_attributes(mesh, SOURCE_VERTEX):
+    if found is None or not is_same or not has_attributes(mesh, SOURCE_VERTEX):
         return ids
     marked = np.flatnonzero(found)
     count = len(arrays.vertices)
-    sources = read_flat_attribute(mesh, SOURCE_VERTEX)[edge_vertices(mesh)[marked]]
+    sources = find_values(mesh, SOURCE_VERTEX)[edge_vertices(mesh)[marked]]
     inside = ((sources >= 0) & (sources < count)).all(axis=1)  # new edges, made by hand, may carry any
     keys, own = edge_keys(sources[inside], count), edge_keys(arrays.seams, count)
     keys, first = np.unique(keys, return_index=True)
@@ -59,4 +59,4 @@ def write_seams(
     if on_model:
         ids = read_ids(source.data, SEAM)
         ids[arrays.seam_edges] = arrays.seam_ids
-        write_ids(source.data, SEAM, ids)
+        write_values(source.data, SEAM, ids)

@@ -9,23 +9,13 @@ import numpy as np
 from ..blender.mesh import edge_vertices, evaluated_mesh, vertex_places
 from ..blender.objects import remove_object
 from ..issues import object_error
-from ..names import (
-    FLAT_LENGTH,
-    PIECE,
-    PIECE_INDEX,
-    SEAM,
-    SOURCE_CORNER,
-    SOURCE_FACE,
-    SOURCE_VERTEX,
-    TOLERANCE,
-    WIRE,
-)
+from ..names import FLAT_LENGTH, MARKS, SEAM
 from ..pattern.outlines import FlatPieces, outline_of
 from .pattern import EDITED, current_pieces
-from .read import read_flat_pieces
+from .read import OF_ELEMENTS, read_flat_pieces
 
 FLAT, WORN = "Flat", "On the Model"  # shape keys
-OURS = (FLAT_LENGTH, PIECE, PIECE_INDEX, SEAM, SOURCE_CORNER, SOURCE_FACE, SOURCE_VERTEX, TOLERANCE, WIRE)
+OURS = (*MARKS, *OF_ELEMENTS, SEAM, FLAT_LENGTH)
 
 
 def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
@@ -91,9 +81,9 @@ def _worn(source: bpy.types.Object, flat: bpy.types.Object, pieces: FlatPieces, 
 
 def _forget_origin(mesh: bpy.types.Mesh) -> None:
     """Of a copy of the flat mesh: or it would be taken for flat pieces itself."""
-    for name in OURS:
-        if name in mesh.attributes:
-            mesh.attributes.remove(mesh.attributes[name])
+    for attribute in OURS:
+        if attribute.name in mesh.attributes:
+            mesh.attributes.remove(mesh.attributes[attribute.name])
     for name in [name for name in mesh.keys() if name.startswith("wirewarp_")]:  # noqa: SIM118
         del mesh[name]
     mesh.wirewarp_names.clear()

@@ -6,15 +6,14 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from ..blender.mesh import corner_edges, edge_vertices, face_sizes, faces_at_edges, read
+from ..blender.attributes import find_values, has_attributes
+from ..blender.mesh import corner_edges, edge_vertices, face_sizes, faces_at_edges, faces_of_corners, read
 from ..blender.objects import check_local
 from ..issues import object_error
 from ..model.owners import earlier_sentence, is_earlier, model_of
-from ..model.side_allowances import mark_sides
 from ..names import SOURCE_FACE, SOURCE_VERTEX
 from ..pattern.chains import edge_keys
 from .pattern import current_pieces
-from .read import has_flat_attributes, read_flat_attribute
 
 WITH_MODIFIERS = (
     'The pieces of "{}" were made with Modifiers, and their sides are no sides of the model: mark both sides there, or '
@@ -35,19 +34,8 @@ class SelectedSides:
     def corners(self) -> np.ndarray:
         """(k,) of these faces, at which these edges begin, in the order of the mesh."""
         mesh = self.model.data
-        loop_faces = np.repeat(np.arange(len(mesh.polygons)), face_sizes(mesh))
-        sides, loops = np.column_stack([self.edges, self.faces]), np.column_stack([corner_edges(mesh), loop_faces])
-        count = len(mesh.polygons)
-        return np.flatnonzero(np.isin(loops @ (count, 1), sides @ (count, 1)))
-
-
-def mark_selected_sides(flat: bpy.types.Object, width: float) -> tuple[int, int]:
-    """The selected outline edges of flat pieces in Object Mode get this width; see model.allowances.mark_selected."""
-    sides = selected_sides(flat)
-    mesh = sides.model.data
-    marked = mark_sides(mesh, sides.edges.tolist(), sides.faces.tolist(), width)
-    mesh.update()
-    return marked, len(sides.edges) - marked + sides.left_out
+        count, loop_edges = len(mesh.polygons), corner_edges(mesh).astype(np.int64)
+        return np.flatnonzero(np.isin(loop_edges * count + faces_of_corners(mesh), self.edges * count + self.faces))
 
 
 def selected_sides(flat: bpy.types.Object) -> SelectedSides:
@@ -58,15 +46,15 @@ def selected_sides(flat: bpy.types.Object) -> SelectedSides:
     report, _ = current_pieces(source)
     if report.get("with_modifiers"):
         raise object_error("with_modifiers", WITH_MODIFIERS.format(source.name))
-    if not has_flat_attributes(flat.data, SOURCE_FACE):
+    if not has_attributes(flat.data, SOURCE_FACE):
         raise object_error("edited_pieces", f'"{flat.name}" was edited by hand. Flatten "{source.name}" again.')
     check_local(source, source.data)
     mesh, model = flat.data, source.data
     selected = read(mesh.edges, "select", bool) & ~read(mesh.edges, "hide", bool)
     rows = np.flatnonzero(selected & (faces_at_edges(mesh) == 1))
     face_of_edge = np.zeros(len(mesh.edges), dtype=np.int64)
-    face_of_edge[corner_edges(mesh)] = np.repeat(read_flat_attribute(mesh, SOURCE_FACE), face_sizes(mesh))
-    ends = read_flat_attribute(mesh, SOURCE_VERTEX)[edge_vertices(mesh)[rows]]
+    face_of_edge[corner_edges(mesh)] = np.repeat(find_values(mesh, SOURCE_FACE), face_sizes(mesh))
+    ends = find_values(mesh, SOURCE_VERTEX)[edge_vertices(mesh)[rows]]
     keys = edge_keys(edge_vertices(model), len(model.vertices))
     order = np.argsort(keys)
     edges = order[np.searchsorted(keys[order], edge_keys(ends, len(model.vertices)))]

@@ -1,21 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seam allowances that were marked on edges of the model.
+"""Seam allowances that were marked on edges of the model, in Object Mode.
 
 wirewarp_allowance FLOAT, on edges, in Blender units: above 0 the width on all sides of the edge; below 0 nothing is
 added, for the cloth lies double there (a fold) or stays raw. 0 is what Blender gives to edges that are new or come from
-another mesh: as NaN and where there is no attribute, the pattern's default. Of a single side: see side_allowances.
+another mesh: as NaN and where there is no attribute, the pattern's default. One side of an edge may differ: see sides.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
-import bmesh
 import bpy
 import numpy as np
 
-from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, read_attribute
-from ..names import ALLOWANCE, SIDE_ALLOWANCE, SIDE_WIDTH
-from .side_allowances import check_allowance_sides, check_allowances, clear_sides, side_widths_of
+from ..blender.attributes import check_attribute, find_values, read_values, write_marked, write_values
+from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, faces_at_edges, read_seams
+from ..names import ALLOWANCE, MARKS
+from .sides import SIDE_ALLOWANCES, is_set
 
 NONE = -1.0  # what stands on edges without allowance
 
@@ -30,61 +29,85 @@ class MarkedAllowances:
     side_widths: np.ndarray  # (s,)
 
 
-def mark_selected(targets: Sequence[bpy.types.Object], width: float) -> tuple[int, int]:
-    """The selected edges of seams and outlines get this width: NONE for none, 0 for the default.
+def check_allowances(mesh: bpy.types.Mesh) -> None:
+    """Raises ObjectError if an attribute of our name has another type or domain."""
+    check_attribute(mesh, ALLOWANCE)
+    SIDE_ALLOWANCES.check_attributes(mesh)
 
-    Of meshes in Edit Mode. Returns the numbers of edges that got it and of those that lie on no seam or outline. Raises
-    ObjectError as check_allowances does.
+
+def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
+    """Those of these edges that lie on seams and outlines get this width: NONE for none, 0 for the default.
+
+    Returns how many did.
     """
-    for target in targets:
-        check_allowances(target.data)
-    counts = [_mark(target.data, width) for target in targets]
-    return sum(marked for marked, _ in counts), sum(left_out for _, left_out in counts)
+    marked = rows[_on_outlines(mesh)[rows]]
+    widths = read_values(mesh, ALLOWANCE)
+    widths[marked] = width
+    write_marked(mesh, ALLOWANCE, widths)
+    SIDE_ALLOWANCES.clear(mesh, marked)
+    return len(marked)
 
 
-def _mark(mesh: bpy.types.Mesh, width: float) -> tuple[int, int]:
-    edit = bmesh.from_edit_mesh(mesh)
-    if ALLOWANCE not in edit.edges.layers.float:
-        edit.edges.layers.float.new(ALLOWANCE)  # which makes references to edges invalid: they are taken afterwards
-    layer = edit.edges.layers.float[ALLOWANCE]
-    selected = [edge for edge in edit.edges if edge.select and not edge.hide]
-    marked = [edge for edge in selected if edge.link_faces and (edge.seam or len(edge.link_faces) != 2)]
-    for edge in marked:
-        edge[layer] = width
-    clear_sides(edit, marked)
-    if marked:
-        bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
-    return len(marked), len(selected) - len(marked)
+def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
+    """As mark_edges, the sides of edges that begin at these corners.
+
+    Returns how many did: where more than two faces meet, their sides have one width.
+    """
+    loop_edges = corner_edges(mesh)
+    marked = corners[faces_at_edges(mesh)[loop_edges[corners]] <= 2]
+    both, alone = _where_set(read_values(mesh, ALLOWANCE)), _where_set(SIDE_ALLOWANCES.read(mesh))
+    widths = np.where(alone != 0, alone, both[loop_edges])
+    widths[marked] = width
+    rows = np.unique(loop_edges[marked])
+    beside = np.flatnonzero(np.isin(loop_edges, rows))
+    beside = beside[np.argsort(loop_edges[beside], kind="stable")]
+    first = beside[np.searchsorted(loop_edges[beside], rows)]
+    last = beside[np.searchsorted(loop_edges[beside], rows, side="right") - 1]
+    own, shared = np.where(widths[first] != 0, first, last), np.where(widths[first] != 0, last, first)
+    both[rows] = widths[shared]  # the default, which is 0, can only be what both share
+    write_marked(mesh, ALLOWANCE, both)
+    SIDE_ALLOWANCES.clear(mesh, rows)
+    one_sided = own[widths[own] != widths[shared]]
+    SIDE_ALLOWANCES.mark(mesh, one_sided, widths[one_sided])
+    return len(marked)
 
 
-def scale_allowances(mesh: bpy.types.Mesh, factor: float) -> None:
-    """The marked widths become so many times as wide; none and the default stay. Of a mesh in Object Mode."""
-    for name, domain in ((ALLOWANCE, "EDGE"), (SIDE_WIDTH, "EDGE"), (SIDE_ALLOWANCE, "CORNER")):
-        widths = read_attribute(mesh, name, "FLOAT", domain)
-        if widths is not None:
-            scaled = np.where(widths > 0, widths * factor, widths)
-            mesh.attributes[name].data.foreach_set("value", scaled.astype(np.float32))
+def scale_lengths(mesh: bpy.types.Mesh, factor: float) -> None:
+    """All lengths that are marked become so many times as long; none and the default stay."""
+    for mark in MARKS:
+        lengths = find_values(mesh, mark) if mark.is_length else None
+        if lengths is not None:
+            write_values(mesh, mark, np.where(lengths > 0, lengths * factor, lengths).astype(np.float32))
 
 
 def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
-    """Of a mesh that is not in Edit Mode. Raises ObjectError as check_allowance_sides does."""
-    check_allowance_sides(mesh)
+    """Raises ObjectError if an attribute of our name is another's, or if a side is unknown or has two widths."""
+    check_attribute(mesh, ALLOWANCE)
+    SIDE_ALLOWANCES.check(mesh)
     edges, starts = edge_vertices(mesh), corner_vertices(mesh)
     sides = np.column_stack([starts, edges[corner_edges(mesh)].sum(axis=1) - starts])
-    widths = read_attribute(mesh, ALLOWANCE, "FLOAT", "EDGE")
-    side_widths = side_widths_of(mesh)
-    return MarkedAllowances(*_set_ones(edges, widths), *_set_ones(sides, side_widths))
+    side_widths = SIDE_ALLOWANCES.read(mesh)
+    return MarkedAllowances(*_set_ones(edges, read_values(mesh, ALLOWANCE)), *_set_ones(sides, side_widths))
 
 
 def widest_allowance(mesh: bpy.types.Mesh) -> float:
-    """Of those marked, in Blender units; 0 where none is. Of a mesh that is not in Edit Mode."""
-    places = (ALLOWANCE, "EDGE"), (SIDE_WIDTH, "EDGE"), (SIDE_ALLOWANCE, "CORNER")
-    marked = [read_attribute(mesh, name, "FLOAT", domain) for name, domain in places]
-    return max((float(each[np.isfinite(each)].max(initial=0.0)) for each in marked if each is not None), default=0.0)
+    """The largest width that is marked on seams and outlines, in Blender units; 0 if none is."""
+    on_outlines = _on_outlines(mesh)
+    both, sides = read_values(mesh, ALLOWANCE)[on_outlines], SIDE_ALLOWANCES.read(mesh)[on_outlines[corner_edges(mesh)]]
+    return float(max(_where_set(both).max(initial=0.0), _where_set(sides).max(initial=0.0)))
 
 
-def _set_ones(pairs: np.ndarray, widths: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
-    if widths is None:
-        return np.empty((0, 2), dtype=np.int64), np.empty(0)
-    is_set = np.isfinite(widths) & (widths != 0)
-    return pairs[is_set].astype(np.int64), widths[is_set].astype(np.float64)
+def _on_outlines(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(e,) bool"""
+    faces = faces_at_edges(mesh)
+    return (faces > 0) & (read_seams(mesh) | (faces != 2))
+
+
+def _where_set(widths: np.ndarray) -> np.ndarray:
+    """0 where they are none."""
+    return np.where(is_set(widths), widths, np.float32(0))
+
+
+def _set_ones(pairs: np.ndarray, widths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    marked = is_set(widths)
+    return pairs[marked].astype(np.int64), widths[marked].astype(np.float64)

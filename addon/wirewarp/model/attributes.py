@@ -15,47 +15,37 @@ import bmesh
 import bpy
 import numpy as np
 
-from ..blender.attributes import check_attribute, check_room
-from ..blender.mesh import read_attribute
-from ..names import EASE, PIECE, SEAM, TOLERANCE, WIRE
+from ..blender.attributes import check_attribute, check_room, has_attributes, read_values, write_marked, write_values
+from ..names import EASE, PIECE, SEAM, TOLERANCE, WIRE, Attribute
 from ..pattern.chains import EdgeMarks
 from ..solve.identity import MAX_ID
 
-_EXPECTED = {WIRE: "INT", TOLERANCE: "FLOAT", EASE: "FLOAT"}
-_ID_DOMAINS = {PIECE: "FACE", SEAM: "EDGE"}
+OF_WIRES = (WIRE, TOLERANCE, EASE)
 
 
 def check_attributes(mesh: bpy.types.Mesh) -> None:
     """Raises ObjectError if an attribute of our name has another type or domain."""
-    for name, data_type in _EXPECTED.items():
-        check_attribute(mesh, name, data_type, "EDGE")
+    for attribute in OF_WIRES:
+        check_attribute(mesh, attribute)
 
 
 def has_marks(mesh: bpy.types.Mesh) -> bool:
     """Whether our attributes are there and are ours."""
-    kinds = {name: mesh.attributes[name] for name in _EXPECTED if name in mesh.attributes}
-    ours = all((kind.domain, kind.data_type) == ("EDGE", _EXPECTED[name]) for name, kind in kinds.items())
-    return WIRE in kinds and ours
+    present = [each for each in OF_WIRES if each.name in mesh.attributes]
+    return WIRE in present and has_attributes(mesh, *present)
 
 
 def read_marks(mesh: bpy.types.Mesh) -> EdgeMarks:
     """The marks of a mesh that is not in Edit Mode."""
     check_attributes(mesh)
-    marks = EdgeMarks.none(len(mesh.edges))
-    if WIRE in mesh.attributes:
-        mesh.attributes[WIRE].data.foreach_get("value", marks.wire_ids)
-    for name, values in ((TOLERANCE, marks.tolerances), (EASE, marks.eases)):
-        if name in mesh.attributes:
-            mesh.attributes[name].data.foreach_get("value", values)
-    return marks
+    return EdgeMarks(*(read_values(mesh, each) for each in OF_WIRES))
 
 
 def write_marks(mesh: bpy.types.Mesh, marks: EdgeMarks) -> None:
     """To a mesh that is not in Edit Mode."""
-    eases = [(EASE, marks.eases)] if EASE in mesh.attributes or marks.eases.any() else []
-    for name, values in ((WIRE, marks.wire_ids), (TOLERANCE, marks.tolerances), *eases):
-        attribute = mesh.attributes.get(name) or mesh.attributes.new(name, _EXPECTED[name], "EDGE")
-        attribute.data.foreach_set("value", values)
+    write_values(mesh, WIRE, marks.wire_ids)
+    write_values(mesh, TOLERANCE, marks.tolerances)
+    write_marked(mesh, EASE, marks.eases)
     mesh.update()
 
 
@@ -74,11 +64,11 @@ def edit_layers(mesh: bpy.types.Mesh) -> tuple:
     """
     edit = bmesh.from_edit_mesh(mesh)
     layers = edit.edges.layers
-    if WIRE not in layers.int:
-        layers.int.new(WIRE)
-    if TOLERANCE not in layers.float:
-        layers.float.new(TOLERANCE)
-    return edit, layers.int[WIRE], layers.float[TOLERANCE], layers.float.get(EASE)
+    if WIRE.name not in layers.int:
+        layers.int.new(WIRE.name)
+    if TOLERANCE.name not in layers.float:
+        layers.float.new(TOLERANCE.name)
+    return edit, layers.int[WIRE.name], layers.float[TOLERANCE.name], layers.float.get(EASE.name)
 
 
 def own_ids(wire_ids: Sequence[int]) -> list[int]:
@@ -97,19 +87,11 @@ def own_ids(wire_ids: Sequence[int]) -> list[int]:
 
 def check_id_room(target: bpy.types.Object) -> None:
     """Raises ObjectError where the ids of pieces and seams cannot be written to the object's mesh."""
-    check_room(target, PIECE, "INT", _ID_DOMAINS[PIECE], "what tells pieces apart")
-    check_room(target, SEAM, "INT", _ID_DOMAINS[SEAM], "what tells seams apart")
+    check_room(target, PIECE, "what tells pieces apart")
+    check_room(target, SEAM, "what tells seams apart")
 
 
-def read_ids(mesh: bpy.types.Mesh, name: str) -> np.ndarray:
-    """name PIECE: (f,), SEAM: (e,) int32, 0 none, of a mesh that is not in Edit Mode. Raises ObjectError."""
-    domain = _ID_DOMAINS[name]
-    check_attribute(mesh, name, "INT", domain)
-    ids = read_attribute(mesh, name, "INT", domain)
-    return np.zeros(len(mesh.edges if domain == "EDGE" else mesh.polygons), dtype=np.int32) if ids is None else ids
-
-
-def write_ids(mesh: bpy.types.Mesh, name: str, ids: np.ndarray) -> None:
-    """As read_ids; to a mesh that is not in Edit Mode."""
-    attribute = mesh.attributes.get(name) or mesh.attributes.new(name, "INT", _ID_DOMAINS[name])
-    attribute.data.foreach_set("value", ids)
+def read_ids(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray:
+    """PIECE: (f,), SEAM: (e,) int32, 0 none, of a mesh that is not in Edit Mode. Raises ObjectError."""
+    check_attribute(mesh, attribute)
+    return read_values(mesh, attribute)

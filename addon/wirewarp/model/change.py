@@ -4,13 +4,12 @@
 import bpy
 import numpy as np
 
-from ..blender.mesh import add_seams, corner_edges, edge_vertices, read_attribute, read_seams, remove_seams
+from ..blender.attributes import read_values
+from ..blender.mesh import add_seams, corner_edges, edge_vertices, read_seams, remove_seams
 from ..issues import object_error
-from ..names import ALLOWANCE
+from ..names import MARKS
 from ..pattern.chains import EdgeMarks, edge_keys
 from .attributes import read_marks, write_marks
-from .side_allowances import side_widths_of
-from .side_eases import read_side_eases
 from .sides import is_set
 from .wire_names import find_name
 from .wires import WireSummary, find_wires, repair_names
@@ -72,11 +71,13 @@ def clear_seams(mesh: bpy.types.Mesh, edges: list) -> None:
 
 
 def edges_with_marks(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(e,) bool: those of wires, and with an ease or an allowance of their own. Raises ObjectError."""
-    allowances = read_attribute(mesh, ALLOWANCE, "FLOAT", "EDGE")
-    marked = read_marks(mesh).are_wires | (False if allowances is None else is_set(allowances))
-    sides = (read_side_eases(mesh) != 0) | is_set(side_widths_of(mesh))
-    marked[corner_edges(mesh)[sides]] = True
+    """(e,) bool: those with any mark, of both sides or of one."""
+    marked = np.zeros(len(mesh.edges), dtype=bool)
+    for mark in MARKS:
+        if mark.domain == "EDGE":
+            marked |= is_set(read_values(mesh, mark))
+        elif mark.domain == "CORNER":
+            marked[corner_edges(mesh)[is_set(read_values(mesh, mark))]] = True
     return marked
 
 

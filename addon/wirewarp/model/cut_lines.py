@@ -12,7 +12,7 @@ import bmesh
 import bpy
 
 from ..issues import object_error
-from ..names import SIDE_ALLOWANCE, SIDE_EASE
+from ..names import MARKS
 from ..solve.smooth_lines import Point, SmoothLine
 from ..solve.suggest import Pairs
 
@@ -103,4 +103,4 @@ def _vertex_at(edited: bmesh.types.BMesh, vertices: list[bmesh.types.BMVert], po
 
 def _side_layers(edited: bmesh.types.BMesh) -> list[bmesh.types.BMLayerItem]:
     layers = edited.loops.layers.float
-    return [layers[name] for name in (SIDE_EASE, SIDE_ALLOWANCE) if name in layers]
+    return [layers[mark.name] for mark in MARKS if mark.domain == "CORNER" and mark.name in layers]

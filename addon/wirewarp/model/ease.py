@@ -11,15 +11,17 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from ..blender.mesh import corner_edges, edge_vertices, faces_at_edges, vertex_places
+from ..blender.attributes import read_values
+from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, faces_at_edges, read_seams, vertex_places
 from ..blender.objects import linear_part
 from ..issues import object_error
+from ..names import EASE
 from ..pattern.chains import split_into_chains
 from ..solve.arrays import edge_lengths
 from ..solve.identity import new_id
 from .attributes import check_attributes, read_marks, write_marks
 from .change import repair_marks
-from .side_eases import check_side_attributes, clear_side_eases, outline_rows, sides_of_lines, write_side_eases
+from .sides import SIDE_EASES
 from .wire_names import list_places
 
 Amount = Callable[[float], float]  # the ease of a line as a fraction, by its length in Blender units
@@ -45,7 +47,7 @@ Planned = Callable[[], Eased]  # writes, and cannot fail
 def check_ease_attributes(mesh: bpy.types.Mesh) -> None:
     """Raises ObjectError if an attribute of our name has another type or domain."""
     check_attributes(mesh)
-    check_side_attributes(mesh)
+    SIDE_EASES.check_attributes(mesh)
 
 
 def plan_lines(target: bpy.types.Object, rows: np.ndarray, amount: Amount) -> Planned:
@@ -87,7 +89,7 @@ def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side:
     Raises ObjectError where a line would have no length left.
     """
     mesh = target.data
-    lines = sides_of_lines(mesh, outline_rows(mesh, rows), _places(target))
+    lines = _sides_of_lines(mesh, _outline_rows(mesh, rows), _places(target))
     return _plan(target, [line[side] or line[1 - side] for line in lines], amount, len(rows))
 
 
@@ -103,7 +105,7 @@ def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amo
             "both_sides",
             "Both sides of a seam are selected. Select one; or mark an ease of both sides on the model.",
         )
-    lines = sides_of_lines(mesh, outline_rows(mesh, rows), _places(target))
+    lines = _sides_of_lines(mesh, _outline_rows(mesh, rows), _places(target))
     return _plan(
         target, [[each for side in line for each in side if each in chosen] for line in lines], amount, len(rows)
     )
@@ -116,7 +118,7 @@ def clear_eases(target: bpy.types.Object, edges: np.ndarray) -> Eased:
     """
     mesh, rows = target.data, np.unique(edges)
     marks = read_marks(mesh)
-    had = (marks.eases[rows] != 0) | clear_side_eases(mesh, rows)
+    had = (marks.eases[rows] != 0) | SIDE_EASES.clear(mesh, rows)
     if marks.eases[rows].any():
         marks.eases[rows] = 0
         write_marks(mesh, marks)
@@ -129,16 +131,43 @@ def clear_eases(target: bpy.types.Object, edges: np.ndarray) -> Eased:
 def _plan(target: bpy.types.Object, lines: list[list[int]], amount: Amount, selected: int) -> Planned:
     """lines: corners at which their edges begin; selected: how many edges were to be eased."""
     mesh = target.data
-    loop_edges, lengths = corner_edges(mesh), _lengths(target) * (1 + read_marks(mesh).eases)
+    loop_edges, lengths = corner_edges(mesh), _lengths(target) * (1 + read_values(mesh, EASE))
     found = [line for line in lines if line]
     changes = [_change(float(lengths[loop_edges[line]].sum()), amount) for line in found]
 
     def write() -> Eased:
         for line, change in zip(found, changes, strict=True):
-            write_side_eases(mesh, line, change.ratio)
+            SIDE_EASES.mark(mesh, line, change.ratio)
         return Eased(changes, selected - sum(map(len, found)))
 
     return write
+
+
+def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) -> list[tuple[list[int], list[int]]]:
+    """The corners at which the edges of each line begin, on its one and on its other side.
+
+    rows: of edges on seams and outlines; places (n,3): of the vertices as they are seen, where lines go straight on. An
+    edge that has no face on a side, or several, has no corner there.
+    """
+    edges, starts, loop_edges = edge_vertices(mesh), corner_vertices(mesh), corner_edges(mesh)
+    corners_of: dict[tuple[int, int], list[int]] = {}
+    for corner in np.flatnonzero(np.isin(loop_edges, rows)).tolist():
+        corners_of.setdefault((int(loop_edges[corner]), int(starts[corner])), []).append(corner)
+    lines = []
+    for chain in split_into_chains(edges[rows], places):
+        sides: tuple[list[int], list[int]] = ([], [])
+        for side, begins in zip(sides, (chain.vertices[:-1], chain.vertices[1:]), strict=True):
+            for row, vertex in zip(chain.edges, begins, strict=True):
+                found = corners_of.get((int(rows[row]), vertex), [])
+                side += found if len(found) == 1 else []
+        lines.append(sides)
+    return lines
+
+
+def _outline_rows(mesh: bpy.types.Mesh, rows: np.ndarray) -> np.ndarray:
+    """Those of the edges that lie on a seam or outline, where sides are."""
+    counts = np.bincount(corner_edges(mesh), minlength=len(mesh.edges))[rows]
+    return rows[(counts == 1) | (read_seams(mesh)[rows] & (counts > 0))]
 
 
 def _change(length: float, amount: Amount) -> Change:

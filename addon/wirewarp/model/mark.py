@@ -74,7 +74,7 @@ def clear_selected(targets: Sequence[bpy.types.Object]) -> int:
 
 
 def _clear_object(target: bpy.types.Object) -> int:
-    if WIRE not in bmesh.from_edit_mesh(target.data).edges.layers.int:
+    if WIRE.name not in bmesh.from_edit_mesh(target.data).edges.layers.int:
         return 0
     edit, wire_layer, tolerance_layer, ease_layer = edit_layers(target.data)
     cleared = [edge for edge in _selected_edges(edit) if edge[wire_layer]]

@@ -18,7 +18,7 @@ from ..blender.mesh import (
 )
 from ..pattern.chains import EdgeMarks
 from .attributes import read_marks
-from .side_eases import read_side_eases
+from .sides import SIDE_EASES
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:
         face_sizes(mesh),
         read_seams(mesh),
         read_marks(mesh),
-        read_side_eases(mesh),
+        SIDE_EASES.read(mesh),
     )
 
 

@@ -15,7 +15,7 @@ from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region
 from .allowances import widest_allowance
 from .attributes import own_ids, read_ids
 from .marked_mesh import MarkedMesh, read_marked
-from .side_eases import check_side_eases
+from .sides import SIDE_EASES
 from .wire_names import chain_names
 
 LARGEST = 1e18  # Blender units
@@ -53,7 +53,7 @@ def _to_arrays(
         loops = np.ascontiguousarray(loops[:, ::-1])
     vertices = marked.places.astype(np.float64) @ linear.T
     _check_size(source, vertices)
-    check_side_eases(mesh, has_modifiers=has_modifiers)
+    SIDE_EASES.check(mesh, has_modifiers=has_modifiers)
     edges, sizes = marked.edges, marked.face_sizes
     face_count = np.bincount(marked.corner_edges, minlength=len(edges))
     in_face = face_count > 0

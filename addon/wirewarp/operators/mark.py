@@ -2,20 +2,24 @@
 """Marking and clearing seams and wires on the selected edges."""
 
 import math
+from collections.abc import Callable
 
 import bpy
+import numpy as np
 from bpy.props import EnumProperty, FloatProperty
 
+from ..blender.mesh import read_hidden_edges, read_selected_edges
 from ..blender.modes import hold_whole_file, in_object_mode
+from ..blender.objects import check_local
 from ..blender.units import meters_per_blender_unit
-from ..flat.sides import mark_selected_sides
-from ..issues import ObjectError, object_error
-from ..model.allowances import NONE
-from ..model.allowances import mark_selected as mark_allowance
+from ..flat.sides import selected_sides
+from ..issues import ObjectError
+from ..model.allowances import NONE, check_allowances, mark_edges, mark_sides
 from ..model.mark import clear_selected, mark_selected
 from ..model.owners import model_of
 from ..model.seams import seams_from_uv
 from ..words import counted, quoted
+from .on_model import OnModel
 
 KINDS = [
     ("RIGID", "Rigid", "A rigid wire keeps exactly its length on the model"),
@@ -72,20 +76,17 @@ class WireKind:
             layout.prop(self, "tolerance_percent")
 
 
-class MESH_OT_wirewarp_mark(WireKind, bpy.types.Operator):
+class MESH_OT_wirewarp_mark(OnModel, WireKind, bpy.types.Operator):
     """Turn the selected edges into wires, one for each line"""
 
     bl_idname = "mesh.wirewarp_mark"
     bl_label = "Mark Wire"
     bl_options = {"REGISTER", "UNDO"}
+    on_model = "mark the wire"
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
         return f"Turn the selected edges into wires, one for each line. {DESCRIPTIONS[properties.kind]}"
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return context.mode == "EDIT_MESH"
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         if not self.properties.is_property_set("tolerance"):
@@ -117,16 +118,13 @@ class MESH_OT_wirewarp_mark(WireKind, bpy.types.Operator):
         self.draw_kind(self.layout)
 
 
-class MESH_OT_wirewarp_clear(bpy.types.Operator):
+class MESH_OT_wirewarp_clear(OnModel, bpy.types.Operator):
     """Remove wires from the selected edges"""
 
     bl_idname = "mesh.wirewarp_clear"
     bl_label = "Clear Wire"
     bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return context.mode == "EDIT_MESH"
+    on_model = "clear the wire"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         try:
@@ -205,27 +203,39 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
 def _mark_allowance(context: bpy.types.Context, width: float) -> tuple[int, int]:
     """On models all sides, on flat pieces theirs; returns the numbers of edges marked and left out."""
     targets = list(context.objects_in_mode_unique_data)
-    pieces = [target for target in targets if model_of(target)]
-    if not pieces:
-        return mark_allowance(targets, width)
-    if len(pieces) < len(targets):
-        raise object_error("both", "Leave Edit Mode of the model or of the flat pieces first, and mark on one of them.")
+    for target in targets:
+        check_local(target, target.data)
     with in_object_mode(context):
-        counts = [mark_selected_sides(each, width) for each in pieces]
-    hold_whole_file()
+        planned = [_plan_allowance(target, width) for target in targets]  # any of them may be refused
+        counts = [write() for write in planned]
+        hold_whole_file()
     return sum(marked for marked, _ in counts), sum(left_out for _, left_out in counts)
 
 
-class MESH_OT_wirewarp_seams_from_uv_islands(bpy.types.Operator):
+def _plan_allowance(target: bpy.types.Object, width: float) -> Callable[[], tuple[int, int]]:
+    sides = selected_sides(target) if model_of(target) else None
+    mesh = sides.model.data if sides else target.data
+    check_allowances(mesh)
+
+    def write() -> tuple[int, int]:
+        if sides:
+            count, marked = len(sides.edges) + sides.left_out, mark_sides(mesh, sides.corners, width)
+        else:
+            rows = np.flatnonzero(read_selected_edges(mesh) & ~read_hidden_edges(mesh))
+            count, marked = len(rows), mark_edges(mesh, rows, width)
+        mesh.update()
+        return marked, count - marked
+
+    return write
+
+
+class MESH_OT_wirewarp_seams_from_uv_islands(OnModel, bpy.types.Operator):
     """Mark seams along the island borders of the active UV map, or of your own map while WireWarp's is active"""
 
     bl_idname = "mesh.wirewarp_seams_from_uv_islands"
     bl_label = "Seams from UV Islands"
     bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return context.mode == "EDIT_MESH"
+    on_model = "mark seams"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         targets = list(context.objects_in_mode_unique_data)

@@ -10,27 +10,20 @@ from ..blender.modes import in_object_mode
 from ..blender.objects import check_local
 from ..issues import Issue, ObjectError
 from ..model.change import edges_with_marks
-from ..model.owners import check_not_edited, model_of
+from ..model.owners import check_not_edited
 from ..run.smooth_lines import cut_smooth_lines
 from ..solve.suggest import Pairs
 from ..words import counted
+from .on_model import OnModel
 
 
-class MESH_OT_wirewarp_smooth_seam(bpy.types.Operator):
+class MESH_OT_wirewarp_smooth_seam(OnModel, bpy.types.Operator):
     """Replace the selected seam, which follows edges, by the shortest line beside it, cut into the faces"""
 
     bl_idname = "mesh.wirewarp_smooth_seam"
     bl_label = "Smooth Seam"
     bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        if context.mode != "EDIT_MESH":
-            return False
-        if model_of(context.active_object):
-            cls.poll_message_set("These are flat pieces: smooth the seam on their model")
-            return False
-        return True
+    on_model = "smooth the seam"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         target = context.active_object

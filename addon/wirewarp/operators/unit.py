@@ -7,7 +7,7 @@ from bpy.props import FloatProperty
 from ..blender.modes import hold_whole_file, in_object_mode
 from ..blender.units import meters_per_blender_unit
 from ..issues import ObjectError
-from ..model.allowances import scale_allowances
+from ..model.allowances import scale_lengths
 from ..model.owners import check_not_edited
 
 
@@ -25,7 +25,7 @@ class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
         before = meters_per_blender_unit(scene)
         try:
             with in_object_mode(context):
-                _keep_allowances(scene, before / self.meters)
+                _keep_lengths(scene, before / self.meters)
         except ObjectError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -36,10 +36,10 @@ class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
         return {"FINISHED"}
 
 
-def _keep_allowances(scene: bpy.types.Scene, factor: float) -> None:
+def _keep_lengths(scene: bpy.types.Scene, factor: float) -> None:
     """What is marked on the models stays as wide, in Blender units so many times. Raises ObjectError before any is."""
     models = [each for each in scene.objects if each.type == "MESH" and each.data.library is None]
     for model in models:
         check_not_edited(model)
     for mesh in {model.data for model in models}:
-        scale_allowances(mesh, factor)
+        scale_lengths(mesh, factor)

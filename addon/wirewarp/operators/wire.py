@@ -12,29 +12,19 @@ from ..blender.objects import check_local
 from ..blender.selection import select_elements
 from ..issues import ObjectError, object_error
 from ..model.change import change_grain, change_wire, wire_at
-from ..model.owners import model_of
 from ..model.wires import find_wires, listed_wires
 from ..properties import LEAST_EASE
 from .mark import NEEDS_TOLERANCE, WireKind
+from .on_model import OnModel
 
 
-class WireOperator:
-    """Acts on one wire of the active model, in Object Mode. Subclasses say how, and what is to be done on the model."""
+class WireOperator(OnModel):
+    """Acts on one wire of the active model, in Object Mode. Subclasses say how."""
 
     bl_options = {"REGISTER", "UNDO"}
-    on_model = ""
+    modes = frozenset({"OBJECT", "EDIT_MESH"})
 
     edge: IntProperty(name="Edge", description="Any edge of the wire, by its index", min=0, options={"HIDDEN"})
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        if active is None or active.type != "MESH" or context.mode not in {"OBJECT", "EDIT_MESH"}:
-            return False
-        if model_of(active):
-            cls.poll_message_set(f"These are flat pieces: {cls.on_model} on the model")
-            return False
-        return True
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         target = context.active_object

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from ..blender.mesh import corner_edges, edge_vertices, face_sizes, next_loops, vertex_places
-from ..flat.read import has_flat_attributes, read_flat_attribute
+from ..blender.attributes import find_values, has_attributes
+from ..blender.mesh import corner_edges, edge_vertices, faces_of_corners, next_loops, vertex_places
 from ..model.owners import model_of
 from ..names import SOURCE_FACE, SOURCE_VERTEX
 from ..pattern.chains import edge_keys
@@ -70,9 +70,9 @@ def _elements(target: bpy.types.Object) -> _Elements | None:
         return None
     mesh, source = target.data, np.arange(len(target.data.vertices))
     if model_of(target):
-        if not has_flat_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
+        if not has_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
             return None
-        source = read_flat_attribute(mesh, SOURCE_VERTEX)
+        source = find_values(mesh, SOURCE_VERTEX)
     faces = _failed_faces(mesh, report["issues"])
     pairs = np.sort(source[edge_vertices(mesh)], axis=1)
     masks = {
@@ -84,7 +84,7 @@ def _elements(target: bpy.types.Object) -> _Elements | None:
 
 def _failed_faces(mesh: bpy.types.Mesh, issues: list[dict]) -> np.ndarray:
     faces = np.array([face for issue in issues for face in issue["faces"]], dtype=np.int32)
-    source_faces = read_flat_attribute(mesh, SOURCE_FACE)
+    source_faces = find_values(mesh, SOURCE_FACE)
     return faces if source_faces is None else np.flatnonzero(np.isin(source_faces, faces))
 
 
@@ -95,7 +95,7 @@ def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[dict], f
     """
     failed = _named(pairs, [edge for issue in issues for edge in issue["edges"]])
     failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue["vertices"]]).any(axis=1)
-    face_of_corner = np.repeat(np.arange(len(mesh.polygons)), face_sizes(mesh))
+    face_of_corner = faces_of_corners(mesh)
     of_faces = corner_edges(mesh)[np.isin(face_of_corner, faces)]
     return failed | (np.bincount(of_faces, minlength=len(pairs)) == 1)
 

@@ -6,6 +6,7 @@ from contextlib import AbstractContextManager
 import bpy
 import numpy as np
 
+from ..blender.attributes import find_values, has_attributes
 from ..blender.mesh import (
     corner_edges,
     corner_vertices,
@@ -14,6 +15,7 @@ from ..blender.mesh import (
     evaluated_mesh,
     face_sizes,
     faces_at_edges,
+    faces_of_corners,
     next_loops,
     read,
     read_hidden_edges,
@@ -24,9 +26,8 @@ from ..blender.mesh import (
     triangle_vertices,
     vertex_places,
 )
-from ..flat.read import has_flat_attributes, read_flat_attribute
 from ..model.attributes import read_ids, read_marks
-from ..model.side_eases import read_side_eases
+from ..model.sides import SIDE_EASES
 from ..names import PIECE, PIECE_INDEX, SEAM, SOURCE_VERTEX, UV_LAYER
 from .eases import SideEases
 from .lines import LineEdges
@@ -53,8 +54,8 @@ def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
     rows = np.flatnonzero((seams | outlines | marks.are_wires) & is_shown)
     vertices = edge_vertices(mesh)[rows]
     source, pieces = vertices, np.zeros(len(rows), dtype=np.int32)
-    if has_flat_attributes(mesh, SOURCE_VERTEX, PIECE_INDEX):
-        source = read_flat_attribute(mesh, SOURCE_VERTEX)[vertices]
+    if has_attributes(mesh, SOURCE_VERTEX, PIECE_INDEX):
+        source = find_values(mesh, SOURCE_VERTEX)[vertices]
         pieces = _piece_of_edge(mesh)[rows]
     return LineEdges(
         ends=vertex_places(mesh)[vertices],
@@ -72,22 +73,22 @@ def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
 def gather_side_eases(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> SideEases | None:
     """None where there are none."""
     with shown_mesh(target, depsgraph) as mesh:
-        ratios = read_side_eases(mesh)
+        ratios = SIDE_EASES.read(mesh)
         corners = np.flatnonzero(ratios)
         if not len(corners):
             return None
-        places, faces = vertex_places(mesh), np.repeat(np.arange(len(mesh.polygons)), face_sizes(mesh))[corners]
+        places, faces = vertex_places(mesh), faces_of_corners(mesh)[corners]
         vertices = corner_vertices(mesh)[np.column_stack([corners, next_loops(mesh)[corners]])]
         ends, normals = places[vertices], read(mesh.polygons, "normal", np.float32, 3)[faces]
         inward = np.cross(normals, ends[:, 1] - ends[:, 0])
-        is_flat = has_flat_attributes(mesh, PIECE_INDEX)
+        is_flat = has_attributes(mesh, PIECE_INDEX)
         return SideEases(
             vertices=vertices,
             ends=ends,
             inward=inward / np.maximum(np.linalg.norm(inward, axis=1), np.finfo(np.float32).tiny)[:, None],
             normals=normals,
             ratios=ratios[corners],
-            pieces=read_flat_attribute(mesh, PIECE_INDEX)[faces] if is_flat else np.zeros(len(faces), dtype=np.int32),
+            pieces=find_values(mesh, PIECE_INDEX)[faces] if is_flat else np.zeros(len(faces), dtype=np.int32),
             size=float(np.ptp(places, axis=0).max()),
         )
 
@@ -95,7 +96,7 @@ def gather_side_eases(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) 
 def _piece_of_edge(mesh: bpy.types.Mesh) -> np.ndarray:
     sizes = face_sizes(mesh)
     piece_of_edge = np.zeros(len(mesh.edges), dtype=np.int32)
-    piece_of_edge[corner_edges(mesh)] = np.repeat(read_flat_attribute(mesh, PIECE_INDEX), sizes)
+    piece_of_edge[corner_edges(mesh)] = np.repeat(find_values(mesh, PIECE_INDEX), sizes)
     return piece_of_edge
 
 

@@ -8,10 +8,10 @@ from functools import partial
 import bpy
 import numpy as np
 
+from ..blender.attributes import find_values, has_attributes
 from ..blender.mesh import corner_vertices, face_sizes, read, read_attribute, read_numbers, vertex_places
 from ..flat.grain import grain_directions, has_grain_wire
 from ..flat.pieces import piece_names
-from ..flat.read import has_flat_attributes, read_flat_attribute
 from ..flat.reports import last_report, pieces_report
 from ..flat.seams import seam_names
 from ..model.owners import find_flat_object, model_of, model_or_self
@@ -53,7 +53,7 @@ def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
     if eases := gather_side_eases(target, depsgraph):
         lines.places["ease"], names = ease_arrows(eases)
         lines.names[:0] = names
-    if is_flat and not target.data.is_editmode and has_flat_attributes(target.data, PIECE, PIECE_INDEX):
+    if is_flat and not target.data.is_editmode and has_attributes(target.data, PIECE, PIECE_INDEX):
         middles = _middles(target.data)
         lines.names[:0] = _piece_names(target, middles, piece_rooms(edges))
         lines.places.update(_grain_arrows(target, edges, middles))
@@ -126,7 +126,7 @@ class _Middle:
 
 def _middles(mesh: bpy.types.Mesh) -> dict[int, _Middle]:
     """By index of the piece in the report."""
-    pieces, ids = read_flat_attribute(mesh, PIECE_INDEX), read_flat_attribute(mesh, PIECE)
+    pieces, ids = find_values(mesh, PIECE_INDEX), find_values(mesh, PIECE)
     centers, corners = read(mesh.polygons, "center", np.float32, 3), corner_vertices(mesh)
     piece_of_corner, places = np.repeat(pieces, face_sizes(mesh)), vertex_places(mesh)
     found = {}
@@ -188,7 +188,7 @@ def colored_surface(
     extremes = map_extremes(flat.data, color_map)
     if flat == target:
         return colored(gather_triangles(flat.data), colors, extremes)
-    corners = read_flat_attribute(flat.data, SOURCE_CORNER)
+    corners = find_values(flat.data, SOURCE_CORNER)
     if corners is None or current_report(target) is None:
         return None
     with shown_mesh(target, depsgraph) as mesh:

@@ -19,7 +19,7 @@ from ..flat.seams import seam_names
 from ..flat.suggestions import suggestions_of
 from ..issues import ObjectError
 from ..model.owners import find_flat_object, model_of, model_or_self
-from ..names import SIDE_EASE, SIDE_RATIO, WIRE
+from ..names import MARKS
 from ..solve.maps import CLOTH_MAPS, COLOR_MAPS, ColorMap
 from ..solve.pattern_parts import GRAINS, Cloth
 from .cache import Same, kept_drawing
@@ -74,16 +74,16 @@ def drawings(context: bpy.types.Context) -> Iterator[Drawing]:
     if not context.space_data.overlay.show_overlays or not (settings.show_lines or settings.show_pages or color_map):
         return
     view_layer, space = context.view_layer, context.space_data
-    for target in find_objects(_concerns_us):
+    for target in find_objects(concerns_us):
         if target.mode in MODES and target.visible_get(view_layer=view_layer, viewport=space):
             yield _drawing(context, target, color_map)
 
 
-def _concerns_us(target: bpy.types.Object) -> bool:
+def concerns_us(target: bpy.types.Object) -> bool:
     if target.type != "MESH":
         return False
     attributes = target.data.attributes
-    is_marked = any(name in attributes for name in (WIRE, SIDE_RATIO, SIDE_EASE))
+    is_marked = any(mark.name in attributes for mark in MARKS if mark.is_drawn)
     return bool(is_marked or model_of(target) or last_report(target) or suggestions_of(target))
 
 

@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 
-from ..flat.read import has_flat_attributes, read_flat_attribute
+from ..blender.attributes import find_values, has_attributes
 from ..flat.reports import pieces_report
 from ..flat.suggestions import chosen_cut
 from ..model.owners import model_or_self
@@ -35,9 +35,9 @@ def suggested_lines(target: bpy.types.Object) -> np.ndarray:
         return NO_LINES
     mesh, source = target.data, np.arange(len(target.data.vertices))
     if model_or_self(target) != target:
-        if not has_flat_attributes(mesh, SOURCE_VERTEX):
+        if not has_attributes(mesh, SOURCE_VERTEX):
             return NO_LINES
-        source = read_flat_attribute(mesh, SOURCE_VERTEX)
+        source = find_values(mesh, SOURCE_VERTEX)
     triangles = gather_triangles(mesh)
     sides = np.unique(np.sort(triangles.vertices[:, SIDES].reshape(-1, 2), axis=1), axis=0)
     return triangles.positions[sides[_are_among(source[sides], pairs)].ravel()]
