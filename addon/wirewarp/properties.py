@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Settings kept with the scene, names of wires with the mesh, of pieces with the object, and how objects are linked."""
 
+from collections.abc import Callable
+
 import bpy
 from bpy.props import (
     BoolProperty,
@@ -172,7 +174,7 @@ def mend_settings(settings: "WIREWARP_PG_settings", kind: type = FlattenSettings
 
 def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
     if settings.auto_update:
-        note_change(settings.id_data.name_full)
+        note_change(settings.id_data)
 
 
 class WIREWARP_PG_settings(FlattenSettings, PatternSettings, AimSettings, EaseAmount, bpy.types.PropertyGroup):
@@ -297,7 +299,7 @@ class WIREWARP_PG_seam(bpy.types.PropertyGroup):
 CLASSES = (WIREWARP_preferences, WIREWARP_PG_settings, WIREWARP_PG_wire_name, WIREWARP_PG_piece, WIREWARP_PG_seam)
 
 
-def attach() -> None:
+def attach() -> Callable[[], None]:
     bpy.types.Scene.wirewarp = PointerProperty(type=WIREWARP_PG_settings)
     bpy.types.Mesh.wirewarp_names = CollectionProperty(type=WIREWARP_PG_wire_name)
     bpy.types.Mesh.wirewarp_grain = IntProperty(
@@ -312,9 +314,10 @@ def attach() -> None:
         description="The object these flat pieces were made from",
         type=bpy.types.Object,
     )
+    return _detach
 
 
-def detach() -> None:
+def _detach() -> None:
     del bpy.types.Object.wirewarp_source
     del bpy.types.Object.wirewarp_active_piece
     del bpy.types.Object.wirewarp_seams

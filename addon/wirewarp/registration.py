@@ -7,31 +7,24 @@ from contextlib import ExitStack
 import bpy
 
 from . import operators, overlay, properties, ui
-from .blender import cache, index
-from .flat import reports, suggestions
+from .blender import memory
+from .flat import reports
 from .model import wire_names
 from .operators import update
 from .overlay import cache as drawings
-from .run import auto_update, read, window_run
+from .run import auto_update, window_run
 from .solve import flatten
 
 CLASSES = (*properties.CLASSES, *operators.CLASSES, *ui.CLASSES)
-PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)  # each with attach() and detach()
+PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)  # attach() of each returns what takes it back
 HANDLERS: dict[str, tuple[Callable, ...]] = {  # by Blender's list of them
-    "depsgraph_update_post": (cache.drop_changed, index.note_updates, auto_update.note_update),
-    "frame_change_post": (cache.drop_changed,),
-    "undo_post": (cache.drop_all, index.forget, reports.forget_incomparable, auto_update.note_undo),
-    "redo_post": (cache.drop_all, index.forget, reports.forget_incomparable, auto_update.note_undo),
+    "depsgraph_update_post": (memory.note_updates, auto_update.note_update),
+    "frame_change_post": (memory.drop_changed,),
+    "undo_post": (memory.drop_gathered, reports.forget_incomparable, auto_update.note_undo),
+    "redo_post": (memory.drop_gathered, reports.forget_incomparable, auto_update.note_undo),
     "save_pre": (wire_names.write_brought_names,),
-    "load_pre": (window_run.stop, flatten.drop_jobs, auto_update.forget),
-    "load_post": (
-        cache.drop_all,
-        index.forget,
-        drawings.forget,
-        reports.forget,
-        suggestions.forget,
-        read.forget_solved,
-    ),
+    "load_pre": (window_run.stop, flatten.drop_jobs),
+    "load_post": (drawings.forget, memory.forget),
 }
 FORGET = (*HANDLERS["load_pre"], *HANDLERS["load_post"])  # what is in memory goes with the add-on as with the file
 
@@ -43,8 +36,7 @@ def register() -> Callable[[], None]:
             bpy.utils.register_class(cls)
             undo.callback(bpy.utils.unregister_class, cls)
         for part in PARTS:
-            part.attach()
-            undo.callback(part.detach)
+            undo.callback(part.attach())
         for name, functions in HANDLERS.items():
             for function in functions:
                 getattr(bpy.app.handlers, name).append(bpy.app.handlers.persistent(function))

@@ -7,45 +7,39 @@ from collections.abc import Callable
 import bpy
 
 LETTER, MARGIN = 7, 60  # pixels at interface scale 1, about: a letter, and what is beside the sentence
-_problem = ""
-
-
-class OBJECT_OT_wirewarp_flatten(bpy.types.Operator):
-    """Say why WireWarp cannot flatten"""
-
-    bl_idname = "object.wirewarp_flatten"
-    bl_label = "Flatten"
-
-    def execute(self, _context: bpy.types.Context) -> set[str]:
-        self.report({"ERROR"}, _problem)
-        return {"CANCELLED"}
-
-
-class VIEW3D_PT_wirewarp_problem(bpy.types.Panel):
-    bl_label = "WireWarp"
-    bl_space_type = "VIEW_3D"
-    bl_region_type = "UI"
-    bl_category = "WireWarp"
-
-    def draw(self, context: bpy.types.Context) -> None:
-        column = self.layout.column(align=True)
-        letters = int((context.region.width / context.preferences.system.ui_scale - MARGIN) / LETTER)
-        for number, line in enumerate(textwrap.wrap(_problem, max(letters, 12))):
-            column.label(text=line, icon="BLANK1" if number else "ERROR")
-
-
-CLASSES = (OBJECT_OT_wirewarp_flatten, VIEW3D_PT_wirewarp_problem)
 
 
 def register(problem: str) -> Callable[[], None]:
     """problem: why there is no library, as a sentence. Returns what takes all back."""
-    global _problem
-    _problem = problem
-    for cls in CLASSES:
+
+    class OBJECT_OT_wirewarp_flatten(bpy.types.Operator):
+        """Say why WireWarp cannot flatten"""
+
+        bl_idname = "object.wirewarp_flatten"
+        bl_label = "Flatten"
+
+        def execute(self, _context: bpy.types.Context) -> set[str]:
+            self.report({"ERROR"}, problem)
+            return {"CANCELLED"}
+
+    class VIEW3D_PT_wirewarp_problem(bpy.types.Panel):
+        bl_label = "WireWarp"
+        bl_space_type = "VIEW_3D"
+        bl_region_type = "UI"
+        bl_category = "WireWarp"
+
+        def draw(self, context: bpy.types.Context) -> None:
+            column = self.layout.column(align=True)
+            letters = int((context.region.width / context.preferences.system.ui_scale - MARGIN) / LETTER)
+            for number, line in enumerate(textwrap.wrap(problem, max(letters, 12))):
+                column.label(text=line, icon="BLANK1" if number else "ERROR")
+
+    classes = (OBJECT_OT_wirewarp_flatten, VIEW3D_PT_wirewarp_problem)
+    for cls in classes:
         bpy.utils.register_class(cls)
-    return _unregister
 
+    def unregister() -> None:
+        for cls in classes:
+            bpy.utils.unregister_class(cls)
 
-def _unregister() -> None:
-    for cls in CLASSES:
-        bpy.utils.unregister_class(cls)
+    return unregister

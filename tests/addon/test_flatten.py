@@ -325,5 +325,5 @@ def test_only_pieces_that_changed_are_solved_again(addon):
     source.scale.x = 1.1
     assert reused_pieces() == 0
     assert not np.allclose(uv_of(source.data), before)
-    addon.run.read.forget_solved()  # as another file does
+    addon.blender.memory.forget()  # as another file does
     assert reused_pieces() == 0

@@ -214,10 +214,10 @@ def test_a_modifier_along_normals_makes_the_same_mesh_each_time(addon):
     for _ in range(10):
         target.data.update_tag()
         bpy.context.view_layer.update()
-        assert not addon.model.state.has_changed(target, report, addon.blender.cache.read_anew)
+        assert not addon.model.state.has_changed(target, report, addon.blender.memory.read_anew)
     modifier.strength += 1e-4
     bpy.context.view_layer.update()
-    assert addon.model.state.has_changed(target, report, addon.blender.cache.read_anew)
+    assert addon.model.state.has_changed(target, report, addon.blender.memory.read_anew)
 
 
 def test_another_frame_of_an_animated_modifier_is_a_change(addon, smooth):

@@ -225,17 +225,60 @@ def handlers_of(addon):
     }
 
 
-def test_handlers_and_timers_leave_with_the_add_on(addon, timers):
-    drawn, before = addon.overlay._added, handlers_of(addon)
-    spaces = [space for space, _ in drawn]
-    assert spaces == 2 * [bpy.types.SpaceView3D] + 2 * [bpy.types.SpaceImageEditor]
-    addon.overlay.cache._redraw_in(60.0)
+class Space:
+    """Holds the functions that draw in it, as one of Blender's types of spaces."""
+
+    def __init__(self):
+        self.drawn = []
+
+    def draw_handler_add(self, draw, _arguments, _region, _stage):
+        self.drawn.append(draw)
+        return draw
+
+    def draw_handler_remove(self, draw, _region):
+        self.drawn.remove(draw)
+
+
+def test_handlers_and_timers_leave_with_the_add_on(addon, timers, monkeypatch):
+    before, space = handlers_of(addon), Space()
+    spaces, draws, stages = zip(*addon.overlay._HANDLERS, strict=True)
+    assert list(spaces) == 2 * [bpy.types.SpaceView3D] + 2 * [bpy.types.SpaceImageEditor]
     addon.unregister()
     try:
-        assert drawn == []  # each is taken out of Blender as it is taken out of the list
+        with monkeypatch.context() as patch:
+            patch.setattr(
+                addon.overlay, "_HANDLERS", [(space, draw, stage) for _, draw, stage in addon.overlay._HANDLERS]
+            )
+            addon.register()
+            assert len(space.drawn) == len(spaces)
+            addon.overlay.cache._redraw_in(60.0)
+            addon.unregister()
+        assert space.drawn == []
         assert sum(handlers_of(addon).values()) == 0 < sum(before.values())
         assert timers.running == {}
     finally:
         addon.register()
-    assert [space for space, _ in drawn] == spaces
     assert handlers_of(addon) == before
+
+
+def test_what_was_kept_of_removed_objects_goes(addon, source):
+    """Large models would keep their arrays and batches until another file is opened."""
+    list(addon.overlay.shown.drawings(view_context()))
+    flat = flat_of(source)
+    states = [addon.blender.memory.state_of(each) for each in (source, source.data, flat, flat.data)]
+    assert states[0].drawings and states[2].drawings
+    mesh, flat_mesh = source.data, flat.data
+    for each in (flat, source):
+        bpy.data.objects.remove(each)
+    for each in (mesh, flat_mesh):
+        bpy.data.meshes.remove(each)
+    bpy.context.view_layer.update()
+    present = list(addon.blender.memory.all_states())
+    assert not any(state is each for state in states for each in present)
+
+
+def test_what_is_kept_stays_with_a_renamed_object(addon, source):
+    state = addon.blender.memory.state_of(source)
+    state.suggestions = found = object()
+    source.name = "Sleeve"
+    assert addon.blender.memory.state_of(source).suggestions is found

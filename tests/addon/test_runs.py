@@ -11,6 +11,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
+from everything import draw_panels
 from surfaces import bump, flat_of, flatten, grid, mark, mark_seam, on_line, read, select_only
 
 
@@ -244,7 +245,7 @@ def test_switching_off_and_on_after_undo_does_not_hide_the_next_change(addon, so
     scene.wirewarp.auto_update = True
     addon.run.auto_update.note_undo()
     scene.wirewarp.auto_update = False
-    addon.run.auto_update.forget_change(scene.name_full)  # as with the next movement of the mouse
+    addon.run.auto_update.forget_change(scene)  # as with the next movement of the mouse
     scene.wirewarp.auto_update = True
     move_a_vertex(source)
     assert taken(addon) == ["Bump"]
@@ -261,12 +262,30 @@ def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
     updating = addon.operators.update.updating_in
     idnames = [updating(group).idname_py() for group in ("Move", "Mark Seam", "Move", "Update Flat Pieces")]
     assert len(set(idnames)) == 3 and idnames[0] == idnames[2] and idnames[3] == "object.wirewarp_update"
-    joining = addon.operators.update._joining
-    assert {group: cls.bl_undo_group for group, cls in joining.items()} == {group: group for group in joining}
-    assert all(cls.is_registered and cls.bl_options == {"INTERNAL", "UNDO_GROUPED"} for cls in joining.values())
+    joining = [getattr(bpy.types, f"OBJECT_OT_wirewarp_update_{number}") for number in (0, 1)]
+    assert [cls.bl_undo_group for cls in joining] == ["Move", "Mark Seam"]
+    assert all(cls.is_registered and cls.bl_options == {"INTERNAL", "UNDO_GROUPED"} for cls in joining)
+    most = addon.operators.update.MOST
+    idnames = {updating(f"Group {number}").idname_py() for number in range(2 * most)}
+    assert len(idnames) == most - 2 + 1  # the two above are for other groups, and the rest have a step of their own
     addon.unregister()
-    assert not any(hasattr(bpy.types, f"OBJECT_OT_wirewarp_update_{number}") for number in (1, 2))
+    assert not any(hasattr(bpy.types, f"OBJECT_OT_wirewarp_update_{number}") for number in range(most))
     addon.register()
+
+
+def test_a_model_whose_update_was_canceled_says_what_to_do(addon, source):
+    canceled = "Auto was canceled for this change"
+    bpy.context.scene.wirewarp.auto_update = True
+    move_a_vertex(source)
+    assert canceled not in draw_panels(addon)
+    assert taken(addon) == ["Bump"]  # as the update does, which then is canceled
+    assert canceled in draw_panels(addon)
+    move_a_vertex(source)
+    bpy.context.view_layer.update()
+    assert canceled not in draw_panels(addon)
+    assert taken(addon) == ["Bump"]
+    bpy.ops.object.wirewarp_flatten()
+    assert canceled not in draw_panels(addon)
 
 
 def test_what_goes_wrong_while_the_pieces_are_made_leaves_the_file_as_it_was(addon, source, monkeypatch):

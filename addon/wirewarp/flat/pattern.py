@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 
 from ..blender.attributes import find_values, has_attributes
-from ..blender.cache import read_anew
+from ..blender.memory import read_anew
 from ..blender.mesh import current_mesh, evaluated_mesh
 from ..blender.objects import linear_part
 from ..blender.units import meters_per_blender_unit

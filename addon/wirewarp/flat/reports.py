@@ -11,7 +11,7 @@ import json
 
 import bpy
 
-from ..blender.index import note
+from ..blender.memory import all_states, note, state_of
 from ..blender.mesh import element_counts
 from ..issues import Issue
 from ..model.wire_names import present_names
@@ -21,15 +21,11 @@ from ..report.report import SCHEMA, failure_report
 from .pieces import piece_names
 from .seams import seam_names
 
-_failures: dict[object, dict] = {}  # by object, see _key
-# By object: text and seal, and what they say, so that drawing the panel need not parse it.
-_parsed: dict[str, tuple[tuple[str, str], dict]] = {}
-
 
 def store(source: bpy.types.Object, report: dict) -> None:
     """Keeps the report of a run that wrote results."""
     note(source)
-    _failures.pop(_key(source), None)
+    state_of(source).failure = None
     text = json.dumps(report)
     source[REPORT], source[REPORT_SEAL] = text, _digest(text)
 
@@ -37,12 +33,12 @@ def store(source: bpy.types.Object, report: dict) -> None:
 def remember(source: bpy.types.Object, report: dict) -> None:
     """Keeps the report of a run that wrote nothing for this object."""
     note(source)
-    _failures[_key(source)] = report
+    state_of(source).failure = report
 
 
 def last_report(source: bpy.types.Object) -> dict | None:
     """The report of the last run, its pieces and wires by the names they have now. None if there was none."""
-    return with_names(source, _failures.get(_key(source))) or pieces_report(source)
+    return with_names(source, _failure(source)) or pieces_report(source)
 
 
 def pieces_report(source: bpy.types.Object) -> dict | None:
@@ -67,25 +63,21 @@ def with_names(source: bpy.types.Object, report: dict | None) -> dict | None:
     return report
 
 
-def _key(source: bpy.types.Object) -> object:
-    """The same for one object whatever it is called, and for no later one of its name.
-
-    Before Blender 4.1 objects have addresses only, which later ones may get: their meshes tell them apart.
-    """
-    if hasattr(source, "session_uid"):
-        return source.session_uid
-    return source.as_pointer(), *element_counts(source.data).values()
+def _failure(source: bpy.types.Object) -> dict | None:
+    """Before Blender 4.1 a later object may be at the same address: their meshes tell them apart."""
+    failure = state_of(source).failure
+    if failure and not hasattr(source, "session_uid") and failure["counts"] != element_counts(source.data):
+        return None
+    return failure
 
 
 def _read(source: bpy.types.Object) -> dict | None:
     if REPORT not in source:
         return None
-    stored = _text(source, REPORT), _text(source, REPORT_SEAL)
-    known, report = _parsed.get(source.name_full, (None, None))
-    if report is None or known != stored:
-        report = _parse(*stored)
-        _parsed[source.name_full] = stored, report
-    return report
+    stored, state = (_text(source, REPORT), _text(source, REPORT_SEAL)), state_of(source)
+    if state.parsed is None or state.parsed[0] != stored:
+        state.parsed = stored, _parse(*stored)  # so that drawing the panel need not do it
+    return state.parsed[1]
 
 
 def _text(source: bpy.types.Object, name: str) -> str:
@@ -112,10 +104,6 @@ def _parse(text: str, seal: str) -> dict:
 
 def forget_incomparable(*_: object) -> None:
     """After undo: a report stays if it can tell whether the model is still, or again, the one it is of."""
-    for key in [key for key, report in _failures.items() if report.get("model_state") is None]:
-        del _failures[key]
-
-
-def forget(*_: object) -> None:
-    _failures.clear()
-    _parsed.clear()
+    for state in all_states():
+        if state.failure and state.failure.get("model_state") is None:
+            state.failure = None

@@ -5,8 +5,7 @@ from dataclasses import dataclass, replace
 
 import bpy
 
-from ..blender.cache import Take, kept
-from ..blender.index import note
+from ..blender.memory import Take, kept, note, state_of
 from ..issues import ObjectError
 from ..model.no_seam import read_no_seam
 from ..model.state import has_changed
@@ -28,12 +27,9 @@ class Suggestions:
     chosen: int  # of the cuts
 
 
-_by_object: dict[str, Suggestions] = {}  # by Object.name_full; another of that name is in another state
-
-
 def keep(source: bpy.types.Object, suggestions: Suggestions) -> None:
     note(source)
-    _by_object[source.name_full] = suggestions
+    state_of(source).suggestions = suggestions
 
 
 def choose(source: bpy.types.Object, index: int) -> None:
@@ -44,7 +40,7 @@ def choose(source: bpy.types.Object, index: int) -> None:
 
 
 def drop(source: bpy.types.Object) -> None:
-    _by_object.pop(source.name_full, None)
+    state_of(source).suggestions = None
 
 
 def chosen_cut(source: bpy.types.Object, take: Take = kept) -> Cut | None:
@@ -55,7 +51,7 @@ def chosen_cut(source: bpy.types.Object, take: Take = kept) -> Cut | None:
 
 def suggestions_of(source: bpy.types.Object) -> Suggestions | None:
     """The last ones, whatever has changed since."""
-    return _by_object.get(source.name_full)
+    return state_of(source).suggestions
 
 
 def current_suggestions(source: bpy.types.Object, take: Take = kept) -> Suggestions | None:
@@ -74,7 +70,3 @@ def are_current(source: bpy.types.Object, found: Suggestions, take: Take = kept)
         return found.no_seam.is_same(take(source, "no seam", read_no_seam))
     except ObjectError:  # it was readable then
         return False
-
-
-def forget(*_: object) -> None:
-    _by_object.clear()

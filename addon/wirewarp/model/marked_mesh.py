@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from ..blender.cache import Take, read_anew
+from ..blender.memory import Take, read_anew
 from ..blender.mesh import (
     corner_edges,
     corner_vertices,

@@ -6,7 +6,7 @@ import hashlib
 import bpy
 import numpy as np
 
-from ..blender.cache import Take, kept, read_anew
+from ..blender.memory import Take, kept, read_anew
 from ..blender.objects import metric
 from ..issues import ObjectError
 from .marked_mesh import MarkedMesh, marked_mesh, read_marked

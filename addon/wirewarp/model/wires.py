@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from ..blender.cache import Take, kept, read_anew
+from ..blender.memory import Take, kept, read_anew
 from ..pattern.chains import chains_of_marks
 from .attributes import own_ids
 from .marked_mesh import marked_mesh

@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import EnumProperty
 
-from ..blender.cache import read_anew
+from ..blender.memory import read_anew
 from ..blender.modes import WORKING_MODES, in_object_mode
 from ..blender.objects import check_local
 from ..flat.reports import last_report

@@ -2,6 +2,7 @@
 """Flattening again by itself what has changed."""
 
 from collections.abc import Callable
+from itertools import takewhile
 
 import bpy
 
@@ -9,10 +10,12 @@ from ..blender.modes import WORKING_MODES
 from ..properties import take_settings
 from ..run import auto_update, window_run
 from ..run.models import Outcome
+from ..run.read import find_source
 from .flatten_steps import FlattenSteps
 
 LABEL = "Update Flat Pieces"
-_joining: dict[str, type[bpy.types.Operator]] = {}  # by undo group
+JOINING = "OBJECT_OT_wirewarp_update_{}"  # names of the operators of updating_in, by number
+MOST = 32  # of them: more kinds of operators than a session uses; after that, updates have undo steps of their own
 
 
 class UpdateSteps(FlattenSteps):
@@ -44,7 +47,8 @@ class UpdateSteps(FlattenSteps):
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
         """A model that changed meanwhile is due again already; what only could not be written is due as it is."""
         if code == "elsewhere":
-            auto_update.put_back([model.name for model in self._models], self._scene)
+            sources = filter(None, map(find_source, self._models))
+            auto_update.put_back(list(sources), bpy.data.scenes.get(self._scene, context.scene))
         return {"CANCELLED"} if code in {"changed", "elsewhere"} else super().give_up(context, code, sentence, level)
 
     def message(self, level: str, text: str) -> None:
@@ -69,14 +73,14 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         """A change in another mode, or during a run, waits for its end."""
-        return auto_update.is_due(context.scene.name_full) and OBJECT_OT_wirewarp_update.poll(context)
+        return auto_update.is_due(context.scene) and OBJECT_OT_wirewarp_update.poll(context)
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         if context.scene.wirewarp.auto_update:
             last = context.window_manager.operators[-1].name if context.window_manager.operators else LABEL
             updating_in(last)("INVOKE_DEFAULT", True)
         else:
-            auto_update.forget_change(context.scene.name_full)
+            auto_update.forget_change(context.scene)
         return {"PASS_THROUGH"}
 
 
@@ -89,20 +93,22 @@ def updating_in(group: str) -> Callable:
     """
     if group == LABEL:
         return bpy.ops.object.wirewarp_update
-    if group not in _joining:
-        number = len(_joining) + 1
-        content = {
-            "__doc__": OBJECT_OT_wirewarp_update.__doc__,
-            "bl_idname": f"object.wirewarp_update_{number}",
-            "bl_undo_group": group,
-        }
-        cls = type(f"OBJECT_OT_wirewarp_update_{number}", (UpdateSteps, bpy.types.Operator), content)
-        bpy.utils.register_class(cls)
-        _joining[group] = cls
-    return getattr(bpy.ops.object, _joining[group].bl_idname.split(".")[1])
+    joining = _joining()
+    number = next((number for number, cls in enumerate(joining) if cls.bl_undo_group == group), len(joining))
+    if number == MOST:
+        return bpy.ops.object.wirewarp_update
+    if number == len(joining):
+        idname = f"object.wirewarp_update_{number}"
+        content = {"__doc__": OBJECT_OT_wirewarp_update.__doc__, "bl_idname": idname, "bl_undo_group": group}
+        bpy.utils.register_class(type(JOINING.format(number), (UpdateSteps, bpy.types.Operator), content))
+    return getattr(bpy.ops.object, f"wirewarp_update_{number}")
+
+
+def _joining() -> list[type[bpy.types.Operator]]:
+    """The operators of updating_in that there are."""
+    return list(takewhile(bool, (getattr(bpy.types, JOINING.format(number), None) for number in range(MOST))))
 
 
 def forget_joining() -> None:
-    for cls in _joining.values():
+    for cls in _joining():
         bpy.utils.unregister_class(cls)
-    _joining.clear()

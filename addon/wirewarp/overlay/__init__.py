@@ -5,6 +5,8 @@ shown (which objects) -> objects, failures (arrays and names, kept in cache) -> 
 May import: flat, model, blender, report, solve, pattern, core, names, issues, words.
 """
 
+from collections.abc import Callable
+
 import bpy
 
 from .uv_editor import draw_map, draw_map_names
@@ -16,15 +18,13 @@ _HANDLERS = (
     (bpy.types.SpaceImageEditor, draw_map, "POST_VIEW"),
     (bpy.types.SpaceImageEditor, draw_map_names, "POST_PIXEL"),
 )
-_added: list[tuple[type[bpy.types.Space], object]] = []
 
 
-def attach() -> None:
-    for space, draw, stage in _HANDLERS:
-        _added.append((space, space.draw_handler_add(draw, (), "WINDOW", stage)))
+def attach() -> Callable[[], None]:
+    added = [(space, space.draw_handler_add(draw, (), "WINDOW", stage)) for space, draw, stage in _HANDLERS]
 
+    def detach() -> None:
+        for space, handler in added:
+            space.draw_handler_remove(handler, "WINDOW")
 
-def detach() -> None:
-    while _added:
-        space, handler = _added.pop()
-        space.draw_handler_remove(handler, "WINDOW")
+    return detach

@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 import bpy
 import numpy as np
 
+from ..blender.memory import all_states, state_of
 from ..blender.views import redraw_views
 
 T = TypeVar("T")
@@ -41,9 +42,6 @@ class _Entry:
     since: float = 0.0  # when
 
 
-_entries: dict[tuple[str, str], _Entry] = {}
-
-
 def kept_drawing(
     owner: bpy.types.Object, what: str, made_of: tuple, build: Callable[[], T], model: bpy.types.Object | None = None
 ) -> T:
@@ -51,8 +49,8 @@ def kept_drawing(
 
     model: in whose Edit Mode that is, too.
     """
-    key = owner.name_full, what
-    entry, now = _entries.get(key), time.monotonic()
+    drawings, now = state_of(owner).drawings, time.monotonic()
+    entry: _Entry | None = drawings.get(what)
     if entry and entry.made_of == made_of:
         return entry.value
     if entry:
@@ -62,14 +60,14 @@ def kept_drawing(
         pause = (REST if is_edited else SOON) if entry.is_slow else 0.0
         wait = max(entry.rests_until, entry.since + pause) - now
         if wait > 0:
-            _entries[key] = entry
+            drawings[what] = entry
             _redraw_in(wait)
             return entry.value
     value = build()
     if entry:
         value = reused(entry.value, value)  # nothing is made anew of what a selection in Edit Mode leaves as it is
     done = time.monotonic()
-    _entries[key] = _Entry(made_of, value, done + min(IDLE_SHARE * (done - now), MAX_IDLE), done - now > FELT)
+    drawings[what] = _Entry(made_of, value, done + min(IDLE_SHARE * (done - now), MAX_IDLE), done - now > FELT)
     return value
 
 
@@ -108,4 +106,5 @@ def _redraw_in(seconds: float) -> None:
 def forget(*_: object) -> None:
     if bpy.app.timers.is_registered(redraw_views):
         bpy.app.timers.unregister(redraw_views)
-    _entries.clear()
+    for state in all_states():
+        state.drawings.clear()

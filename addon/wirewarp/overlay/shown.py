@@ -8,8 +8,7 @@ from functools import partial
 import bpy
 import numpy as np
 
-from ..blender.cache import stamp
-from ..blender.index import find_objects
+from ..blender.memory import find_objects, stamp
 from ..blender.objects import metric
 from ..blender.units import meters_per_blender_unit
 from ..flat.markers import marker_text

@@ -7,10 +7,12 @@ such a tool crashes Blender, and before 4.2 Python cannot ask whether there is o
 runs the update, with an undo step like any other operator, and the update ends by the same rule.
 """
 
+from collections.abc import Callable
+
 import bmesh
 import bpy
 
-from ..blender.cache import kept
+from ..blender.memory import kept, state_of
 from ..flat.reports import last_report
 from ..issues import ObjectError
 from ..model.owners import model_of
@@ -18,25 +20,20 @@ from ..model.state import has_changed, present_state
 
 WATCH = "wm.wirewarp_watch"
 EDIT_LIMIT = 20_000  # vertices; larger models wait for the end of Edit Mode, for to leave it and come back is felt
-_due: set[str] = set()  # scenes
-_undone = False
-_tried: dict[str, dict | None] = {}  # by object: the state in which it was left as it is
-_keymap_items: list[tuple[bpy.types.KeyMap, bpy.types.KeyMapItem]] = []
 
 
-def note_change(scene: str) -> None:
-    """Something may have changed in this scene (ID.name_full): look into it soon."""
-    _due.add(scene)
+def note_change(scene: bpy.types.Scene) -> None:
+    """Something may have changed in this scene: look into it soon."""
+    state_of(scene).is_due = True
 
 
-def is_due(scene: str) -> bool:
-    return scene in _due
+def is_due(scene: bpy.types.Scene) -> bool:
+    return state_of(scene).is_due
 
 
-def forget_change(scene: str) -> None:
-    global _undone
-    _due.discard(scene)
-    _undone = False
+def forget_change(scene: bpy.types.Scene) -> None:
+    state = state_of(scene)
+    state.is_due = state.is_undone = False
 
 
 def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
@@ -44,11 +41,11 @@ def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
 
     After undo none does: what was taken back must not be made again behind the user's back.
     """
-    undone = _undone
-    forget_change(context.scene.name_full)
+    undone = state_of(context.scene).is_undone
+    forget_change(context.scene)
     changed = [source for source in _flattened(context) if _has_changed(source)]
     for source in changed:
-        _tried[source.name_full] = _present_state(source)
+        state_of(source).tried = _present_state(source)
     return [] if undone else changed
 
 
@@ -60,11 +57,17 @@ def _present_state(source: bpy.types.Object) -> dict | None:
         return None
 
 
-def put_back(names: list[str], scene: str) -> None:
-    """What was taken in this scene is due there again, though it is in the same state; names: of the objects."""
-    for name in names:
-        _tried.pop(name, None)
+def put_back(sources: list[bpy.types.Object], scene: bpy.types.Scene) -> None:
+    """What was taken in this scene is due there again, though it is in the same state."""
+    for source in sources:
+        state_of(source).tried = None
     note_change(scene)
+
+
+def is_left(source: bpy.types.Object) -> bool:
+    """Whether Auto leaves the pieces of the model as they are until it changes again."""
+    tried = state_of(source).tried
+    return tried is not None and not has_changed(source, {"model_state": tried})
 
 
 def _flattened(context: bpy.types.Context) -> list[bpy.types.Object]:
@@ -81,8 +84,8 @@ def waits_for_object_mode(source: bpy.types.Object) -> bool:
 def _has_changed(source: bpy.types.Object) -> bool:
     if waits_for_object_mode(source):
         return False
-    report, tried = last_report(source), _tried.get(source.name_full)
-    if tried is not None and not has_changed(source, {"model_state": tried}) and not _is_regrained(source, report):
+    report = last_report(source)
+    if is_left(source) and not _is_regrained(source, report):
         return False
     return report is not None and (has_changed(source, report) or _is_regrained(source, report))
 
@@ -97,32 +100,20 @@ def note_update(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
     if depsgraph.mode != "VIEWPORT" or not scene.wirewarp.auto_update:
         return
     if any(isinstance(update.id, (bpy.types.Mesh, bpy.types.Object)) for update in depsgraph.updates):
-        note_change(scene.name_full)
+        note_change(scene)
 
 
 def note_undo(*_: object) -> None:
-    global _undone
     scene = bpy.context.scene
     if scene.wirewarp.auto_update:
-        _undone = True
-        note_change(scene.name_full)
+        state_of(scene).is_undone = True
+        note_change(scene)
 
 
-def forget(*_: object) -> None:
-    global _undone
-    _undone = False
-    _tried.clear()
-    _due.clear()
-
-
-def attach() -> None:
+def attach() -> Callable[[], None]:
     keyconfig = bpy.context.window_manager.keyconfigs.addon
-    if keyconfig:  # none in background
-        keymap = keyconfig.keymaps.new(name="Window")
-        _keymap_items.append((keymap, keymap.keymap_items.new(WATCH, "MOUSEMOVE", "ANY", any=True)))
-
-
-def detach() -> None:
-    for keymap, item in _keymap_items:
-        keymap.keymap_items.remove(item)
-    _keymap_items.clear()
+    if not keyconfig:  # in background
+        return lambda: None
+    keymap = keyconfig.keymaps.new(name="Window")
+    item = keymap.keymap_items.new(WATCH, "MOUSEMOVE", "ANY", any=True)
+    return lambda: keymap.keymap_items.remove(item)

@@ -7,7 +7,7 @@ from typing import Protocol
 import bpy
 
 from .. import core
-from ..blender.cache import read_anew
+from ..blender.memory import read_anew, state_of
 from ..blender.mesh import element_counts
 from ..blender.units import length_text, meters_per_blender_unit
 from ..flat.pieces import known_pieces
@@ -22,8 +22,6 @@ from ..model.state import has_changed, model_state
 from ..words import LengthText, quoted
 from .models import Model
 from .targets import check_target
-
-_caches: dict[str, core.Cache] = {}  # wirewarp.Cache by the object's full name
 
 
 class RunSettings(Protocol):
@@ -102,11 +100,7 @@ def _read(
 
 def solved_pieces(source: bpy.types.Object) -> core.Cache:
     """The object's wirewarp.Cache. What does not fit is not taken from it."""
-    gone = _caches.keys() - {each.name_full for each in bpy.data.objects}
-    for name in gone:
-        del _caches[name]
-    return _caches.setdefault(source.name_full, core.library().Cache())
-
-
-def forget_solved(*_: object) -> None:
-    _caches.clear()
+    state = state_of(source)
+    if state.solved is None:
+        state.solved = core.library().Cache()
+    return state.solved

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import bpy
 
 from .. import core
-from ..blender.cache import read_anew
+from ..blender.memory import read_anew
 from ..blender.objects import check_local
 from ..blender.units import meters_per_blender_unit
 from ..flat.reports import pieces_report

@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..blender.cache import stamp
+from ..blender.memory import stamp
 from ..blender.size import likely_units, strange_size, unit_text
 from ..flat.reports import last_report
 from ..issues import ObjectError
@@ -14,7 +14,7 @@ from ..overlay.cache import kept_drawing
 from ..report.next_step import next_step
 from ..report.rows import tables_of
 from ..report.verdict import as_seen, left_out_of
-from ..run.auto_update import EDIT_LIMIT, waits_for_object_mode
+from ..run.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..run.window_run import FLATTEN
 from .layout import SidebarPanel, draw_sentence
 from .progress import draw_progress
@@ -23,6 +23,7 @@ from .shown import untrue_sentence
 from .suggestions import draw_suggest
 from .wire_list import shown_wires
 
+LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
 WAITS = f"Of more than {EDIT_LIMIT:,} vertices: Auto waits until you leave Edit Mode."
 
 
@@ -71,6 +72,8 @@ def _draw_state(context: bpy.types.Context, layout: bpy.types.UILayout, source: 
         warning = layout.column()
         warning.alert = True
         draw_sentence(context, warning, untrue, "ERROR")
+        if context.scene.wirewarp.auto_update and is_left(source):
+            draw_sentence(context, layout, LEFT, "INFO")
         return
     left_out = _left_out(context, source, report)
     for line in as_seen(tables_of(report).verdict, left_out):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sentences, tables and marks in a narrow sidebar."""
 
+from collections.abc import Callable
 from functools import lru_cache
 from itertools import pairwise
 
@@ -106,16 +107,17 @@ def mark_of(ok: bool, is_strained: bool = False) -> dict:
     return {"icon_value": mark_icon("AMBER" if is_strained else "TICK")}
 
 
-def attach() -> None:
+def attach() -> Callable[[], None]:
     global _previews
     _previews = bpy.utils.previews.new()
     for name, (strokes, color) in MARKS.items():
         mark = _previews.new(name)
         mark.icon_size = (SIZE, SIZE)
         mark.icon_pixels_float = _pixels(strokes, color).ravel().tolist()
+    return _detach
 
 
-def detach() -> None:
+def _detach() -> None:
     global _previews
     bpy.utils.previews.remove(_previews)
     _previews = None

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Our commands in Blender's menus, each under "WireWarp": F3 finds entries by the menus they are in, too."""
 
+from collections.abc import Callable
+
 import bpy
 
 from ..model.owners import model_of
@@ -89,11 +91,12 @@ ADDED = {
 }
 
 
-def attach() -> None:
+def attach() -> Callable[[], None]:
     for name, draw in ADDED.items():
         getattr(bpy.types, name).append(draw)
+    return _detach
 
 
-def detach() -> None:
+def _detach() -> None:
     for name, draw in ADDED.items():
         getattr(bpy.types, name).remove(draw)

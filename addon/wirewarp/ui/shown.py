@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..blender.cache import stamp
+from ..blender.memory import stamp
 from ..flat.read import no_pieces_sentence
 from ..flat.reports import last_report
 from ..model.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import bpy
 
-from ..blender.cache import stamp
+from ..blender.memory import stamp
 from ..blender.units import length_text
 from ..flat.suggestions import Suggestions, current_suggestions, suggestions_of
 from ..overlay.cache import Same, kept_drawing

@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 
-from ..blender.cache import stamp
+from ..blender.memory import stamp
 from ..blender.units import length_text
 from ..issues import ObjectError
 from ..model.owners import model_of
