@@ -20,15 +20,15 @@ def source():
     return target
 
 
-def drawn(draw):
+def drawn(addon, *, advanced):
     layout = MagicMock()
-    draw(layout, bpy.context.scene.wirewarp)
+    addon.ui.settings.draw_settings(layout, bpy.context.scene.wirewarp, advanced=advanced)
     return {call.args[1] for call in layout.row.return_value.prop.call_args_list}
 
 
 def test_the_methods_of_the_paper_and_their_settings_are_apart(addon):
     bpy.context.scene.wirewarp.cloth = "CUSTOM"  # which has the most settings
-    main, advanced = drawn(addon.ui.settings.draw_settings), drawn(addon.ui.settings.draw_advanced)
+    main, advanced = drawn(addon, advanced=False), drawn(addon, advanced=True)
     assert advanced == {"thickness", "surface", "method", "node_weight"}
     assert not main & advanced
     assert main | advanced == set(addon.run.settings.FlattenSettings.__annotations__)

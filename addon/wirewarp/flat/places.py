@@ -17,6 +17,7 @@ from ..model.owners import model_of
 from ..names import AWAY, LAYOUT, PIECE, SOURCE_VERTEX, UP
 from ..pattern.outlines import FlatPieces, piece_of_vertices
 from ..solve.flat_mesh import FlatMesh
+from ..solve.flatten import LAYOUT_OPTIONS
 from ..solve.identity import PieceIdentity
 from ..solve.places import NONE_AWAY, find_places, points_of
 from .read import read_flat_pieces
@@ -25,8 +26,6 @@ GAP = 0.1  # of the model's largest dimension
 LARGE = 5.0  # times that: a room or a landscape, in which the pieces may lie
 SOLID = {"MESH", "CURVE", "SURFACE", "META"}
 Box = np.ndarray  # (2,3), the lowest and the highest corner
-# Of the report: with other ones the user wants another layout.
-LAYOUT_OPTIONS = ("layout", "orientation", "grain_wire", "grain_angle", "spacing", "mirror")
 MOST = 2.0**53  # what a float holds as a whole number
 TURNED = 0.999  # cosine of the angle, 2.5 degrees, from which on another direction is up
 TURNED_TEXT = (

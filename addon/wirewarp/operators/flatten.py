@@ -11,7 +11,7 @@ from ..blender.modes import WORKING_MODES
 from ..properties import take_settings
 from ..run import window_run
 from ..run.targets import active_target, mesh_targets, nothing_to_flatten
-from ..ui.settings import draw_advanced, draw_settings
+from ..ui.settings import draw_settings
 from .flatten_steps import FlattenSteps
 
 
@@ -85,7 +85,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)
-        draw_advanced(self.layout, self)
+        draw_settings(self.layout, self, advanced=True)
 
 
 class OBJECT_OT_wirewarp_cancel(bpy.types.Operator):

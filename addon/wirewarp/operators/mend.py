@@ -19,7 +19,7 @@ from ..properties import take_settings
 from ..run import window_run
 from ..run.smooth_lines import cut_smooth_lines
 from ..run.targets import active_target, nothing_to_flatten
-from ..ui.settings import draw_advanced, draw_settings
+from ..ui.settings import draw_settings
 from .flatten_steps import FlattenSteps
 from .report import PROPOSALS, take_proposals
 
@@ -132,7 +132,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
 
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)
-        draw_advanced(self.layout, self)
+        draw_settings(self.layout, self, advanced=True)
 
 
 def _take_suggestion(source: bpy.types.Object, *, is_smooth: bool) -> int:

@@ -2,6 +2,9 @@
 """What a run and a search ask for: the settings of the scene and of the operator, as the solver takes them."""
 
 import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
 
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
@@ -151,8 +154,8 @@ class FlattenSettings:
         precision=1,
     )
     thickness: FloatProperty(
-        name="Thickness",
-        description="Thickness of foam, neoprene or leather, in millimeters. Bent material keeps its length in the "
+        name="Thickness (mm)",
+        description="Thickness of foam, neoprene or leather. Bent material keeps its length in the "
         "middle of its thickness: that surface is flattened, and lengths on the model are measured on it",
         min=0.0,
         soft_max=20.0,
@@ -208,8 +211,8 @@ class FlattenSettings:
         max=math.pi,
     )
     spacing: FloatProperty(
-        name="Gap",
-        description="Space between the cut lines of the pieces, in millimeters, for the widest allowance there is. "
+        name="Gap (mm)",
+        description="Space between the cut lines of the pieces, for the widest allowance there is. "
         "Allowances that are changed later move no piece until you press Lay Out Again",
         min=0.0,
         soft_max=200.0,
@@ -235,6 +238,78 @@ class FlattenSettings:
         "on the model. Later changes of the modifiers are noticed in Object Mode only",
         default=False,
     )
+
+
+def _cloth_of(settings: FlattenSettings, _meters: float) -> ClothChoice | None:
+    if settings.cloth == "NONE":
+        return None
+    shares = {
+        name: getattr(settings, name) / 100 for name in ("gives_across", "gives_along", "worn_across", "worn_along")
+    }
+    if settings.cloth == "CUSTOM":
+        stiffness = {"weft": settings.cloth_across, "warp": settings.cloth_along, "shear": settings.cloth_shear}
+        return ClothChoice("custom", **shares, **stiffness)
+    return ClothChoice(settings.cloth.lower(), **shares)
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What the add-on knows of a setting of Flatten beside its property."""
+
+    name: str  # of the property
+    choice: str = ""  # the field of FlattenChoices that it goes to; "": none
+    to_choice: Callable[[FlattenSettings, float], Any] | None = None  # from all settings and the meters in a unit
+    is_advanced: bool = False  # for few models
+    is_wide: bool = False  # its name does not fit half a narrow sidebar
+    is_shown: Callable[[FlattenSettings], bool] = lambda _: True
+    is_used: Callable[[FlattenSettings], bool] = lambda _: True  # else it is gray
+
+    @property
+    def label(self) -> str:
+        """For sentences."""
+        return FlattenSettings.__annotations__[self.name].keywords["name"].removesuffix(" (mm)")
+
+    @property
+    def is_enum(self) -> bool:
+        return FlattenSettings.__annotations__[self.name].function is EnumProperty
+
+
+def _setting(name: str, choice: str = "", **others: Any) -> Setting:  # noqa: ANN401
+    """A setting that goes to the field as it is, in the library's lower case."""
+    as_it_is = lambda settings, _: value.lower() if isinstance(value := getattr(settings, name), str) else value  # noqa: E731
+    return Setting(name, choice or name, **{"to_choice": as_it_is} | others)
+
+
+def _in_units(name: str) -> Callable[[FlattenSettings, float], float]:
+    """From millimeters."""
+    return lambda settings, meters: getattr(settings, name) / (1000 * meters)
+
+
+def _is_custom(settings: FlattenSettings) -> bool:
+    return settings.cloth == "CUSTOM"
+
+
+def _has_cloth(settings: FlattenSettings) -> bool:
+    return settings.cloth != "NONE"
+
+
+SETTINGS = (  # in the order of the panel
+    _setting("method", to_choice=lambda settings, _: LIBRARY_METHODS[settings.method], is_advanced=True),
+    _setting("fairness", is_wide=True, is_used=lambda settings: settings.method == "REFINED"),
+    _setting("node_weight", is_advanced=True, is_used=lambda settings: settings.method != "REFINED"),
+    _setting("cloth", to_choice=_cloth_of),
+    *(Setting(name, is_shown=_is_custom) for name in ("cloth_across", "cloth_along", "cloth_shear")),
+    *(Setting(name, is_shown=_has_cloth) for name in ("gives_across", "gives_along", "worn_across", "worn_along")),
+    _setting("thickness", to_choice=_in_units("thickness"), is_advanced=True),
+    _setting("surface", is_advanced=True, is_used=lambda settings: settings.thickness > 0),
+    _setting("layout_kind", "layout"),
+    _setting("orientation"),
+    _setting("grain_angle", is_used=lambda settings: settings.orientation == "WIRE"),
+    _setting("spacing", to_choice=_in_units("spacing")),
+    Setting("keep_places"),
+    _setting("mirror"),
+    Setting("use_modifiers"),
+)
 
 
 class AimSettings:
@@ -275,31 +350,7 @@ class AimSettings:
 
 def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
     """Of the scene's settings, or of an operator's. meters: in a Blender unit."""
-    return FlattenChoices(
-        method=LIBRARY_METHODS[settings.method],
-        fairness=settings.fairness,
-        node_weight=settings.node_weight.lower(),
-        layout=settings.layout_kind.lower(),
-        orientation=settings.orientation.lower(),
-        grain_angle=settings.grain_angle,
-        spacing=settings.spacing / (1000 * meters),
-        mirror=settings.mirror,
-        cloth=_cloth_of(settings),
-        thickness=settings.thickness / (1000 * meters),
-        surface=settings.surface.lower(),
-    )
-
-
-def _cloth_of(settings: FlattenSettings) -> ClothChoice | None:
-    if settings.cloth == "NONE":
-        return None
-    shares = {
-        name: getattr(settings, name) / 100 for name in ("gives_across", "gives_along", "worn_across", "worn_along")
-    }
-    if settings.cloth == "CUSTOM":
-        stiffness = {"weft": settings.cloth_across, "warp": settings.cloth_along, "shear": settings.cloth_shear}
-        return ClothChoice("custom", **shares, **stiffness)
-    return ClothChoice(settings.cloth.lower(), **shares)
+    return FlattenChoices(**{each.choice: each.to_choice(settings, meters) for each in SETTINGS if each.choice})
 
 
 def aim_of(settings: AimSettings) -> Aim | None:

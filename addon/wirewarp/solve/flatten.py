@@ -3,7 +3,7 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from itertools import pairwise
 from types import ModuleType
 from typing import Any, TypeVar
@@ -47,6 +47,9 @@ class ClothChoice:
     shear: float | None = None
 
 
+LAYS_OUT = {"lays_out": True}
+
+
 @dataclass(frozen=True)
 class FlattenChoices:
     """The operator's settings by the core library's names."""
@@ -54,14 +57,18 @@ class FlattenChoices:
     method: str
     fairness: float
     node_weight: str
-    layout: str
-    orientation: str
-    grain_angle: float
-    spacing: float  # between the lines to cut of pieces, in Blender units
-    mirror: bool
     cloth: ClothChoice | None
     thickness: float  # of the material, in Blender units
     surface: str
+    layout: str = field(metadata=LAYS_OUT)
+    orientation: str = field(metadata=LAYS_OUT)
+    grain_angle: float = field(metadata=LAYS_OUT)
+    spacing: float = field(metadata=LAYS_OUT)  # between the lines to cut of pieces, in Blender units
+    mirror: bool = field(metadata=LAYS_OUT)
+
+
+# Of a report's options: if one of them changes, all pieces are laid out again.
+LAYOUT_OPTIONS = (*(each.name for each in fields(FlattenChoices) if each.metadata), "grain_wire")
 
 
 def flatten_arrays(

@@ -18,7 +18,7 @@ from ..run.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..run.window_run import FLATTEN
 from .layout import SidebarPanel, draw_sentence
 from .progress import draw_progress
-from .settings import draw_advanced, draw_settings, settings_sentence
+from .settings import draw_settings, settings_sentence
 from .shown import untrue_sentence
 from .suggestions import draw_suggest
 from .wire_list import shown_wires
@@ -130,4 +130,4 @@ class VIEW3D_PT_wirewarp_advanced(SidebarPanel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
-        draw_advanced(self.layout, context.scene.wirewarp)
+        draw_settings(self.layout, context.scene.wirewarp, advanced=True)

@@ -8,31 +8,8 @@ import bpy
 from ..blender.units import meters_per_blender_unit
 from ..flat.suggestions import Suggestions
 from ..properties import EaseAmount, WIREWARP_PG_settings
-from ..run.settings import FlattenChoices, FlattenSettings, choices_of
-
-LINES_FIRST = {"WIREWARP_PLUS_PLUS", "WIREWARPING"}
-WHOLE_WIDTH = {"fairness"}  # its name does not fit half a narrow sidebar
-ADVANCED = {"thickness", "surface", "method", "node_weight"}  # for few models, and the paper's methods
-ONLY_FOR = {"fairness": {"REFINED"}, "node_weight": LINES_FIRST}
-OF_CUSTOM = {"cloth_across", "cloth_along", "cloth_shear"}
-OF_CLOTHS = {"gives_across", "gives_along", "worn_across", "worn_along"}
-TEXTS = {"spacing": {"text": "Gap (mm)"}, "thickness": {"text": "Thickness (mm)"}}
-NAMES = {  # of the choices in a report, as the panel calls them
-    "method": "Method",
-    "fairness": "Smooth Outlines",
-    "node_weight": "Angles",
-    "layout": "Layout",
-    "orientation": "Upright",
-    "grain_angle": "Grain Angle",
-    "cloth": "Cloth",
-    "thickness": "Thickness",
-    "surface": "Model Is",
-    "spacing": "Gap",
-    "mirror": "Mirrored",
-}
-CHOICES = ("method", "node_weight", "layout_kind", "orientation", "cloth", "surface")
-BEFORE = {"cloth": None, "grain_angle": 0.0, "thickness": 0.0, "surface": "inside"}  # where a report has none
-OF_REFINED, OF_OTHERS = {"fairness"}, {"node_weight"}
+from ..run.settings import SETTINGS, FlattenChoices, FlattenSettings, choices_of
+from ..solve.flatten import LAYOUT_OPTIONS
 
 
 def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:
@@ -44,33 +21,20 @@ def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:
     row.prop(settings, "ease_unit", expand=True)
 
 
-def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings) -> None:
-    """What most models need; settings that the chosen method does not use are gray."""
-    _draw(layout, settings, [name for name in FlattenSettings.__annotations__ if name not in ADVANCED])
-
-
-def draw_advanced(layout: bpy.types.UILayout, settings: FlattenSettings) -> None:
-    """The material's thickness, the methods, and what belongs to those of the paper."""
-    _draw(layout, settings, [name for name in FlattenSettings.__annotations__ if name in ADVANCED])
-
-
-def _draw(layout: bpy.types.UILayout, settings: FlattenSettings, names: list[str]) -> None:
-    hidden = (OF_CUSTOM if settings.cloth != "CUSTOM" else set()) | (OF_CLOTHS if settings.cloth == "NONE" else set())
-    for name in (each for each in names if each not in hidden):
-        row = layout.row()
-        row.use_property_split = name not in WHOLE_WIDTH
-        row.use_property_decorate = False
-        row.enabled = settings.method in ONLY_FOR.get(name, {settings.method})
-        if name == "grain_angle":
-            row.enabled = settings.orientation == "WIRE"
-        if name == "surface":
-            row.enabled = settings.thickness > 0
-        row.prop(settings, name, **TEXTS.get(name, {}))
+def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *, advanced: bool = False) -> None:
+    """What most models need, or what few do; settings that the others leave unused are gray."""
+    for setting in SETTINGS:
+        if setting.is_advanced == advanced and setting.is_shown(settings):
+            row = layout.row()
+            row.use_property_split = not setting.is_wide
+            row.use_property_decorate = False
+            row.enabled = setting.is_used(settings)
+            row.prop(settings, setting.name)
 
 
 def known_choices(settings: WIREWARP_PG_settings) -> FlattenChoices | None:
     """None where there is one that this version does not know: see mend_settings."""
-    if "" in [getattr(settings, name) for name in CHOICES]:
+    if "" in [getattr(settings, setting.name) for setting in SETTINGS if setting.is_enum]:
         return None
     return choices_of(settings, meters_per_blender_unit(settings.id_data))
 
@@ -89,17 +53,21 @@ def figures_sentence(source: bpy.types.Object, found: Suggestions, settings: WIR
     choices = known_choices(settings)
     if choices is None:
         return ""
-    then = asdict(_of_figures(found.choices)) | {"grain_wire": found.grain_wire}
-    changed = _changed_choices(source, _of_figures(choices), then, found.wire_ids)
+    then = asdict(_of_strain(found.choices)) | {"grain_wire": found.grain_wire}
+    changed = _changed_choices(source, settings, _of_strain(choices), then, found.wire_ids, _of_layout_alone(choices))
     return f"Settings changed since ({', '.join(changed)}). Suggest again." if changed else ""
 
 
-def _of_figures(choices: FlattenChoices) -> FlattenChoices:
-    """All alike but for what strain depends on: without a cloth it is the same whatever stands upright."""
-    choices = replace(choices, layout="packed", spacing=0.0, mirror=False)
-    if choices.cloth is None:
-        return replace(choices, orientation="up", grain_angle=0.0)
-    return replace(choices, cloth=replace(choices.cloth, gives_across=0.0, gives_along=0.0))
+def _of_strain(choices: FlattenChoices) -> FlattenChoices:
+    """Without what the fabric gives, which no search asks for."""
+    fabric = choices.cloth
+    return replace(choices, cloth=replace(fabric, gives_across=0.0, gives_along=0.0)) if fabric else choices
+
+
+def _of_layout_alone(choices: FlattenChoices) -> set[str]:
+    """What changes no strain: without a fabric it is the same whatever stands upright."""
+    upright = {"orientation", "grain_angle", "grain_wire"}
+    return set(LAYOUT_OPTIONS) - (upright if choices.cloth else set())
 
 
 def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> list[str]:
@@ -107,21 +75,27 @@ def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_setti
     if "options" not in report or choices is None:
         return []
     wire_ids = {wire["wire_id"] for wire in report["wires"]}
-    changed = _changed_choices(source, choices, BEFORE | report["options"], wire_ids)
+    changed = _changed_choices(source, settings, choices, report["options"], wire_ids, set())
     if report.get("with_modifiers", False) != settings.use_modifiers and report.get("shaped_by"):
         changed.append("Modifiers")
     return changed
 
 
-def _changed_choices(source: bpy.types.Object, choices: FlattenChoices, then: dict, wire_ids: set[int]) -> list[str]:
-    """then: the options of a report; wire_ids: of the wires that there were."""
+def _changed_choices(
+    source: bpy.types.Object,
+    settings: WIREWARP_PG_settings,
+    choices: FlattenChoices,
+    then: dict,
+    wire_ids: set[int],
+    ignored: set[str],
+) -> list[str]:
+    """The labels of those that are used; then: the options of a report; wire_ids: of the wires that there were."""
     now = asdict(choices) | {"grain_wire": source.data.wirewarp_grain}
-    then = now | then
-    unused = OF_OTHERS if now["method"] == "refined" else OF_REFINED
     had_grain = then["grain_wire"] in wire_ids
     if (now["orientation"], then["orientation"]) == ("wire", "up") and not had_grain:
-        unused = unused | {"orientation"}  # while there is no grain wire, pieces stand as on the model
-    changed = [name for key, name in NAMES.items() if key not in unused and now[key] != then[key]]
-    if now["orientation"] == "wire" and then["grain_wire"] != now["grain_wire"]:
+        ignored = ignored | {"orientation"}  # while there is no grain wire, pieces stand as on the model
+    compared = [each for each in SETTINGS if each.choice and each.choice not in ignored and each.is_used(settings)]
+    changed = [each.label for each in compared if now[each.choice] != then[each.choice]]
+    if "grain_wire" not in ignored and now["orientation"] == "wire" and then["grain_wire"] != now["grain_wire"]:
         changed.append("Grain Wire")
     return changed
