@@ -6,7 +6,14 @@ from pathlib import Path
 
 from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, StepError, require_apt, run, venv
 
-TOOLS = ("check-jsonschema==0.39.0", "clang-format==14.0.6", "ruff==0.17.6", "mypy==2.4.1", "numpy==2.3.5")
+TOOLS = (
+    "check-jsonschema==0.39.0",
+    "clang-format==14.0.6",
+    "import-linter==2.17",
+    "mypy==2.4.1",
+    "numpy==2.3.5",
+    "ruff==0.17.6",
+)
 PYTHON_SOURCES = (".", "dev")
 TYPED_SOURCES = ("dev", "tools", "python/wirewarp", "addon/wirewarp")
 WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
@@ -30,12 +37,13 @@ def lint() -> None:
         [tool("ruff"), "format", "--no-cache", "--check", *PYTHON_SOURCES],
         [tool("clang-format"), "--dry-run", "-Werror", "--ferror-limit=20", *cpp_sources()],
         [*mypy, *TYPED_SOURCES],
+        [tool("lint-imports"), "--no-cache"],
         [tool("check-jsonschema"), "--builtin-schema", "vendor.github-workflows", *WORKFLOWS],
     ]
     findings = []
     for command in commands:
         try:
-            run(command)
+            run(command, PYTHONPATH=str(ROOT / "python"))  # where lint-imports finds the package
         except StepError as error:
             findings.append(str(error))
     if findings:

@@ -117,3 +117,19 @@ def test_a_piece_too_large_for_the_roll_is_told_and_leaves_the_file_as_it_was(so
         export(tmp_path, "a.pdf", paper="ROLL", roll_width=200.0)
     assert path.read_bytes() == before
     assert [each.name for each in Path(tmp_path).iterdir()] == ["a.pdf"]
+
+
+def test_a_report_file_that_cannot_be_is_refused_before_the_pattern_is_written(source, tmp_path):
+    with pytest.raises(RuntimeError, match=r'Cannot write ".*none/warnings\.json": there is no folder'):
+        export(tmp_path, "a.svg", report_path=str(tmp_path / "none" / "warnings.json"))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_report_file_that_fails_at_the_end_is_told_beside_the_pattern(source, tmp_path, addon, monkeypatch, capfd):
+    def full(path):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(addon.operators.export_steps, "replaced_file", full)
+    export(tmp_path, "a.svg", report_path=str(tmp_path / "warnings.json"))  # has finished
+    said = capfd.readouterr().out
+    assert 'warnings.json": No space left on device.' in said and '"a.svg": 2 pieces' in said

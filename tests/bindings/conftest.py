@@ -8,6 +8,7 @@ import signal
 
 import pytest
 from hypothesis import settings
+from wirewarp.pattern import fonts, glyphs
 
 settings.register_profile("repeatable", max_examples=150, derandomize=True, deadline=None)
 settings.register_profile("search", max_examples=3_000, deadline=None, database=None, print_blob=True)
@@ -20,3 +21,18 @@ def python_handles_ctrl_c():
     handler = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, handler)
+
+
+@pytest.fixture
+def no_fonts(monkeypatch):
+    """No font of this machine is found, so that a test draws the same letters everywhere."""
+
+    def forget():
+        for cached in (fonts.font_with, fonts._font, fonts._files, glyphs.line_of):
+            cached.cache_clear()
+
+    monkeypatch.setattr(fonts, "_folders", [])
+    monkeypatch.setattr(fonts, "_system_folders", lambda: [])
+    forget()
+    yield
+    forget()

@@ -9,6 +9,7 @@ from dataclasses import replace
 import dxfgrabber
 import ezdxf
 import numpy as np
+import pypdfium2
 import pytest
 import shapely
 import wirewarp
@@ -64,10 +65,10 @@ def test_presets_for_cutters(tmp_path):
 
 
 @pytest.mark.parametrize("ending", ["svg", "pdf", "dxf", "plt"])
-def test_names_in_any_script(tmp_path, ending):
+def test_names_in_any_script(tmp_path, no_fonts, ending):
     result = flattened("Ball of six gores")
     names = ["Ärmel", "袖", "كم", "Рукав", 'a"b\\c(d', "\x00\ud800<&>"]
-    pattern = Pattern.from_result(result, title="型紙 №1", piece_names=names)
+    pattern = Pattern.from_result(result, title="型紙 №1", piece_names=names, material="\ude00")
     written = pattern.write(tmp_path / f"ball.{ending}")
     assert (tmp_path / f"ball.{ending}").stat().st_size > 1000
     if ending in ("pdf", "dxf"):
@@ -76,6 +77,15 @@ def test_names_in_any_script(tmp_path, ending):
         root = ElementTree.parse(tmp_path / "ball.svg").getroot()
         labels = [group.get("{http://www.inkscape.org/namespaces/inkscape}label") for group in root]
         assert labels[1:6] == names[:5]
+
+
+@pytest.mark.parametrize("ending", ["svg", "pdf", "dxf", "plt"])
+def test_half_a_surrogate_pair_in_a_title_is_written_as_a_question_mark_or_left_out(tmp_path, ending):
+    """Names that were cut off as UTF-16 end so."""
+    pattern = Pattern.from_result(rectangle(100, 100), title="A\ud83d", date="\ud83d")
+    pattern.write(tmp_path / f"a.{ending}")
+    if ending == "pdf":
+        assert pypdfium2.PdfDocument(tmp_path / "a.pdf").get_metadata_value("Title") == "A?"
 
 
 def test_without_texts_no_line_leads_to_one(tmp_path):

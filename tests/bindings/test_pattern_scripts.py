@@ -4,32 +4,42 @@
 import numpy as np
 import pypdfium2
 import pytest
+from bidi import get_display
+from hypothesis import given
+from hypothesis import strategies as st
 from patterns import rectangle
-from wirewarp.pattern import Pattern, add_font_folder, fonts, glyphs
+from wirewarp.pattern import Pattern, add_font_folder, glyphs
+from wirewarp.pattern.bidi import in_visual_order, levels
 from wirewarp.pattern.plain_names import escaped_text
 
 builder = pytest.importorskip("fontTools.fontBuilder")
 pens = pytest.importorskip("fontTools.pens.ttGlyphPen")
 
-LETTERS = {"ж": 600, "α": 500, "袖": 1000, "م": 400, "ن": 300, " ": 250, "n": 550}  # widths, of 1000
+LETTERS = {
+    "ж": 600,
+    "α": 500,
+    "袖": 1000,
+    "م": 400,
+    "ن": 300,
+    " ": 250,
+    "n": 550,
+    "٢": 200,
+    "٣": 350,
+    "(": 150,
+    ")": 450,
+}  # widths, of 1000
 NO_OUTLINE = "👗"  # as in fonts that have pictures of emoji
 
 
 @pytest.fixture
-def folder(tmp_path, monkeypatch):
+def folder(tmp_path, no_fonts):
     """The one folder with fonts: one font."""
-    monkeypatch.setattr(fonts, "_folders", [])
-    monkeypatch.setattr(fonts, "_system_folders", lambda: [])
-    for cached in (fonts.font_with, fonts._font, fonts._files, glyphs.line_of):
-        cached.cache_clear()
     (tmp_path / "fonts").mkdir()
     write_font(tmp_path / "fonts" / "boxes.ttf", LETTERS | {NO_OUTLINE: 0})
     (tmp_path / "fonts" / "broken.ttf").write_bytes(b"no font")
     (tmp_path / "fonts" / "gone.ttf").symlink_to(tmp_path / "nowhere.ttf")
     add_font_folder(tmp_path / "fonts")
-    yield tmp_path
-    for cached in (fonts.font_with, fonts._font, fonts._files, glyphs.line_of):
-        cached.cache_clear()
+    return tmp_path
 
 
 def write_font(path, widths):
@@ -78,6 +88,22 @@ def test_what_is_read_from_the_right_begins_there(folder):
     assert boxes("ж من") == [(0, 600), (850, 300), (1150, 400)]
     # The line begins with the Arabic word, so the other one comes to its left.
     assert boxes("من ж") == [(0, 600), (850, 300), (1150, 400)]
+
+
+def test_digits_of_arabic_script_run_from_the_left(folder):
+    assert boxes("٢٣") == [(0, 200), (200, 350)]
+    assert boxes("م ٢٣") == [(0, 200), (200, 350), (800, 400)]
+
+
+def test_brackets_are_mirrored_where_they_are_read_from_the_right(folder):
+    assert boxes("(م)") == [(0, 150), (150, 400), (550, 450)]
+    assert boxes("م(ن)") == [(0, 150), (150, 300), (450, 450), (900, 400)]
+
+
+@given(st.text("aжאبم12١٢+-.,:$% ()[]!<>«»\u0301", max_size=14))
+def test_letters_of_both_directions_stand_as_another_program_has_them(text):
+    own = levels(text)
+    assert "".join(in_visual_order(text, own)) == get_display(text)
 
 
 def test_they_are_printed_in_the_height_of_the_text(folder):

@@ -10,7 +10,16 @@ import bpy
 from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
-from ..blender.files import OPTIONS, check_ending, check_file, file_name, given_file, unwritten
+from ..blender.files import (
+    OPTIONS,
+    check_ending,
+    check_file,
+    check_room,
+    file_name,
+    given_file,
+    replaced_file,
+    unwritten,
+)
 from ..blender.modes import in_object_mode
 from ..core import FlattenError, pattern
 from ..flat.markers import keep_marker
@@ -44,7 +53,7 @@ class PatternExport(WindowSteps, ExportHelper):
     filepath: StringProperty(name="File Path", description="The file to write", subtype="FILE_PATH", options=OPTIONS)
     report_path: StringProperty(
         name="Report File",
-        description="Of scripts: write the warnings to this JSON file",
+        description="For scripts: JSON file for the warnings",
         subtype="FILE_PATH",
         options=OPTIONS | {"HIDDEN"},
     )
@@ -136,6 +145,12 @@ class PatternExport(WindowSteps, ExportHelper):
             self.report({"ERROR"}, window_run.busy_sentence())
             return {"CANCELLED"}
         try:
+            if self.report_path:
+                check_room(given_file(self.report_path))
+        except OSError as error:
+            self.report({"ERROR"}, unwritten(self.report_path, error))
+            return {"CANCELLED"}
+        try:
             path = given_file(self.filepath)
             check_ending(path, self.filename_ext)
             check_file(path)
@@ -182,7 +197,11 @@ class PatternExport(WindowSteps, ExportHelper):
         said = f'"{written.path.name}": {sizes} Read again: {written.off:.2f} mm off. Print at 100%.'
         warnings = [sentence for sentence in [crossing_sentence(made), *written.warnings] if sentence]
         if self.report_path:
-            given_file(self.report_path).write_text(json.dumps({"warnings": warnings}), encoding="utf-8")
+            try:
+                with replaced_file(given_file(self.report_path)) as unfinished:
+                    unfinished.write_text(json.dumps({"warnings": warnings}), encoding="utf-8")
+            except OSError as error:  # the pattern is written all the same
+                warnings.append(unwritten(self.report_path, error))
         lines = [*warnings, f"{said} {only}".rstrip(), settings]
         self.report({"WARNING" if warnings else "INFO"}, "\n".join(filter(None, lines)))
         return {"FINISHED"}

@@ -12,7 +12,7 @@ from .marker import Marker, Placement
 from .model import Line, PatternPiece, Point, Text
 from .papers import Page
 from .pattern import Pattern
-from .records import Written
+from .pattern_data import Written
 from .units import UnitSystem
 
 __all__ = [

@@ -5,21 +5,19 @@ One block per piece, layers by number, polylines that are closed both ways. All 
 """
 
 import math
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 
 from .dxf_tags import Tags, section
 from .interior import LINE
 from .model import LEADERS, PatternPiece
+from .pattern_data import PatternData
 from .plain_names import block_names, escaped_text, plain_text
 from .progress import Steps
 from .roles import LOOKS, WIRES
 from .today import today
 from .units import INCH
-
-if TYPE_CHECKING:
-    from .pattern import Pattern
 
 LONGEST_NAME = 20  # AccuMark cuts off what is longer
 CORNER = math.radians(30)  # points where the outline turns more are turn points, others curve points
@@ -30,7 +28,7 @@ CONTROL = 100.0  # millimeters: side of the square that tells what the unit is
 
 
 def apparel_dxf(
-    pattern: "Pattern", dialect: Literal["astm", "aama"], control_square: bool
+    pattern: PatternData, dialect: Literal["astm", "aama"], control_square: bool
 ) -> Steps[tuple[str, list[str]]]:
     """The file, and sentences on names that could not be kept."""
     writer = _Writer(pattern, dialect)
@@ -53,7 +51,7 @@ def apparel_dxf(
 
 
 class _Writer:
-    def __init__(self, pattern: "Pattern", dialect: str) -> None:
+    def __init__(self, pattern: PatternData, dialect: str) -> None:
         self._pattern, self._is_aama = pattern, dialect == "aama"
         is_metric = pattern.units.name == "metric"
         self._units = "METRIC" if is_metric else "ENGLISH"

@@ -70,7 +70,7 @@ def how_to_cut(piece: PatternPiece) -> str:
     """As makers say it."""
     as_drawn, mirrored = piece.quantity
     if piece.on_fold:
-        return f"Cut {as_drawn} on the fold"
+        return f"Cut {as_drawn + mirrored} on the fold"  # opened, each is its own mirror image
     if mirrored == as_drawn:
         return "Cut 1 pair (2 pieces, one mirrored)" if as_drawn == 1 else f"Cut {as_drawn} pairs"
-    return f"Cut {as_drawn}"
+    return "Cut " + " and ".join([str(as_drawn)] * (as_drawn > 0) + [f"{mirrored} mirrored"] * (mirrored > 0))

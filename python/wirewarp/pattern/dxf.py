@@ -2,20 +2,18 @@
 """A pattern as DXF: which of its dialects."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from .apparel_dxf import apparel_dxf
 from .checks import problem
+from .pattern_data import PatternData
 from .plain_dxf import plain_dxf
 from .progress import Steps
-
-if TYPE_CHECKING:
-    from .pattern import Pattern
 
 
 def write_dxf(
     path: Path,
-    pattern: "Pattern",
+    pattern: PatternData,
     dialect: Literal["astm", "aama", "plain"] = "astm",
     control_square: bool = False,
 ) -> Steps[tuple[int, list[str]]]:

@@ -2,22 +2,19 @@
 """A pattern as HPGL for plotters: 40 units in a millimeter, one pen for each kind of line, x along the roll."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .drawing import Stroke, strokes_of
+from .pattern_data import PatternData
 from .progress import Steps
-
-if TYPE_CHECKING:
-    from .pattern import Pattern
 
 UNITS = 40  # per millimeter
 AT_ONCE = 100  # points in one command: plotters hold short lines only
 CUT_PEN = 1
 
 
-def write_plt(path: Path, pattern: "Pattern") -> Steps[tuple[int, list[str]]]:
+def write_plt(path: Path, pattern: PatternData) -> Steps[tuple[int, list[str]]]:
     """Strokes by pen, cut lines last; texts are left out, for HPGL's letters are the plotter's own."""
     strokes: list[Stroke] = []
     for number, piece in enumerate(pattern.pieces):

@@ -10,10 +10,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from .arrange import GAP
 from .interior import are_inside, distances_to, sampled, text_width
 from .model import LEADERS, Line, Text
-from .papers import OVERLAP
+from .pattern_data import GAP, OVERLAP
 from .room import CLEAR, axes, joined, strokes, touches
 
 NEAREST, FARTHEST, STEP = 2.0, 40.0, 0.5  # millimeters from what is named to the middle of the text

@@ -10,9 +10,9 @@ import numpy as np
 from .model import Point
 from .notches import DOUBLE, clips, drill_hole, notch, places_along, turns_little
 from .outline import Side
+from .pattern_data import SeamWalk
 from .pieces import Laid
 from .rays import Rays
-from .records import SeamWalk
 from .seams import SewnLengths, SewnSide
 
 ON_LINE = 1e-6  # millimeters between a point of a side and the end of a wire there

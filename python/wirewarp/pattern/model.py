@@ -13,6 +13,14 @@ LineRole = Literal["cut", "inner_cut", "sew", "wire", "grain", "fold", "card lea
 PointRole = Literal["notch", "drill", "clip"]
 TextRole = Literal["card", "line name"]
 LEADERS: dict[TextRole, LineRole] = {"card": "card leader", "line name": "name leader"}  # to texts beside a piece
+KINDS = {  # what a maker may leave out of a file, by roles of lines, points and texts
+    "sew": ("sew",),
+    "wires": ("wire",),
+    "grain": ("grain",),
+    "notches": ("notch", "clip", "drill"),
+    "texts": ("card", "card leader"),
+    "line names": ("line name", "name leader"),
+}
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,8 @@ from .allowance import signed_area
 from .checks import problem
 from .flat_piece import FlatPiece
 
+FARTHEST = 1e8  # millimeters from the origin: any fabric is smaller, and Clipper's integers hold 1000 times as much
+
 
 @dataclass(frozen=True)
 class Side:
@@ -43,7 +45,13 @@ def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:
     """
     points, ends = piece.vertices, _outline_edges(piece)
     if not np.isfinite(points[piece.outline]).all():
-        raise problem(f'"{piece.name}" has points that are nowhere.')
+        raise problem(f'"{piece.name}" has NaN or infinite coordinates.')
+    farthest = float(np.abs(points[piece.outline]).max())
+    if farthest > FARTHEST:
+        raise problem(
+            f'"{piece.name}" reaches {farthest / 1e6:.4g} km far, and a pattern at most {FARTHEST / 1e6:g} km: see '
+            "whether the unit of the model is right."
+        )
     chains = []
     for chain in piece.chains:
         sources = chain.sources

@@ -3,7 +3,7 @@
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 import numpy.typing as npt
 
-from .arrange import offsets
 from .card import opened, with_card
 from .checks import checked_length, checked_names, problem
 from .flat_piece import FlatPiece, flat_piece
@@ -24,30 +23,24 @@ from .nest_items import Grain
 from .nesting import Cloth, Preview, nesting
 from .notches import check_spacing
 from .papers import Page
+from .pattern_data import PatternData, Written
+from .pdf import page_sizes
 from .pieces import finished, joined_by, lay_all, notes_on_sides, outlined, warnings_of
+from .plan import plan
 from .progress import Progress, Steps, in_one_go
-from .records import SeamWalk, Written
-from .roles import KINDS
 from .seams import sewn_sides
+from .svg import page_size
 from .units import Units, UnitSystem
 from .widths import Widths
+from .write import writing
 
 if TYPE_CHECKING:
     from .._wirewarp import FlattenResult
 
 
 @dataclass(frozen=True)
-class Pattern:
-    """Pieces with sew lines, that are exactly what was flattened, and cut lines, that are derived from these."""
-
-    title: str
-    pieces: list[PatternPiece]
-    allowance_text: str  # what is included: "10 mm", "10 to 30 mm" or "none"
-    units: UnitSystem
-    warnings: list[str] = field(default_factory=list)
-    date: str = ""  # as it stands on the pieces
-    walks: list[SeamWalk] = field(default_factory=list)  # by index of the seam
-    marker: Marker | None = None  # of which this is the drawing: every copy of a piece is a piece of its own
+class Pattern(PatternData):
+    """A pattern that is made, changed, laid out and written in one call each."""
 
     @classmethod
     def from_result(
@@ -198,11 +191,6 @@ class Pattern:
             pieces.append(with_card(piece, number, count, self.heading, self.allowance_text, self.units))
         return replace(self, pieces=pieces)
 
-    @property
-    def heading(self) -> str:
-        """Title and date."""
-        return ", ".join(filter(None, [self.title.strip(), self.date.strip()]))
-
     def twins(self) -> list[tuple[int, int]]:
         """The numbers of pieces that are mirror images of each other, found by their outlines; each piece once.
 
@@ -216,17 +204,19 @@ class Pattern:
         return found
 
     def cut_as_pairs(self, pairs: Iterable[tuple[int, int]]) -> "Pattern":
-        """With one piece for each of these twins, to be cut once as drawn and once mirrored.
+        """Keeps one piece of each of these mirrored pairs, to be cut as drawn and mirrored, as often as both were.
 
-        Raises FlattenError for numbers of no twins.
+        Raises FlattenError for numbers that are not those of a pair.
         """
         by_number = {piece.number: piece for piece in self.pieces}
-        for pair in pairs:
-            if not set(pair) <= set(by_number) or not mirror_between(*(by_number[number] for number in pair)):
-                raise problem(f"Pieces {pair[0]} and {pair[1]} are no mirror images of each other.")
-            first = by_number[pair[0]]
-            del by_number[pair[1]]
-            by_number[pair[0]] = replace(first, quantity=(1, 1))
+        for one, other in pairs:
+            if one == other or not {one, other} <= set(by_number):
+                raise problem(f"Pieces {one} and {other} are not a pair: give the numbers of two pieces, each once.")
+            kept, dropped = by_number[one], by_number.pop(other)
+            if not mirror_between(kept, dropped):
+                raise problem(f"Pieces {one} and {other} are not mirror images.")
+            as_drawn, mirrored = (sum(counts) for counts in zip(kept.quantity, dropped.quantity[::-1], strict=True))
+            by_number[one] = replace(kept, quantity=(as_drawn, mirrored))
         return replace(self, pieces=list(by_number.values()))._with_cards().arranged()
 
     def symmetric(self) -> list[int]:
@@ -322,30 +312,11 @@ class Pattern:
         ]
         return replace(self, pieces=laid, marker=marker, warnings=[*self.warnings, *marker.warnings])
 
-    def arranged(self, width: float = math.inf) -> "Pattern":
-        """The pieces in rows on a sheet of this width, about square without one; the lower left corner is at 0, 0."""
-        lows, sizes = [piece.bounds[0] for piece in self.pieces], np.array([piece.size for piece in self.pieces])
-        moved = [piece.moved(by) for piece, by in zip(self.pieces, offsets(lows, sizes, width), strict=True)]
-        return replace(self, pieces=moved)
-
-    def with_only(self, kinds: Iterable[str]) -> "Pattern":
-        """With cut lines, folds, and of the other lines, marks and texts those of these kinds alone.
-
-        kinds: of "sew", "wires", "grain", "notches", "texts", "line names". Raises FlattenError for others.
-        """
-        wanted = set(kinds)
-        if not wanted <= set(KINDS):
-            raise problem(f"kinds has {min(wanted - set(KINDS))!r}: give {', '.join(map(repr, KINDS))}.")
-        kept = {"cut", "inner_cut", "fold", *(role for kind in wanted for role in KINDS[kind])}
-        return replace(self, pieces=[piece.with_only(kept) for piece in self.pieces])
-
     def page_sizes(self, paper: str | float | None = None, **options: bool) -> list[np.ndarray]:
         """Width and height of each page that write() would give to a PDF with these options, in millimeters.
 
         Raises FlattenError for what does not fit on the paper.
         """
-        from .pdf import page_sizes
-
         return page_sizes(self, paper, **options)
 
     def pages(self, paper: str | float | None = None, keep_places: bool = False) -> tuple["Pattern", list[Page]]:
@@ -353,27 +324,13 @@ class Pattern:
 
         Raises FlattenError for what does not fit on the paper.
         """
-        from .pdf import pages_of
-
-        return pages_of(self, paper, keep_places)
+        planned = plan(self, paper, keep_places)
+        return planned.pattern, [Page(sheet.name, sheet.low, sheet.size) for sheet in planned.sheets]
 
     @property
     def svg_size(self) -> np.ndarray:
         """Width and height of an SVG file, the square to measure included."""
-        from .svg import page_size
-
         return page_size(self)
-
-    @property
-    def size(self) -> np.ndarray:
-        """Width and height of all pieces as they lie."""
-        return self.bounds[1] - self.bounds[0]
-
-    @property
-    def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """The lowest and the highest corner of all pieces as they lie."""
-        boxes = np.array([piece.bounds for piece in self.pieces])
-        return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
 
     def write(
         self,
@@ -381,7 +338,7 @@ class Pattern:
         *,
         progress: Progress | None = None,
         **options: Any,  # noqa: ANN401
-    ) -> "Written":
+    ) -> Written:
         """Writes the file whose kind the suffix of the path says, and reads it again before it takes its place.
 
         Options: of .pdf `paper`, `proof` and `keep_places`, of .svg `preset`, of .dxf `dialect` and `control_square`;
@@ -393,8 +350,6 @@ class Pattern:
         """
         return in_one_go(self.writing(path, **options), progress)
 
-    def writing(self, path: str | Path, **options: Any) -> Steps["Written"]:  # noqa: ANN401
+    def writing(self, path: str | Path, **options: Any) -> Steps[Written]:  # noqa: ANN401
         """As write, in steps. Stopped by close(), it leaves a file that was there before as it was, too."""
-        from .write import writing
-
         return writing(self, Path(path), options)

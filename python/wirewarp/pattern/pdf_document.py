@@ -82,7 +82,8 @@ class Document:
         """hidden: those of the layers that a reader shows only when asked to."""
         self.page_count = 0
         self._pdf = pydyf.PDF()
-        self._pdf.info["Title"] = pydyf.String(title)
+        whole = title.encode("utf-16", "replace").decode("utf-16")  # what was cut off may end in half a surrogate pair
+        self._pdf.info["Title"] = pydyf.String(whole)
         self._pdf.info["Creator"] = pydyf.String("WireWarp")
         self._groups = {layer: pydyf.Dictionary({"Type": "/OCG", "Name": pydyf.String(layer)}) for layer in layers}
         font = {"Type": "/Font", "Subtype": "/Type1", "BaseFont": "/Helvetica", "Encoding": "/WinAnsiEncoding"}

@@ -1,22 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """DXF for lasers, routers and drawing programs: outlines on named layers, in millimeters; no texts, no blocks."""
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from .drawing import Stroke, strokes_of
 from .dxf_tags import Tags, section
+from .pattern_data import PatternData
 from .progress import Steps
 from .roles import LOOKS
-
-if TYPE_CHECKING:
-    from .pattern import Pattern
 
 DECIMALS = 4
 
 
-def plain_dxf(pattern: "Pattern") -> Steps[str]:
+def plain_dxf(pattern: PatternData) -> Steps[str]:
     entities = Tags(DECIMALS)
     side, _ = pattern.units.square
     square = side * np.array([[0, 0], [1, 0], [1, 1], [0, 1]]) - (side + 10, 0)

@@ -2,7 +2,6 @@
 """Pages to check before cutting: every piece with its size, every seam with the lengths of its sides."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,11 +11,8 @@ from .eases import longer_texts
 from .glyphs import NoLettersError, line_of
 from .model import Text
 from .papers import MARGIN
-from .pdf_document import Content
+from .pattern_data import PatternData, SeamWalk
 from .units import UnitSystem
-
-if TYPE_CHECKING:
-    from .pattern import Pattern, SeamWalk
 
 HEIGHT, LINE = 3.2, 5.0  # millimeters: of letters and between the base lines of rows
 COLUMNS = (0.0, 0.32, 0.55, 0.77, 0.89)  # where they begin, as shares of the width
@@ -26,14 +22,14 @@ SHORTENED = "..."
 Row = Sequence[str]
 
 
-def proof_pages(pattern: "Pattern", paper: np.ndarray) -> list[Content]:
-    """On as many pages of this size (2,) as it takes."""
+def proof_pages(pattern: PatternData, paper: np.ndarray) -> list[list[Text]]:
+    """The texts of as many pages of this size (2,) as it takes."""
     rows = [*_piece_rows(pattern), (), *_seam_rows(pattern)]
     at_once = max(int((paper[1] - 2 * MARGIN) / LINE), 1)
     return [_page(rows[start : start + at_once], paper) for start in range(0, len(rows), at_once)]
 
 
-def _piece_rows(pattern: "Pattern") -> list[Row]:
+def _piece_rows(pattern: PatternData) -> list[Row]:
     units = pattern.units
     rows: list[Row] = [(pattern.heading or "Pattern",), (), ("Piece", "Cut", "Size to cut", "Area sewn")]
     for piece in pattern.pieces:
@@ -48,7 +44,7 @@ def _piece_rows(pattern: "Pattern") -> list[Row]:
     return rows
 
 
-def _seam_rows(pattern: "Pattern") -> list[Row]:
+def _seam_rows(pattern: PatternData) -> list[Row]:
     """The sides of each seam, one a row, how far the longest is from the shortest, and where their notches stand."""
     rows: list[Row] = [("Seam", "Side", "Sewn length", "Allowance", "Difference")]
     for walk in pattern.walks:
@@ -66,7 +62,7 @@ def _seam_rows(pattern: "Pattern") -> list[Row]:
     return rows
 
 
-def _notch_rows(walk: "SeamWalk", units: UnitSystem) -> list[Row]:
+def _notch_rows(walk: SeamWalk, units: UnitSystem) -> list[Row]:
     """Where the notches of a seam stand, from the same end on all sides; of each side where it has others."""
     sides = [[units.measured(place) for place in places] for places in walk.notches]
     if not any(sides):
@@ -83,8 +79,8 @@ def _in_lines(begin: str, places: Sequence[str]) -> list[Row]:
     return [("", (begin if number == 0 else "") + line) for number, line in enumerate(lines)]
 
 
-def _page(rows: Sequence[Row], paper: np.ndarray) -> Content:
-    content, texts = Content(), []
+def _page(rows: Sequence[Row], paper: np.ndarray) -> list[Text]:
+    texts = []
     width = float(paper[0]) - 2 * MARGIN
     for number, row in enumerate(rows):
         ends = [*COLUMNS[1 : len(row)], 1.0]
@@ -93,8 +89,7 @@ def _page(rows: Sequence[Row], paper: np.ndarray) -> Content:
                 shown = _fitted(words, (end - begin) * width)
                 middle = MARGIN + begin * width + _width(shown) / 2
                 texts.append(Text((shown,), np.array([middle, paper[1] - MARGIN - LINE * (number + 0.5)]), HEIGHT))
-    content.in_layer("Text", (), texts)
-    return content
+    return texts
 
 
 def _fitted(words: str, room: float) -> str:

@@ -35,12 +35,4 @@ LOOKS = {
 }
 SHEET = Look("Sheets", "#909090", 0.3, (), "8", 8, 3)  # frames and marks of the sheets of a PDF
 WIRES = {"rigid": "rigid wire", "elastic": "elastic wire", "super_elastic": "free wire"}  # by Line.kind
-KINDS = {  # what a maker may leave out of a file, by roles of lines, points and texts
-    "sew": ("sew",),
-    "wires": ("wire",),
-    "grain": ("grain",),
-    "notches": ("notch", "clip", "drill"),
-    "texts": ("card", "card leader"),
-    "line names": ("line name", "name leader"),
-}
 LAYERS = tuple(dict.fromkeys(look.layer for look in LOOKS.values()))

@@ -13,6 +13,7 @@ from .strips import right_normals
 
 STRAIGHT = math.radians(1)  # crossing lines that differ less in straightness are alike
 SAME_LENGTH = 0.01  # millimeters
+AT_VERTEX = 1e-6  # millimeters along a side from one of its points: rounding
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,12 @@ class SewnSide:
         along, points = self.along, self.points
         row = min(int(np.searchsorted(along, length, side="right")) - 1, len(points) - 2)
         share = (length - along[row]) / (along[row + 1] - along[row])
-        (normal,) = right_normals(points[row : row + 2])
+        nearest = row + round(share)
+        steps = slice(row, row + 2)
+        if abs(along[nearest] - length) < AT_VERTEX and 0 < nearest < len(points) - 1:
+            steps = slice(nearest - 1, nearest + 2)  # halfway between the steps on both sides: symmetric ones stay so
+        normal = right_normals(points[steps]).sum(axis=0)
+        normal /= max(float(np.linalg.norm(normal)), np.finfo(float).tiny)  # 0 where the outline turns back on itself
         return points[row] + share * (points[row + 1] - points[row]), normal if self.is_forward else -normal
 
 

@@ -9,7 +9,6 @@ import re
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,11 +16,9 @@ from .checks import problem
 from .drawing import Stroke, base_lines, strokes_of
 from .interior import LINE
 from .model import PatternPiece, Text
+from .pattern_data import PatternData
 from .progress import Steps
 from .roles import LAYERS, LOOKS
-
-if TYPE_CHECKING:
-    from .pattern import Pattern
 
 SVG, INKSCAPE = "http://www.w3.org/2000/svg", "http://www.inkscape.org/namespaces/inkscape"
 MARGIN = 10.0  # around everything
@@ -49,7 +46,7 @@ PRESETS = {
 }
 
 
-def write_svg(path: Path, pattern: "Pattern", preset: str = "print") -> Steps[tuple[int, list[str]]]:
+def write_svg(path: Path, pattern: PatternData, preset: str = "print") -> Steps[tuple[int, list[str]]]:
     """preset: "print"; "laser" for LightBurn, Glowforge and the like: thin lines without dashes, no texts; "cricut": so
     too, in pixels of 1/96 in.
     """
@@ -63,7 +60,7 @@ def write_svg(path: Path, pattern: "Pattern", preset: str = "print") -> Steps[tu
     return 1, []
 
 
-def page_size(pattern: "Pattern") -> np.ndarray:
+def page_size(pattern: PatternData) -> np.ndarray:
     """(2,) width and height in millimeters, the square to measure included."""
     return _page(pattern.size, pattern.units.square[0])[0]
 
@@ -82,7 +79,7 @@ def _page(pieces: np.ndarray, side: float) -> tuple[np.ndarray, np.ndarray, np.n
     return below + 2 * MARGIN, border + (0, side + MARGIN), border
 
 
-def _document(pattern: "Pattern", preset: Preset) -> Steps[ElementTree.Element]:
+def _document(pattern: PatternData, preset: Preset) -> Steps[ElementTree.Element]:
     side, label = pattern.units.square
     (width, height), offset, square = _page(pattern.size, side)
     offset = offset - np.min([piece.bounds[0] for piece in pattern.pieces], axis=0)

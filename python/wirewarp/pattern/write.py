@@ -2,28 +2,22 @@
 """Which writer writes which kind of file."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from inspect import signature
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from .checks import problem
 from .dxf import write_dxf
 from .hpgl import write_plt
-from .marker import Marker
 from .motion import Motion
+from .pattern_data import PatternData, Written
 from .pdf import write_pdf
 from .progress import Steps
 from .read_back import check
-from .records import Written
 from .replace_file import replaced_file
 from .svg import write_svg
-
-if TYPE_CHECKING:
-    from .pattern import Pattern
-
 
 WRITERS: dict[str, Callable[..., Steps[tuple[int, list[str]]]]] = {
     ".svg": write_svg,
@@ -33,7 +27,7 @@ WRITERS: dict[str, Callable[..., Steps[tuple[int, list[str]]]]] = {
 }
 
 
-def writing(pattern: "Pattern", path: Path, options: Mapping[str, Any]) -> Steps[Written]:
+def writing(pattern: PatternData, path: Path, options: Mapping[str, Any]) -> Steps[Written]:
     kind = path.suffix.lower()
     writer = WRITERS.get(kind)
     if writer is None:
@@ -44,15 +38,11 @@ def writing(pattern: "Pattern", path: Path, options: Mapping[str, Any]) -> Steps
         if name not in known_options:
             has = " and ".join(known_options) or "none"
             raise problem(f"{path.suffix} files have no option {name!r}; they have {has}.")
-    drawn = _along_the_roll(pattern, pattern.marker) if kind == ".plt" and pattern.marker else pattern
+    drawn = pattern
+    if kind == ".plt" and pattern.marker:  # with x along the cloth, as plotters have it
+        drawn = pattern.placed(Motion(np.array([0.0, pattern.marker.width]), -90.0))
     with replaced_file(path) as unfinished:
         sheets, warnings = yield from writer(unfinished, drawn, **options)
         outlines = [line.points for piece in drawn.pieces for line in piece.of_role("cut", "inner_cut")]
         off = yield from check(unfinished, kind, outlines)
     return Written(path, sheets, len(pattern.pieces), off, [*pattern.warnings, *warnings])
-
-
-def _along_the_roll(pattern: "Pattern", marker: Marker) -> "Pattern":
-    """With x along the cloth, as plotters have it."""
-    motion = Motion(np.array([0.0, marker.width]), -90.0)
-    return replace(pattern, pieces=[piece.placed(motion) for piece in pattern.pieces])

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pieces of a pattern as data: everything that is drawn or written is read from here."""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Self
+
+import numpy as np
+
+from .checks import problem
+from .marker import Marker
+from .model import KINDS, PatternPiece
+from .motion import Motion
+from .units import UnitSystem, counted
+
+GAP = 10.0  # millimeters between pieces in rows
+OVERLAP = 10.0  # millimeters of neighboring sheets, to glue or tape
+
+
+@dataclass(frozen=True)
+class SeamWalk:
+    """The sides of a seam, measured as with a tape."""
+
+    name: str
+    pieces: tuple[str, ...]  # of each side the piece
+    lengths: tuple[float, ...]  # millimeters along the sew line
+    allowances: tuple[tuple[float, ...], ...]  # of each side the widths, millimeters
+    notches: tuple[tuple[float, ...], ...]  # of each side their places, millimeters from the same end of the seam
+
+
+@dataclass(frozen=True)
+class Written:
+    """What was written, and read again. As a text: "8 pieces on 23 sheets, read again: 0.00 mm off"."""
+
+    path: Path
+    sheets: int  # of PDF the pages; 1 of other files
+    pieces: int
+    off: float  # millimeters from the worst point in the file to where it should be
+    warnings: list[str]  # sentences
+
+    def __str__(self) -> str:
+        what = f"{counted(self.pieces, 'piece')} on {counted(self.sheets, 'sheet')}"
+        return f"{what}, read again: {self.off:.2f} mm off"
+
+
+@dataclass(frozen=True)
+class PatternData:
+    """Pieces with sew lines, that are exactly what was flattened, and cut lines, that are derived from these."""
+
+    title: str
+    pieces: list[PatternPiece]
+    allowance_text: str  # what is included: "10 mm", "10 to 30 mm" or "none"
+    units: UnitSystem
+    warnings: list[str] = field(default_factory=list)
+    date: str = ""  # as it stands on the pieces
+    walks: list[SeamWalk] = field(default_factory=list)  # by index of the seam
+    marker: Marker | None = None  # of which this is the drawing: every copy of a piece is a piece of its own
+
+    @property
+    def heading(self) -> str:
+        """Title and date."""
+        return ", ".join(filter(None, [self.title.strip(), self.date.strip()]))
+
+    @property
+    def bounds(self) -> tuple[np.ndarray, np.ndarray]:
+        """The lowest and the highest corner of all pieces as they lie."""
+        boxes = np.array([piece.bounds for piece in self.pieces])
+        return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
+
+    @property
+    def size(self) -> np.ndarray:
+        """Width and height of all pieces as they lie."""
+        return self.bounds[1] - self.bounds[0]
+
+    def arranged(self, width: float = math.inf) -> Self:
+        """The pieces in rows on a sheet of this width, about square without one; the lower left corner is at 0, 0."""
+        return self.with_corners(in_rows(np.array([piece.size for piece in self.pieces]), width))
+
+    def at_origin(self) -> Self:
+        """As it lies, but with the lower left corner at 0, 0."""
+        return self.placed(Motion(-self.bounds[0]))
+
+    def with_corners(self, corners: np.ndarray) -> Self:
+        """With the lower left corner of each piece at its row of corners (p,2)."""
+        moved = [piece.moved(to - piece.bounds[0]) for piece, to in zip(self.pieces, corners, strict=True)]
+        return replace(self, pieces=moved)
+
+    def placed(self, motion: Motion) -> Self:
+        return replace(self, pieces=[piece.placed(motion) for piece in self.pieces])
+
+    def with_only(self, kinds: Iterable[str]) -> Self:
+        """With cut lines, folds, and only these kinds of the other lines, marks and texts.
+
+        kinds: of "sew", "wires", "grain", "notches", "texts", "line names". Raises FlattenError for others.
+        """
+        wanted = set(kinds)
+        if not wanted <= set(KINDS):
+            raise problem(f"kinds has {min(wanted - set(KINDS))!r}: give {', '.join(map(repr, KINDS))}.")
+        kept = {"cut", "inner_cut", "fold", *(role for kind in wanted for role in KINDS[kind])}
+        return replace(self, pieces=[piece.with_only(kept) for piece in self.pieces])
+
+
+def in_rows(sizes: np.ndarray, width: float = math.inf) -> np.ndarray:
+    """(p,2) lower left corners of boxes of these sizes (p,2), in rows at most this wide; the sheet begins at 0, 0.
+
+    Without a width the sheet is about square. A box that is wider than the sheet has a row of its own.
+    """
+    if math.isinf(width):
+        width = max(math.sqrt(float(np.prod(sizes + GAP, axis=1).sum())) * 1.1, float(sizes[:, 0].max()))
+    order = sorted(range(len(sizes)), key=lambda row: (-sizes[row, 1], -sizes[row, 0], row))
+    corners = np.zeros_like(sizes)
+    x = y = height = 0.0
+    for row in order:
+        if x > 0 and x + sizes[row, 0] > width + 1e-9:
+            x, y, height = 0.0, y + height + GAP, 0.0
+        corners[row] = x, y
+        x, height = x + sizes[row, 0] + GAP, max(height, sizes[row, 1])
+    return corners
