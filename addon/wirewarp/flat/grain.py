@@ -30,7 +30,7 @@ def remember_grain(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
 def grain_directions(mesh: bpy.types.Mesh, vertices: np.ndarray) -> dict[int, np.ndarray]:
     """By piece, unit vectors (2,) of the pieces as they lie now. vertices (n,2) of the flat mesh.
 
-    Of pieces that an earlier version wrote, or whose vertices are gone, there is none.
+    Pieces whose vertices or whose note are gone have none.
     """
     numbers = read_numbers(mesh, GRAIN)
     if numbers is None or len(numbers) % COLUMNS:

@@ -133,7 +133,7 @@ def is_turned(up: np.ndarray, then: np.ndarray, options: dict) -> bool:
 
 
 def _read_layout(mesh: bpy.types.Mesh) -> dict:
-    """The options of remember_layout, some of which another version may not have known; {} where there are none."""
+    """The options of remember_layout; {} if they are gone."""
     try:
         then = json.loads(mesh.get(LAYOUT, ""))
     except (TypeError, ValueError):  # a user or a script has changed it

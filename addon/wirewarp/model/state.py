@@ -122,12 +122,11 @@ def _faces(mesh: MarkedMesh) -> list[np.ndarray]:
 
 
 def _marks(mesh: MarkedMesh) -> list[np.ndarray]:
-    """Seams, wires and eases; without any of these, as reports have them that were made before there were eases."""
-    rows = mesh.marks.rows
+    """Seams, wires and eases."""
+    seams, rows, eased = (np.flatnonzero(each) for each in (mesh.seams, mesh.marks.wire_ids, mesh.side_eases))
     wires = mesh.marks.take(rows)
-    marks = [np.flatnonzero(mesh.seams).astype(np.int32), rows.astype(np.int32), wires.wire_ids, wires.tolerances]
-    eased = np.flatnonzero(mesh.side_eases)
-    return marks + [each for each in (wires.eases, eased.astype(np.int32), mesh.side_eases[eased]) if each.any()]
+    numbers = (each.astype(np.int32) for each in (seams, rows, eased))
+    return [*numbers, wires.wire_ids, wires.tolerances, wires.eases, mesh.side_eases[eased]]
 
 
 def place_sums(points: np.ndarray) -> list[float]:

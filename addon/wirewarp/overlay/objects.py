@@ -196,6 +196,6 @@ def colored_surface(
 
 
 def map_extremes(flat: bpy.types.Mesh, color_map: ColorMap) -> Extremes | None:
-    """None on flat pieces that an earlier version wrote."""
+    """None if a user or a script has removed them."""
     ranges = read_numbers(flat, f"{RANGE}{color_map.attribute}")
     return tuple(ranges.tolist()) if ranges is not None and len(ranges) == 2 else None

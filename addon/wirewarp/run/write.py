@@ -6,7 +6,6 @@ import numpy as np
 
 from ..blender.objects import show_where_shown
 from ..flat.grain import remember_grain
-from ..flat.leftovers import remove_leftovers, remove_model_maps
 from ..flat.object import follow_name, show_flat_object, write_flat_object
 from ..flat.pieces import with_new_names, write_pieces
 from ..flat.places import (
@@ -78,10 +77,8 @@ def _write_pieces(
     if is_new or failed:  # else the user's choice stays
         source.wirewarp_active_piece = piece_rows(outcome.report)[0].index
     if not settings.use_modifiers:
-        remove_model_maps(source.data)
         uv_scale = write_uv(source.data, outcome.pieces, len(arrays.loop_vertices))
         outcome.report |= {"uv_layer": UV_LAYER, "uv_scale": uv_scale}
-    remove_leftovers(source, flat)
     context.view_layer.update()
     outcome.report["flat_object"] = flat.name
     outcome.report["notes"] += show_flat_object(context.view_layer, flat) + _notes_on_others(source)
