@@ -234,7 +234,7 @@ def test_the_button_that_lays_out_anew_is_there_where_places_are_kept(source, ad
     select_only(flat_of(source))
     assert buttons() == with_button  # of their model
 
-    flatten_button = addon.operators.OBJECT_OT_wirewarp_flatten
+    flatten_button = addon.operators.flatten.OBJECT_OT_wirewarp_flatten
     words = [flatten_button.description(bpy.context, SimpleNamespace(only_active=only)) for only in (False, True)]
     assert "keep the length" in words[0] and "lay out all its pieces again" in words[1]
 

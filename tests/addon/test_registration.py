@@ -133,7 +133,7 @@ def test_every_operator_and_its_properties_have_tooltips(addon):
 
 
 def test_each_kind_of_wire_has_a_tooltip_of_its_own(addon):
-    mark = addon.operators.MESH_OT_wirewarp_mark
+    mark = addon.operators.mark.MESH_OT_wirewarp_mark
     kinds = ("RIGID", "ELASTIC", "SUPER_ELASTIC")
     texts = [mark.description(bpy.context, SimpleNamespace(kind=kind)) for kind in kinds]
     assert ["rigid" in texts[0], "elastic" in texts[1], "free" in texts[2]] == [True] * 3

@@ -251,3 +251,11 @@ class MESH_OT_wirewarp_seams_from_uv_islands(OnModel, bpy.types.Operator):
             return {"CANCELLED"}
         self.report({"INFO"}, f"{counted(count, 'edge')} marked as seam, from the {named}")
         return {"FINISHED"}
+
+
+CLASSES = (
+    MESH_OT_wirewarp_mark,
+    MESH_OT_wirewarp_clear,
+    MESH_OT_wirewarp_allowance,
+    MESH_OT_wirewarp_seams_from_uv_islands,
+)

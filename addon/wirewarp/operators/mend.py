@@ -148,3 +148,6 @@ def _take_suggestion(source: bpy.types.Object, *, is_smooth: bool) -> int:
     if cut.diagonals:
         cut_across_faces(source.data, cut.diagonals)
     return mark_seams(source.data, cut.edges)
+
+
+CLASSES = (OBJECT_OT_wirewarp_mend,)

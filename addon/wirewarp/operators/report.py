@@ -213,3 +213,11 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
         done = "marked as seam" if self.what == "SEAMS" else "made more elastic"
         self.report({"INFO"}, f"{counted(count, 'edge')} {done}: flatten again")
         return {"FINISHED"}
+
+
+CLASSES = (
+    MESH_OT_wirewarp_select_issues,
+    MESH_OT_wirewarp_select_result,
+    MESH_OT_wirewarp_take_proposal,
+    OBJECT_OT_wirewarp_copy_report,
+)

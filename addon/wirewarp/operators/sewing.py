@@ -42,3 +42,6 @@ class OBJECT_OT_wirewarp_sewing(bpy.types.Operator):
         told = f'"{target.name}" is ready for Physics > Cloth with Shape > Sewing; its shape key "{WORN}" closes it.'
         self.report({"INFO"}, told)
         return {"FINISHED"}
+
+
+CLASSES = (OBJECT_OT_wirewarp_sewing,)

@@ -68,3 +68,6 @@ def _select(mesh: bpy.types.Mesh, pairs: Pairs) -> None:
     for a, b in pairs:
         edit.edges.get((edit.verts[a], edit.verts[b])).select_set(True)
     bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
+
+
+CLASSES = (MESH_OT_wirewarp_smooth_seam,)

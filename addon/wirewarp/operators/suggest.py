@@ -166,3 +166,11 @@ class OBJECT_OT_wirewarp_drop_suggestions(bpy.types.Operator):
 
 def _is_mesh(active: bpy.types.Object | None) -> bool:
     return active is not None and active.type == "MESH"
+
+
+CLASSES = (
+    OBJECT_OT_wirewarp_suggest_darts,
+    OBJECT_OT_wirewarp_suggest_seams,
+    OBJECT_OT_wirewarp_choose_suggestion,
+    OBJECT_OT_wirewarp_drop_suggestions,
+)

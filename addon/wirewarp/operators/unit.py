@@ -43,3 +43,6 @@ def _keep_lengths(scene: bpy.types.Scene, factor: float) -> None:
         check_not_edited(model)
     for mesh in {model.data for model in models}:
         scale_lengths(mesh, factor)
+
+
+CLASSES = (SCENE_OT_wirewarp_set_unit,)

@@ -29,3 +29,6 @@ def _objects(context: bpy.types.Context) -> list[bpy.types.Object]:
         return []
     source = model_or_self(active)
     return [each for each in (source, find_flat_object(source)) if each is not None]
+
+
+CLASSES = (VIEW3D_OT_wirewarp_frame,)

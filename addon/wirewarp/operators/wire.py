@@ -164,3 +164,6 @@ class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
         if not found:
             raise object_error("no_wire", "No selected edge is a wire. Select an edge of the wire first.")
         return [row for rows in found for row in rows]
+
+
+CLASSES = (MESH_OT_wirewarp_change_wire, MESH_OT_wirewarp_grain_wire, MESH_OT_wirewarp_select_wire)
