@@ -123,7 +123,6 @@ def test_what_was_done_is_known_wherever_it_lies_and_whichever_blender_there_is(
         ('{"model": ["a.obj"]}', "line 1: a model and its options are texts"),
         ('{"model": "a.obj", "colour": "red"}', "line 1: unrecognized arguments: --colour=red"),
         ('{"model": "a.obj", "unit": "ft"}', "line 1: argument --unit: invalid choice: 'ft'"),
-        ('{"model": "a.obj"}\n{"model": "a.ply"}', "would both write"),
     ],
 )
 def test_what_cannot_be_meant_is_one_sentence_and_nothing_is_begun(tmp_path, content, said):
@@ -131,6 +130,15 @@ def test_what_cannot_be_meant_is_one_sentence_and_nothing_is_begun(tmp_path, con
     given.mkdir() if content is None else given.write_text(content)
     _, errors = run(given, "--out", tmp_path / "out", code=2)
     assert said in errors.splitlines()[-1] and not (tmp_path / "out").exists()
+
+
+def test_two_models_with_one_name_are_refused_and_the_others_done(models, tmp_path):
+    (models / "a.ply").write_text("another a")
+    lines, errors = run(models, "--out", tmp_path / "out", "--format", "svg", code=2)
+    assert [line["verdict"] for line in lines] == ["refused", "refused", "ready to cut"] and errors == ""
+    for line in lines[:2]:
+        assert f'"{models / "a.obj"}" and "{models / "a.ply"}" would both write' in line["problems"][0]
+    assert files(tmp_path / "out") == ["deep/er/a.json", "deep/er/a.svg"]
 
 
 def test_one_that_crashes_spares_the_others():
@@ -260,7 +268,7 @@ def test_models_that_cannot_be_read_are_refused_each(tmp_path):
     (tmp_path / "models" / "text.glb").write_text("no mesh")
     lines, errors = run(tmp_path / "models", "--out", tmp_path / "out", code=2)
     assert [line["codes"] for line in lines] == [["input"], ["input"]] and errors == ""
-    assert "There is no file" in lines[0]["problems"][0] and "cannot be read" in lines[1]["problems"][0]
+    assert "There is no file" in lines[0]["problems"][0] and "is damaged" in lines[1]["problems"][0]
     assert files(tmp_path) == ["models/text.glb"]
 
 

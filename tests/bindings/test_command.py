@@ -18,6 +18,7 @@ from PIL import Image
 from wirewarp.command import staged
 from wirewarp.command.arguments import parsed
 from wirewarp.command.flatten import flatten_model
+from wirewarp.command.model import read_model
 from wirewarp.command.picture import strain
 from wirewarp.pattern import Marker
 
@@ -26,6 +27,8 @@ trimesh = pytest.importorskip("trimesh")
 FOLDED = """v 0 0 0\nv .05 0 0\nv .1 0 0\nv 0 .1 0\nv .05 .1 0\nv .1 .1 .04
 vt 0 0\nvt .4 0\nvt .4 1\nvt 0 1\nvt .6 0\nvt 1 0\nvt 1 1\nvt .6 1
 f 1/1 2/2 5/3 4/4\nf 2/5 3/6 6/7 5/8\n"""
+LOST_VERTEX = """ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z
+element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n3 0 0 9\n"""
 
 
 def run(*words, code=0, **variables):
@@ -100,6 +103,36 @@ def test_every_kind_of_model_is_read(model, tmp_path, suffix):
     assert line["pieces"] == 1
     outline = [0.05, 0.05, 0.1, 0.05, np.hypot(0.05, 0.04), np.hypot(0.1, 0.04)]
     assert lengths(report) == pytest.approx([sum(outline)], rel=1e-6)  # files have single precision
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        b"\xef\xbb\xbf",  # a byte order mark
+        "# Größe: Ärmel\ng Rückenteil\n".encode("cp1252"),
+        "# 前身頃の表\n".encode("shift-jis"),  # ends in a backslash
+        "# Größe 前身頃\nusemtl Stoff\n".encode(),
+    ],
+    ids=["byte order mark", "cp1252", "Shift-JIS", "UTF-8"],
+)
+def test_names_and_comments_may_be_in_any_encoding(tmp_path, head):
+    (tmp_path / "a.obj").write_bytes(head + FOLDED.encode())
+    (tmp_path / "b.obj").write_text(FOLDED)
+    marked, plain = read_model(tmp_path / "a.obj"), read_model(tmp_path / "b.obj")
+    assert np.array_equal(marked.vertices, plain.vertices) and np.array_equal(marked.faces, plain.faces)
+    assert np.array_equal(marked.corner_uv, plain.corner_uv)
+
+
+def test_materials_change_neither_numbers_nor_maps(tmp_path):
+    first, second = FOLDED[: FOLDED.index("f ")], FOLDED[FOLDED.index("f ") :].splitlines()
+    (tmp_path / "a.mtl").write_text("newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n")
+    # The face that comes first is of the last material, and does not have the first vertex.
+    (tmp_path / "a.obj").write_text(f"mtllib a.mtl\n{first}usemtl red\n{second[1]}\nusemtl blue\n{second[0]}\n")
+    (tmp_path / "b.obj").write_text(f"{first}{second[1]}\n{second[0]}\n")
+    colored, plain = read_model(tmp_path / "a.obj"), read_model(tmp_path / "b.obj")
+    assert plain.vertices.tolist() == [[float(x) for x in line.split()[1:]] for line in first.splitlines()[:6]]
+    assert np.array_equal(colored.vertices, plain.vertices) and np.array_equal(colored.faces, plain.faces)
+    assert np.array_equal(colored.corner_uv, plain.corner_uv)
 
 
 def test_a_marker_is_one_more_file_of_each_kind_and_is_kept(model, tmp_path):
@@ -319,9 +352,12 @@ def test_several_at_a_time_and_the_worst_counts(model, tmp_path):
     [
         ("a.fbx", "", (), '"a.fbx" ends in none of .obj'),
         ("a.obj", "hello", (), '"a.obj" has no faces'),
-        ("a.ply", "hello", (), '"a.ply" cannot be read'),
-        ("a.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", (), "points that are nowhere"),
-        ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n", (), "cannot be read"),
+        ("a.ply", "hello", (), '"a.ply" is damaged or is not PLY. Export the model again.'),
+        ("a.ply", LOST_VERTEX, (), '"a.ply" has faces with vertices that are not in the file'),
+        ("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", (), '"a.stl" is cut off'),
+        ("a.stl", "\0" * 80 + "\2\0\0\0" + "\0" * 50, (), '"a.stl" is cut off'),
+        ("a.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", (), "NaN or infinite coordinates"),
+        ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n", (), '"a.obj" is damaged or is not OBJ'),
         ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ("--seams", "uv"), "no UV map"),
         ("a.obj", FOLDED, ("--seams", "none.json"), 'There is no file "none.json"'),
         ("a.obj", FOLDED, ("--seams", "a.obj"), "is no JSON"),

@@ -5,7 +5,7 @@ import argparse
 import os
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NoReturn, get_args
 
@@ -96,7 +96,10 @@ def parsed(words: Sequence[str]) -> Arguments:
         is_batch = given.command is batch
         models = found_models(given.models) if is_batch else [Found(model, Path()) for model in given.models]
         requests = [_request(found, _with_own_options(found, given)) for found in models]
-        _check_clashes(requests)
+        clashes = _clashes(requests)
+        if clashes and not is_batch:
+            raise InputError(next(iter(clashes.values())))
+        requests = [replace(request, refusal=clashes.get(number, "")) for number, request in enumerate(requests)]
     except InputError as error:
         given.command.error(str(error))
     part, parts = given.part
@@ -264,22 +267,28 @@ def _material(given: argparse.Namespace) -> MaterialRequest:
     return MaterialRequest(given.cloth, given.orientation, given.stretch, given.thickness, given.surface)
 
 
-def _check_clashes(requests: Sequence[Request]) -> None:
-    """Raises InputError if a file would be written twice, or over one that is read."""
-    writers: dict[Path, Request] = {}
-    for request in requests:
+def _clashes(requests: Sequence[Request]) -> dict[int, str]:
+    """Returns a sentence for each request, by number, that would write a file which another writes or reads."""
+    clashes: dict[int, str] = {}
+    writers: dict[Path, int] = {}
+    for number, request in enumerate(requests):
         folder = request.folder.resolve()
         for path in request.all_paths:
-            other = writers.setdefault(folder / path.name, request)
-            if other is not request:
-                raise InputError(
-                    f'"{other.model}" and "{request.model}" would both write "{path}": rename one, or give each an '
-                    "--out of its own"
+            other = writers.setdefault(folder / path.name, number)
+            if other != number:
+                sentence = (
+                    f'"{requests[other].model}" and "{request.model}" would both write "{path}": rename one, or give '
+                    "each an --out of its own."
                 )
+                clashes.setdefault(other, sentence)
+                clashes.setdefault(number, sentence)
     for request in requests:
         for file in request.line_files:
-            if file.resolve() in writers:
-                raise InputError(f'the report of "{request.model}" would overwrite "{file}": give another --out')
+            writer = writers.get(file.resolve())
+            if writer is not None:
+                sentence = f'The report of "{requests[writer].model}" would overwrite "{file}": give another --out.'
+                clashes.setdefault(writer, sentence)
+    return clashes
 
 
 def _length(text: str) -> float:

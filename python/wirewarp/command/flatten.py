@@ -20,7 +20,8 @@ from .staged import staged_folder, take_places
 from .suffixes import BLEND
 from .verdicts import FAILED, READY, REFUSED, STOPPED, Line, unfinished
 
-WHEREABOUTS = ("blender", "folder", "model", "resume", "seams", "wires")  # of which only names and contents count
+# Of these only names and contents count.
+WHEREABOUTS = ("blender", "folder", "model", "refusal", "resume", "seams", "wires")
 
 
 def flatten_model(request: Request) -> Line:
@@ -42,6 +43,8 @@ def flatten_model(request: Request) -> Line:
 
 
 def _line(request: Request) -> Line:
+    if request.refusal:
+        raise InputError(request.refusal)
     is_blend = request.model.suffix.lower() == BLEND
     model = None if is_blend else read_model(request.model)
     made_of = _made_of(request, model)

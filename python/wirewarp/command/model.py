@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Models from files, read by trimesh."""
 
+import codecs
+import io
 import logging
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +12,12 @@ import numpy as np
 
 from .input_error import InputError
 from .suffixes import READ_BY_TRIMESH, SUFFIXES
+
+# Names, comments and materials of text formats. Names may be in any encoding; in Shift-JIS a letter may even end in a
+# backslash, which joins two lines. By materials trimesh would sort the faces and change the numbers of the vertices.
+UNUSED = re.compile(rb"^[ \t]*(?:mtllib|usemtl)\b[^\r\n]*|[\x80-\xff][^\r\n]*", re.MULTILINE)
+STL_HEADER, STL_FACE = 84, 50  # bytes of a binary STL file: up to the number of faces, and of each face
+STL_END = 1000  # bytes at the end of a text STL file, enough for "endsolid" and a long name
 
 
 @dataclass(frozen=True)
@@ -29,18 +38,38 @@ def read_model(path: Path) -> Model:
     except ModuleNotFoundError as error:
         raise InputError("Models are read by trimesh, which is missing: pip install wirewarp[command]") from error
     logging.getLogger("trimesh").setLevel(logging.CRITICAL)  # what is wrong is told in a sentence
+    kind = path.suffix.lower()[1:]
+    is_gltf = kind in ("gltf", "glb")  # reads files beside it
     try:
-        mesh = trimesh.load_mesh(path, process=False)
-    except Exception as error:  # whatever it raises for files that are damaged, is not ours to know
-        raise InputError(f'"{path.name}" cannot be read: {error}') from error
+        mesh = trimesh.load_mesh(path if is_gltf else _contents(path, kind), file_type=kind, process=False)
+    except (InputError, MemoryError, OSError):
+        raise
+    except Exception as error:  # whatever it raises for a damaged file; its words are for programmers
+        raise InputError(f'"{path.name}" is damaged or is not {kind.upper()}. Export the model again.') from error
     if len(mesh.faces) == 0:
         raise InputError(f'"{path.name}" has no faces.')
-    corners = np.asarray(mesh.vertices, dtype=np.float64)[mesh.faces]
-    if not np.isfinite(corners).all():
-        raise InputError(f'"{path.name}" has points that are nowhere (NaN or infinite).')
-    vertices, faces = _joined(np.asarray(mesh.vertices, dtype=np.float64), np.asarray(mesh.faces, dtype=np.int64))
+    positions, corners = np.asarray(mesh.vertices, dtype=np.float64), np.asarray(mesh.faces, dtype=np.int64)
+    if corners.min() < 0 or corners.max() >= len(positions):
+        raise InputError(f'"{path.name}" has faces with vertices that are not in the file. Export the model again.')
+    if not np.isfinite(positions[corners]).all():
+        raise InputError(f'"{path.name}" has NaN or infinite coordinates. Export the model again.')
+    vertices, faces = _joined(positions, corners)
     uv = getattr(mesh.visual, "uv", None)
-    return Model(vertices, faces, None if uv is None else np.asarray(uv, dtype=np.float64)[mesh.faces])
+    return Model(vertices, faces, None if uv is None else np.asarray(uv, dtype=np.float64)[corners])
+
+
+def _contents(path: Path, kind: str) -> io.BytesIO:
+    """Returns the part of an OBJ, PLY or STL file that trimesh needs. Raises InputError if an STL file is cut off."""
+    data = path.read_bytes().removeprefix(codecs.BOM_UTF8)
+    if kind == "stl":
+        size = STL_HEADER + STL_FACE * int.from_bytes(data[STL_HEADER - 4 : STL_HEADER], "little")
+        is_text = data[:STL_HEADER].lstrip().lower().startswith(b"solid") and len(data) != size
+        if b"endsolid" not in data[-STL_END:].lower() if is_text else len(data) < size:
+            raise InputError(f'"{path.name}" is cut off. Export the model again.')
+        if not is_text:
+            return io.BytesIO(data)
+    header, end, body = data.partition(b"end_header") if kind == "ply" else (data, b"", b"")
+    return io.BytesIO(UNUSED.sub(b"", header) + end + body)
 
 
 def _joined(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -73,6 +73,7 @@ class Request(ModelRequest):
     picture: bool
     blender: str  # the program, for .blend files
     resume: bool
+    refusal: str = ""  # why it cannot be done beside the other requests
 
     @property
     def report_path(self) -> Path:
