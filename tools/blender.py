@@ -99,6 +99,7 @@ def bpy_python(requirement: str) -> Path:
 
 
 def bpy_tests(requirement: str) -> None:
+    """All tests in the newest Blender; in those before it the ones that depend on Blender's interface."""
     require_apt(*BPY_APT)
     package()
     python = bpy_python(requirement)
@@ -107,4 +108,5 @@ def bpy_tests(requirement: str) -> None:
     (tags,) = python.parent.parent.glob(f"{scripts}/modules/_bpy_internal/extensions/tags.py")
     run([python, blender_ext, "validate", f"--valid-tags={tags}", extension_zip()])
     settings = blender_folder(f"test-{python.parent.parent.name}") | {"WIREWARP_ZIP": str(extension_zip())}
-    run([python, "tests/addon/run_in_blender.py", "--", "-q", "tests/addon"], **settings)
+    chosen = [] if requirement == list(BPY)[-1] else ["-m", "api"]
+    run([python, "tests/addon/run_in_blender.py", "--", "-q", *chosen, "tests/addon"], **settings)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Starts Debian's Blender with its window on a virtual screen of its own, and in it a script's tour."""
+"""Starts Debian's Blender with its window on a virtual screen of its own, and in it a script's tours."""
 
 import os
 import signal
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 
 WINDOW_APT = ("xvfb", "xauth", "libgl1-mesa-dri")
@@ -12,18 +13,18 @@ DRIVER = Path(__file__).resolve().parent.parent / "tests" / "window"
 DRIVE = f"import sys; sys.path.insert(0, {str(DRIVER)!r}); import drive; drive.main()"
 
 
-def run_tour(script: Path, name: str, environment: dict[str, str], seconds: float) -> tuple[int, str]:
-    """Runs the generator function `name` of `script` in the window; returns its exit code and output.
+def run_tours(script: Path, names: Sequence[str], environment: dict[str, str], seconds: float) -> tuple[int, str]:
+    """Runs these generator functions of `script` in the window; returns the exit code and the output.
 
     See tests/window/drive.py for what such a function may do.
 
     environment: for Blender; WIREWARP_ZIP names the zip to install, BLENDER_USER_SCRIPTS and _CONFIG empty folders,
-    WIREWARP_PICTURES the folder for pictures. A tour that takes longer than `seconds` is stopped: exit code -9.
+    WIREWARP_PICTURES the folder for pictures. Tours that take longer than `seconds` are stopped: exit code -9.
     """
     blender = ["/usr/bin/blender", "--factory-startup", "--no-window-focus"]
     blender += ["--window-geometry", "0", "0", "1600", "900", "--enable-event-simulate"]
     blender += ["--python-exit-code", "1", "--python-expr", DRIVE]
-    command = ["/usr/bin/xvfb-run", "-a", "-s", SCREEN, *blender, "--", str(script), name]
+    command = ["/usr/bin/xvfb-run", "-a", "-s", SCREEN, *blender, "--", str(script), *names]
     started = subprocess.Popen(
         command,
         env={**environment, "LIBGL_ALWAYS_SOFTWARE": "1"},

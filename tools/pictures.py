@@ -4,7 +4,7 @@
 import shutil
 
 from tools.blender import BLENDER_APT, blender_folder
-from tools.blender_window import WINDOW_APT, run_tour
+from tools.blender_window import WINDOW_APT, run_tours
 from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, StepError, clean_environment, require_apt, run, say, venv
 from tools.package import BUILD_APT, package_legacy
 
@@ -26,7 +26,7 @@ def pictures() -> None:
     for name in TOURS:
         say(f"taking pictures: {name}")
         settings = blender_folder("pictures") | {"WIREWARP_ZIP": str(zip_file), "WIREWARP_PICTURES": str(taken)}
-        code, output = run_tour(SCRIPT, name, clean_environment(**settings), SECONDS)
+        code, output = run_tours(SCRIPT, [name], clean_environment(**settings), SECONDS)
         if code:
             print(output, flush=True)
             raise StepError(f"the tour {name} of {SCRIPT.name} failed; its last picture is in {taken}")

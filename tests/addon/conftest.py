@@ -8,7 +8,7 @@ from types import ModuleType
 import bpy
 import numpy as np
 import pytest
-from everything import use_everything
+from everything import COMMANDS, use_everything
 from surfaces import bump, grid, join_cube, mark, mark_seam, on_line, read
 
 # The legacy add-on, and the extension in Blender's repository for local files.
@@ -53,14 +53,14 @@ def everything_answers(model, addon, tmp_path, capfd):
         present = [bpy.data.objects[name] for name in ("Bump", "Other") if name in bpy.data.objects]
         return [read(each.data.vertices, "co", np.float32, 3) for each in present if each.type == "MESH"]
 
-    def check(spoil):
+    def check(spoil, commands=COMMANDS):
         spoil()
         names = [each.name for each in bpy.context.scene.objects]
         for name, mode in itertools.product(names, ("OBJECT", "EDIT")):
             spoil()
             bpy.context.view_layer.update()
             before = shapes()
-            use_everything(addon, name, mode, tmp_path)
+            use_everything(addon, name, mode, tmp_path, commands)
             for shape, after in zip(before, shapes(), strict=True):
                 assert np.array_equal(shape, after, equal_nan=True)
         printed = capfd.readouterr()

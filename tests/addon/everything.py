@@ -9,6 +9,7 @@ from surfaces import read, select_only
 from view_context import view_context
 
 EDGE = {"edge": 0}
+OURS = ("wirewarp_", "source_", "flat_", "piece")  # how the names of our attributes and properties begin
 KINDS = ("SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE", "HINT")
 MENDS = ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE", "NORMALS", "SUGGESTION", "APPLY")
 COMMANDS = [  # what writes comes last
@@ -35,6 +36,13 @@ COMMANDS = [  # what writes comes last
     ("mesh.wirewarp_seams_from_uv_islands", {}),
     ("object.wirewarp_flatten", {}),
     ("object.wirewarp_flatten", {"use_modifiers": True}),
+]
+# One that reads each thing we store: the report and the source faces, pieces and names, marks, and all of the model.
+READERS = [
+    ("mesh.wirewarp_select_result", {"what": "PIECE", "index": 0}),
+    ("object.wirewarp_export_svg", {}),
+    ("mesh.wirewarp_mark", {"kind": "RIGID"}),
+    ("object.wirewarp_flatten", {}),
 ]
 
 
@@ -129,24 +137,26 @@ def to_object_mode():
         bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def stored(addon):
+def stored():
     """What of all meshes, in Object Mode, may only change where something is done: marks, names, reports."""
-    return {each.name_full: _stored_on(addon, each) for each in bpy.data.objects if each.type == "MESH"}
+    return {each.name_full: _stored_on(each) for each in bpy.data.objects if each.type == "MESH"}
 
 
-def _stored_on(addon, target):
+def _stored_on(target):
     mesh = target.data
-    properties = [target.get(name) for name in (addon.names.REPORT, addon.names.REPORT_SEAL, addon.names.MARKER)]
-    names = [each.name for each in (*addon.names.MARKS, addon.names.PIECE, addon.names.SEAM)]
     return (
-        [_values(mesh.attributes[name]) for name in names if name in mesh.attributes],
+        [_values(each) for each in mesh.attributes if each.name.startswith(OURS)],
         read(mesh.edges, "use_seam", bool).tobytes(),
         [(entry.wire_id, entry.name) for entry in mesh.wirewarp_names],
         mesh.wirewarp_grain,
         [(entry.piece_id, entry.name) for entry in target.wirewarp_pieces],
         [(entry.seam_id, entry.name) for entry in target.wirewarp_seams],
-        [value if isinstance(value, str) else type(value) for value in properties],
+        [(name, _value(value)) for owner in (target, mesh) for name, value in owner.items() if name.startswith(OURS)],
     )
+
+
+def _value(stored):
+    return stored if isinstance(stored, str | int | float) else type(stored)
 
 
 def _values(attribute):
@@ -162,7 +172,7 @@ def place():
     return context.mode, context.active_object, set(context.selected_objects), set(context.objects_in_mode)
 
 
-def call(addon, command, settings, before):
+def call(command, settings, before):
     """What is refused or comes to nothing leaves all as it was stored before, and the user where he was.
 
     A run of Flatten may fail in part; what it leaves of results is not looked at here.
@@ -173,21 +183,21 @@ def call(addon, command, settings, before):
         return
     assert place() == where, f"{command} {settings}: {said}"
     to_object_mode()
-    assert stored(addon) == before, f"{command} {settings}: {said}"
+    assert stored() == before, f"{command} {settings}: {said}"
 
 
-def use_everything(addon, name, mode, folder):
-    """With the object of this name active: draws all, and calls all from this mode.
+def use_everything(addon, name, mode, folder, commands):
+    """With the object of this name active: draws all, and calls these commands from this mode.
 
     folder: for a pattern and the file, which is saved.
     """
-    for command, settings in [(None, {}), *COMMANDS]:
+    for command, settings in [(None, {}), *commands]:
         to_object_mode()
         target = bpy.context.view_layer.objects.get(name)
         if target is None or not target.visible_get():
             break
         select_only(target)
-        before = stored(addon)
+        before = stored()
         if mode == "EDIT" and target.type == "MESH" and not (target.data.library or target.data.override_library):
             bpy.ops.object.mode_set(mode="EDIT")
             bpy.ops.mesh.select_all(action="SELECT")
@@ -196,7 +206,7 @@ def use_everything(addon, name, mode, folder):
             draw_overlays(addon)
         else:
             path = {"filepath": str(folder / "pattern.svg")} if "export" in command else {}
-            call(addon, command, settings | path, before)
+            call(command, settings | path, before)
     to_object_mode()
     draw_panels(addon)
     draw_overlays(addon)

@@ -5,6 +5,8 @@ import bpy
 import pytest
 from surfaces import bump, grid, mark, mark_seam, on_line, select_only, wire_marks
 
+pytestmark = pytest.mark.api
+
 
 @pytest.fixture
 def marked():

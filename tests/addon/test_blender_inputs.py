@@ -8,6 +8,8 @@ from everything import answer, draw_panels
 from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read, select_only, wire_marks
 from test_flatten import assert_true_lengths
 
+pytestmark = pytest.mark.api
+
 FLATTEN = "object.wirewarp_flatten"
 SEAM, WIRE = on_line(0, 0.0), on_line(1, 0.0)
 DONE = "{'FINISHED'}"

@@ -7,6 +7,8 @@ import bpy
 import pytest
 from surfaces import flat_of, grid, mark, on_line, select_only
 
+pytestmark = pytest.mark.api
+
 
 @pytest.mark.parametrize("use_modifiers", [False, True])
 def test_a_copy_of_a_wire_is_called_as_its_original_everywhere(addon, tmp_path, use_modifiers):

@@ -7,6 +7,8 @@ import bpy
 import pytest
 from surfaces import grid, mark, on_line, select_edges, wire_marks
 
+pytestmark = pytest.mark.api
+
 ALONG, ACROSS = on_line(1, 0.0), on_line(0, 0.0)
 WHOLE = {0.05: pytest.approx(2), math.inf: pytest.approx(2)}  # tolerance to length
 

@@ -10,6 +10,8 @@ import pytest
 from drawing import Drawing, steps
 from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark_seam, on_line, read, select_only
 
+pytestmark = pytest.mark.api
+
 SEAM = on_line(0, 0.0)
 
 

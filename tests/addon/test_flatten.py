@@ -26,6 +26,8 @@ from surfaces import (
     wire_marks,
 )
 
+pytestmark = pytest.mark.api
+
 FLOAT32 = 2e-6  # relative: coordinates of about 1 and edges of about 0.2 in single precision
 
 

@@ -8,6 +8,8 @@ from everything import answer, draw_panels
 from surfaces import bump, flat_of, grid, mark_seam, on_line, read, select_only
 from test_failures import cube
 
+pytestmark = pytest.mark.api
+
 READY, AGAIN = "Ready to cut", 'The flat pieces of this report are gone. Flatten "Bump" again'
 
 

@@ -12,6 +12,8 @@ import bpy
 import pytest
 from surfaces import bump, grid
 
+pytestmark = pytest.mark.api
+
 
 class LabelsOnly:
     """A panel's layout that keeps the labels."""

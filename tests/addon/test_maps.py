@@ -19,6 +19,8 @@ from surfaces import (
     uv_of,
 )
 
+pytestmark = pytest.mark.api
+
 
 @pytest.fixture
 def source():

@@ -7,6 +7,8 @@ import bpy
 import pytest
 from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only, wire_marks
 
+pytestmark = pytest.mark.api
+
 EAST_WEST, NORTH_SOUTH = on_line(1, 0.0), on_line(0, 0.0)
 
 

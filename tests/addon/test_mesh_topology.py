@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 from surfaces import grid, mark, mark_seam, on_line, read, round_bump, select_edges
 
+pytestmark = pytest.mark.api
+
 READERS = {
     "edge_vertices": ("edges", "vertices", 2),
     "corner_vertices": ("loops", "vertex_index", 1),

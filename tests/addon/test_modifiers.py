@@ -5,6 +5,8 @@ import bpy
 import pytest
 from surfaces import bump, flat_of, grid, mark, on_line, select_only
 
+pytestmark = pytest.mark.api
+
 
 def test_modifiers_go_to_the_flat_object_only():
     source = grid("Bump", bump)

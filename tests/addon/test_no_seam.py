@@ -7,6 +7,8 @@ import pytest
 from suggesting import SUGGEST, found, pairs
 from surfaces import bump, grid
 
+pytestmark = pytest.mark.api
+
 
 def paint(source, data_type="BOOLEAN", domain="FACE"):
     """All that there is."""

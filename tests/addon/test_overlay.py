@@ -10,6 +10,8 @@ from mathutils import Matrix, Vector
 from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_edges, select_only
 from view_context import view_context
 
+pytestmark = pytest.mark.api
+
 SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), on_line(1, -0.5)
 
 

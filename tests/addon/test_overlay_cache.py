@@ -8,6 +8,8 @@ import pytest
 from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges
 from view_context import view_context
 
+pytestmark = pytest.mark.api
+
 SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), on_line(1, -0.5)
 
 

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_only
 
+pytestmark = pytest.mark.api
+
 SEAM, RIGID, ELASTIC = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5)
 
 

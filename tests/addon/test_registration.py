@@ -10,6 +10,8 @@ import bpy
 import pytest
 from surfaces import bump, flat_of, grid, select_only
 
+pytestmark = pytest.mark.api
+
 
 def handlers_of(addon) -> list[tuple[str, str]]:
     """The add-on's own among all handlers of the application: list and function."""

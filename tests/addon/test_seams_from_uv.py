@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from surfaces import bump, edge_vertices, flatten, grid, mark_seam, on_line, read, select_edges, select_only
 
+pytestmark = pytest.mark.api
+
 CUT, ACROSS = on_line(0, 0.0), on_line(1, 0.0)
 
 

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, select_only
 
+pytestmark = pytest.mark.api
+
 SEAM = on_line(0, 0.0)
 
 

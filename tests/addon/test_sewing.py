@@ -7,6 +7,8 @@ import pytest
 from surfaces import bump, edge_vertices, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_only
 from two_sided import ease
 
+pytestmark = pytest.mark.api
+
 SEAM = on_line(0, 0.0)
 
 

@@ -9,6 +9,8 @@ from surfaces import bump, edge_vertices, flat_of, grid, mark, mark_seam, on_lin
 from test_proposals import seams_of
 from test_suggestions import two_hills
 
+pytestmark = pytest.mark.api
+
 SIZE = 8
 
 

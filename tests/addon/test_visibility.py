@@ -7,6 +7,8 @@ import pytest
 from mathutils import Vector
 from surfaces import bump, edge_lengths, flat_of, flatten, grid, select_only
 
+pytestmark = pytest.mark.api
+
 
 def failed_source():
     """A source whose report names elements, with flat pieces of an earlier run."""

@@ -9,6 +9,8 @@ import pytest
 from everything import draw_panels, sidebar
 from surfaces import bump, grid, mark, on_line, read, select_edges, select_only, wire_marks
 
+pytestmark = pytest.mark.api
+
 EAST_WEST, NORTH_SOUTH = on_line(1, 0.0), on_line(0, 0.0)
 
 

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs in Blender: installs WireWarp, then drives the window through a tour, a generator function of a script.
+"""Runs in Blender: installs WireWarp, then drives the window through tours, generator functions of a script.
 
-blender ... --enable-event-simulate --python-expr "import drive; drive.main()" -- SCRIPT FUNCTION
+blender ... --enable-event-simulate --python-expr "import drive; drive.main()" -- SCRIPT FUNCTION...
 
 A tour yields a condition (any function without arguments) wherever Blender is to go on until it is true. Its script
-imports this module by the name `drive`. Blender exits with 0 after the tour, and with 1 if it raises or waits too long.
+imports this module by the name `drive`. Each tour begins in Blender's startup file. Blender exits with 0 after the last
+tour, and with 1 if one of them raises or waits too long.
 """
 
 import importlib
@@ -12,8 +13,9 @@ import os
 import sys
 import time
 import traceback
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
+from types import ModuleType
 
 import bpy
 
@@ -23,6 +25,7 @@ if "COVERAGE_PROCESS_START" in os.environ:  # names the settings; see tools/addo
 TICK = 0.02  # seconds
 PATIENCE = 120.0  # seconds until a condition counts as never true: machines without a graphics card are slow
 Tour = Iterator[Callable[[], bool]]
+_replaced: list[tuple[object, str, object]] = []
 
 
 def install(path: str) -> None:
@@ -141,26 +144,56 @@ def screenshot(name: str) -> None:
         bpy.ops.screen.screenshot(filepath=str(Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.png"))
 
 
-class Driver:
-    """Steps through the tour, a step each tick of a timer."""
+def replace(owner: object, name: str, value: object) -> None:
+    """Sets an attribute until the end of the tour."""
+    _replaced.append((owner, name, getattr(owner, name)))
+    setattr(owner, name, value)
 
-    def __init__(self, name: str, tour: Tour) -> None:
-        self._name, self._tour = name, tour
+
+def start_anew() -> Tour:
+    """Undoes replacements and loads Blender's startup file."""
+    while _replaced:
+        setattr(*_replaced.pop())
+    bpy.ops.wm.read_homefile(use_factory_startup=True)
+    yield from ticks(25)  # the new window is drawn
+
+
+def one_after_another(script: ModuleType, names: list[str]) -> Generator[Callable[[], bool], None, list[str]]:
+    """Runs the tours; returns the names of those that failed, with their tracebacks and last pictures."""
+    failed = []
+    for name in names:
+        if name != names[0]:
+            yield from start_anew()
+        try:
+            yield from getattr(script, name)()
+        except Exception:
+            print(f"the tour {name} failed", flush=True)
+            traceback.print_exc()
+            screenshot(f"{name} failed")
+            failed.append(name)
+    return failed
+
+
+class Driver:
+    """Steps through the tours, a step each tick of a timer."""
+
+    def __init__(self, tours: Generator[Callable[[], bool], None, list[str]]) -> None:
+        self._tours = tours
         self._condition: Callable[[], bool] = lambda: True
         self._deadline = 0.0
 
     def __call__(self) -> float:
         try:
             if self._condition():
-                self._condition = next(self._tour)
+                self._condition = next(self._tours)
                 self._deadline = time.monotonic() + PATIENCE
             elif time.monotonic() > self._deadline:
-                self._tour.throw(TimeoutError(f"waited {PATIENCE:.0f} s"))
-        except StopIteration:
-            leave(0)
+                self._condition = self._tours.throw(TimeoutError(f"waited {PATIENCE:.0f} s"))
+                self._deadline = time.monotonic() + PATIENCE
+        except StopIteration as end:
+            leave(1 if end.value else 0)
         except BaseException:
             traceback.print_exc()
-            screenshot(f"{self._name} failed")
             leave(1)
         return TICK
 
@@ -178,11 +211,11 @@ def leave(code: int) -> None:
 
 def main() -> None:
     """Must be called from this module as imported: of a script that it runs itself, Blender clears the names."""
-    script, name = sys.argv[sys.argv.index("--") + 1 :]
+    script, *names = sys.argv[sys.argv.index("--") + 1 :]
     sys.path.insert(0, str(Path(script).parent))
     if "COVERAGE_PROCESS_START" in os.environ:
         coverage.process_startup()
     install(os.environ["WIREWARP_ZIP"])
     bpy.context.preferences.view.show_splash = False
-    tour = getattr(importlib.import_module(Path(script).stem), name)()
-    bpy.app.timers.register(Driver(name, tour), first_interval=0.5, persistent=True)
+    tours = one_after_another(importlib.import_module(Path(script).stem), names)
+    bpy.app.timers.register(Driver(tours), first_interval=0.5, persistent=True)

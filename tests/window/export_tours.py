@@ -105,7 +105,7 @@ def escape_leaves_the_file_as_it_was() -> drive.Tour:
     path = folder / "pattern.pdf"
     path.write_bytes(b"of an earlier export")
     exporting = export._exporting
-    export._exporting = halting(exporting)
+    drive.replace(export, "_exporting", halting(exporting))
     yield from open_dialog(path)
     yield from press_export()
     yield lambda: browser() is None and window_run.is_running(window_run.EXPORT) and bool(unfinished(path))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through the overlay: what is on the screen, by its pixels; test_window.py runs each in a Blender of its own."""
+"""Tours through the overlay: what is on the screen, by its pixels."""
 
 import os
 import sys

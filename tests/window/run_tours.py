@@ -18,7 +18,7 @@ def collect_messages() -> list[tuple[str, str]]:
     """What operators tell the user from now on, with their level."""
     messages = []
     steps = wirewarp_addon.operators.flatten_steps.FlattenSteps
-    steps.message = lambda _operator, level, text: messages.append((level, text))
+    drive.replace(steps, "message", lambda _operator, level, text: messages.append((level, text)))
     return messages
 
 
@@ -101,7 +101,7 @@ def a_fault_of_the_core_is_told() -> drive.Tour:
     def fail(*_: object) -> None:
         raise MemoryError("no room for 8 GB")
 
-    solve_models.flatten_arrays = fail
+    drive.replace(solve_models, "flatten_arrays", fail)
     source = marked_bump()
     before, messages = contents(source), collect_messages()
     path = Path(bpy.app.tempdir) / "report.json"

@@ -69,5 +69,5 @@ def hold_runs() -> Event:
             yield 0.4
         return (yield from flatten_arrays(*what))
 
-    solve_models.flatten_arrays = wait_and_flatten
+    drive.replace(solve_models, "flatten_arrays", wait_and_flatten)
     return goes_on

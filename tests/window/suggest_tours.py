@@ -110,7 +110,7 @@ def a_search_ends_under_a_tool() -> drive.Tour:
             yield 0.4
         return (yield from suggest_cuts(*what))
 
-    run.suggest_cuts = wait_and_suggest
+    drive.replace(run, "suggest_cuts", wait_and_suggest)
     with drive.in_view():
         bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True)
     yield from drive.press("G")
@@ -137,7 +137,8 @@ def a_fault_of_the_core_ends_the_search() -> drive.Tour:
         told.append(fault_sentence(*what))
         return told[-1]
 
-    run.suggest_cuts, operators.fault_sentence = fail, tell
+    drive.replace(run, "suggest_cuts", fail)
+    drive.replace(operators, "fault_sentence", tell)
     with drive.in_view():
         bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True)
     yield lambda: not window_run.is_running()

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on in Blender's real window on a virtual screen. Each tour runs in a Blender of its own."""
+"""The add-on in Blender's real window on a virtual screen. The tours of a script share a Blender."""
 
 import os
 from pathlib import Path
 
 import pytest
 
-from tools.blender_window import run_tour
+from tools.blender_window import run_tours
 
-SECONDS = 400.0  # for a slow machine; a tour takes about ten
+SECONDS = 400.0  # for each tour on a slow machine; most take about ten
 
 
 def blender_environment(folder: Path) -> dict[str, str]:
@@ -37,9 +37,6 @@ TOURS = {
         "a_changed_model_is_not_written",
         "a_failed_piece_opens_no_window",
         "a_fault_of_the_core_is_told",
-        "another_file_ends_the_run",
-        "unregistering_ends_the_run",
-        "quitting_ends_the_run",
         "cancel_button",
         "mending_is_one_undo_step",
     ],
@@ -77,8 +74,12 @@ TOURS = {
 }
 
 
-@pytest.mark.parametrize(("script", "name"), [(script, name) for script, names in TOURS.items() for name in names])
-def test_window(script, name, tmp_path):
+# Those that load another file, register anew or quit.
+ALONE = ["another_file_ends_the_run", "unregistering_ends_the_run", "quitting_ends_the_run"]
+
+
+@pytest.mark.parametrize(("script", "names"), [*TOURS.items(), *(("run_tours", [name]) for name in ALONE)])
+def test_window(script, names, tmp_path):
     file = Path(__file__).with_name(f"{script}.py")
-    code, output = run_tour(file, name, blender_environment(tmp_path), SECONDS)
+    code, output = run_tours(file, names, blender_environment(tmp_path), SECONDS * len(names))
     assert code == 0, output

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through Blender's window; test_window.py runs each in a Blender of its own, drive.py drives."""
+"""Tours through Blender's window; drive.py drives."""
 
 import bmesh
 import bpy

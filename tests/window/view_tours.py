@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours to what a user finds and sees besides the sidebar; test_window.py runs each in a Blender of its own."""
+"""Tours to what a user finds and sees besides the sidebar."""
 
 import bpy
 import drive
@@ -55,7 +55,7 @@ def the_first_pieces_are_brought_into_view() -> drive.Tour:
     view.view_location = elsewhere = Vector((100, 100, 100))
     yield from flatten()
     assert view.view_location == elsewhere
-    wirewarp_addon.properties.preferences(bpy.context).moves_view = False
+    drive.replace(wirewarp_addon.properties.preferences(bpy.context), "moves_view", False)
     select_only(grid("Other", bump))
     yield from flatten()
     assert view.view_location == elsewhere
