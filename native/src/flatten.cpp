@@ -248,16 +248,10 @@ FlattenResult cancelled_result(const FlattenInput& input, const EdgeTable& edges
 /// half a second at most.
 constexpr int kQuestionsAfterCancel = 25;
 
-/// All of a checked input. Throws Stopped where the caller cancels before charts are flattened, or while much remains
-/// to be measured.
-FlattenResult flatten_surface(const Run& run, const EdgeTable& edges, ProgressReport& report, Cache* cache,
-                              std::map<std::string, double>& seconds) {
-  Charts charts;
-  {
-    const StageTimer timer(seconds, "charts");
-    const StopToken stop([&](const char* stage) { return report.go_on(stage, 0); });
-    charts = cut_into_charts(run.input, edges, stop.in("charts"));
-  }
+/// What flatten() makes of charts once they are cut. Throws Stopped where the caller cancels while much remains to be
+/// measured.
+FlattenResult flatten_cut(Charts charts, const Run& run, ProgressReport& report, Cache* cache,
+                          std::map<std::string, double>& seconds) {
   CacheSession session(cache, run.input, run.options);
   std::vector<SolvedChart> solved_charts = ChartsSolver(charts.charts, run, report, session).solve();
   session.finish();
@@ -281,10 +275,35 @@ FlattenResult flatten_surface(const Run& run, const EdgeTable& edges, ProgressRe
   return result;
 }
 
+Charts cut_with_progress(const Run& run, const EdgeTable& edges, ProgressReport& report,
+                         std::map<std::string, double>& seconds) {
+  const StageTimer timer(seconds, "charts");
+  const StopToken stop([&](const char* stage) { return report.go_on(stage, 0); });
+  return cut_into_charts(run.input, edges, stop.in("charts"));
+}
+
 }  // namespace
 
 FlattenResult flatten(const FlattenInput& input, const Options& options, const Progress& progress, Cache* cache) {
   return flatten_with(input, options, progress, cache);
+}
+
+EdgeTable check_request(const FlattenInput& input, const Options& options) {
+  check_options(options, input.wires.size());
+  check_mesh(input);
+  EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+  check_faces_share_edges(input, edges);
+  check_seams_and_wires(input, edges);
+  return edges;
+}
+
+FlattenResult flatten_charts(Charts charts, const Run& run, const StopToken& stop) {
+  const Progress progress = [&](const std::string&, double) { return stop.may_go_on(); };
+  ProgressReport report(progress);
+  std::map<std::string, double> seconds;
+  FlattenResult result = flatten_cut(std::move(charts), run, report, nullptr, seconds);
+  stop.check();
+  return result;
 }
 
 FlattenResult flatten_with(const FlattenInput& input, const InternalOptions& options, const Progress& progress,
@@ -295,15 +314,12 @@ FlattenResult flatten_with(const FlattenInput& input, const InternalOptions& opt
     const StageTimer total(seconds, "total");
     ProgressReport report(progress);
 
-    check_options(options, input.wires.size());
-    check_mesh(input);
-    const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
-    check_faces_share_edges(input, edges);
-    check_seams_and_wires(input, edges);
+    const EdgeTable edges = check_request(input, options);
     try {
       std::optional<FlattenInput> middle;
       if (options.thickness > 0) middle = move_to_middle(input, options);
-      result = flatten_surface({middle ? *middle : input, options}, edges, report, cache, seconds);
+      const Run run{middle ? *middle : input, options};
+      result = flatten_cut(cut_with_progress(run, edges, report, seconds), run, report, cache, seconds);
     } catch (const Stopped&) {
       result = cancelled_result(input, edges);
     }

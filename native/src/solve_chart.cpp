@@ -9,7 +9,7 @@
 #include "factorization_failed.h"
 #include "feasibility/folded_faces.h"
 #include "feasibility/isoperimetric.h"
-#include "feasibility/propose_seams.h"
+#include "feasibility/open_chart.h"
 #include "metrics/helper_wires.h"
 #include "network/length_variation.h"
 #include "outer/choose_variation.h"
@@ -96,10 +96,13 @@ void flatten_by_refining(const Chart& chart, const Run& run, const StopToken& st
 
 std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop) {
   if (!run.options.with_proposals) return {};
-  std::vector<VertexPair> seams =
-      propose_seams(chart, {[&](const Chart& piece) { return lies_flat(piece, run.options, stop); },
-                            [stop = stop.in("shape")] { return stop.may_go_on(); }});
+  const auto lies_flat_alone = [&](const Chart& part) { return lies_flat(part, run.options, stop); };
+  const CutMask cut = open_chart(chart, lies_flat_alone, stop.in("shape"));
   if (stop.is_stopped()) throw Stopped();
+  std::vector<VertexPair> seams;
+  for (const EdgeHandle e : chart.mesh.edges()) {
+    if (cut[e.idx()] != 0) seams.push_back(source_edge(chart, chart.mesh.halfedge_handle(e, 0)));
+  }
   return seams;
 }
 

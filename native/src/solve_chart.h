@@ -3,6 +3,7 @@
 
 #include "charts/chart.h"
 #include "internal_options.h"
+#include "mesh/edge_table.h"
 #include "solved_chart.h"
 #include "stop_token.h"
 
@@ -13,6 +14,13 @@ struct Run {
   const FlattenInput& input;
   const InternalOptions& options;
 };
+
+/// Throws FlattenError where flatten() refuses the whole input. The table refers to the input's faces.
+EdgeTable check_request(const FlattenInput& input, const Options& options);
+
+/// What flatten() makes of these charts of an input in the middle of its material. The token is polled in this thread.
+/// Throws Stopped.
+FlattenResult flatten_charts(Charts charts, const Run& run, const StopToken& stop);
 
 /// The layout of a chart with a mesh, or why it has none.
 SolvedChart solve_chart(const Chart& chart, const Run& run, const StopToken& stop);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -14,13 +15,14 @@ class Stopped : public std::exception {
   const char* what() const noexcept override { return "stopped"; }
 };
 
-/// Asks whether to go on, in the stage at hand, and never again after a no. Copies share that memory. Of one thread.
+/// Polls the caller; once the answer was no, it is not asked again. Copies share that memory. Several threads may use
+/// one token if its question allows that.
 class StopToken {
  public:
   using Question = std::function<bool(const char* stage)>;
 
   StopToken() = default;  // nobody stops it
-  explicit StopToken(Question may_go_on) : state_(std::make_shared<State>(State{std::move(may_go_on), false})) {}
+  explicit StopToken(Question may_go_on) : state_(std::make_shared<State>(std::move(may_go_on))) {}
 
   /// The token of another stage.
   StopToken in(const char* stage) const {
@@ -31,7 +33,7 @@ class StopToken {
 
   /// False: stop with what there is.
   bool may_go_on() const {
-    if (state_ && !state_->is_stopped) state_->is_stopped = !state_->may_go_on(stage_);
+    if (state_ && !state_->is_stopped && !state_->may_go_on(stage_)) state_->is_stopped = true;
     return !is_stopped();
   }
 
@@ -45,8 +47,9 @@ class StopToken {
 
  private:
   struct State {
-    Question may_go_on;
-    bool is_stopped;
+    explicit State(Question question) : may_go_on(std::move(question)) {}
+    const Question may_go_on;
+    std::atomic<bool> is_stopped{false};
   };
   std::shared_ptr<State> state_;
   const char* stage_ = "";

@@ -83,6 +83,35 @@ TEST(PlanCuts, MirrorImagesAreTakenTogetherWhereBothAreAllowed) {
   }
 }
 
+/// A wide gentle bulge, cut in the middle from a small sharp one: most energy is in the one, most strain in the other.
+FlattenInput bulges(int n) {
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    const double x = 6 * s - 2, y = 2 * t - 1;
+    const auto bulge = [&](double at, double height, double sharpness) {
+      return height * std::exp(-sharpness * ((x - at) * (x - at) + 2 * (y - 0.1) * (y - 0.1)));
+    };
+    return Eigen::Vector3d(x, y, bulge(1.8, 1.1, 0.6) + bulge(-1.1, 0.45, 6));
+  });
+  test::alternate_diagonals(input, n);
+  test::add_seam(input, test::grid_column(n, n, n / 3));
+  return input;
+}
+
+TEST(PlanCuts, AreInThePieceWithMostStrainWhereverMostEnergyIs) {
+  const FlattenInput input = bulges(12);
+  const FlattenResult uncut = flatten(input);
+  std::vector<double> energies;
+  for (const Piece& piece : uncut.pieces) energies.push_back(piece.metrics.arap_energy * piece.metrics.area_3d);
+  CutAim aim;
+  aim.strain = 0;
+  aim.most = 1;
+  const std::vector<DartProposal> cuts = plan_seams(input, {}, aim);
+  ASSERT_EQ(cuts.size(), 1U);
+  const int other = 1 - cuts[0].piece;
+  EXPECT_LT(energies[cuts[0].piece], energies[other]);
+  EXPECT_LT(*cuts[0].strain_left, most_strain(input, {}, 0));
+}
+
 TEST(PlanCuts, OfOnePieceAreInItsParts) {
   const int n = 6;
   FlattenInput input = hills(n);
@@ -128,19 +157,22 @@ TEST(PlanCuts, RefuseLimitsOutOfRange) {
 TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRoundAndBetweenTwo) {
   CutAim aim;
   aim.strain = 0;
-  const std::vector<std::function<bool(double before, double now)>> is_end = {
-      [](double, double now) { return now > 0; },
-      [](double before, double now) { return before == now; },  // while what the first one leaves is measured
-      [](double, double now) { return now > 0.5; }};
-  for (const auto& ends : is_end) {
-    double told = -1;
+  std::vector<double> fractions;
+  plan_darts(hills(4), {}, aim, [&](const std::string& stage, double fraction) {
+    EXPECT_EQ(stage, "cuts");
+    fractions.push_back(fraction);
+    return true;
+  });
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  const auto second_round = std::lower_bound(fractions.begin(), fractions.end(), 0.5);
+  ASSERT_NE(second_round, fractions.end());
+  // The last ones before the second round are asked while the parts after the first cut are measured.
+  for (const double last : {fractions[1], *(second_round - 1), fractions.back() - 1e-12}) {
     bool has_ended = false;
     try {
       plan_darts(hills(4), {}, aim, [&](const std::string&, double fraction) {
         EXPECT_FALSE(has_ended);
-        EXPECT_GE(fraction, told);
-        has_ended = ends(told, fraction);
-        told = fraction;
+        has_ended = fraction >= last;
         return !has_ended;
       });
       ADD_FAILURE() << "nothing was thrown";

@@ -10,8 +10,10 @@
 
 #include "disguise.h"
 #include "planar.h"
+#include "propose/canonical_order.h"
 #include "test_meshes.h"
 #include "wirewarp/propose.h"
+#include "work_meter.h"
 
 namespace wirewarp {
 namespace {
@@ -258,8 +260,48 @@ TEST(ProposeCuts, RefuseWishesOutOfRange) {
   }
 }
 
-TEST(ProposeCuts, OfAPieceThatDoesNotLieFlatThrowItsError) {
-  refusal(test::cylinder_tube(12, 6, 1, 6), {}, ErrorCode::boundary_too_short);
+TEST(ProposeCuts, OfAPieceThatDoesNotLieFlatThrowItsErrorWithProposedSeams) {
+  const FlattenInput tube = test::cylinder_tube(12, 6, 1, 6);
+  const FlattenError expected = flatten(tube).pieces[0].error.value();
+  std::string stages;
+  double before = 0;
+  try {
+    propose_darts(tube, {}, {}, [&](const std::string& stage, double fraction) {
+      EXPECT_GE(fraction, before);
+      before = fraction;
+      if (stages.find(stage) == std::string::npos) stages += stage;
+      return true;
+    });
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const FlattenError& error) {
+    EXPECT_EQ(error.code, ErrorCode::boundary_too_short);
+    EXPECT_STREQ(error.what(), expected.what());
+    EXPECT_EQ(error.elements.proposed_seams, expected.elements.proposed_seams);
+  }
+  EXPECT_EQ(stages, "cuts");
+}
+
+/// A regular polygon around its center: wherever a walk around it begins, it looks the same.
+FlattenInput regular_polygon(int corners) {
+  FlattenInput input;
+  input.vertices.setZero(corners + 1, 3);
+  input.faces.resize(corners, 3);
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * kPi * i / corners;
+    input.vertices.row(i) << std::cos(angle), std::sin(angle), 0;
+    input.faces.row(i) << i, (i + 1) % corners, corners;
+  }
+  return input;
+}
+
+TEST(CanonicalOrder, OfARegularOutlineTakesWorkInProportionToItAndCanBeStopped) {
+  const int corners = 60'000;
+  const Charts charts = test::charts_of(regular_polygon(corners));
+  int asked = 0;
+  in_canonical_order(charts.charts.at(0), StopToken([&](const char*) { return ++asked > 0; }));
+  EXPECT_GE(asked, 2 * corners / static_cast<int>(WorkMeter::work_per_question));
+  EXPECT_LE(asked, 8 * corners / static_cast<int>(WorkMeter::work_per_question));
+  EXPECT_THROW(in_canonical_order(charts.charts.at(0), StopToken([](const char*) { return false; })), Stopped);
 }
 
 TEST(ProposeCuts, CanBeCancelled) {

@@ -14,7 +14,8 @@
 #include "feasibility/cut_apart.h"
 #include "feasibility/cut_to_disk.h"
 #include "feasibility/isoperimetric.h"
-#include "feasibility/propose_seams.h"
+#include "feasibility/open_chart.h"
+#include "feasibility/ranks.h"
 #include "planar.h"
 #include "reference_cases.h"
 #include "test_meshes.h"
@@ -247,8 +248,12 @@ TEST(ProposedSeamsOfAGarment, LeadToTheEndOfRealOnes) {
 std::vector<std::size_t> faces_after(const std::function<bool(const Chart&)>& lies_flat, bool may_go_on) {
   FlattenInput input = test::flat_rectangle(8, 8, 1, 1);
   const Charts whole = test::charts_of(input);
-  for (const VertexPair& seam : propose_seams(whole.charts.at(0), {lies_flat, [=] { return may_go_on; }})) {
-    test::add_seam(input, {seam[0], seam[1]});
+  const Chart& sheet = whole.charts.at(0);
+  const CutMask opening = open_chart(sheet, lies_flat, StopToken([=](const char*) { return may_go_on; }));
+  for (const EdgeHandle e : sheet.mesh.edges()) {
+    if (opening[e.idx()] == 0) continue;
+    const auto [from, to] = source_edge(sheet, sheet.mesh.halfedge_handle(e, 0));
+    test::add_seam(input, {from, to});
   }
   std::vector<std::size_t> counts;
   const Charts cut = test::charts_of(input);
@@ -256,19 +261,25 @@ std::vector<std::size_t> faces_after(const std::function<bool(const Chart&)>& li
   return counts;
 }
 
-TEST(SeamSearch, CutsAgainWhatDoesNotLieFlat) {
+TEST(OpenChart, CutsAgainWhatDoesNotLieFlat) {
   for (const std::size_t most : {64u, 48u}) {  // of 128 faces
     const auto is_small = [&](const Chart& piece) { return piece.source_face.size() <= most; };
     for (const std::size_t count : faces_after(is_small, true)) EXPECT_LE(count, most);
   }
 }
 
-TEST(SeamSearch, ProposesSomethingEvenIfNothingServes) {
+TEST(OpenChart, ProposesSomethingEvenIfNothingServes) {
   EXPECT_GT(faces_after([](const Chart&) { return false; }, true).size(), 1u);
 }
 
-TEST(SeamSearch, ProposesNothingOnceItIsStopped) {
+TEST(OpenChart, ProposesNothingOnceItIsStopped) {
   EXPECT_EQ(faces_after([](const Chart&) { return true; }, false), std::vector<std::size_t>{128});
+}
+
+TEST(Ranks, OfValuesThatDifferByRoundingAreEqualWhereverTheyLie) {
+  for (const double value : {0.0, 0.5e-6, 1.5e-6, 0.25}) {  // on and off the borders of a grid of 1e-6
+    EXPECT_EQ(ranks_of({value + 1e-12, 1, value, value - 1e-12}, 1e-6), (std::vector<int>{0, 1, 0, 0})) << value;
+  }
 }
 
 TEST(ProposedSeamsOfATube, AreTheShortestPathBetweenItsLoops) {

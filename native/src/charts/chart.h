@@ -64,11 +64,16 @@ inline double length_ratio(const Chart& chart, HalfedgeHandle h) {
 /// Gives a chart made of faces of another one, its source faces, the lengths that are asked for there.
 void inherit_lengths(const Chart& parent, Chart& chart);
 
-/// The ends of an edge in the input, the smaller index first.
+/// The ends of a half-edge in the input.
+inline VertexPair source_ends(const Chart& chart, HalfedgeHandle h) {
+  return {chart.source_vertex[chart.mesh.from_vertex_handle(h).idx()],
+          chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]};
+}
+
+/// The same of an edge, the smaller index first.
 inline VertexPair source_edge(const Chart& chart, HalfedgeHandle h) {
-  const auto [first, last] = std::minmax({chart.source_vertex[chart.mesh.from_vertex_handle(h).idx()],
-                                          chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]});
-  return {first, last};
+  const auto [from, to] = source_ends(chart, h);
+  return {std::min(from, to), std::max(from, to)};
 }
 
 /// A wire runs through the chart, not only along its outline.

@@ -7,55 +7,16 @@
 #include <utility>
 
 #include "feasibility/cut_apart.h"
+#include "feasibility/ranks.h"
 #include "mesh/geometry.h"
-#include "stop_token.h"
+#include "work_meter.h"
 
 namespace wirewarp {
 namespace {
 
-/// Numbers that differ by less, over the root of the area or in radians, are the same: what turning the input leaves.
-constexpr double kSame = 1e-7;
-
-/// A vertex of the outline and the edge after it, as they look from anywhere.
-using OutlineStep = std::array<double, 3>;  // length of the edge, angle inside, number of edges
-
-struct OutlineWalk {
-  std::vector<VertexHandle> vertices;
-  std::vector<OutlineStep> steps;
-};
-
-/// Around the outer loop with the chart on the left, or backwards.
-OutlineWalk walk_outline(const Chart& chart, bool backwards) {
-  const HalfEdgeMesh& mesh = chart.mesh;
-  HalfEdgeChain loop = chart.boundary_loops.front();
-  if (backwards) {
-    std::reverse(loop.begin(), loop.end());
-    for (HalfedgeHandle& h : loop) h = mesh.opposite_halfedge_handle(h);
-  }
-  const double size = std::sqrt(surface_area(mesh));
-  OutlineWalk walk;
-  for (const HalfedgeHandle h : loop) {
-    const VertexHandle v = mesh.from_vertex_handle(h);
-    double angle = 0;
-    for (const HalfedgeHandle out : mesh.voh_range(v)) angle += mesh.is_boundary(out) ? 0 : corner_angle(mesh, out);
-    walk.vertices.push_back(v);
-    walk.steps.push_back({edge_length(mesh, h) / size, angle, static_cast<double>(mesh.valence(v))});
-  }
-  return walk;
-}
-
-/// The walk from one place comes before that from another.
-bool comes_before(const OutlineWalk& a, std::size_t a_start, const OutlineWalk& b, std::size_t b_start) {
-  const std::size_t count = a.steps.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const OutlineStep& of_a = a.steps[(a_start + i) % count];
-    const OutlineStep& of_b = b.steps[(b_start + i) % count];
-    for (std::size_t k = 0; k < of_a.size(); ++k) {
-      if (std::abs(of_a[k] - of_b[k]) > kSame) return of_a[k] < of_b[k];
-    }
-  }
-  return false;
-}
+/// Lengths over the root of the area, and angles in radians, that differ by less are equal: a thousand times what
+/// rounding makes of them when the input is turned, and far less than what the edges of a large outline differ by.
+constexpr double kSame = 1e-9;
 
 /// Where a numbering begins, and whether it goes around vertices backwards.
 struct Start {
@@ -63,19 +24,73 @@ struct Start {
   bool backwards = false;
 };
 
-Start start_on_outline(const Chart& chart) {
-  const OutlineWalk walks[2] = {walk_outline(chart, false), walk_outline(chart, true)};
-  std::size_t best_walk = 0, best_start = 0;
-  for (std::size_t w = 0; w < 2; ++w) {
-    for (std::size_t start = 0; start < walks[w].steps.size(); ++start) {
-      if (!comes_before(walks[w], start, walks[best_walk], best_start)) continue;
-      best_walk = w;
-      best_start = start;
-    }
+/// A vertex of the outline and the edge after it, as they look from anywhere: ranks of the edge's length and of the
+/// angle inside, and the number of edges.
+using OutlineStep = std::array<int, 3>;
+
+/// The walk around the outer loop with the chart on the left, and the walk backwards, both from the same vertex.
+std::array<std::vector<OutlineStep>, 2> walk_outline(const Chart& chart) {
+  const HalfEdgeMesh& mesh = chart.mesh;
+  const HalfEdgeChain& loop = chart.boundary_loops.front();
+  const double size = std::sqrt(surface_area(mesh));
+  std::vector<double> lengths, angles;
+  for (const HalfedgeHandle h : loop) {
+    double angle = 0;
+    for (const HalfedgeHandle out : mesh.voh_range(mesh.from_vertex_handle(h)))
+      angle += mesh.is_boundary(out) ? 0 : corner_angle(mesh, out);
+    lengths.push_back(edge_length(mesh, h) / size);
+    angles.push_back(angle);
   }
-  const OutlineWalk& walk = walks[best_walk];
-  const VertexHandle first = walk.vertices[best_start], second = walk.vertices[(best_start + 1) % walk.vertices.size()];
-  return {chart.mesh.find_halfedge(first, second), best_walk == 1};
+  const std::vector<int> length_ranks = ranks_of(lengths, kSame), angle_ranks = ranks_of(angles, kSame);
+  std::array<std::vector<OutlineStep>, 2> walks;
+  const std::size_t count = loop.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto step_at = [&](std::size_t at, std::size_t edge) -> OutlineStep {
+      return {length_ranks[edge], angle_ranks[at], static_cast<int>(mesh.valence(mesh.from_vertex_handle(loop[at])))};
+    };
+    walks[0].push_back(step_at(i, i));
+    walks[1].push_back(step_at((count - i) % count, count - 1 - i));
+  }
+  return walks;
+}
+
+bool comes_before(const std::vector<OutlineStep>& a, std::size_t a_start, const std::vector<OutlineStep>& b,
+                  std::size_t b_start) {
+  const std::size_t count = a.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const OutlineStep &of_a = a[(a_start + i) % count], &of_b = b[(b_start + i) % count];
+    if (of_a != of_b) return of_a < of_b;
+  }
+  return false;
+}
+
+/// Where the least of all rotations begins, in linear time: two candidates are compared, and where they first differ
+/// the greater one is given up with all starts that it has passed (J. P. Duval, Factorizing words over an ordered
+/// alphabet, 1983).
+std::size_t least_rotation(const std::vector<OutlineStep>& ring, WorkMeter& work) {
+  const std::size_t count = ring.size();
+  std::size_t a = 0, b = 1, same = 0;
+  while (a < count && b < count && same < count) {
+    work.did(1);
+    const OutlineStep &of_a = ring[(a + same) % count], &of_b = ring[(b + same) % count];
+    if (of_a == of_b) {
+      ++same;
+      continue;
+    }
+    (of_b < of_a ? a : b) += same + 1;
+    if (a == b) ++b;
+    same = 0;
+  }
+  return std::min(a, b);
+}
+
+Start start_on_outline(const Chart& chart, WorkMeter& work) {
+  const HalfEdgeMesh& mesh = chart.mesh;
+  const std::array<std::vector<OutlineStep>, 2> walks = walk_outline(chart);
+  const std::size_t forwards = least_rotation(walks[0], work), backwards = least_rotation(walks[1], work);
+  const HalfEdgeChain& loop = chart.boundary_loops.front();
+  if (!comes_before(walks[1], backwards, walks[0], forwards)) return {loop[forwards], false};
+  return {mesh.opposite_halfedge_handle(loop[loop.size() - 1 - backwards]), true};
 }
 
 /// Numbers vertices, nearest neighbors first: each one's in their order around it.
@@ -137,7 +152,7 @@ std::vector<VertexHandle> breadth_first(const HalfEdgeMesh& mesh, Start start) {
 
 /// At one of the longest edges. Mostly there are few, and they differ after a few steps; on a surface of revolution
 /// there are as many as segments, and each takes a walk of the whole surface.
-Start start_on_closed(const HalfEdgeMesh& mesh, const std::function<bool()>& go_on) {
+Start start_on_closed(const HalfEdgeMesh& mesh, const StopToken& stop) {
   double longest = 0;
   for (const EdgeHandle e : mesh.edges()) longest = std::max(longest, edge_length(mesh, mesh.halfedge_handle(e, 0)));
   const double same = kSame * std::sqrt(surface_area(mesh));
@@ -155,7 +170,7 @@ Start start_on_closed(const HalfEdgeMesh& mesh, const std::function<bool()>& go_
   Start best;
   for (const HalfedgeHandle h : mesh.halfedges()) {
     if (edge_length(mesh, h) < longest - same) continue;
-    if (!go_on()) throw Stopped();
+    stop.check();
     for (const bool backwards : {false, true}) {
       const Start start{h, backwards};
       if (!best.first.is_valid() || walk_comes_before(start, best)) best = start;
@@ -166,9 +181,10 @@ Start start_on_closed(const HalfEdgeMesh& mesh, const std::function<bool()>& go_
 
 }  // namespace
 
-Chart in_canonical_order(const Chart& chart, const std::function<bool()>& go_on) {
+Chart in_canonical_order(const Chart& chart, const StopToken& stop) {
   const HalfEdgeMesh& mesh = chart.mesh;
-  const Start start = chart.boundary_loops.empty() ? start_on_closed(mesh, go_on) : start_on_outline(chart);
+  WorkMeter work(stop);
+  const Start start = chart.boundary_loops.empty() ? start_on_closed(mesh, stop) : start_on_outline(chart, work);
   const std::vector<VertexHandle> vertices = breadth_first(mesh, start);
   std::vector<int> rank(mesh.n_vertices());
   for (std::size_t i = 0; i < vertices.size(); ++i) rank[vertices[i].idx()] = static_cast<int>(i);
@@ -181,7 +197,10 @@ Chart in_canonical_order(const Chart& chart, const std::function<bool()>& go_on)
     return corners;
   };
   std::sort(faces.begin(), faces.end(), [&](FaceHandle f, FaceHandle g) { return corners_of(f) < corners_of(g); });
-  return renumbered(chart, vertices, faces);
+  Chart ordered = renumbered(chart, vertices, faces);
+  for (int& v : ordered.source_vertex) v = chart.source_vertex[v];
+  for (int& f : ordered.source_face) f = chart.source_face[f];
+  return ordered;
 }
 
 }  // namespace wirewarp

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
-
 #include "charts/chart.h"
+#include "stop_token.h"
 
 namespace wirewarp {
 
-/// A chart whose vertices and faces are numbered by its shape alone: however the input is numbered, turned or mirrored,
-/// what goes through them in their order does the same. Symmetric charts have several such numberings; one is taken.
-/// Its sources are the chart's own vertices, faces and wire parts. Throws Stopped where go_on says no.
-Chart in_canonical_order(const Chart& chart, const std::function<bool()>& go_on);
+/// The chart with its vertices and faces numbered by its shape alone: however the input is numbered, turned or
+/// mirrored, a loop over them visits the same places in the same order. A symmetric chart has several such numberings,
+/// of which this is one. Vertices and faces keep their sources; a wire part's index is that of the chart's own part.
+/// Throws Stopped.
+Chart in_canonical_order(const Chart& chart, const StopToken& stop);
 
 }  // namespace wirewarp

@@ -8,10 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "charts/cut_into_charts.h"
 #include "errors/sentence.h"
-#include "feasibility/halve.h"
-#include "feasibility/propose_seams.h"
+#include "feasibility/bisect.h"
+#include "feasibility/open_chart.h"
 #include "in_threads.h"
 #include "propose/canonical_order.h"
 #include "propose/cut_chains.h"
@@ -19,7 +18,6 @@
 #include "propose/mirror_image.h"
 #include "propose/piece_search.h"
 #include "refine/lies_flat.h"
-#include "stop_token.h"
 
 namespace wirewarp {
 namespace {
@@ -63,103 +61,55 @@ FlattenError too_long(const Chart& chart, double length, double longest) {
                            ": allow more.");
 }
 
-VertexPair sorted_ends(VertexPair ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }
-
-bool has_face_of(const Chart& chart, const Chart& piece) {
-  return std::binary_search(chart.source_face.begin(), chart.source_face.end(), piece.source_face.front());
-}
-
-void bar(const VertexPairs& pairs, const std::map<VertexPair, EdgeHandle>& edge_between, CutMask& barred) {
-  for (const auto& ends : pairs.rowwise()) {
-    const auto found = edge_between.find(sorted_ends({ends[0], ends[1]}));
-    if (found != edge_between.end()) barred[found->second.idx()] = 1;
-  }
-}
-
 }  // namespace
 
-bool lacks_seams(const Chart& chart, const FlattenError& error) {
-  switch (error.code) {
-    case ErrorCode::closed_chart:
-    case ErrorCode::handles:
-    case ErrorCode::boundary_too_short:
-    case ErrorCode::flipped_faces:
-    case ErrorCode::overlapping_faces:
-      return true;
-    case ErrorCode::infeasible_lengths:
-      return !has_wires(chart);
-    default:
-      return false;
-  }
-}
-
-FirstCuts::FirstCuts(const FlattenInput& flattened, const Chart& chart, const CutWishes& wishes, FullTrials& trials,
-                     const std::function<bool()>& go_on)
-    : flattened_(flattened),
-      input_chart_(chart),
-      chart_(in_canonical_order(chart, go_on)),
-      image_(mirror_image(chart_, go_on)),
+FirstCuts::FirstCuts(const FlatPieces& pieces, std::size_t piece, const CutWishes& wishes, const ExactEvaluation& exact)
+    : pieces_(pieces),
+      input_chart_(pieces[piece]->chart),
+      chart_(in_canonical_order(input_chart_, exact.stop())),
+      map_(chart_),
+      image_(mirror_image(chart_, exact.stop())),
       mirrored_(chart_, image_),
+      forbidden_(mirrored_.with_image(map_.mask_of(as_list(wishes.no_seam)))),
       wishes_(wishes),
-      aim_(wishes.strain.value_or(kAim)),
-      trials_(trials),
-      go_on_(go_on) {
-  for (const EdgeHandle e : chart_.mesh.edges()) {
-    if (!chart_.mesh.is_boundary(e)) edge_between_[sorted_ends(ends_in_input(chart_.mesh.halfedge_handle(e, 0)))] = e;
-  }
-  barred_.assign(chart_.mesh.n_edges(), 0);
-  bar(wishes.no_seam, edge_between_, barred_);
-  barred_ = mirrored_.with_image(barred_);
-  mirrored_.bar_those_without_image(barred_);
-}
-
-VertexPair FirstCuts::ends_in_input(HalfedgeHandle h) const {
-  const auto input_vertex = [&](VertexHandle v) { return input_chart_.source_vertex[chart_.source_vertex[v.idx()]]; };
-  return {input_vertex(chart_.mesh.from_vertex_handle(h)), input_vertex(chart_.mesh.to_vertex_handle(h))};
+      target_(wishes.strain.value_or(kAim)),
+      exact_(exact) {
+  mirrored_.bar_those_without_image(forbidden_);
 }
 
 std::vector<VertexPair> FirstCuts::edges_of(const CutMask& cut) const {
   std::vector<VertexPair> edges;
-  for (const HalfedgeHandle h : chains_of(chart_.mesh, cut)) edges.push_back(ends_in_input(h));
+  for (const HalfedgeHandle h : chains_of(chart_.mesh, cut)) edges.push_back(source_ends(chart_, h));
   return edges;
 }
 
-/// Cuts that let the piece lie flat, as far as they were found without its neighbors. Throws Stopped.
+/// Cuts under which the piece lies flat, as far as they were found without its neighbors. Throws Stopped.
 CutMask FirstCuts::opening() const {
-  const StopToken stop([&](const char*) { return go_on_(); });
-  Chart own = chart_;  // with itself as source
-  for (const VertexHandle v : own.mesh.vertices()) own.source_vertex[v.idx()] = v.idx();
-  const auto lies_flat_alone = [&](const Chart& piece) { return lies_flat(piece, trials_.options(), stop); };
-  CutMask cut(chart_.mesh.n_edges(), 0);
-  for (const auto& [from, to] :
-       propose_seams(own, {lies_flat_alone, [&] { return stop.may_go_on(); }}, {barred_, image_})) {
-    const HalfedgeHandle h = chart_.mesh.find_halfedge(VertexHandle(from), VertexHandle(to));
-    cut[chart_.mesh.edge_handle(h).idx()] = 1;
-  }
-  stop.check();
+  const auto lies_flat_alone = [&](const Chart& part) { return lies_flat(part, exact_.options(), exact_.stop()); };
+  CutMask cut = open_chart(chart_, lies_flat_alone, exact_.stop(), {forbidden_, image_});
+  exact_.stop().check();
   return cut;
 }
 
-FirstCuts::CutSet FirstCuts::flatten(const CutMask& cut) const {
+/// before: with some of the cuts.
+FirstCuts::CutSet FirstCuts::evaluate(const FlatPieces& before, const CutMask& cut) const {
   CutSet set;
   set.cut = cut;
   DartProposal& proposal = set.proposal;
   proposal.edges = edges_of(cut);
   proposal.length = length_of_cut(chart_.mesh, cut);
-  trials_.take(proposal.edges);
-  const FlattenResult result = trials_.run({});
-  const FlattenInput open = with_seams(flattened_, proposal.edges);
-  const EdgeTable edges(open.faces, static_cast<int>(open.vertices.rows()));
+  set.pieces = exact_.with_cut(before, proposal.edges);
   set.lies_flat = true;
   double energy = 0, area = 0;
-  for (Chart& piece : cut_into_charts(open, edges).charts) {
-    if (!has_face_of(input_chart_, piece)) continue;
-    const PieceFigures figures = figures_of(result, piece, trials_.options());
+  for (std::size_t i = 0; i < set.pieces.size(); ++i) {
+    const Chart& part = set.pieces[i]->chart;
+    if (!is_part_of(part, input_chart_)) continue;
+    const PieceFigures figures = figures_of(set.pieces, part);
     if (figures.error) set.lies_flat = false;
     energy += figures.energy * figures.area;
     area += figures.area;
     proposal.strain = std::max(proposal.strain, figures.strain);
-    set.pieces.push_back(std::move(piece));
+    set.parts.push_back(i);
     set.figures.push_back(figures);
   }
   proposal.energy = energy / area;
@@ -167,53 +117,21 @@ FirstCuts::CutSet FirstCuts::flatten(const CutMask& cut) const {
   return set;
 }
 
-/// Of an edge inside one of its parts.
-EdgeHandle FirstCuts::edge_of_chart(const Chart& part, HalfedgeHandle h) const {
-  return edge_between_.at(sorted_ends(source_edge(part, h)));
-}
-
-/// What of a cut lies inside a part, on the edges of the part.
-CutMask FirstCuts::inside(const Chart& part, const CutMask& cut) const {
-  CutMask own(part.mesh.n_edges(), 0);
-  for (const EdgeHandle e : part.mesh.edges()) {
-    if (!part.mesh.is_boundary(e)) own[e.idx()] = cut[edge_of_chart(part, part.mesh.halfedge_handle(e, 0)).idx()];
-  }
-  return own;
-}
-
-/// The edges and their mirror image.
-CutMask FirstCuts::symmetric(const std::vector<VertexPair>& edges) const {
-  CutMask cut(chart_.mesh.n_edges(), 0);
-  for (const VertexPair& ends : edges) cut[edge_between_.at(sorted_ends(ends)).idx()] = 1;
-  return mirrored_.with_image(cut);
-}
-
-/// (k, 2) pairs of input vertices.
-VertexPairs FirstCuts::barred_edges() const {
-  std::vector<VertexPair> edges;
-  for (const EdgeHandle e : chart_.mesh.edges()) {
-    if (barred_[e.idx()] != 0) edges.push_back(ends_in_input(chart_.mesh.halfedge_handle(e, 0)));
-  }
-  VertexPairs pairs(static_cast<Eigen::Index>(edges.size()), 2);
-  for (std::size_t i = 0; i < edges.size(); ++i) pairs.row(static_cast<Eigen::Index>(i)) << edges[i][0], edges[i][1];
-  return pairs;
-}
-
-/// Darts and seams of one of its pieces.
-void FirstCuts::add_lines(const CutSet& set, std::size_t piece, std::vector<Candidate>& found) const {
+/// Darts and seams of one of its parts.
+void FirstCuts::add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   CutWishes wishes;
   wishes.count = kPlaces;
-  wishes.strain = aim_;
+  wishes.strain = target_;
   wishes.longest = wishes_.longest - set.proposal.length;
-  wishes.no_seam = barred_edges();
-  PieceFigures before = set.figures[piece];
+  wishes.no_seam = as_pairs(edges_of(forbidden_));
+  PieceFigures before = set.figures[part];
   before.strain = std::numeric_limits<double>::infinity();  // it may rise on the way, while the energy falls
   for (const CutKind kind : {CutKind::seam, CutKind::dart}) {
     try {
-      PieceSearch search(set.pieces[piece], kind, Effort::quick, wishes, trials_, go_on_);
+      PieceSearch search(set.pieces, set.parts[part], kind, Effort::quick, wishes, exact_);
       for (const DartProposal& cut : search.search(before)) {
         const double gain = 1 - cut.energy / cut.energy_before;
-        found.push_back({symmetric(cut.edges), gain, gain / cut.length});
+        found.push_back({mirrored_.with_image(map_.mask_of(cut.edges)), gain, gain / cut.length});
       }
     } catch (const FlattenError& error) {
       if (error.code != ErrorCode::no_proposal) throw;
@@ -221,72 +139,48 @@ void FirstCuts::add_lines(const CutSet& set, std::size_t piece, std::vector<Cand
   }
 }
 
-/// Cuts through one of its pieces: they help where no single line does. A part that folds when it is solved quickly has
-/// no figure without a cut: then the shortest come first, and the full runs tell what they gain.
-void FirstCuts::add_halves(const CutSet& set, std::size_t piece, std::vector<Candidate>& found) const {
-  const Chart& part = set.pieces[piece];
-  const auto new_token = [&] { return StopToken([&](const char*) { return go_on_(); }); };
-  const CutTrials trials(part, trials_.options(), new_token());
-  const std::vector<CutMask> halves = halves_of(part);
-  std::vector<Candidate> tried(halves.size());
+/// Bisections of one of its parts: they help where no single line does. A part that folds when it is solved quickly has
+/// no figure without a cut: then the shortest come first, and exact evaluations show what they gain.
+void FirstCuts::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
+  const Chart& chart = set.pieces[set.parts[part]]->chart;
+  const CutTrials trials(chart, exact_.options(), exact_.stop());
+  const std::vector<CutMask> bisections = bisections_of(chart);
+  std::vector<Candidate> tried(bisections.size());
   run_in_threads(
-      halves.size(), num_cores(),
+      bisections.size(), num_cores(),
       [&](std::size_t i) {
         const OnOneCore on_one_core;
-        const CutMask own = inside(part, halves[i]);
-        const double gain = 1 - trials.energy_when_cut(own, new_token()) / trials.energy_uncut();
-        tried[i] = {halves[i], gain, gain / length_of_cut(part.mesh, own)};
+        const CutMask own = map_.on_part(chart, bisections[i]);
+        const double gain = 1 - trials.energy_when_cut(own, exact_.stop()) / trials.energy_uncut();
+        tried[i] = {bisections[i], gain, gain / length_of_cut(chart.mesh, own)};
       },
-      [&] { go_on_(); });
+      [&] { exact_.stop().may_go_on(); });
   std::copy_if(tried.begin(), tried.end(), std::back_inserter(found),
                [](const Candidate& candidate) { return candidate.gain >= kWorthSewing; });
 }
 
-/// Of a part; where the chart has a mirror image, each half in the two ways that are symmetric.
-std::vector<CutMask> FirstCuts::halves_of(const Chart& part) const {
-  const Chart ordered = in_canonical_order(part, go_on_);
-  const auto in_chart = [&](EdgeHandle e) {
-    const HalfedgeHandle h = ordered.mesh.halfedge_handle(e, 0);
-    const auto [from, to] = source_edge(ordered, h);
-    return edge_of_chart(part, part.mesh.find_halfedge(VertexHandle(from), VertexHandle(to)));
-  };
-  CutMask barred(ordered.mesh.n_edges(), 0);
-  for (const EdgeHandle e : ordered.mesh.edges()) {
-    if (!ordered.mesh.is_boundary(e)) barred[e.idx()] = barred_[in_chart(e).idx()];
-  }
+/// Of a part; if the piece has a mirror image, each in the two ways that are symmetric.
+std::vector<CutMask> FirstCuts::bisections_of(const Chart& part) const {
+  const Chart ordered = in_canonical_order(part, exact_.stop());
   std::vector<CutMask> cuts;
-  for (const CutMask& half : halving_cuts(ordered.mesh, barred)) {
-    CutMask drawn(chart_.mesh.n_edges(), 0);
-    for (const EdgeHandle e : ordered.mesh.edges()) {
-      if (half[e.idx()] != 0) drawn[in_chart(e).idx()] = 1;
-    }
-    for (const CutMask& cut : mirrored_.both_ways(drawn)) {
+  for (const CutMask& drawn : bisections(ordered.mesh, map_.on_part(ordered, forbidden_))) {
+    for (const CutMask& cut : mirrored_.both_ways(map_.on_chart(ordered, drawn))) {
       CutMask symmetric = mirrored_.with_image(cut);
       const bool is_known = std::find(cuts.begin(), cuts.end(), symmetric) != cuts.end();
-      if (!is_known && length_of_cut(part.mesh, inside(part, symmetric)) > 0) cuts.push_back(std::move(symmetric));
+      if (!is_known && !is_empty(map_.on_part(part, symmetric))) cuts.push_back(std::move(symmetric));
     }
   }
   return cuts;
-}
-
-/// Of all that is made of a part, scene units squared.
-double FirstCuts::energy_within(const CutSet& set, const Chart& part) {
-  double energy = 0;
-  for (std::size_t i = 0; i < set.pieces.size(); ++i) {
-    if (has_face_of(part, set.pieces[i])) energy += set.figures[i].energy * set.figures[i].area;
-  }
-  return energy;
 }
 
 std::optional<FirstCuts::CutSet> FirstCuts::cut_once_more(const CutSet& set) const {
   const auto has_less = [](const PieceFigures& a, const PieceFigures& b) { return a.strain < b.strain; };
   const auto worst = static_cast<std::size_t>(std::max_element(set.figures.begin(), set.figures.end(), has_less) -
                                               set.figures.begin());
-  const Chart& part = set.pieces[worst];
-  trials_.take(set.proposal.edges);
+  const Chart& part = set.pieces[set.parts[worst]]->chart;
   std::vector<Candidate> candidates;
   add_lines(set, worst, candidates);
-  add_halves(set, worst, candidates);
+  add_bisections(set, worst, candidates);
   const auto is_better = [](const Candidate& a, const Candidate& b) {
     const bool a_is_large = a.gain >= kLargeGain, b_is_large = b.gain >= kLargeGain;
     return a_is_large != b_is_large ? a_is_large : a.gain_for_length > b.gain_for_length;
@@ -296,26 +190,26 @@ std::optional<FirstCuts::CutSet> FirstCuts::cut_once_more(const CutSet& set) con
   for (const Candidate& candidate : candidates) {
     if (tried.size() == kMostTrials) break;
     CutMask cut = set.cut;
-    for (std::size_t e = 0; e < cut.size(); ++e) cut[e] = cut[e] != 0 || candidate.cut[e] != 0;
+    unite(cut, candidate.cut);
     const bool is_known = std::find(tried.begin(), tried.end(), cut) != tried.end();
     if (is_known || length_of_cut(chart_.mesh, cut) > wishes_.longest) continue;
     tried.push_back(cut);
-    CutSet more = flatten(cut);
-    // The strain may rise on the way, where halves have more outline to hold than the whole.
-    const double before = energy_within(set, part), after = energy_within(more, part);
-    if (more.lies_flat && after <= (1 - kWorthSewing) * before) return more;
+    CutSet more = evaluate(set.pieces, cut);
+    // The strain may rise on the way, where the parts have more outline to hold than the whole.
+    const double before = set.figures[worst].energy;
+    if (more.lies_flat && figures_of(more.pieces, part).energy <= (1 - kWorthSewing) * before) return more;
   }
   return std::nullopt;
 }
 
-/// But for those that are hardly better than one with fewer cuts. What meets the aim is better. That with most cuts
-/// first; of too many, those whose strains are about evenly apart, as ratios.
+/// But for those that are hardly better than one with fewer cuts. A set that meets the target is better. That with most
+/// cuts first; of too many, those whose strains are about evenly apart, as ratios.
 std::vector<DartProposal> FirstCuts::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {
     const double strain = set.proposal.strain;
-    const bool meets_aim = !best.empty() && strain <= aim_ && best.back().strain > aim_;
-    if (best.empty() || meets_aim || strain <= (1 - kWorthSewing) * best.back().strain) best.push_back(set.proposal);
+    const bool meets_target = !best.empty() && strain <= target_ && best.back().strain > target_;
+    if (best.empty() || meets_target || strain <= (1 - kWorthSewing) * best.back().strain) best.push_back(set.proposal);
   }
   std::reverse(best.begin(), best.end());
   const auto count = static_cast<std::size_t>(wishes_.count);
@@ -333,12 +227,12 @@ std::vector<DartProposal> FirstCuts::best_of(const std::vector<CutSet>& sets) co
 
 std::vector<DartProposal> FirstCuts::search() {
   const CutMask opened = opening();
-  if (length_of_cut(chart_.mesh, opened) == 0) throw none_serves(input_chart_, wishes_);
-  std::vector<CutSet> sets{flatten(opened)};
+  if (is_empty(opened)) throw none_serves(input_chart_, wishes_);
+  std::vector<CutSet> sets{evaluate(pieces_, opened)};
   const DartProposal& least = sets.front().proposal;
   if (!sets.front().lies_flat) throw none_serves(input_chart_, wishes_);
   if (least.length > wishes_.longest) throw too_long(input_chart_, least.length, wishes_.longest);
-  while (sets.size() <= kMostCuts && sets.back().proposal.strain > aim_) {
+  while (sets.size() <= kMostCuts && sets.back().proposal.strain > target_) {
     std::optional<CutSet> more = cut_once_more(sets.back());
     if (!more) break;
     sets.push_back(std::move(*more));

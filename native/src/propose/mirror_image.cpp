@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "mesh/geometry.h"
-#include "stop_token.h"
 
 namespace wirewarp {
 namespace {
@@ -62,7 +61,7 @@ class MirrorSearch {
 
   /// By the plane along which edges run longest. No plane has all corners of a face and the middle in it but that of a
   /// flat piece, so one of them moves.
-  std::vector<VertexHandle> best_image(const std::function<bool()>& go_on) const {
+  std::vector<VertexHandle> best_image(const StopToken& stop) const {
     std::vector<VertexHandle> best;
     double longest = -1;
     int planes_left = kMostPlanes;
@@ -72,7 +71,7 @@ class MirrorSearch {
         const Eigen::RowVector3d apart = points_.row(v) - from;
         const bool is_as_far = std::abs(points_.row(v).norm() - from.norm()) < tolerance_;
         if (!is_as_far || apart.norm() < tolerance_) continue;
-        if (!go_on()) throw Stopped();
+        stop.check();
         std::vector<VertexHandle> image = across(apart.normalized());
         if (image.empty()) continue;
         --planes_left;
@@ -123,8 +122,8 @@ class MirrorSearch {
 
 }  // namespace
 
-std::vector<VertexHandle> mirror_image(const Chart& chart, const std::function<bool()>& go_on) {
-  return MirrorSearch(chart).best_image(go_on);
+std::vector<VertexHandle> mirror_image(const Chart& chart, const StopToken& stop) {
+  return MirrorSearch(chart).best_image(stop);
 }
 
 HalfEdgeChain mirrored(const Chart& chart, const std::vector<VertexHandle>& image, const HalfEdgeChain& chain) {

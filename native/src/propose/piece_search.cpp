@@ -14,7 +14,6 @@
 #include "propose/mirror_image.h"
 #include "propose/rank_cuts.h"
 #include "refine/refine_constants.h"
-#include "stop_token.h"
 
 namespace wirewarp {
 namespace {
@@ -87,25 +86,13 @@ std::vector<char> vertices_on_wires(const Chart& chart) {
   return is_on_wire;
 }
 
-/// Where a half-edge of a chart in another order lies in the input.
-VertexPair ends_in_input(const Chart& chart, const Chart& input_chart, HalfedgeHandle h) {
-  const auto input_vertex = [&](VertexHandle v) { return input_chart.source_vertex[chart.source_vertex[v.idx()]]; };
-  return {input_vertex(chart.mesh.from_vertex_handle(h)), input_vertex(chart.mesh.to_vertex_handle(h))};
-}
-
-VertexPair in_one_order(VertexPair ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }
-
 /// Edges that are to have no seam, and vertices on wires or with no other edges.
-Barred find_barred(const Chart& chart, const Chart& input_chart, const VertexPairs& no_seam) {
-  std::set<VertexPair> without_seam;
-  for (const auto& ends : no_seam.rowwise()) without_seam.insert(in_one_order({ends[0], ends[1]}));
-  Barred barred{vertices_on_wires(chart), std::vector<char>(chart.mesh.n_edges(), 0)};
+Barred find_barred(const Chart& chart, const VertexPairs& no_seam) {
+  Barred barred{vertices_on_wires(chart), PartMap(chart).mask_of(as_list(no_seam))};
   std::vector<char> has_way(chart.mesh.n_vertices(), 0);
   for (const EdgeHandle edge : chart.mesh.edges()) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge, 0);
-    const bool is_barred = without_seam.count(in_one_order(ends_in_input(chart, input_chart, h))) != 0;
-    barred.edges[edge.idx()] = is_barred ? 1 : 0;
-    if (is_barred || chart.mesh.is_boundary(edge)) continue;
+    if (barred.edges[edge.idx()] != 0 || chart.mesh.is_boundary(edge)) continue;
     has_way[chart.mesh.from_vertex_handle(h).idx()] = has_way[chart.mesh.to_vertex_handle(h).idx()] = 1;
   }
   for (std::size_t v = 0; v < has_way.size(); ++v) {
@@ -164,21 +151,21 @@ bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const 
 
 }  // namespace
 
-PieceSearch::PieceSearch(const Chart& chart, CutKind kind, Effort effort, const CutWishes& wishes, FullTrials& trials,
-                         const std::function<bool()>& go_on)
-    : input_chart_(chart),
-      chart_(in_canonical_order(chart, go_on)),
-      image_(mirror_image(chart_, go_on)),
-      barred_(find_barred(chart_, chart, wishes.no_seam)),
+PieceSearch::PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind kind, Effort effort,
+                         const CutWishes& wishes, const ExactEvaluation& exact)
+    : pieces_(pieces),
+      input_chart_(pieces[piece]->chart),
+      chart_(in_canonical_order(input_chart_, exact.stop())),
+      image_(mirror_image(chart_, exact.stop())),
+      barred_(find_barred(chart_, wishes.no_seam)),
       kind_(kind),
       effort_(effort),
       wishes_(wishes),
-      trials_(trials),
-      go_on_(go_on) {}
+      exact_(exact) {}
 
 std::vector<VertexPair> PieceSearch::edges_of(const HalfEdgeChain& chain) const {
   std::vector<VertexPair> edges;
-  for (const HalfedgeHandle h : chain) edges.push_back(ends_in_input(chart_, input_chart_, h));
+  for (const HalfedgeHandle h : chain) edges.push_back(source_ends(chart_, h));
   return edges;
 }
 
@@ -199,7 +186,7 @@ HalfEdgeChain PieceSearch::twin_of(const HalfEdgeChain& chain) const {
 std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
   const SmoothPathFinder paths(chart_, barred_);
   const Grid grid = grid_of(effort_);
-  const CoarseCopy copy = coarse_copy(chart_, grid.faces, StopToken([&](const char*) { return go_on_(); }));
+  const CoarseCopy copy = coarse_copy(chart_, grid.faces, exact_.stop());
   const SmoothPathFinder coarse_paths(copy.chart, on_copy(copy, chart_.mesh, barred_));
   const std::vector<CutEnds> candidates = list_candidates(copy.chart, coarse_paths, kind_, grid.points);
   if (candidates.empty()) throw no_room(input_chart_, kind_, wishes_);
@@ -209,7 +196,7 @@ std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
                                ? CutLimits{wishes_.count + kMorePlaces, kShareInFull, wishes_.longest}
                                : CutLimits{wishes_.count, 0, wishes_.longest};
   const std::vector<RankedCut> ranked =
-      rank_cuts(copy.chart, coarse_paths, candidates, trials_.options(), limits, go_on_);
+      rank_cuts(copy.chart, coarse_paths, candidates, exact_.options(), limits, exact_.stop());
   for (const RankedCut& cut : ranked) {
     HalfEdgeChain chain = nearest_chain(chart_.mesh, paths,
                                         {copy.fine_vertex[cut.ends.start.idx()], copy.fine_vertex[cut.ends.end.idx()]});
@@ -238,8 +225,8 @@ std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<
 }
 
 /// One for each chain; none where it does not help.
-std::vector<std::optional<PieceSearch::Tried>> PieceSearch::flatten(const std::vector<HalfEdgeChain>& chains,
-                                                                    const PieceFigures& before) {
+std::vector<std::optional<PieceSearch::Tried>> PieceSearch::evaluate(const std::vector<HalfEdgeChain>& chains,
+                                                                     const PieceFigures& before) const {
   std::vector<std::optional<Tried>> tried(chains.size());
   run_in_threads(
       chains.size(), num_cores(),
@@ -248,7 +235,7 @@ std::vector<std::optional<PieceSearch::Tried>> PieceSearch::flatten(const std::v
         const OnOneCore on_one_core;
         DartProposal proposal;
         proposal.edges = edges_of(chains[i]);
-        const PieceFigures after = figures_of(trials_.run(proposal.edges), input_chart_, trials_.options());
+        const PieceFigures after = figures_of(exact_.with_cut(pieces_, proposal.edges), input_chart_);
         const bool helps =
             !after.error && after.energy <= (1 - kLeastGain) * before.energy && after.strain <= before.strain;
         if (!helps) return;
@@ -259,7 +246,7 @@ std::vector<std::optional<PieceSearch::Tried>> PieceSearch::flatten(const std::v
         proposal.strain_before = before.strain;
         tried[i] = Tried{chains[i], std::move(proposal)};
       },
-      [&] { go_on_(); });
+      [&] { exact_.stop().may_go_on(); });
   return tried;
 }
 
@@ -268,7 +255,7 @@ std::vector<DartProposal> PieceSearch::search(const PieceFigures& before) {
   const double may_stay = wishes_.strain.value_or(kMayStay);
   if (before.strain <= may_stay) throw flat_enough(input_chart_, before.strain, may_stay);
   std::vector<Tried> helpful;
-  for (std::optional<Tried>& tried : flatten(without_mirror_images(best_chains()), before)) {
+  for (std::optional<Tried>& tried : evaluate(without_mirror_images(best_chains()), before)) {
     if (tried) helpful.push_back(std::move(*tried));
   }
   if (helpful.empty()) throw none_helps(input_chart_, kind_);
@@ -285,14 +272,14 @@ std::vector<DartProposal> PieceSearch::search(const PieceFigures& before) {
   for (const Tried& tried : best) {
     twin_chains.push_back(effort_ == Effort::thorough ? twin_of(tried.chain) : HalfEdgeChain{});
   }
-  std::vector<std::optional<Tried>> twins = flatten(twin_chains, before);
+  std::vector<std::optional<Tried>> twins = evaluate(twin_chains, before);
   std::vector<HalfEdgeChain> both_chains(best.size());
   for (std::size_t i = 0; i < best.size(); ++i) {
     if (!twins[i] || have_common_vertex(chart_.mesh, best[i].chain, twins[i]->chain)) continue;
     both_chains[i] = best[i].chain;
     both_chains[i].insert(both_chains[i].end(), twins[i]->chain.begin(), twins[i]->chain.end());
   }
-  const std::vector<std::optional<Tried>> both = flatten(both_chains, before);
+  const std::vector<std::optional<Tried>> both = evaluate(both_chains, before);
   std::vector<DartProposal> proposals;
   for (std::size_t i = 0; i < best.size(); ++i) {
     const int place = static_cast<int>(proposals.size());

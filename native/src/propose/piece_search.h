@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "propose/cut_candidates.h"
-#include "propose/full_trial.h"
+#include "propose/flat_pieces.h"
 #include "wirewarp/propose.h"
 
 namespace wirewarp {
@@ -20,9 +19,9 @@ enum class Effort {
 /// The search in one piece: candidates are ranked on a coarse copy, and the best of them flattened in full.
 class PieceSearch {
  public:
-  /// All but the kind and the effort are kept by reference.
-  PieceSearch(const Chart& chart, CutKind kind, Effort effort, const CutWishes& wishes, FullTrials& trials,
-              const std::function<bool()>& go_on);
+  /// piece: one of the pieces. All references are kept.
+  PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind kind, Effort effort, const CutWishes& wishes,
+              const ExactEvaluation& exact);
 
   /// The best first; without piece. Throws no_proposal.
   std::vector<DartProposal> search(const PieceFigures& before);
@@ -35,22 +34,23 @@ class PieceSearch {
 
   std::vector<HalfEdgeChain> best_chains() const;
   std::vector<HalfEdgeChain> without_mirror_images(const std::vector<HalfEdgeChain>& chains) const;
-  std::vector<std::optional<Tried>> flatten(const std::vector<HalfEdgeChain>& chains, const PieceFigures& before);
+  std::vector<std::optional<Tried>> evaluate(const std::vector<HalfEdgeChain>& chains,
+                                             const PieceFigures& before) const;
   HalfEdgeChain twin_of(const HalfEdgeChain& chain) const;
   std::vector<VertexPair> edges_of(const HalfEdgeChain& chain) const;
   CutEnds ends_of(const HalfEdgeChain& chain) const {
     return {chart_.mesh.from_vertex_handle(chain.front()), chart_.mesh.to_vertex_handle(chain.back())};
   }
 
+  const FlatPieces& pieces_;
   const Chart& input_chart_;
-  const Chart chart_;  // in canonical order; its sources are the other one's
+  const Chart chart_;  // in canonical order
   const std::vector<VertexHandle> image_;
   const Barred barred_;
   const CutKind kind_;
   const Effort effort_;
   const CutWishes& wishes_;
-  FullTrials& trials_;
-  const std::function<bool()>& go_on_;
+  const ExactEvaluation& exact_;
 };
 
 }  // namespace wirewarp

@@ -1,31 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cuts to be taken together, towards an aim in numbers: with the best of each round the next one begins.
+// Cuts to be taken together, towards a target in numbers: with the best of each round the next one begins.
 #include <algorithm>
-#include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "charts/cut_into_charts.h"
 #include "errors/sentence.h"
-#include "mesh/edge_table.h"
-#include "middle_surface.h"
-#include "progress_report.h"
-#include "propose/full_trial.h"
-#include "stop_token.h"
-#include "wirewarp/propose.h"
+#include "mesh/geometry.h"
+#include "propose/best_cuts.h"
+#include "propose/cut_progress.h"
 
 namespace wirewarp {
 namespace {
 
-using ProposeCuts = decltype(&propose_darts);
-
 class PlanOfCuts {
  public:
-  PlanOfCuts(const FlattenInput& input, const Options& options, ProposeCuts propose, const CutAim& aim,
-             const Progress& progress)
-      : input_(input), options_(options), propose_(propose), aim_(aim), report_(progress), pieces_({aim.piece}) {}
+  PlanOfCuts(const FlatPieces& pieces, CutKind kind, const CutAim& aim, const ExactEvaluation& exact,
+             CutProgress& progress)
+      : pieces_(pieces), kind_(kind), aim_(aim), exact_(exact), progress_(progress) {
+    if (aim.piece) asked_ = pieces[*aim.piece];
+  }
 
   std::vector<DartProposal> make() {
     while (num_left() > 0 && (cuts_.empty() || length_left() > 0)) {
@@ -45,27 +41,54 @@ class PlanOfCuts {
     return left;
   }
 
-  /// fraction: of the round.
-  bool tell(const std::string& stage, double fraction) {
-    told_ = std::max(told_, (static_cast<double>(cuts_.size()) + fraction) / aim_.most);  // a round may begin anew
-    return report_.go_on(stage, told_);
+  bool may_be_cut(const FlatPiece& piece) const { return !asked_ || is_part_of(piece.chart, asked_->chart); }
+
+  double strain_of(int piece) const { return figures_of(pieces_, pieces_[piece]->chart).strain; }
+
+  /// Those that lack seams, the largest first, as far as seams are looked for; then those that lie flat, the one with
+  /// most strain first: no cut of another one lowers that.
+  std::vector<int> pieces_in_order() const {
+    struct Place {
+      bool lacks_seams;
+      double figure;
+      int piece;
+    };
+    std::vector<Place> places;
+    for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
+      const FlatPiece& piece = *pieces_[i];
+      if (!may_be_cut(piece)) continue;
+      const bool is_open = kind_ == CutKind::seam && lacks_seams(piece);
+      if (!piece.error || is_open)
+        places.push_back({is_open, is_open ? surface_area(piece.chart.mesh) : strain_of(i), i});
+    }
+    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+      return a.lacks_seams != b.lacks_seams ? a.lacks_seams : a.figure > b.figure;
+    });
+    std::vector<int> order;
+    for (const Place& place : places) order.push_back(place.piece);
+    return order;
   }
 
-  /// Empty where there are cuts, and no further one helps.
-  std::vector<DartProposal> propose_next() {
+  /// Of the first piece that a cut helps; empty if none does, but there are cuts.
+  std::vector<DartProposal> propose_next() const {
     CutWishes wishes;
+    wishes.piece = aim_.piece;
     wishes.strain = aim_.strain;
     wishes.longest = std::min(aim_.longest, length_left());
     wishes.no_seam = aim_.no_seam;
-    for (const std::optional<int>& piece : pieces_) {
+    const std::vector<int> order = pieces_in_order();
+    if (order.empty() && cuts_.empty()) return best_cuts(pieces_, kind_, wishes, exact_);  // throws why
+    std::optional<FlattenError> first_refusal;
+    for (const int piece : order) {
       wishes.piece = piece;
       try {
-        return propose_(input_, options_, wishes,
-                        [this](const std::string& stage, double fraction) { return tell(stage, fraction); });
+        return best_cuts(pieces_, kind_, wishes, exact_);
       } catch (const FlattenError& error) {
-        if (error.code != ErrorCode::no_proposal || cuts_.empty()) throw;
+        if (error.code != ErrorCode::no_proposal) throw;
+        if (!first_refusal) first_refusal = error;
       }
     }
+    if (cuts_.empty()) throw *first_refusal;
     return {};
   }
 
@@ -74,19 +97,15 @@ class PlanOfCuts {
            cut.length + proposals[*cut.twin].length <= length_left();
   }
 
-  /// Of the piece with most strain.
   const DartProposal& best_of_round(const std::vector<DartProposal>& proposals) const {
     const auto strain = [&](const DartProposal& cut) {
       return comes_with_twin(cut, proposals) ? *cut.strain_with_twin : cut.strain;
     };
-    const auto comes_first = [&](const DartProposal& a, const DartProposal& b) {
-      return a.strain_before == b.strain_before ? strain(a) < strain(b) : a.strain_before > b.strain_before;
-    };
-    return *std::min_element(proposals.begin(), proposals.end(), comes_first);
+    return *std::min_element(proposals.begin(), proposals.end(),
+                             [&](const DartProposal& a, const DartProposal& b) { return strain(a) < strain(b); });
   }
 
   void take(const DartProposal& best, const std::vector<DartProposal>& proposals) {
-    if (aim_.piece && cuts_.empty()) faces_ = charts_of(input_)[*aim_.piece].source_face;
     std::vector<DartProposal> taken{best};
     if (comes_with_twin(best, proposals)) {
       taken.push_back(proposals[*best.twin]);
@@ -98,58 +117,56 @@ class PlanOfCuts {
       taken[0].energy_with_twin.reset();
       taken[0].strain_with_twin.reset();
     }
-    for (const DartProposal& cut : taken) input_ = with_seams(std::move(input_), cut.edges);
-    const double strain_left = measure();
+    std::vector<VertexPair> edges;
+    for (const DartProposal& cut : taken) edges.insert(edges.end(), cut.edges.begin(), cut.edges.end());
+    pieces_ = exact_.with_cut(pieces_, edges);
+    const double strain_left = most_strain();
     for (DartProposal& cut : taken) {
       cut.strain_left = strain_left;
       cuts_.push_back(std::move(cut));
     }
+    progress_.finish_rounds(static_cast<int>(cuts_.size()));
   }
 
-  std::vector<Chart> charts_of(const FlattenInput& input) const {
-    return cut_into_charts(input, EdgeTable(input.faces, static_cast<int>(input.vertices.rows()))).charts;
-  }
-
-  /// Finds what may be cut next, the part with most strain first; returns the strain of that one. Throws Stopped.
-  double measure() {
-    const std::function<bool()> go_on = [this] { return tell("cuts", 0); };
-    const FlattenResult result = FullTrials(input_, options_, go_on).run({});
-    const std::vector<Chart> charts = charts_of(options_.thickness > 0 ? move_to_middle(input_, options_) : input_);
-    std::vector<std::pair<double, int>> parts;  // strain, piece
-    for (int c = 0; c < static_cast<int>(charts.size()); ++c) {
-      if (aim_.piece && !std::binary_search(faces_.begin(), faces_.end(), charts[c].source_face.front())) continue;
-      const PieceFigures figures = figures_of(result, charts[c], options_);
-      if (!figures.error) parts.emplace_back(figures.strain, c);
+  /// Of the pieces that lie flat.
+  double most_strain() const {
+    double most = -1;
+    for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
+      if (!pieces_[i]->error && may_be_cut(*pieces_[i])) most = std::max(most, strain_of(i));
     }
-    std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    if (aim_.piece) {
-      pieces_.clear();
-      for (const auto& part : parts) pieces_.emplace_back(part.second);
-    }
-    return parts.front().first;
+    if (most < 0) throw std::logic_error("A cut was taken under which no part lies flat.");
+    return most;
   }
 
-  FlattenInput input_;  // with the cuts that are taken
-  const Options& options_;
-  const ProposeCuts propose_;
+  FlatPieces pieces_;  // with the cuts that are taken
+  const CutKind kind_;
   const CutAim& aim_;
-  ProgressReport report_;
-  double told_ = 0;
+  const ExactEvaluation& exact_;
+  CutProgress& progress_;
+  std::shared_ptr<const FlatPiece> asked_;  // the piece asked for, as it was
   std::vector<DartProposal> cuts_;
-  std::vector<std::optional<int>> pieces_;  // to cut next, in this order
-  std::vector<int> faces_;                  // of the piece asked for, sorted
 };
 
-std::vector<DartProposal> plan(const FlattenInput& input, const Options& options, ProposeCuts propose,
-                               const CutAim& aim, const Progress& progress) {
+std::vector<DartProposal> plan(const FlattenInput& input, const Options& options, CutKind kind, const CutAim& aim,
+                               const Progress& progress) {
   if (aim.most < 1)
     throw FlattenError(ErrorCode::invalid_option, "most must be at least 1, not " + std::to_string(aim.most) + ".");
   if (!(aim.total_length > 0)) {
     throw FlattenError(ErrorCode::invalid_option,
                        "total_length must be above 0, not " + shortest(aim.total_length) + ".");
   }
+  CutProgress cut_progress(progress, aim.most);
+  const SurfaceToCut to_cut(input, options);
   try {
-    return PlanOfCuts(input, options, propose, aim, progress).make();
+    const ExactEvaluation exact(to_cut.surface(), options, cut_progress.token());
+    const FlatPieces pieces = exact.uncut();
+    CutWishes wishes;
+    wishes.piece = aim.piece;
+    wishes.strain = aim.strain;
+    wishes.longest = aim.longest;
+    wishes.no_seam = aim.no_seam;
+    check_wishes(wishes, input, pieces.size());
+    return PlanOfCuts(pieces, kind, aim, exact, cut_progress).make();
   } catch (const Stopped&) {
     throw FlattenError(ErrorCode::cancelled, "Cancelled before all cuts were tried.");
   }
@@ -159,12 +176,12 @@ std::vector<DartProposal> plan(const FlattenInput& input, const Options& options
 
 std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& options, const CutAim& aim,
                                      const Progress& progress) {
-  return plan(input, options, propose_darts, aim, progress);
+  return plan(input, options, CutKind::dart, aim, progress);
 }
 
 std::vector<DartProposal> plan_seams(const FlattenInput& input, const Options& options, const CutAim& aim,
                                      const Progress& progress) {
-  return plan(input, options, propose_seams, aim, progress);
+  return plan(input, options, CutKind::seam, aim, progress);
 }
 
 }  // namespace wirewarp

@@ -21,12 +21,8 @@ constexpr double kLeastStep = 0.01;
 class CutSearch {
  public:
   CutSearch(const Chart& chart, const SmoothPathFinder& paths, const InternalOptions& options, double longest,
-            const std::function<bool()>& go_on)
-      : chart_(chart),
-        paths_(paths),
-        trials_(chart, options, StopToken([&](const char*) { return go_on(); })),
-        longest_(longest),
-        go_on_(go_on) {}
+            const StopToken& stop)
+      : chart_(chart), paths_(paths), trials_(chart, options, stop), longest_(longest), stop_(stop) {}
 
   void try_all(const std::vector<CutEnds>& cuts);
   RankedCut improve(RankedCut cut);
@@ -39,7 +35,7 @@ class CutSearch {
   const SmoothPathFinder& paths_;
   const CutTrials trials_;
   const double longest_;
-  const std::function<bool()>& go_on_;
+  const StopToken& stop_;
   std::map<VertexHandle, SmoothPaths> paths_from_;  // where cuts that were tried start
   std::map<CutEnds, double> energies_;              // of all cuts that were tried
 };
@@ -55,14 +51,13 @@ void CutSearch::try_all(const std::vector<CutEnds>& cuts) {
   run_in_threads(
       fresh.size(), num_cores(),
       [&](std::size_t i) {
-        const StopToken stop([&](const char*) { return go_on_(); });
-        stop.check();
+        stop_.check();
         const OnOneCore on_one_core;
         const HalfEdgeChain chain = paths_.path_to(paths_from_.at(fresh[i].start), fresh[i].end);
         if (!chain.empty() && length_of(chart_.mesh, chain) <= longest_)
-          energies[i] = trials_.energy_when_cut(cut_along(chart_.mesh, chain), stop);
+          energies[i] = trials_.energy_when_cut(cut_along(chart_.mesh, chain), stop_);
       },
-      [&] { go_on_(); });
+      [&] { stop_.may_go_on(); });
   for (std::size_t i = 0; i < fresh.size(); ++i) energies_[fresh[i]] = energies[i];
 }
 
@@ -100,8 +95,8 @@ std::vector<CutEnds> ends_of(const std::vector<RankedCut>& cuts) {
 
 std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
                                  const std::vector<CutEnds>& candidates, const InternalOptions& options,
-                                 const CutLimits& limits, const std::function<bool()>& go_on) {
-  CutSearch search(chart, paths, options, limits.longest, go_on);
+                                 const CutLimits& limits, const StopToken& stop) {
+  CutSearch search(chart, paths, options, limits.longest, stop);
   search.try_all(candidates);
   std::vector<RankedCut> best;
   const auto is_beside_best = [&](const RankedCut& cut) {

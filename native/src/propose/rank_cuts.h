@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "internal_options.h"
 #include "propose/cut_candidates.h"
+#include "stop_token.h"
 
 namespace wirewarp {
 
@@ -21,9 +21,9 @@ struct CutLimits {
 };
 
 /// The best candidates of a chart with their ends moved to where they serve best, and others that are as good, the best
-/// first; none that does not lower E. go_on: asked in any thread, false ends the search with Stopped.
+/// first; none that does not lower E. stop: polled in any thread. Throws Stopped.
 std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
                                  const std::vector<CutEnds>& candidates, const InternalOptions& options,
-                                 const CutLimits& limits, const std::function<bool()>& go_on);
+                                 const CutLimits& limits, const StopToken& stop);
 
 }  // namespace wirewarp

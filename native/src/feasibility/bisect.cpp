@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "feasibility/halve.h"
+#include "feasibility/bisect.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -18,11 +18,11 @@ using Sides = std::vector<char>;  // 0 or 1 per face
 /// What a border costs along each edge, scene units.
 using Prices = std::vector<double>;
 
-Prices prices_of(const HalfEdgeMesh& mesh, const CutMask& barred) {
+Prices prices_of(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
   Prices prices;
   for (const EdgeHandle e : mesh.edges()) {
     const double length = edge_length(mesh, mesh.halfedge_handle(e, 0));
-    prices.push_back(barred[e.idx()] != 0 ? std::numeric_limits<double>::infinity() : length);
+    prices.push_back(forbidden[e.idx()] != 0 ? std::numeric_limits<double>::infinity() : length);
   }
   return prices;
 }
@@ -141,12 +141,12 @@ std::vector<Sides> sides_of_ends(const HalfEdgeMesh& mesh) {
   return {nearer_to(mesh, first, second), nearer_to(mesh, third, fourth)};
 }
 
-/// Faces that barred edges join go to the side where more of them are.
-void keep_together(const HalfEdgeMesh& mesh, const CutMask& barred, Sides& side) {
+/// Faces that forbidden edges join go to the side where more of them are.
+void keep_together(const HalfEdgeMesh& mesh, const CutMask& forbidden, Sides& side) {
   DisjointSets groups(mesh.n_faces());
   for (const EdgeHandle e : mesh.edges()) {
     const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
-    if (barred[e.idx()] == 0 || mesh.is_boundary(e)) continue;
+    if (forbidden[e.idx()] == 0 || mesh.is_boundary(e)) continue;
     groups.unite(mesh.face_handle(h).idx(), mesh.opposite_face_handle(h).idx());
   }
   int count = 0;
@@ -164,8 +164,8 @@ CutMask cut_along_border(const HalfEdgeMesh& mesh, const Sides& side) {
 
 }  // namespace
 
-std::vector<CutMask> halving_cuts(const HalfEdgeMesh& mesh, const CutMask& barred) {
-  const Prices prices = prices_of(mesh, barred);
+std::vector<CutMask> bisections(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
+  const Prices prices = prices_of(mesh, forbidden);
   std::vector<Sides> all_sides = sides_of_axes(mesh);
   for (Sides& side : sides_of_ends(mesh)) all_sides.push_back(std::move(side));
   std::vector<CutMask> cuts;
@@ -178,7 +178,7 @@ std::vector<CutMask> halving_cuts(const HalfEdgeMesh& mesh, const CutMask& barre
   // ragged: without a limit 43 garments, shoes, cushions and toys fall into 154 pieces instead of 93.
   constexpr std::size_t kCoarse = 1000;
   for (Sides& side : all_sides) {
-    keep_together(mesh, barred, side);
+    keep_together(mesh, forbidden, side);
     const Sides as_drawn = side;
     shorten_border(mesh, prices, side);
     add(side);

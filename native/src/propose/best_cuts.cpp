@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Searches the pieces one after the other for the best of all their cuts.
+#include "propose/best_cuts.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "errors/sentence.h"
+#include "mesh/geometry.h"
+#include "middle_surface.h"
+#include "propose/first_cuts.h"
+#include "propose/piece_search.h"
+#include "solve_chart.h"
+
+namespace wirewarp {
+namespace {
+
+/// A piece is larger only if it is so by more than rounding makes of its area when the input is turned.
+constexpr double kClearlyLarger = 1 + 1e-9;
+
+/// In this order, twins by their new places; each pair counts once.
+std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, const std::vector<double>& gains,
+                                  int count) {
+  std::vector<int> order(proposals.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return gains[a] > gains[b]; });
+  std::vector<int> place(proposals.size(), -1);
+  std::vector<DartProposal> best;
+  for (const int i : order) {
+    const bool is_second = proposals[i].twin && place[*proposals[i].twin] >= 0;
+    if (!is_second && count-- <= 0) continue;
+    place[i] = static_cast<int>(best.size());
+    best.push_back(proposals[i]);
+  }
+  for (DartProposal& proposal : best) {
+    if (proposal.twin) proposal.twin = place[*proposal.twin];
+  }
+  return best;
+}
+
+/// How much distortion a piece has; below 0 for an error.
+double total_energy(const FlatPiece& piece) { return piece.error ? -1 : piece.energy; }
+
+/// Searches the pieces, the most distorted one first, until the rest have less to gain than what is found.
+std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, const CutWishes& wishes,
+                                        const ExactEvaluation& exact) {
+  std::vector<int> order(pieces.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return total_energy(*pieces[a]) > total_energy(*pieces[b]); });
+  if (wishes.piece) order = {*wishes.piece};
+  if (pieces[order.front()]->error) throw exact.explain(pieces, order.front());
+  std::vector<DartProposal> proposals;
+  std::vector<double> gains;
+  std::optional<FlattenError> first_refusal;
+  for (const int c : order) {
+    const double energy = total_energy(*pieces[c]);
+    const auto gain_more = std::count_if(gains.begin(), gains.end(), [&](double gain) { return gain >= energy; });
+    if (pieces[c]->error || gain_more >= 2 * wishes.count) break;  // twins counted
+    try {
+      const int first = static_cast<int>(proposals.size());
+      const PieceFigures before = figures_of(pieces, pieces[c]->chart);
+      PieceSearch search(pieces, static_cast<std::size_t>(c), kind, Effort::thorough, wishes, exact);
+      for (DartProposal& proposal : search.search(before)) {
+        proposal.piece = c;
+        if (proposal.twin) *proposal.twin += first;
+        gains.push_back((proposal.energy_before - proposal.energy) * before.area);
+        proposals.push_back(std::move(proposal));
+      }
+    } catch (const FlattenError& error) {
+      if (error.code != ErrorCode::no_proposal) throw;
+      if (!first_refusal) first_refusal = error;
+    }
+  }
+  if (!proposals.empty()) return best_of(proposals, gains, wishes.count);
+  if (!first_refusal) throw std::logic_error("A flat piece was searched: it has proposals or a reason for none.");
+  throw *first_refusal;
+}
+
+/// The piece to cut, if it has no flat shape because it lacks seams; of all pieces the largest of these.
+std::optional<std::size_t> without_shape(const FlatPieces& pieces, const CutWishes& wishes) {
+  std::optional<std::size_t> largest;
+  double most = 0;
+  for (std::size_t c = 0; c < pieces.size(); ++c) {
+    if (!lacks_seams(*pieces[c]) || wishes.piece.value_or(static_cast<int>(c)) != static_cast<int>(c)) continue;
+    const double area = surface_area(pieces[c]->chart.mesh);
+    if (area <= kClearlyLarger * most) continue;
+    most = area;
+    largest = c;
+  }
+  return largest;
+}
+
+}  // namespace
+
+SurfaceToCut::SurfaceToCut(const FlattenInput& input, const Options& options) : input_(input) {
+  check_request(input, options);
+  if (options.thickness > 0) middle_ = move_to_middle(input, options);
+}
+
+void check_wishes(const CutWishes& wishes, const FlattenInput& input, std::size_t num_pieces) {
+  if (wishes.count < 1)
+    throw FlattenError(ErrorCode::invalid_option, "count must be 1 or more, not " + std::to_string(wishes.count) + ".");
+  if (wishes.strain && !(*wishes.strain >= 0))
+    throw FlattenError(ErrorCode::invalid_option, "strain must be 0 or more, not " + shortest(*wishes.strain) + ".");
+  if (!(wishes.longest > 0))
+    throw FlattenError(ErrorCode::invalid_option, "longest must be above 0, not " + shortest(wishes.longest) + ".");
+  if (wishes.piece && (*wishes.piece < 0 || *wishes.piece >= static_cast<int>(num_pieces))) {
+    throw FlattenError(ErrorCode::invalid_option, "piece is " + std::to_string(*wishes.piece) +
+                                                      ", but pieces are counted from 0, and the mesh has " +
+                                                      std::to_string(num_pieces) + ".");
+  }
+  if (wishes.no_seam.rows() == 0) return;
+  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+  for (const auto& ends : wishes.no_seam.rowwise()) {
+    const bool are_vertices = ends.minCoeff() >= 0 && ends.maxCoeff() < input.vertices.rows();
+    if (are_vertices && edges.find(ends[0], ends[1]) >= 0) continue;
+    throw FlattenError(ErrorCode::invalid_option, "no_seam has the pair " + std::to_string(ends[0]) + ", " +
+                                                      std::to_string(ends[1]) + ", which is no edge of the mesh.");
+  }
+}
+
+bool lacks_seams(const FlatPiece& piece) {
+  if (!piece.error) return false;
+  switch (piece.error->code) {
+    case ErrorCode::closed_chart:
+    case ErrorCode::handles:
+    case ErrorCode::boundary_too_short:
+    case ErrorCode::flipped_faces:
+    case ErrorCode::overlapping_faces:
+      return true;
+    case ErrorCode::infeasible_lengths:
+      return !has_wires(piece.chart);
+    default:
+      return false;
+  }
+}
+
+std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, const CutWishes& wishes,
+                                    const ExactEvaluation& exact) {
+  const std::optional<std::size_t> piece = kind == CutKind::seam ? without_shape(pieces, wishes) : std::nullopt;
+  if (!piece) return search_pieces(pieces, kind, wishes, exact);
+  std::vector<DartProposal> sets = FirstCuts(pieces, *piece, wishes, exact).search();
+  for (DartProposal& set : sets) set.piece = static_cast<int>(*piece);
+  return sets;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "propose/cut_candidates.h"
+#include "propose/flat_pieces.h"
+#include "wirewarp/propose.h"
+
+namespace wirewarp {
+
+/// A checked input in the middle of its material.
+class SurfaceToCut {
+ public:
+  /// Throws what flatten() throws.
+  SurfaceToCut(const FlattenInput& input, const Options& options);
+
+  const FlattenInput& surface() const { return middle_ ? *middle_ : input_; }
+
+ private:
+  const FlattenInput& input_;
+  std::optional<FlattenInput> middle_;
+};
+
+/// Throws invalid_option.
+void check_wishes(const CutWishes& wishes, const FlattenInput& input, std::size_t num_pieces);
+
+/// The piece lacks seams: it is closed, has handles, or its outline cannot hold it. Neither the mesh nor its wires are
+/// at fault.
+bool lacks_seams(const FlatPiece& piece);
+
+/// What propose_darts() and propose_seams() propose for these pieces. Throws their errors, and Stopped.
+std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, const CutWishes& wishes,
+                                    const ExactEvaluation& exact);
+
+}  // namespace wirewarp

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "propose/flat_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include "charts/cut_into_charts.h"
+#include "mesh/geometry.h"
+#include "metrics/widespread.h"
+#include "propose/cut_faces.h"
+#include "solve_chart.h"
+
+namespace wirewarp {
+namespace {
+
+bool is_stretched(const Options& options) {
+  return options.cloth && options.cloth->stretch != std::array<double, 2>{0, 0};
+}
+
+std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, const Options& options) {
+  PartMap edges(chart);
+  FlatPiece flat{std::move(chart), std::move(edges), {}, 0, {}, {}};
+  flat.error = flat.chart.error ? flat.chart.error : piece.error;
+  if (flat.chart.error) return std::make_shared<FlatPiece>(std::move(flat));
+  const Metrics& metrics = piece.metrics;
+  flat.energy = (options.cloth ? metrics.cloth_energy : metrics.arap_energy) * metrics.area_3d;
+  for (const FaceHandle f : flat.chart.mesh.faces()) flat.areas.push_back(face_area(flat.chart.mesh, f));
+  flat.strains = metrics.face_aspect_ratio.array() - 1;
+  return std::make_shared<FlatPiece>(std::move(flat));
+}
+
+/// Calls visit with the source of each edge of a chart's outline.
+template <typename Visit>
+void for_each_outline_edge(const Chart& chart, const Visit& visit) {
+  for (const EdgeHandle e : chart.mesh.edges()) {
+    if (chart.mesh.is_boundary(e)) visit(source_edge(chart, chart.mesh.halfedge_handle(e, 0)));
+  }
+}
+
+}  // namespace
+
+PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart) {
+  PieceFigures figures;
+  std::vector<double> areas, strains;
+  for (const std::shared_ptr<const FlatPiece>& piece : pieces) {
+    if (!is_part_of(piece->chart, chart)) continue;
+    if (piece->error) figures.error = piece->error;
+    figures.energy += piece->energy;
+    areas.insert(areas.end(), piece->areas.begin(), piece->areas.end());
+    strains.insert(strains.end(), piece->strains.begin(), piece->strains.end());
+  }
+  if (figures.error) return figures;
+  for (const double area : areas) figures.area += area;
+  figures.energy /= figures.area;
+  figures.strain =
+      widespread(areas, Eigen::Map<Eigen::VectorXd>(strains.data(), static_cast<Eigen::Index>(strains.size())));
+  return figures;
+}
+
+bool is_part_of(const Chart& part, const Chart& chart) {
+  return std::binary_search(chart.source_face.begin(), chart.source_face.end(), part.source_face.front());
+}
+
+/// Which of the pieces, by their index.
+struct ExactEvaluation::Selection {
+  std::vector<char> is_chosen;
+
+  std::vector<int> faces(const FlatPieces& pieces) const {
+    std::vector<int> faces;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (is_chosen[i] == 0) continue;
+      const std::vector<int>& own = pieces[i]->chart.source_face;
+      faces.insert(faces.end(), own.begin(), own.end());
+    }
+    std::sort(faces.begin(), faces.end());
+    return faces;
+  }
+};
+
+ExactEvaluation::ExactEvaluation(const FlattenInput& input, const Options& options, StopToken stop)
+    : input_(input), options_(options), stop_(std::move(stop)) {
+  options_.with_proposals = false;
+}
+
+/// And all pieces that elastic seams couple with these.
+ExactEvaluation::Selection ExactEvaluation::coupled(const FlatPieces& pieces, Selection chosen) const {
+  std::set<std::pair<int, int>> shared;  // wire and part
+  for (bool has_grown = true; has_grown;) {
+    has_grown = false;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const std::vector<WirePart>& parts = pieces[i]->chart.wire_parts;
+      const auto is_shared = [&](const WirePart& part) {
+        return gives_on_boundary(part) && shared.count({part.wire_index, part.part}) != 0;
+      };
+      const bool is_new = chosen.is_chosen[i] == 0;
+      if (is_new && std::none_of(parts.begin(), parts.end(), is_shared)) continue;
+      chosen.is_chosen[i] = 1;
+      for (const WirePart& part : parts) {
+        if (gives_on_boundary(part)) has_grown |= shared.insert({part.wire_index, part.part}).second;
+      }
+    }
+  }
+  return chosen;
+}
+
+/// And all pieces that share an edge of their outline with these, with all that are coupled.
+ExactEvaluation::Selection ExactEvaluation::with_neighbors(const FlatPieces& pieces, const Selection& chosen) const {
+  std::set<VertexPair> outline;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (chosen.is_chosen[i] == 0) continue;
+    for_each_outline_edge(pieces[i]->chart, [&](const VertexPair& edge) { outline.insert(edge); });
+  }
+  Selection more = chosen;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for_each_outline_edge(pieces[i]->chart, [&](const VertexPair& edge) {
+      if (outline.count(edge) != 0) more.is_chosen[i] = 1;
+    });
+  }
+  return coupled(pieces, std::move(more));
+}
+
+Charts ExactEvaluation::cut_chosen(const FlatPieces& pieces, const Selection& chosen,
+                                   const std::vector<VertexPair>& edges) const {
+  std::vector<VertexPair> seams;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (chosen.is_chosen[i] == 0) continue;
+    for_each_outline_edge(pieces[i]->chart, [&](const VertexPair& edge) { seams.push_back(edge); });
+    for (const VertexPair& edge : edges) {
+      if (pieces[i]->edges.edge_between(edge).is_valid()) seams.push_back(edge);
+    }
+  }
+  return cut_faces(input_, chosen.faces(pieces), seams, stop_);
+}
+
+FlatPieces ExactEvaluation::flatten_along_seams(Charts charts) const {
+  const FlattenResult result = flatten_charts(charts, {input_, options_}, stop_);
+  FlatPieces pieces;
+  for (std::size_t c = 0; c < charts.charts.size(); ++c) {
+    pieces.push_back(as_flat_piece(std::move(charts.charts[c]), result.pieces[c], options_));
+  }
+  return pieces;
+}
+
+FlatPieces ExactEvaluation::uncut() const {
+  const EdgeTable edges(input_.faces, static_cast<int>(input_.vertices.rows()));
+  return flatten_along_seams(cut_into_charts(input_, edges, stop_));
+}
+
+FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges) const {
+  Selection cut{std::vector<char>(before.size(), 0)};
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    cut.is_chosen[i] = std::any_of(edges.begin(), edges.end(), [&](const VertexPair& edge) {
+      return before[i]->edges.edge_between(edge).is_valid();
+    });
+  }
+  Selection changed = coupled(before, std::move(cut)), solved = changed;
+  if (is_stretched(options_)) {
+    changed = with_neighbors(before, changed);
+    solved = with_neighbors(before, changed);  // what the lengths of the changed ones depend on
+  }
+  FlatPieces after;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (changed.is_chosen[i] == 0) after.push_back(before[i]);
+  }
+  const std::vector<int> changed_faces = changed.faces(before);
+  for (std::shared_ptr<const FlatPiece>& piece : flatten_along_seams(cut_chosen(before, solved, edges))) {
+    if (std::binary_search(changed_faces.begin(), changed_faces.end(), piece->chart.source_face.front()))
+      after.push_back(std::move(piece));
+  }
+  std::sort(after.begin(), after.end(),
+            [](const auto& a, const auto& b) { return a->chart.source_face.front() < b->chart.source_face.front(); });
+  return after;
+}
+
+FlattenError ExactEvaluation::explain(const FlatPieces& pieces, int piece) const {
+  Selection asked{std::vector<char>(pieces.size(), 0)};
+  asked.is_chosen[piece] = 1;
+  Selection solved = coupled(pieces, std::move(asked));
+  if (is_stretched(options_)) solved = with_neighbors(pieces, solved);
+  Charts charts{{}, {}, std::vector<char>(input_.wires.size(), 0)};
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (static_cast<int>(i) == piece) place = charts.charts.size();
+    if (solved.is_chosen[i] != 0) charts.charts.push_back(pieces[i]->chart);
+  }
+  InternalOptions options = options_;
+  options.with_proposals = true;
+  return flatten_charts(std::move(charts), {input_, options}, stop_).pieces[place].error.value();
+}
+
+}  // namespace wirewarp
