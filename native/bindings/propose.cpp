@@ -59,7 +59,7 @@ constexpr const char* kStartSeamsDoc =
     R"(Starts propose_seams() with these arguments and returns a Job at once, as start() does.)";
 
 constexpr const char* kPlanDoc =
-    R"(Cuts one after the other, each the one that leaves least strain beside those before it, until that is enough.
+    R"(Cuts one after the other, until the strain is low enough: each cuts the piece with most strain that a cut helps.
 
 kind: "dart" or "seam", as propose_darts() and propose_seams() propose them.
 strain: the aim, 0.05 for 5%: pieces strained by no more (DartProposal.strain) are left as they are.

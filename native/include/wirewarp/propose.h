@@ -69,15 +69,15 @@ struct CutAim {
   VertexPairs no_seam = VertexPairs(0, 2);  // (k, 2) edges along which none is to run
 };
 
-/// Darts one after the other, each the one that leaves least strain, of those that take most from the model beside
-/// those before it, until that is enough. The figures of each, and the number of its piece, are those beside the cuts
-/// before it, of a pair each by itself; twin is the one that is taken with it. Fewer than are allowed mean that the aim
-/// is met, or that no further one helps. Throws what propose_darts() throws for the first one: no_proposal where the
-/// aim is met without any.
+/// Darts one after the other, until the strain is low enough. Each cuts the piece with most strain that a dart helps:
+/// of the darts that propose_darts() lists for it, the one that leaves least strain. The figures of each, and the
+/// number of its piece, are those beside the cuts before it, of a pair each by itself; twin is the one that is taken
+/// with it. Fewer than are allowed mean that the aim is met, or that no further one helps. Throws what propose_darts()
+/// throws for the first one: no_proposal where the aim is met without any.
 std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& options = {}, const CutAim& aim = {},
                                      const Progress& progress = {});
 
-/// Seams and sets of first cuts, likewise.
+/// Seams and sets of first cuts, likewise. Pieces that lack seams come first, the largest of them before the others.
 std::vector<DartProposal> plan_seams(const FlattenInput& input, const Options& options = {}, const CutAim& aim = {},
                                      const Progress& progress = {});
 
