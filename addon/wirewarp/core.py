@@ -44,7 +44,7 @@ def load(addon_version: str) -> None:
         found = importlib.import_module(f".{_INSIDE}.wirewarp" if inside else "wirewarp", __package__)
         library_version = getattr(found, "__version__", "of an unknown version")
         if library_version == addon_version:
-            importlib.import_module(f"{found.__name__}.pattern.write")  # which imports all that it needs
+            importlib.import_module(f"{found.__name__}.pattern")  # which imports all that it needs
     except Exception as error:  # what a damaged library or one for another numpy raises, is not ours to know
         traceback.print_exc()
         raise LibraryError(loading_problem(error, folder_of("wirewarp", places))) from error

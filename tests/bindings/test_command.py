@@ -333,7 +333,7 @@ def test_a_file_that_is_off_when_read_again_is_refused_and_does_not_end_the_batc
     monkeypatch.setattr("wirewarp.pattern.read_back.WORST", -1.0)
     (request,) = parsed(["flatten", str(model), "--out", str(tmp_path / "out")]).requests
     line = flatten_model(request)
-    assert line["verdict"] == "refused" and "read again" in line["problems"][0]
+    assert line["verdict"] == "refused" and "Verification failed" in line["problems"][0]
     assert list((tmp_path / "out").iterdir()) == []
 
 

@@ -18,7 +18,7 @@ import shapely
 import wirewarp
 from patterns import cut_polygon, quads, rectangle, sample
 from processes import wait_until_gone
-from wirewarp.pattern import Marker, Pattern
+from wirewarp.pattern import FORMATS, Marker, Pattern
 from wirewarp.pattern.flat_piece import flat_piece
 from wirewarp.pattern.motion import Motion
 from wirewarp.pattern.nest_items import simplified
@@ -320,7 +320,7 @@ def test_quantities_that_cannot_be_are_one_sentence(quantities):
         Pattern.from_result(rectangle(100, 100)).with_quantities(quantities)
 
 
-@pytest.mark.parametrize("ending", ["svg", "pdf", "dxf", "plt"])
+@pytest.mark.parametrize("ending", [suffix[1:] for suffix in FORMATS])
 def test_every_format_has_every_copy(tmp_path, ending):
     pattern = sample("Fitted top")
     laid = pattern.laid_on(pattern.nested(1400, times=2, seconds=0))

@@ -5,6 +5,7 @@ import io
 import re
 import xml.etree.ElementTree as ElementTree
 from dataclasses import replace
+from inspect import signature
 
 import dxfgrabber
 import ezdxf
@@ -15,7 +16,7 @@ import shapely
 import wirewarp
 from patterns import SCALE, cut_points, extent, flattened, quads, rectangle, sample
 from PIL import Image
-from wirewarp.pattern import Pattern
+from wirewarp.pattern import FORMATS, Pattern
 
 
 def same_up_to_moves(found: list[np.ndarray], wanted: list[np.ndarray], within: float) -> None:
@@ -64,7 +65,7 @@ def test_presets_for_cutters(tmp_path):
         pattern.write(tmp_path / "x.svg", preset="plasma")
 
 
-@pytest.mark.parametrize("ending", ["svg", "pdf", "dxf", "plt"])
+@pytest.mark.parametrize("ending", [suffix[1:] for suffix in FORMATS])
 def test_names_in_any_script(tmp_path, no_fonts, ending):
     result = flattened("Ball of six gores")
     names = ["Ärmel", "袖", "كم", "Рукав", 'a"b\\c(d', "\x00\ud800<&>"]
@@ -79,7 +80,7 @@ def test_names_in_any_script(tmp_path, no_fonts, ending):
         assert labels[1:6] == names[:5]
 
 
-@pytest.mark.parametrize("ending", ["svg", "pdf", "dxf", "plt"])
+@pytest.mark.parametrize("ending", [suffix[1:] for suffix in FORMATS])
 def test_half_a_surrogate_pair_in_a_title_is_written_as_a_question_mark_or_left_out(tmp_path, ending):
     """Names that were cut off as UTF-16 end so."""
     pattern = Pattern.from_result(rectangle(100, 100), title="A\ud83d", date="\ud83d")
@@ -226,7 +227,7 @@ def test_a_failure_leaves_the_old_file_as_it_was(tmp_path, monkeypatch):
     assert path.read_text() == "old" and list(tmp_path.iterdir()) == [path]
 
 
-@pytest.mark.parametrize("ending", ["svg", "pdf", "dxf", "plt"])
+@pytest.mark.parametrize("ending", [suffix[1:] for suffix in FORMATS])
 def test_a_file_that_came_out_wrong_takes_no_place(tmp_path, monkeypatch, ending):
     pattern = sample("Hat")
     written = pattern.write(tmp_path / f"hat.{ending}")
@@ -238,14 +239,14 @@ def test_a_file_that_came_out_wrong_takes_no_place(tmp_path, monkeypatch, ending
         for stroke in strokes_of(piece):
             yield replace(stroke, points=stroke.points * 1.001)
 
-    for module in ("svg", "pdf", "plain_dxf", "hpgl"):
+    for module in ("svg", "pdf", "dxf", "hpgl"):
         monkeypatch.setattr(f"wirewarp.pattern.{module}.strokes_of", moved)
-    with pytest.raises(RuntimeError, match="mm off"):
+    with pytest.raises(RuntimeError, match="is off by"):
         pattern.write(tmp_path / f"hat.{ending}", **({"dialect": "plain"} if ending == "dxf" else {}))
     assert (tmp_path / f"hat.{ending}").read_bytes() == old and len(list(tmp_path.iterdir())) == 1
 
 
-@pytest.mark.parametrize("ending", ["svg", "pdf", "dxf", "plt"])
+@pytest.mark.parametrize("ending", [suffix[1:] for suffix in FORMATS])
 def test_a_stop_at_any_moment_leaves_the_old_file(tmp_path, monkeypatch, ending):
     monkeypatch.setattr("wirewarp.pattern.progress.OFTEN", 0.0)
     path, pattern = tmp_path / f"hat.{ending}", sample("Hat")
@@ -291,7 +292,7 @@ def test_a_pattern_can_be_stopped_while_it_is_made(monkeypatch):
 
 def test_paths_that_cannot_be_written(tmp_path):
     pattern = sample("Hat")
-    with pytest.raises(wirewarp.FlattenError, match="no other kind of file"):
+    with pytest.raises(wirewarp.FlattenError, match="must end in one of .pdf, .svg, .dxf, .plt"):
         pattern.write(tmp_path / "hat.blend")
     with pytest.raises(FileNotFoundError, match="there is no folder"):
         pattern.write(tmp_path / "none" / "hat.svg")
@@ -325,3 +326,17 @@ def test_what_is_left_out_is_in_no_file(tmp_path):
     assert [len(piece.lines) for piece in everything.pieces] == [len(piece.lines) for piece in pattern.pieces]
     with pytest.raises(wirewarp.FlattenError, match="kinds has 'seams'"):
         pattern.with_only(["seams"])
+
+
+@pytest.mark.parametrize("suffix", FORMATS)
+def test_dialogs_are_told_every_option_of_a_format(tmp_path, suffix):
+    """What they offer is what the writer takes; paper and keep_places come with pages."""
+    chosen = FORMATS[suffix]
+    pages = ["paper", "keep_places"] if chosen.has_pages else []
+    assert sorted(signature(chosen.write).parameters) == sorted(
+        ["path", "pattern", *pages, *(option.name for option in chosen.options)]
+    )
+    for option in chosen.options:
+        for value in [choice.value for choice in option.choices] or [False, True]:
+            Pattern.from_result(rectangle(60, 40)).write(tmp_path / f"a{suffix}", **{option.name: value})
+        assert option.unless is None or option.unless[0] in {other.name for other in chosen.options}

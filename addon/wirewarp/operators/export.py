@@ -16,22 +16,7 @@ from ..words import counted
 from .export_sentences import largest_sentence, size_sentences
 from .export_steps import PatternExport
 
-FORMATS = [
-    ("PDF", "PDF, to print", "Sheets to tape together, a roll for a plotter, or one page for a projector"),
-    ("SVG", "SVG, to draw on and cut", "For Inkscape, LightBurn, Glowforge and Cricut"),
-    ("DXF", "DXF, for CAD", "For programs of the clothing industry, or for lasers and routers"),
-    ("PLT", "PLT, for plotters", "HPGL, which plotters and vinyl cutters read"),
-]
-PRESETS = [
-    ("PRINT", "To print or draw on", "Colors, dashes and texts"),
-    ("LASER", "Laser", "For LightBurn, Glowforge and the like: thin lines without dashes, no texts"),
-    ("CRICUT", "Cricut", "As for lasers, and in pixels, for programs that know no units"),
-]
-DIALECTS = [
-    ("ASTM", "Clothing: ASTM", "Layers by number, as AccuMark reads them"),
-    ("AAMA", "Clothing: AAMA", "Layers by number, as CLO and Optitex read them"),
-    ("PLAIN", "Lasers and drawing", "Outlines on named layers, in millimeters"),
-]
+FORMATS = {suffix[1:].upper(): each for suffix, each in pattern.FORMATS.items()}
 DRAWN = [  # kinds of the library, upper case and with underscores
     ("SEW", "Sew Lines", "Where to sew, inside the line to cut"),
     ("WIRES", "Wires", "The wires inside of pieces"),
@@ -51,22 +36,14 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
     bl_label = "Export Pattern"
 
     filter_glob: StringProperty(
-        description="The files shown", default="*.pdf;*.svg;*.dxf;*.plt", options={"HIDDEN", "SKIP_SAVE"}
+        description="The files shown",
+        default=";".join(f"*{suffix}" for suffix in pattern.FORMATS),
+        options={"HIDDEN", "SKIP_SAVE"},
     )
     format: EnumProperty(
-        name="Format", description="What the pattern is for. Of scripts: by the name of the file", items=FORMATS
-    )
-    proof_sheet: BoolProperty(
-        name="Proof Sheet",
-        description="Add a last sheet with tables of all pieces, and of all seams with the lengths of both sides",
-        default=False,
-    )
-    preset: EnumProperty(name="For", description="How the lines look", items=PRESETS, default="PRINT")
-    dialect: EnumProperty(name="For", description="Which programs read it", items=DIALECTS, default="ASTM")
-    control_square: BoolProperty(
-        name="Control Square",
-        description="Add a square of 100 mm, which shows whether another program reads the right unit",
-        default=False,
+        name="Format",
+        description="File format. Scripts may leave it to the file extension",
+        items=[(key, each.label, each.description) for key, each in FORMATS.items()],
     )
     drawn: EnumProperty(
         name="Drawn",
@@ -101,7 +78,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         ending = Path(bpy.path.abspath(self.filepath)).suffix[1:].upper()  # Windows takes what follows // for a server
-        if not self.properties.is_property_set("format") and ending in {key for key, _, _ in FORMATS}:
+        if not self.properties.is_property_set("format") and ending in FORMATS:
             self.format = ending
         if self._has_dialog:
             for name in PatternSettings.__annotations__:
@@ -112,18 +89,14 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         self.draw_beforehand(context)
         layout = self.layout
         layout.prop(self, "format")
-        if self.format == "PDF":
-            if self.arrangement != "MARKER":
-                layout.prop(self, "paper")
-                if self.paper == "ROLL":
-                    self.draw_lengths(context, "roll_width")
-            layout.prop(self, "proof_sheet")
-        elif self.format == "SVG":
-            layout.prop(self, "preset")
-        elif self.format == "DXF":
-            layout.prop(self, "dialect")
-            if self.dialect != "PLAIN":
-                layout.prop(self, "control_square")
+        chosen = FORMATS[self.format]
+        if chosen.has_pages and self.arrangement != "MARKER":
+            layout.prop(self, "paper")
+            if self.paper == "ROLL":
+                self.draw_lengths(context, "roll_width")
+        for option in chosen.options:
+            if not (option.unless and self._chosen(option.unless[0]) == option.unless[1]):
+                layout.prop(self, option.name)
         layout.prop(self, "arrangement")
         if self.arrangement == "MARKER":
             self.draw_lengths(context, "cloth_width", "gap")
@@ -148,31 +121,45 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         )
 
     def _write_options(self) -> dict[str, Any]:
-        if self.format == "PDF":
+        chosen = FORMATS[self.format]
+        options: dict[str, Any] = {option.name: self._chosen(option.name) for option in chosen.options}
+        if chosen.has_pages:
             # A marker comes on a roll that is as wide as it takes.
             paper = None if self.arrangement == "MARKER" else library_paper(self.paper, self.roll_width)
-            return {"paper": paper, "proof": self.proof_sheet, "keep_places": self.arrangement == "AS_LAID_OUT"}
-        if self.format == "SVG":
-            return {"preset": self.preset.lower()}
-        if self.format == "DXF":
-            has_square = self.control_square and self.dialect != "PLAIN"
-            return {"dialect": self.dialect.lower(), "control_square": has_square}
-        return {}
+            options |= {"paper": paper, "keep_places": self.arrangement == "AS_LAID_OUT"}
+        return options
+
+    def _chosen(self, name: str) -> str | bool:
+        """The value of an option of the format, as the library has it."""
+        value = getattr(self, name)
+        return value.lower() if isinstance(value, str) else value
 
     def size_sentences(self, made: pattern.Pattern) -> list[str]:
         if made.marker:
             return [f"{made.marker.sentence(made.units)}.", largest_sentence(made)]
-        if self.format != "PDF":
-            return size_sentences(made, made.size if self.format != "SVG" else made.svg_size)
+        if not FORMATS[self.format].has_pages:
+            return size_sentences(made, FORMATS[self.format].size_of(made))
         pages, count = made.page_sizes(**self._write_options() | {"proof": False}), counted(len(made.pieces), "piece")
         if is_roll(self.paper):
             width, length = map(made.units.text, (pages[0][0], sum(page[1] for page in pages)))
             return [f"{count} on {length} of a roll of {width}, {counted(len(pages), 'page')}."]
         if self.paper == ONE_PAGE:
             return size_sentences(made, pages[0])
-        proofs = " and a proof sheet" if self.proof_sheet else ""
+        proofs = " and a proof sheet" if self.proof else ""
         sheets = f"{counted(len(pages), 'sheet')} of {PAPERS[self.paper][1]}, one of them the map{proofs}"
         return [f"{count} on {sheets}.", largest_sentence(made)]
+
+
+def _option_property(option: pattern.Option) -> Any:  # noqa: ANN401
+    if not option.choices:
+        return BoolProperty(name=option.label, description=option.description, default=False)
+    items = [(choice.value.upper(), choice.label, choice.description) for choice in option.choices]
+    return EnumProperty(name=option.label, description=option.description, items=items)
+
+
+OBJECT_OT_wirewarp_export.__annotations__ |= {
+    option.name: _option_property(option) for each in FORMATS.values() for option in each.options
+}
 
 
 class OBJECT_OT_wirewarp_export_svg(PatternExport, bpy.types.Operator):

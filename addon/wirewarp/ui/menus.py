@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 import bpy
 
+from ..core import pattern
 from ..model.owners import model_of
 
 
@@ -72,7 +73,7 @@ def draw_pieces_menu(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
 
 
 def draw_export_entry(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
-    _asking_layout(menu).operator("object.wirewarp_export", text="WireWarp Pattern (.pdf, .svg, .dxf, .plt)")
+    _asking_layout(menu).operator("object.wirewarp_export", text=f"WireWarp Pattern ({', '.join(pattern.FORMATS)})")
 
 
 def _asking_layout(menu: bpy.types.Menu) -> bpy.types.UILayout:

@@ -13,9 +13,9 @@ import psutil
 
 from .. import Cloth
 from .._errors import FlattenError
+from ..pattern import FORMATS
 from ..pattern.nest_items import Grain
 from ..pattern.papers import roll_width
-from ..pattern.write import WRITERS
 from .apart import Limits
 from .input_error import InputError
 from .inputs import Found, found_models
@@ -309,7 +309,7 @@ def _page(text: str) -> str | float:
 
 def _formats(text: str) -> tuple[str, ...]:
     formats = tuple(dict.fromkeys(text.lower().split(",")))
-    known = [suffix[1:] for suffix in WRITERS]
+    known = [suffix[1:] for suffix in FORMATS]
     for each in formats:
         if each not in known:
             raise argparse.ArgumentTypeError(f"{each!r} is no format: give some of {','.join(known)}")

@@ -6,8 +6,10 @@ are shorter where spyrrow is installed.
 """
 
 from .eases import longer_text
+from .file_format import Choice, Format, Option
 from .flat_piece import Chain, FlatPiece, FlatWire
 from .fonts import add_font_folder
+from .formats import FORMATS
 from .marker import Marker, Placement
 from .model import Line, PatternPiece, Point, Text
 from .papers import Page
@@ -16,11 +18,15 @@ from .pattern_data import Written
 from .units import UnitSystem
 
 __all__ = [
+    "FORMATS",
     "Chain",
+    "Choice",
     "FlatPiece",
     "FlatWire",
+    "Format",
     "Line",
     "Marker",
+    "Option",
     "Page",
     "Pattern",
     "PatternPiece",

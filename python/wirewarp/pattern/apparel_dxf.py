@@ -5,7 +5,6 @@ One block per piece, layers by number, polylines that are closed both ways. All 
 """
 
 import math
-from typing import Literal
 
 import numpy as np
 
@@ -27,11 +26,9 @@ TEXT_HEIGHT = 5.0
 CONTROL = 100.0  # millimeters: side of the square that tells what the unit is
 
 
-def apparel_dxf(
-    pattern: PatternData, dialect: Literal["astm", "aama"], control_square: bool
-) -> Steps[tuple[str, list[str]]]:
+def apparel_dxf(pattern: PatternData, is_aama: bool, control_square: bool) -> Steps[tuple[str, list[str]]]:
     """The file, and sentences on names that could not be kept."""
-    writer = _Writer(pattern, dialect)
+    writer = _Writer(pattern, is_aama)
     names = block_names([piece.name for piece in pattern.pieces], LONGEST_NAME)
     blocks: list[Tags] = []
     for name, piece in zip(names, pattern.pieces, strict=True):
@@ -51,8 +48,8 @@ def apparel_dxf(
 
 
 class _Writer:
-    def __init__(self, pattern: PatternData, dialect: str) -> None:
-        self._pattern, self._is_aama = pattern, dialect == "aama"
+    def __init__(self, pattern: PatternData, is_aama: bool) -> None:
+        self._pattern, self._is_aama = pattern, is_aama
         is_metric = pattern.units.name == "metric"
         self._units = "METRIC" if is_metric else "ENGLISH"
         self._scale = 1.0 if is_metric else 1 / INCH

@@ -6,8 +6,10 @@ from pathlib import Path
 import numpy as np
 
 from .drawing import Stroke, strokes_of
+from .file_format import Format
 from .pattern_data import PatternData
 from .progress import Steps
+from .read_back import read_plt
 
 UNITS = 40  # per millimeter
 AT_ONCE = 100  # points in one command: plotters hold short lines only
@@ -39,3 +41,13 @@ def _drawn(points: np.ndarray) -> list[str]:
     for start in range(1, len(points), AT_ONCE):
         commands.append("PD" + ",".join(f"{x},{y}" for x, y in points[start : start + AT_ONCE]))
     return commands
+
+
+PLT_FORMAT = Format(
+    ".plt",
+    "PLT, for plotters",
+    "HPGL, which plotters and vinyl cutters read",
+    write_plt,
+    read_plt,
+    is_along_cloth=True,
+)

@@ -15,6 +15,7 @@ from .card import opened, with_card
 from .checks import checked_length, checked_names, problem
 from .flat_piece import FlatPiece, flat_piece
 from .fold import folded, unfolded
+from .formats import writing
 from .marker import Marker, at_corner
 from .marks import marks, walks_of
 from .mirror import fold_of, mirror_between
@@ -32,7 +33,6 @@ from .seams import sewn_sides
 from .svg import page_size
 from .units import Units, UnitSystem
 from .widths import Widths
-from .write import writing
 
 if TYPE_CHECKING:
     from .._wirewarp import FlattenResult

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from .drawing import strokes_of
+from .file_format import Format, Option
 from .model import PatternPiece
 from .papers import SHEETS
 from .pattern_data import PatternData
@@ -13,6 +14,7 @@ from .pdf_document import Content, Document
 from .plan import BORDER, Plan, plan
 from .progress import Steps
 from .proof import proof_pages
+from .read_back import read_pdf
 from .roles import LAYERS, LOOKS
 
 Paper = str | float | None
@@ -92,3 +94,20 @@ def _drawn(piece: PatternPiece, thinnest: float) -> Content:
         own = [stroke for stroke in strokes if stroke.look.layer == layer]
         content.in_layer(layer, own, [text for text in piece.texts if LOOKS[text.role].layer == layer])
     return content
+
+
+PDF_FORMAT = Format(
+    ".pdf",
+    "PDF, to print",
+    "Sheets to tape together, a roll for a plotter, or one page for a projector",
+    write_pdf,
+    read_pdf,
+    options=(
+        Option(
+            "proof",
+            "Proof Sheet",
+            "Add a last sheet with tables of all pieces, and of all seams with the lengths of both sides",
+        ),
+    ),
+    has_pages=True,
+)

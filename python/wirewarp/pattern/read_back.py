@@ -8,7 +8,7 @@ import math
 import re
 import xml.etree.ElementTree as ElementTree
 import zlib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -20,22 +20,22 @@ NUMBER = r"-?[\d.]+"
 WORST = 0.02  # millimeters: half a unit of HPGL is 0.0125 each way, all others are finer
 
 
-def check(path: Path, kind: str, outlines: Sequence[np.ndarray]) -> Steps[float]:
-    """How far, in millimeters, the worst point in the file lies from the outlines (k,2); kind: as ".svg".
+def check(found: Iterator[np.ndarray], outlines: Sequence[np.ndarray]) -> Steps[float]:
+    """How far, in millimeters, the worst point in the file lies from the outlines (k,2).
 
     Where outlines lie on the sheet is not compared. Raises RuntimeError if the file has others, or lies farther off.
     """
     waiting = [_normalized(outline) for outline in outlines]
     worst, count = 0.0, 0
-    for found in map(_normalized, READERS[kind](path)):
+    for each in map(_normalized, found):
         yield "reading again", count / max(len(outlines), count + 1)
-        off, place = _nearest(found, waiting)
+        off, place = _nearest(each, waiting)
         if off > WORST:
-            raise RuntimeError(f"The file was read again, and an outline is {off:.3f} mm off.")
+            raise RuntimeError(f"Verification failed: an outline in the file is off by {off:.3f} mm.")
         del waiting[place]
         worst, count = max(worst, off), count + 1
     if waiting:
-        raise RuntimeError(f"The file was read again, and has {count} outlines of {len(outlines)}.")
+        raise RuntimeError(f"Verification failed: the file has {count} of {len(outlines)} outlines.")
     return worst
 
 
@@ -57,7 +57,7 @@ def _normalized(points: np.ndarray) -> np.ndarray:
     return points - points.mean(axis=0)
 
 
-def _read_svg(path: Path) -> Iterator[np.ndarray]:
+def read_svg(path: Path) -> Iterator[np.ndarray]:
     root = ElementTree.parse(path).getroot()
     unit = 1.0 if root.get("viewBox") else INCH / 96
     for element in root.iter():
@@ -65,7 +65,7 @@ def _read_svg(path: Path) -> Iterator[np.ndarray]:
             yield _pairs(re.findall(NUMBER, element.get("d", ""))) * (unit, -unit)
 
 
-def _read_pdf(path: Path) -> Iterator[np.ndarray]:
+def read_pdf(path: Path) -> Iterator[np.ndarray]:
     for stream in re.findall(rb"/Subtype /Form.*?stream\n(.*?)\nendstream", path.read_bytes(), re.DOTALL):
         content = zlib.decompress(stream).decode("latin-1")
         for layer in re.findall(r"/LCut BDC(.*?)EMC", content, re.DOTALL):
@@ -73,7 +73,7 @@ def _read_pdf(path: Path) -> Iterator[np.ndarray]:
                 yield _pairs(re.findall(NUMBER, line))
 
 
-def _read_dxf(path: Path) -> Iterator[np.ndarray]:
+def read_dxf(path: Path) -> Iterator[np.ndarray]:
     lines = path.read_text(encoding="ascii").split("\n")
     tags = [(int(code), value.strip()) for code, value in zip(lines[::2], lines[1::2], strict=False) if code.strip()]
     unit = INCH if any(value.upper() == "UNITS: ENGLISH" for _, value in tags) else 1.0
@@ -93,7 +93,7 @@ def _read_dxf(path: Path) -> Iterator[np.ndarray]:
             points.append(value)
 
 
-def _read_plt(path: Path) -> Iterator[np.ndarray]:
+def read_plt(path: Path) -> Iterator[np.ndarray]:
     pen = ""
     points: list[str] = []
     for command in [*path.read_text(encoding="ascii").split(";"), "PU"]:
@@ -107,11 +107,3 @@ def _read_plt(path: Path) -> Iterator[np.ndarray]:
 
 def _pairs(numbers: Sequence[str]) -> np.ndarray:
     return np.array([float(number) for number in numbers]).reshape(-1, 2)
-
-
-READERS: dict[str, Callable[[Path], Iterator[np.ndarray]]] = {
-    ".svg": _read_svg,
-    ".pdf": _read_pdf,
-    ".dxf": _read_dxf,
-    ".plt": _read_plt,
-}

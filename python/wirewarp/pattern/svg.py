@@ -14,10 +14,12 @@ import numpy as np
 
 from .checks import problem
 from .drawing import Stroke, base_lines, strokes_of
+from .file_format import Choice, Format, Option
 from .interior import LINE
 from .model import PatternPiece, Text
 from .pattern_data import PatternData
 from .progress import Steps
+from .read_back import read_svg
 from .roles import LAYERS, LOOKS
 
 SVG, INKSCAPE = "http://www.w3.org/2000/svg", "http://www.inkscape.org/namespaces/inkscape"
@@ -31,8 +33,10 @@ PIXEL = 25.4 / 96  # millimeters, as style sheets have it
 
 @dataclass(frozen=True)
 class Preset:
-    """How a program that cuts takes a file."""
+    """How lines look for a program."""
 
+    label: str
+    description: str
     stroke: float | None = None  # millimeters, of all lines; None: each as it is
     has_texts: bool = True
     has_dashes: bool = True
@@ -40,16 +44,27 @@ class Preset:
 
 
 PRESETS = {
-    "print": Preset(),
-    "laser": Preset(stroke=0.1, has_texts=False, has_dashes=False),  # LightBurn, Glowforge: lines are cut as they are
-    "cricut": Preset(stroke=0.3, has_texts=False, has_dashes=False, in_pixels=True),
+    "print": Preset("To print or draw on", "Colors, dashes and texts"),
+    "laser": Preset(
+        "Laser",
+        "For LightBurn, Glowforge and similar programs: thin lines without dashes, no texts",
+        stroke=0.1,
+        has_texts=False,
+        has_dashes=False,
+    ),
+    "cricut": Preset(
+        "Cricut",
+        "As for lasers, in pixels, for programs that ignore units",
+        stroke=0.3,
+        has_texts=False,
+        has_dashes=False,
+        in_pixels=True,
+    ),
 }
 
 
 def write_svg(path: Path, pattern: PatternData, preset: str = "print") -> Steps[tuple[int, list[str]]]:
-    """preset: "print"; "laser" for LightBurn, Glowforge and the like: thin lines without dashes, no texts; "cricut": so
-    too, in pixels of 1/96 in.
-    """
+    """preset: a key of PRESETS; pixels are 1/96 in."""
     if preset not in PRESETS:
         raise problem(f"preset is {preset!r}: give {', '.join(map(repr, PRESETS))}.")
     ElementTree.register_namespace("", SVG)
@@ -179,3 +194,21 @@ def _free_id(name: str, taken: set[str]) -> str:
         free, number = f"{plain}_{number}", number + 1
     taken.add(free)
     return free
+
+
+SVG_FORMAT = Format(
+    ".svg",
+    "SVG, to draw on and cut",
+    "For Inkscape, LightBurn, Glowforge and Cricut",
+    write_svg,
+    read_svg,
+    options=(
+        Option(
+            "preset",
+            "For",
+            "How the lines look",
+            tuple(Choice(name, each.label, each.description) for name, each in PRESETS.items()),
+        ),
+    ),
+    size_of=page_size,
+)
