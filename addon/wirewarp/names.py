@@ -68,18 +68,9 @@ SOURCE_CORNER = Attribute("source_corner", "INT", "CORNER")
 SOURCE_FACE = Attribute("source_face", "INT", "FACE")
 PIECE_INDEX = Attribute("piece", "INT", "FACE")  # index of the piece in the report
 
-# On the flat mesh: what tells that it was changed by hand.
+# On the flat mesh: what tells how it was laid out, and that it was changed by hand.
 FLAT_LENGTH = Attribute("flat_length", "FLOAT", "EDGE")  # as laid out
-FLAT_COUNTS = "wirewarp_flat_counts"  # custom property: numbers of vertices, edges and faces
-FLAT_AREAS = "wirewarp_flat_areas"  # custom property: signed area of each piece
-
-# On the flat mesh, custom properties: how it was laid out.
-LAYOUT = "wirewarp_layout"  # the options that lay out otherwise when they change, JSON
-UP = "wirewarp_up"  # direction in the model's own space that was up
-AWAY = "wirewarp_away"  # places of pieces that have no shape just now, see solve.places.NONE_AWAY
-GRAIN = "wirewarp_grain_axes"  # which way the grain of each piece runs, see flat.grain
-FACE_COUNT = "wirewarp_source_faces"  # faces of the mesh that was flattened
-RANGE = "wirewarp_range_"  # before the name of each map: its smallest and its largest value
+FLAT_RECORD = "wirewarp_flat"  # custom property: how the pieces were laid out, see flat.record
 
 # Data-blocks.
 COLLECTION = "WireWarp"  # of the flat objects of a scene

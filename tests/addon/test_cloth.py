@@ -65,7 +65,8 @@ def test_maps_of_threads_are_there_with_a_cloth_alone(source, addon):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN")
     flat = flat_of(source).data
     for color_map in addon.solve.maps.CLOTH_MAPS:
-        assert color_map.attribute in flat.color_attributes and f"wirewarp_range_{color_map.attribute}" in flat
+        assert color_map.attribute in flat.color_attributes
+        assert color_map.attribute in addon.flat.record.read_record(flat).ranges
     bpy.ops.object.wirewarp_flatten()
     assert not {*THREADS, *(color_map.attribute for color_map in addon.solve.maps.CLOTH_MAPS)} & {
         *flat.attributes.keys()

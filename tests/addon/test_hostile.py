@@ -36,7 +36,6 @@ FLAT_ATTRIBUTES = {
 }
 NAMES = ["", " ", "two\nlines", "\x01", "漢字 🧵", "x" * 1000, "../<&>\"'%s{0}"]
 VALUES = [3, 2.5, "text", [1, 2, 3], [0.5, NAN], {"a": 1}]
-ON_FLAT_MESH = ["flat_counts", "flat_areas", "range_stretch_color", "layout", "source_faces", "up", "away"]
 
 
 def fill(mesh, name, value):
@@ -90,8 +89,7 @@ def clear_lists(model):
 
 
 def store(model, value):
-    for name in ON_FLAT_MESH:
-        flat_of(model).data[f"wirewarp_{name}"] = value
+    flat_of(model).data["wirewarp_flat"] = value
     model.data["wirewarp_uv_scale"] = value
 
 

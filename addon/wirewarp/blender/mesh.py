@@ -41,13 +41,6 @@ def read_attribute(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str)
     return read(attribute.data, *_VALUES[data_type])
 
 
-def read_numbers(owner: bpy.types.ID, name: str) -> np.ndarray | None:
-    """(k,) the numbers of a property that is a list of them; None if there is none such."""
-    stored = owner.get(name)
-    is_list = hasattr(stored, "typecode")  # of an IDPropertyArray
-    return np.array(stored) if is_list else None
-
-
 def vertex_places(mesh: bpy.types.Mesh) -> np.ndarray:
     """(n,3) float32"""
     if not HAS_ATTRIBUTES or not len(mesh.vertices):

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 import bpy
 import numpy as np
 
-from ..names import RANGE
 from ..solve.flat_mesh import FlatMesh
 from ..solve.maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION, SHEAR, STRETCH, WARP, WEFT, ColorMap
 
@@ -18,19 +17,23 @@ def write_maps(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
     """On a mesh that has none of these attributes."""
     for name, domain in VALUES.items():
         mesh.attributes.new(name, "FLOAT", domain).data.foreach_set("value", getattr(flat, name))
-    measures = {ASPECT_RATIO: flat.aspect_ratio, STRETCH: flat.stretch, ARAP_ENERGY: flat.energy_density}
+    measures = map_values(flat)
     for color_map, name in OF_THREADS.items() if flat.threads else ():
-        measures[color_map] = getattr(flat.threads, name)
         mesh.attributes.new(name, "FLOAT", "FACE").data.foreach_set("value", measures[color_map])
     _write_colors(mesh, flat, measures)
-    for color_map, values in (measures | {LENGTH_VARIATION: flat.length_variation}).items():
-        mesh[f"{RANGE}{color_map.attribute}"] = [float(values.min()), float(values.max())]
     shown = mesh.color_attributes.find(COLOR_MAPS[0].attribute)
     mesh.color_attributes.active_color_index = mesh.color_attributes.render_color_index = shown
 
 
+def map_values(flat: FlatMesh) -> dict[ColorMap, np.ndarray]:
+    """(f,) by their map; (e,) for the variation of lengths."""
+    of_threads = {each: getattr(flat.threads, name) for each, name in OF_THREADS.items()} if flat.threads else {}
+    measures = {ASPECT_RATIO: flat.aspect_ratio, STRETCH: flat.stretch, ARAP_ENERGY: flat.energy_density}
+    return measures | of_threads | {LENGTH_VARIATION: flat.length_variation}
+
+
 def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, measures: Mapping[ColorMap, np.ndarray]) -> None:
-    """measures: (f,) by their map."""
+    """measures: as map_values returns them."""
     ends = flat.edges.ravel()
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
     sums = np.bincount(ends, np.repeat(flat.length_variation, 2), minlength=len(mesh.vertices))
@@ -40,7 +43,7 @@ def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, measures: Mapping[ColorM
     # maps use the same memory, for new memory is slower still.
     taken = np.empty(len(face), dtype=np.complex128)
     for color_map, values, at_corner in (
-        *((color_map, values, face) for color_map, values in measures.items()),
+        *((color_map, values, face) for color_map, values in measures.items() if color_map != LENGTH_VARIATION),
         (LENGTH_VARIATION, at_vertex, flat.loop_vertices),
     ):
         own = color_map.colors(values).view(np.complex128).ravel()

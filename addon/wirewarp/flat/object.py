@@ -18,8 +18,8 @@ from ..model.owners import find_flat_object, flat_name, model_of
 from ..model.wire_names import write_names
 from ..names import (
     COLLECTION,
-    FACE_COUNT,
     FAILED_MATERIAL,
+    FLAT_LENGTH,
     PIECE,
     PIECE_INDEX,
     SEAM,
@@ -32,7 +32,7 @@ from ..solve.arrays import MeshArrays, edge_lengths
 from ..solve.flat_mesh import FlatMarks, FlatMesh, flat_marks
 from .maps import write_maps
 from .places import free_place
-from .read import remember_shape
+from .record import FlatRecord, write_record
 from .uv import write_flat_maps
 
 OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")  # in a second scene, or beside one of another file
@@ -44,6 +44,7 @@ def write_flat_object(
     source: bpy.types.Object,
     flat: FlatMesh,
     arrays: MeshArrays,
+    record: FlatRecord,
     models: Sequence[bpy.types.Object],
 ) -> bpy.types.Object:
     """Makes the flat object of `source`, or replaces the data of the one it has. True scale, in its own z = 0 plane.
@@ -53,11 +54,11 @@ def write_flat_object(
     """
     target = find_flat_object(source)
     if target is None:
-        return _new_object(scene, source, flat, arrays, models)
+        return _new_object(scene, source, flat, arrays, record, models)
     if _is_shared(target):
         target.data = bpy.data.meshes.new(target.name)
     with _restored_on_failure(target):
-        _write_mesh(target, source, flat, arrays)
+        _write_mesh(target, source, flat, arrays, record)
     if scene not in target.users_scene:
         our_collection(scene).objects.link(target)
     target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
@@ -69,12 +70,13 @@ def _new_object(
     source: bpy.types.Object,
     flat: FlatMesh,
     arrays: MeshArrays,
+    record: FlatRecord,
     models: Sequence[bpy.types.Object],
 ) -> bpy.types.Object:
     name = flat_name(source.name)
     target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
     try:
-        _write_mesh(target, source, flat, arrays)
+        _write_mesh(target, source, flat, arrays, record)
         target.location = free_place(scene, source, flat.vertices.max(axis=0, initial=0.0), models)
     except BaseException:
         remove_object(target)
@@ -124,19 +126,20 @@ def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) 
     return notes
 
 
-def _write_mesh(target: bpy.types.Object, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) -> None:
+def _write_mesh(
+    target: bpy.types.Object, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays, record: FlatRecord
+) -> None:
     """And nothing else: shape keys and groups of the former vertices go."""
     mesh = target.data
     target.shape_key_clear()
     target.vertex_groups.clear()
     _write_faces(mesh, flat)
     deselect_all(mesh)  # in Edit Mode L is to take one piece, not one more
-    lengths = edge_lengths(flat.vertices, flat.edges)
-    _write_attributes(mesh, flat, arrays)
+    _write_attributes(mesh, flat)
+    write_record(mesh, record)
     write_maps(mesh, flat)
     _write_marks(mesh, flat_marks(flat.source_edge, arrays))
     write_marked(mesh, SIDE_EASE, flat.side_eases)
-    remember_shape(mesh, lengths, flat.piece_areas)
     write_names(mesh, {wire.chain.wire_id: wire.name for wire in arrays.wires})
     write_flat_maps(mesh, flat, arrays)
     _write_materials(mesh, source, flat, arrays)
@@ -158,13 +161,13 @@ def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
     mesh.update()
 
 
-def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
+def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
     write_values(mesh, SOURCE_VERTEX, flat.source_vertex)
     write_values(mesh, SOURCE_CORNER, flat.source_corner)
     write_values(mesh, SOURCE_FACE, flat.source_face)
     write_values(mesh, PIECE_INDEX, flat.face_piece)
     write_values(mesh, PIECE, flat.piece_id)
-    mesh[FACE_COUNT] = len(arrays.polygon_starts)
+    write_values(mesh, FLAT_LENGTH, edge_lengths(flat.vertices, flat.edges).astype(np.float32))
 
 
 def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:

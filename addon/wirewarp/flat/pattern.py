@@ -24,10 +24,10 @@ from ..pattern.chains import EdgeMarks, chains_of_marks, edge_keys
 from ..pattern.outlines import FlatPieces, OutlineEdges, outline_of, piece_of_vertices
 from ..pattern.polygons import Segments, overlap
 from ..solve.pattern_parts import Allowances, PatternParts
-from .grain import UP, grain_directions
 from .markers import kept_marker, marker_text
 from .object import is_true_size
 from .read import has_kept_shape, read_flat_pieces
+from .record import UPRIGHT, grains
 from .reports import pieces_report
 
 EDITED = "The flat pieces were edited by hand, and a seam of the model is missing on them. Flatten the model again."
@@ -43,7 +43,7 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternPar
     pieces = read_flat_pieces(flat.data, millimeters)
     wire_ids = np.unique(pieces.marks.wire_ids[pieces.marks.rows]).tolist()
     names = names_of(source.data, wire_ids) | {wire["wire_id"]: wire["name"] for wire in report["wires"]}
-    found = _pieces(report, pieces, names, grain_directions(flat.data, pieces.vertices))
+    found = _pieces(report, pieces, names, grains(flat.data, pieces.vertices))
     allowances = _allowances(source, report, millimeters, bpy.context.evaluated_depsgraph_get())
     return _parts(scene, source, report, found, allowances)
 
@@ -99,7 +99,7 @@ def _pieces(
             if not edges.issuperset(step[::-1] for step in steps):
                 raise object_error("edited_pieces", EDITED)
         name, inside = piece["name"], wires.get(piece["index"], [])
-        grain = grains.get(piece["index"], UP)
+        grain = grains.get(piece["index"], UPRIGHT)
         found.append(pattern.FlatPiece(name, flat.vertices, flat.source_vertex, own, chains, inside, grain))
     return found
 

@@ -9,9 +9,10 @@ import numpy as np
 
 from ..blender.attributes import find_values, has_attributes, write_values
 from ..core import FlattenResult
-from ..names import FACE_COUNT, PIECE, SOURCE_FACE
+from ..names import PIECE, SOURCE_FACE
 from ..solve.arrays import MeshArrays
 from ..solve.identity import KnownPieces, PieceIdentity, ids_by_face
+from .record import read_record
 
 
 def piece_names(source: bpy.types.Object) -> dict[int, str]:
@@ -32,8 +33,8 @@ def known_pieces(
 
 def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
     """(face_count,) int32 for the model; zeros if it is not, face by face, the one that was flattened."""
-    ids = np.zeros(face_count, dtype=np.int32)
-    if mesh.get(FACE_COUNT) == face_count and has_attributes(mesh, SOURCE_FACE, PIECE):
+    ids, record = np.zeros(face_count, dtype=np.int32), read_record(mesh)
+    if record and record.source_faces == face_count and has_attributes(mesh, SOURCE_FACE, PIECE):
         faces = find_values(mesh, SOURCE_FACE)
         inside = (faces >= 0) & (faces < face_count)  # new faces, made by hand, carry none or any
         ids[faces[inside]] = find_values(mesh, PIECE)[inside]

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where flat pieces lie: at first beside their model, later where the user has put them."""
 
-import json
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -10,23 +9,21 @@ import numpy as np
 from mathutils import Vector
 
 from ..blender.attributes import has_attributes
-from ..blender.mesh import read_numbers
 from ..blender.objects import linear_part
 from ..issues import ObjectError
 from ..model.owners import model_of
-from ..names import AWAY, LAYOUT, PIECE, SOURCE_VERTEX, UP
+from ..names import PIECE, SOURCE_VERTEX
 from ..pattern.outlines import FlatPieces, piece_of_vertices
 from ..solve.flat_mesh import FlatMesh
-from ..solve.flatten import LAYOUT_OPTIONS
 from ..solve.identity import PieceIdentity
 from ..solve.places import NONE_AWAY, find_places, points_of
 from .read import read_flat_pieces
+from .record import layout_of, read_record
 
 GAP = 0.1  # of the model's largest dimension
 LARGE = 5.0  # times that: a room or a landscape, in which the pieces may lie
 SOLID = {"MESH", "CURVE", "SURFACE", "META"}
 Box = np.ndarray  # (2,3), the lowest and the highest corner
-MOST = 2.0**53  # what a float holds as a whole number
 TURNED = 0.999  # cosine of the angle, 2.5 degrees, from which on another direction is up
 TURNED_TEXT = (
     "The model was turned after its pieces were laid out, and Keep Places left them as they were. To set them upright "
@@ -90,8 +87,8 @@ def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, spacing: f
 
 def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
     """Whether a run with these options lays out otherwise than the one that made the flat object `earlier`."""
-    then = _read_layout(earlier.data)
-    return not then or any(then.get(name, options[name]) != options[name] for name in LAYOUT_OPTIONS)
+    record = read_record(earlier.data)
+    return record is None or record.layout != layout_of(options)
 
 
 def places_of_absent(
@@ -104,17 +101,6 @@ def places_of_absent(
     return points_of(known, _read_away(earlier.data), absent) if known else NONE_AWAY
 
 
-def remember_layout(mesh: bpy.types.Mesh, options: dict, up: np.ndarray, away: np.ndarray) -> None:
-    """On the flat mesh. up (3,): the direction in the model's own space that was up when the pieces were laid out;
-    away: see NONE_AWAY.
-    """
-    mesh[LAYOUT], mesh[UP] = _layout_text(options), up.tolist()
-    if len(away):
-        mesh[AWAY] = away.ravel().tolist()
-    elif AWAY in mesh:
-        del mesh[AWAY]
-
-
 def present_up(source: bpy.types.Object) -> np.ndarray:
     """(3,) of length 1: the direction in the model's own space that is up in the world."""
     up = linear_part(source)[2]
@@ -122,27 +108,14 @@ def present_up(source: bpy.types.Object) -> np.ndarray:
 
 
 def up_when_laid_out(flat: bpy.types.Object, now: np.ndarray) -> np.ndarray:
-    """(3,) as remember_layout was told; what is up now, where there is no such note."""
-    up = read_numbers(flat.data, UP)
-    return up if up is not None and up.shape == (3,) else now
+    """(3,) what was up when the pieces were laid out; what is up now, where there is no such note."""
+    record = read_record(flat.data)
+    return np.array(record.up) if record else now
 
 
 def is_turned(up: np.ndarray, then: np.ndarray, options: dict) -> bool:
     """Whether pieces that stand as the model stood then would stand otherwise if they were laid out anew."""
     return options["orientation"] == "up" and not float(up @ then) > TURNED
-
-
-def _read_layout(mesh: bpy.types.Mesh) -> dict:
-    """The options of remember_layout; {} if they are gone."""
-    try:
-        then = json.loads(mesh.get(LAYOUT, ""))
-    except (TypeError, ValueError):  # a user or a script has changed it
-        return {}
-    return then if isinstance(then, dict) else {}
-
-
-def _layout_text(options: dict) -> str:
-    return json.dumps({name: options[name] for name in LAYOUT_OPTIONS})
 
 
 def crowded_text(names: list[str]) -> str:
@@ -163,7 +136,5 @@ def _read(mesh: bpy.types.Mesh) -> FlatPieces | None:
 
 
 def _read_away(mesh: bpy.types.Mesh) -> np.ndarray:
-    numbers = read_numbers(mesh, AWAY)
-    if numbers is None or len(numbers) % 4 or not np.all(np.abs(numbers) < MOST):
-        return NONE_AWAY
-    return numbers.reshape(-1, 4).astype(np.float64)
+    record = read_record(mesh)
+    return np.array(record.away) if record and record.away else NONE_AWAY

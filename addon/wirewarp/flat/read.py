@@ -4,21 +4,21 @@
 import bpy
 import numpy as np
 
-from ..blender.attributes import find_values, has_attributes, write_values
+from ..blender.attributes import find_values, has_attributes
 from ..blender.mesh import (
     corner_edges,
     corner_vertices,
     edge_vertices,
     face_sizes,
-    read_numbers,
     vertex_places,
 )
 from ..issues import object_error
 from ..model.attributes import read_marks
 from ..model.owners import find_flat_object, has_flat_object
-from ..names import FLAT_AREAS, FLAT_COUNTS, FLAT_LENGTH, PIECE, PIECE_INDEX, SOURCE_CORNER, SOURCE_FACE, SOURCE_VERTEX
+from ..names import FLAT_LENGTH, PIECE, PIECE_INDEX, SOURCE_CORNER, SOURCE_FACE, SOURCE_VERTEX
 from ..pattern.outlines import FlatPieces, outline_of, signed_areas
 from ..solve.arrays import edge_lengths
+from .record import read_record
 
 OF_ELEMENTS = (SOURCE_VERTEX, SOURCE_CORNER, SOURCE_FACE, PIECE_INDEX, PIECE)  # what a flat mesh always has
 # Of lengths in single precision, relative to the length and to the largest coordinate: pieces may have been moved.
@@ -64,29 +64,19 @@ def pieces_of_report(source: bpy.types.Object, report: dict) -> tuple[bpy.types.
     return flat, read_flat_pieces(flat.data)
 
 
-def remember_shape(mesh: bpy.types.Mesh, lengths: np.ndarray, areas: np.ndarray) -> None:
-    """Of a flat mesh as it was laid out: lengths of the edges (e,), signed areas of the pieces (n,)."""
-    write_values(mesh, FLAT_LENGTH, lengths.astype(np.float32))
-    mesh[FLAT_COUNTS] = _counts(mesh)
-    mesh[FLAT_AREAS] = areas.tolist()
-
-
 def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
     """Whether no vertex, edge or face is gone or new, no edge longer or shorter, and no piece turned over.
 
     Of a mesh with the attributes of flat pieces.
     """
-    laid_out, then = find_values(mesh, FLAT_LENGTH), read_numbers(mesh, FLAT_AREAS)
-    if laid_out is None or then is None or not np.array_equal(read_numbers(mesh, FLAT_COUNTS), _counts(mesh)):
+    laid_out, record = find_values(mesh, FLAT_LENGTH), read_record(mesh)
+    counts = [len(mesh.vertices), len(mesh.edges), len(mesh.polygons)]
+    if laid_out is None or record is None or record.counts != counts:
         return False
     pieces = read_flat_pieces(mesh)
-    now = signed_areas(pieces.vertices, outline_of(pieces))
+    now, then = signed_areas(pieces.vertices, outline_of(pieces)), np.array(record.areas)
     size = float(np.abs(pieces.vertices).max(initial=0))
     if len(now) != len(then) or np.any(np.abs(now - then) > np.abs(then) + PLACE_ERROR * size**2):
         return False  # mirrored, the difference is twice the area
     difference = np.abs(edge_lengths(pieces.vertices, pieces.edges) - laid_out)
     return bool(np.all(difference <= LENGTH_ERROR * laid_out + PLACE_ERROR * size))
-
-
-def _counts(mesh: bpy.types.Mesh) -> list[int]:
-    return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons)]

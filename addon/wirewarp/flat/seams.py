@@ -9,10 +9,11 @@ import numpy as np
 from ..blender.attributes import find_values, has_attributes, write_values
 from ..blender.mesh import edge_vertices
 from ..model.attributes import read_ids
-from ..names import FACE_COUNT, SEAM, SOURCE_VERTEX
+from ..names import SEAM, SOURCE_VERTEX
 from ..pattern.chains import edge_keys
 from ..solve.arrays import MeshArrays
 from ..solve.seams import GIVEN, KnownSeams, SeamIdentity
+from .record import read_record
 
 
 def seam_names(source: bpy.types.Object) -> dict[int, str]:
@@ -29,7 +30,8 @@ def known_seams(source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Ob
 def _ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.ndarray:
     """(k,) int32 for the seam edges of the model; zeros if it is not, face by face, the one that was flattened."""
     ids, found = np.zeros(len(arrays.seams), dtype=np.int32), find_values(mesh, SEAM)
-    is_same = mesh.get(FACE_COUNT) == len(arrays.polygon_starts)
+    record = read_record(mesh)
+    is_same = record is not None and record.source_faces == len(arrays.polygon_starts)
     if found is None or not is_same or not has_attributes(mesh, SOURCE_VERTEX):
         return ids
     marked = np.flatnonzero(found)

@@ -9,15 +9,15 @@ import bpy
 import numpy as np
 
 from ..blender.attributes import find_values, has_attributes
-from ..blender.mesh import corner_vertices, face_sizes, read, read_attribute, read_numbers, vertex_places
-from ..flat.grain import grain_directions, has_grain_wire
+from ..blender.mesh import corner_vertices, face_sizes, read, read_attribute, vertex_places
 from ..flat.pieces import piece_names
+from ..flat.record import grains, read_record
 from ..flat.reports import last_report, pieces_report
 from ..flat.seams import seam_names
 from ..model.owners import find_flat_object, model_of, model_or_self
 from ..model.state import has_changed
 from ..model.wire_names import chain_names
-from ..names import PIECE, PIECE_INDEX, RANGE, SOURCE_CORNER
+from ..names import PIECE, PIECE_INDEX, SOURCE_CORNER
 from ..report.names import joined_pieces
 from ..solve.maps import ColorMap
 from .eases import ease_arrows
@@ -163,16 +163,24 @@ def _piece_names(flat: bpy.types.Object, middles: Mapping[int, _Middle], rooms: 
 def _grain_arrows(flat: bpy.types.Object, edges: LineEdges, middles: Mapping[int, _Middle]) -> dict[str, np.ndarray]:
     """The ends (2k,3) of the arrows, by kind of line: lighter where no grain was chosen."""
     report, rooms = pieces_report(model_of(flat)), piece_rooms(edges)
-    directions = grain_directions(flat.data, vertex_places(flat.data)[:, :2])
+    directions = grains(flat.data, vertex_places(flat.data)[:, :2])
     arrows: dict[str, list[np.ndarray]] = {}
     for piece, direction in directions.items():
         if report is None or piece >= len(report["pieces"]) or piece not in middles or piece not in rooms:
             continue
         ends = arrow(edges, piece, middles[piece].place[:2], direction, ARROW * rooms[piece])
         if ends is not None:
-            kind = "grain" if has_grain_wire(report, piece) else "default grain"
+            kind = "grain" if _has_grain_wire(report, piece) else "default grain"
             arrows.setdefault(kind, []).append(ends)
     return {kind: np.concatenate(parts) for kind, parts in arrows.items()}
+
+
+def _has_grain_wire(report: dict, piece: int) -> bool:
+    """Whether the user has chosen the grain of this piece: the grain wire runs through it."""
+    options = report.get("options", {})
+    ids = {wire["wire"]: wire["wire_id"] for wire in report["wires"]}
+    own = {ids[part["wire"]] for part in report["pieces"][piece]["wires"]}
+    return options.get("orientation") == "wire" and options.get("grain_wire") in own
 
 
 def colored_surface(
@@ -197,5 +205,8 @@ def colored_surface(
 
 def map_extremes(flat: bpy.types.Mesh, color_map: ColorMap) -> Extremes | None:
     """None if a user or a script has removed them."""
-    ranges = read_numbers(flat, f"{RANGE}{color_map.attribute}")
-    return tuple(ranges.tolist()) if ranges is not None and len(ranges) == 2 else None
+    record = read_record(flat)
+    if record is None or color_map.attribute not in record.ranges:
+        return None
+    low, high = record.ranges[color_map.attribute]
+    return low, high

@@ -5,7 +5,6 @@ import bpy
 import numpy as np
 
 from ..blender.objects import show_where_shown
-from ..flat.grain import remember_grain
 from ..flat.object import follow_name, show_flat_object, write_flat_object
 from ..flat.pieces import with_new_names, write_pieces
 from ..flat.places import (
@@ -15,10 +14,10 @@ from ..flat.places import (
     pieces_in_place,
     places_of_absent,
     present_up,
-    remember_layout,
     up_when_laid_out,
     wants_new_layout,
 )
+from ..flat.record import new_record
 from ..flat.reports import remember, store, with_names
 from ..flat.seams import write_seams
 from ..flat.uv import write_uv
@@ -64,9 +63,8 @@ def _write_pieces(
     earlier = _kept_object(source, outcome, settings.keep_places)
     pieces, up = _place(source, outcome, earlier)
     away = places_of_absent(outcome.pieces, earlier, outcome.identities)
-    flat = write_flat_object(context.scene, source, pieces, arrays, models)
-    remember_layout(flat.data, outcome.report["options"], up, away)
-    remember_grain(flat.data, outcome.pieces)
+    record = new_record(outcome.report["options"], up, away, outcome.pieces, pieces, arrays)
+    flat = write_flat_object(context.scene, source, pieces, arrays, record, models)
     follow_name(source, outcome.model.known.model_name)
     if source.data.library is None:
         update_names(source.data, wires_on(source.data))
