@@ -13,7 +13,7 @@ from mathutils import Vector
 sys.path.insert(0, str(Path(__file__).parent.parent / "addon"))
 
 import wirewarp_addon
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only, wire_marks
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only
 
 STYLES = wirewarp_addon.overlay.lines.STYLES
 COLORFUL = {"outline", "rigid", "elastic", "free"}  # white and black are in Blender's own letters and shadows too
@@ -110,7 +110,7 @@ def lines_are_in_the_uv_editor() -> drive.Tour:
 
 
 def marks_are_undone() -> drive.Tour:
-    """Marking, clearing, changing a wire, eases, the grain wire and seams from islands are one undo step each."""
+    """Marking, clearing, changing a wire, eases, allowances, the grain wire and seams from islands: one undo step each."""
     source = marked()
     bpy.ops.object.wirewarp_flatten()
     source.data.edges.foreach_set("use_seam", [False] * len(source.data.edges))
@@ -125,6 +125,7 @@ def marks_are_undone() -> drive.Tour:
             lambda: bpy.ops.mesh.wirewarp_ease("EXEC_DEFAULT", True, sides="ALL"),
             lambda: bpy.ops.mesh.wirewarp_ease("EXEC_DEFAULT", True, sides="ONE"),
             lambda: bpy.ops.mesh.wirewarp_ease("EXEC_DEFAULT", True, sides="NONE"),
+            lambda: bpy.ops.mesh.wirewarp_allowance("EXEC_DEFAULT", True, kind="HEM"),
             lambda: bpy.ops.mesh.wirewarp_grain_wire("EXEC_DEFAULT", True, edge=edge),
             lambda: bpy.ops.mesh.wirewarp_seams_from_uv_islands("EXEC_DEFAULT", True),
         ):
@@ -140,17 +141,17 @@ def marks_are_undone() -> drive.Tour:
 
 
 def state() -> tuple:
-    """Marks, eases, names, the grain wire and seams."""
+    """Marks, names of wires, the grain wire and seams."""
     source = bpy.data.objects["Bump"]
     assert source.mode == "EDIT"
     source.update_from_editmode()
     copied = source.data.copy()  # attributes can be read outside of Edit Mode only
     names = [entry.name for entry in copied.wirewarp_names]
-    eased = wirewarp_addon.model.attributes.read_marks(copied).eases.tolist()
-    sides = wirewarp_addon.model.sides.SIDE_EASES.read(copied).tolist()
-    marks = wire_marks(copied), eased, sides, names, copied.wirewarp_grain, sum(e.use_seam for e in copied.edges)
+    read_values = wirewarp_addon.blender.attributes.read_values
+    marks = [read_values(copied, mark).tolist() for mark in wirewarp_addon.names.MARKS]
+    found = marks, names, copied.wirewarp_grain, sum(edge.use_seam for edge in copied.edges)
     bpy.data.meshes.remove(copied)
-    return marks
+    return found
 
 
 def frame_button() -> drive.Tour:

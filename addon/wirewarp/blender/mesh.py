@@ -105,6 +105,11 @@ def read_hidden_edges(mesh: bpy.types.Mesh) -> np.ndarray:
     return _edge_flags(mesh, ".hide_edge", "hide")
 
 
+def selected_edges(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(k,) those that are selected and not hidden. Of a mesh that is not in Edit Mode."""
+    return np.flatnonzero(read_selected_edges(mesh) & ~read_hidden_edges(mesh))
+
+
 def _edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str) -> np.ndarray:
     """By the attribute, which is absent where no edge has the flag, or by the slower property of each edge."""
     if not HAS_ATTRIBUTES:

@@ -6,15 +6,12 @@ from dataclasses import replace
 from functools import partial
 
 import bpy
-import numpy as np
 from bpy.props import EnumProperty
 
-from ..blender.mesh import read_hidden_edges, read_selected_edges
-from ..blender.modes import hold_whole_file, in_object_mode
-from ..blender.objects import check_local
+from ..blender.mesh import selected_edges
 from ..blender.units import length_text, meters_per_blender_unit
 from ..flat.sides import selected_sides
-from ..issues import ObjectError, object_error
+from ..issues import object_error
 from ..model.ease import (
     Amount,
     Eased,
@@ -29,6 +26,7 @@ from ..model.owners import model_of
 from ..properties import EaseAmount, take_settings
 from ..ui.settings import draw_ease
 from ..words import LengthText, counted, ease_text
+from .editing import change_edited, reporting_refusals
 
 SIDES = [
     ("ALL", "All Sides", "Ease the selected lines, all sides of a seam equally. Lines that are no wires become rigid"),
@@ -69,19 +67,10 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
         take_settings(self, context.scene.wirewarp, EaseAmount)
         return self.execute(context)
 
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        targets, amount = list(context.objects_in_mode_unique_data), self._amount(context.scene)
-        try:
-            for target in targets:
-                check_local(target, target.data)
-                check_ease_attributes(target.data)
-            with in_object_mode(context):
-                planned = [self._plan(target, amount) for target in targets]  # any of them may be refused
-                found = [write() for write in planned]
-                hold_whole_file()
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        amount = self._amount(context.scene)
+        found = change_edited(context, lambda target: self._plan(target, amount))
         return self._told(found, length_text(context.scene))
 
     def _amount(self, scene: bpy.types.Scene) -> Amount:
@@ -101,7 +90,8 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
             else:
                 planned = plan_corners(found.model, found.corners, amount)
             return partial(_write, planned, found.model.data, found.left_out)
-        rows = np.flatnonzero(read_selected_edges(target.data) & ~read_hidden_edges(target.data))
+        check_ease_attributes(target.data)
+        rows = selected_edges(target.data)
         if self.sides == "NONE":
             planned = partial(clear_eases, target, rows)
         elif self.sides == "ALL":

@@ -5,21 +5,19 @@ import math
 from collections.abc import Callable
 
 import bpy
-import numpy as np
 from bpy.props import EnumProperty, FloatProperty
 
-from ..blender.mesh import read_hidden_edges, read_selected_edges
-from ..blender.modes import hold_whole_file, in_object_mode
-from ..blender.objects import check_local
+from ..blender.mesh import selected_edges
+from ..blender.modes import in_object_mode
 from ..blender.units import meters_per_blender_unit
 from ..flat.sides import selected_sides
-from ..issues import ObjectError
+from ..issues import object_error
 from ..model.allowances import NONE, check_allowances, mark_edges, mark_sides
 from ..model.mark import clear_selected, mark_selected
 from ..model.owners import model_of
 from ..model.seams import seams_from_uv
 from ..words import counted, quoted
-from .on_model import OnModel
+from .editing import OnModel, change_edited, reporting_refusals
 
 KINDS = [
     ("RIGID", "Rigid", "A rigid wire keeps exactly its length on the model"),
@@ -33,7 +31,6 @@ ALLOWANCES = [
     ("DEFAULT", "Default", "Give the selected edges the default allowance again"),
 ]
 DESCRIPTIONS = {identifier: description for identifier, _, description in KINDS}
-NEEDS_TOLERANCE = "An elastic wire needs a tolerance above 0: set one, or make the wire rigid."
 
 
 class WireKind:
@@ -63,11 +60,11 @@ class WireKind:
         options={"SKIP_SAVE"},
     )
 
-    def is_tolerance_missing(self) -> bool:
-        return self.kind == "ELASTIC" and not self.tolerance > 0  # nor is it a number in every script
-
     def chosen_tolerance(self) -> float:
-        """As the edges carry it."""
+        """As the edges carry it. Raises ObjectError if an elastic wire has none."""
+        if self.kind == "ELASTIC" and not self.tolerance > 0:  # nor is it a number in every script
+            sentence = "An elastic wire needs a tolerance above 0: set one, or make the wire rigid."
+            raise object_error("no_tolerance", sentence)
         return {"RIGID": 0.0, "ELASTIC": self.tolerance, "SUPER_ELASTIC": math.inf}[self.kind]
 
     def draw_kind(self, layout: bpy.types.UILayout) -> None:
@@ -93,18 +90,11 @@ class MESH_OT_wirewarp_mark(OnModel, WireKind, bpy.types.Operator):
             self.tolerance = context.scene.wirewarp.tolerance_percent / 100
         return self.execute(context)
 
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        if self.is_tolerance_missing():
-            self.report({"ERROR"}, NEEDS_TOLERANCE)
-            return {"CANCELLED"}
-        try:
-            marked = mark_selected(context.objects_in_mode_unique_data, self.chosen_tolerance())
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        marked = mark_selected(context.objects_in_mode_unique_data, self.chosen_tolerance())
         if marked.wires == 0:
-            self.report({"ERROR"}, "Nothing to mark: select the edges of the wire first.")
-            return {"CANCELLED"}
+            raise object_error("nothing", "Nothing to mark: select the edges of the wire first.")
         sentence = f"{counted(marked.wires, 'wire')} marked"
         if marked.lost_eases:
             lost = counted(marked.lost_eases, "wire")
@@ -126,13 +116,9 @@ class MESH_OT_wirewarp_clear(OnModel, bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
     on_model = "clear the wire"
 
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        try:
-            count = clear_selected(context.objects_in_mode_unique_data)
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        if count == 0:
+        if not clear_selected(context.objects_in_mode_unique_data):
             self.report({"WARNING"}, "No selected edge is a wire")
             return {"CANCELLED"}
         return {"FINISHED"}
@@ -173,17 +159,14 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
     def poll(cls, context: bpy.types.Context) -> bool:
         return context.mode == "EDIT_MESH"
 
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         millimeters = 1000 * meters_per_blender_unit(context.scene)
         widths = {"WIDTH": self.width / millimeters, "HEM": self.hem / millimeters, "FOLD": NONE, "DEFAULT": 0.0}
-        try:
-            count, left_out = _mark_allowance(context, widths[self.kind])
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        counts = change_edited(context, lambda target: _plan_allowance(target, widths[self.kind]))
+        count, left_out = map(sum, zip(*counts, strict=True))
         if count == 0:
-            self.report({"ERROR"}, "Nothing to mark: select edges on a seam or outline first.")
-            return {"CANCELLED"}
+            raise object_error("nothing", "Nothing to mark: select edges on a seam or outline first.")
         if left_out:
             lie = counted(left_out, "selected edge lies", "selected edges lie")
             self.report(
@@ -200,19 +183,8 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
             self.layout.prop(self, self.kind.lower())
 
 
-def _mark_allowance(context: bpy.types.Context, width: float) -> tuple[int, int]:
-    """On models all sides, on flat pieces theirs; returns the numbers of edges marked and left out."""
-    targets = list(context.objects_in_mode_unique_data)
-    for target in targets:
-        check_local(target, target.data)
-    with in_object_mode(context):
-        planned = [_plan_allowance(target, width) for target in targets]  # any of them may be refused
-        counts = [write() for write in planned]
-        hold_whole_file()
-    return sum(marked for marked, _ in counts), sum(left_out for _, left_out in counts)
-
-
 def _plan_allowance(target: bpy.types.Object, width: float) -> Callable[[], tuple[int, int]]:
+    """On a model all sides, on flat pieces theirs; what writes returns the numbers of edges marked and left out."""
     sides = selected_sides(target) if model_of(target) else None
     mesh = sides.model.data if sides else target.data
     check_allowances(mesh)
@@ -221,7 +193,7 @@ def _plan_allowance(target: bpy.types.Object, width: float) -> Callable[[], tupl
         if sides:
             count, marked = len(sides.edges) + sides.left_out, mark_sides(mesh, sides.corners, width)
         else:
-            rows = np.flatnonzero(read_selected_edges(mesh) & ~read_hidden_edges(mesh))
+            rows = selected_edges(mesh)
             count, marked = len(rows), mark_edges(mesh, rows, width)
         mesh.update()
         return marked, count - marked
@@ -237,14 +209,11 @@ class MESH_OT_wirewarp_seams_from_uv_islands(OnModel, bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
     on_model = "mark seams"
 
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         targets = list(context.objects_in_mode_unique_data)
-        try:
-            with in_object_mode(context):
-                count, maps = seams_from_uv(targets)
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        with in_object_mode(context):
+            count, maps = seams_from_uv(targets)
         named = f"{'UV map' if len(maps) == 1 else 'UV maps'} {quoted(maps)}"
         if count == 0:
             self.report({"INFO"}, f"No new seams: every island border of the {named} is one already")

@@ -5,8 +5,8 @@ import bpy
 
 from ..blender.modes import in_object_mode
 from ..flat.sewing import WORN, add_sewing_object
-from ..issues import ObjectError
 from ..model.owners import model_or_self
+from .editing import reporting_refusals
 
 
 class OBJECT_OT_wirewarp_sewing(bpy.types.Operator):
@@ -25,13 +25,10 @@ class OBJECT_OT_wirewarp_sewing(bpy.types.Operator):
         cls.poll_message_set("Select a model that has been flattened, or its flat pieces, in Object Mode")
         return False
 
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        try:
-            with in_object_mode(context):
-                target = add_sewing_object(model_or_self(context.active_object))
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        with in_object_mode(context):
+            target = add_sewing_object(model_or_self(context.active_object))
         context.view_layer.update()  # which does not know the new object yet
         if target.name not in context.view_layer.objects:  # as its flat pieces, whose collection is not shown here
             context.scene.collection.objects.link(target)

@@ -8,13 +8,13 @@ import numpy as np
 from ..blender.mesh import edge_vertices, faces_at_edges, read_seams, read_selected_edges
 from ..blender.modes import in_object_mode
 from ..blender.objects import check_local
-from ..issues import Issue, ObjectError
+from ..issues import Issue, ObjectError, object_error
 from ..model.change import edges_with_marks
 from ..model.owners import check_not_edited
 from ..run.smooth_lines import cut_smooth_lines
 from ..solve.suggest import Pairs
 from ..words import counted
-from .on_model import OnModel
+from .editing import OnModel, reporting_refusals
 
 
 class MESH_OT_wirewarp_smooth_seam(OnModel, bpy.types.Operator):
@@ -25,20 +25,16 @@ class MESH_OT_wirewarp_smooth_seam(OnModel, bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
     on_model = "smooth the seam"
 
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         target = context.active_object
-        try:
-            with in_object_mode(context):
-                check_local(target, target.data)
-                check_not_edited(target)
-                edges = _selected_seams(target)
-                seams = cut_smooth_lines(target, edges) if edges else []
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        with in_object_mode(context):
+            check_local(target, target.data)
+            check_not_edited(target)
+            edges = _selected_seams(target)
+            seams = cut_smooth_lines(target, edges) if edges else []
         if not seams:
-            self.report({"ERROR"}, "Nothing to smooth: select edges of a seam first.")
-            return {"CANCELLED"}
+            raise object_error("nothing", "Nothing to smooth: select edges of a seam first.")
         _select(target.data, seams)
         self.report({"INFO"}, f"A smooth line of {counted(len(seams), 'edge')} instead of {len(edges)}")
         return {"FINISHED"}

@@ -6,9 +6,9 @@ from bpy.props import FloatProperty
 
 from ..blender.modes import hold_whole_file, in_object_mode
 from ..blender.units import meters_per_blender_unit
-from ..issues import ObjectError
 from ..model.allowances import scale_lengths
 from ..model.owners import check_not_edited
+from .editing import reporting_refusals
 
 
 class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
@@ -20,15 +20,12 @@ class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
 
     meters: FloatProperty(name="Unit", description="Meters in one Blender unit", min=1e-6, max=1e6, default=0.01)
 
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         scene, settings = context.scene, context.scene.unit_settings
         before = meters_per_blender_unit(scene)
-        try:
-            with in_object_mode(context):
-                _keep_lengths(scene, before / self.meters)
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        with in_object_mode(context):
+            _keep_lengths(scene, before / self.meters)
         if settings.system == "NONE":
             settings.system = "METRIC"
         settings.scale_length = self.meters

@@ -14,8 +14,8 @@ from ..issues import ObjectError, object_error
 from ..model.change import change_grain, change_wire, wire_at
 from ..model.wires import find_wires, listed_wires
 from ..properties import LEAST_EASE
-from .mark import NEEDS_TOLERANCE, WireKind
-from .on_model import OnModel
+from .editing import OnModel, reporting_refusals
+from .mark import WireKind
 
 
 class WireOperator(OnModel):
@@ -26,15 +26,12 @@ class WireOperator(OnModel):
 
     edge: IntProperty(name="Edge", description="Any edge of the wire, by its index", min=0, options={"HIDDEN"})
 
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         target = context.active_object
-        try:
-            check_local(target, target.data)
-            with in_object_mode(context):
-                self.act(target)
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        check_local(target, target.data)
+        with in_object_mode(context):
+            self.act(target)
         return {"FINISHED"}
 
 
@@ -89,12 +86,6 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
         self.tolerance = wire.tolerance if elastic else context.scene.wirewarp.tolerance_percent / 100
         self.ease = wire.ease
 
-    def execute(self, context: bpy.types.Context) -> set[str]:
-        if self.is_tolerance_missing():
-            self.report({"ERROR"}, NEEDS_TOLERANCE)
-            return {"CANCELLED"}
-        return super().execute(context)
-
     def act(self, target: bpy.types.Object) -> None:
         change_wire(target, self.edge, self.name, self.chosen_tolerance(), self._ease())
 
@@ -145,16 +136,13 @@ class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
         active = context.active_object
         return active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}
 
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         target = context.active_object
-        try:
-            rows = wire_at(target, self.edge).edges if self.edge >= 0 else self._rows_of_selected(target)
-            with current_mesh(target) as mesh:
-                edges = edge_vertices(mesh)[rows]
-            select_elements(context, target, edges=edges)
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        rows = wire_at(target, self.edge).edges if self.edge >= 0 else self._rows_of_selected(target)
+        with current_mesh(target) as mesh:
+            edges = edge_vertices(mesh)[rows]
+        select_elements(context, target, edges=edges)
         return {"FINISHED"}
 
     def _rows_of_selected(self, target: bpy.types.Object) -> list[int]:
