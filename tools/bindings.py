@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tests of the Python package, on the installed wheel."""
 
+from pathlib import Path
+
 from tools.blender import NUMPY, PYTEST
 from tools.environment import DEBIAN_VERSION, run
 from tools.libraries import PATTERN
@@ -19,12 +21,14 @@ OPTIONAL = ("spyrrow==0.9.0", "fonttools[woff]==4.68.0", "hyperqueue==0.27.0")  
 MODELS = ("trimesh==5.2.0", "pillow==13.0.0", "psutil==7.2.2", "tqdm==4.70.1")  # what python -m wirewarp needs
 
 
+def bindings_python(version: str) -> Path:
+    packages = (PYTEST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, *OPTIONAL, *MODELS)
+    return venv_with_core(f"bindings-{version}", version, *packages)
+
+
 def bindings_tests(version: str, *options: str) -> None:
     """options: of pytest."""
-    python = venv_with_core(
-        f"bindings-{version}", version, PYTEST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, *OPTIONAL, *MODELS
-    )
-    run([python, "-m", "pytest", "-q", *options, "tests/bindings"])
+    run([bindings_python(version), "-m", "pytest", "-q", *options, "tests/bindings"])
 
 
 def search_arguments() -> None:

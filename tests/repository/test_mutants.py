@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which places of a source ./dev mutants changes."""
+
+import pytest
+
+from tools import mutants
+
+SOURCES = {
+    "a.cpp": ('#include <a + b>\n// a < b\nstd::vector<int> f() { return g("a + b") && -1 <= 2; }\n', ["&&", "<="]),
+    "a.py": ('"""a < b"""\nx = f"a + b" if y and z >= 1 else w  # a == b\n', ["and", ">="]),
+}
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_operators_are_changed_and_neither_comments_nor_texts(tmp_path, name):
+    text, operators = SOURCES[name]
+    (tmp_path / name).write_text(text)
+    found = list(mutants._mutants_of(tmp_path / name))
+    assert [mutant.operator for mutant in found] == operators
+    assert found[0].text() == text.replace("&&", "||").replace(" and ", " or ")
