@@ -20,7 +20,7 @@ from patterns import cut_polygon, quads, rectangle, sample
 from processes import wait_until_gone
 from wirewarp.pattern import FORMATS, Marker, Pattern
 from wirewarp.pattern.flat_piece import flat_piece
-from wirewarp.pattern.motion import Motion
+from wirewarp.pattern.geometry import Motion
 from wirewarp.pattern.nest_items import simplified
 
 ENGINES = ["slides", "spyrrow"]

@@ -8,8 +8,9 @@ import pytest
 import shapely
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from wirewarp.pattern.allowance import Corner, Stretch, cut_lines, signed_area
+from wirewarp.pattern.allowance import Corner, Stretch, cut_lines
 from wirewarp.pattern.corners import CORNER_TYPES
+from wirewarp.pattern.geometry import signed_area
 
 
 def random_outline(random: np.random.Generator) -> np.ndarray:

@@ -10,7 +10,7 @@ import wirewarp
 from patterns import cut_polygon, line_string, rectangle, sample
 from wirewarp.pattern import Pattern
 from wirewarp.pattern.flat_piece import flat_piece
-from wirewarp.pattern.motion import Motion
+from wirewarp.pattern.geometry import Motion
 
 HALF = np.array([(0, 0), (120, 0), (150, 80), (0, 110)])  # of a symmetric piece, right of its fold
 

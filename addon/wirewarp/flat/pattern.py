@@ -22,7 +22,6 @@ from ..model.wire_names import names_of
 from ..names import PIECE_INDEX, SOURCE_VERTEX
 from ..pattern.chains import EdgeMarks, chains_of_marks, edge_keys
 from ..pattern.outlines import FlatPieces, OutlineEdges, outline_of, piece_of_vertices
-from ..pattern.polygons import Segments, overlap
 from ..solve.pattern_parts import Allowances, PatternParts
 from .markers import kept_marker, marker_text
 from .object import is_true_size
@@ -148,15 +147,11 @@ def _allowances(
 
 def pieces_over_others(pieces: Sequence[pattern.PatternPiece]) -> list[str]:
     """The names of the pieces that would be cut into one another, as they were put by hand."""
-    lines = [_segments([line.points for line in piece.of_role("cut", "inner_cut")]) for piece in pieces]
-    low, high = np.array([line.box for line in lines]).transpose(1, 0, 2)
+    lines = [[line.points for line in piece.of_role("cut", "inner_cut")] for piece in pieces]
+    low, high = np.array([piece.bounds for piece in pieces]).transpose(1, 0, 2)
     meet = np.triu(np.all((low[:, None] < high) & (low < high[:, None]), axis=2), 1)
-    pairs = [(first, second) for first, second in np.argwhere(meet).tolist() if overlap(lines[first], lines[second])]
-    return [pieces[index].name for index in sorted({index for pair in pairs for index in pair})]
-
-
-def _segments(outlines: list[np.ndarray]) -> Segments:
-    return Segments(np.concatenate(outlines), np.concatenate([np.roll(outline, -1, axis=0) for outline in outlines]))
+    over = [pair for pair in np.argwhere(meet).tolist() if pattern.geometry.overlap(*(lines[index] for index in pair))]
+    return [pieces[index].name for index in sorted({index for pair in over for index in pair})]
 
 
 def current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..core import pattern
 from ..pattern.chains import EdgeMarks, chains_of_marks
 from ..words import wire_text
 
@@ -242,12 +243,8 @@ def arrow(lines: LineEdges, piece: int, middle: np.ndarray, direction: np.ndarra
 
 def _reach(point: np.ndarray, way: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
     """How far from a point (2,) along the unit vector `way` the first of the segments from a (k,2) to b lies."""
-    along, to = b - a, a - point
-    with np.errstate(divide="ignore", invalid="ignore"):  # of segments in this direction, which nothing meets
-        slope = way[0] * along[:, 1] - way[1] * along[:, 0]
-        distance = (to[:, 0] * along[:, 1] - to[:, 1] * along[:, 0]) / slope
-        share = (to[:, 0] * way[1] - to[:, 1] * way[0]) / slope
-    return float(distance[(share >= 0) & (share <= 1) & (distance > 0)].min(initial=np.inf))
+    distances = pattern.geometry.crossings(point, way, a, b)
+    return float(distances[distances > 0].min(initial=np.inf))
 
 
 def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, rooms: Rooms) -> Name:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plane geometry: chains of edges, outlines of flat pieces, and which of these overlap.
+"""Chains of edges of a mesh, and outlines of flat pieces.
 
 No Blender in here, no files. May import: nothing.
 """

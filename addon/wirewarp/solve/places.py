@@ -7,8 +7,15 @@ from functools import cached_property
 
 import numpy as np
 
-from ..pattern.outlines import FlatPieces, OutlineEdges, number_edges, outline_edges, piece_of_vertices
-from ..pattern.polygons import Segments, overlap
+from ..core import pattern
+from ..pattern.outlines import (
+    FlatPieces,
+    OutlineEdges,
+    number_edges,
+    outline_edges,
+    outline_loops,
+    piece_of_vertices,
+)
 from .flat_mesh import FlatMesh
 
 SAMPLE = 100  # points by which the place of a piece is remembered
@@ -92,13 +99,11 @@ class _Pieces:
         points = motion(self.points(piece_id))
         return np.array([points.min(axis=0), points.max(axis=0)])
 
-    def outline(self, piece_id: int, motion: Motion = STAY) -> Segments:
-        edges = self._outlines.edges[self._outlines.piece == piece_id]
-        return Segments(*(motion(self._pieces.vertices[ends]) for ends in edges.T))
+    def outlines(self, piece_id: int, motion: Motion = STAY) -> list[np.ndarray]:
+        return [motion(self._pieces.vertices[loop]) for loop in outline_loops(self._outlines, piece_id)]
 
     def area(self, piece_id: int) -> float:
-        (ax, ay), (bx, by) = (ends.T for ends in self.outline(piece_id))
-        return abs(float((ax * by - ay * bx).sum())) / 2
+        return abs(sum(map(pattern.geometry.signed_area, self.outlines(piece_id))))
 
     @cached_property
     def _outlines(self) -> OutlineEdges:
@@ -160,17 +165,18 @@ def _only_once(sources: np.ndarray) -> np.ndarray:
 
 def _crowded(kept: dict[int, Motion], now: _Pieces, then: _Pieces) -> list[int]:
     """Pieces that lie over another and did not before; of two, the one that has grown more."""
+    overlap = pattern.geometry.overlap
     close = _close(kept, now)
     growth = {piece_id: now.area(piece_id) / max(then.area(piece_id), 1e-300) for piece_id in close}
     staying: list[int] = []
     crowded: list[int] = []
     for piece_id in sorted(close, key=growth.__getitem__):
         hit = any(
-            overlap(now.outline(piece_id, kept[piece_id]), now.outline(other, kept[other]))
+            overlap(now.outlines(piece_id, kept[piece_id]), now.outlines(other, kept[other]))
             and (
                 then.is_away(piece_id)
                 or then.is_away(other)
-                or not overlap(then.outline(piece_id), then.outline(other))
+                or not overlap(then.outlines(piece_id), then.outlines(other))
             )
             for other in staying
             if other in close[piece_id]

@@ -5,6 +5,7 @@ Everything is in millimeters, y upwards. Needs pyclipper, and pydyf and uharfbuz
 are shorter where spyrrow is installed.
 """
 
+from . import geometry as geometry
 from .eases import longer_text
 from .file_format import Choice, Format, Option
 from .flat_piece import Chain, FlatPiece, FlatWire

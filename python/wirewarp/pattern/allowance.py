@@ -13,7 +13,8 @@ import numpy as np
 import pyclipper
 
 from .corners import CornerType, corner_path
-from .strips import right_normals, strip
+from .geometry import are_inside, right_normals, signed_area
+from .strips import strip
 
 GRID = 1e-4  # millimeters: far finer than anything is cut, and 100 m still fit Clipper's fast integers of 30 bits
 Polygon = list[list[int]]  # corners on the grid
@@ -66,15 +67,9 @@ def cut_lines(loops: Sequence[Sequence[Stretch]]) -> CutLines:
         if area > SMALLEST:
             outer.append(points)
         elif area < -SMALLEST:
-            is_hole = any(signed_area(outline) < 0 and _contains(outline, points) for outline in outlines)
+            is_hole = any(signed_area(outline) < 0 and are_inside(points[:1], [outline])[0] for outline in outlines)
             (holes if is_hole else pockets).append(points)
     return CutLines(outer, holes, pockets)
-
-
-def signed_area(outline: np.ndarray) -> float:
-    """Of a closed outline (k,2); above 0 where it runs counterclockwise."""
-    x, y = (outline - outline[0]).T
-    return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
 
 
 def _allowance(loop: Sequence[Stretch], origin: np.ndarray) -> list[Polygon]:
@@ -128,7 +123,7 @@ class _Place:
         """What the path takes off the end of the first strip."""
         back = (path[0] - self._point) @ self._along_a
         inner = path[1] if len(path) > 1 else self._end_b
-        if back > -GRID or self._only_trims(second=True) or _contains(filling, self._end_a[None]):
+        if back > -GRID or self._only_trims(second=True) or are_inside(self._end_a[None], [filling])[0]:
             return None
         return _beyond(path[0], inner, -back * self._along_a)
 
@@ -136,7 +131,7 @@ class _Place:
         """What the path takes off the start of the second strip."""
         ahead = (path[-1] - self._point) @ self._along_b
         inner = path[-2] if len(path) > 1 else self._end_a
-        if ahead < GRID or self._only_trims(second=False) or _contains(filling, self._end_b[None]):
+        if ahead < GRID or self._only_trims(second=False) or are_inside(self._end_b[None], [filling])[0]:
             return None
         return _beyond(path[-1], inner, -ahead * self._along_b)
 
@@ -177,13 +172,3 @@ def _unite(polygons: list[Polygon]) -> list[Polygon]:
     clipper.AddPaths(polygons, pyclipper.PT_SUBJECT, True)
     united = clipper.Execute(pyclipper.CT_UNION, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO)
     return [loop for loop in pyclipper.CleanPolygons(united) if len(loop) >= 3]
-
-
-def _contains(outline: np.ndarray, loop: np.ndarray) -> bool:
-    """Whether the loop lies inside the outline, which it does not cross."""
-    x, y = loop[0]
-    a, b = outline, np.roll(outline, -1, axis=0)
-    crosses = (a[:, 1] > y) != (b[:, 1] > y)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        at = a[:, 0] + (y - a[:, 1]) * (b[:, 0] - a[:, 0]) / (b[:, 1] - a[:, 1])
-    return int((crosses & (x < at)).sum()) % 2 == 1

@@ -31,8 +31,7 @@ def with_card(
     outlines = [line.points for line in piece.of_role("cut", "inner_cut")]
     text = _card([tuple(line for line in lines if line.strip()), (piece.name,), (place,)], outlines, drawn)
     notches = [point.stroke for point in piece.points]
-    closed = [np.concatenate([line, line[:1]]) for line in outlines]
-    room, beside = Room(closed, [*drawn, *notches], text), Beside(closed)
+    room, beside = Room(outlines, [*drawn, *notches], text), Beside(outlines)
     short = [name for name in (piece.name, place) if name]
     led = None if text else beside.lead(_short_cards(short, outlines), DOWN)
     names, leaders = line_names(piece.lines, room, beside)

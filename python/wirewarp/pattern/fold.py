@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 
 from .checks import problem
+from .geometry import Motion
 from .model import Line, PatternPiece
-from .motion import Motion
 
 ON_FOLD = 0.05  # millimeters: what lies so near to the fold is on it
 

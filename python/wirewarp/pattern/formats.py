@@ -10,8 +10,8 @@ import numpy as np
 
 from .checks import problem
 from .dxf import DXF_FORMAT
+from .geometry import Motion
 from .hpgl import PLT_FORMAT
-from .motion import Motion
 from .pattern_data import PatternData, Written
 from .pdf import PDF_FORMAT
 from .progress import Steps

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from .geometry import are_inside, lengths_along, sampled
 from .model import Text
-from .outline import lengths_along
 
 WIDE = 3.0  # room for text is sought this much wider than high
 LETTER, LINE = 0.62, 1.35  # width of a letter and distance of lines, by the height of the text
@@ -81,33 +81,6 @@ def innermost_point(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.nd
                 best, center = float(depths.max()), points[np.argmax(depths)]
         reach = reach * 3 / STEPS
     return center, math.sqrt(max(best**2 - (spacing / 2) ** 2, 0.0))  # between two samples the line may be nearer
-
-
-def are_inside(points: np.ndarray, closed: Sequence[np.ndarray]) -> np.ndarray:
-    """(p,) bool: whether a ray from each point (p,2) crosses lines (k,2) that repeat their first point oddly often."""
-    a, b = (np.concatenate([line[part] for line in closed]) for part in (slice(-1), slice(1, None)))
-    x, y = points[:, :1], points[:, 1:]
-    crosses = (a[:, 1] > y) != (b[:, 1] > y)
-    with np.errstate(divide="ignore", invalid="ignore"):  # of level segments, which no ray crosses
-        at = a[:, 0] + (y - a[:, 1]) * ((b - a)[:, 0] / (b - a)[:, 1])
-    inside: np.ndarray = (crosses & (x < at)).sum(axis=1) % 2 == 1
-    return inside
-
-
-def distances_to(points: np.ndarray, line: np.ndarray) -> np.ndarray:
-    """(p,) of points (p,2) from a line (k,2)."""
-    begins, ways = line[:-1], np.diff(line, axis=0)
-    squares = np.maximum((ways**2).sum(axis=1), 1e-12)  # of points that lie on one another, too
-    shares = np.clip(((points[:, None] - begins) * ways).sum(axis=2) / squares, 0.0, 1.0)
-    distances: np.ndarray = np.linalg.norm(begins + shares[:, :, None] * ways - points[:, None], axis=2).min(axis=1)
-    return distances
-
-
-def sampled(line: np.ndarray, spacing: float) -> np.ndarray:
-    """Points (m,2) on the line (k,2), its ends among them, at equal distances of at most `spacing`."""
-    along = lengths_along(line)
-    at = np.linspace(0, along[-1], math.ceil(along[-1] / spacing) + 1)
-    return np.column_stack([np.interp(at, along, column) for column in line.T])
 
 
 def _distances(points: np.ndarray, obstacles: np.ndarray) -> np.ndarray:

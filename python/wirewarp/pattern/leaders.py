@@ -10,7 +10,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from .interior import are_inside, distances_to, sampled, text_width
+from .geometry import are_inside, distances_to, sampled
+from .interior import text_width
 from .model import LEADERS, Line, Text
 from .pattern_data import GAP, OVERLAP
 from .room import CLEAR, axes, joined, strokes, touches
@@ -27,11 +28,11 @@ class Beside:
     """The surroundings of one piece."""
 
     def __init__(self, outlines: Sequence[np.ndarray]) -> None:
-        """outlines (k,2): the cut lines, closed, repeating their first point."""
+        """outlines (k,2): the cut lines."""
         self._outlines = list(outlines)
         points = np.concatenate(self._outlines)
         self._low, self._high = points.min(axis=0) - REACH, points.max(axis=0) + REACH
-        self._taken = joined([(line[:-1], line[1:]) for line in self._outlines])
+        self._taken = joined([(line, np.roll(line, -1, axis=0)) for line in self._outlines])
         self._texts: list[Text] = []
 
     def lead(self, texts: Iterable[Text], outward: np.ndarray) -> tuple[Text, Line] | None:
@@ -60,7 +61,7 @@ class Beside:
 
     def _centers(self, target: np.ndarray, outward: np.ndarray) -> Iterator[np.ndarray]:
         """The nearest first."""
-        nearest = max(NEAREST, float(self._distances(target[None])[0]))
+        nearest = max(NEAREST, float(distances_to(target[None], self._outlines)[0]))
         for distance in np.arange(nearest, FARTHEST, STEP):
             for turn in np.radians(TURNS):
                 cosine, sine = math.cos(turn), math.sin(turn)
@@ -80,12 +81,7 @@ class Beside:
         edges = [np.array([first[row], last[row]]) for row in (0, -1)]
         points = np.concatenate([sampled(line, STEP) for line in (leader, *edges)])
         outside = points[~are_inside(points, self._outlines)]
-        return bool(np.all(self._distances(outside) < NEAR))
-
-    def _distances(self, points: np.ndarray) -> np.ndarray:
-        """(p,) of points (p,2) from the piece's outlines."""
-        distances: np.ndarray = np.min([distances_to(points, outline) for outline in self._outlines], axis=0)
-        return distances
+        return bool(np.all(distances_to(outside, self._outlines) < NEAR))
 
 
 def _leader(text: Text, target: np.ndarray) -> np.ndarray:

@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from .geometry import lengths_along
 from .interior import text_width
 from .leaders import Beside
 from .model import Line, Text
-from .outline import lengths_along
 from .room import Room
 
 HEIGHTS = (4.5, 3.5, 2.5)  # of the letters, in millimeters; where none fits, the name stands beside the piece

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from .geometry import Motion
 from .model import PatternPiece
-from .motion import Motion
 from .units import UnitSystem, counted
 
 SAME = 0.1  # millimeters: by which outlines may differ from those that a marker was made of

@@ -7,12 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from .geometry import Rays
 from .model import Point
 from .notches import DOUBLE, clips, drill_hole, notch, places_along, turns_little
 from .outline import Side
 from .pattern_data import SeamWalk
 from .pieces import Laid
-from .rays import Rays
 from .seams import SewnLengths, SewnSide
 
 ON_LINE = 1e-6  # millimeters between a point of a side and the end of a wire there

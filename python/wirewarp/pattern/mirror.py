@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .geometry import distances_to
 from .model import PatternPiece
-from .rays import Rays
 
 ALIKE = 0.1  # millimeters between a point and the image of its twin: less than a line is wide
 
@@ -68,7 +68,7 @@ def _cut_lines_fit(mirror: Mirror, first: PatternPiece, second: PatternPiece) ->
     own, others = ([line.points for line in piece.of_role("cut", "inner_cut")] for piece in (first, second))
     images = [mirror.turn * np.conj(line @ (1, 1j)) + mirror.shift for line in others]
     turned = [np.column_stack([image.real, image.imag]) for image in images]
-    gaps = [Rays(lines).distance(np.concatenate(points)).max() for lines, points in ((own, turned), (turned, own))]
+    gaps = [distances_to(np.concatenate(points), lines).max() for lines, points in ((own, turned), (turned, own))]
     return bool(max(gaps) <= ALIKE)
 
 

@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from .motion import Motion
+from .geometry import Motion
 
 LineRole = Literal["cut", "inner_cut", "sew", "wire", "grain", "fold", "card leader", "name leader"]
 PointRole = Literal["notch", "drill", "clip"]

@@ -9,9 +9,9 @@ from typing import Literal
 import numpy as np
 import pyclipper
 
-from .allowance import GRID, signed_area
+from .allowance import GRID
+from .geometry import Motion, signed_area
 from .model import PatternPiece
-from .motion import Motion
 
 Grain = Literal["one way", "both ways", "free"]
 NEAR = 0.2  # millimeters: outlines are simplified by so much, outwards, for searches are quicker with fewer points

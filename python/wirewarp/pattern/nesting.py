@@ -13,9 +13,9 @@ import numpy as np
 
 from .._errors import FlattenError
 from .checks import checked_length, problem
+from .geometry import Motion
 from .marker import Marker, Placement, size_of
 from .model import PatternPiece
-from .motion import Motion
 from .nest_items import Grain, Item, items_of, room_at_edges
 from .progress import Steps
 from .slide_packing import Place, SlidePacking, TooLargeError

@@ -7,12 +7,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from .checks import problem
+from .geometry import Rays, right_normals
 from .model import Point
 from .outline import Side
-from .rays import Rays
 from .seams import SewnSide, turn_between
 from .stretches import Dart
-from .strips import MITRE_LIMIT, right_normals
+from .strips import MITRE_LIMIT
 
 DEEPEST = 5.0  # millimeters
 SHARE = 0.5  # of the allowance: notches never reach the sew line
@@ -77,10 +77,10 @@ def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[in
     width: the widest allowance of the side. None where the cut line is much farther, for allowances run together there.
     """
     at_sew, outward = own.at(length)
-    allowance = rays.to_cut(at_sew, outward)
+    allowance = rays.length(at_sew, outward)
     if allowance > MITRE_LIMIT * width + NEXT_TO:
         return None
-    room = SHARE * allowance if allowance > 0 else ACROSS * rays.to_cut(at_sew - outward * NEXT_TO, -outward)
+    room = SHARE * allowance if allowance > 0 else ACROSS * rays.length(at_sew - outward * NEXT_TO, -outward)
     return Point("notch", at_sew + allowance * outward, -outward, min(DEEPEST, room), pair, length if pair else None)
 
 
@@ -94,7 +94,7 @@ def clips(loop: Sequence[Side], rays: Rays) -> list[Point]:
     for row in np.flatnonzero((turns < -CORNER) & (turns > -math.pi + CORNER)):
         outward = before[row] + after[row]
         outward /= np.linalg.norm(outward)
-        allowance = rays.to_cut(points[row], outward)
+        allowance = rays.length(points[row], outward)
         if allowance > 2 * CLIP_SHORT:
             found.append(Point("clip", points[row] + allowance * outward, -outward, allowance - CLIP_SHORT))
     return found

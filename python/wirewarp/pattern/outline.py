@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .allowance import signed_area
 from .checks import problem
 from .flat_piece import FlatPiece
+from .geometry import lengths_along, signed_area
 
 FARTHEST = 1e8  # millimeters from the origin: any fabric is smaller, and Clipper's integers hold 1000 times as much
 
@@ -31,11 +31,6 @@ class Side:
     def along(self) -> np.ndarray:
         """(k,) length from the start to each point."""
         return lengths_along(self.points)
-
-
-def lengths_along(points: np.ndarray) -> np.ndarray:
-    """(k,) length of a line (k,2) from its start to each point."""
-    return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
 
 
 def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:

@@ -10,9 +10,9 @@ from typing import Self
 import numpy as np
 
 from .checks import problem
+from .geometry import Motion
 from .marker import Marker
 from .model import KINDS, PatternPiece
-from .motion import Motion
 from .units import UnitSystem, counted
 
 GAP = 10.0  # millimeters between pieces in rows

@@ -6,14 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .allowance import CutLines, cut_lines, signed_area
+from .allowance import CutLines, cut_lines
 from .eases import longer_texts
 from .flat_piece import FlatPiece
+from .geometry import Rays, signed_area
 from .interior import innermost_point
 from .model import Line, PatternPiece, Point
 from .outline import Side, outlines_of
 from .progress import Steps
-from .rays import Rays
 from .seams import SewnSide
 from .stretches import Outline, Rules, outline
 from .units import UnitSystem
@@ -143,7 +143,7 @@ def grain_line(laid: Laid) -> Line:
     """Where there is most room beside wires."""
     center, _ = innermost_point(laid.sew_loops, [wire.points for wire in laid.wires])
     rays = Rays(laid.sew_loops)
-    up, down = (GRAIN * rays.to_cut(center, sign * laid.grain) for sign in (1, -1))
+    up, down = (GRAIN * rays.length(center, sign * laid.grain) for sign in (1, -1))
     return Line("grain", center + np.array([-down * laid.grain, up * laid.grain]))
 
 

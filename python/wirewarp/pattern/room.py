@@ -6,7 +6,8 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from .interior import LINE, are_inside, text_width
+from .geometry import are_inside
+from .interior import LINE, text_width
 from .model import Text
 
 CLEAR = 0.5  # millimeters between a text and what stands beside it
@@ -19,9 +20,9 @@ class Room:
     """Of one piece. Lines may be written over where there is no other place; outlines and texts never."""
 
     def __init__(self, outlines: Iterable[np.ndarray], lines: Iterable[np.ndarray], texts: Iterable[Text]) -> None:
-        """outlines (k,2): closed, repeating their first point; lines (k,2): wires, notches and the like."""
-        self._closed = list(outlines)
-        self._outline = joined([(line[:-1], line[1:]) for line in self._closed])
+        """outlines (k,2); lines (k,2): wires, notches and the like."""
+        self._outlines = list(outlines)
+        self._outline = joined([(line, np.roll(line, -1, axis=0)) for line in self._outlines])
         self._lines = joined([(line[:-1], line[1:]) for line in lines])
         self._texts = joined([strokes(text) for text in texts])
 
@@ -40,7 +41,7 @@ class Room:
     def _is_inside(self, text: Text) -> bool:
         if touches(text, self._texts) or touches(text, self._outline):
             return False
-        return bool(are_inside(text.center[None], self._closed)[0])
+        return bool(are_inside(text.center[None], self._outlines)[0])
 
 
 def joined(parts: list[Segments]) -> Segments:

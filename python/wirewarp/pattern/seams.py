@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .outline import Side, lengths_along
-from .strips import right_normals
+from .geometry import lengths_along, right_normals
+from .outline import Side
 
 STRAIGHT = math.radians(1)  # crossing lines that differ less in straightness are alike
 SAME_LENGTH = 0.01  # millimeters

@@ -13,7 +13,7 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from .motion import Motion
+from .geometry import Motion
 from .nest_items import Grain, Item, angles
 from .slide_packing import Place
 

@@ -6,13 +6,9 @@ Outlines run with the piece on their left, so the allowance lies on the right.
 
 import numpy as np
 
+from .geometry import right_normals
+
 MITRE_LIMIT = 2.5  # times the width: how far a corner may point outwards before it is cut off square
-
-
-def right_normals(points: np.ndarray) -> np.ndarray:
-    """(k-1,2) unit vectors to the right of each step of a line (k,2) without repeated points."""
-    along = np.diff(points, axis=0)
-    return np.column_stack([along[:, 1], -along[:, 0]]) / np.linalg.norm(along, axis=1)[:, None]
 
 
 def strip(points: np.ndarray, width: float) -> np.ndarray:

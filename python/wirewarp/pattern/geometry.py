@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Plane geometry of lines and outlines. An outline is closed and does not repeat its first point."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pyclipper
+
+ON_LINE = 1e-3  # millimeters: what lies nearer is on the line; the grid of cut lines is 10 times finer
+DEPTH = 1e-4  # of the diagonal of the smaller outline's box: what overlaps less touches, but for rounding
+PAIRS = 1_000_000  # of points and sides that are compared at a time, for memory's sake
+RESOLUTION = 2.0**30  # steps of the grid on which outlines overlap, over both: Clipper is exact and quick on these
+
+
+def lengths_along(points: np.ndarray) -> np.ndarray:
+    """(k,) length of a line (k,2) from its start to each point."""
+    return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+
+
+def sampled(line: np.ndarray, spacing: float) -> np.ndarray:
+    """Points (m,2) on the line (k,2), its ends among them, at equal distances of at most `spacing`."""
+    along = lengths_along(line)
+    at = np.linspace(0, along[-1], math.ceil(along[-1] / spacing) + 1)
+    return np.column_stack([np.interp(at, along, column) for column in line.T])
+
+
+def right_normals(points: np.ndarray) -> np.ndarray:
+    """(k-1,2) unit vectors to the right of each step of a line (k,2) without repeated points."""
+    along = np.diff(points, axis=0)
+    return np.column_stack([along[:, 1], -along[:, 0]]) / np.linalg.norm(along, axis=1)[:, None]
+
+
+def signed_area(outline: np.ndarray) -> float:
+    """Area of an outline (k,2); above 0 where it runs counterclockwise."""
+    x, y = (outline - outline[0]).T
+    return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
+
+
+def are_inside(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarray:
+    """(p,) bool: whether a ray from each point (p,2) crosses the outlines an odd number of times."""
+    a, b = _sides(outlines)
+    x, y = points[:, :1], points[:, 1:]
+    crosses = (a[:, 1] > y) != (b[:, 1] > y)
+    with np.errstate(divide="ignore", invalid="ignore"):  # of level sides, which no ray crosses
+        at = a[:, 0] + (y - a[:, 1]) * ((b - a)[:, 0] / (b - a)[:, 1])
+    inside: np.ndarray = (crosses & (x < at)).sum(axis=1) % 2 == 1
+    return inside
+
+
+def distances_to(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarray:
+    """(p,) distance of each point (p,2) from the nearest of the outlines."""
+    a, b = _sides(outlines)
+    along = b - a
+    squares = np.maximum((along * along).sum(axis=1), np.finfo(float).tiny)  # of points that lie on one another, too
+    nearest = [np.empty(0)]
+    at_once = max(1, PAIRS // max(len(a), 1))
+    for begin in range(0, len(points), at_once):
+        to = points[begin : begin + at_once, None] - a
+        share = np.clip((to * along).sum(axis=2) / squares, 0, 1)
+        gap = share[:, :, None] * along - to
+        nearest.append(np.sqrt((gap * gap).sum(axis=2).min(axis=1)))
+    return np.concatenate(nearest)
+
+
+def crossings(point: np.ndarray, direction: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """(n,) lengths from the point (2,) along the unit vector to segments from a (s,2) to b; below 0 behind it."""
+    along, to = b - a, a - point
+    with np.errstate(divide="ignore", invalid="ignore"):  # of segments in this direction
+        slope = _cross(direction, along)
+        distance, share = _cross(to, along) / slope, _cross(to, direction) / slope
+    found: np.ndarray = distance[(share >= -1e-9) & (share <= 1 + 1e-9)]
+    return found
+
+
+class Rays:
+    """Rays to outlines."""
+
+    def __init__(self, outlines: Sequence[np.ndarray]) -> None:
+        self._a, self._b = _sides(outlines)
+
+    def length(self, point: np.ndarray, direction: np.ndarray) -> float:
+        """Length from the point along the unit vector to the nearest outline; 0 on one, infinite where none is met."""
+        distances = crossings(point, direction, self._a, self._b)
+        nearest = float(distances[distances > -ON_LINE].min(initial=math.inf))
+        return nearest if nearest >= ON_LINE else 0.0
+
+
+def overlap(first: Sequence[np.ndarray], second: Sequence[np.ndarray]) -> bool:
+    """Whether two shapes, each given by its outlines in any order and direction, share more than what rounding makes.
+
+    Touching is no overlap. Lengths may have any unit.
+    """
+    boxes = [_box(outlines) for outlines in (first, second)]
+    depth = DEPTH * min(float(np.linalg.norm(high - low)) for low, high in boxes)
+    low, high = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
+    if np.any(np.min([box[1] for box in boxes], axis=0) - np.max([box[0] for box in boxes], axis=0) <= depth):
+        return False
+    if any(all(_is_thin(outline, depth) for outline in outlines) for outlines in (first, second)):
+        return False  # Clipper refuses what has no area at all
+    step = float((high - low).max()) / RESOLUTION
+    clipper = pyclipper.Pyclipper()
+    for outlines, role in ((first, pyclipper.PT_SUBJECT), (second, pyclipper.PT_CLIP)):
+        paths = [np.rint((outline - low) / step).astype(np.int64).tolist() for outline in outlines if len(outline) > 2]
+        clipper.AddPaths(paths, role, True)
+    shared = clipper.Execute(pyclipper.CT_INTERSECTION, pyclipper.PFT_EVENODD, pyclipper.PFT_EVENODD)
+    return not all(_is_thin(np.array(part) * step, depth) for part in shared)
+
+
+def _is_thin(outline: np.ndarray, depth: float) -> bool:
+    """Whether it is at most as wide as the depth on average, like a strip of that width."""
+    around = float(np.linalg.norm(np.roll(outline, -1, axis=0) - outline, axis=1).sum())
+    return 2 * abs(signed_area(outline)) <= depth * around
+
+
+def _box(outlines: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    points = np.concatenate(outlines)
+    return points.min(axis=0), points.max(axis=0)
+
+
+def _sides(outlines: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Both ends (s,2) of all sides."""
+    a = np.concatenate([np.empty((0, 2)), *outlines])
+    return a, np.concatenate([np.empty((0, 2)), *(np.roll(outline, -1, axis=0) for outline in outlines)])
+
+
+def _cross(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    return first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Mirrored first, so that x becomes -x, then turned about the origin, then moved."""
+
+    offset: np.ndarray  # (2,) millimeters
+    angle: float = 0.0  # degrees counterclockwise
+    mirrored: bool = False
+
+    def directions(self, vectors: np.ndarray) -> np.ndarray:
+        """Of vectors (..., 2) that have no place."""
+        cosine, sine = math.cos(math.radians(self.angle)), math.sin(math.radians(self.angle))
+        turned: np.ndarray = vectors * (-1 if self.mirrored else 1, 1) @ np.array([[cosine, sine], [-sine, cosine]])
+        return turned
+
+    def points(self, points: np.ndarray) -> np.ndarray:
+        """Of points (..., 2)."""
+        moved: np.ndarray = (self.directions(points) if self.angle or self.mirrored else points) + self.offset
+        return moved
+
+    def text_angle(self, degrees: float) -> float:
+        """Of a text, which is never mirrored, and is read from below or from the right."""
+        if not self.angle and not self.mirrored:
+            return degrees
+        turned = (-degrees if self.mirrored else degrees) + self.angle
+        return 90.0 - (90.0 - turned) % 180.0
