@@ -110,7 +110,7 @@ def lines_are_in_the_uv_editor() -> drive.Tour:
 
 
 def marks_are_undone() -> drive.Tour:
-    """Marking, clearing, changing a wire, eases, allowances, the grain wire and seams from islands: one undo step each."""
+    """Marking, clearing, changing a wire, eases, allowances, the grain wire, seams from islands: one undo step each."""
     source = marked()
     bpy.ops.object.wirewarp_flatten()
     source.data.edges.foreach_set("use_seam", [False] * len(source.data.edges))
