@@ -37,7 +37,6 @@ class _Shape:
     """Of the pieces, one row each, and of their triangles."""
 
     triangle_areas: np.ndarray  # (m,)
-    areas: np.ndarray  # (p,)
     normals: np.ndarray  # (p,3), the mean over the area
     offsets: np.ndarray  # (p,3), from the middle of the model, as a share of its size
 
@@ -54,7 +53,7 @@ def identify_pieces(
     for index, piece in enumerate(result.pieces):
         piece_of_triangle[piece.source_face] = index
     shape = _measure(piece_of_triangle, count, arrays)
-    ids = _assign_ids(piece_of_triangle, known.ids.astype(np.int64)[arrays.triangle_polygons], shape)
+    ids = assign_ids(piece_of_triangle, known.ids[arrays.triangle_polygons], shape.triangle_areas, count, set())
     old = [known.names.get(piece_id, "") for piece_id in ids]
     if list(known.names.values()) == [known.model_name]:
         old = [""] * count  # what was the whole model may be a part now, and the model may have another name
@@ -77,30 +76,26 @@ def ids_by_face(result: FlattenResult, arrays: MeshArrays, identities: Sequence[
     return ids
 
 
-def _assign_ids(piece_of_triangle: np.ndarray, triangle_ids: np.ndarray, shape: _Shape) -> list[int]:
-    """The id that most of a piece's area carries; of two pieces with one id the larger keeps it."""
-    carried = _carried_ids(piece_of_triangle, triangle_ids, shape)
-    taken, given = set(np.unique(triangle_ids).tolist()), set()
-    ids = [0] * len(carried)
-    for piece in np.argsort(-shape.areas, kind="stable").tolist():
-        piece_id = int(carried[piece])
-        if piece_id == 0 or piece_id in given:
-            piece_id = new_id(taken)
-            taken.add(piece_id)
-        given.add(piece_id)
-        ids[piece] = piece_id
-    return ids
+def assign_ids(owners: np.ndarray, ids: np.ndarray, weights: np.ndarray, count: int, taken: set[int]) -> list[int]:
+    """The id that most of each owner's weight carries; of two owners with one id the heavier keeps it.
 
-
-def _carried_ids(piece_of_triangle: np.ndarray, triangle_ids: np.ndarray, shape: _Shape) -> np.ndarray:
-    """(p,) the id on most of each piece's area, 0 where there is none."""
-    marked = triangle_ids > 0  # others are not ours
-    pairs = piece_of_triangle[marked] << 32 | triangle_ids[marked]
+    owners (k,) from 0 to count - 1, ids (k,) 0 or less for none, and weights (k,) of the elements; taken: ids that no
+    owner may get anew, besides these.
+    """
+    marked = ids > 0  # others are not ours
+    pairs = owners[marked].astype(np.int64) << 32 | ids[marked].astype(np.int64)
     present, place = np.unique(pairs, return_inverse=True)
-    order = np.argsort(np.bincount(place, shape.triangle_areas[marked]), kind="stable")
-    carried = np.zeros(len(shape.areas), dtype=np.int64)
+    order = np.argsort(np.bincount(place, weights[marked], minlength=len(present)), kind="stable")
+    carried = np.zeros(count, dtype=np.int64)
     carried[present[order] >> 32] = present[order] & 0xFFFFFFFF  # the last one written is the largest
-    return carried
+    taken, given = taken | set(np.unique(ids).tolist()), set()
+    assigned = carried.tolist()
+    for owner in np.argsort(-np.bincount(owners, weights, minlength=count), kind="stable").tolist():
+        if assigned[owner] == 0 or assigned[owner] in given:
+            assigned[owner] = new_id(taken)
+            taken.add(assigned[owner])
+        given.add(assigned[owner])
+    return assigned
 
 
 def new_id(taken: Collection[int] = ()) -> int:
@@ -123,7 +118,7 @@ def _measure(piece_of_triangle: np.ndarray, count: int, arrays: MeshArrays) -> _
     def mean(rows: np.ndarray) -> np.ndarray:
         return np.array([np.bincount(piece_of_triangle, row, minlength=count) / divided for row in rows]).T
 
-    return _Shape(triangle_areas, areas, mean(vectors), mean((centers - (low + high) / 2).T * triangle_areas / size))
+    return _Shape(triangle_areas, mean(vectors), mean((centers - (low + high) / 2).T * triangle_areas / size))
 
 
 def _by_face(piece_of_triangle: np.ndarray, arrays: MeshArrays) -> np.ndarray:

@@ -14,7 +14,7 @@ import numpy as np
 from ..core import FlattenResult, SeamReport
 from ..pattern.chains import edge_keys
 from .arrays import MeshArrays, edge_lengths
-from .identity import new_id
+from .identity import assign_ids
 
 GIVEN = re.compile(r"(?:Seam|Dart) (\d+)")  # a name of ours, that the user has not changed
 
@@ -36,7 +36,10 @@ class SeamIdentity:
 
 def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams) -> list[SeamIdentity]:
     """Of each seam of a FlattenResult, in their order."""
-    ids = _assign_ids(result.seams, arrays, known)
+    seam_of_edge, lengths = _seam_of_edge(result.seams, arrays), edge_lengths(arrays.vertices, arrays.seams)
+    inside = seam_of_edge >= 0
+    taken = {*known.names, *known.ids.tolist()}
+    ids = assign_ids(seam_of_edge[inside], known.ids[inside], lengths[inside], len(result.seams), taken)
     ends = _ends_at(arrays)
     names = dict(known.names)
     number = max([len(names), *(int(match[1]) for match in map(GIVEN.fullmatch, names.values()) if match)])
@@ -74,28 +77,6 @@ def _seam_of_edge(seams: Sequence[SeamReport], arrays: MeshArrays) -> np.ndarray
     is_own = own[order[place]] == listed
     found[order[place[is_own]]] = index[is_own]
     return found
-
-
-def _assign_ids(seams: Sequence[SeamReport], arrays: MeshArrays, known: KnownSeams) -> list[int]:
-    """The id that most of a seam's length carries; of two seams with one id the longer keeps it."""
-    seam_of_edge, lengths = _seam_of_edge(seams, arrays), edge_lengths(arrays.vertices, arrays.seams)
-    total = np.zeros(len(seams))
-    carried: list[dict[int, float]] = [{} for _ in seams]
-    for seam, seam_id, length in zip(seam_of_edge.tolist(), known.ids.tolist(), lengths.tolist(), strict=True):
-        if seam >= 0:
-            total[seam] += length
-            if seam_id > 0:  # others are not ours
-                carried[seam][seam_id] = carried[seam].get(seam_id, 0.0) + length
-    taken, given = {*known.names, *known.ids.tolist()}, set()
-    ids = [0] * len(seams)
-    for seam in np.argsort(-total, kind="stable").tolist():
-        seam_id = max(carried[seam], key=carried[seam].__getitem__, default=0)
-        if seam_id == 0 or seam_id in given:
-            seam_id = new_id(taken)
-            taken.add(seam_id)
-        given.add(seam_id)
-        ids[seam] = seam_id
-    return ids
 
 
 def _ends_at(arrays: MeshArrays) -> np.ndarray:
