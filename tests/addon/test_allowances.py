@@ -156,6 +156,18 @@ def test_scripts_may_write_the_width_of_a_side_on_corners(source, tmp_path):
     assert widths_at_seam(tmp_path, source) == pytest.approx([6.0, 15.0], abs=0.02)
 
 
+def test_two_widths_of_one_side_are_refused_until_it_is_marked_again(source, tmp_path):
+    bpy.ops.object.wirewarp_flatten(spacing=50.0)
+    mark_side(source, -1, kind="WIDTH", width=15.0)
+    corners = source.data.attributes.new("wirewarp_side_allowance", "FLOAT", "CORNER").data
+    corners.foreach_set("value", np.full(len(corners), 0.06, dtype=np.float32))
+    with pytest.raises(RuntimeError, match="have two allowances of one side.*mark their allowance again"):
+        distances(tmp_path, source, SEAM)
+    mark_side(source, -1, kind="WIDTH", width=15.0)
+    mark_side(source, 1, kind="WIDTH", width=6.0)
+    assert widths_at_seam(tmp_path, source) == pytest.approx([6.0, 15.0], abs=0.02)
+
+
 def test_one_side_of_pieces_made_with_modifiers_is_refused(source):
     source.modifiers.new("Subdivision", "SUBSURF").levels = 1
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
