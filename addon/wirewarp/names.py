@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Attribute:
-    """An attribute of a mesh: one number for each of its elements, 0 on elements that nothing was written on."""
+    """An attribute of a mesh: one number for each of its elements, 0 on elements that nobody wrote on."""
 
     name: str
     data_type: str  # "INT" or "FLOAT"
@@ -18,9 +18,9 @@ class Attribute:
 
 @dataclass(frozen=True)
 class Mark(Attribute):
-    """An attribute of the model's mesh by which the user says something of an edge, or of one side of it."""
+    """An attribute of the model's mesh that the user marks: on edges, or for one side of an edge."""
 
-    is_length: bool = False  # in Blender units: it stays as long as it is when the unit of the scene is set
+    is_length: bool = False  # in Blender units: Set Unit scales it, so that it stays as long as it is
     is_drawn: bool = False  # the overlay draws it on the model
 
 

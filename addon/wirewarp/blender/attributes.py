@@ -18,15 +18,15 @@ _PLURALS = {"POINT": "vertices", "EDGE": "edges", "FACE": "faces", "CORNER": "fa
 
 
 def find_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray | None:
-    """(k,) int32 or float32, any numbers; None if there is no such attribute of this type on this domain.
+    """Returns (k,) int32 or float32, any numbers; None if the mesh has no such attribute of this type on this domain.
 
-    Of a mesh that is not in Edit Mode.
+    The mesh is not in Edit Mode, here and below.
     """
     return read_attribute(mesh, attribute.name, attribute.data_type, attribute.domain)
 
 
 def read_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray:
-    """As find_values; zeros where there is no such attribute."""
+    """Returns the values as find_values does; zeros if there is no such attribute."""
     found = find_values(mesh, attribute)
     if found is not None:
         return found
@@ -34,7 +34,7 @@ def read_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray:
 
 
 def has_attributes(mesh: bpy.types.Mesh, *attributes: Attribute) -> bool:
-    """Whether all of them are there, with their types and domains."""
+    """Returns whether the mesh has all of them, with their types and domains."""
     found = [mesh.attributes.get(each.name) for each in attributes]
     return all(
         each and (each.data_type, each.domain) == (ours.data_type, ours.domain)
@@ -43,7 +43,7 @@ def has_attributes(mesh: bpy.types.Mesh, *attributes: Attribute) -> bool:
 
 
 def write_values(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray) -> None:
-    """To a mesh that is not in Edit Mode."""
+    """Writes (k,) values, and makes the attribute if there is none."""
     found = mesh.attributes.get(attribute.name)
     if found is None:
         found = mesh.attributes.new(attribute.name, attribute.data_type, attribute.domain)
@@ -51,7 +51,7 @@ def write_values(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray)
 
 
 def write_marked(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray) -> None:
-    """As write_values; zeros make no attribute where there is none."""
+    """Writes the values as write_values does, but makes no attribute for zeros alone."""
     if attribute.name in mesh.attributes or values.any():
         write_values(mesh, attribute, values)
 

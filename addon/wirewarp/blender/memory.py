@@ -19,9 +19,9 @@ Place = tuple[str, str | None]  # name and library, by which bpy.data.objects fi
 
 @dataclass
 class ObjectState:
-    """Of one object, mesh or scene."""
+    """What is kept of one object, mesh or scene."""
 
-    name: str  # Blender's name_full when it was last asked for
+    name: str  # Blender's name_full at the last call of state_of
     gathered: dict[str, Any] = field(default_factory=dict)  # from its geometry, by what it is; see kept
     drawings: dict[str, Any] = field(default_factory=dict)  # by what they are; see overlay.cache
     parsed: Any = None  # the stored report: its text and what that says; see flat.reports
@@ -36,15 +36,16 @@ class ObjectState:
 @dataclass
 class _Memory:
     states: dict[object, ObjectState] = field(default_factory=dict)  # by _key
-    counts: tuple[int, ...] = ()  # of all objects and meshes when the states of removed ones were last dropped
-    ours: set[Place] | None = None  # the objects that concern us; None: all are to be asked
-    updated: set[Place] = field(default_factory=set)  # these are to be asked again
+    counts: tuple[int, ...] = ()  # numbers of objects and meshes when the states of removed ones were last dropped
+    ours: set[Place] | None = None  # the objects that concern us; None: find_objects asks all of them
+    updated: set[Place] = field(default_factory=set)  # the objects that find_objects asks again
 
 
 _memory = _Memory()
 
 
 def state_of(owner: bpy.types.ID) -> ObjectState:
+    """Returns the state that is kept of this data-block, a new one if there is none."""
     key, name = _key(owner), owner.name_full
     state = _memory.states.get(key)
     if state is None:
@@ -61,12 +62,12 @@ def all_states() -> Iterator[ObjectState]:
 
 
 def _key(owner: bpy.types.ID) -> object:
-    """The same for one data-block whatever it is called; before Blender 4.1 a later one may get the same."""
+    """Returns what stays the same when the data-block is renamed. Before Blender 4.1 a later one may get it, too."""
     return owner.session_uid if hasattr(owner, "session_uid") else owner.as_pointer()
 
 
 def kept(owner: Owner, what: str, gather: Callable[[Owner], T]) -> T:
-    """gather(owner), from the last time if its geometry has not changed since. A selection may count as a change."""
+    """Returns gather(owner), from the last time if the geometry has not changed since. A selection may count as one."""
     found = state_of(owner).gathered
     if what not in found:
         found[what] = gather(owner)
@@ -74,17 +75,17 @@ def kept(owner: Owner, what: str, gather: Callable[[Owner], T]) -> T:
 
 
 def read_anew(owner: Owner, _what: str, gather: Callable[[Owner], T]) -> T:
-    """As kept, whatever was kept: scripts may change a mesh without telling Blender."""
+    """Returns gather(owner), whatever was kept: scripts may change a mesh and not tell Blender."""
     return gather(owner)
 
 
 def stamp(owner: bpy.types.Mesh | bpy.types.Object) -> object:
-    """The same object until the owner's geometry changes, and never again the same after that."""
+    """Returns the same object until the owner's geometry changes, and never again the same after that."""
     return kept(owner, "stamp", lambda _: object())
 
 
 def find_objects(concerns_us: Callable[[bpy.types.Object], bool]) -> list[bpy.types.Object]:
-    """All objects of the file for which concerns_us holds. The same function each time."""
+    """Returns all objects of the file for which concerns_us holds. It must be the same function each time."""
     if _memory.ours is not None:
         asked = {place: bpy.data.objects.get(place) for place in _memory.updated}
         _memory.ours -= asked.keys()
@@ -98,7 +99,7 @@ def find_objects(concerns_us: Callable[[bpy.types.Object], bool]) -> list[bpy.ty
 
 
 def note(target: bpy.types.Object) -> None:
-    """Something of ours on it has changed of which Blender need not know."""
+    """Notes that something of ours on the object has changed that Blender need not know of."""
     _memory.updated.add(_place(target))
 
 
@@ -107,7 +108,7 @@ def _place(target: bpy.types.Object) -> Place:
 
 
 def note_updates(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
-    """After an update of the depsgraph."""
+    """Handler after an update of the depsgraph. Also drops the states of removed data-blocks."""
     _memory.updated.update(_place(update.id) for update in depsgraph.updates if isinstance(update.id, bpy.types.Object))
     drop_changed(scene, depsgraph)
     counts = len(bpy.data.objects), len(bpy.data.meshes)
@@ -119,7 +120,7 @@ def note_updates(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None
 
 
 def drop_changed(_scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
-    """Also after another frame: in playback only what is animated is read again."""
+    """Handler after an update or another frame: in playback only what is animated is read again."""
     for update in depsgraph.updates:
         changed = update.id.original
         if isinstance(changed, bpy.types.Mesh):
@@ -135,7 +136,7 @@ def _drop(owner: bpy.types.ID) -> None:
 
 
 def drop_gathered(*_: object) -> None:
-    """After undo, which changes anything."""
+    """Handler after undo and redo, which may change anything."""
     for state in all_states():
         state.gathered.clear()
     _memory.ours = None

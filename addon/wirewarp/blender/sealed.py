@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Data as text with a digest before it, for custom properties: what a user or a script has changed is not read."""
+"""Data as text after its digest, for custom properties: text that a user or a script has changed is not read."""
 
 import hashlib
 import json
@@ -14,7 +14,7 @@ def sealed(data: dict[str, Any]) -> str:
 
 
 def unsealed(stored: object) -> dict[str, Any] | None:
-    """None of what sealed() has not made."""
+    """Returns the data; None if sealed() has not made this text."""
     if not isinstance(stored, str) or stored[:DIGITS] != _digest(stored[DIGITS:]):
         return None
     return json.loads(stored[DIGITS:])

@@ -57,13 +57,13 @@ def write_record(mesh: bpy.types.Mesh, record: FlatRecord) -> None:
 
 
 def read_record(mesh: bpy.types.Mesh) -> FlatRecord | None:
-    """None if it is not there as write_record wrote it."""
+    """Returns the record; None if the mesh has none as write_record wrote it."""
     found = unsealed(mesh.get(FLAT_RECORD))
     return FlatRecord(**found) if found and found.keys() == {each.name for each in fields(FlatRecord)} else None
 
 
 def grains(mesh: bpy.types.Mesh, vertices: np.ndarray) -> dict[int, np.ndarray]:
-    """By index of the piece: unit vectors (2,) along the grain of the pieces as they lie now, vertices (n,2).
+    """Returns unit vectors (2,) along the grain of the pieces as they lie now, by index of the piece. vertices (n,2).
 
     The grain turns with its piece when the user turns that: it is kept by its angle from the line between two vertices.
     Pieces whose vertices are gone have none.
@@ -77,7 +77,7 @@ def grains(mesh: bpy.types.Mesh, vertices: np.ndarray) -> dict[int, np.ndarray]:
 
 
 def _grain_rows(flat: FlatMesh) -> list[list[float]]:
-    """The direction that stands upright in each piece: cosine and sine of its angle, counterclockwise."""
+    """Returns for each piece the cosine and sine of the angle, counterclockwise, from a line in it to upright."""
     rows = []
     sums, begins = flat.vertices.sum(axis=1), np.flatnonzero(np.diff(flat.vertex_piece, prepend=-1))
     for begin, end in zip(begins.tolist(), [*begins[1:].tolist(), len(sums)], strict=True):

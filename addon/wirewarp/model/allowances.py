@@ -36,9 +36,9 @@ def check_allowances(mesh: bpy.types.Mesh) -> None:
 
 
 def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
-    """Those of these edges that lie on seams and outlines get this width: NONE for none, 0 for the default.
+    """Gives this width to those of these edges that lie on seams and outlines: NONE for none, 0 for the default.
 
-    Returns how many did.
+    Returns how many edges got it.
     """
     marked = rows[_on_outlines(mesh)[rows]]
     widths = read_values(mesh, ALLOWANCE)
@@ -49,9 +49,9 @@ def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
 
 
 def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
-    """As mark_edges, the sides of edges that begin at these corners.
+    """Gives this width, as in mark_edges, to the sides of edges that begin at these corners.
 
-    Returns how many did: where more than two faces meet, their sides have one width.
+    Returns how many sides got it: if more than two faces meet, their sides have one width.
     """
     loop_edges = corner_edges(mesh)
     marked = corners[faces_at_edges(mesh)[loop_edges[corners]] <= 2]
@@ -73,7 +73,7 @@ def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
 
 
 def scale_lengths(mesh: bpy.types.Mesh, factor: float) -> None:
-    """All lengths that are marked become so many times as long; none and the default stay."""
+    """Multiplies all marked lengths by the factor. Edges without a length and with the default stay so."""
     for mark in MARKS:
         lengths = find_values(mesh, mark) if mark.is_length else None
         if lengths is not None:
@@ -91,7 +91,7 @@ def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
 
 
 def widest_allowance(mesh: bpy.types.Mesh) -> float:
-    """The largest width that is marked on seams and outlines, in Blender units; 0 if none is."""
+    """Returns the largest width that is marked on seams and outlines, in Blender units; 0 for none."""
     on_outlines = _on_outlines(mesh)
     both, sides = read_values(mesh, ALLOWANCE)[on_outlines], SIDE_ALLOWANCES.read(mesh)[on_outlines[corner_edges(mesh)]]
     return float(max(_where_set(both).max(initial=0.0), _where_set(sides).max(initial=0.0)))

@@ -26,7 +26,7 @@ from ..words import counted
 
 @dataclass(frozen=True)
 class SidedMark:
-    """A value that one side of an edge may have. All meshes are in Object Mode."""
+    """A value that one side of an edge may have. Its methods take meshes in Object Mode."""
 
     what: str  # as sentences call it
     value: Mark  # FLOAT, on edges: of the side that is marked
@@ -67,9 +67,9 @@ class SidedMark:
             raise ObjectError(Issue(f"{self.what}s_contradict", sentence, edges=_pairs(mesh, contradict)))
 
     def read(self, mesh: bpy.types.Mesh) -> np.ndarray:
-        """(l,) float32 of the edge that begins at each corner, on the side of its face; 0 where none is marked.
+        """Returns (l,) float32: the value of the edge that begins at each corner, on the side of its face; 0 for none.
 
-        Attributes of our names that are not ours count as none. If a side has two values, see check, the corner's.
+        Attributes of another type or domain count as none. If a side has two values, it returns the corner's.
         """
         if not {self.value.name, self.corner.name} & set(mesh.attributes.keys()):
             return np.zeros(len(mesh.loops), dtype=np.float32)
@@ -77,7 +77,7 @@ class SidedMark:
         return np.where(is_set(corners) | (marked == 0), corners, marked)
 
     def mark(self, mesh: bpy.types.Mesh, corners: Sequence[int] | np.ndarray, values: np.ndarray | float) -> None:
-        """The sides that begin at these corners, one of an edge, get these values; the other sides of it have none."""
+        """Gives these values to the sides that begin at these corners, one for each edge. Clears the others."""
         rows, faces = corner_edges(mesh)[corners], faces_of_corners(mesh)[corners]
         self.clear(mesh, rows)
         numbers = number_faces(mesh, faces)
@@ -87,7 +87,7 @@ class SidedMark:
             write_marked(mesh, attribute, present)
 
     def clear(self, mesh: bpy.types.Mesh, rows: np.ndarray) -> np.ndarray:
-        """No side of these edges (k,) has a value of its own any more. Returns (k,) bool: which had one."""
+        """Clears all sides of these edges (k,). Returns (k,) bool: which edges had a value on a side."""
         cleared = np.isin(corner_edges(mesh), rows)
         value, side, corner = (read_values(mesh, each) for each in (self.value, self.side, self.corner))
         had = (side[rows] != 0) | np.isin(rows, corner_edges(mesh)[cleared & (corner != 0)])
@@ -97,7 +97,7 @@ class SidedMark:
         return had
 
     def _on_edges(self, mesh: bpy.types.Mesh) -> np.ndarray:
-        """(l,) float32: what lies on the edge that begins at each corner, if on the side of its face; 0 elsewhere."""
+        """Returns (l,) float32: as read, of the values that lie on edges."""
         marked, counts = marked_corners(mesh, self.side)
         loop_edges = corner_edges(mesh)
         return np.where(marked & (counts[loop_edges] == 1), read_values(mesh, self.value)[loop_edges], np.float32(0))
@@ -112,9 +112,9 @@ def is_set(values: np.ndarray) -> np.ndarray:
 
 
 def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
-    """(f,) the numbers of all faces, none twice; these faces have one. Sides that are known stay so.
+    """Numbers these faces, and those anew that share a number. Returns (f,) the numbers of all faces, 0 for none.
 
-    Of a mesh in Object Mode.
+    Known sides stay known. The mesh is in Object Mode.
     """
     numbers = read_values(mesh, FACE)
     _, first, counts = np.unique(numbers, return_inverse=True, return_counts=True)
