@@ -1,31 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flattenings for tests of patterns. Shapely, which has no part in making a pattern, measures what is on it."""
 
-import sys
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pypdfium2
 import shapely
 import wirewarp
+from samples import flattened
 from wirewarp.pattern import Line, Pattern, PatternPiece
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
-
-import shapes
 
 MILLIMETER = 72 / 25.4  # PDF's points in it
 SCALE = 4.0  # pixels per millimeter of what is measured
-SAMPLES = {shape.name: shape for shape in shapes.all_shapes()}
-
-
-@cache
-def flattened(name: str, mirror: bool = False) -> wirewarp.FlattenResult:
-    shape = SAMPLES[name]
-    wires = [wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires]
-    options = wirewarp.Options(mirror=mirror)
-    return wirewarp.flatten(shape.vertices, shape.triangles(), seams=shape.seams, wires=wires, options=options)
 
 
 @cache

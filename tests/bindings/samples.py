@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The samples of the add-on, flattened by the Python package."""
+"""The samples of the add-on, flattened by the Python package; tests that share a result only read it."""
 
 import sys
+from functools import cache
 from pathlib import Path
 
 import wirewarp
@@ -13,26 +14,33 @@ from shapes import Shape, all_shapes
 SAMPLES = {shape.name: shape for shape in all_shapes()}
 
 
-def flatten(shape: Shape, **options) -> wirewarp.FlattenResult:
+def flatten(shape: Shape, tolerance: float | None = None, eases=(), **options) -> wirewarp.FlattenResult:
+    """tolerance: of all wires, in place of their own."""
+    wires = [
+        wirewarp.Wire(wire.vertices, wire.tolerance if tolerance is None else tolerance, wire.name)
+        for wire in shape.wires
+    ]
     return wirewarp.flatten(
         shape.vertices,
         shape.triangles(),
         seams=shape.seams,
-        wires=[wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires],
+        wires=wires,
+        eases=eases,
         options=wirewarp.Options(**options),
     )
 
 
-def flatten_as_made(shape: Shape) -> wirewarp.FlattenResult:
+@cache
+def flattened(name: str, tolerance: float | None = None, **options) -> wirewarp.FlattenResult:
+    return flatten(SAMPLES[name], tolerance, **options)
+
+
+@cache
+def flattened_as_made(name: str) -> wirewarp.FlattenResult:
     """With the eases of the sample, and in its cloth."""
+    shape = SAMPLES[name]
     cloth = None
     if shape.cloth:
         cloth = wirewarp.Cloth(**wirewarp.Cloth.preset(shape.cloth).to_dict() | {"stretch": shape.stretch})
-    return wirewarp.flatten(
-        shape.vertices,
-        shape.triangles(),
-        seams=shape.seams,
-        wires=[wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires],
-        eases=[wirewarp.Ease(ease.half_edges, ease.ratio) for ease in shape.eases],
-        options=wirewarp.Options(cloth=cloth, fairness=shape.fairness),
-    )
+    eases = [wirewarp.Ease(ease.half_edges, ease.ratio) for ease in shape.eases]
+    return flatten(shape, eases=eases, cloth=cloth, fairness=shape.fairness)

@@ -13,12 +13,11 @@ from types import SimpleNamespace
 import numpy as np
 import pypdfium2
 import pytest
-from patterns import SAMPLES, flattened
 from PIL import Image
+from samples import SAMPLES, flattened
 from wirewarp.command import staged
 from wirewarp.command.arguments import parsed
 from wirewarp.command.flatten import flatten_model
-from wirewarp.command.model import read_model
 from wirewarp.command.picture import strain
 from wirewarp.pattern import Marker
 
@@ -103,36 +102,6 @@ def test_every_kind_of_model_is_read(model, tmp_path, suffix):
     assert line["pieces"] == 1
     outline = [0.05, 0.05, 0.1, 0.05, np.hypot(0.05, 0.04), np.hypot(0.1, 0.04)]
     assert lengths(report) == pytest.approx([sum(outline)], rel=1e-6)  # files have single precision
-
-
-@pytest.mark.parametrize(
-    "head",
-    [
-        b"\xef\xbb\xbf",  # a byte order mark
-        "# Größe: Ärmel\ng Rückenteil\n".encode("cp1252"),
-        "# 前身頃の表\n".encode("shift-jis"),  # ends in a backslash
-        "# Größe 前身頃\nusemtl Stoff\n".encode(),
-    ],
-    ids=["byte order mark", "cp1252", "Shift-JIS", "UTF-8"],
-)
-def test_names_and_comments_may_be_in_any_encoding(tmp_path, head):
-    (tmp_path / "a.obj").write_bytes(head + FOLDED.encode())
-    (tmp_path / "b.obj").write_text(FOLDED)
-    marked, plain = read_model(tmp_path / "a.obj"), read_model(tmp_path / "b.obj")
-    assert np.array_equal(marked.vertices, plain.vertices) and np.array_equal(marked.faces, plain.faces)
-    assert np.array_equal(marked.corner_uv, plain.corner_uv)
-
-
-def test_materials_change_neither_numbers_nor_maps(tmp_path):
-    first, second = FOLDED[: FOLDED.index("f ")], FOLDED[FOLDED.index("f ") :].splitlines()
-    (tmp_path / "a.mtl").write_text("newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n")
-    # The face that comes first is of the last material, and does not have the first vertex.
-    (tmp_path / "a.obj").write_text(f"mtllib a.mtl\n{first}usemtl red\n{second[1]}\nusemtl blue\n{second[0]}\n")
-    (tmp_path / "b.obj").write_text(f"{first}{second[1]}\n{second[0]}\n")
-    colored, plain = read_model(tmp_path / "a.obj"), read_model(tmp_path / "b.obj")
-    assert plain.vertices.tolist() == [[float(x) for x in line.split()[1:]] for line in first.splitlines()[:6]]
-    assert np.array_equal(colored.vertices, plain.vertices) and np.array_equal(colored.faces, plain.faces)
-    assert np.array_equal(colored.corner_uv, plain.corner_uv)
 
 
 def test_a_marker_is_one_more_file_of_each_kind_and_is_kept(model, tmp_path):

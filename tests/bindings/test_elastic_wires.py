@@ -8,6 +8,8 @@ import pytest
 import wirewarp
 from surfaces import Mesh, half_cylinder, spherical_patch
 
+pytestmark = pytest.mark.core
+
 PARALLEL = list(range(36, 45))  # across the middle of an 8 by 8 patch
 MERIDIAN = list(range(4, 81, 9))
 

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Rigid wires that contradict one another: the error names them, and its proposal can be taken as it is."""
 
+import pytest
 from surfaces import grid
 from wirewarp import ErrorCode, Wire, flatten
+
+pytestmark = pytest.mark.core
 
 
 def test_the_proposed_tolerances_can_be_taken_as_they_are():

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 import shapely
 import wirewarp
-from patterns import SAMPLES, cut_polygon, flattened, line_string, quads, rectangle, sample, sew_polygon
+from patterns import cut_polygon, line_string, quads, rectangle, sample, sew_polygon
+from samples import SAMPLES, flattened
 from wirewarp.pattern import Pattern
 from wirewarp.pattern.interior import innermost_point
 

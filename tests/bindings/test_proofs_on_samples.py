@@ -2,31 +2,13 @@
 """What holds of methods and tolerances, on the samples: more tolerance never means more distortion."""
 
 import math
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 import wirewarp
+from samples import SAMPLES, flattened
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
-
-import shapes
-
-SAMPLES = {shape.name: shape for shape in shapes.all_shapes()}
-
-pytestmark = pytest.mark.parametrize("shape", SAMPLES.values(), ids=SAMPLES)
-
-
-def flatten(shape: shapes.Shape, tolerance: float, **options) -> wirewarp.FlattenResult:
-    """The sample with one tolerance on all its wires."""
-    return wirewarp.flatten(
-        shape.vertices,
-        shape.triangles(),
-        seams=shape.seams,
-        wires=[wirewarp.Wire(wire.vertices, tolerance, wire.name) for wire in shape.wires],
-        options=wirewarp.Options(**options),
-    )
+pytestmark = [pytest.mark.core, pytest.mark.parametrize("name", SAMPLES)]
 
 
 def least_value(piece: wirewarp.Piece, method: str) -> float:
@@ -35,10 +17,10 @@ def least_value(piece: wirewarp.Piece, method: str) -> float:
 
 
 @pytest.mark.parametrize("method", ["wirewarp++", "refined"])
-def test_more_tolerance_never_means_more_distortion(shape, method):
+def test_more_tolerance_never_means_more_distortion(name, method):
     before = None
     for tolerance in (0, 0.01, 0.03, 0.1, math.inf):
-        result = flatten(shape, tolerance, method=method)
+        result = flattened(name, tolerance, method=method)
         least = np.array([least_value(piece, method) for piece in result.pieces])
         # A free wire has no corners: it counts for less in what the refined method minimizes.
         if before is not None:
@@ -51,6 +33,6 @@ def test_more_tolerance_never_means_more_distortion(shape, method):
         before = least
 
 
-def test_without_tolerance_the_methods_of_the_paper_agree(shape):
-    rigid, kept = flatten(shape, 0, method="wirewarp++"), flatten(shape, math.inf, method="wirewarping")
-    assert rigid.corner_uv == pytest.approx(kept.corner_uv, abs=1e-9 * np.ptp(shape.vertices))
+def test_without_tolerance_the_methods_of_the_paper_agree(name):
+    rigid, kept = flattened(name, 0, method="wirewarp++"), flattened(name, math.inf, method="wirewarping")
+    assert rigid.corner_uv == pytest.approx(kept.corner_uv, abs=1e-9 * np.ptp(SAMPLES[name].vertices))

@@ -15,6 +15,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
 
 import shapes
 
+pytestmark = pytest.mark.core
+
 SAMPLES = {shape.name: shape for shape in shapes.all_shapes()}
 LENGTH = 1e-9
 

@@ -3,12 +3,9 @@
 
 import numpy as np
 import pytest
-from samples import SAMPLES, flatten
+from samples import SAMPLES, flattened
 
-
-@pytest.fixture(scope="module")
-def results():
-    return {name: flatten(shape) for name, shape in SAMPLES.items()}
+pytestmark = pytest.mark.core
 
 
 def edges_with_use(faces):
@@ -22,7 +19,7 @@ def lengths(points, edges):
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_outline_and_wire_edges_change_no_more_than_allowed(results, name):
+def test_outline_and_wire_edges_change_no_more_than_allowed(name):
     shape = SAMPLES[name]
     tolerance = {
         tuple(sorted(pair)): wire.tolerance
@@ -30,7 +27,7 @@ def test_outline_and_wire_edges_change_no_more_than_allowed(results, name):
         for pair in zip(wire.vertices[:-1], wire.vertices[1:], strict=True)
     }
     checked = set()
-    for piece in results[name].pieces:
+    for piece in flattened(name).pieces:
         assert piece.error is None
         edges, use = edges_with_use(piece.faces)
         source = np.sort(piece.source_vertex[edges], axis=1)
@@ -44,9 +41,9 @@ def test_outline_and_wire_edges_change_no_more_than_allowed(results, name):
 
 
 @pytest.mark.parametrize("name", [name for name, shape in SAMPLES.items() if len(shape.seams)])
-def test_the_sides_of_every_seam_are_equal(results, name):
+def test_the_sides_of_every_seam_are_equal(name):
     shape = SAMPLES[name]
-    seams = results[name].seams
+    seams = flattened(name).seams
     assert sum(len(seam.edges) for seam in seams) == len(shape.seams)
     for seam in seams:
         assert len(seam.length_2d) == len(seam.pieces) == 2
@@ -62,10 +59,10 @@ def parts(result, name):
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_the_refined_method_takes_few_factorizations(results, name):
+def test_the_refined_method_takes_few_factorizations(name):
     # On the quarter sphere no step from a free flattening reaches exact lengths, and a saddle is on the way.
     most = 16 if name == "Quarter sphere" else 8
-    for piece in results[name].pieces:
+    for piece in flattened(name).pieces:
         assert piece.report.factorizations <= most  # none where it unfolds
 
 
@@ -73,7 +70,7 @@ def test_the_refined_method_takes_few_factorizations(results, name):
 def test_the_inner_problem_takes_few_factorizations(name):
     # On the quarter sphere symmetry holds the wires straight: the least-norm steps stray, and a saddle is on the way.
     most = 24 if name == "Quarter sphere" else 16
-    for piece in flatten(SAMPLES[name], method="wirewarp++").pieces:
+    for piece in flattened(name, method="wirewarp++").pieces:
         evaluations = piece.report.gradient_evaluations
         assert 0 < piece.report.inner_solves <= most * (1 + evaluations)
         assert piece.report.factorizations == (2 if evaluations else 1)  # one more to begin the choice of lengths
@@ -81,33 +78,33 @@ def test_the_inner_problem_takes_few_factorizations(name):
         assert piece.report.constraint_residual < 1e-12
 
 
-def test_a_closed_wire_runs_through_two_pieces(results):
-    assert len({piece for piece, _ in parts(results["Fitted top"], "Bust line")}) == 2
+def test_a_closed_wire_runs_through_two_pieces():
+    assert len({piece for piece, _ in parts(flattened("Fitted top"), "Bust line")}) == 2
 
 
-def test_a_closed_wire_runs_through_six_pieces(results):
-    equator = parts(results["Ball of six gores"], "Equator")
+def test_a_closed_wire_runs_through_six_pieces():
+    equator = parts(flattened("Ball of six gores"), "Equator")
     assert len({piece for piece, _ in equator}) == 6
     assert [length for _, length in equator] == pytest.approx([equator[0][1]] * 6, rel=1e-9)
 
 
-def test_a_wire_runs_across_a_dart_in_each_half_of_the_hat(results):
-    head_line = [piece for piece, _ in parts(results["Hat"], "Head line")]
+def test_a_wire_runs_across_a_dart_in_each_half_of_the_hat():
+    head_line = [piece for piece, _ in parts(flattened("Hat"), "Head line")]
     assert sorted(head_line.count(piece) for piece in set(head_line)) == [2, 2]
-    darts = [seam for seam in results["Hat"].seams if seam.pieces[0] == seam.pieces[1]]
+    darts = [seam for seam in flattened("Hat").seams if seam.pieces[0] == seam.pieces[1]]
     assert len(darts) == 2 + 1  # and the brim's seam
 
 
 @pytest.mark.parametrize("name", ["Half cylinder", "Lampshade"])
-def test_developable_samples_come_out_isometric(results, name):
-    (piece,) = results[name].pieces
+def test_developable_samples_come_out_isometric(name):
+    (piece,) = flattened(name).pieces
     assert piece.metrics.face_aspect_ratio == pytest.approx(1, abs=1e-9)
     assert piece.metrics.arap_energy < 1e-18
     assert piece.metrics.area_2d == pytest.approx(piece.metrics.area_3d, rel=1e-12)
 
 
-def test_the_helix_unrolls_to_a_straight_line(results):
-    (piece,) = results["Half cylinder"].pieces
+def test_the_helix_unrolls_to_a_straight_line():
+    (piece,) = flattened("Half cylinder").pieces
     (helix,) = [wire for wire in SAMPLES["Half cylinder"].wires if wire.name == "Helix"]
     place = dict(zip(piece.source_vertex.tolist(), piece.vertices, strict=True))
     points = np.array([place[vertex] for vertex in helix.vertices])
@@ -118,7 +115,7 @@ def path(count):
     return np.column_stack([np.arange(count - 1), np.arange(1, count)])
 
 
-def test_the_mask_is_one_piece_with_two_holes(results):
-    (piece,) = results["Carnival mask"].pieces
+def test_the_mask_is_one_piece_with_two_holes():
+    (piece,) = flattened("Carnival mask").pieces
     edges, _ = edges_with_use(piece.faces)
     assert len(piece.vertices) - len(edges) + len(piece.faces) == 1 - 2

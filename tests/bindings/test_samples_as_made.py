@@ -6,15 +6,12 @@ from collections import defaultdict
 import numpy as np
 import pytest
 import wirewarp
-from samples import SAMPLES, flatten, flatten_as_made
+from samples import SAMPLES, flattened, flattened_as_made
+
+pytestmark = pytest.mark.core
 
 EASED = [name for name, shape in SAMPLES.items() if shape.eases]
 STRETCHED = [name for name, shape in SAMPLES.items() if any(shape.stretch)]
-
-
-@pytest.fixture(scope="module")
-def results():
-    return {name: flatten_as_made(SAMPLES[name]) for name in [*EASED, *STRETCHED]}
 
 
 def flat_half_edges(result: wirewarp.FlattenResult) -> dict[tuple[int, int], np.ndarray]:
@@ -27,16 +24,16 @@ def flat_half_edges(result: wirewarp.FlattenResult) -> dict[tuple[int, int], np.
 
 
 @pytest.mark.parametrize("name", [*EASED, *STRETCHED])
-def test_every_piece_is_good(results, name):
-    for piece in results[name].pieces:
+def test_every_piece_is_good(name):
+    for piece in flattened_as_made(name).pieces:
         assert piece.error is None
         assert piece.report.termination == "converged"
         assert piece.report.warnings == []
 
 
 @pytest.mark.parametrize("name", EASED)
-def test_eased_sides_and_no_others_are_longer(results, name):
-    shape, flat = SAMPLES[name], flat_half_edges(results[name])
+def test_eased_sides_and_no_others_are_longer(name):
+    shape, flat = SAMPLES[name], flat_half_edges(flattened_as_made(name))
     ratios = {tuple(pair): ease.ratio for ease in shape.eases for pair in ease.half_edges.tolist()}
     assert ratios.keys() <= flat.keys()
     for a, b in shape.seams.tolist():
@@ -46,34 +43,34 @@ def test_eased_sides_and_no_others_are_longer(results, name):
 
 
 @pytest.mark.parametrize("name", [*EASED, *STRETCHED])
-def test_sides_of_seams_are_equal_after_their_ease(results, name):
-    for seam in results[name].seams:
+def test_sides_of_seams_are_equal_after_their_ease(name):
+    for seam in flattened_as_made(name).seams:
         left, right = (length / (1 + ease) for length, ease in zip(seam.length_2d, seam.eases, strict=True))
         assert left == pytest.approx(right, rel=1e-12)
         assert seam.mismatch <= 1e-12
 
 
-def test_the_sleeve_head_is_eased_by_two_to_three_centimeters(results):
-    seams = results["Set-in sleeve"].seams
+def test_the_sleeve_head_is_eased_by_two_to_three_centimeters():
+    seams = flattened_as_made("Set-in sleeve").seams
     head = [seam for seam in seams if any(seam.eases)]
     assert len(head) == 2  # to the front and to the back
     assert 0.020 <= sum(max(seam.length_2d) - min(seam.length_2d) for seam in head) <= 0.030
 
 
-def test_the_skirt_is_twice_as_wide_as_its_waistband(results):
-    for seam in results["Gathered skirt"].seams:
+def test_the_skirt_is_twice_as_wide_as_its_waistband():
+    for seam in flattened_as_made("Gathered skirt").seams:
         if any(seam.eases):
             assert max(seam.length_2d) == pytest.approx(2 * min(seam.length_2d), rel=1e-12)
 
 
 @pytest.mark.parametrize("name", STRETCHED)
-def test_negative_ease_follows_the_direction_on_the_cloth(results, name):
+def test_negative_ease_follows_the_direction_on_the_cloth(name):
     """The length of an edge across or along is divided by 1 + stretch, that of others by what is between.
 
     That of a seam is divided by the mean of its sides.
     """
     shape = SAMPLES[name]
-    unstretched, flat = flat_half_edges(flatten(shape, cloth=shape.cloth)), flat_half_edges(results[name])
+    unstretched, flat = flat_half_edges(flattened(name, cloth=shape.cloth)), flat_half_edges(flattened_as_made(name))
     shares = defaultdict(list)
     for (a, b), side in unstretched.items():
         is_inside = (b, a) in unstretched and np.allclose(unstretched[b, a], -side, atol=1e-12)

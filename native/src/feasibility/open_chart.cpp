@@ -91,7 +91,7 @@ class OpeningSearch {
         map_(whole),
         none_(whole.mesh.n_edges(), 0) {}
 
-  CutMask open(const Chart& part, int depth) const;
+  CutMask open(const Chart& piece, int depth) const;
 
  private:
   std::vector<CutMask> cuts_through(const Chart& piece) const;

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is read of models in files."""
+
+import numpy as np
+import pytest
+from test_command import FOLDED
+from wirewarp.command.model import read_model
+
+pytest.importorskip("trimesh")
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        b"\xef\xbb\xbf",  # a byte order mark
+        "# Größe: Ärmel\ng Rückenteil\n".encode("cp1252"),
+        "# 前身頃の表\n".encode("shift-jis"),  # ends in a backslash
+        "# Größe 前身頃\nusemtl Stoff\n".encode(),
+    ],
+    ids=["byte order mark", "cp1252", "Shift-JIS", "UTF-8"],
+)
+def test_names_and_comments_may_be_in_any_encoding(tmp_path, head):
+    (tmp_path / "a.obj").write_bytes(head + FOLDED.encode())
+    (tmp_path / "b.obj").write_text(FOLDED)
+    marked, plain = read_model(tmp_path / "a.obj"), read_model(tmp_path / "b.obj")
+    assert np.array_equal(marked.vertices, plain.vertices) and np.array_equal(marked.faces, plain.faces)
+    assert np.array_equal(marked.corner_uv, plain.corner_uv)
+
+
+def test_materials_change_neither_numbers_nor_maps(tmp_path):
+    first, second = FOLDED[: FOLDED.index("f ")], FOLDED[FOLDED.index("f ") :].splitlines()
+    (tmp_path / "a.mtl").write_text("newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n")
+    # The face that comes first is of the last material, and does not have the first vertex.
+    (tmp_path / "a.obj").write_text(f"mtllib a.mtl\n{first}usemtl red\n{second[1]}\nusemtl blue\n{second[0]}\n")
+    (tmp_path / "b.obj").write_text(f"{first}{second[1]}\n{second[0]}\n")
+    colored, plain = read_model(tmp_path / "a.obj"), read_model(tmp_path / "b.obj")
+    assert plain.vertices.tolist() == [[float(x) for x in line.split()[1:]] for line in first.splitlines()[:6]]
+    assert np.array_equal(colored.vertices, plain.vertices) and np.array_equal(colored.faces, plain.faces)
+    assert np.array_equal(colored.corner_uv, plain.corner_uv)
