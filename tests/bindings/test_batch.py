@@ -97,7 +97,7 @@ def test_parts_of_a_farm_have_every_model_once(models):
 @pytest.mark.parametrize("part", ["0/3", "4/3", "3", "1/0"])
 def test_a_part_that_is_none_is_one_sentence(models, tmp_path, part):
     errors = run(models, "--out", tmp_path / "out", "--part", part, code=2)[1]
-    assert f"'{part}' is no part: give 1/20 to 20/20" in errors.splitlines()[-1]
+    assert f"'{part}' is not a part: give 1/20 to 20/20" in errors.splitlines()[-1]
 
 
 def test_what_was_done_is_known_wherever_it_lies_and_whichever_blender_there_is(models, tmp_path, monkeypatch):
@@ -117,9 +117,9 @@ def test_what_was_done_is_known_wherever_it_lies_and_whichever_blender_there_is(
     [
         (None, 'there is no model in "'),
         ("", 'there is no model in "'),
-        ("a.obj", "line 1, is no JSON like"),
-        ('["a.obj"]', "line 1, is no JSON like"),
-        ('{"seams": "uv"}', "line 1, is no JSON like"),
+        ("a.obj", "line 1, is not JSON like"),
+        ('["a.obj"]', "line 1, is not JSON like"),
+        ('{"seams": "uv"}', "line 1, is not JSON like"),
         ('{"model": ["a.obj"]}', "line 1: a model and its options are texts"),
         ('{"model": "a.obj", "colour": "red"}', "line 1: unrecognized arguments: --colour=red"),
         ('{"model": "a.obj", "unit": "ft"}', "line 1: argument --unit: invalid choice: 'ft'"),

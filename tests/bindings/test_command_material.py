@@ -26,7 +26,7 @@ def test_a_stretched_cloth_and_a_thick_one(model, tmp_path):
     assert areas("--thickness", "2mm", "--surface", "middle") == pytest.approx(whole)
     assert areas("--stretch=-20%") == pytest.approx([area / 0.8**2 for area in whole])
     _, said = run(model, "--out", tmp_path / "out", "--stretch", "0.2", code=2)
-    assert "is no stretch: give 10%" in said
+    assert "is not a stretch: give 10%" in said
 
 
 def test_eases_and_a_cloth_change_what_is_made(model, tmp_path):

@@ -63,8 +63,8 @@ def parsed(words: Sequence[str]) -> Arguments:
         "batch",
         parents=[_model_options(), _writing_options(), _running_options()],  # of its own: their defaults differ
         help="the same for folders and lists of models, as often as it takes",
-        description="As flatten --resume, with all models of folders and lists: run again, it goes on where it was "
-        "stopped, and does what has changed. " + VERDICTS,
+        description="As flatten --resume, with all models of folders and lists: a rerun continues where it stopped and "
+        "redoes changed models. " + VERDICTS,
     )
     batch.add_argument(
         "models",
@@ -202,7 +202,7 @@ def _running_options() -> argparse.ArgumentParser:
 
 
 class _Options(argparse.ArgumentParser):
-    """Of a model in a list: what is wrong is no reason to show how the command is used."""
+    """Parses the options of a model in a list: an error there does not print the usage of the command."""
 
     def error(self, message: str) -> NoReturn:
         raise InputError(message)
@@ -294,7 +294,7 @@ def _clashes(requests: Sequence[Request]) -> dict[int, str]:
 def _length(text: str) -> float:
     match = LENGTH.fullmatch(text.strip())
     if not match or (match[2] and not int(match[2])):
-        raise argparse.ArgumentTypeError(f"{text!r} is no length: give 10mm, 1cm or 3/8in")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a length: give 10mm, 1cm or 3/8in")
     return float(match[1]) / float(match[2] or 1) * MILLIMETERS[match[3]]
 
 
@@ -312,7 +312,7 @@ def _formats(text: str) -> tuple[str, ...]:
     known = [suffix[1:] for suffix in FORMATS]
     for each in formats:
         if each not in known:
-            raise argparse.ArgumentTypeError(f"{each!r} is no format: give some of {','.join(known)}")
+            raise argparse.ArgumentTypeError(f"{each!r} is not a format: give some of {','.join(known)}")
     return formats
 
 
@@ -328,26 +328,26 @@ def _stretch(text: str) -> tuple[float, float]:
     """Across and along the grain, as shares."""
     match = STRETCH.fullmatch(text.strip())
     if not match:
-        raise argparse.ArgumentTypeError(f"{text!r} is no stretch: give 10% or, across and along the grain, 10%,5%")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a stretch: give 10% or, across and along the grain, 10%,5%")
     return float(match[1]) / 100, float(match[2] or match[1]) / 100
 
 
 def _share(text: str) -> float:
     match = re.fullmatch(r"(\d+(?:\.\d*)?)%", text.strip())
     if not match:
-        raise argparse.ArgumentTypeError(f"{text!r} is no share: give 5%")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a percentage: give 5%")
     return float(match[1]) / 100
 
 
 def _count(text: str) -> int:
     if not text.isdecimal() or int(text) == 0:
-        raise argparse.ArgumentTypeError(f"{text!r} is no number of them: give 1 or more")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number above 0: give 1 or more")
     return int(text)
 
 
 def _seconds(text: str) -> float:
     if not re.fullmatch(r"\d+(\.\d*)?", text):
-        raise argparse.ArgumentTypeError(f"{text!r} is no number of seconds: give 0 or more")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of seconds: give 0 or more")
     return float(text)
 
 
@@ -355,12 +355,12 @@ def _memory(text: str) -> int:
     """Bytes."""
     match = MEMORY.fullmatch(text.strip())
     if not match or not float(match[1]):
-        raise argparse.ArgumentTypeError(f"{text!r} is no memory: give 500MB or 4GB")
+        raise argparse.ArgumentTypeError(f"{text!r} is not an amount of memory: give 500MB or 4GB")
     return round(float(match[1]) * BYTES[match[2]])
 
 
 def _part(text: str) -> tuple[int, int]:
     match = re.fullmatch(r"(\d+)/(\d+)", text)
     if not match or not 1 <= int(match[1]) <= int(match[2]):
-        raise argparse.ArgumentTypeError(f"{text!r} is no part: give 1/20 to 20/20")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a part: give 1/20 to 20/20")
     return int(match[1]), int(match[2])

@@ -91,7 +91,7 @@ def _made_of(request: Request, model: Model | None) -> str:
         digest.update(hashlib.blake2b(b"" if array is None else array.tobytes()).digest())
     for path in request.line_files:
         if not path.is_file():
-            raise InputError(f'There is no file "{path}" ("{FROM_MODEL[0]}" and "{FROM_MODEL[1]}" are no files).')
+            raise InputError(f'There is no file "{path}" ("{FROM_MODEL[0]}" and "{FROM_MODEL[1]}" are not files).')
         digest.update(hashlib.blake2b(path.read_bytes()).digest())
     return digest.hexdigest()
 

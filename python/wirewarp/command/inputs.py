@@ -64,7 +64,7 @@ def _in_list(path: Path) -> Iterator[Found]:
             entry = json.loads(line)
             model = entry.pop("model")
         except (ValueError, AttributeError, KeyError, TypeError) as error:
-            raise InputError(f'{source}, is no JSON like {{"model": "a.obj", "seams": "uv"}}') from error
+            raise InputError(f'{source}, is not JSON like {{"model": "a.obj", "seams": "uv"}}') from error
         for option in ("seams", "wires"):
             if option in entry and entry[option] not in ("", *FROM_MODEL):
                 entry[option] = str(path.parent / str(entry[option]))

@@ -84,7 +84,7 @@ def _read(path: Path) -> Any:  # noqa: ANN401
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (ValueError, RecursionError) as error:
-        raise InputError(f'"{path}" is no JSON: {error}') from error
+        raise InputError(f'"{path}" is not valid JSON: {error}') from error
 
 
 def _is_chain(value: object) -> bool:

@@ -30,7 +30,7 @@ class Model:
 def read_model(path: Path) -> Model:
     """Raises InputError."""
     if path.suffix.lower() not in READ_BY_TRIMESH:
-        raise InputError(f'"{path.name}" ends in none of {", ".join(SUFFIXES)}: no other kind of model can be read.')
+        raise InputError(f'"{path.name}" is not a model of a kind that can be read: {", ".join(SUFFIXES)}.')
     if not path.is_file():
         raise InputError(f'There is no file "{path}".')
     try:

@@ -41,7 +41,7 @@ def with_left(requests: Sequence[Request]) -> list[Request]:
 
 
 def listed_files(report: Path) -> list[str]:
-    """The names of the files that a report of ours is of, itself among them; none if it is no report of ours."""
+    """The names of the files that a report of ours is of, itself among them; none if it is not our report."""
     try:
         names = json.loads(report.read_text(encoding="utf-8"))["line"]["files"]
         return [name for name in names if Path(name).name == name]  # beside it, whoever has written it

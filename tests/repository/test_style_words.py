@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which words nobody reads: one word for one thing, in documents, comments, messages and the window.
+
+Files that have other words still are listed in old_words.txt; the list only becomes shorter.
+"""
+
+import io
+import re
+import tokenize
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+READ = ("*.md", "docs/*.md", "*/README.md", "addon/**/*.py", "python/**/*.py", "native/**/*.h", "native/**/*.cpp")
+OLD_WORDS = {  # with what to write instead
+    "promis(e|es|ed|ing)": "guarantee",
+    "aims?": "target",
+    "tells?|told": "report, name, show",
+    "twins?": "mirrored pair, mirror image",
+    "mend(s|ed|ing)?": "fix",
+    "spares?": "save, protect",
+    "turn(s|ed)? over": "flipped",
+    "covers? itself": "overlaps itself",
+    "middle (front|back)": "center front, center back",
+    "biceps line": "upper-arm line",
+    "true size": "actual size",
+    "lines? to cut": "cutting line",
+    "sew lines?": "stitching line",
+    "barred": "forbidden",
+    "settled": "fixed",
+    "likewise|shall|be they|for want of|in peace|to speak of|as many again": "plain words",
+}
+PATTERN = re.compile(rf"\b(?:{'|'.join(OLD_WORDS)})\b", re.IGNORECASE)
+CPP_TEXT = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
+LIST = Path(__file__).with_name("old_words.txt")
+
+
+def read_by_people(file: Path) -> str:
+    """Documents whole, of sources comments and texts."""
+    text = file.read_text()
+    if file.suffix == ".py":
+        tokens = tokenize.generate_tokens(io.StringIO(text).readline)
+        kinds = {tokenize.COMMENT, tokenize.STRING, getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING)}
+        return "\n".join(token.string for token in tokens if token.type in kinds)
+    return "\n".join(CPP_TEXT.findall(text)) if file.suffix in (".h", ".cpp") else text
+
+
+def old_words() -> dict[str, list[str]]:
+    """By file."""
+    files = sorted({file for pattern in READ for file in ROOT.glob(pattern)})
+    found = {file: sorted({match[0].lower() for match in PATTERN.finditer(read_by_people(file))}) for file in files}
+    return {file.relative_to(ROOT).as_posix(): words for file, words in found.items() if words}
+
+
+def test_clean_files_stay_clean() -> None:
+    listed = LIST.read_text().split()
+    found = old_words()
+    assert {file: words for file, words in found.items() if file not in listed} == {}, f"write instead: {OLD_WORDS}"
+    if clean := [file for file in listed if file not in found]:
+        pytest.fail(f"clean now, so take them off old_words.txt: {' '.join(clean)}")
+
+
+if __name__ == "__main__":  # writes the list anew
+    LIST.write_text("".join(f"{file}\n" for file in old_words()))
