@@ -8,7 +8,7 @@ import signal
 
 import pytest
 from hypothesis import settings
-from wirewarp.pattern import fonts, glyphs
+from wirewarp.pattern.label import fonts, glyphs
 
 settings.register_profile("repeatable", max_examples=150, derandomize=True, deadline=None)
 settings.register_profile("search", max_examples=3_000, deadline=None, database=None, print_blob=True)

@@ -299,7 +299,7 @@ def test_no_old_pattern_stays_of_a_model_that_is_not_ready_to_cut(tmp_path):
 
 
 def test_a_file_that_is_off_when_read_again_is_refused_and_does_not_end_the_batch(model, tmp_path, monkeypatch):
-    monkeypatch.setattr("wirewarp.pattern.read_back.WORST", -1.0)
+    monkeypatch.setattr("wirewarp.pattern.formats.read_back.WORST", -1.0)
     (request,) = parsed(["flatten", str(model), "--out", str(tmp_path / "out")]).requests
     line = flatten_model(request)
     assert line["verdict"] == "refused" and "Verification failed" in line["problems"][0]

@@ -19,9 +19,9 @@ import wirewarp
 from patterns import cut_polygon, quads, rectangle, sample
 from processes import wait_until_gone
 from wirewarp.pattern import FORMATS, Marker, Pattern
-from wirewarp.pattern.flat_piece import flat_piece
 from wirewarp.pattern.geometry import Motion
-from wirewarp.pattern.nest_items import simplified
+from wirewarp.pattern.make.outline import flat_piece
+from wirewarp.pattern.nest.items import simplified
 
 ENGINES = ["slides", "spyrrow"]
 
@@ -32,7 +32,7 @@ def engine(request, monkeypatch):
     if request.param == "spyrrow":
         pytest.importorskip("spyrrow")
     else:
-        monkeypatch.setattr("wirewarp.pattern.nesting.is_installed", lambda: False)
+        monkeypatch.setattr("wirewarp.pattern.nest.nesting.is_installed", lambda: False)
     return request.param
 
 
@@ -214,15 +214,16 @@ def test_better_markers_are_shown_and_a_stop_keeps_the_best(engine):
 def test_what_spyrrow_stumbles_over_is_told_and_pieces_are_packed_all_the_same(monkeypatch):
     pytest.importorskip("spyrrow")
     bow_tie = [[0.0, 0.0], [50.0, 50.0], [50.0, 0.0], [0.0, 50.0]]
-    described, searched = wirewarp.pattern.spyrrow_nesting._described, wirewarp.pattern.nesting.searched
+    described, searched = wirewarp.pattern.nest.spyrrow_nesting._described, wirewarp.pattern.nest.nesting.searched
 
     def searched_to_the_end(*what):
         """However long the process takes to begin."""
         yield from list(searched(*what[:-1], 60.0))
 
-    monkeypatch.setattr("wirewarp.pattern.nesting.searched", searched_to_the_end)
+    monkeypatch.setattr("wirewarp.pattern.nest.nesting.searched", searched_to_the_end)
     monkeypatch.setattr(
-        "wirewarp.pattern.spyrrow_nesting._described", lambda item, grain: described(item, grain) | {"outline": bow_tie}
+        "wirewarp.pattern.nest.spyrrow_nesting._described",
+        lambda item, grain: described(item, grain) | {"outline": bow_tie},
     )
     marker = sample("Hat").nested(1400, seconds=3)
     assert marker.by == "slides"
@@ -242,7 +243,7 @@ def searches(monkeypatch):
             super().__init__(*what, **how)
             started.append(self)
 
-    monkeypatch.setattr("wirewarp.pattern.spyrrow_nesting.subprocess.Popen", Noted)
+    monkeypatch.setattr("wirewarp.pattern.nest.spyrrow_nesting.subprocess.Popen", Noted)
     return started
 
 

@@ -10,7 +10,7 @@ import wirewarp
 from patterns import cut_polygon, line_string, quads, rectangle, sample, sew_polygon
 from samples import SAMPLES, flattened
 from wirewarp.pattern import Pattern
-from wirewarp.pattern.interior import innermost_point
+from wirewarp.pattern.geometry import innermost_point
 
 
 @pytest.mark.parametrize("name", SAMPLES)
@@ -350,3 +350,28 @@ def test_the_date_stands_on_every_piece():
     assert Pattern.from_result(rectangle(100, 60), date="2026").pieces[0].texts[0].lines[0] == "2026"
     with pytest.raises(wirewarp.FlattenError, match="title, material and date must be texts"):
         Pattern.from_result(rectangle(100, 60), date=2026)
+
+
+@pytest.mark.parametrize(("height", "depth"), [(8, 2.4), (60, 5.0)])
+def test_notches_without_allowance_that_face_each_other_do_not_meet(height, depth):
+    """At both ends of a wire across; each is 0.3 of the way deep, at most 5 mm."""
+    points = [(0, 0), (100, 0), (200, 0), (200, height), (100, height), (0, height)]
+    result = quads(points, [(0, 1, 4, 5), (1, 2, 3, 4)], wires=[wirewarp.Wire([1, 4])])
+    (piece,) = Pattern.from_result(result, allowance=0, notch_spacing=0).pieces
+    (wire,) = piece.of_role("wire")
+    assert [point.depth for point in piece.points] == pytest.approx([depth, depth], abs=1e-3)
+    strokes = [shapely.LineString(point.stroke) for point in piece.points]
+    assert all(shapely.distance(stroke, line_string(wire)) < 1e-6 for stroke in strokes)
+    assert all(cut_polygon(piece).buffer(1e-6).contains(stroke) for stroke in strokes)
+    assert strokes[0].distance(strokes[1]) == pytest.approx(height - 2 * depth, abs=2e-3)
+
+
+@pytest.mark.parametrize("allowance", [2.0, 6.0, 30.0])
+def test_a_notch_is_half_as_deep_as_the_allowance_and_at_most_5_mm(allowance):
+    points = [(0, 0), (100, 0), (200, 0), (200, 60), (100, 60), (0, 60)]
+    result = quads(points, [(0, 1, 4, 5), (1, 2, 3, 4)], wires=[wirewarp.Wire([1, 4])])
+    (piece,) = Pattern.from_result(result, allowance=allowance, notch_spacing=0).pieces
+    assert [point.depth for point in piece.points] == pytest.approx([min(allowance / 2, 5.0)] * 2)
+    for point in piece.points:
+        assert sew_polygon(piece).distance(shapely.Point(point.at)) == pytest.approx(allowance)
+        assert sew_polygon(piece).distance(shapely.LineString(point.stroke)) > allowance / 2 - 1e-6

@@ -8,9 +8,9 @@ import pytest
 import shapely
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from wirewarp.pattern.allowance import Corner, Stretch, cut_lines
-from wirewarp.pattern.corners import CORNER_TYPES
 from wirewarp.pattern.geometry import signed_area
+from wirewarp.pattern.make.allowance import Corner, Section, cut_lines
+from wirewarp.pattern.make.corners import CORNER_TYPES
 
 
 def random_outline(random: np.random.Generator) -> np.ndarray:
@@ -21,13 +21,13 @@ def random_outline(random: np.random.Generator) -> np.ndarray:
     return np.column_stack([radius * np.cos(angles), radius * np.sin(angles)])
 
 
-def random_stretches(random: np.random.Generator) -> list[Stretch]:
+def random_sections(random: np.random.Generator) -> list[Section]:
     points = random_outline(random)
     starts = np.sort(random.choice(len(points), int(random.integers(2, min(9, len(points) // 2))), replace=False))
     points, ends = np.roll(points, -starts[0], axis=0), [*(starts[1:] - starts[0]), len(points)]
     closed, begins = np.concatenate([points, points[:1]]), [0, *ends[:-1]]
     return [
-        Stretch(
+        Section(
             closed[a : b + 1],
             float(random.choice([0, 6, 10, 15, 30, *random.uniform(0.5, 40, 5)])),
             Corner(str(random.choice(CORNER_TYPES)), bool(random.random() < 0.5)),
@@ -39,8 +39,8 @@ def random_stretches(random: np.random.Generator) -> list[Stretch]:
 @settings(max_examples=max(1_000, settings.default.max_examples))  # 7 s
 @given(seed=st.integers(0, 2**32 - 1))
 def test_any_widths_round_any_outline_make_one_loop_at_these_widths(seed):
-    loop = random_stretches(np.random.default_rng(seed))
-    outline = shapely.Polygon(np.concatenate([stretch.points[:-1] for stretch in loop]))
+    loop = random_sections(np.random.default_rng(seed))
+    outline = shapely.Polygon(np.concatenate([section.points[:-1] for section in loop]))
     assume(outline.is_valid)
     found = cut_lines([loop])
     (outer,) = found.outer
@@ -48,35 +48,35 @@ def test_any_widths_round_any_outline_make_one_loop_at_these_widths(seed):
     assert cut.is_valid and cut.buffer(1e-3).contains(outline)
     closed = cut.buffer(0.01, join_style="mitre").buffer(-0.01, join_style="mitre")  # fills slits
     assert closed.area - cut.area < 0.5
-    corners = shapely.MultiPoint([stretch.points[-1] for stretch in loop])
-    zone = 4 * max(stretch.width for stretch in loop)
-    lines = [shapely.LineString(stretch.points) for stretch in loop]
+    corners = shapely.MultiPoint([section.points[-1] for section in loop])
+    zone = 4 * max(section.width for section in loop)
+    lines = [shapely.LineString(section.points) for section in loop]
     # What the allowance encloses outside of the piece is a bay of the outline, no slit between strips.
     for pocket in found.pockets:
         places = shapely.points(pocket)
-        for stretch, line in zip(loop, lines, strict=True):
+        for section, line in zip(loop, lines, strict=True):
             free = places[shapely.distance(places, corners) > zone]
-            assert np.all(shapely.distance(free, line) > stretch.width - 0.01)
-    for stretch, line in zip(loop, lines, strict=True):
+            assert np.all(shapely.distance(free, line) > section.width - 0.01)
+    for section, line in zip(loop, lines, strict=True):
         places = shapely.line_interpolate_point(line, np.linspace(0, line.length, 40))
         free = places[shapely.distance(places, corners) > zone]
-        assert np.all(shapely.distance(free, cut.exterior) > stretch.width - 0.01)
+        assert np.all(shapely.distance(free, cut.exterior) > section.width - 0.01)
     places = shapely.line_interpolate_point(cut.exterior, np.linspace(0, cut.length, 300))
     places = places[shapely.distance(places, corners) > zone]
     distances = np.array([shapely.distance(places, line) for line in lines])
     vertices = shapely.MultiPoint(outline.exterior.coords)
-    for number, (stretch, line) in enumerate(zip(loop, lines, strict=True)):
+    for number, (section, line) in enumerate(zip(loop, lines, strict=True)):
         nearest = places[distances.argmin(axis=0) == number]
         feet = shapely.line_interpolate_point(line, shapely.line_locate_point(line, nearest))
         on_edges = shapely.distance(feet, vertices) > 1e-6  # from a vertex the mitre is a little farther
-        assert np.all(np.abs(shapely.distance(feet, nearest)[on_edges] - stretch.width) < 0.01)
+        assert np.all(np.abs(shapely.distance(feet, nearest)[on_edges] - section.width) < 0.01)
 
 
-def square(widths, corner: Corner) -> list[Stretch]:
+def square(widths, corner: Corner) -> list[Section]:
     """Of 100 mm, from the lower left corner on; the corner type is that of the lower right corner."""
     points = np.array([[0.0, 0], [100, 0], [100, 100], [0, 100], [0, 0]])
     corners = [corner, Corner(), Corner(), Corner()]
-    return [Stretch(points[i : i + 2], widths[i], corners[i]) for i in range(4)]
+    return [Section(points[i : i + 2], widths[i], corners[i]) for i in range(4)]
 
 
 @pytest.mark.parametrize(
@@ -106,7 +106,7 @@ def test_an_allowance_that_folds_back_ends_on_the_cut_line_of_its_neighbor(degre
     points = np.array([[-400.0, 0], [200, 0], far, [-400, far[1]], [-400, 0]])
     widths = [10.0, 14.0, 0.0, 0.0]
     corners = [Corner("fold-back", of_next), Corner(), Corner(), Corner()]
-    (outer,) = cut_lines([[Stretch(points[i : i + 2], widths[i], corners[i]) for i in range(4)]]).outer
+    (outer,) = cut_lines([[Section(points[i : i + 2], widths[i], corners[i]) for i in range(4)]]).outer
     cut = shapely.Polygon(outer)
     start, end = (points[0], points[1]) if not of_next else (points[2], points[1])
     along = (end - start) / np.linalg.norm(end - start)
@@ -126,7 +126,7 @@ def test_an_allowance_that_folds_back_ends_on_the_cut_line_of_its_neighbor(degre
 
 def test_a_sharp_corner_is_cut_off_at_two_and_a_half_widths():
     points = np.array([[0.0, 0], [300, 0], [0, 30], [0, 0]])
-    loop = [Stretch(points[i : i + 2], 10.0) for i in range(3)]
+    loop = [Section(points[i : i + 2], 10.0) for i in range(3)]
     (outer,) = cut_lines([loop]).outer
     assert np.linalg.norm(outer - points[1], axis=1).min() > 10
     middle = (points[1] - points[0]) / 300 + (points[1] - points[2]) / math.hypot(300, 30)
@@ -137,16 +137,16 @@ def test_a_sharp_corner_is_cut_off_at_two_and_a_half_widths():
 def test_a_hole_gets_its_allowance_inside_and_one_too_small_is_not_cut():
     outer = np.array([[0.0, 0], [200, 0], [200, 200], [0, 200], [0, 0]])
     hole = np.array([[50.0, 50], [50, 150], [150, 150], [150, 50], [50, 50]])
-    found = cut_lines([[Stretch(outer, 10.0)], [Stretch(hole, 10.0)]])
+    found = cut_lines([[Section(outer, 10.0)], [Section(hole, 10.0)]])
     assert signed_area(found.holes[0]) == pytest.approx(-(80**2), abs=0.01)
-    assert cut_lines([[Stretch(outer, 10.0)], [Stretch(hole, 50.0)]]).holes == []
+    assert cut_lines([[Section(outer, 10.0)], [Section(hole, 50.0)]]).holes == []
 
 
 def test_a_gap_that_the_allowance_closes_is_a_pocket():
     room = [(40, 40), (40, 160), (160, 160), (160, 40)]
     outline = [(0, 0), (200, 0), (200, 200), (0, 200), (0, 105), (40, 105), (40, 160), (160, 160), (160, 40), (40, 40)]
     points = np.array([*outline, (40, 95), (0, 95), (0, 0)], dtype=float)
-    found = cut_lines([[Stretch(points, 10.0)]])
+    found = cut_lines([[Section(points, 10.0)]])
     assert len(found.outer) == 1 and found.holes == []
     assert sum(-signed_area(pocket) for pocket in found.pockets) == pytest.approx(
         shapely.Polygon(room).buffer(-10, join_style="mitre").area, abs=0.01
@@ -155,5 +155,53 @@ def test_a_gap_that_the_allowance_closes_is_a_pocket():
 
 def test_no_allowance_leaves_every_point_as_it_was():
     points = np.random.default_rng(1).uniform(0, 1, (3, 2)) + [[0, 0], [100, 0], [0, 100]]
-    (outer,) = cut_lines([[Stretch(np.concatenate([points, points[:1]]), 0.0)]]).outer
+    (outer,) = cut_lines([[Section(np.concatenate([points, points[:1]]), 0.0)]]).outer
     assert np.array_equal(outer, points)
+
+
+def right_of(a, b):
+    way = (b - a) / np.linalg.norm(b - a)
+    return np.array([way[1], -way[0]])
+
+
+def half_strip(section, at_end):
+    """The half of a straight section's allowance that is next to its end, or to its start."""
+    a, b = section.points
+    near, far = (b, (a + b) / 2) if at_end else (a, (a + b) / 2)
+    aside = section.width * right_of(a, b)
+    return shapely.Polygon([near, far, far + aside, near + aside])
+
+
+@given(
+    st.integers(3, 6),
+    st.lists(st.sampled_from([4.0, 8.0, 11.0, 20.0]), min_size=6, max_size=6),
+    st.booleans(),
+    st.data(),
+)
+def test_an_allowance_that_folds_back_lies_on_the_piece_and_leaves_its_neighbor_whole(sides, widths, of_next, data):
+    """On convex polygons that turn alike; folded over its sew line, the allowance does not show beside the piece."""
+    start = data.draw(st.floats(0, 6))
+    angles = start + np.linspace(0, 2 * np.pi, sides, endpoint=False)
+    points = 300 * np.column_stack([np.cos(angles), np.sin(angles)])
+    ends = np.roll(points, -1, axis=0)
+    corner = Corner("fold-back", of_next)
+    pairs = zip(points, ends, widths[:sides], strict=True)
+    loop = [Section(np.array([a, b]), width, corner) for a, b, width in pairs]
+    (outer,) = cut_lines([loop]).outer
+    cut = shapely.Polygon(outer)
+    for number, first in enumerate(loop):
+        second = loop[(number + 1) % sides]
+        turn = 2 * np.pi / sides
+        back, other = (second, first) if of_next else (first, second)
+        if back.width + other.width > 2.2 * min(back.width, other.width):
+            continue  # a corner that would lead too far is cut as a mitre
+        if turn <= np.pi / 2:
+            assert cut.buffer(1e-3).contains(half_strip(other, at_end=other is first))
+        a, b = back.points
+        aside = right_of(a, b)
+        whole = shapely.Polygon([a, b, b + 3 * back.width * aside, a + 3 * back.width * aside])
+        folded = cut.intersection(whole)
+        corners = np.array(folded.exterior.coords)
+        mirrored = shapely.Polygon(corners - 2 * ((corners - a) @ aside)[:, None] * aside)
+        near = shapely.Point(b if back is first else a).buffer(60)
+        assert mirrored.intersection(near).difference(cut.buffer(1e-3)).area < 1e-3

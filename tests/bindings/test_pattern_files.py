@@ -221,7 +221,7 @@ def test_a_failure_leaves_the_old_file_as_it_was(tmp_path, monkeypatch):
     pattern = sample("Hat")
     with pytest.raises(wirewarp.FlattenError, match="no option 'paper'"):
         pattern.write(path, paper="a4")
-    monkeypatch.setattr("wirewarp.pattern.svg._document", lambda pattern, preset: 1 / 0)
+    monkeypatch.setattr("wirewarp.pattern.formats.svg._document", lambda pattern, preset: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         pattern.write(path)
     assert path.read_text() == "old" and list(tmp_path.iterdir()) == [path]
@@ -233,7 +233,7 @@ def test_a_file_that_came_out_wrong_takes_no_place(tmp_path, monkeypatch, ending
     written = pattern.write(tmp_path / f"hat.{ending}")
     assert written.off < 0.02 and "3 pieces on" in str(written) and "read again: 0.0" in str(written)
     old = (tmp_path / f"hat.{ending}").read_bytes()
-    strokes_of = wirewarp.pattern.drawing.strokes_of
+    strokes_of = wirewarp.pattern.sheet.drawing.strokes_of
 
     def moved(piece):
         for stroke in strokes_of(piece):
@@ -297,7 +297,7 @@ def test_paths_that_cannot_be_written(tmp_path):
     with pytest.raises(FileNotFoundError, match="there is no folder"):
         pattern.write(tmp_path / "none" / "hat.svg")
     (tmp_path / "folder.svg").mkdir()
-    with pytest.raises(IsADirectoryError, match="is no file"):
+    with pytest.raises(IsADirectoryError, match="is not a file"):
         pattern.write(tmp_path / "folder.svg")
 
 

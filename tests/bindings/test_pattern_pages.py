@@ -10,7 +10,7 @@ import pytest
 import wirewarp
 from patterns import quads, rectangle, sample
 from wirewarp.pattern import Pattern
-from wirewarp.pattern.flat_piece import flat_piece
+from wirewarp.pattern.make.outline import flat_piece
 
 MILLIMETER = 72 / 25.4  # PDF's points in it
 

@@ -9,8 +9,8 @@ import shapely
 import wirewarp
 from patterns import cut_polygon, line_string, rectangle, sample
 from wirewarp.pattern import Pattern
-from wirewarp.pattern.flat_piece import flat_piece
-from wirewarp.pattern.geometry import Motion
+from wirewarp.pattern.geometry import Motion, right_normals
+from wirewarp.pattern.make.outline import flat_piece
 
 HALF = np.array([(0, 0), (120, 0), (150, 80), (0, 110)])  # of a symmetric piece, right of its fold
 
@@ -117,3 +117,39 @@ def test_a_folded_piece_opens_to_the_whole(angle):
     marks = [sorted(point.depth for point in piece.points) for piece in (turned, opened)]
     assert marks[0] == pytest.approx(marks[1])
     assert not opened.on_fold and not opened.of_role("fold")
+
+
+def opened(result, folds):
+    """The half with these marked folds, and the piece that it opens to."""
+    half = Pattern.from_result(result, folds=folds, allowance=10.0)
+    (piece,) = half.laid_on(half.nested(1400, seconds=0)).pieces
+    return half, piece
+
+
+@pytest.mark.parametrize(
+    ("fold", "area"), [((0, 3), 220 * 80), ((1, 2), 220 * 80), ((0, 1), 120 * 140), ((2, 3), 120 * 140)]
+)
+def test_a_half_opens_at_whichever_of_its_edges_is_the_fold(fold, area):
+    half, piece = opened(rectangle(100, 60), [fold])
+    cut = cut_polygon(piece)
+    assert cut.is_valid and cut.area == pytest.approx(area, rel=1e-6)
+    assert piece.size.prod() == pytest.approx(area, rel=1e-6)  # a rectangle
+    sewn = piece.of_role("sew")
+    assert len(sewn) == 2 * len(half.pieces[0].of_role("sew"))
+    inside = shapely.MultiPoint(np.concatenate([line.points for line in sewn])).convex_hull
+    for line in sewn:  # the piece is on its left, where names stand
+        outside = (line.points[:-1] + line.points[1:]) / 2 + 5 * right_normals(line.points)
+        assert all(cut.contains(shapely.Point(point)) for point in outside)
+        assert not any(inside.contains(shapely.Point(point)) for point in outside)
+
+
+def test_a_fold_that_is_a_little_crooked_opens_without_a_slit():
+    """Its middle is 0.4 mm off: less than half a millimeter counts as straight."""
+    points = [(0, 0), (100, 0), (100, 60), (0, 60), (-0.4, 30)]
+    vertices = np.column_stack([np.array(points) / 1000, np.zeros(5)])
+    half, piece = opened(wirewarp.flatten(vertices, np.array([(0, 1, 4), (1, 2, 4), (2, 3, 4)])), [(3, 4), (4, 0)])
+    assert not half.warnings
+    (cut,) = piece.of_role("cut")
+    outline = shapely.Polygon(cut.points)
+    assert outline.is_valid and outline.area == pytest.approx(220 * 80, rel=2e-3)
+    assert outline.exterior.length == pytest.approx(2 * (220 + 80), rel=2e-3)

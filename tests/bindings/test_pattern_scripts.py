@@ -8,9 +8,10 @@ from bidi import get_display
 from hypothesis import given
 from hypothesis import strategies as st
 from patterns import rectangle
-from wirewarp.pattern import Pattern, add_font_folder, glyphs
-from wirewarp.pattern.bidi import in_visual_order, levels
-from wirewarp.pattern.plain_names import escaped_text
+from wirewarp.pattern import Pattern, add_font_folder
+from wirewarp.pattern.formats.dxf_tags import escaped_text
+from wirewarp.pattern.label import glyphs
+from wirewarp.pattern.label.bidi import in_visual_order, levels
 
 builder = pytest.importorskip("fontTools.fontBuilder")
 pens = pytest.importorskip("fontTools.pens.ttGlyphPen")

@@ -9,8 +9,8 @@ import pytest
 import shapely
 from patterns import cut_polygon, flattened, quads, rectangle, sample
 from wirewarp.pattern import FlatPiece, Pattern, Text
-from wirewarp.pattern.flat_piece import flat_piece
-from wirewarp.pattern.leaders import FARTHEST, Beside
+from wirewarp.pattern.label.leaders import FARTHEST, Beside
+from wirewarp.pattern.make.outline import flat_piece
 
 READABLE = 2.5  # millimeters
 

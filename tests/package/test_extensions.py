@@ -44,7 +44,7 @@ THREADS = {"threading", "_thread", "concurrent", "multiprocessing", "queue"}
 NATIVE = {"ctypes", "cffi"}
 INSTALLERS = {"pip", "ensurepip", "venv", "site", "pkg_resources"}
 # spyrrow, where the user has it, runs in a process of its own: a program that Blender never imports, and its starter.
-PROGRAM, STARTER = "wirewarp/pattern/spyrrow_process.py", "wirewarp/pattern/spyrrow_nesting.py"
+PROGRAM, STARTER = "wirewarp/pattern/nest/spyrrow_process.py", "wirewarp/pattern/nest/spyrrow_nesting.py"
 TEXTS = {".py", ".md", ".toml", ""}  # "": LICENSE
 BINARIES = (".so", ".pyd", ".dll", ".dylib", ".a", ".lib", ".exe", ".pyc")
 # Five times what it is: more would be a build with symbols to debug with, or something that nobody wanted in there.

@@ -14,8 +14,8 @@ import psutil
 from .. import Cloth
 from .._errors import FlattenError
 from ..pattern import FORMATS
-from ..pattern.nest_items import Grain
-from ..pattern.papers import roll_width
+from ..pattern.nest.items import Grain
+from ..pattern.sheet.papers import roll_width
 from .apart import Limits
 from .input_error import InputError
 from .inputs import Found, found_models

@@ -9,7 +9,7 @@ from typing import Any
 
 from .. import Cloth, FlattenError, FlattenResult, Options, __version__, flatten
 from ..pattern import Marker, Pattern, Written
-from ..pattern.today import today
+from ..pattern.files import today
 from .blend import BlenderError, flatten_blend
 from .figures import result_figures
 from .input_error import InputError

@@ -7,9 +7,9 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from .. import FlattenResult, Piece
-from ..pattern.flat_piece import FlatPiece, flat_piece
-from ..pattern.replace_file import replaced_file
-from ..pattern.roles import LOOKS, WIRES
+from ..pattern.files import replaced_file
+from ..pattern.make.outline import FlatPiece, flat_piece
+from ..pattern.sheet.drawing import LOOKS, WIRES
 
 LONGEST = 2000  # pixels, of the longer side
 SMOOTH = 2  # times as large while it is drawn, for soft edges

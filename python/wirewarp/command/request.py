@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from ..pattern.nest_items import Grain
+from ..pattern.nest.items import Grain
 
 MILLIMETERS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
 Orientation = Literal["wire", "boundary", "up", "best"]  # as Options knows them

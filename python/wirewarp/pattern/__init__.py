@@ -6,16 +6,16 @@ are shorter where spyrrow is installed.
 """
 
 from . import geometry as geometry
-from .eases import longer_text
-from .file_format import Choice, Format, Option
-from .flat_piece import Chain, FlatPiece, FlatWire
-from .fonts import add_font_folder
 from .formats import FORMATS
+from .formats.file_format import Choice, Format, Option
+from .label.fonts import add_font_folder
+from .make.outline import Chain, FlatPiece, FlatWire
+from .make.seams import longer_text
 from .marker import Marker, Placement
 from .model import Line, PatternPiece, Point, Text
-from .papers import Page
 from .pattern import Pattern
 from .pattern_data import Written
+from .sheet.papers import Page
 from .units import UnitSystem
 
 __all__ = [

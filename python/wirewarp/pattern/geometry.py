@@ -8,8 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 import pyclipper
 
+GRID = 1e-4  # millimeters: far finer than anything is cut, and 100 m still fit Clipper's fast integers of 30 bits
 ON_LINE = 1e-3  # millimeters: what lies nearer is on the line; the grid of cut lines is 10 times finer
 DEPTH = 1e-4  # of the diagonal of the smaller outline's box: what overlaps less touches, but for rounding
+STEPS, ROUNDS = 8, 3  # of the search for an innermost point
+SAMPLES = 100  # points on the outline from which distances are measured: text need not fit to the last
 PAIRS = 1_000_000  # of points and sides that are compared at a time, for memory's sake
 RESOLUTION = 2.0**30  # steps of the grid on which outlines overlap, over both: Clipper is exact and quick on these
 
@@ -62,6 +65,34 @@ def distances_to(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarr
         gap = share[:, :, None] * along - to
         nearest.append(np.sqrt((gap * gap).sum(axis=2).min(axis=1)))
     return np.concatenate(nearest)
+
+
+def innermost_point(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray]) -> tuple[np.ndarray, float]:
+    """About the point (2,) inside closed outlines (k,2) that is farthest from all lines, and its distance."""
+    closed = [np.concatenate([outline, outline[:1]]) for outline in outlines]
+    spacing = sum(float(lengths_along(outline)[-1]) for outline in closed) / SAMPLES
+    around = [sampled(outline, spacing) for outline in closed]
+    obstacles = np.concatenate([*around, *(sampled(line, spacing) for line in lines_inside)])
+    low, high = np.concatenate(around).min(axis=0), np.concatenate(around).max(axis=0)
+    center, reach = (low + high) / 2, (high - low) / 2
+    best = -math.inf
+    for _ in range(ROUNDS):
+        offsets = np.linspace(-1, 1, STEPS + 1)
+        x, y = np.meshgrid(center[0] + reach[0] * offsets, center[1] + reach[1] * offsets)
+        points = np.column_stack([x.ravel(), y.ravel()])
+        points = points[are_inside(points, around)]
+        if len(points):
+            depths = _distances(points, obstacles)
+            if depths.max() > best:
+                best, center = float(depths.max()), points[np.argmax(depths)]
+        reach = reach * 3 / STEPS
+    return center, math.sqrt(max(best**2 - (spacing / 2) ** 2, 0.0))  # between two samples the line may be nearer
+
+
+def _distances(points: np.ndarray, obstacles: np.ndarray) -> np.ndarray:
+    """(p,) of points (p,2) from the nearest of the obstacles (o,2)."""
+    x, y = (points[:, axis, None] - obstacles[:, axis] for axis in (0, 1))
+    return np.sqrt((x * x + y * y).min(axis=1))
 
 
 def crossings(point: np.ndarray, direction: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -11,28 +11,27 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 import numpy.typing as npt
 
-from .card import opened, with_card
 from .checks import checked_length, checked_names, problem
-from .flat_piece import FlatPiece, flat_piece
-from .fold import folded, unfolded
 from .formats import writing
+from .formats.pdf import page_sizes
+from .formats.svg import page_size
+from .label.card import with_card, with_card_anew
+from .make.fold import fold_of, folded, mirror_between, unfolded
+from .make.marks import marks, walks_of
+from .make.notches import check_spacing
+from .make.outline import FlatPiece, flat_piece
+from .make.pieces import finished, joined_by, lay_all, notes_on_sides, outlined, warnings_of
+from .make.seams import sewn_sides
+from .make.widths import Widths
 from .marker import Marker, at_corner
-from .marks import marks, walks_of
-from .mirror import fold_of, mirror_between
 from .model import PatternPiece
-from .nest_items import Grain
-from .nesting import Cloth, Preview, nesting
-from .notches import check_spacing
-from .papers import Page
+from .nest.items import Grain
+from .nest.nesting import Cloth, Preview, nesting
 from .pattern_data import PatternData, Written
-from .pdf import page_sizes
-from .pieces import finished, joined_by, lay_all, notes_on_sides, outlined, warnings_of
-from .plan import plan
 from .progress import Progress, Steps, in_one_go
-from .seams import sewn_sides
-from .svg import page_size
+from .sheet.papers import Page
+from .sheet.plan import plan
 from .units import Units, UnitSystem
-from .widths import Widths
 
 if TYPE_CHECKING:
     from .._wirewarp import FlattenResult
@@ -302,7 +301,7 @@ class Pattern(PatternData):
         if self.marker:
             raise problem("The pattern lies on a marker already.")
         card = len(self.pieces), self.heading, self.allowance_text, self.units
-        whole = [at_corner(opened(piece, *card) if piece.on_fold else piece) for piece in self.pieces]
+        whole = [at_corner(with_card_anew(unfolded(piece), *card) if piece.on_fold else piece) for piece in self.pieces]
         if not marker.is_of(whole):
             raise problem("The pieces have changed since the marker was made: nest them again.")
         by_number = {piece.number: piece.without_texts_beside() for piece in whole}  # there lie other pieces

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""DXF for apparel CAD: ASTM D6673 as AccuMark reads it, and AAMA-292 as CLO and Optitex do.
+
+One block per piece, layers by number, polylines that are closed both ways. All is written as real files have it.
+"""
+
+import math
+
+import numpy as np
+
+from ..files import today
+from ..label.text_place import LINE
+from ..model import LEADERS, PatternPiece
+from ..pattern_data import PatternData
+from ..progress import Steps
+from ..sheet.drawing import LOOKS, WIRES
+from ..units import INCH
+from .dxf_tags import Tags, block_names, escaped_text, plain_text, section
+
+LONGEST_NAME = 20  # AccuMark cuts off what is longer
+CORNER = math.radians(30)  # points where the outline turns more are turn points, others curve points
+TURN_POINT, CURVE_POINT = "2", "3"
+NOTCH_WIDTH = 2.0  # millimeters at the edge
+TEXT_HEIGHT = 5.0
+CONTROL = 100.0  # millimeters: side of the square that tells what the unit is
+
+
+def apparel_dxf(pattern: PatternData, is_aama: bool, control_square: bool) -> Steps[tuple[str, list[str]]]:
+    """The file, and sentences on names that could not be kept."""
+    writer = _Writer(pattern, is_aama)
+    names = block_names([piece.name for piece in pattern.pieces], LONGEST_NAME)
+    blocks: list[Tags] = []
+    for name, piece in zip(names, pattern.pieces, strict=True):
+        yield "writing", len(blocks) / len(names)
+        blocks.append(writer.block(name, piece))
+    entities = [writer.style()]
+    if control_square:
+        names, blocks = [*names, "CONTROL_100MM"], [*blocks, writer.control()]
+    entities += [writer.insert(name) for name in names]
+    parts = [section("HEADER", []), section("BLOCKS", blocks), section("ENTITIES", entities)]
+    changed = [
+        f'"{piece.name}" is "{name}" in the DXF, whose letters are ASCII.'
+        for piece, name in zip(pattern.pieces, names, strict=False)
+        if not piece.name.isascii()
+    ]
+    return "".join(part.data() for part in parts) + "  0\nEOF\n", changed
+
+
+class _Writer:
+    def __init__(self, pattern: PatternData, is_aama: bool) -> None:
+        self._pattern, self._is_aama = pattern, is_aama
+        is_metric = pattern.units.name == "metric"
+        self._units = "METRIC" if is_metric else "ENGLISH"
+        self._scale = 1.0 if is_metric else 1 / INCH
+        self._decimals = 2 if is_metric and not self._is_aama else 4
+
+    def _tags(self) -> Tags:
+        return Tags(self._decimals, self._scale)
+
+    def _key(self, key: str) -> str:
+        return key.upper() if self._is_aama else key
+
+    def style(self) -> Tags:
+        """What is true of all pieces, in texts of layer 1."""
+        tags = self._tags()
+        fields = {
+            "Style Name": plain_text(self._pattern.title) or "PATTERN",
+            "Creation Date": today().strftime("%d-%m-%Y"),
+            "Author": "WireWarp",
+            "Sample Size": "1",
+            "Grade Rule Table": "",
+            "Units": self._units,
+        }
+        if not self._is_aama:
+            fields["ASTM/D13 Proposal 1 Version"] = "D6673-10"
+        self._add_fields(tags, fields, np.zeros(2))
+        return tags
+
+    def insert(self, name: str) -> Tags:
+        tags = self._tags()
+        tags.add((0, "INSERT"), (8, "1"), (2, name), *tags.at(np.zeros(2)))
+        return tags
+
+    def block(self, name: str, piece: PatternPiece) -> Tags:
+        tags = self._opened(name)
+        right, left = piece.quantity
+        quantity = str(right + left) if self._is_aama else f"{right},{left}"
+        fields = {"Piece Name": plain_text(piece.name)[:LONGEST_NAME], "Quantity": quantity}
+        fields |= {"Material": plain_text(piece.material)} if piece.material else {}
+        fields |= {"Size": "1"} if self._is_aama else {}
+        middle = piece.bounds[0] + piece.size / 2
+        self._add_fields(tags, fields, middle)
+        for line in (
+            line for line in piece.lines if line.role not in LEADERS.values()
+        ):  # a reader has no word for them
+            self._add_line(tags, line.role, line.points, line.closed)
+        for point in piece.points:
+            if point.role == "drill":
+                tags.add((0, "POINT"), (8, LOOKS["drill"].dxf_layer), *tags.at(point.at, z=point.depth))
+            else:
+                angle = math.degrees(math.atan2(point.direction[1], point.direction[0])) % 360
+                at = tags.at(point.at, z=point.depth)
+                tags.add((0, "POINT"), (8, LOOKS["notch"].dxf_layer), *at)
+                tags.add((39, tags.number(NOTCH_WIDTH)), (50, f"{angle:.2f}"))
+        for text in piece.texts:
+            for number, words in enumerate(text.lines):
+                down = np.array([0.0, -LINE * text.height * number])
+                tags.text(LOOKS["card"].dxf_layer, escaped_text(words), text.center + down, TEXT_HEIGHT, text.angle)
+        tags.add((0, "ENDBLK"), (8, "1"))
+        return tags
+
+    def control(self) -> Tags:
+        """A square whose side no declared unit can change."""
+        tags = self._opened("CONTROL_100MM")
+        square = CONTROL * np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]) - (2 * CONTROL, 0)
+        tags.polyline("1", square, closed=True, repeat=True)
+        self._add_fields(tags, {"Piece Name": "100 MM DO NOT CUT", "Quantity": "0"}, square[0] + 10)
+        tags.add((0, "ENDBLK"), (8, "1"))
+        return tags
+
+    def _opened(self, name: str) -> Tags:
+        tags = self._tags()
+        tags.add((0, "BLOCK"), (8, "1"), (2, name), (70, 64), *tags.at(np.zeros(2), z=0.0))
+        return tags
+
+    def _add_fields(self, tags: Tags, fields: dict[str, str], at: np.ndarray) -> None:
+        for number, (key, value) in enumerate(fields.items()):
+            place = at - (0, number * LINE * TEXT_HEIGHT)
+            tags.text("1", f"{self._key(key)}: {value}".rstrip(), place, TEXT_HEIGHT)
+
+    def _add_line(self, tags: Tags, role: str, points: np.ndarray, closed: bool) -> None:
+        layer = LOOKS[WIRES["rigid"] if role == "wire" else role].dxf_layer  # the same of all kinds
+        if role in ("grain", "fold"):
+            tags.line(layer, points)
+            if role == "grain":
+                tags.line("5", points)  # the line that grading refers to
+            return
+        if role == "cut" and not closed:  # half of a piece: real files go along the fold, without the flag
+            points = np.concatenate([points, points[:1]])
+        tags.polyline(layer, points, closed, repeat=True)
+        if role == "sew" and self._is_aama:
+            tags.polyline("8", points, closed, repeat=True)  # layer 14 came with ASTM
+        self._add_kinds_of_points(tags, points, closed)
+
+    def _add_kinds_of_points(self, tags: Tags, points: np.ndarray, closed: bool) -> None:
+        around = np.concatenate([points[-1:], points, points[:1]]) if closed else points
+        along = np.diff(around, axis=0)
+        turns = np.arctan2(
+            along[:-1, 0] * along[1:, 1] - along[:-1, 1] * along[1:, 0], (along[:-1] * along[1:]).sum(axis=1)
+        )
+        is_turn = np.abs(turns) > CORNER if closed else np.concatenate([[True], np.abs(turns) > CORNER, [True]])
+        for point, turn in zip(points, is_turn, strict=True):
+            tags.add((0, "POINT"), (8, TURN_POINT if turn else CURVE_POINT), *tags.at(point))

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A pattern as HPGL for plotters: 40 units in a millimeter, one pen for each kind of line, x along the roll."""
+
+from pathlib import Path
+
+import numpy as np
+
+from ..pattern_data import PatternData
+from ..progress import Steps
+from ..sheet.drawing import Stroke, strokes_of
+from .file_format import Format
+from .read_back import read_plt
+
+UNITS = 40  # per millimeter
+AT_ONCE = 100  # points in one command: plotters hold short lines only
+CUT_PEN = 1
+
+
+def write_plt(path: Path, pattern: PatternData) -> Steps[tuple[int, list[str]]]:
+    """Strokes by pen, cut lines last; texts are left out, for HPGL's letters are the plotter's own."""
+    strokes: list[Stroke] = []
+    for number, piece in enumerate(pattern.pieces):
+        yield "writing", number / len(pattern.pieces)
+        strokes += strokes_of(piece.without_texts_beside())
+    pens = sorted({stroke.look.pen for stroke in strokes}, key=lambda pen: (pen == CUT_PEN, pen))
+    commands = ["IN", "PA"]
+    for pen in pens:
+        commands.append(f"SP{pen}")
+        for stroke in strokes:
+            if stroke.look.pen == pen:
+                points = np.concatenate([stroke.points, stroke.points[:1]]) if stroke.closed else stroke.points
+                commands += _drawn(np.rint(points * UNITS).astype(int))
+    commands += ["PU", "SP0"]
+    path.write_text(";\n".join(commands) + ";\n", encoding="ascii", newline="\n")
+    return 1, []
+
+
+def _drawn(points: np.ndarray) -> list[str]:
+    x, y = points[0]
+    commands = [f"PU{x},{y}"]
+    for start in range(1, len(points), AT_ONCE):
+        commands.append("PD" + ",".join(f"{x},{y}" for x, y in points[start : start + AT_ONCE]))
+    return commands
+
+
+PLT_FORMAT = Format(
+    ".plt",
+    "PLT, for plotters",
+    "HPGL, which plotters and vinyl cutters read",
+    write_plt,
+    read_plt,
+    is_along_cloth=True,
+)

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A pattern as PDF: sheets to tape together, a roll for a plotter, or one page for a projector."""
+
+from pathlib import Path
+
+import numpy as np
+
+from ..model import PatternPiece
+from ..pattern_data import PatternData
+from ..progress import Steps
+from ..sheet.drawing import LAYERS, LOOKS, strokes_of
+from ..sheet.papers import SHEETS
+from ..sheet.plan import BORDER, Plan, plan
+from ..sheet.proof import proof_pages
+from .file_format import Format, Option
+from .pdf_document import Content, Document
+from .read_back import read_pdf
+
+Paper = str | float | None
+
+
+def write_pdf(
+    path: Path, pattern: PatternData, paper: Paper = None, proof: bool = False, keep_places: bool = False
+) -> Steps[tuple[int, list[str]]]:
+    """Writes the file; returns the number of pages, and sentences on what could not be drawn.
+
+    paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
+    a roll in millimeters; None takes A4, and for a marker a roll that is as wide as it needs.
+    proof: last come pages with every piece and both sides of every seam, to check beforehand.
+    keep_places: on sheets and rolls, too, the pieces stay as they lie; else they come in rows.
+    """
+    planned = plan(pattern, paper, keep_places)
+    document = Document(pattern.title or "Pattern", [*LAYERS, *planned.layers], planned.hidden)
+    left_out = yield from _add_forms(document, planned)
+    for number, sheet in enumerate(planned.all_sheets):
+        yield "sheets", number / len(planned.all_sheets)
+        content = Content()
+        marks = sheet.marks()
+        if sheet.is_clipped:
+            content.clip(sheet.corner, sheet.corner + sheet.size)
+        for index in sheet.pieces:
+            content.add_form(_form(index), sheet.corner - sheet.low)
+        if sheet.is_clipped:
+            content.unclip()
+        for layer, strokes, texts in marks:
+            content.in_layer(layer, strokes, texts)
+        document.add_page(sheet.paper, content)
+        left_out += content.left_out
+    for texts in proof_pages(pattern, _proof_size(paper)) if proof else []:
+        content = Content()
+        content.in_layer("Text", (), texts)
+        document.add_page(_proof_size(paper), content)
+        left_out += content.left_out
+    document.write(path)
+    return document.page_count, list(dict.fromkeys(left_out))
+
+
+def page_sizes(
+    pattern: PatternData, paper: Paper = None, proof: bool = False, keep_places: bool = False
+) -> list[np.ndarray]:
+    """(2,) width and height in millimeters of each page that write_pdf would write. Raises FlattenError as it does."""
+    size = _proof_size(paper)
+    sizes = [sheet.paper for sheet in plan(pattern, paper, keep_places).all_sheets]
+    return sizes + ([size] * len(proof_pages(pattern, size)) if proof else [])
+
+
+def _proof_size(paper: Paper) -> np.ndarray:
+    """The sheet, if it is printed at home; else A4."""
+    return np.array(SHEETS[paper if isinstance(paper, str) and paper in SHEETS else "a4"])
+
+
+def _add_forms(document: Document, planned: Plan[PatternData]) -> Steps[list[str]]:
+    """One form per piece; returns sentences on texts that could not be drawn."""
+    left_out = []
+    pieces = planned.pattern.pieces
+    for index, piece in enumerate(pieces):
+        yield "writing", index / len(pieces)
+        content = _drawn(piece, planned.thinnest)
+        low, high = piece.bounds
+        document.add_form(_form(index), content, low - BORDER, high + BORDER)
+        left_out += content.left_out
+    return left_out
+
+
+def _form(index: int) -> str:
+    return f"P{index}"
+
+
+def _drawn(piece: PatternPiece, thinnest: float) -> Content:
+    content = Content(thinnest)
+    strokes = list(strokes_of(piece))
+    for layer in reversed(LAYERS):
+        own = [stroke for stroke in strokes if stroke.look.layer == layer]
+        content.in_layer(layer, own, [text for text in piece.texts if LOOKS[text.role].layer == layer])
+    return content
+
+
+PDF_FORMAT = Format(
+    ".pdf",
+    "PDF, to print",
+    "Sheets to tape together, a roll for a plotter, or one page for a projector",
+    write_pdf,
+    read_pdf,
+    options=(
+        Option(
+            "proof",
+            "Proof Sheet",
+            "Add a last sheet with tables of all pieces, and of all seams with the lengths of both sides",
+        ),
+    ),
+    has_pages=True,
+)

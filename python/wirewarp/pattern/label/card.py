@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What stands on a piece."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..geometry import innermost_point
+from ..model import LEADERS, PatternPiece, Text
+from ..units import UnitSystem
+from .leaders import Beside
+from .line_names import line_names
+from .room import Room
+from .text_place import place_text
+
+TEXT_HEIGHT, LEAST_HEIGHT = 8.0, 2.5  # millimeters; smaller letters cannot be read on cloth
+DOWN = np.array([0.0, -1.0])
+
+
+def with_card(
+    piece: PatternPiece, number: int, count: int, heading: str, allowance: str, units: UnitSystem
+) -> PatternPiece:
+    """With its number and texts: a card of what a maker must know, and names along its lines.
+
+    The card: heading (style and date), number of how many, name, how often to cut it, material, allowance, area.
+    """
+    includes = "No seam allowance" if allowance == "none" else f"Includes {allowance} allowance"
+    place = f"{number} of {count}"
+    lines = (heading, place, piece.name, how_to_cut(piece), piece.material, includes, units.area_text(piece.area))
+    drawn = [line.points for line in piece.of_role("wire", "grain", "sew")]
+    outlines = [line.points for line in piece.of_role("cut", "inner_cut")]
+    text = _card([tuple(line for line in lines if line.strip()), (piece.name,), (place,)], outlines, drawn)
+    notches = [point.stroke for point in piece.points]
+    room, beside = Room(outlines, [*drawn, *notches], text), Beside(outlines)
+    short = [name for name in (piece.name, place) if name]
+    led = None if text else beside.lead(_short_cards(short, outlines), DOWN)
+    names, leaders = line_names(piece.lines, room, beside)
+    kept = [line for line in piece.lines if line.role not in LEADERS.values()]
+    if led:
+        text, leaders = [led[0]], [led[1], *leaders]
+    return replace(piece, number=number, lines=[*kept, *leaders], texts=[*text, *names])
+
+
+def with_card_anew(piece: PatternPiece, count: int, heading: str, allowance: str, units: UnitSystem) -> PatternPiece:
+    """As with_card, for a piece that was changed: only with texts of the kinds that it had."""
+    roles = {text.role for text in piece.texts}
+    whole = with_card(piece, piece.number, count, heading, allowance, units)
+    left_out = {LEADERS[role] for role in LEADERS if role not in roles}
+    return replace(
+        whole,
+        lines=[line for line in whole.lines if line.role not in left_out],
+        texts=[text for text in whole.texts if text.role in roles],
+    )
+
+
+def _card(cards: list[tuple[str, ...]], outlines: list[np.ndarray], drawn: list[np.ndarray]) -> list[Text]:
+    """The first of the cards, from the fullest to the shortest, that can be read; none in a piece too small for any."""
+    texts = (place_text(card, outlines, drawn, TEXT_HEIGHT) for card in cards)
+    return next(([text] for text in texts if text.height >= LEAST_HEIGHT), [])
+
+
+def _short_cards(texts: list[str], outlines: list[np.ndarray]) -> list[Text]:
+    """In the middle of the piece, for which they are too large."""
+    center, _ = innermost_point(outlines, [])
+    return [Text((text,), center, LEAST_HEIGHT) for text in texts]
+
+
+def how_to_cut(piece: PatternPiece) -> str:
+    """As makers say it."""
+    as_drawn, mirrored = piece.quantity
+    if piece.on_fold:
+        return f"Cut {as_drawn + mirrored} on the fold"  # opened, each is its own mirror image
+    if mirrored == as_drawn:
+        return "Cut 1 pair (2 pieces, one mirrored)" if as_drawn == 1 else f"Cut {as_drawn} pairs"
+    return "Cut " + " and ".join([str(as_drawn)] * (as_drawn > 0) + [f"{mirrored} mirrored"] * (mirrored > 0))

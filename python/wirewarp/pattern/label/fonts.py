@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fonts on this computer, and which has a letter; those in WOFF2, as Blender has them, where fonttools is installed."""
+
+import io
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from functools import cache, cached_property
+from pathlib import Path
+
+import numpy as np
+import uharfbuzz
+
+Part = tuple[str, np.ndarray]  # "m", "l", "c" or "h" as PDF has them, and its points (k,2)
+
+
+class GlyphPen:
+    """Takes outlines as fonttools' pens do; PDF has cubic curves alone."""
+
+    def __init__(self) -> None:
+        self.parts: list[Part] = []
+        self._at = np.zeros(2)
+
+    def moveTo(self, point: Sequence[float]) -> None:  # noqa: N802
+        self._add("m", point)
+
+    def lineTo(self, point: Sequence[float]) -> None:  # noqa: N802
+        self._add("l", point)
+
+    def qCurveTo(self, control: Sequence[float], end: Sequence[float]) -> None:  # noqa: N802
+        middle, last = np.array(control, dtype=float), np.array(end, dtype=float)
+        self._add("c", (self._at + 2 * middle) / 3, (last + 2 * middle) / 3, last)
+
+    def curveTo(self, *points: Sequence[float]) -> None:  # noqa: N802
+        self._add("c", *points)
+
+    def closePath(self) -> None:  # noqa: N802
+        self.parts.append(("h", np.empty((0, 2))))
+
+    def _add(self, operator: str, *points: Sequence[float] | np.ndarray) -> None:
+        self.parts.append((operator, np.array(points, dtype=float)))
+        self._at = self.parts[-1][1][-1]
+
+
+SUFFIXES = (".ttf", ".otf", ".ttc", ".woff2")
+NO_TEXT = ("lastresort", "adobeblank")  # these have every letter, as a box or as nothing
+STYLES = ("bold", "italic", "oblique", "mono", "serif", "light", "thin", "black", "condensed")  # taken last
+_folders: list[Path] = []
+
+
+def add_font_folder(folder: str | Path) -> None:
+    """Fonts are sought there before the system's: for programs that bring fonts of their own, as Blender does."""
+    if Path(folder) not in _folders:
+        _folders.append(Path(folder))
+        _files.cache_clear()
+        font_with.cache_clear()
+
+
+class Font:
+    """One face of a file."""
+
+    def __init__(self, path: Path, index: int = 0) -> None:
+        """Raises what the libraries raise for a file that is no font."""
+        self._path, self._index = path, index
+        self._outlines: dict[int, list[Part]] = {}
+        if path.suffix.lower() == ".woff2":
+            from fontTools.ttLib import TTFont
+
+            with TTFont(path, lazy=True) as quick:  # its letters alone: with all glyphs it takes ten times as long
+                self._letters = set(quick.getBestCmap() or {})
+        else:
+            blob = uharfbuzz.Blob.from_file_path(str(path))
+            self._letters = set(uharfbuzz.Face(blob, index).unicodes)
+
+    def has(self, letter: str) -> bool:
+        """With an outline: fonts with pictures of emoji have none."""
+        if letter.isspace() or ord(letter) not in self._letters:
+            return ord(letter) in self._letters
+        glyph = self.shapes.get_nominal_glyph(ord(letter))
+        return glyph is not None and bool(self.outline(glyph))
+
+    def outline(self, glyph: int) -> list[Part]:
+        """In units of the font."""
+        if glyph not in self._outlines:
+            pen = GlyphPen()
+            self.shapes.draw_glyph_with_pen(glyph, pen)
+            self._outlines[glyph] = pen.parts
+        return self._outlines[glyph]
+
+    @cached_property
+    def shapes(self) -> uharfbuzz.Font:
+        if self._path.suffix.lower() == ".woff2":
+            from fontTools.ttLib import woff2
+
+            unpacked = io.BytesIO()
+            woff2.decompress(str(self._path), unpacked)
+            return uharfbuzz.Font(uharfbuzz.Face(unpacked.getvalue()))
+        return uharfbuzz.Font(uharfbuzz.Face(uharfbuzz.Blob.from_file_path(str(self._path)), self._index))
+
+
+@cache
+def font_with(letter: str) -> Font | None:
+    """The first of the fonts that has it."""
+    return next((font for font in map(_font, _files()) if font and font.has(letter)), None)
+
+
+@cache
+def _font(path: Path) -> Font | None:
+    try:
+        return Font(path)
+    except Exception:  # whatever the libraries say of a damaged file, or of WOFF2 without fonttools: there are others
+        return None
+
+
+@cache
+def _files() -> list[Path]:
+    """In the order in which they are tried: plain styles first, and of these small files, for they open quickly."""
+    files = [path for folder in (*_folders, *_system_folders()) for path in _in(folder)]
+    return sorted(files, key=lambda path: (any(s in path.name.lower() for s in STYLES), path.stat().st_size, path.name))
+
+
+def _in(folder: Path) -> Iterator[Path]:
+    for path in folder.rglob("*"):
+        is_font = path.suffix.lower() in SUFFIXES and not any(word in path.name.lower() for word in NO_TEXT)
+        if is_font and path.is_file():  # and no link to one that is gone
+            yield path
+
+
+def _system_folders() -> list[Path]:
+    if sys.platform == "win32":
+        local = Path(os.environ.get("LOCALAPPDATA", Path.home())) / "Microsoft/Windows/Fonts"
+        return [Path(os.environ.get("WINDIR", "C:/Windows")) / "Fonts", local]
+    if sys.platform == "darwin":
+        return [Path("/System/Library/Fonts"), Path("/Library/Fonts"), Path.home() / "Library/Fonts"]
+    return [Path("/usr/share/fonts"), Path("/usr/local/share/fonts"), Path.home() / ".local/share/fonts"]

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Texts that a piece has no room for: beside it, with a line along them that leads to what they are about.
+
+They take no room of their own: what is laid out by the cut lines alone, without any text, has the same pages.
+"""
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..geometry import are_inside, distances_to, sampled
+from ..model import LEADERS, Line, Text
+from ..pattern_data import GAP, OVERLAP
+from .room import CLEAR, axes, joined, strokes, touches
+from .text_place import text_width
+
+NEAREST, FARTHEST, STEP = 2.0, 40.0, 0.5  # millimeters from what is named to the middle of the text
+TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the way straight out, the best first
+ANGLES = (0.0, 90.0, 45.0, -45.0)  # of the text, the easiest to read first: along a narrow piece it keeps near
+REACH = GAP / 2  # millimeters beyond the box of the cut lines: texts of two pieces in rows keep apart
+# From the cut lines at most: whatever is so near to them lies on a sheet with them, for sheets overlap by more.
+NEAR = OVERLAP - STEP
+
+
+class Beside:
+    """The surroundings of one piece."""
+
+    def __init__(self, outlines: Sequence[np.ndarray]) -> None:
+        """outlines (k,2): the cut lines."""
+        self._outlines = list(outlines)
+        points = np.concatenate(self._outlines)
+        self._low, self._high = points.min(axis=0) - REACH, points.max(axis=0) + REACH
+        self._taken = joined([(line, np.roll(line, -1, axis=0)) for line in self._outlines])
+        self._texts: list[Text] = []
+
+    def lead(self, texts: Iterable[Text], outward: np.ndarray) -> tuple[Text, Line] | None:
+        """The first of these texts that has a place outside of the piece, and the line to it from its center.
+
+        texts: of one line each, where they had no room. outward (2,): a unit vector, the way to where they would best
+        stand. None where nothing near is free: a line far across the piece would be taken for one of its own.
+        """
+        for placed, target in self._choices(texts, outward):
+            points = _leader(placed, target)
+            if self._is_free(placed, points) and self._is_near(placed, points):
+                self._texts.append(placed)
+                self._taken = joined([self._taken, strokes(placed), (points[:-1], points[1:])])
+                return placed, Line(LEADERS[placed.role], points)
+        return None
+
+    def _choices(self, texts: Iterable[Text], outward: np.ndarray) -> Iterator[tuple[Text, np.ndarray]]:
+        """Places within reach, the best first, and what is named."""
+        for text in texts:
+            for angle in ANGLES:
+                for center in self._centers(text.center, outward):
+                    placed = Text(text.lines, center, text.height, angle, text.role, is_beside=True)
+                    points = np.concatenate([*strokes(placed), _leader(placed, text.center)])
+                    if np.all(points >= self._low) and np.all(points <= self._high):
+                        yield placed, text.center
+
+    def _centers(self, target: np.ndarray, outward: np.ndarray) -> Iterator[np.ndarray]:
+        """The nearest first."""
+        nearest = max(NEAREST, float(distances_to(target[None], self._outlines)[0]))
+        for distance in np.arange(nearest, FARTHEST, STEP):
+            for turn in np.radians(TURNS):
+                cosine, sine = math.cos(turn), math.sin(turn)
+                yield target + distance * np.array([[cosine, -sine], [sine, cosine]]) @ outward
+
+    def _is_free(self, text: Text, leader: np.ndarray) -> bool:
+        over_line = replace(text, center=(leader[1:].mean(axis=0) + text.center) / 2)
+        if touches(text, self._taken) or touches(over_line, self._taken):
+            return False
+        if are_inside(text.center[None], self._outlines)[0] or touches(text, (leader[:1], leader[1:2])):
+            return False
+        return not any(touches(other, (leader[:-1], leader[1:])) for other in self._texts)
+
+    def _is_near(self, text: Text, leader: np.ndarray) -> bool:
+        """Whether no point of the text, or of the line to it, is too far from the piece."""
+        first, last = strokes(text)
+        edges = [np.array([first[row], last[row]]) for row in (0, -1)]
+        points = np.concatenate([sampled(line, STEP) for line in (leader, *edges)])
+        outside = points[~are_inside(points, self._outlines)]
+        return bool(np.all(distances_to(outside, self._outlines) < NEAR))
+
+
+def _leader(text: Text, target: np.ndarray) -> np.ndarray:
+    """(3,2) from the target to the nearer end of a line below or above the letters, where the target is, and along it.
+
+    So it does not cross them.
+    """
+    along, up = axes(text).T * np.where((target - text.center) @ axes(text) > 0, 1, -1)[:, None]
+    edge = text.center + (text.height / 2 + 2 * CLEAR) * up
+    half = text_width(text.lines[0], text.height) / 2 * along
+    return np.array([target, edge + half, edge - half])

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Names along the lines: on paper, too, the sides that are sewn together have one number."""
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from ..geometry import lengths_along
+from ..model import Line, Text
+from .leaders import Beside
+from .room import Room
+from .text_place import text_width
+
+HEIGHTS = (4.5, 3.5, 2.5)  # of the letters, in millimeters; where none fits, the name stands beside the piece
+NUMBERED = re.compile("^(Seam|Dart) (?=[0-9]+$)")  # goes without the word where there is little room
+BESIDE = 0.75  # from a line to the letters
+ALONG_SEAM = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # of its length, the best first
+ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # wires often cross in their middles
+
+
+def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[Text], list[Line]]:
+    """Of the sew lines and wires that have a name: inside the piece, or beside it where there is no room for it.
+
+    With the lines that lead to the latter.
+    """
+    named = [line for line in lines if line.name and line.role in ("sew", "wire")]
+    texts, leaders = [], []
+    for line in sorted(named, key=lambda line: line.role != "sew"):
+        text = room.take(_choices(line))
+        if text:
+            texts.append(text)
+        elif led := beside.lead(*_out_of_room(line)):
+            texts.append(led[0])
+            leaders.append(led[1])
+    return texts, leaders
+
+
+def _out_of_room(line: Line) -> tuple[list[Text], np.ndarray]:
+    """The name at the middle of the line, whole and short, and the unit vector (2,) out of the piece."""
+    points = np.concatenate([line.points, line.points[:1]]) if line.closed else line.points
+    middle, along, inside = _place_on(points, lengths_along(points), 0.5)
+    names = dict.fromkeys([line.name, _short(line)])
+    return [Text((name,), middle, HEIGHTS[-1], role="line name") for name in names], -inside
+
+
+def _short(line: Line) -> str:
+    return NUMBERED.sub("", line.name) if line.role == "sew" else line.name
+
+
+def _choices(line: Line) -> Iterator[Text]:
+    points = np.concatenate([line.points, line.points[:1]]) if line.closed else line.points
+    along = lengths_along(points)
+    is_seam = line.role == "sew"
+    for height in HEIGHTS:
+        named = [f"{line.name}: {line.joins}", line.name] if line.joins else [line.name]
+        texts = [f"{text}, {line.note}" for text in named if line.note] + named
+        text = next((each for each in texts if text_width(each, height) <= along[-1] / 2), _short(line))
+        if text_width(text, height) > along[-1]:
+            continue
+        for share in ALONG_SEAM if is_seam else ALONG_WIRE:
+            point, way, inside = _place_on(points, along, share)
+            for side in (1,) if is_seam else (1, -1):
+                yield Text((text,), point + side * (BESIDE + height / 2) * inside, height, _angle(way), "line name")
+
+
+def _place_on(points: np.ndarray, along: np.ndarray, share: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The point (2,) at this share of a line (k,2), the unit vector along it, and that into the piece.
+
+    along (k,): see lengths_along.
+    """
+    row = int(np.searchsorted(along, share * along[-1], side="right")) - 1
+    a, b = points[row : row + 2]
+    way = (b - a) / np.linalg.norm(b - a)
+    point = a + (b - a) * (share * along[-1] - along[row]) / (along[row + 1] - along[row])
+    return point, way, np.array([-way[1], way[0]])  # of an outline, the piece is on its left
+
+
+def _angle(direction: np.ndarray) -> float:
+    """Degrees counterclockwise, over -90 to 90, so that the text is not upside down."""
+    angle = math.degrees(math.atan2(direction[1], direction[0]))
+    return angle - 180 if angle > 90 else angle + 180 if angle <= -90 else angle

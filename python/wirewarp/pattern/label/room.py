@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether a piece has room for one more text: inside its outline, and clear of lines and of other texts."""
+
+import math
+from collections.abc import Iterable
+
+import numpy as np
+
+from ..geometry import are_inside
+from ..model import Text
+from .text_place import LINE, text_width
+
+CLEAR = 0.5  # millimeters between a text and what stands beside it
+STROKES = np.linspace(-0.5, 0.5, 5)  # a text as level strokes, too close for another text to lie between them
+
+Segments = tuple[np.ndarray, np.ndarray]  # their first and their second ends (s,2)
+
+
+class Room:
+    """Of one piece. Lines may be written over where there is no other place; outlines and texts never."""
+
+    def __init__(self, outlines: Iterable[np.ndarray], lines: Iterable[np.ndarray], texts: Iterable[Text]) -> None:
+        """outlines (k,2); lines (k,2): wires, notches and the like."""
+        self._outlines = list(outlines)
+        self._outline = joined([(line, np.roll(line, -1, axis=0)) for line in self._outlines])
+        self._lines = joined([(line[:-1], line[1:]) for line in lines])
+        self._texts = joined([strokes(text) for text in texts])
+
+    def take(self, choices: Iterable[Text]) -> Text | None:
+        """The first of the texts that fits, and from now on its place is taken; None where none does."""
+        found = None
+        for text in filter(self._is_inside, choices):
+            is_clear = not touches(text, self._lines)
+            found = text if is_clear or not found else found
+            if is_clear:
+                break
+        if found:
+            self._texts = joined([self._texts, strokes(found)])
+        return found
+
+    def _is_inside(self, text: Text) -> bool:
+        if touches(text, self._texts) or touches(text, self._outline):
+            return False
+        return bool(are_inside(text.center[None], self._outlines)[0])
+
+
+def joined(parts: list[Segments]) -> Segments:
+    """One set of segments; at least an empty one."""
+    first, second = (np.concatenate([np.empty((0, 2)), *(part[end] for part in parts)]) for end in (0, 1))
+    return first, second
+
+
+def axes(text: Text) -> np.ndarray:
+    """(2,2) unit vectors along the line and up the letters, one a column."""
+    cosine, sine = math.cos(math.radians(text.angle)), math.sin(math.radians(text.angle))
+    return np.array([[cosine, -sine], [sine, cosine]])
+
+
+def strokes(text: Text) -> Segments:
+    strokes = []
+    for number, line in enumerate(text.lines):
+        middle = LINE * ((len(text.lines) - 1) / 2 - number)
+        y = text.height * (middle + STROKES)
+        x = np.full(len(y), text_width(line, text.height) / 2)
+        first, second = (np.column_stack([side, y]) @ axes(text).T + text.center for side in (-x, x))
+        strokes.append((first, second))
+    return joined(strokes)
+
+
+def touches(text: Text, segments: Segments) -> bool:
+    """Whether one of the segments meets the box of a text of one line: no axis separates the two."""
+    half = np.array([text_width(text.lines[0], text.height), text.height]) / 2 + CLEAR
+    a, b = ((ends - text.center) @ axes(text) for ends in segments)
+    apart = np.any((np.minimum(a, b) > half) | (np.maximum(a, b) < -half), axis=1)
+    normal = (b - a)[:, ::-1] * (-1, 1)
+    beside = np.abs((normal * a).sum(axis=1)) > np.abs(normal) @ half
+    return bool(np.any(~apart & ~beside))

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Room for text inside a piece."""
+
+import math
+import unicodedata
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..geometry import innermost_point
+from ..model import Text
+
+WIDE = 3.0  # room for text is sought this much wider than high
+LETTER, LINE = 0.62, 1.35  # width of a letter and distance of lines, by the height of the text
+WIDE_LETTER = 1.0  # of Chinese and the like, and of emoji
+NEARLY = 0.6  # as high as upright: level text is easier to read
+SMALL = 0.3125  # of the largest height, 2.5 of 8 mm: rather than smaller, text is written over lines
+
+
+def place_text(
+    lines: tuple[str, ...], outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray], largest: float
+) -> Text:
+    """As large as fits, up to the height `largest`; upright where the piece is too narrow for it otherwise.
+
+    outlines, closed, and lines_inside (k,2) are not written over; the latter only where there is no room beside them.
+    """
+    clear = _place(lines, outlines, lines_inside, largest)
+    return clear if clear.height >= SMALL * largest else _place(lines, outlines, [], largest)
+
+
+def _place(
+    lines: tuple[str, ...], outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray], largest: float
+) -> Text:
+    level = _turned(lines, outlines, lines_inside, largest, 0.0)
+    if level.height >= NEARLY * largest:
+        return level
+    upright = _turned(lines, outlines, lines_inside, largest, 90.0)
+    return level if level.height >= NEARLY * upright.height else upright
+
+
+def _turned(
+    lines: tuple[str, ...],
+    outlines: Sequence[np.ndarray],
+    lines_inside: Sequence[np.ndarray],
+    largest: float,
+    angle: float,
+) -> Text:
+    cosine, sine = round(math.cos(math.radians(angle))), round(math.sin(math.radians(angle)))
+    turn = np.array([[cosine, -sine], [sine, cosine]])  # from the text's directions to the piece's
+    squeezed = [[points @ turn / (WIDE, 1) for points in group] for group in (outlines, lines_inside)]
+    center, radius = innermost_point(*squeezed)
+    half_width, half_height = max(text_width(line, 1.0) for line in lines) / (2 * WIDE), LINE * len(lines) / 2
+    height = 0.9 * radius / math.hypot(half_width, half_height)  # the text's corners stay inside the ellipse
+    return Text(lines, turn @ (center * (WIDE, 1)), min(height, largest), angle)
+
+
+def text_width(text: str, height: float) -> float:
+    """About as wide as any font has it."""
+    return height * sum(WIDE_LETTER if unicodedata.east_asian_width(letter) in "FW" else LETTER for letter in text)

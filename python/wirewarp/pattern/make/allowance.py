@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From the sew lines of a piece to its cut lines: strips and corners, united on a grid of integers.
+
+Strips may overlap one another and the piece as they like: each point of a strip lies within its width of the sew line.
+Clipper unites them exactly, because its coordinates are integers; floating-point unions of strips have left slits.
+Outlines run with the piece on their left, so the allowance lies on the right.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pyclipper
+
+from ..geometry import GRID, are_inside, right_normals, signed_area
+from .corners import MITRE_LIMIT, CornerType, corner_path
+
+
+def strip(points: np.ndarray, width: float) -> np.ndarray:
+    """A polygon (m,2), counterclockwise: the line (k,2) and, at the width to its right, the parallel line.
+
+    It ends square at both ends. A closed line repeats its first point. The polygon may cover a place twice, but never
+    winds clockwise round one: it is a chain of rectangles, of the wedges between them where the line turns left, and of
+    rectangles cut where two of them meet.
+    """
+    normals = right_normals(points)
+    if np.array_equal(points[0], points[-1]):  # the join of the closed line is made at its end
+        points, normals = np.concatenate([points, points[1:2]]), np.concatenate([normals, normals[:1]])
+    outside = [points[:1] + width * normals[:1], *_joins(points, normals, width), points[-1:] + width * normals[-1:]]
+    return np.concatenate([*outside, points[::-1]])
+
+
+def _joins(points: np.ndarray, normals: np.ndarray, width: float) -> list[np.ndarray]:
+    """At each inner point of the line the points (j,2) of the parallel line."""
+    before, after, corners = normals[:-1], normals[1:], points[1:-1]
+    turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]  # sine; above 0 to the left
+    cosine = (before * after).sum(axis=1)
+    with np.errstate(divide="ignore", invalid="ignore"):  # where the line turns back on itself
+        tangent = turn / (1 + cosine)  # of half the angle
+        mitre = corners + width * (before + after) / (1 + cosine)[:, None]
+    far = np.isnan(tangent) | (1 + tangent**2 > MITRE_LIMIT**2)  # the mitre is width * sqrt(1 + tangent^2) away
+    is_left = (turn > 0) | ((turn == 0) & (cosine < 0))
+    is_mitre = ~far & (is_left | _fits(points, tangent, width))
+    joins: list[np.ndarray] = list(mitre[:, None])
+    for i in np.flatnonzero(~is_mitre):
+        if is_left[i]:
+            joins[i] = _cut_off(corners[i], before[i], after[i], width)
+        else:
+            joins[i] = np.array([corners[i] + width * before[i], corners[i], corners[i] + width * after[i]])
+    return joins
+
+
+def _fits(points: np.ndarray, tangent: np.ndarray, width: float) -> np.ndarray:
+    """(k-2,) bool: whether both steps at an inner point are longer than what the mitres of right turns take of them."""
+    taken = np.concatenate([[0], np.nan_to_num(np.maximum(-tangent, 0) * width, posinf=np.inf), [0]])
+    lengths = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    is_long = taken[:-1] + taken[1:] < lengths
+    return is_long[:-1] & is_long[1:]
+
+
+def _cut_off(corner: np.ndarray, before: np.ndarray, after: np.ndarray, width: float) -> np.ndarray:
+    """(2,2) where the line square to the diagonal of the corner, at the limit, cuts the two parallel lines."""
+    out = before + after
+    length = np.linalg.norm(out)
+    along = np.array([-before[1], before[0]])  # where the line comes from, it runs on
+    out = out / length if length > 1e-9 else along  # it turns back: the corner points straight on
+    ends = []
+    for normal, direction in ((before, along), (after, np.array([after[1], -after[0]]))):
+        start = corner + width * normal
+        ends.append(start + direction * (MITRE_LIMIT * width - (start - corner) @ out) / (direction @ out))
+    return np.array(ends)
+
+
+Polygon = list[list[int]]  # corners on the grid
+SMALLEST = 1e-3  # square millimeters: loops that rounding leaves
+
+
+@dataclass(frozen=True)
+class Corner:
+    """How the allowances meet at the end of a section."""
+
+    kind: CornerType = "mitre"
+    of_next: bool = False  # it is the next section whose allowance ends by the corner's rule
+
+
+@dataclass(frozen=True)
+class Section:
+    """A part of an outline with one width of allowance."""
+
+    points: np.ndarray  # (k,2), the piece on the left; a closed outline of one section repeats its first point
+    width: float
+    corner: Corner = Corner()  # at its end
+
+
+@dataclass(frozen=True)
+class CutLines:
+    """All closed, without repeating the first point; the outer ones counterclockwise, the holes clockwise."""
+
+    outer: list[np.ndarray]
+    holes: list[np.ndarray]
+    pockets: list[np.ndarray]  # outside the piece, but enclosed by its allowance: not cut
+
+
+def cut_lines(loops: Sequence[Sequence[Section]]) -> CutLines:
+    """loops: the outlines of one piece, each as its sections in order."""
+    outlines = [np.concatenate([section.points[:-1] for section in loop]) for loop in loops]
+    if all(section.width == 0 for loop in loops for section in loop):
+        areas = [signed_area(outline) for outline in outlines]
+        inner = [outline for outline, area in zip(outlines, areas, strict=True) if area < 0]
+        return CutLines([outline for outline, area in zip(outlines, areas, strict=True) if area >= 0], inner, [])
+    origin = outlines[0][0]
+    parts = [_on_grid(outline, origin) for outline in outlines]
+    for loop in loops:
+        parts += _allowance(loop, origin)
+    outer: list[np.ndarray] = []
+    holes: list[np.ndarray] = []
+    pockets: list[np.ndarray] = []
+    for united in _unite(parts):
+        points = np.array(united) * GRID + origin
+        area = signed_area(points)
+        if area > SMALLEST:
+            outer.append(points)
+        elif area < -SMALLEST:
+            is_hole = any(signed_area(outline) < 0 and are_inside(points[:1], [outline])[0] for outline in outlines)
+            (holes if is_hole else pockets).append(points)
+    return CutLines(outer, holes, pockets)
+
+
+def _allowance(loop: Sequence[Section], origin: np.ndarray) -> list[Polygon]:
+    """The polygons of the strips and corners of one outline."""
+    strips = [[_on_grid(strip(part.points, part.width), origin)] if part.width > 0 else [] for part in loop]
+    corners = []
+    for number, first in enumerate(loop if len(loop) > 1 else []):
+        following = (number + 1) % len(loop)
+        place = _Place(first, loop[following])
+        path = place.path()
+        if path is not None:
+            filling = place.filling(path)
+            corners.append(_on_grid(filling, origin))
+            strips[number] = _without(strips[number], place.trimmed_of_first(path, filling), origin)
+            strips[following] = _without(strips[following], place.trimmed_of_second(path, filling), origin)
+    return [polygon for polygons in strips for polygon in polygons] + corners
+
+
+class _Place:
+    """Where one section ends and the next begins."""
+
+    def __init__(self, first: Section, second: Section) -> None:
+        self._a, self._b, self._corner = first.width, second.width, first.corner
+        self._point = first.points[-1]
+        (self._normal_a,), (self._normal_b,) = right_normals(first.points[-2:]), right_normals(second.points[:2])
+        self._end_a = self._point + self._a * self._normal_a
+        self._end_b = self._point + self._b * self._normal_b
+        self._along_a, self._along_b = (_turned_left(n) for n in (self._normal_a, self._normal_b))
+        cross = self._normal_a[0] * self._normal_b[1] - self._normal_a[1] * self._normal_b[0]
+        self._turn = math.atan2(cross, self._normal_a @ self._normal_b)
+
+    def path(self) -> np.ndarray | None:
+        """(k,2) from the first cut line to the second one; None where the strips alone are right."""
+        if not self._corner.of_next:
+            path = corner_path(self._corner.kind, self._turn, self._a, self._b)
+            return None if path is None else self._point + path @ np.array([self._along_a, -self._normal_a])
+        path = corner_path(self._corner.kind, self._turn, self._b, self._a)
+        return None if path is None else (self._point + path @ np.array([-self._along_b, -self._normal_b]))[::-1]
+
+    def filling(self, path: np.ndarray) -> np.ndarray:
+        """The polygon, counterclockwise, between the corner, the square ends of the strips and the path."""
+        ends = [self._point[None]]
+        if (path[0] - self._point) @ self._along_a > 0:
+            ends.append(self._end_a[None])
+        ends.append(path)
+        if (path[-1] - self._point) @ self._along_b < 0:
+            ends.append(self._end_b[None])
+        return np.concatenate(ends)
+
+    def trimmed_of_first(self, path: np.ndarray, filling: np.ndarray) -> np.ndarray | None:
+        """What the path takes off the end of the first strip."""
+        back = (path[0] - self._point) @ self._along_a
+        inner = path[1] if len(path) > 1 else self._end_b
+        if back > -GRID or self._only_trims(second=True) or are_inside(self._end_a[None], [filling])[0]:
+            return None
+        return _beyond(path[0], inner, -back * self._along_a)
+
+    def trimmed_of_second(self, path: np.ndarray, filling: np.ndarray) -> np.ndarray | None:
+        """What the path takes off the start of the second strip."""
+        ahead = (path[-1] - self._point) @ self._along_b
+        inner = path[-2] if len(path) > 1 else self._end_a
+        if ahead < GRID or self._only_trims(second=False) or are_inside(self._end_b[None], [filling])[0]:
+            return None
+        return _beyond(path[-1], inner, -ahead * self._along_b)
+
+    def _only_trims(self, second: bool) -> bool:
+        """An allowance that folds back leaves the one that it ends on as it is."""
+        return self._corner.kind == "fold-back" and self._corner.of_next == second
+
+
+def _beyond(end: np.ndarray, inner: np.ndarray, shift: np.ndarray) -> np.ndarray:
+    """A parallelogram from the line through both points on by the shift; longer, for the strip of a curve bulges."""
+    outside = end + (end - inner) / 2
+    return np.array([outside, inner, inner + shift, outside + shift])
+
+
+def _turned_left(vector: np.ndarray) -> np.ndarray:
+    return np.array([-vector[1], vector[0]])
+
+
+def _on_grid(points: np.ndarray, origin: np.ndarray) -> Polygon:
+    """All with one origin, so that what shares points shares them on the grid too, and no slit is left between."""
+    rounded: Polygon = np.rint((points - origin) / GRID).astype(np.int64).tolist()
+    return rounded
+
+
+def _without(polygons: list[Polygon], trimmed: np.ndarray | None, origin: np.ndarray) -> list[Polygon]:
+    if trimmed is None or not polygons:
+        return polygons
+    clipper = pyclipper.Pyclipper()
+    clipper.AddPaths(polygons, pyclipper.PT_SUBJECT, True)
+    clipper.AddPath(_on_grid(trimmed, origin), pyclipper.PT_CLIP, True)
+    left: list[Polygon] = clipper.Execute(pyclipper.CT_DIFFERENCE, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO)
+    return left
+
+
+def _unite(polygons: list[Polygon]) -> list[Polygon]:
+    """The outer outlines counterclockwise, the others clockwise."""
+    clipper = pyclipper.Pyclipper()
+    clipper.AddPaths(polygons, pyclipper.PT_SUBJECT, True)
+    united = clipper.Execute(pyclipper.CT_UNION, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO)
+    return [loop for loop in pyclipper.CleanPolygons(united) if len(loop) >= 3]

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The cut line round a corner of the outline, between the allowances of the two sections that meet there.
+
+Coordinates here are of the corner: its point is the origin, the first section arrives along +x with the piece above it,
+and the outline turns left by `turn`, between 0 and pi. The first allowance, `a` wide, is cut along y = -a; the second,
+`b` wide, runs on in the direction (cos turn, sin turn). A path leads from the one cut line to the other.
+"""
+
+import math
+from collections.abc import Callable
+from typing import Literal, get_args
+
+import numpy as np
+
+CornerType = Literal["mitre", "right angle", "fold-back", "extend", "step", "round"]
+CORNER_TYPES: tuple[str, ...] = get_args(CornerType)
+MITRE_LIMIT = 2.5  # times the width: how far a corner may point outwards before it is cut off square
+STRAIGHT = 1e-7  # radians: between strips as wide as may be, the wedge of a smaller turn is finer than the grid
+SHARP = math.radians(30)  # less can hardly be seen on cloth, and no allowance needs to end in a way of its own
+STEEP = 1.5  # of the width, the difference of the widths over the sine of the turn: beyond, a step comes before a slant
+SAGITTA = 0.02  # millimeters, of the chords of a round corner
+
+
+def corner_path(kind: CornerType, turn: float, a: float, b: float) -> np.ndarray | None:
+    """The path (k,2) of the cut line from y = -a to the second cut line; None where the corner needs none.
+
+    At "right angle", "fold-back" and "extend" it is the first section whose allowance ends that way: the other one's
+    corner is the mirror image. A path that leads farther than the limit is a mitre.
+    """
+    if turn < STRAIGHT or (a == 0 and b == 0):
+        return None
+    if turn < SHARP and kind != "round":
+        kind = "mitre"
+    if kind == "mitre" and abs(a - b) > STEEP * max(a, b) * math.sin(turn):
+        kind = "step"
+    path = PATHS[kind](turn, a, b)
+    if path is None or _goes_too_far(path, turn, a, b):
+        path = _cut_off_mitre(turn, a, b)
+    return path
+
+
+def _goes_too_far(path: np.ndarray, turn: float, a: float, b: float) -> bool:
+    """Whether it leads beyond the limit, or takes more off the end of an allowance than that is wide."""
+    outwards = float(np.linalg.norm(path, axis=1).max()) > MITRE_LIMIT * max(a, b) * (1 + 1e-9)
+    taken = max(-path[0, 0], path[-1] @ (math.cos(turn), math.sin(turn)))
+    return outwards or bool(taken > max(a, b))
+
+
+def _mitre(turn: float, a: float, b: float) -> np.ndarray:
+    return np.array([[(b - a * math.cos(turn)) / math.sin(turn), -a]])
+
+
+def _cut_off_mitre(turn: float, a: float, b: float) -> np.ndarray:
+    """The mitre; where its point lies beyond the limit, cut square to the line to the point."""
+    limit = MITRE_LIMIT * max(a, b)
+    if math.sin(turn) < 1e-6:  # the outline turns back on itself
+        return np.array([[limit, -a], [limit, b]])
+    (point,) = _mitre(turn, a, b)
+    if np.linalg.norm(point) <= limit:
+        return point[None]
+    out = point / np.linalg.norm(point)
+    backwards, along = np.array([-1.0, 0.0]), np.array([math.cos(turn), math.sin(turn)])
+    beyond = np.linalg.norm(point) - limit
+    return np.array([point + backwards * beyond / -(backwards @ out), point + along * beyond / -(along @ out)])
+
+
+def _right_angle(turn: float, a: float, b: float) -> np.ndarray | None:
+    """The first allowance ends square to its sew line."""
+    if math.cos(turn) < 1e-9:
+        return None
+    return np.array([[0.0, -a], [0.0, -b / math.cos(turn)]])
+
+
+def _fold_back(turn: float, a: float, b: float) -> np.ndarray:
+    """The first allowance, folded over its sew line onto the piece, ends on the cut line of the second."""
+    return np.array([[(b + a * math.cos(turn)) / math.sin(turn), -a], [b / math.sin(turn), 0.0]])
+
+
+def _extend(turn: float, a: float, b: float) -> np.ndarray:
+    """Each allowance ends where its cut line meets the sew line of the other, extended; straight between these."""
+    return np.array([[-a / math.tan(turn), -a], [b / math.sin(turn), 0.0]])
+
+
+def _step(turn: float, a: float, b: float) -> np.ndarray | None:
+    """The wider allowance ends square to its sew line; the narrower one runs on to it."""
+    cosine = math.cos(turn)
+    if cosine <= 1e-9 or min(a, b) / cosine > max(a, b):
+        return None
+    if b > a:
+        normal = np.array([math.sin(turn), -cosine])
+        return np.array([normal * a / cosine, normal * b])
+    return np.array([[0.0, -a], [0.0, -b / cosine]])
+
+
+def _round(turn: float, a: float, b: float) -> np.ndarray:
+    """An arc; between different widths it goes from the one to the other evenly."""
+    largest = max(a, b)
+    step = 2 * math.acos(max(1 - SAGITTA / largest, 0.5))
+    angles = np.linspace(0, turn, 2 + int(turn / step))
+    widths = np.linspace(a, b, len(angles))
+    return np.column_stack([widths * np.sin(angles), -widths * np.cos(angles)])
+
+
+PATHS: dict[str, Callable[[float, float, float], np.ndarray | None]] = {
+    "mitre": _mitre,
+    "right angle": _right_angle,
+    "fold-back": _fold_back,
+    "extend": _extend,
+    "step": _step,
+    "round": _round,
+}

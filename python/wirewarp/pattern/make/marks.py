@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""All marks of a pattern: what the pieces of a seam share, and what each piece has for itself."""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..geometry import Rays
+from ..model import Point
+from ..pattern_data import SeamWalk
+from .notches import DOUBLE, clips, drill_hole, notch, places_along, turns_little
+from .outline import Side
+from .pieces import Laid
+from .seams import SewnLengths, SewnSide
+
+ON_LINE = 1e-6  # millimeters between a point of a side and the end of a wire there
+APART = 0.01  # millimeters: places along a seam that lie closer are one, told by two of its sides
+BACK = re.compile(r"\bback\b", re.IGNORECASE)
+
+
+def marks(laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], spacing: float) -> dict[int, list[Point]]:
+    """By piece: notches in pairs along seams, at the ends of wires and of seams that nothing shows; clips; holes."""
+    found: dict[int, list[Point]] = {piece.index: [] for piece in laid}
+    rays = {piece.index: piece.rays for piece in laid}
+    wire_ends = {piece.index: _wire_ends(piece) for piece in laid}
+    at_back = {piece.index for piece in laid if BACK.search(piece.name)}
+    widths, closed = _widths(laid), _legs(laid)
+    for number, sides in enumerate(seams):
+        if not sides or any(id(own.side) in closed for own in sides):
+            continue
+        sewn = SewnLengths.of(sides)
+        length, places = sewn.whole, _places(sides, sewn, wire_ends, spacing)
+        if any(own.side.piece in at_back for own in sides):  # two beside each other
+            doubled = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
+            places = [place % length for place in doubled] if sides[0].side.is_closed else doubled
+        for which, own in enumerate(sides):
+            index = own.side.piece
+            for order, place in enumerate(place for place in places if 0 <= place < length):
+                point = notch(own, sewn.on(own, place), rays[index], widths[id(own.side)], (number, order))
+                found[index] += [replace(point, side=which)] if point else []
+    for piece in laid:
+        own_rays = rays[piece.index]
+        for outline, loop in zip(piece.outlines, piece.loops, strict=True):
+            found[piece.index] += _free_notches(loop, wire_ends[piece.index], own_rays, widths)
+            found[piece.index] += [drill_hole(dart) for dart in outline.darts]
+            if outline.sections and not outline.darts:
+                found[piece.index] += clips(loop, own_rays)
+    return found
+
+
+def walks_of(
+    laid: Sequence[Laid], names: Sequence[str], seams: Sequence[Sequence[SewnSide]], points: dict[int, list[Point]]
+) -> list[SeamWalk]:
+    """Of each seam; points: as marks() has found them."""
+    return [
+        SeamWalk(
+            name,
+            tuple(laid[own.side.piece].name for own in sides),
+            tuple(float(own.along[-1]) for own in sides),
+            tuple(laid[own.side.piece].allowances(own.side) for own in sides),
+            tuple(_notches_along(points[own.side.piece], seam, which) for which, own in enumerate(sides)),
+        )
+        for seam, (name, sides) in enumerate(zip(names, seams, strict=True))
+    ]
+
+
+def _notches_along(points: Sequence[Point], seam: int, side: int) -> tuple[float, ...]:
+    own = {point.pair[1]: point.along for point in points if point.pair and (point.pair[0], point.side) == (seam, side)}
+    return tuple(along for _, along in sorted(own.items()) if along is not None)
+
+
+def _widths(laid: Sequence[Laid]) -> dict[int, float]:
+    """The widest allowance along each side, by the side's id()."""
+    widths: dict[int, float] = {}
+    for run in (run for piece in laid for outline in piece.outlines for run in outline.runs):
+        widths[id(run.side)] = max(widths.get(id(run.side), 0.0), run.width or 0.0)
+    return widths
+
+
+def _legs(laid: Sequence[Laid]) -> set[int]:
+    """The id() of each side that is a leg of a dart without allowance: there is nothing to notch."""
+    darts = (dart for piece in laid for outline in piece.outlines for dart in outline.darts)
+    return {id(side) for dart in darts for side in (dart.first, dart.second)}
+
+
+def _places(
+    sides: Sequence[SewnSide], sewn: SewnLengths, wire_ends: Mapping[int, np.ndarray], spacing: float
+) -> list[float]:
+    """Lengths from the start of a seam, as sewn, at which all its sides have notches; a closed seam begins at one."""
+    length = sewn.whole
+    taken: list[float] = []
+    ends = [sewn.of_side(own, np.array(_places_of(own, wire_ends[own.side.piece]))) for own in sides]
+    for place in sorted(np.concatenate(ends).tolist()):
+        if APART < place < length - APART and (not taken or place > taken[-1] + APART):
+            taken.append(place)
+    begin = [0.0] if spacing and sides[0].side.is_closed else []
+    return sorted([*begin, *taken, *places_along(length, taken, spacing)])
+
+
+def _wire_ends(piece: Laid) -> np.ndarray:
+    """(w,2)"""
+    return np.array([end for wire in piece.wires for end in (wire.points[0], wire.points[-1])]).reshape(-1, 2)
+
+
+def _places_of(own: SewnSide, ends: np.ndarray) -> list[float]:
+    """Lengths from the start of the side at which wires end on it."""
+    near = np.abs(own.points[:, None] - ends[None]).max(axis=2, initial=0) < ON_LINE
+    return [float(place) for place in own.along[near.any(axis=1)]] if len(ends) else []
+
+
+def _free_notches(loop: Sequence[Side], ends: np.ndarray, rays: Rays, widths: Mapping[int, float]) -> list[Point]:
+    """Where wires end on an outline that is not sewn, and where a seam ends and the outline runs on smoothly."""
+    found = []
+    for number, side in enumerate(loop):
+        forward, length, width = SewnSide(side, True), float(side.along[-1]), widths[id(side)]
+        if len(loop) > 1 and turns_little(side, loop[(number + 1) % len(loop)]):
+            found.append(notch(forward, length, rays, width))
+        if side.seam is None:
+            places = [place for place in _places_of(forward, ends) if APART < place < length - APART]
+            found += [notch(forward, place, rays, width) for place in places]
+    return [point for point in found if point]

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flat pieces, and their outlines as chains between junctions, in millimeters: sewn ones and others."""
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..checks import problem
+from ..geometry import lengths_along, signed_area
+
+if TYPE_CHECKING:
+    from ..._wirewarp import Piece
+
+
+@dataclass(frozen=True)
+class Chain:
+    """A part of an outline between junctions."""
+
+    sources: np.ndarray  # (k,) vertices of the model; a closed chain repeats its first
+    seam: int | None  # index of the seam; None where nothing is sewn to it
+
+
+@dataclass(frozen=True)
+class FlatWire:
+    """A wire inside of the piece; along the outline there is the sew line already."""
+
+    name: str
+    kind: str  # "rigid", "elastic" or "super_elastic"
+    vertices: np.ndarray  # (k,) of the piece
+
+
+@dataclass(frozen=True)
+class FlatPiece:
+    name: str
+    vertices: np.ndarray  # (p,2) millimeters, y upwards
+    source_vertex: np.ndarray  # (p,) vertices of the model
+    outline: np.ndarray  # (b,2) vertices of the piece at both ends of each edge that one face has, as that face runs
+    chains: list[Chain]  # which run as these edges do
+    wires: list[FlatWire]
+    grain: np.ndarray = field(default_factory=lambda: np.array([0.0, 1.0]))  # (2,) unit vector; upright, as laid out
+
+
+def flat_piece(piece: "Piece", name: str, scale: float) -> FlatPiece:
+    """Of a piece that has a layout. scale: millimeters per scene unit."""
+    sides = np.concatenate([piece.faces[:, [0, 1]], piece.faces[:, [1, 2]], piece.faces[:, [2, 0]]]).astype(np.int64)
+    count = len(piece.vertices)
+    forward, backward = sides[:, 0] * count + sides[:, 1], sides[:, 1] * count + sides[:, 0]
+    outline = sides[~np.isin(forward, backward)]
+    chains = [Chain(boundary.vertices, boundary.seam) for boundary in piece.boundaries]
+    return FlatPiece(name, piece.vertices * scale, piece.source_vertex, outline, chains, _wires(piece, sides))
+
+
+def _wires(piece: "Piece", sides: np.ndarray) -> list[FlatWire]:
+    ends = {}
+    for a, b in sides.tolist():
+        key = (int(piece.source_vertex[a]), int(piece.source_vertex[b]))
+        ends[key], ends[key[::-1]] = (a, b), (b, a)
+    found = []
+    for wire in piece.wires:
+        if wire.kind != "boundary":
+            pairs = list(zip(wire.vertices[:-1].tolist(), wire.vertices[1:].tolist(), strict=True))
+            vertices = np.array([ends[pairs[0]][0], *(ends[pair][1] for pair in pairs)])
+            found.append(FlatWire(wire.name, str(wire.kind), vertices))
+    return found
+
+
+FARTHEST = 1e8  # millimeters from the origin: any fabric is smaller, and Clipper's integers hold 1000 times as much
+
+
+@dataclass(frozen=True)
+class Side:
+    """One chain of an outline between junctions. The piece lies on the left."""
+
+    piece: int
+    sources: np.ndarray  # (k,) input vertices; a closed chain repeats its first
+    points: np.ndarray  # (k,2)
+    seam: int | None  # index into the result's seams; None where nothing is sewn to it
+    is_turned: bool  # runs against the input's triangles: the piece is mirrored
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether it is a whole outline."""
+        return bool(self.sources[0] == self.sources[-1] and np.array_equal(self.points[0], self.points[-1]))
+
+    @property
+    def along(self) -> np.ndarray:
+        """(k,) length from the start to each point."""
+        return lengths_along(self.points)
+
+
+def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:
+    """The closed outlines of a piece, each as its chains in order; the outer one has positive area.
+
+    index: of the piece. Raises FlattenError for a chain that is not on the outline, and for points that are no numbers.
+    """
+    points, ends = piece.vertices, _outline_edges(piece)
+    if not np.isfinite(points[piece.outline]).all():
+        raise problem(f'"{piece.name}" has NaN or infinite coordinates.')
+    farthest = float(np.abs(points[piece.outline]).max())
+    if farthest > FARTHEST:
+        raise problem(
+            f'"{piece.name}" reaches {farthest / 1e6:.4g} km far, and a pattern at most {FARTHEST / 1e6:g} km: see '
+            "whether the unit of the model is right."
+        )
+    chains = []
+    for chain in piece.chains:
+        sources = chain.sources
+        pairs = list(zip(sources[:-1].tolist(), sources[1:].tolist(), strict=True))
+        if not all(pair in ends for pair in pairs):
+            raise problem(f'The outline of "{piece.name}" does not run along the edges that it should.')
+        vertices = [ends[pairs[0]][0], *(ends[pair][1] for pair in pairs)]
+        if vertices[0] == vertices[-1]:  # all sides of a closed seam begin at one vertex
+            first = int(np.argmin(sources[:-1]))
+            sources, vertices = _rotated(sources, first), _rotated(np.array(vertices), first).tolist()
+        chains.append((vertices, Side(index, sources, points[vertices], chain.seam, False)))
+    loops = _joined(chains)
+    areas = [signed_area(np.concatenate([side.points[:-1] for side in loop])) for loop in loops]
+    return loops if sum(areas) > 0 else [[_turned(side) for side in reversed(loop)] for loop in loops]
+
+
+def _rotated(closed: np.ndarray, first: int) -> np.ndarray:
+    """A closed chain, its first repeated at the end, begun elsewhere."""
+    return np.concatenate([closed[first:-1], closed[: first + 1]])
+
+
+def _outline_edges(piece: FlatPiece) -> dict[tuple[int, int], tuple[int, int]]:
+    """The piece's vertices at both ends of each outline edge, by the model's."""
+    sources = piece.source_vertex[piece.outline]
+    return {(a, b): (c, d) for (a, b), (c, d) in zip(sources.tolist(), piece.outline.tolist(), strict=True)}
+
+
+def _joined(chains: list[tuple[list[int], Side]]) -> list[list[Side]]:
+    """The chains, each after the one at whose last vertex it begins."""
+    waiting: dict[int, list[tuple[list[int], Side]]] = {}
+    for chain in chains:
+        waiting.setdefault(chain[0][0], []).append(chain)
+    loops = []
+    while waiting:
+        start = next(iter(waiting))
+        at, loop = start, []
+        while at in waiting:
+            vertices, side = waiting[at].pop()
+            if not waiting[at]:
+                del waiting[at]
+            loop.append(side)
+            at = vertices[-1]
+            if at == start:
+                break
+        loops.append(loop)
+    return loops
+
+
+def _turned(side: Side) -> Side:
+    return Side(side.piece, side.sources[::-1], side.points[::-1], side.seam, True)

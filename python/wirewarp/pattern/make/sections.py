@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The outlines of a piece cut into sections of one width, with darts closed and a rule for each corner."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+import numpy as np
+
+from ..checks import problem
+from .allowance import Corner, Section
+from .corners import CORNER_TYPES
+from .outline import Side
+from .seams import is_dart, sewn_first
+from .widths import Widths
+
+Darts = Literal["close", "cut", "slit"]
+WIDEST_DART = math.radians(50)  # folded away in cloth; a wider gap, as of a cone, is cut out
+LEAST_GAP = 0.01  # millimeters: the legs of a narrower dart are one line, which no cut line can go round
+HIGHEST_CAP = 1.0  # times the mouth of the dart: a cap that leads farther out is left flat
+
+
+@dataclass(frozen=True)
+class Run:
+    """A part of a side that has one width of allowance."""
+
+    side: Side
+    points: np.ndarray  # (k,2)
+    width: float | None  # None: a leg of a closed dart, where nothing is cut
+    is_fold: bool = False
+
+
+@dataclass(frozen=True)
+class Dart:
+    first: Side  # towards the tip
+    second: Side
+
+    @property
+    def tip(self) -> np.ndarray:
+        return self.first.points[-1]
+
+    @property
+    def mouth(self) -> np.ndarray:
+        """(2,2) where the legs begin on the outline."""
+        return np.array([self.first.points[0], self.second.points[-1]])
+
+    @property
+    def gap(self) -> float:
+        """The largest distance in millimeters between its legs."""
+        return float(np.linalg.norm(self.first.points - self.second.points[::-1], axis=1).max())
+
+
+@dataclass(frozen=True)
+class Outline:
+    runs: list[Run]  # what is sewn or hemmed, in order
+    sections: list[Section]  # what the cut line goes round; none of a slit inside the piece
+    darts: list[Dart]
+    slits: list[np.ndarray]  # (k,2) each: darts without a gap that are cut along their legs
+
+
+class Rules:
+    """How allowances end at corners, and what becomes of darts."""
+
+    def __init__(self, loops: Sequence[Sequence[Side]], corner: str, darts: str) -> None:
+        if corner not in ("auto", *CORNER_TYPES):
+            raise problem(f"corner is {corner!r}: give {', '.join(map(repr, CORNER_TYPES))} or 'auto'.")
+        if darts not in get_args(Darts):
+            raise problem(f"darts is {darts!r}: give 'close', 'cut' or 'slit'.")
+        self.darts = darts
+        self._corner = corner
+        self._first = sewn_first(loops) if corner == "auto" else set()
+
+    def corner(self, first: Side, second: Side) -> Corner:
+        """Between two sides of one outline.
+
+        What is sewn first is pressed open, so its allowance ends on the cut line of what crosses it; a hem is folded
+        up last, onto the allowances of the seams that end at it.
+        """
+        if self._corner != "auto":
+            return Corner(self._corner)  # type: ignore[arg-type]
+        if (first.seam is None) != (second.seam is None):
+            return Corner("fold-back", of_next=second.seam is None)
+        vertex = int(first.sources[-1])
+        for seam, of_next in ((first.seam, False), (second.seam, True)):
+            if seam is not None and (vertex, seam) in self._first:
+                return Corner("fold-back", of_next)
+        return Corner()
+
+
+def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
+    darts = _darts_of(loop) if rules.darts != "cut" else []
+    legs = [side for dart in darts for side in (dart.first, dart.second)]
+
+    def is_leg(side: Side) -> bool:
+        return any(side is leg for leg in legs)
+
+    by_side = []
+    for side in loop:
+        runs = _runs(side, *widths.of(side))
+        if is_leg(side):
+            runs = [Run(side, side.points, None if rules.darts == "close" else 0.0)]
+        by_side.append(runs)
+    runs = [run for own in by_side for run in own]
+    is_slit = rules.darts == "slit"
+    slits = [dart.first.points for dart in darts if is_slit and dart.gap < LEAST_GAP]
+    if all(map(is_leg, loop)) and (rules.darts == "close" or slits):
+        return Outline(runs, [], darts, slits[:1])
+    sections: list[Section] = []
+    count = len(loop)
+    for number, (side, own) in enumerate(zip(loop, by_side, strict=True)):
+        following = loop[(number + 1) % count]
+        if rules.darts == "close" and is_leg(side):
+            dart = next((dart for dart in darts if dart.first is side), None)
+            if dart:
+                before, after = by_side[number - 1][-1], by_side[(number + 2) % count][0]
+                sections.append(Section(_cap(dart, before, after), before.width or 0.0))
+            continue
+        corners = [Corner()] * (len(own) - 1) + [rules.corner(side, following)]
+        if rules.darts != "cut" and is_leg(following):
+            corners[-1] = Corner()
+        sections += [Section(run.points, run.width or 0.0, corner) for run, corner in zip(own, corners, strict=True)]
+    return Outline(runs, sections, darts, slits)
+
+
+def _darts_of(loop: Sequence[Side]) -> list[Dart]:
+    """A slit inside a piece is two: it has two tips."""
+    pairs = [(side, loop[(number + 1) % len(loop)]) for number, side in enumerate(loop)]
+    return [Dart(first, second) for first, second in pairs if is_dart(first, second, WIDEST_DART)]
+
+
+def _runs(side: Side, widths: np.ndarray, folds: np.ndarray) -> list[Run]:
+    changes = np.flatnonzero((np.diff(widths) != 0) | (folds[1:] != folds[:-1])) + 1
+    ends = [0, *changes.tolist(), len(widths)]
+    return [
+        Run(side, side.points[a : b + 1], float(widths[a]), bool(folds[a]))
+        for a, b in zip(ends[:-1], ends[1:], strict=True)
+    ]
+
+
+def _cap(dart: Dart, before: Run, after: Run) -> np.ndarray:
+    """(k,2) across the mouth of a dart: folded, it runs on as the outlines on both sides do.
+
+    So each of these, reflected in the leg beside it, runs to the point where both meet.
+    """
+    a, b = dart.mouth
+    flat = np.array([a, b])
+    first = _reflected(before.points[-2] - a, dart.first.points[1] - a)
+    second = _reflected(after.points[1] - b, dart.second.points[-2] - b)
+    system = np.column_stack([first, -second])
+    if abs(np.linalg.det(system)) < 1e-6 * np.linalg.norm(first) * np.linalg.norm(second):
+        return flat
+    along, _ = shares = np.linalg.solve(system, b - a)
+    peak = a + along * first
+    is_near = np.linalg.norm(peak - (a + b) / 2) <= HIGHEST_CAP * np.linalg.norm(b - a)
+    return np.array([a, peak, b]) if np.all(shares > 0) and is_near else flat
+
+
+def _reflected(vector: np.ndarray, axis: np.ndarray) -> np.ndarray:
+    axis = axis / np.linalg.norm(axis)
+    return 2 * (vector @ axis) * axis - vector

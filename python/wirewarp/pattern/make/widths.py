@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How wide the allowance is along each edge of the outlines."""
+
+import numpy as np
+import numpy.typing as npt
+
+from ..._errors import FlattenError
+from ..checks import checked_length, problem
+from .outline import Side
+
+
+class Widths:
+    """Widths of edges: of seams and other outlines in general, of single edges, and of single sides of these."""
+
+    def __init__(
+        self,
+        allowance: float,
+        hem: float | None,
+        both: npt.ArrayLike | None,
+        sides: npt.ArrayLike | None,
+        folds: npt.ArrayLike | None,
+    ) -> None:
+        """both, sides (k,3) and folds (k,2) as in Pattern.from_result."""
+        self._seam = checked_length("allowance", allowance)
+        self._hem = self._seam if hem is None else checked_length("hem", hem)
+        self._both = {(min(pair), max(pair)): width for pair, width in _rows("allowances", both).items()}
+        self._sides = _rows("side_allowances", sides)
+        self._folds = {(min(pair), max(pair)) for pair in _pairs("folds", folds)}
+        self._unused = set(self._both) | set(self._sides) | self._folds
+
+    def of(self, side: Side) -> tuple[np.ndarray, np.ndarray]:
+        """(k-1,) the width outside of each step of the side, and whether it is a fold, where that is 0.
+
+        Raises FlattenError for a fold that is sewn.
+        """
+        default = self._hem if side.seam is None else self._seam
+        pairs = list(zip(side.sources[:-1].tolist(), side.sources[1:].tolist(), strict=True))
+        widths = np.array([self._width(pair[::-1] if side.is_turned else pair, default) for pair in pairs])
+        folds = np.array([(min(pair), max(pair)) in self._folds for pair in pairs])
+        if side.seam is not None and folds.any():
+            a, b = pairs[int(np.argmax(folds))]
+            raise FlattenError("invalid_option", f"Edge {a}-{b} is a fold, but it is sewn.", edges=[(a, b)])
+        return np.where(folds, 0.0, widths), folds
+
+    def check_all_used(self) -> None:
+        """Raises FlattenError if an edge of a given width was met on no outline."""
+        if self._unused:
+            edges = sorted(self._unused)
+            message = f"Edge {edges[0][0]}-{edges[0][1]} has an allowance or a fold, but is on no outline of a piece."
+            raise FlattenError("invalid_option", message, edges=edges)
+
+    def _width(self, edge: tuple[int, int], default: float) -> float:
+        both = (min(edge), max(edge))
+        self._unused -= {edge, both}
+        return self._sides.get(edge, self._both.get(both, default))
+
+
+def _pairs(name: str, values: npt.ArrayLike | None) -> list[tuple[int, int]]:
+    """Edges. Raises FlattenError for what is no such table."""
+    table = np.empty((0, 2)) if values is None else np.asarray(values)
+    if table.size == 0 and table.ndim <= 2:
+        table = table.reshape(-1, 2)
+    if table.ndim != 2 or table.shape[1] != 2:
+        raise problem(f"{name} must be an array (k, 2): vertex, vertex.", "invalid_shape")
+    if table.size and not np.issubdtype(table.dtype, np.integer):
+        raise problem(f"{name} must be whole numbers.", "invalid_type")
+    return [(int(a), int(b)) for a, b in table]
+
+
+def _rows(name: str, values: npt.ArrayLike | None) -> dict[tuple[int, int], float]:
+    """Widths by vertex pairs. Raises FlattenError for what is no such table."""
+    if values is None:
+        return {}
+    try:
+        table = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        table = np.empty(0)
+    if table.size == 0 and table.ndim <= 2:
+        table = table.reshape(-1, 3)
+    if table.ndim != 2 or table.shape[1] != 3:
+        raise problem(f"{name} must be an array (k, 3): vertex, vertex, millimeters.", "invalid_shape")
+    if not np.array_equal(table[:, :2], np.rint(table[:, :2])) or np.any(table[:, :2] < 0):
+        raise problem(f"{name} has a vertex that is no whole number from 0.", "invalid_type")
+    for a, b, width in table:
+        checked_length(f"The allowance of edge {a:.0f}-{b:.0f}", width)
+    return {(int(a), int(b)): float(width) for a, b, width in table}

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Packs pieces without a library: each slides along the cloth until it touches those that lie there already.
+
+The cloth is divided into narrow rows along it, of which each knows how far it is taken; a piece knows where it begins
+and ends in each row that it covers. Gaps behind pieces stay empty. Other orders are tried while there is time.
+"""
+
+import math
+from collections.abc import Generator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .items import Grain, Item, angles
+
+ROWS = 400  # of a cloth of 1.5 m each is 4 mm wide
+FREE_STEP = 30.0  # degrees between the turns that are tried where all are allowed
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where an item lies, in the cloth with room at its edges."""
+
+    item: int
+    angle: float
+    at: np.ndarray  # (2,) of the item's origin
+    sheet: int
+
+
+@dataclass(frozen=True)
+class _Profile:
+    """Of an item that is turned."""
+
+    angle: float
+    low: np.ndarray  # (r,) where it begins in each row that it covers, from its lowest point
+    high: np.ndarray  # (r,)
+    corner: np.ndarray  # (2,) the lowest corner of its box
+
+    @property
+    def height(self) -> float:
+        return float(self.high.max())
+
+
+class TooLargeError(Exception):
+    def __init__(self, item: int) -> None:
+        """item: its index."""
+        super().__init__(item)
+        self.item = item
+
+
+class SlidePacking:
+    def __init__(self, items: Sequence[Item], grain: Grain, width: float, length: float) -> None:
+        """length: of a sheet; infinite of a roll."""
+        self._items, self._grain, self._length = items, grain, length
+        self._row = width / ROWS
+        self._profiles: list[list[_Profile]] = []
+        self._random = np.random.default_rng(0)
+
+    def trials(self) -> Generator[list[Place] | None, None, None]:
+        """Without end: packings, each in another order, which is kept where it takes no more cloth; None on the way.
+
+        Raises TooLargeError if an item does not fit.
+        """
+        for index, item in enumerate(self._items):
+            yield None
+            turned = (_profile(item, angle, self._row) for angle in angles(item, self._grain, FREE_STEP))
+            fitting = [each for each in turned if len(each.low) <= ROWS and each.height <= self._length + 1e-9]
+            if not fitting:
+                raise TooLargeError(index)
+            self._profiles.append(fitting)
+        copies = [index for index, item in enumerate(self._items) for _ in range(item.count)]
+        order, best = sorted(copies, key=lambda index: -self._items[index].area), (math.inf, math.inf)
+        tried = order
+        while True:
+            places, score = yield from self._packed(tried)
+            yield places
+            if score <= best:
+                order, best = tried, score
+            tried = order.copy()
+            first, second = self._random.integers(len(order), size=2)
+            tried[first], tried[second] = tried[second], tried[first]
+
+    def _packed(self, order: Sequence[int]) -> Generator[None, None, tuple[list[Place], tuple[int, float]]]:
+        """With the number of sheets and the length that is used of the last one."""
+        fronts: list[np.ndarray] = []
+        places = []
+        for index in order:
+            yield
+            sheet, found = -1, None
+            while found is None:
+                sheet += 1
+                if sheet == len(fronts):
+                    fronts.append(np.zeros(ROWS))
+                found = self._best(index, fronts[sheet])
+            profile, row, y = found
+            fronts[sheet][row : row + len(profile.low)] = y + profile.high
+            at = np.array([row * self._row, y]) - profile.corner
+            places.append(Place(index, profile.angle, at, sheet))
+        return places, (len(fronts), float(fronts[-1].max()))
+
+    def _best(self, index: int, front: np.ndarray) -> tuple[_Profile, int, float] | None:
+        """How it is turned, the first row, and where in these it lies: where it ends earliest, and wastes least."""
+        best, found = (math.inf, math.inf), None
+        for profile in self._profiles[index]:
+            taken = np.lib.stride_tricks.sliding_window_view(front, len(profile.low))
+            y = (taken - profile.low).max(axis=1)
+            end = np.round(y + profile.height, 1)
+            wasted = np.round((y[:, None] + profile.low - taken).mean(axis=1))  # in whole millimeters: else left first
+            row = int(np.lexsort((wasted, end))[0])
+            rank = (float(end[row]), float(wasted[row]))
+            if y[row] + profile.height <= self._length + 1e-9 and rank < best:
+                best, found = rank, (profile, row, float(y[row]))
+        return found
+
+
+def _profile(item: Item, angle: float, row: float) -> _Profile:
+    points = item.turned(angle)
+    corner = points.min(axis=0)
+    points = points - corner
+    rows = max(math.ceil(points[:, 0].max() / row - 1e-9), 1)
+    low, high = np.full(rows, math.inf), np.full(rows, -math.inf)
+    for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
+        # Cut at the borders of rows, so that each part lies in one of them.
+        left, right = sorted((a[0], b[0]))
+        borders = row * np.arange(math.floor(left / row) + 1, math.ceil(right / row))
+        shares = np.sort((borders - a[0]) / (b[0] - a[0])) if len(borders) else np.empty(0)
+        shares = np.concatenate([[0.0], shares, [1.0]])
+        x, y = a[0] + shares * (b[0] - a[0]), a[1] + shares * (b[1] - a[1])
+        own = np.clip(((x[:-1] + x[1:]) / 2 / row).astype(int), 0, rows - 1)
+        np.minimum.at(low, own, np.minimum(y[:-1], y[1:]))
+        np.maximum.at(high, own, np.maximum(y[:-1], y[1:]))
+    return _Profile(angle, low, high, corner)

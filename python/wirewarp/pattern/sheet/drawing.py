@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A pattern as strokes and texts by role: what every writer draws."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..model import PatternPiece, Text
+
+
+class Look(NamedTuple):
+    layer: str  # of SVG and PDF
+    color: str
+    stroke: float  # millimeters
+    dashes: tuple[float, ...]
+    dxf_layer: str  # of apparel DXF, ASTM D6673
+    dxf_color: int  # of plain DXF: AutoCAD's color index
+    pen: int  # of plotters
+
+
+# Colors differ enough for cutters' programs to tell them apart by the nearest of their own.
+LOOKS = {
+    "cut": Look("Cut", "#000000", 0.5, (), "1", 1, 1),
+    "inner_cut": Look("Cut", "#000000", 0.5, (), "11", 1, 1),
+    "sew": Look("Sew", "#ff00ff", 0.3, (4.0, 2.0), "14", 5, 2),
+    "fold": Look("Fold", "#ff00ff", 0.3, (8.0, 2.0, 2.0, 2.0), "6", 5, 2),
+    "rigid wire": Look("Rigid Wires", "#0000ff", 0.3, (), "8", 8, 3),
+    "elastic wire": Look("Elastic Wires", "#c76b00", 0.3, (6.0, 2.0), "8", 8, 3),
+    "free wire": Look("Free Wires", "#008a78", 0.5, (0.3, 2.0), "8", 8, 3),
+    "grain": Look("Grain", "#505050", 0.3, (), "7", 8, 3),
+    "notch": Look("Notches", "#ff0000", 0.3, (), "4", 3, 4),
+    "clip": Look("Notches", "#ff0000", 0.3, (), "4", 3, 4),
+    "drill": Look("Notches", "#ff0000", 0.3, (), "13", 3, 4),
+    "card": Look("Text", "#505050", 0.3, (), "15", 7, 3),
+    "line name": Look("Line Names", "#505050", 0.3, (), "15", 7, 3),
+    "card leader": Look("Text", "#505050", 0.3, (), "15", 7, 3),
+    "name leader": Look("Line Names", "#505050", 0.3, (), "15", 7, 3),
+    "scale": Look("Scale", "#808080", 0.3, (), "8", 8, 3),
+}
+SHEET = Look("Sheets", "#909090", 0.3, (), "8", 8, 3)  # frames and marks of the sheets of a PDF
+WIRES = {"rigid": "rigid wire", "elastic": "elastic wire", "super_elastic": "free wire"}  # by Line.kind
+LAYERS = tuple(dict.fromkeys(look.layer for look in LOOKS.values()))
+
+
+ARROW = 6.0  # millimeters: length of the heads of grain arrows
+CROSS = 4.0  # across the cross in a hole to drill
+
+
+@dataclass(frozen=True)
+class Stroke:
+    role: str
+    points: np.ndarray  # (k,2)
+    closed: bool = False
+    name: str = ""
+
+    @property
+    def look(self) -> Look:
+        return SHEET if self.role == "sheet" else LOOKS[self.role]
+
+
+def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
+    """Everything of a piece but its texts; cut lines last, so that inner lines are cut first, holes before outlines."""
+    for line in sorted(piece.lines, key=lambda line: (line.role == "cut", line.role == "inner_cut")):
+        if line.role == "cut":
+            break
+        if line.role == "sew" and line.width == 0:  # the cut line lies on it
+            continue
+        role = WIRES[line.kind] if line.role == "wire" else line.role
+        yield Stroke(role, line.points, line.closed, line.name)
+        if line.role == "grain":
+            yield from (Stroke("grain", head) for head in _arrow_heads(line.points))
+    for point in piece.points:
+        if point.role == "drill":
+            yield from (Stroke("drill", arm) for arm in _cross(point.at, point.depth))
+        else:
+            yield Stroke(point.role, point.stroke)
+    for line in piece.of_role("cut"):
+        yield Stroke("cut", line.points, line.closed)
+
+
+def _arrow_heads(line: np.ndarray) -> list[np.ndarray]:
+    """(3,2) at each end of the line."""
+    heads = []
+    for tip, other in (line, line[::-1]):
+        back = (other - tip) / np.linalg.norm(other - tip) * min(ARROW, np.linalg.norm(other - tip) / 3)
+        aside = np.array([-back[1], back[0]]) * math.tan(math.radians(25))
+        heads.append(np.array([tip + back + aside, tip, tip + back - aside]))
+    return heads
+
+
+def _cross(at: np.ndarray, size: float) -> list[np.ndarray]:
+    arm = np.array([[1.0, 1.0], [1.0, -1.0]]) * (size + CROSS) / 4
+    return [np.array([at - each, at + each]) for each in arm]
+
+
+def letters_baselines(text: Text, line_height: float) -> Iterator[tuple[str, np.ndarray]]:
+    """Each line of the text and the middle (2,) of its base line, the text turned about its center."""
+    angle = math.radians(text.angle)
+    up = np.array([-math.sin(angle), math.cos(angle)])
+    for line, below in base_lines(text, line_height):
+        yield line, text.center - below * up
+
+
+def base_lines(text: Text, line_height: float) -> Iterator[tuple[str, float]]:
+    """Each line of the text and how far its base line is below the center, in millimeters."""
+    for number, line in enumerate(text.lines):
+        below = line_height * (number - (len(text.lines) - 1) / 2) + 0.36  # capitals are 0.72 of the size high
+        yield line, below * text.height

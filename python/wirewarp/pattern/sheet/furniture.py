@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is printed beside the pieces: squares and bars to measure, marks to join sheets, and a map of these."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from ..model import Text
+from ..pattern_data import OVERLAP, PatternData
+from ..units import INCH, UnitSystem, counted
+from .drawing import Stroke
+from .papers import MARGIN, sheet_name
+from .tiles import Tile, Tiles
+
+SIZE = np.array([166.0, 158.0])  # millimeters that the squares and bars take; fits on A4 and Letter
+CORNER = 4.0
+TICK = 3.0
+UNIT = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+SHEET_LAYER, GRID_LAYER = "Sheets", "Grid"
+GRID_STEP = {"metric": 50.0, "imperial": 2 * INCH}
+
+
+class Marks(NamedTuple):
+    """Strokes and texts of one layer, in millimeters from the lower left corner of the page."""
+
+    layer: str
+    strokes: list[Stroke]
+    texts: list[Text]
+
+
+def scale_marks(pattern: PatternData, corner: np.ndarray) -> Marks:
+    """Squares and bars to measure, and what allowance the lines include; corner (2,): their lower left one."""
+    strokes, texts = _scale_block(corner, pattern.units)
+    included = f"Allowance included: {pattern.allowance_text}"
+    return Marks("Scale", strokes, [*texts, Text((included,), corner + (62.0, 116.0), 4.0)])
+
+
+def _scale_block(corner: np.ndarray, units: UnitSystem) -> tuple[list[Stroke], list[Text]]:
+    origin = corner + CORNER
+    if units.name == "metric":
+        bar, first, second = (150.0, "150 mm"), (100.0, "100 mm"), (2 * INCH, "2 in")
+    else:
+        bar, first, second = (6 * INCH, "6 in"), (4 * INCH, "4 in"), (50.0, "50 mm")
+    strokes = [*_bar(origin, bar[0], np.array([1.0, 0.0])), *_bar(origin, bar[0], np.array([0.0, 1.0]))]
+    texts = [
+        Text((bar[1],), origin + (bar[0] - 10, 5.0), 4.0),
+        Text((bar[1],), origin + (5.0, bar[0] - 10), 4.0, 90.0),
+    ]
+    at = origin + 8.0
+    for (side, label), lines in ((first, ("Measure before cutting",)), (second, ())):
+        strokes.append(Stroke("scale", at + side * UNIT, True))
+        texts.append(Text((label, *lines), at + side / 2, 5.0))
+        at = at + (side + 4.0, 0.0)
+    return strokes, texts
+
+
+def _bar(origin: np.ndarray, length: float, along: np.ndarray) -> Iterator[Stroke]:
+    """With a tick at both ends, whose distance is the length."""
+    aside = np.array([-along[1], along[0]]) * TICK
+    yield Stroke("scale", np.array([origin, origin + length * along]))
+    for end in (origin, origin + length * along):
+        yield Stroke("scale", np.array([end - aside, end + aside]))
+
+
+def grid_marks(pattern: PatternData, size: np.ndarray) -> Marks:
+    """Lines over the whole page, size (2,) large, by which a projector is adjusted."""
+    step, (width, height) = GRID_STEP[pattern.units.name], size
+    lines = [[[x, 0.0], [x, height]] for x in np.arange(step, width, step)]
+    lines += [[[0.0, y], [width, y]] for y in np.arange(step, height, step)]
+    return Marks(GRID_LAYER, [Stroke("scale", np.array(line)) for line in lines], [])
+
+
+def sheet_marks(plan: Tiles, row: int, column: int) -> Marks:
+    """The frame, its name, diamonds that two sheets complete, and which sheet comes at which side."""
+    low, high = np.array([MARGIN, MARGIN]), MARGIN + plan.shown
+    strokes = [Stroke("sheet", low + plan.shown * UNIT, True)]
+    texts = [Text((sheet_name(row, column),), low + (9.0, 7.0), 6.0)]
+    middle = (low + high) / 2
+    sides = (
+        (np.array([-1, 0]), (row, column - 1), np.array([low[0] + OVERLAP / 2, middle[1]])),
+        (np.array([1, 0]), (row, column + 1), np.array([high[0] - OVERLAP / 2, middle[1]])),
+        (np.array([0, 1]), (row - 1, column), np.array([middle[0], high[1] - OVERLAP / 2])),
+        (np.array([0, -1]), (row + 1, column), np.array([middle[0], low[1] + OVERLAP / 2])),
+    )
+    for direction, (other_row, other_column), at in sides:
+        if plan.overlap and 0 <= other_row < plan.rows and 0 <= other_column < plan.columns:
+            # Both sheets show the whole overlap, so the diamond in its middle lies on itself.
+            strokes.append(Stroke("sheet", at + OVERLAP / 2 * np.array([[1, 0], [0, 1], [-1, 0], [0, -1]]), True))
+            aside = np.array([direction[1], direction[0]])
+            angle = 90.0 if direction[0] else 0.0
+            texts.append(Text((sheet_name(other_row, other_column),), at + 12.0 * np.abs(aside), 3.0, angle))
+    return Marks(SHEET_LAYER, strokes, texts)
+
+
+def part_marks(corner: np.ndarray, size: np.ndarray, page: int, is_first: bool, is_last: bool) -> Marks:
+    """The edges of a part of a marker, size (2,) large, and which pages go on below and above; page: its number."""
+    texts = [
+        Text((f"{what} page {other}",), corner + (size[0] / 2, y), 4.0)
+        for is_joined, what, other, y in (
+            (not is_first, "Lay on", page - 1, OVERLAP / 2),
+            (not is_last, "Continues on", page + 1, size[1] - OVERLAP / 2),
+        )
+        if is_joined
+    ]
+    return Marks(SHEET_LAYER, [Stroke("sheet", corner + size * UNIT, True)], texts)
+
+
+def map_marks(plan: Tiles, paper: np.ndarray) -> list[Marks]:
+    """A first page: title and advice, the sheets with the pieces on them, and what is to be measured."""
+    pattern = plan.pattern
+    top = paper[1] - MARGIN
+    room = np.array([paper[0] - 2 * MARGIN, top - 26 - MARGIN - SIZE[1]])
+    whole = np.array([plan.columns, plan.rows]) * (plan.shown - plan.overlap) + plan.overlap
+    scale = float((room / whole).min())
+    corner = np.array([(paper[0] - scale * whole[0]) / 2, MARGIN + SIZE[1] + 2]) - scale * plan.low
+
+    def placed(points: np.ndarray) -> np.ndarray:
+        return corner + scale * points
+
+    def named(tile: Tile) -> Text:
+        height = min(3.0, 0.12 * scale * float(plan.shown.min()))
+        return Text((tile.name,), placed(tile.low + plan.shown * (0.15, 0.1)), height)
+
+    outlines = [Stroke("scale", placed(line.points), True) for piece in pattern.pieces for line in piece.of_role("cut")]
+    numbers = [Text((str(piece.number),), placed(piece.bounds[0] + piece.size / 2), 3.0) for piece in pattern.pieces]
+    frames = [Stroke("sheet", placed(tile.low + plan.shown * UNIT), True) for tile in plan.tiles]
+    lines = [
+        Text((line,), np.array([paper[0] / 2, top - 4 - 5.0 * n]), 4.5 if n == 0 else 3.4)
+        for n, line in enumerate(_advice(plan))
+    ]
+    return [
+        scale_marks(pattern, np.array([MARGIN, MARGIN])),
+        Marks("Text", [], lines),
+        Marks("Scale", outlines, numbers),
+        Marks(SHEET_LAYER, frames, [named(tile) for tile in plan.tiles]),
+    ]
+
+
+def _advice(plan: Tiles) -> list[str]:
+    pattern, count = plan.pattern, counted(len(plan.tiles), "sheet")
+    skipped = plan.rows * plan.columns - len(plan.tiles)
+    sheets = f"{count} in {counted(plan.rows, 'row')} of {plan.columns}"
+    sheets += f", {skipped} more are empty and left out" if skipped else ""
+    return [
+        pattern.title or "Pattern",
+        "Print at 100% (actual size), not fitted to the page; then measure the squares and bars.",
+        f"{sheets}; neighbors overlap by {pattern.units.text(OVERLAP)}: lay diamond on diamond."
+        if plan.overlap
+        else f"{count}, every piece on one of them.",
+        f"{counted(len(pattern.pieces), 'piece')}. Allowance included: {pattern.allowance_text}.",
+    ]

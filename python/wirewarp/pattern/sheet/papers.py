@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Papers that patterns are printed on, by the names that makers know."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..checks import checked_length, problem
+from ..units import INCH
+
+SHEETS = {
+    "a4": (210.0, 297.0),
+    "letter": (8.5 * INCH, 11 * INCH),
+    "a4-letter": (210.0, 11 * INCH),  # what fits on both
+    "a3": (297.0, 420.0),
+    "tabloid": (11 * INCH, 17 * INCH),
+    "a0": (841.0, 1189.0),
+}
+ROLLS = {"36in": 36 * INCH, "24in": 24 * INCH}
+PROJECTOR = "projector"
+LONGEST = 5000.0  # millimeters: PDF viewers support pages up to 5.08 m
+MARGIN = 10.0  # few printers reach nearer to the edge of a sheet
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page of a file to print, and what it shows of the pattern. Lengths are in millimeters."""
+
+    name: str  # "A1" of sheets to tape together, else its number
+    low: np.ndarray  # (2,) lower left corner
+    size: np.ndarray  # (2,) width and height: of sheets without their margins
+
+
+def sheet_name(row: int, column: int) -> str:
+    """ "A1" is the first sheet of the top row; after row Z comes row AA."""
+    letters = ""
+    row += 1
+    while row:
+        row, letter = divmod(row - 1, 26)
+        letters = chr(ord("A") + letter) + letters
+    return f"{letters}{column + 1}"
+
+
+def roll_width(paper: str | float) -> float | None:
+    """Millimeters; None if the paper is not a roll. Raises FlattenError for an unknown paper."""
+    if isinstance(paper, str):
+        if paper in ROLLS:
+            return ROLLS[paper]
+        if paper in SHEETS or paper == PROJECTOR:
+            return None
+        known = ", ".join([*SHEETS, *ROLLS, PROJECTOR])
+        raise problem(f"paper is {paper!r}: give one of {known}, or the width of a roll in millimeters.")
+    return checked_length("paper, the width of a roll,", paper, 100.0, LONGEST)

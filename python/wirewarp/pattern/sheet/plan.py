@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Plans the sheets of a PDF: what each shows of the pattern and prints beside it. The kind of paper is asked once."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Generic, TypeVar
+
+import numpy as np
+
+from ..checks import problem
+from ..marker import SHEETS_APART, Marker
+from ..model import PatternPiece, Text
+from ..pattern_data import OVERLAP, PatternData
+from ..units import UnitSystem
+from .furniture import (
+    GRID_LAYER,
+    SHEET_LAYER,
+    SIZE,
+    Marks,
+    grid_marks,
+    map_marks,
+    part_marks,
+    scale_marks,
+    sheet_marks,
+)
+from .papers import LONGEST, MARGIN, PROJECTOR, SHEETS, Page, roll_width
+from .tiles import divided
+
+PROJECTED = 0.5  # millimeters: thinner lines look dotted under a projector
+BORDER = 5.0  # millimeters round a piece's box: notches and letters may reach over it
+AT_MARGIN = np.array([MARGIN, MARGIN])
+P = TypeVar("P", bound=PatternData)
+
+
+@dataclass(frozen=True)
+class Sheet(Page):
+    paper: np.ndarray  # (2,) width and height, margins included
+    corner: np.ndarray  # (2,) of the paper where `low` comes to lie
+    pieces: Sequence[int]  # indices of those that it shows
+    marks: Callable[[], list[Marks]]  # only made where they are drawn
+    is_clipped: bool = False  # to what it shows
+
+
+@dataclass(frozen=True)
+class Plan(Generic[P]):
+    pattern: P  # as it lies on the sheets
+    sheets: list[Sheet]
+    layers: tuple[str, ...] = ()  # beside those of pieces
+    hidden: tuple[str, ...] = ()  # those that are shown only on request
+    thinnest: float = 0.0  # millimeters, of all lines
+    cover: Sheet | None = None  # comes first, and shows a map of the others
+
+    @property
+    def all_sheets(self) -> list[Sheet]:
+        return [self.cover, *self.sheets] if self.cover else self.sheets
+
+
+def plan(pattern: P, paper: str | float | None, keep_places: bool) -> Plan[P]:
+    """paper and keep_places: as write_pdf takes them. Raises FlattenError for what does not fit on the paper."""
+    if paper is None:
+        paper = page_width(pattern.marker, None, pattern.units) if pattern.marker else "a4"
+    width = roll_width(paper)
+    if width is not None:
+        return _marker(pattern, pattern.marker, width) if pattern.marker else _roll(pattern, width, keep_places)
+    return _one_page(pattern) if paper == PROJECTOR else _tiles(pattern, str(paper), keep_places)
+
+
+def _one_page(pattern: P) -> Plan[P]:
+    """All on one page as large as it takes, with a grid that is hidden at first."""
+    size: np.ndarray = np.maximum(pattern.size, (SIZE[0], 0)) + 2 * MARGIN + (0, SIZE[1])
+    if size.max() > LONGEST:
+        width, height, most = (pattern.units.text(float(side)) for side in (*size, LONGEST))
+        raise problem(
+            f"The pattern takes a page of {width} x {height}, and PDF viewers support at most {most}: choose a roll or "
+            "sheets."
+        )
+
+    def marks() -> list[Marks]:
+        return [grid_marks(pattern, size), scale_marks(pattern, AT_MARGIN)]
+
+    low = pattern.bounds[0] - MARGIN - (0, SIZE[1])
+    sheet = Sheet("1", low, size, size, np.zeros(2), range(len(pattern.pieces)), marks)
+    return Plan(pattern, [sheet], (GRID_LAYER,), (GRID_LAYER,), PROJECTED)
+
+
+def _roll(pattern: P, width: float, keep_places: bool) -> Plan[P]:
+    """Pages as wide as the roll, on which pieces stay whole."""
+    arranged = _on_roll(pattern, width, keep_places)
+    sheets = []
+    for number, pieces in enumerate(_pages_of_rows(arranged.pieces)):
+        bounds = np.array([arranged.pieces[index].bounds for index in pieces])
+        low, high = bounds[:, 0, 1].min(), bounds[:, 1, 1].max()
+        block = SIZE[1] if number == 0 else 0.0  # what is to be measured
+        size = np.array([width, high - low + 2 * MARGIN + block])
+        marks = partial(_scale_on_first, arranged, number)
+        corner = np.array([-MARGIN, low - MARGIN - block])
+        sheets.append(Sheet(str(number + 1), corner, size, size, np.zeros(2), pieces, marks))
+    return Plan(arranged, sheets)
+
+
+def _scale_on_first(pattern: PatternData, number: int) -> list[Marks]:
+    return [scale_marks(pattern, AT_MARGIN)] if number == 0 else []
+
+
+def _on_roll(pattern: P, width: float, keep_places: bool) -> P:
+    """With the pieces in rows across the roll, or in their places. Raises FlattenError for what is too large for it."""
+    inner, units = width - 2 * MARGIN, pattern.units
+    for piece in pattern.pieces:
+        if piece.size[0] > inner or piece.size[1] > LONGEST - 2 * MARGIN - SIZE[1]:
+            size = " x ".join(units.measured(float(side)) for side in piece.size)
+            raise problem(
+                f'"{piece.name}" is {size}: too large for a roll of {units.text(width)}, of which '
+                f"{units.text(inner)} can be printed, and for pages of {units.text(LONGEST)}."
+            )
+    if inner < SIZE[0]:
+        raise problem(
+            f"A roll of {units.text(width)} is too narrow for the square to measure: choose a wider one or sheets."
+        )
+    if keep_places and pattern.size[0] > inner:
+        raise problem(
+            f"As they lie the pieces are {units.text(float(pattern.size[0]))} wide: too wide for a roll of "
+            f"{units.text(width)}, of which {units.text(inner)} can be printed. Lay them in rows, or move them."
+        )
+    return pattern.at_origin() if keep_places else pattern.arranged(inner)
+
+
+def _pages_of_rows(pieces: Sequence[PatternPiece]) -> list[list[int]]:
+    """The indices of the pieces of each page, none longer than PDF viewers support."""
+    pages: list[list[int]] = []
+    low = 0.0
+    room = LONGEST - 2 * MARGIN - SIZE[1]
+    for index, piece in sorted(enumerate(pieces), key=lambda each: float(each[1].bounds[0][1])):
+        bottom, top = float(piece.bounds[0][1]), float(piece.bounds[1][1])
+        if not pages or top - low > room:
+            pages.append([])
+            low = bottom
+        pages[-1].append(index)
+    return pages
+
+
+def page_width(marker: Marker, roll: float | None, units: UnitSystem) -> float:
+    """roll: the width of the paper; None for one as wide as it takes. Raises FlattenError for a narrower one."""
+    needed = max(marker.width, float(SIZE[0])) + 2 * MARGIN
+    if roll is not None and roll < needed - 1e-6:
+        raise problem(
+            f"The marker is {units.text(marker.width)} wide and needs a roll of {units.text(needed)}, "
+            f"not {units.text(roll)}: choose a wider roll, or sheets."
+        )
+    if needed > LONGEST:
+        raise problem(
+            f"The marker is {units.text(marker.width)} wide, wider than a PDF page can be: choose sheets of paper."
+        )
+    return needed if roll is None else roll
+
+
+def _marker(pattern: P, marker: Marker, width: float) -> Plan[P]:
+    """The cloth with its edges, on pages as wide as the roll of paper; where it is longer than these, they overlap."""
+    page_width(marker, width, pattern.units)
+    length = marker.length if marker.sheet_length is None else marker.sheet_length
+    most = LONGEST - 2 * MARGIN - SIZE[1]
+    count = max(1, int(np.ceil((length - OVERLAP) / (most - OVERLAP) - 1e-9)))
+    sheets: list[Sheet] = []
+    for cloth in range(marker.sheets):
+        for number in range(count):
+            begin = number * (most - OVERLAP)
+            low = np.array([0.0, cloth * (length + SHEETS_APART) + begin])
+            size = np.array([marker.width, min(length - begin, most)])
+            corner = AT_MARGIN if sheets else AT_MARGIN + (0, SIZE[1])
+            paper = np.array([width, size[1] + MARGIN + corner[1]])
+            place = len(sheets) + 1
+            marks = partial(_marker_marks, pattern, marker, corner, size, place, number == 0, number == count - 1)
+            pieces = _met(pattern.pieces, low, low + size)
+            sheets.append(Sheet(str(place), low, size, paper, corner, pieces, marks, is_clipped=True))
+    return Plan(pattern, sheets, (SHEET_LAYER,))
+
+
+def _marker_marks(
+    pattern: PatternData,
+    marker: Marker,
+    corner: np.ndarray,
+    size: np.ndarray,
+    page: int,
+    is_first: bool,
+    is_last: bool,
+) -> list[Marks]:
+    edges = part_marks(corner, size, page, is_first, is_last)
+    if page > 1:
+        return [edges]
+    sentence = Text((marker.sentence(pattern.units),), AT_MARGIN + (85.0, 122.0), 4.0)
+    return [scale_marks(pattern, AT_MARGIN), Marks("Scale", [], [sentence]), edges]
+
+
+def _tiles(pattern: P, paper: str, keep_places: bool) -> Plan[P]:
+    """A first page with a map and what is to be measured, then the sheets."""
+    tiles = divided(pattern, paper, keep_places)
+    upright = np.array(SHEETS[paper])
+    cover = Sheet("", np.zeros(2), upright, upright, np.zeros(2), (), partial(map_marks, tiles, upright))
+    sheets = [
+        Sheet(
+            tile.name,
+            tile.low,
+            tiles.shown,
+            tiles.paper,
+            AT_MARGIN,
+            _met(tiles.pattern.pieces, tile.low, tile.low + tiles.shown),
+            lambda tile=tile: [sheet_marks(tiles, tile.row, tile.column)],  # type: ignore[misc]
+            is_clipped=True,
+        )
+        for tile in tiles.tiles
+    ]
+    return Plan(tiles.pattern, sheets, (SHEET_LAYER,), cover=cover)
+
+
+def _met(pieces: Sequence[PatternPiece], low: np.ndarray, high: np.ndarray) -> list[int]:
+    """The indices of the pieces whose box, with its border, meets the one from low (2,) to high (2,)."""
+    boxes = (piece.bounds for piece in pieces)
+    return [n for n, box in enumerate(boxes) if np.all(box[0] - BORDER < high) and np.all(box[1] + BORDER > low)]

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pages to check before cutting: every piece with its size, every seam with the lengths of its sides."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..label import helvetica
+from ..label.card import how_to_cut
+from ..label.glyphs import NoLettersError, line_of
+from ..make.seams import longer_texts
+from ..model import Text
+from ..pattern_data import PatternData, SeamWalk
+from ..units import UnitSystem
+from .papers import MARGIN
+
+HEIGHT, LINE = 3.2, 5.0  # millimeters: of letters and between the base lines of rows
+COLUMNS = (0.0, 0.32, 0.55, 0.77, 0.89)  # where they begin, as shares of the width
+CLOTHS = (900.0, 1400.0, 1500.0)  # millimeters: usual widths
+AT_ONCE = 6  # places of notches in a row
+SHORTENED = "..."
+Row = Sequence[str]
+
+
+def proof_pages(pattern: PatternData, paper: np.ndarray) -> list[list[Text]]:
+    """The texts of as many pages of this size (2,) as it takes."""
+    rows = [*_piece_rows(pattern), (), *_seam_rows(pattern)]
+    at_once = max(int((paper[1] - 2 * MARGIN) / LINE), 1)
+    return [_page(rows[start : start + at_once], paper) for start in range(0, len(rows), at_once)]
+
+
+def _piece_rows(pattern: PatternData) -> list[Row]:
+    units = pattern.units
+    rows: list[Row] = [(pattern.heading or "Pattern",), (), ("Piece", "Cut", "Size to cut", "Area sewn")]
+    for piece in pattern.pieces:
+        size = " x ".join(units.measured(float(side)) for side in piece.size)
+        rows.append((f"{piece.number}  {piece.name}", how_to_cut(piece), size, units.area_text(piece.area)))
+    if pattern.marker:
+        return [*rows, (pattern.marker.sentence(units),)]
+    for width in CLOTHS:
+        if max(piece.size[0] for piece in pattern.pieces) <= width:
+            length = units.text(float(pattern.arranged(width).size[1]))
+            rows.append((f"In rows, none turned, on cloth {units.text(width)} wide: {length}",))
+    return rows
+
+
+def _seam_rows(pattern: PatternData) -> list[Row]:
+    """The sides of each seam, one a row, how far the longest is from the shortest, and where their notches stand."""
+    rows: list[Row] = [("Seam", "Side", "Sewn length", "Allowance", "Difference")]
+    for walk in pattern.walks:
+        if not walk.lengths:  # of pieces without a layout
+            continue
+        difference = max(walk.lengths) - min(walk.lengths)
+        sides = zip(walk.pieces, walk.lengths, walk.allowances, strict=True)
+        for side, (name, length, widths) in enumerate(sides):
+            allowance = pattern.units.range_of(widths)
+            told = pattern.units.difference_text(difference) if side == 0 else ""
+            rows.append((walk.name if side == 0 else "", name, pattern.units.measured(length), allowance, told))
+        eased = zip(walk.pieces, longer_texts(walk.lengths, pattern.units), strict=True)
+        rows += [("", f"{name} {text}") for name, text in eased if text]
+        rows += _notch_rows(walk, pattern.units)
+    return rows
+
+
+def _notch_rows(walk: SeamWalk, units: UnitSystem) -> list[Row]:
+    """Where the notches of a seam stand, from the same end on all sides; of each side where it has others."""
+    sides = [[units.measured(place) for place in places] for places in walk.notches]
+    if not any(sides):
+        return []
+    if all(places == sides[0] for places in sides):
+        return _in_lines("Notches at ", sides[0])
+    named = zip(walk.pieces, sides, strict=True)
+    return [row for name, places in named for row in _in_lines(f"Notches of {name} at ", places)]
+
+
+def _in_lines(begin: str, places: Sequence[str]) -> list[Row]:
+    """So many in each row as fit."""
+    lines = [", ".join(places[start : start + AT_ONCE]) for start in range(0, len(places), AT_ONCE)]
+    return [("", (begin if number == 0 else "") + line) for number, line in enumerate(lines)]
+
+
+def _page(rows: Sequence[Row], paper: np.ndarray) -> list[Text]:
+    texts = []
+    width = float(paper[0]) - 2 * MARGIN
+    for number, row in enumerate(rows):
+        ends = [*COLUMNS[1 : len(row)], 1.0]
+        for words, begin, end in zip(row, COLUMNS, ends, strict=False):
+            if words:
+                shown = _fitted(words, (end - begin) * width)
+                middle = MARGIN + begin * width + _width(shown) / 2
+                texts.append(Text((shown,), np.array([middle, paper[1] - MARGIN - LINE * (number + 0.5)]), HEIGHT))
+    return texts
+
+
+def _fitted(words: str, room: float) -> str:
+    """Cut off where it would run into the next column."""
+    shown = words
+    while _width(shown) > room and len(shown) > len(SHORTENED):
+        shown = shown.removesuffix(SHORTENED)[:-1] + SHORTENED
+    return shown
+
+
+def _width(words: str) -> float:
+    """Millimeters; 0 for letters that cannot be drawn."""
+    letters = helvetica.encoded(words)
+    if letters is not None:
+        return helvetica.width(letters, HEIGHT)
+    try:
+        return HEIGHT * line_of(words).width
+    except NoLettersError:
+        return 0.0
