@@ -292,6 +292,15 @@ def test_bad_input_is_one_sentence(options, words):
     assert str(raised.value).count(". ") == 0
 
 
+@pytest.mark.parametrize("size", [1e6, 1e12, 1e20, 1e30])
+def test_a_piece_of_the_wrong_unit_is_one_sentence(size):
+    """Clipper ended the process at 1e12."""
+    vertices = size * np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], dtype=float)
+    result = wirewarp.flatten(vertices, np.array([(0, 1, 2), (0, 2, 3)]))
+    with pytest.raises(wirewarp.FlattenError, match=r'"Piece 1" reaches .* km far, .* unit of the model'):
+        Pattern.from_result(result)
+
+
 def test_a_piece_that_breaks_a_promise_is_no_pattern():
     result = wirewarp.flatten(*closed_box())
     with pytest.raises(wirewarp.FlattenError, match='"Piece 1" is not ready to cut'):

@@ -16,7 +16,7 @@ import shapely
 import wirewarp
 from patterns import SCALE, cut_points, extent, flattened, quads, rectangle, sample
 from PIL import Image
-from wirewarp.pattern import FORMATS, Pattern
+from wirewarp.pattern import FORMATS, STAGES, Pattern
 
 
 def same_up_to_moves(found: list[np.ndarray], wanted: list[np.ndarray], within: float) -> None:
@@ -240,7 +240,7 @@ def test_a_file_that_came_out_wrong_takes_no_place(tmp_path, monkeypatch, ending
             yield replace(stroke, points=stroke.points * 1.001)
 
     for module in ("svg", "pdf", "dxf", "hpgl"):
-        monkeypatch.setattr(f"wirewarp.pattern.{module}.strokes_of", moved)
+        monkeypatch.setattr(f"wirewarp.pattern.formats.{module}.strokes_of", moved)
     with pytest.raises(RuntimeError, match="is off by"):
         pattern.write(tmp_path / f"hat.{ending}", **({"dialect": "plain"} if ending == "dxf" else {}))
     assert (tmp_path / f"hat.{ending}").read_bytes() == old and len(list(tmp_path.iterdir())) == 1
@@ -253,6 +253,8 @@ def test_a_stop_at_any_moment_leaves_the_old_file(tmp_path, monkeypatch, ending)
     asked: list[tuple[str, float]] = []
     pattern.write(path, progress=lambda *told: asked.append(told))
     assert asked[-1][0] == "reading again" and all(0 <= fraction < 1 for _, fraction in asked)
+    begins = [STAGES[stage] for stage, _ in asked]
+    assert begins == sorted(begins)
     old = path.read_bytes()
     for count in range(len(asked)):
         left = iter([True] * count + [False])
@@ -284,7 +286,7 @@ def test_a_pattern_can_be_stopped_while_it_is_made(monkeypatch):
     monkeypatch.setattr("wirewarp.pattern.progress.OFTEN", 0.0)
     asked: list[str] = []
     Pattern.from_result(flattened("Hat"), progress=lambda stage, _: asked.append(stage))
-    assert list(dict.fromkeys(asked)) == ["allowance", "marks and lines", "texts"]
+    assert list(dict.fromkeys(asked)) == list(STAGES)[:3] == ["allowance", "marks and lines", "texts"]
     for stage in dict.fromkeys(asked):
         with pytest.raises(wirewarp.FlattenError, match="Stopped"):
             Pattern.from_result(flattened("Hat"), progress=lambda now, _, stage=stage: now != stage)

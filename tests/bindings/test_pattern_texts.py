@@ -7,6 +7,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 import shapely
+import wirewarp
 from patterns import cut_polygon, flattened, quads, rectangle, sample
 from wirewarp.pattern import FlatPiece, Pattern, Text
 from wirewarp.pattern.label.leaders import FARTHEST, Beside
@@ -156,3 +157,49 @@ def test_the_grain_runs_as_it_is_told_and_upright_by_itself():
 def test_every_piece_has_a_grain_line():
     pattern = sample("Fitted top")
     assert [len(piece.of_role("grain")) for piece in pattern.pieces] == [1] * len(flattened("Fitted top").pieces)
+
+
+def strips(*widths):
+    """A level sheet, 200 mm long, cut into strips of these widths, with a wire across all of them."""
+    xs = np.concatenate([[0], np.cumsum(widths)]).tolist()
+    row = len(xs)
+    points = [(x, 50.0 * y) for y in range(5) for x in xs]
+    corners = [(k, k + 1, k + row + 1, k + row) for y in range(4) for k in range(y * row, y * row + row - 1)]
+    seams = [(y * row + k, (y + 1) * row + k) for y in range(4) for k in range(1, row - 1)]
+    return quads(points, corners, seams=seams, wires=[wirewarp.Wire(list(range(row, 2 * row)), name="Waist")])
+
+
+def test_names_lie_inside_narrow_pieces_or_close_beside_and_clear_of_each_other():
+    widths = (4, 8, 10, 14, 24, 40, 50)
+    pattern = Pattern.from_result(strips(*widths), allowance=0)
+    for piece, width in zip(pattern.pieces, widths, strict=True):
+        around = shapely.box(*np.concatenate(piece.bounds)).buffer(5.0 + 1e-6, join_style="mitre")
+        assert all(around.contains(letters(text)) for text in piece.texts)
+        for first, second in combinations(map(letters, piece.texts), 2):
+            assert first.disjoint(second)
+        seams = [text for text in piece.texts if text.role == "line name" and "Waist" not in text.lines[0]]
+        assert len(seams) == (1 if width in (widths[0], widths[-1]) else 2)
+
+
+def test_a_wire_shorter_than_its_name_goes_without_and_others_have_it_in_the_piece():
+    points = [(x, y) for y in (0, 100, 200) for x in (0, 200)]
+    for name, count in (("Waist", 1), ("Waist, as measured on the fitting day, " * 5, 0)):
+        result = quads(points, [(0, 1, 3, 2), (2, 3, 5, 4)], wires=[wirewarp.Wire([2, 3], name=name)])
+        (piece,) = Pattern.from_result(result, allowance=0).pieces
+        names = [text for text in piece.texts if text.role == "line name"]
+        assert [text.lines for text in names] == [(name,)] * count
+        (wire,) = piece.of_role("wire")
+        for text in names:
+            assert shapely.LineString(wire.points).distance(shapely.Point(text.center)) == pytest.approx(3.0, abs=0.1)
+            assert cut_polygon(piece).contains(letters(text))
+
+
+def test_where_a_wire_ends_at_a_seam_its_number_stands_beside():
+    """It would stand in the middle otherwise."""
+    points = [(x, y) for y in (0, 100, 200) for x in (-150, 0, 150)]
+    corners = [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7)]
+    result = quads(points, corners, seams=[(1, 4), (4, 7)], wires=[wirewarp.Wire([3, 4, 5], name="Waist")])
+    for piece in Pattern.from_result(result, allowance=0).pieces:
+        (wire,) = piece.of_role("wire")
+        (number,) = [text for text in piece.texts if text.lines[0].startswith("Seam 1")]
+        assert np.linalg.norm(wire.points[[0, -1]] - number.center, axis=1).min() > 15

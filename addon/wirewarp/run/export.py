@@ -10,14 +10,6 @@ from ..core import pattern
 from ..solve.pattern_parts import Cloth, PatternChoices, PatternParts, Stages, laid_on_kept
 from ..solve.steps import Steps, in_one_go, in_slices, told_as
 
-STAGES = {  # of the library: where each begins in the whole, as on a garment of 20 pieces
-    "allowance": 0.0,
-    "marks and lines": 0.2,
-    "texts": 0.3,
-    "writing": 0.5,
-    "sheets": 0.6,
-    "reading again": 0.8,
-}
 SEARCH = 0.9  # of the whole, where a marker is sought, which takes seconds; what else there is comes before and after
 
 
@@ -74,11 +66,12 @@ def _making(parts: PatternParts, choices: ExportChoices) -> Stages[pattern.Patte
 
 def _share(stage: str, fraction: float, has_search: bool) -> float:
     """How much of the whole is done."""
+    stages = pattern.STAGES
     if stage == "nesting":
-        return STAGES["writing"] * (1 - SEARCH) + fraction * SEARCH
-    begin = STAGES[stage]
-    end = min((each for each in STAGES.values() if each > begin), default=1.0)
+        return stages["writing"] * (1 - SEARCH) + fraction * SEARCH
+    begin = stages[stage]
+    end = min((each for each in stages.values() if each > begin), default=1.0)
     done = begin + fraction * (end - begin)
     if not has_search:
         return done
-    return done * (1 - SEARCH) + (SEARCH if begin >= STAGES["writing"] else 0.0)
+    return done * (1 - SEARCH) + (SEARCH if begin >= stages["writing"] else 0.0)

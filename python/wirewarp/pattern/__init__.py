@@ -15,11 +15,13 @@ from .marker import Marker, Placement
 from .model import Line, PatternPiece, Point, Text
 from .pattern import Pattern
 from .pattern_data import Written
+from .progress import STAGES
 from .sheet.papers import Page
 from .units import UnitSystem
 
 __all__ = [
     "FORMATS",
+    "STAGES",
     "Chain",
     "Choice",
     "FlatPiece",

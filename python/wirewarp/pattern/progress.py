@@ -10,6 +10,14 @@ from .._errors import FlattenError
 
 OFTEN = 0.1  # seconds between questions: a stop is heard within a second even where one step takes long
 Progress = Callable[[str, float], bool | None]  # stage, and the share of it that is done; False stops
+STAGES = {  # of a pattern that is made and written: where each begins in the whole, as on a garment of 20 pieces
+    "allowance": 0.0,
+    "marks and lines": 0.2,
+    "texts": 0.3,
+    "writing": 0.5,
+    "sheets": 0.6,
+    "reading again": 0.8,
+}
 T = TypeVar("T")
 Steps = Generator[tuple[str, float], None, T]  # yields the same before each step
 

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From Blender to the library: what is read of flat pieces, and what each choice in the dialog becomes.
+
+How patterns are drawn is tested where they are drawn, in tests/bindings.
+"""
+
+import bpy
+import numpy as np
+import pytest
+from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, select_edges
+
+SEAM, WIRE = on_line(0, 0.0), on_line(1, 0.0)
+
+
+@pytest.fixture
+def source():
+    """Two pieces with wires of each kind through both; a Blender unit is 100 mm."""
+    bpy.context.scene.unit_settings.scale_length = 0.1
+    target = grid("Bump", bump)
+    mark_seam(target, SEAM)
+    mark(target, WIRE)
+    mark(target, on_line(1, 0.5), kind="ELASTIC", tolerance=0.02)
+    mark(target, on_line(1, -0.5), kind="SUPER_ELASTIC")
+    return target
+
+
+def parts_of(addon, source, **settings):
+    bpy.ops.object.wirewarp_flatten(**settings)
+    return addon.flat.pattern.read_pattern(bpy.context.scene, source)
+
+
+def lengths_on(source, line):
+    """Millimeters of the edges on a line of the model."""
+    places = read(source.data.vertices, "co", np.float32, 3)
+    return 100 * edge_lengths(source)[[line(places[a], places[b]) for a, b in edge_vertices(source.data)]]
+
+
+def steps(piece, vertices):
+    return np.linalg.norm(np.diff(piece.vertices[vertices], axis=0), axis=1)
+
+
+@pytest.mark.parametrize("mirror", [False, True])
+def test_pieces_have_names_outlines_and_wires_of_the_model(addon, source, mirror):
+    source.data.wirewarp_names[0].name = "Waist"
+    parts = parts_of(addon, source, mirror=mirror)
+    assert {piece.name for piece in parts.pieces} == {"Top Left", "Top Right"}
+    assert (parts.title, parts.seam_names, parts.failed, parts.units) == ("Bump", ["Seam 1"], [], "metric")
+    model = read(source.data.vertices, "co", np.float32, 3)
+    for piece in parts.pieces:
+        kinds = {wire.kind: wire for wire in piece.wires}
+        assert set(kinds) == {"rigid", "elastic", "super_elastic"} and kinds["rigid"].name == "Waist"
+        own = np.sort(steps(piece, kinds["rigid"].vertices))
+        assert own == pytest.approx(np.sort(lengths_on(source, WIRE))[: len(own) * 2 : 2], abs=1e-3)
+        (seam,) = [chain for chain in piece.chains if chain.seam == 0]
+        assert np.abs(model[seam.sources][:, 0]).max() < 1e-6
+        outline = piece.vertices[piece.outline]
+        assert np.linalg.norm(outline[:, 1] - outline[:, 0], axis=1).sum() == pytest.approx(
+            sum(lengths_on(source, on_line(axis, at)).sum() for axis in (0, 1) for at in (-1.0, 1.0)) / 2
+            + lengths_on(source, SEAM).sum(),
+            abs=0.01,
+        )
+
+
+def test_allowances_of_edges_sides_and_folds_are_in_millimeters(addon, source):
+    bpy.ops.object.wirewarp_flatten()
+    select_edges(source, on_line(0, 1.0))
+    bpy.ops.mesh.wirewarp_allowance(kind="HEM", hem=30.0)
+    select_edges(source, on_line(0, -1.0))
+    bpy.ops.mesh.wirewarp_allowance(kind="FOLD")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    both, sides, folds = addon.flat.pattern.read_pattern(bpy.context.scene, source).allowances
+    model = read(source.data.vertices, "co", np.float32, 3)
+    assert sides == [] and [width for *_, width in both] == pytest.approx([30.0] * len(both))
+    assert all(model[vertex][0] == pytest.approx(1.0) for a, b, _ in both for vertex in (a, b))
+    assert folds and all(model[vertex][0] == pytest.approx(-1.0) for pair in folds for vertex in pair)
+    made = addon.run.export.made_pattern(
+        addon.flat.pattern.read_pattern(bpy.context.scene, source), chosen(addon, allowance=10.0)
+    )
+    widths = {round(line.width) for piece in made.pieces for line in piece.of_role("sew")}
+    assert widths == {10, 30} and any(piece.on_fold for piece in made.pieces)
+
+
+def test_imperial_scenes_and_pieces_turned_by_hand(addon, source):
+    bpy.context.scene.unit_settings.system = "IMPERIAL"
+    bpy.context.scene.unit_settings.scale_length = 0.1
+    before = parts_of(addon, source)
+    assert before.units == "imperial"
+    for vertex in flat_of(source).data.vertices:
+        x, y, _ = vertex.co
+        vertex.co = (-y + 3, x + 1, 0)
+    after = addon.flat.pattern.read_pattern(bpy.context.scene, source)
+    for then, now in zip(before.pieces, after.pieces, strict=True):
+        assert now.vertices == pytest.approx(then.vertices @ [[0, 1], [-1, 0]] + (300, 100), abs=0.01)
+
+
+def chosen(addon, **settings):
+    """The choices of a dialog with these settings, all others as they are at first."""
+    module, properties = addon.operators, bpy.ops.object.wirewarp_export.get_rna_type().properties
+    defaults = {each.identifier: each.default for each in properties if hasattr(each, "default")}
+    defaults["drawn"] = module.export.ALL_DRAWN
+    bases = vars(module.export_steps.PatternExport) | vars(module.export.OBJECT_OT_wirewarp_export)
+    return type("Dialog", (), {**bases, **defaults, **settings})().choices()
+
+
+def test_each_choice_of_the_dialog_reaches_the_pattern(addon, source):
+    parts = parts_of(addon, source)
+
+    def made(**settings):
+        return addon.run.export.made_pattern(parts, chosen(addon, **settings))
+
+    plain = made()
+    assert plain.allowance_text == "10 mm"
+    assert made(allowance=7.0).allowance_text == "7 mm"
+
+    def notches(pattern):
+        return sum(point.role == "notch" for piece in pattern.pieces for point in piece.points)
+
+    assert notches(made(notch_spacing=20.0)) > notches(made(notch_spacing=0.0)) > 0
+    roles = {
+        "SEW": "sew", "WIRES": "wire", "GRAIN": "grain", "NOTCHES": "notch", "TEXTS": "card", "LINE_NAMES": "line name"
+    }  # fmt: skip
+    for kind, role in roles.items():
+        (left, right) = made(drawn={kind}).pieces
+        found = {each.role for piece in (left, right) for each in (*piece.lines, *piece.points, *piece.texts)}
+        assert role in found and not found & (set(roles.values()) - {role})
+    rows, lie = made(arrangement="IN_ROWS"), made(arrangement="AS_LAID_OUT")
+    assert rows.bounds[0].tolist() == [0, 0] and rows.pieces[1].bounds[0].tolist() != lie.pieces[1].bounds[0].tolist()
+    marker = made(arrangement="MARKER", cloth_width=400.0, gap=4.0, grain="BOTH_WAYS", seconds=0).marker
+    assert (marker.width, marker.gap) == (400.0, 4.0)
+    assert {round(placement.angle) % 180 for placement in marker.placements} == {0}
+
+
+def test_darts_are_closed_cut_or_slit(addon):
+    bpy.context.scene.unit_settings.scale_length = 0.1
+    source = grid("Bump", bump)
+    mark_seam(source, lambda a, b: WIRE(a, b) and a[0] + b[0] > 0)
+    parts = parts_of(addon, source)
+    points = {}
+    for darts in ("CLOSE", "CUT", "SLIT"):
+        (piece,) = addon.run.export.made_pattern(parts, chosen(addon, darts=darts)).pieces
+        points[darts] = sum(len(line.points) for line in piece.of_role("cut", "inner_cut"))
+    assert points["CUT"] > points["CLOSE"]
+    assert points["SLIT"] != points["CLOSE"]
+
+
+def test_each_format_gets_its_options(addon):
+    options = {
+        (suffix, name): value
+        for suffix, each in addon.core.pattern.FORMATS.items()
+        for name, value in chosen(addon, format=suffix[1:].upper()).options.items()
+    }
+    assert options == {
+        (".pdf", "proof"): False,
+        (".pdf", "paper"): "a4",
+        (".pdf", "keep_places"): False,
+        (".svg", "preset"): "print",
+        (".dxf", "dialect"): "astm",
+        (".dxf", "control_square"): False,
+    }
+    assert chosen(addon, format="PDF", paper="ROLL", roll_width=900.0).options["paper"] == 900.0
+    assert chosen(addon, format="PDF", arrangement="MARKER").options["paper"] is None
+    assert chosen(addon, format="PDF", arrangement="AS_LAID_OUT").options["keep_places"]

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Notches along seams are at one place of the model on all pieces that meet there, on round ones too."""
+
+import math
+
+import numpy as np
+import pytest
+import wirewarp
+from patterns import quads
+from wirewarp.pattern import Pattern
+
+CORNERS, RADIUS = 24, 100.0  # millimeters
+
+
+def disc_in_ring(*more_seams):
+    """A disc in a ring, cut apart along the circle between. Vertex 0 is the center, then come the two circles."""
+    angles = 2 * math.pi * np.arange(CORNERS) / CORNERS
+    circle = RADIUS * np.column_stack([np.cos(angles), np.sin(angles)])
+    points = np.concatenate([[(0, 0)], circle, 2 * circle])
+    around = [(k, (k + 1) % CORNERS) for k in range(CORNERS)]
+    inner = [(0, 1 + a, 1 + b) for a, b in around]
+    outer = [(1 + a, 1 + CORNERS + a, 1 + CORNERS + b, 1 + b) for a, b in around]
+    faces = [*inner, *((a, b, c) for a, b, c, _ in outer), *((a, c, d) for a, _, c, d in outer)]
+    seams = [(1 + a, 1 + b) for a, b in around] + list(more_seams)
+    return wirewarp.flatten(np.column_stack([points / 1000, np.zeros(len(points))]), np.array(faces), seams=seams)
+
+
+def notches(result, spacing):
+    pattern = Pattern.from_result(result, allowance=0, darts="cut", notch_spacing=spacing)
+    return [[point for point in piece.points if point.role == "notch"] for piece in pattern.pieces]
+
+
+def test_a_seam_all_around_begins_at_a_notch_and_has_one_more():
+    ring = disc_in_ring()
+    found = notches(ring, 1000.0)
+    assert [len(own) for own in found] == [2, 2]
+    apart = [np.linalg.norm(first.at - second.at) for first, second in found]
+    assert apart[0] == pytest.approx(apart[1], abs=0.01)
+    assert RADIUS < apart[0] < 1.95 * RADIUS  # or the ring could be sewn in turned by half
+    assert [len(own) for own in notches(ring, 0.0)] == [0, 0]
+
+
+def test_seams_that_meet_on_a_smooth_outline_end_at_notches():
+    halves = disc_in_ring((1, 1 + CORNERS), (1 + CORNERS // 2, 1 + CORNERS + CORNERS // 2))
+    # The disc has two ends and two middles; each half of the ring has corners there, and middles of three seams.
+    assert sorted(len(own) for own in notches(halves, 1000.0)) == [3, 3, 4]
+
+
+def strap(length, **options):
+    """Two strips of 100 mm side by side."""
+    points = [(x, y) for y in (0, length) for x in (-100, 0, 100)]
+    return quads(points, [(0, 1, 4, 3), (1, 2, 5, 4)], seams=[(1, 4)], **options)
+
+
+@pytest.mark.parametrize(("length", "count"), [(14, 0), (16, 1)])
+def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_from_15_mm_on(length, count):
+    found = notches(strap(length), 100.0)
+    assert [len(own) for own in found] == [count, count]
+    assert all(min(point.along, length - point.along) == pytest.approx(0.4 * length) for own in found for point in own)
+
+
+def test_a_wire_on_a_seam_changes_no_notch():
+    plain, wired = strap(200), strap(200, wires=[wirewarp.Wire([1, 4])])
+    along = [[[point.along for point in own] for own in notches(result, 30.0)] for result in (plain, wired)]
+    assert along[0] == along[1] and len(along[0][0]) >= 5
+
+
+def test_a_wire_that_ends_at_a_seam_has_a_notch_on_the_other_side_too():
+    points = [(x, y) for y in (0, 60, 200) for x in (-100, 0, 100)]
+    corners = [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7)]
+    result = quads(points, corners, seams=[(1, 4), (4, 7)], wires=[wirewarp.Wire([4, 5])])
+    assert sorted(len(own) for own in notches(result, 0.0)) == [1, 2]  # the wire has another end on the outline
+    sewn = [point.along for own in notches(result, 0.0) for point in own if point.pair]
+    assert sewn == pytest.approx([60, 60]) or sewn == pytest.approx([140, 140])
+
+
+def test_where_four_pieces_meet_the_one_that_is_straight_there_has_a_notch():
+    """One piece below; three with corners of 60 degrees above."""
+    rim = [(100 * math.cos(math.radians(60 * k)), 100 * math.sin(math.radians(60 * k))) for k in range(6)]
+    vertices = np.array([(0, 0, 0), *((x, y, 0) for x, y in rim)]) / 1000
+    faces = np.array([(0, 1 + k, 1 + (k + 1) % 6) for k in range(6)])
+    result = wirewarp.flatten(vertices, faces, seams=[(0, 1), (0, 2), (0, 3), (0, 4)])
+    pattern = Pattern.from_result(result, allowance=0, notch_spacing=1000.0)
+    for piece, flat in zip(pattern.pieces, result.pieces, strict=True):
+        free = [point for point in piece.points if point.pair is None]
+        assert len(free) == (1 if len(flat.faces) == 3 else 0)
+        assert len([point for point in piece.points if point.pair]) == 2  # in the middles of its two seams
