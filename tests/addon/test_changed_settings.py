@@ -113,7 +113,7 @@ def test_pieces_that_lie_over_one_another_are_named_at_the_export(source, tmp_pa
     bpy.ops.object.wirewarp_export_svg(filepath=path)
     names = [entry.name for entry in source.wirewarp_pieces]
     over = ", ".join(names[index] for index in sorted(pieces))
-    assert f"These pieces lie over one another: {over}. Move them apart before you cut." in capfd.readouterr().out
+    assert f"These pieces overlap: {over}. Move them apart before you cut." in capfd.readouterr().out
 
 
 def test_a_run_that_failed_with_the_settings_need_not_be_repeated(addon):

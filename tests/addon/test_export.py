@@ -34,7 +34,7 @@ def export(tmp_path, name, **settings):
 @pytest.mark.parametrize(("name", "begins"), [("a.pdf", b"%PDF"), ("a.dxf", b"  0\r\nSECTION"), ("a.plt", b"IN;")])
 def test_the_name_of_the_file_says_its_format(source, tmp_path, capfd, name, begins):
     assert export(tmp_path, name).read_bytes().startswith(begins)
-    assert "Read again: 0.0" in capfd.readouterr().out
+    assert "Verified to 0.0" in capfd.readouterr().out
 
 
 def test_a_name_of_another_format_is_refused(source, tmp_path):
@@ -97,7 +97,7 @@ def test_sheets_and_sizes_are_told_before_anything_is_written(source, tmp_path, 
     sheets, largest = told(addon, format="PDF", paper="A4", allowance=10.0)
     count = int(re.fullmatch(r"2 pieces on (\d+) sheets of A4, one of them the map\.", sheets)[1])
     assert len(re.findall(rb"/Type /Page\b", export(tmp_path, "a.pdf", paper="A4").read_bytes())) == count
-    assert re.fullmatch(r"The largest, Top (?:Left|Right): \d+ × \d+ mm\.", largest)
+    assert re.fullmatch(r"Largest piece: Top (?:Left|Right), \d+ × \d+ mm\.", largest)
 
 
 @pytest.mark.parametrize(

@@ -26,7 +26,7 @@ def test_sizes_told_before_saving(source, addon):
     pattern = addon.solve.steps.in_one_go(addon.flat.pattern.read_pattern(bpy.context.scene, source).making(choices))
     total, largest = addon.operators.export_sentences.size_sentences(pattern, pattern.svg_size)
     assert re.fullmatch(r"2 pieces on \d+ × \d+ mm\.", total)
-    wide, high = map(int, re.fullmatch(r"The largest, Top (?:Left|Right): (\d+) × (\d+) mm\.", largest).groups())
+    wide, high = map(int, re.fullmatch(r"Largest piece: Top (?:Left|Right), (\d+) × (\d+) mm\.", largest).groups())
     assert 200 < max(wide, high) < 260
     assert 100 < min(wide, high) < 130
 
@@ -41,8 +41,8 @@ def test_of_many_pieces_over_one_another_the_first_are_named(addon):
         return module.Pattern("Pile", pieces, "none", module.UnitSystem())
 
     assert told(pattern(1)) == ""
-    assert "one another: P0, P1, P2, P3. Move" in told(pattern(4))
-    assert "one another: P0, P1, P2, P3 and 2 more. Move" in told(pattern(6))
+    assert "overlap: P0, P1, P2, P3. Move" in told(pattern(4))
+    assert "overlap: P0, P1, P2, P3 and 2 more. Move" in told(pattern(6))
 
 
 @pytest.mark.parametrize("scale", [(0.9, 0.9, 0.9), (-1, 1, 1)])
@@ -64,10 +64,10 @@ def test_one_of_several_selected_models_is_written_and_that_is_said(source, tmp_
     bpy.ops.object.wirewarp_flatten()
     path = str(tmp_path / "pattern.svg")
     bpy.ops.object.wirewarp_export_svg(filepath=path)
-    assert "Of the selected ones" not in capfd.readouterr().out
+    assert 'Exported "Other" only' not in capfd.readouterr().out
     select_only(other, source, flat_of(source))
     bpy.ops.object.wirewarp_export_svg(filepath=path)
-    assert 'Print at 100%. Of the selected ones, "Other" only.' in capfd.readouterr().out
+    assert 'Print at 100% scale. Exported "Other" only; export the others separately.' in capfd.readouterr().out
 
 
 def test_who_measures_in_inches_is_told_sizes_in_inches(source, tmp_path, capfd):

@@ -274,7 +274,7 @@ def test_what_the_allowance_swallows_is_told():
         ({"allowances": [(0, 1)]}, r"\(k, 3\)"),
         ({"allowances": [(0, 1, math.nan)]}, "edge 0-1 is nan"),
         ({"allowances": [(0, 2, 5)]}, "Edge 0-2 has an allowance"),
-        ({"allowances": [(0.5, 1, 5)]}, "no whole number"),
+        ({"allowances": [(0.5, 1, 5)]}, "not a whole number"),
         ({"side_allowances": [(1, 0, 5)]}, "Edge 1-0 has an allowance"),
         ({"notch_spacing": 0.5}, "Notches every 0.5 mm cannot be cut"),
         ({"notch_spacing": -5}, "notch_spacing is -5"),

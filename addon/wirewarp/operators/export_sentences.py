@@ -12,13 +12,13 @@ INCH = 25.4
 
 
 def crossing_sentence(made: pattern.Pattern) -> str:
-    """Empty where no pieces lie over one another."""
+    """Empty if no pieces overlap."""
     names = pieces_over_others(made.pieces)
     if not names:
         return ""
     hidden = len(names) - SHOWN_NAMES
     shown = ", ".join(names[:SHOWN_NAMES]) + (f" and {hidden} more" if hidden > 0 else "")
-    return f"These pieces lie over one another: {shown}. Move them apart before you cut."
+    return f"These pieces overlap: {shown}. Move them apart before you cut."
 
 
 def size_sentences(made: pattern.Pattern, size: np.ndarray) -> list[str]:
@@ -28,7 +28,7 @@ def size_sentences(made: pattern.Pattern, size: np.ndarray) -> list[str]:
 def largest_sentence(made: pattern.Pattern) -> str:
     """By the area of its box: what a sheet must have room for."""
     largest = max(made.pieces, key=lambda piece: float(piece.size.prod()))
-    return f"The largest, {largest.name}: {_size_text(made, *largest.size)}."
+    return f"Largest piece: {largest.name}, {_size_text(made, *largest.size)}."
 
 
 def _size_text(made: pattern.Pattern, width: float, height: float) -> str:

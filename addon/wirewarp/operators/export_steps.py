@@ -159,7 +159,7 @@ class PatternExport(WindowSteps, ExportHelper):
                 raise object_error("failed_pieces", parts.refusal)
             source = _source(context)
             self._notes = [
-                f'Of the selected ones, "{parts.title}" only.' if _has_others(context) else "",
+                f'Exported "{parts.title}" only; export the others separately.' if _has_others(context) else "",
                 settings_sentence(source, pieces_report(source), context.scene.wirewarp),
             ]
             self._source_name = source.name_full
@@ -194,7 +194,7 @@ class PatternExport(WindowSteps, ExportHelper):
             keep_marker(source, KeptMarker(cloth, made.marker))
         only, settings = self._notes
         sizes = " ".join(self.size_sentences(made))
-        said = f'"{written.path.name}": {sizes} Read again: {written.off:.2f} mm off. Print at 100%.'
+        said = f'"{written.path.name}": {sizes} Verified to {written.off:.2f} mm. Print at 100% scale.'
         warnings = [sentence for sentence in [crossing_sentence(made), *written.warnings] if sentence]
         if self.report_path:
             try:

@@ -299,7 +299,7 @@ class Pattern(PatternData):
         Raises FlattenError if the marker was made of other pieces.
         """
         if self.marker:
-            raise problem("The pattern lies on a marker already.")
+            raise problem("The pattern is already laid out on a marker.")
         card = len(self.pieces), self.heading, self.allowance_text, self.units
         whole = [at_corner(with_card_anew(unfolded(piece), *card) if piece.on_fold else piece) for piece in self.pieces]
         if not marker.is_of(whole):

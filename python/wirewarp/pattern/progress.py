@@ -8,7 +8,7 @@ from typing import TypeVar
 
 from .._errors import FlattenError
 
-OFTEN = 0.1  # seconds between questions: a stop is heard within a second even where one step takes long
+OFTEN = 0.1  # seconds between calls of progress: canceling takes at most 1 s, even if one step is slow
 Progress = Callable[[str, float], bool | None]  # stage, and the share of it that is done; False stops
 STAGES = {  # of a pattern that is made and written: where each begins in the whole, as on a garment of 20 pieces
     "allowance": 0.0,

@@ -92,7 +92,7 @@ class _Writer:
         self._add_fields(tags, fields, middle)
         for line in (
             line for line in piece.lines if line.role not in LEADERS.values()
-        ):  # a reader has no word for them
+        ):  # DXF has no entity for leaders
             self._add_line(tags, line.role, line.points, line.closed)
         for point in piece.points:
             if point.role == "drill":

@@ -80,7 +80,7 @@ def _rows(name: str, values: npt.ArrayLike | None) -> dict[tuple[int, int], floa
     if table.ndim != 2 or table.shape[1] != 3:
         raise problem(f"{name} must be an array (k, 3): vertex, vertex, millimeters.", "invalid_shape")
     if not np.array_equal(table[:, :2], np.rint(table[:, :2])) or np.any(table[:, :2] < 0):
-        raise problem(f"{name} has a vertex that is no whole number from 0.", "invalid_type")
+        raise problem(f"{name} has a vertex index that is not a whole number from 0.", "invalid_type")
     for a, b, width in table:
         checked_length(f"The allowance of edge {a:.0f}-{b:.0f}", width)
     return {(int(a), int(b)): float(width) for a, b, width in table}
