@@ -229,15 +229,15 @@ TEST(ProposeCuts, RunAlongNoEdgeThatIsToHaveNoSeam) {
   for (const FlattenInput& input : {hill(n), two_hills(n)}) {
     for (const auto& propose : {propose_darts, propose_seams}) {
       CutWishes wishes = few();
-      const std::vector<VertexPair> barred = propose(input, {}, wishes, {}).front().edges;  // of the best alone
-      wishes.no_seam.resize(static_cast<Eigen::Index>(barred.size()), 2);
-      for (std::size_t i = 0; i < barred.size(); ++i) {
-        wishes.no_seam.row(static_cast<Eigen::Index>(i)) << barred[i][1], barred[i][0];  // either way round
+      const std::vector<VertexPair> forbidden = propose(input, {}, wishes, {}).front().edges;  // of the best alone
+      wishes.no_seam.resize(static_cast<Eigen::Index>(forbidden.size()), 2);
+      for (std::size_t i = 0; i < forbidden.size(); ++i) {
+        wishes.no_seam.row(static_cast<Eigen::Index>(i)) << forbidden[i][1], forbidden[i][0];  // either way round
       }
       for (const DartProposal& cut : propose(input, {}, wishes, {})) {
         for (const VertexPair& edge : cut.edges) {
           for (const VertexPair& other : {edge, VertexPair{edge[1], edge[0]}}) {
-            EXPECT_EQ(std::count(barred.begin(), barred.end(), other), 0);
+            EXPECT_EQ(std::count(forbidden.begin(), forbidden.end(), other), 0);
           }
         }
       }

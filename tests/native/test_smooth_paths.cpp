@@ -38,14 +38,14 @@ TEST(SmoothPaths, AWayThatWouldCrossItselfIsNone) {
     const auto found = std::find(chart.source_vertex.begin(), chart.source_vertex.end(), i + (kN + 1) * j);
     return VertexHandle(static_cast<int>(found - chart.source_vertex.begin()));
   };
-  Barred barred{std::vector<char>(chart.mesh.n_vertices(), 0), std::vector<char>(chart.mesh.n_edges(), 0)};
-  for (const VertexHandle v : chart.mesh.vertices()) barred.vertices[v.idx()] = is_open(column(v), row(v)) ? 0 : 1;
+  Forbidden forbidden{std::vector<char>(chart.mesh.n_vertices(), 0), std::vector<char>(chart.mesh.n_edges(), 0)};
+  for (const VertexHandle v : chart.mesh.vertices()) forbidden.vertices[v.idx()] = is_open(column(v), row(v)) ? 0 : 1;
   for (const EdgeHandle e : chart.mesh.edges()) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(e, 0);
     const VertexHandle a = chart.mesh.from_vertex_handle(h), b = chart.mesh.to_vertex_handle(h);
-    barred.edges[e.idx()] = is_diagonal_of_the_crossing(column(a), row(a), column(b), row(b)) ? 1 : 0;
+    forbidden.edges[e.idx()] = is_diagonal_of_the_crossing(column(a), row(a), column(b), row(b)) ? 1 : 0;
   }
-  const SmoothPathFinder finder(chart, barred);
+  const SmoothPathFinder finder(chart, forbidden);
   const SmoothPaths paths = finder.paths_from(at(1, kMiddle));
   EXPECT_TRUE(paths.arrival[at(kMiddle, 1).idx()].is_valid()) << "straight on, round a loop, and down the other way";
   EXPECT_TRUE(finder.path_to(paths, at(kMiddle, 1)).empty());

@@ -39,8 +39,8 @@ VertexPairs as_pairs(const std::vector<VertexPair>& list) {
   return pairs;
 }
 
-PathRules around(const HalfEdgeMesh& mesh, const CutMask& barred) {
-  return {[&](HalfedgeHandle h) { return barred[mesh.edge_handle(h).idx()] == 0; }, {}};
+PathRules around(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
+  return {[&](HalfedgeHandle h) { return forbidden[mesh.edge_handle(h).idx()] == 0; }, {}};
 }
 
 }  // namespace wirewarp

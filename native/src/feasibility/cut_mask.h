@@ -27,6 +27,6 @@ std::vector<VertexPair> as_list(const VertexPairs& pairs);
 VertexPairs as_pairs(const std::vector<VertexPair>& list);
 
 /// Paths along no edge of this mask, which is kept by reference.
-PathRules around(const HalfEdgeMesh& mesh, const CutMask& barred);
+PathRules around(const HalfEdgeMesh& mesh, const CutMask& forbidden);
 
 }  // namespace wirewarp

@@ -21,9 +21,10 @@ constexpr double kTie = 1e-9;
 
 /// The edges across which no tree of faces can grow: neither crossed by it nor in the tree of paths, one for each
 /// handle's two ways round and for each boundary loop but one. The tree of faces takes those first whose detour by
-/// the sources is longest, so that the shortest are left; so are barred edges, and those that no path leads to, but
+/// the sources is longest, so that the shortest are left; so are forbidden edges, and those that no path leads to, but
 /// they do not count.
-std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask& barred, const ShortestPaths& paths) {
+std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask& forbidden,
+                                        const ShortestPaths& paths) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<char> is_in_tree(mesh.n_edges(), 0);
   for (const HalfedgeHandle h : paths.arrival) {
@@ -35,7 +36,7 @@ std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask&
     const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
     const double detour = paths.distance[mesh.from_vertex_handle(h).idx()] + edge_length(mesh, h) +
                           paths.distance[mesh.to_vertex_handle(h).idx()];
-    by_detour.emplace_back(barred[e.idx()] != 0 ? kInfinity : detour, e);
+    by_detour.emplace_back(forbidden[e.idx()] != 0 ? kInfinity : detour, e);
   }
   std::stable_sort(by_detour.begin(), by_detour.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   DisjointSets faces(mesh.n_faces());
@@ -65,10 +66,10 @@ void prune(const HalfEdgeMesh& mesh, CutMask& cut) {
   }
 }
 
-CutMask cut_through(const HalfEdgeMesh& mesh, const CutMask& barred, const std::vector<VertexHandle>& sources) {
-  const ShortestPaths paths = shortest_paths(mesh, sources, around(mesh, barred));
+CutMask cut_through(const HalfEdgeMesh& mesh, const CutMask& forbidden, const std::vector<VertexHandle>& sources) {
+  const ShortestPaths paths = shortest_paths(mesh, sources, around(mesh, forbidden));
   CutMask cut(mesh.n_edges(), 0);
-  for (const EdgeHandle e : edges_left_over(mesh, barred, paths)) {
+  for (const EdgeHandle e : edges_left_over(mesh, forbidden, paths)) {
     cut[e.idx()] = 1;
     for (const unsigned end : {0u, 1u}) {
       for (const HalfedgeHandle h : path_back(mesh, paths, mesh.to_vertex_handle(mesh.halfedge_handle(e, end)))) {
@@ -82,16 +83,16 @@ CutMask cut_through(const HalfEdgeMesh& mesh, const CutMask& barred, const std::
 
 }  // namespace
 
-CutMask cut_to_disk(const HalfEdgeMesh& mesh, const CutMask& barred) {
+CutMask cut_to_disk(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
   const std::vector<VertexHandle> boundary = boundary_vertices(mesh);
-  if (!boundary.empty()) return cut_through(mesh, barred, boundary);
+  if (!boundary.empty()) return cut_through(mesh, forbidden, boundary);
 
   std::vector<VertexHandle> bases{VertexHandle(0)};
   CutMask best;
   double shortest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kBasePoints; ++i) {
-    bases.push_back(farthest_vertex(shortest_paths(mesh, bases, around(mesh, barred))));
-    CutMask cut = cut_through(mesh, barred, {bases.back()});
+    bases.push_back(farthest_vertex(shortest_paths(mesh, bases, around(mesh, forbidden))));
+    CutMask cut = cut_through(mesh, forbidden, {bases.back()});
     const double length = length_of_cut(mesh, cut);
     if (length > (1 - kTie) * shortest) continue;
     shortest = length;

@@ -39,8 +39,8 @@ MirroredCuts::MirroredCuts(const Chart& chart, const std::vector<VertexHandle>& 
   }
 }
 
-void MirroredCuts::bar_those_without_image(CutMask& barred) const {
-  for (std::size_t e = 0; e < image_.size(); ++e) barred[e] = barred[e] != 0 || has_image_[e] == 0;
+void MirroredCuts::forbid_those_without_image(CutMask& forbidden) const {
+  for (std::size_t e = 0; e < image_.size(); ++e) forbidden[e] = forbidden[e] != 0 || has_image_[e] == 0;
 }
 
 CutMask MirroredCuts::with_image(const CutMask& cut) const {

@@ -17,8 +17,8 @@ class MirroredCuts {
 
   CutMask with_image(const CutMask& cut) const;
 
-  /// Bars the edges that have none opposite to them.
-  void bar_those_without_image(CutMask& barred) const;
+  /// Forbids the edges that have none opposite to them.
+  void forbid_those_without_image(CutMask& forbidden) const;
 
   /// What of a cut lies on the one side of the plane, and opposite to that, and what lies on the other.
   std::vector<CutMask> both_ways(const CutMask& cut) const;

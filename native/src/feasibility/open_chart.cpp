@@ -37,20 +37,20 @@ constexpr double kPriceOfDistortion = 10;
 constexpr double kSamePrice = 1e-6;
 
 /// How a chart lies when no length is held.
-struct FreeLook {
+struct Proxy {
   double covered = 0;     // area of faces that are turned over or overlap others, scene units squared
   double distortion = 0;  // E of Eq. (4), scene units squared
 };
 
-FreeLook look_at_whole(const Chart& chart) {
+Proxy evaluate_proxy(const Chart& chart) {
   const double area = surface_area(chart.mesh);
-  const FreeLook nothing{area, area};
+  const Proxy nothing{area, area};
   if (chart.error || is_outline_too_short(chart)) return nothing;
   try {
     const FreeBoundaryArap free = free_boundary_arap(chart, kFreeSteps);
-    FreeLook look{0, free.energy};
-    for (const int f : find_folded_faces(chart.mesh, free.uv)) look.covered += face_area(chart.mesh, FaceHandle(f));
-    return look;
+    Proxy proxy{0, free.energy};
+    for (const int f : find_folded_faces(chart.mesh, free.uv)) proxy.covered += face_area(chart.mesh, FaceHandle(f));
+    return proxy;
   } catch (const FactorizationFailed&) {
     return nothing;
   }
@@ -60,9 +60,9 @@ FreeLook look_at_whole(const Chart& chart) {
 struct Division {
   CutMask cut;
   std::vector<Chart> pieces;
-  std::vector<FreeLook> looks;  // of the pieces
-  double price = 0;             // the smaller, the better
-  double covered = 0;           // of the area
+  std::vector<Proxy> proxies;  // of the pieces
+  double price = 0;            // the smaller, the better
+  double covered = 0;          // of the area
 };
 
 /// From the boundary, or on a closed surface from one far end, to the vertex farthest from there.
@@ -122,8 +122,8 @@ Division OpeningSearch::divide(const Chart& piece, CutMask cut) const {
   Division division{std::move(cut), {}, {}, 0, 0};
   bool opens_more = false;
   const auto take = [&](const Chart& part) {
-    division.looks.push_back(look_at_whole(part));
-    return division.looks.back().covered > 0;
+    division.proxies.push_back(evaluate_proxy(part));
+    return division.proxies.back().covered > 0;
   };
   division.pieces = pieces_of(piece, division.cut);
   for (const Chart& part : division.pieces) {
@@ -134,14 +134,14 @@ Division OpeningSearch::divide(const Chart& piece, CutMask cut) const {
     opens_more = true;
   }
   if (opens_more) {
-    division.looks.clear();
+    division.proxies.clear();
     division.pieces = pieces_of(piece, division.cut);
     for (const Chart& part : division.pieces) take(part);
   }
   double distortion = 0;
-  for (const FreeLook& look : division.looks) {
-    division.covered += look.covered;
-    distortion += look.distortion;
+  for (const Proxy& proxy : division.proxies) {
+    division.covered += proxy.covered;
+    distortion += proxy.distortion;
   }
   const double area = surface_area(piece.mesh);
   const double length = length_of_cut(piece.mesh, map_.on_part(piece, division.cut));
@@ -197,7 +197,7 @@ std::vector<Division> OpeningSearch::divisions(const Chart& piece) const {
 std::vector<std::size_t> OpeningSearch::failing_pieces(const Division& division) const {
   std::vector<std::size_t> failing;
   for (std::size_t i = 0; i < division.pieces.size(); ++i) {
-    if (division.looks[i].covered > 0 || !lies_flat_(division.pieces[i])) failing.push_back(i);
+    if (division.proxies[i].covered > 0 || !lies_flat_(division.pieces[i])) failing.push_back(i);
   }
   return failing;
 }

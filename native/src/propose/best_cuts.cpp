@@ -11,7 +11,7 @@
 #include "errors/sentence.h"
 #include "mesh/geometry.h"
 #include "middle_surface.h"
-#include "propose/first_cuts.h"
+#include "propose/cut_sets.h"
 #include "propose/piece_search.h"
 #include "solve_chart.h"
 
@@ -143,7 +143,7 @@ std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, cons
                                     const ExactEvaluation& exact) {
   const std::optional<std::size_t> piece = kind == CutKind::seam ? without_shape(pieces, wishes) : std::nullopt;
   if (!piece) return search_pieces(pieces, kind, wishes, exact);
-  std::vector<DartProposal> sets = FirstCuts(pieces, *piece, wishes, exact).search();
+  std::vector<DartProposal> sets = CutSetSearch(pieces, *piece, wishes, exact).search();
   for (DartProposal& set : sets) set.piece = static_cast<int>(*piece);
   return sets;
 }

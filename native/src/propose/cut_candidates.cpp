@@ -86,7 +86,7 @@ std::vector<VertexHandle> spread_on_outline(const Chart& chart, const std::vecto
   double sharpest_turn = -1;
   for (const OutlineLoop& loop : loops) {
     for (const OutlinePoint& point : loop) {
-      if (paths.is_barred(point.vertex)) continue;
+      if (paths.is_forbidden(point.vertex)) continue;
       is_on_outline[point.vertex.idx()] = 1;
       is_corner[point.vertex.idx()] = point.turn > kCorner ? 1 : 0;
       if (point.turn <= kClearly * sharpest_turn) continue;
@@ -106,7 +106,7 @@ std::vector<VertexHandle> spread_on_outline(const Chart& chart, const std::vecto
 std::vector<VertexHandle> spread_inside(const Chart& chart, const SmoothPathFinder& paths, int count) {
   std::vector<char> may_take(chart.mesh.n_vertices(), 0);
   for (const VertexHandle v : chart.mesh.vertices()) {
-    may_take[v.idx()] = chart.mesh.is_boundary(v) || paths.is_barred(v) ? 0 : 1;
+    may_take[v.idx()] = chart.mesh.is_boundary(v) || paths.is_forbidden(v) ? 0 : 1;
   }
   return spread(chart, boundary_vertices(chart.mesh), may_take, count);
 }
@@ -145,7 +145,7 @@ std::vector<CutEnds> neighbors_of(const Chart& chart, const SmoothPathFinder& pa
   std::vector<CutEnds> neighbors;
   const auto around = [&](VertexHandle v, const auto& take) {
     for (const VertexHandle next : chart.mesh.vv_range(v)) {
-      if (chart.mesh.is_boundary(next) == chart.mesh.is_boundary(v) && !paths.is_barred(next)) take(next);
+      if (chart.mesh.is_boundary(next) == chart.mesh.is_boundary(v) && !paths.is_forbidden(next)) take(next);
     }
   };
   around(cut.end, [&](VertexHandle v) { neighbors.push_back(in_one_order(chart, {cut.start, v})); });
@@ -153,9 +153,9 @@ std::vector<CutEnds> neighbors_of(const Chart& chart, const SmoothPathFinder& pa
   return neighbors;
 }
 
-bool are_beside(const Chart& chart, CutEnds a, CutEnds b) {
-  const auto apart = [&](VertexHandle v, VertexHandle w) { return (chart.mesh.point(v) - chart.mesh.point(w)).norm(); };
-  const double least = kApart * std::sqrt(surface_area(chart.mesh));
+bool are_beside(const HalfEdgeMesh& mesh, double size, CutEnds a, CutEnds b) {
+  const auto apart = [&](VertexHandle v, VertexHandle w) { return (mesh.point(v) - mesh.point(w)).norm(); };
+  const double least = kApart * size;
   return std::max(apart(a.start, b.start), apart(a.end, b.end)) < least ||
          std::max(apart(a.start, b.end), apart(a.end, b.start)) < least;
 }

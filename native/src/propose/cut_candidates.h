@@ -13,7 +13,7 @@ enum class CutKind {
   seam,  // from the outline to the outline
 };
 
-/// A line to cut along, told by its ends.
+/// A line to cut along, given by its ends.
 struct CutEnds {
   VertexHandle start;  // on the outline
   VertexHandle end;    // inside, or of a seam on the outline
@@ -22,7 +22,7 @@ struct CutEnds {
   bool operator<(const CutEnds& other) const { return start == other.start ? end < other.end : start < other.start; }
 };
 
-/// Of points that cuts begin and end at.
+/// Numbers of points that cuts begin and end at.
 struct CandidatePoints {
   int inside;
   int on_outline;  // half of them at corners, where there are so many
@@ -36,8 +36,8 @@ std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder&
 /// Cuts with one end moved to a neighboring vertex.
 std::vector<CutEnds> neighbors_of(const Chart& chart, const SmoothPathFinder& paths, CutEnds cut);
 
-/// Both ends are near those of the other: the same cut to a tailor.
-bool are_beside(const Chart& chart, CutEnds a, CutEnds b);
+/// Whether both ends are near those of the other: the same cut to a tailor. size: root of the chart's area.
+bool are_beside(const HalfEdgeMesh& mesh, double size, CutEnds a, CutEnds b);
 
 /// The edges of a cut, from its start. Empty where no way leads along.
 HalfEdgeChain chain_of(const SmoothPathFinder& paths, CutEnds cut);

@@ -2,6 +2,7 @@
 #include "propose/piece_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
@@ -30,7 +31,7 @@ constexpr double kLeastGain = 0.02;
 constexpr double kMayStay = 0.005;
 
 /// A way on the fine mesh may be longer than on the coarse one, by this factor: along two sides of a rectangle where
-/// its diagonal is barred, and a little more. Where it is longer, wires bar it.
+/// its diagonal is forbidden, and a little more. Where it is longer, wires forbid it.
 constexpr double kDetour = 1.5;
 
 /// How the search begins.
@@ -87,32 +88,32 @@ std::vector<char> vertices_on_wires(const Chart& chart) {
 }
 
 /// Edges that are to have no seam, and vertices on wires or with no other edges.
-Barred find_barred(const Chart& chart, const VertexPairs& no_seam) {
-  Barred barred{vertices_on_wires(chart), PartMap(chart).mask_of(as_list(no_seam))};
+Forbidden find_forbidden(const Chart& chart, const VertexPairs& no_seam) {
+  Forbidden forbidden{vertices_on_wires(chart), PartMap(chart).mask_of(as_list(no_seam))};
   std::vector<char> has_way(chart.mesh.n_vertices(), 0);
   for (const EdgeHandle edge : chart.mesh.edges()) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge, 0);
-    if (barred.edges[edge.idx()] != 0 || chart.mesh.is_boundary(edge)) continue;
+    if (forbidden.edges[edge.idx()] != 0 || chart.mesh.is_boundary(edge)) continue;
     has_way[chart.mesh.from_vertex_handle(h).idx()] = has_way[chart.mesh.to_vertex_handle(h).idx()] = 1;
   }
   for (std::size_t v = 0; v < has_way.size(); ++v) {
-    if (has_way[v] == 0) barred.vertices[v] = 1;
+    if (has_way[v] == 0) forbidden.vertices[v] = 1;
   }
-  return barred;
+  return forbidden;
 }
 
-/// What is barred in the chart, in its coarse copy: there edges stand for others, but for those that were left as they
-/// are.
-Barred on_copy(const CoarseCopy& copy, const HalfEdgeMesh& mesh, const Barred& barred) {
+/// What is forbidden in the chart, in its coarse copy: there edges stand for others, but for those that were left as
+/// they are.
+Forbidden on_copy(const CoarseCopy& copy, const HalfEdgeMesh& mesh, const Forbidden& forbidden) {
   const HalfEdgeMesh& coarse = copy.chart.mesh;
-  Barred result{std::vector<char>(coarse.n_vertices(), 0), std::vector<char>(coarse.n_edges(), 0)};
+  Forbidden result{std::vector<char>(coarse.n_vertices(), 0), std::vector<char>(coarse.n_edges(), 0)};
   const auto fine = [&](VertexHandle v) { return copy.fine_vertex[v.idx()]; };
-  for (const VertexHandle v : coarse.vertices()) result.vertices[v.idx()] = barred.vertices[fine(v).idx()];
+  for (const VertexHandle v : coarse.vertices()) result.vertices[v.idx()] = forbidden.vertices[fine(v).idx()];
   for (const EdgeHandle edge : coarse.edges()) {
     const HalfedgeHandle h = coarse.halfedge_handle(edge, 0);
     const HalfedgeHandle same =
         mesh.find_halfedge(fine(coarse.from_vertex_handle(h)), fine(coarse.to_vertex_handle(h)));
-    if (same.is_valid()) result.edges[edge.idx()] = barred.edges[mesh.edge_handle(same).idx()];
+    if (same.is_valid()) result.edges[edge.idx()] = forbidden.edges[mesh.edge_handle(same).idx()];
   }
   return result;
 }
@@ -156,8 +157,9 @@ PieceSearch::PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind ki
     : pieces_(pieces),
       input_chart_(pieces[piece]->chart),
       chart_(in_canonical_order(input_chart_, exact.stop())),
+      size_(std::sqrt(surface_area(chart_.mesh))),
       image_(mirror_image(chart_, exact.stop())),
-      barred_(find_barred(chart_, wishes.no_seam)),
+      forbidden_(find_forbidden(chart_, wishes.no_seam)),
       kind_(kind),
       effort_(effort),
       wishes_(wishes),
@@ -169,25 +171,25 @@ std::vector<VertexPair> PieceSearch::edges_of(const HalfEdgeChain& chain) const 
   return edges;
 }
 
-/// Empty where there is none but the chain itself, or where it would cut a wire or another barred line.
-HalfEdgeChain PieceSearch::twin_of(const HalfEdgeChain& chain) const {
+/// The mirror image; empty if there is none but the chain itself, or if it would cut a wire or a forbidden line.
+HalfEdgeChain PieceSearch::image_of(const HalfEdgeChain& chain) const {
   if (image_.empty()) return {};
-  HalfEdgeChain twin = mirrored(chart_, image_, chain);
-  if (have_same_edges(chart_.mesh, chain, twin)) return {};
-  const bool is_barred = std::any_of(twin.begin(), twin.end(), [&](HalfedgeHandle h) {
-    return barred_.edges[chart_.mesh.edge_handle(h).idx()] != 0 ||
-           barred_.vertices[chart_.mesh.from_vertex_handle(h).idx()] != 0 ||
-           barred_.vertices[chart_.mesh.to_vertex_handle(h).idx()] != 0;
+  HalfEdgeChain image = mirrored(chart_, image_, chain);
+  if (have_same_edges(chart_.mesh, chain, image)) return {};
+  const bool is_forbidden = std::any_of(image.begin(), image.end(), [&](HalfedgeHandle h) {
+    return forbidden_.edges[chart_.mesh.edge_handle(h).idx()] != 0 ||
+           forbidden_.vertices[chart_.mesh.from_vertex_handle(h).idx()] != 0 ||
+           forbidden_.vertices[chart_.mesh.to_vertex_handle(h).idx()] != 0;
   });
-  return is_barred ? HalfEdgeChain{} : twin;
+  return is_forbidden ? HalfEdgeChain{} : image;
 }
 
 /// The best cuts of the coarse copy, on the chart.
 std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
-  const SmoothPathFinder paths(chart_, barred_);
+  const SmoothPathFinder paths(chart_, forbidden_);
   const Grid grid = grid_of(effort_);
   const CoarseCopy copy = coarse_copy(chart_, grid.faces, exact_.stop());
-  const SmoothPathFinder coarse_paths(copy.chart, on_copy(copy, chart_.mesh, barred_));
+  const SmoothPathFinder coarse_paths(copy.chart, on_copy(copy, chart_.mesh, forbidden_));
   const std::vector<CutEnds> candidates = list_candidates(copy.chart, coarse_paths, kind_, grid.points);
   if (candidates.empty()) throw no_room(input_chart_, kind_, wishes_);
   std::vector<HalfEdgeChain> chains;
@@ -213,13 +215,13 @@ std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
 
 /// The first of those that lie beside each other's mirror images.
 std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<HalfEdgeChain>& chains) const {
-  std::vector<HalfEdgeChain> kept;
+  std::vector<HalfEdgeChain> kept, images;
   for (const HalfEdgeChain& chain : chains) {
-    const bool is_image = std::any_of(kept.begin(), kept.end(), [&](const HalfEdgeChain& other) {
-      const HalfEdgeChain twin = twin_of(other);
-      return !twin.empty() && are_beside(chart_, ends_of(chain), ends_of(twin));
-    });
-    if (!is_image) kept.push_back(chain);
+    if (std::any_of(images.begin(), images.end(), [&](const HalfEdgeChain& image) { return is_beside(chain, image); }))
+      continue;
+    kept.push_back(chain);
+    HalfEdgeChain image = image_of(chain);
+    if (!image.empty()) images.push_back(std::move(image));
   }
   return kept;
 }
@@ -263,29 +265,28 @@ std::vector<DartProposal> PieceSearch::search(const PieceFigures& before) {
                    [](const Tried& a, const Tried& b) { return a.proposal.energy < b.proposal.energy; });
   std::vector<Tried> best;
   for (Tried& tried : helpful) {
-    const bool is_beside = std::any_of(best.begin(), best.end(), [&](const Tried& better) {
-      return are_beside(chart_, ends_of(better.chain), ends_of(tried.chain));
-    });
-    if (!is_beside && static_cast<int>(best.size()) < wishes_.count) best.push_back(std::move(tried));
+    const bool is_known = std::any_of(best.begin(), best.end(),
+                                       [&](const Tried& better) { return is_beside(better.chain, tried.chain); });
+    if (!is_known && static_cast<int>(best.size()) < wishes_.count) best.push_back(std::move(tried));
   }
-  std::vector<HalfEdgeChain> twin_chains;
+  std::vector<HalfEdgeChain> image_chains;
   for (const Tried& tried : best) {
-    twin_chains.push_back(effort_ == Effort::thorough ? twin_of(tried.chain) : HalfEdgeChain{});
+    image_chains.push_back(effort_ == Effort::thorough ? image_of(tried.chain) : HalfEdgeChain{});
   }
-  std::vector<std::optional<Tried>> twins = evaluate(twin_chains, before);
+  std::vector<std::optional<Tried>> images = evaluate(image_chains, before);
   std::vector<HalfEdgeChain> both_chains(best.size());
   for (std::size_t i = 0; i < best.size(); ++i) {
-    if (!twins[i] || have_common_vertex(chart_.mesh, best[i].chain, twins[i]->chain)) continue;
+    if (!images[i] || have_common_vertex(chart_.mesh, best[i].chain, images[i]->chain)) continue;
     both_chains[i] = best[i].chain;
-    both_chains[i].insert(both_chains[i].end(), twins[i]->chain.begin(), twins[i]->chain.end());
+    both_chains[i].insert(both_chains[i].end(), images[i]->chain.begin(), images[i]->chain.end());
   }
   const std::vector<std::optional<Tried>> both = evaluate(both_chains, before);
   std::vector<DartProposal> proposals;
   for (std::size_t i = 0; i < best.size(); ++i) {
     const int place = static_cast<int>(proposals.size());
     proposals.push_back(std::move(best[i].proposal));
-    if (!twins[i]) continue;
-    proposals.push_back(std::move(twins[i]->proposal));
+    if (!images[i]) continue;
+    proposals.push_back(std::move(images[i]->proposal));
     proposals[place].twin = place + 1;
     proposals[place + 1].twin = place;
     if (!both[i] || both[i]->proposal.energy > (1 - kLeastGain) * proposals[place].energy) continue;

@@ -36,8 +36,11 @@ class PieceSearch {
   std::vector<HalfEdgeChain> without_mirror_images(const std::vector<HalfEdgeChain>& chains) const;
   std::vector<std::optional<Tried>> evaluate(const std::vector<HalfEdgeChain>& chains,
                                              const PieceFigures& before) const;
-  HalfEdgeChain twin_of(const HalfEdgeChain& chain) const;
+  HalfEdgeChain image_of(const HalfEdgeChain& chain) const;
   std::vector<VertexPair> edges_of(const HalfEdgeChain& chain) const;
+  bool is_beside(const HalfEdgeChain& a, const HalfEdgeChain& b) const {
+    return are_beside(chart_.mesh, size_, ends_of(a), ends_of(b));
+  }
   CutEnds ends_of(const HalfEdgeChain& chain) const {
     return {chart_.mesh.from_vertex_handle(chain.front()), chart_.mesh.to_vertex_handle(chain.back())};
   }
@@ -45,8 +48,9 @@ class PieceSearch {
   const FlatPieces& pieces_;
   const Chart& input_chart_;
   const Chart chart_;  // in canonical order
+  const double size_;  // root of its area
   const std::vector<VertexHandle> image_;
-  const Barred barred_;
+  const Forbidden forbidden_;
   const CutKind kind_;
   const Effort effort_;
   const CutWishes& wishes_;

@@ -9,7 +9,7 @@
 
 #include "in_threads.h"
 #include "mesh/geometry.h"
-#include "propose/cut_trial.h"
+#include "propose/coarse_evaluation.h"
 
 namespace wirewarp {
 namespace {
@@ -22,18 +22,18 @@ class CutSearch {
  public:
   CutSearch(const Chart& chart, const SmoothPathFinder& paths, const InternalOptions& options, double longest,
             const StopToken& stop)
-      : chart_(chart), paths_(paths), trials_(chart, options, stop), longest_(longest), stop_(stop) {}
+      : chart_(chart), paths_(paths), coarse_(chart, options, stop), longest_(longest), stop_(stop) {}
 
   void try_all(const std::vector<CutEnds>& cuts);
   RankedCut improve(RankedCut cut);
   std::vector<RankedCut> ranked() const;
-  double energy_uncut() const { return trials_.energy_uncut(); }
+  double energy_uncut() const { return coarse_.energy_uncut(); }
   std::size_t num_tried() const { return energies_.size(); }
 
  private:
   const Chart& chart_;
   const SmoothPathFinder& paths_;
-  const CutTrials trials_;
+  const CoarseEvaluation coarse_;
   const double longest_;
   const StopToken& stop_;
   std::map<VertexHandle, SmoothPaths> paths_from_;  // where cuts that were tried start
@@ -55,7 +55,7 @@ void CutSearch::try_all(const std::vector<CutEnds>& cuts) {
         const OnOneCore on_one_core;
         const HalfEdgeChain chain = paths_.path_to(paths_from_.at(fresh[i].start), fresh[i].end);
         if (!chain.empty() && length_of(chart_.mesh, chain) <= longest_)
-          energies[i] = trials_.energy_when_cut(cut_along(chart_.mesh, chain), stop_);
+          energies[i] = coarse_.energy_when_cut(cut_along(chart_.mesh, chain), stop_);
       },
       [&] { stop_.may_go_on(); });
   for (std::size_t i = 0; i < fresh.size(); ++i) energies_[fresh[i]] = energies[i];
@@ -101,7 +101,7 @@ std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& pat
   std::vector<RankedCut> best;
   const auto is_beside_best = [&](const RankedCut& cut) {
     return std::any_of(best.begin(), best.end(),
-                       [&](const RankedCut& b) { return are_beside(chart, b.ends, cut.ends); });
+                       [&](const RankedCut& b) { return are_beside(chart.mesh, paths.size(), b.ends, cut.ends); });
   };
   for (const RankedCut& cut : search.ranked()) {
     if (static_cast<int>(best.size()) == limits.places || cut.energy >= search.energy_uncut()) break;

@@ -23,10 +23,10 @@ constexpr double kSharpTurn = 80 * kPi / 180;
 
 }  // namespace
 
-SmoothPathFinder::SmoothPathFinder(const Chart& chart, Barred barred)
+SmoothPathFinder::SmoothPathFinder(const Chart& chart, Forbidden forbidden)
     : mesh_(chart.mesh),
       size_(std::sqrt(surface_area(chart.mesh))),
-      barred_(std::move(barred)),
+      forbidden_(std::move(forbidden)),
       direction_(chart.mesh.n_halfedges(), 0),
       full_turn_(chart.mesh.n_vertices(), 0) {
   for (const VertexHandle v : mesh_.vertices()) {
@@ -68,7 +68,7 @@ SmoothPaths SmoothPathFinder::paths_from(VertexHandle start) const {
   const auto reach = [&](HalfedgeHandle h, HalfedgeHandle before, double cost) {
     const VertexHandle to = mesh_.to_vertex_handle(h);
     const EdgeHandle edge = mesh_.edge_handle(h);
-    if (is_barred(to) || is_barred(edge) || mesh_.is_boundary(edge) || to == start) return;
+    if (is_forbidden(to) || is_forbidden(edge) || mesh_.is_boundary(edge) || to == start) return;
     if (mesh_.is_boundary(to)) cost += landing_cost(mesh_.opposite_halfedge_handle(h));
     if (cost >= paths.cost[h.idx()]) return;
     paths.cost[h.idx()] = cost;

@@ -13,7 +13,7 @@
 namespace wirewarp {
 
 /// Where no path may run.
-struct Barred {
+struct Forbidden {
   std::vector<char> vertices;  // per vertex of the chart; such as those on wires
   std::vector<char> edges;     // per edge of the chart
 };
@@ -27,7 +27,7 @@ struct SmoothPaths {
 
 class SmoothPathFinder {
  public:
-  SmoothPathFinder(const Chart& chart, Barred barred);
+  SmoothPathFinder(const Chart& chart, Forbidden forbidden);
 
   /// Paths that meet the outline at their ends alone, squarely where there is a choice.
   SmoothPaths paths_from(VertexHandle start) const;
@@ -35,16 +35,19 @@ class SmoothPathFinder {
   /// From the start to a vertex; empty where no path leads, or the cheapest passes a vertex twice.
   HalfEdgeChain path_to(const SmoothPaths& paths, VertexHandle end) const;
 
-  bool is_barred(VertexHandle v) const { return barred_.vertices[v.idx()] != 0; }
-  bool is_barred(EdgeHandle e) const { return barred_.edges[e.idx()] != 0; }
+  /// Root of the area, scene units.
+  double size() const { return size_; }
+
+  bool is_forbidden(VertexHandle v) const { return forbidden_.vertices[v.idx()] != 0; }
+  bool is_forbidden(EdgeHandle e) const { return forbidden_.edges[e.idx()] != 0; }
 
  private:
   double landing_cost(HalfedgeHandle leaving) const;
   double turn(HalfedgeHandle in, HalfedgeHandle out) const;
 
   const HalfEdgeMesh& mesh_;
-  double size_;  // root of the area
-  Barred barred_;
+  double size_;
+  Forbidden forbidden_;
   std::vector<double> direction_;  // per half-edge: angle around the vertex it leaves
   std::vector<double> full_turn_;  // per vertex: the sum of its angles
 };

@@ -16,10 +16,10 @@ namespace wirewarp {
 /// The search for sets of cuts in one piece that has no flat shape: first cuts under which all of it lies flat, then
 /// one cut after the other through the part with most strain. Of the cuts that take much of its distortion, lines and
 /// bisections alike, the one is taken that takes most for its length.
-class FirstCuts {
+class CutSetSearch {
  public:
   /// piece: one of the pieces. All references are kept.
-  FirstCuts(const FlatPieces& pieces, std::size_t piece, const CutWishes& wishes, const ExactEvaluation& exact);
+  CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutWishes& wishes, const ExactEvaluation& exact);
 
   /// The set with most cuts first; without piece. Throws no_proposal.
   std::vector<DartProposal> search();

@@ -158,13 +158,13 @@ std::set<VertexPair> undirected(const std::vector<VertexPair>& edges) {
   return pairs;
 }
 
-TEST(FirstCuts, OfATubeAreTheShortestLineAlongIt) {
+TEST(CutSetSearch, OfATubeAreTheShortestLineAlongIt) {
   const DartProposal set = propose_seams(test::cylinder_tube(16, 8, 1, 4)).front();
   EXPECT_NEAR(set.length, 4, 1e-12);
   EXPECT_LT(set.energy, 1e-12);
 }
 
-TEST(FirstCuts, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
+TEST(CutSetSearch, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
   const FlattenInput input = head(0.5);
   const FlattenInput other = test::disguised(input);
   const std::vector<DartProposal> here = propose_seams(input, {}, rough()), there = propose_seams(other, {}, rough());
@@ -176,7 +176,7 @@ TEST(FirstCuts, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
   }
 }
 
-TEST(FirstCuts, OfASymmetricModelAreSymmetric) {
+TEST(CutSetSearch, OfASymmetricModelAreSymmetric) {
   const FlattenInput input = head();
   for (const DartProposal& set : propose_seams(input, {}, rough())) {
     std::vector<VertexPair> image;
@@ -199,18 +199,18 @@ VertexPairs as_rows(const std::set<VertexPair>& edges) {
   return rows;
 }
 
-TEST(FirstCuts, RunAlongNoEdgeThatIsToHaveNoSeam) {
+TEST(CutSetSearch, RunAlongNoEdgeThatIsToHaveNoSeam) {
   for (const FlattenInput& input : {ball(), head(), head(0.5)}) {
     CutWishes wishes = rough();
-    const std::set<VertexPair> barred = undirected(propose_seams(input, {}, wishes).front().edges);
-    wishes.no_seam = as_rows(barred);
+    const std::set<VertexPair> forbidden = undirected(propose_seams(input, {}, wishes).front().edges);
+    wishes.no_seam = as_rows(forbidden);
     for (const DartProposal& set : propose_seams(input, {}, wishes)) {
-      for (const VertexPair& edge : undirected(set.edges)) EXPECT_EQ(barred.count(edge), 0U);
+      for (const VertexPair& edge : undirected(set.edges)) EXPECT_EQ(forbidden.count(edge), 0U);
     }
   }
 }
 
-TEST(FirstCuts, AreNoLongerThanWished) {
+TEST(CutSetSearch, AreNoLongerThanWished) {
   CutWishes wishes = rough();
   const std::vector<DartProposal> sets = propose_seams(head(), {}, wishes);
   ASSERT_GT(sets.size(), 1U);
@@ -218,7 +218,7 @@ TEST(FirstCuts, AreNoLongerThanWished) {
   for (const DartProposal& set : propose_seams(head(), {}, wishes)) EXPECT_LE(set.length, wishes.longest);
 }
 
-TEST(FirstCuts, BeginWithASetThatMeetsTheAim) {
+TEST(CutSetSearch, BeginWithASetThatMeetsTheAim) {
   CutWishes wishes = rough();
   const std::vector<DartProposal> sets = propose_seams(head(), {}, wishes);
   ASSERT_GT(sets.size(), 1U);
@@ -226,7 +226,7 @@ TEST(FirstCuts, BeginWithASetThatMeetsTheAim) {
   EXPECT_LE(propose_seams(head(), {}, wishes).front().strain, *wishes.strain);
 }
 
-TEST(FirstCuts, AreOfThePieceThatLacksThem) {
+TEST(CutSetSearch, AreOfThePieceThatLacksThem) {
   FlattenInput input = ball();
   const FlattenInput sheet = test::flat_rectangle(2, 2, 1, 1);
   const int count = static_cast<int>(sheet.vertices.rows());
@@ -249,7 +249,7 @@ std::string refusal(const FlattenInput& input, const CutWishes& wishes) {
   return "";
 }
 
-TEST(FirstCuts, SayWhyThereAreNone) {
+TEST(CutSetSearch, SayWhyThereAreNone) {
   const FlattenInput input = ball();
   CutWishes wishes = rough();
   wishes.longest = 0.1;
@@ -264,7 +264,7 @@ TEST(FirstCuts, SayWhyThereAreNone) {
             std::string::npos);
 }
 
-TEST(FirstCuts, CanBeCancelled) {
+TEST(CutSetSearch, CanBeCancelled) {
   for (const int last : {5, 60}) {
     int asked = 0;
     try {

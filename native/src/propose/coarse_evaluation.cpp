@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "propose/cut_trial.h"
+#include "propose/coarse_evaluation.h"
 
 #include <limits>
 #include <utility>
@@ -49,7 +49,7 @@ RefinedShape refine_from(const Positions2& whole, const Chart& piece, const Inte
 
 }  // namespace
 
-CutTrials::CutTrials(const Chart& chart, const InternalOptions& options, const StopToken& stop)
+CoarseEvaluation::CoarseEvaluation(const Chart& chart, const InternalOptions& options, const StopToken& stop)
     : chart_(chart), options_(brief(options)), uncut_(kDoesNotLieFlat) {
   try {
     RefinedShape shape = refine_chart(chart, options_, stop).shape;
@@ -60,7 +60,7 @@ CutTrials::CutTrials(const Chart& chart, const InternalOptions& options, const S
   }
 }
 
-double CutTrials::energy_when_cut(const CutMask& cut, const StopToken& stop) const {
+double CoarseEvaluation::energy_when_cut(const CutMask& cut, const StopToken& stop) const {
   double energy = 0;
   for (const Chart& piece : cut_apart(chart_, cut)) {
     if (piece.error) return kDoesNotLieFlat;

@@ -11,10 +11,10 @@
 namespace wirewarp {
 
 /// Tries cuts of one chart, from several threads at once.
-class CutTrials {
+class CoarseEvaluation {
  public:
   /// The chart must outlive the trials. Throws Stopped.
-  CutTrials(const Chart& chart, const InternalOptions& options, const StopToken& stop);
+  CoarseEvaluation(const Chart& chart, const InternalOptions& options, const StopToken& stop);
 
   /// E of Eq. (4) of the chart as it is, by the refined method, scene units squared; infinite where it does not lie
   /// flat.

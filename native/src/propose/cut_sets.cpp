@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "propose/first_cuts.h"
+#include "propose/cut_sets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@
 #include "feasibility/open_chart.h"
 #include "in_threads.h"
 #include "propose/canonical_order.h"
+#include "propose/coarse_evaluation.h"
 #include "propose/cut_chains.h"
-#include "propose/cut_trial.h"
 #include "propose/mirror_image.h"
 #include "propose/piece_search.h"
 #include "refine/lies_flat.h"
@@ -63,7 +63,8 @@ FlattenError too_long(const Chart& chart, double length, double longest) {
 
 }  // namespace
 
-FirstCuts::FirstCuts(const FlatPieces& pieces, std::size_t piece, const CutWishes& wishes, const ExactEvaluation& exact)
+CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutWishes& wishes,
+                           const ExactEvaluation& exact)
     : pieces_(pieces),
       input_chart_(pieces[piece]->chart),
       chart_(in_canonical_order(input_chart_, exact.stop())),
@@ -74,17 +75,17 @@ FirstCuts::FirstCuts(const FlatPieces& pieces, std::size_t piece, const CutWishe
       wishes_(wishes),
       target_(wishes.strain.value_or(kAim)),
       exact_(exact) {
-  mirrored_.bar_those_without_image(forbidden_);
+  mirrored_.forbid_those_without_image(forbidden_);
 }
 
-std::vector<VertexPair> FirstCuts::edges_of(const CutMask& cut) const {
+std::vector<VertexPair> CutSetSearch::edges_of(const CutMask& cut) const {
   std::vector<VertexPair> edges;
   for (const HalfedgeHandle h : chains_of(chart_.mesh, cut)) edges.push_back(source_ends(chart_, h));
   return edges;
 }
 
 /// Cuts under which the piece lies flat, as far as they were found without its neighbors. Throws Stopped.
-CutMask FirstCuts::opening() const {
+CutMask CutSetSearch::opening() const {
   const auto lies_flat_alone = [&](const Chart& part) { return lies_flat(part, exact_.options(), exact_.stop()); };
   CutMask cut = open_chart(chart_, lies_flat_alone, exact_.stop(), {forbidden_, image_});
   exact_.stop().check();
@@ -92,7 +93,7 @@ CutMask FirstCuts::opening() const {
 }
 
 /// before: with some of the cuts.
-FirstCuts::CutSet FirstCuts::evaluate(const FlatPieces& before, const CutMask& cut) const {
+CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutMask& cut) const {
   CutSet set;
   set.cut = cut;
   DartProposal& proposal = set.proposal;
@@ -118,7 +119,7 @@ FirstCuts::CutSet FirstCuts::evaluate(const FlatPieces& before, const CutMask& c
 }
 
 /// Darts and seams of one of its parts.
-void FirstCuts::add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
+void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   CutWishes wishes;
   wishes.count = kPlaces;
   wishes.strain = target_;
@@ -141,9 +142,9 @@ void FirstCuts::add_lines(const CutSet& set, std::size_t part, std::vector<Candi
 
 /// Bisections of one of its parts: they help where no single line does. A part that folds when it is solved quickly has
 /// no figure without a cut: then the shortest come first, and exact evaluations show what they gain.
-void FirstCuts::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
+void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   const Chart& chart = set.pieces[set.parts[part]]->chart;
-  const CutTrials trials(chart, exact_.options(), exact_.stop());
+  const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());
   const std::vector<CutMask> bisections = bisections_of(chart);
   std::vector<Candidate> tried(bisections.size());
   run_in_threads(
@@ -160,7 +161,7 @@ void FirstCuts::add_bisections(const CutSet& set, std::size_t part, std::vector<
 }
 
 /// Of a part; if the piece has a mirror image, each in the two ways that are symmetric.
-std::vector<CutMask> FirstCuts::bisections_of(const Chart& part) const {
+std::vector<CutMask> CutSetSearch::bisections_of(const Chart& part) const {
   const Chart ordered = in_canonical_order(part, exact_.stop());
   std::vector<CutMask> cuts;
   for (const CutMask& drawn : bisections(ordered.mesh, map_.on_part(ordered, forbidden_))) {
@@ -173,7 +174,7 @@ std::vector<CutMask> FirstCuts::bisections_of(const Chart& part) const {
   return cuts;
 }
 
-std::optional<FirstCuts::CutSet> FirstCuts::cut_once_more(const CutSet& set) const {
+std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& set) const {
   const auto has_less = [](const PieceFigures& a, const PieceFigures& b) { return a.strain < b.strain; };
   const auto worst = static_cast<std::size_t>(std::max_element(set.figures.begin(), set.figures.end(), has_less) -
                                               set.figures.begin());
@@ -204,7 +205,7 @@ std::optional<FirstCuts::CutSet> FirstCuts::cut_once_more(const CutSet& set) con
 
 /// But for those that are hardly better than one with fewer cuts. A set that meets the target is better. That with most
 /// cuts first; of too many, those whose strains are about evenly apart, as ratios.
-std::vector<DartProposal> FirstCuts::best_of(const std::vector<CutSet>& sets) const {
+std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {
     const double strain = set.proposal.strain;
@@ -225,7 +226,7 @@ std::vector<DartProposal> FirstCuts::best_of(const std::vector<CutSet>& sets) co
   return chosen;
 }
 
-std::vector<DartProposal> FirstCuts::search() {
+std::vector<DartProposal> CutSetSearch::search() {
   const CutMask opened = opening();
   if (is_empty(opened)) throw none_serves(input_chart_, wishes_);
   std::vector<CutSet> sets{evaluate(pieces_, opened)};
