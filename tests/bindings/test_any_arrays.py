@@ -8,9 +8,10 @@ import wirewarp
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
-from surfaces import half_cylinder
+from surfaces import chain_edges, column_chain, half_cylinder
 
 VERTICES, FACES = half_cylinder()
+SEAMS = chain_edges(column_chain(8, 4, 4))
 
 # Byte orders, sizes and kinds that are none of the library's own included.
 NUMBERS = st.one_of(hnp.integer_dtypes(), hnp.unsigned_integer_dtypes(), hnp.floating_dtypes(), hnp.boolean_dtypes())
@@ -22,7 +23,9 @@ HUGE = st.one_of(st.integers(-3, 200), st.sampled_from([2**31 - 1, 2**31, -(2**3
 @st.composite
 def rearranged(draw, array):
     """The same numbers in another dtype that holds them, order, stride and writability."""
-    held = [d for d in ("i1", "i2", "i4", "i8", "f4", "f8", "g") if (array.astype(d) == array).all()]
+    kinds = ("i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "f4", "f8", "g")
+    held = [kind for kind in kinds if (array >= 0).all() or not kind.startswith("u")]
+    held = [kind for kind in held if (array.astype(kind) == array).all()]
     dtype = np.dtype(draw(st.sampled_from(held))).newbyteorder(draw(st.sampled_from("<>")))
     steps = draw(st.tuples(st.sampled_from([1, 2, 3, -1, -2]), st.sampled_from([1, 2, -1])))
     wide = np.zeros([abs(step) * size for step, size in zip(steps, array.shape, strict=True)], dtype=dtype)
@@ -36,17 +39,17 @@ def rearranged(draw, array):
 
 @given(st.data())
 def test_any_arrangement_of_the_same_numbers_gives_the_same_bits(data):
-    vertices = np.round(VERTICES * 8)  # numbers that small dtypes hold
-    expected = wirewarp.flatten(vertices, FACES).corner_uv
-    passed = data.draw(rearranged(vertices)), data.draw(rearranged(FACES))
-    before = [array.copy() for array in passed]
-    if np.issubdtype(passed[1].dtype, np.floating):
+    # Numbers that small dtypes hold.
+    plain = {"vertices": np.round(VERTICES * 8), "faces": FACES, "seams": np.array(SEAMS)}
+    passed = {name: data.draw(rearranged(array)) for name, array in plain.items()}
+    before = [array.copy() for array in passed.values()]
+    if any(np.issubdtype(passed[name].dtype, np.floating) for name in ("faces", "seams")):
         with pytest.raises(wirewarp.FlattenError) as caught:  # indices are whole numbers
-            wirewarp.flatten(*passed)
+            wirewarp.flatten(**passed)
         assert caught.value.code == "invalid_type"
     else:
-        assert np.array_equal(wirewarp.flatten(*passed).corner_uv, expected)
-    for array, copy in zip(passed, before, strict=True):
+        assert np.array_equal(wirewarp.flatten(**passed).corner_uv, wirewarp.flatten(**plain).corner_uv)
+    for array, copy in zip(passed.values(), before, strict=True):
         assert np.array_equal(array, copy)
 
 
