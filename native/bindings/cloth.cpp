@@ -23,13 +23,17 @@ Cloth make_cloth(const py::object& weft, const py::object& warp, const py::objec
   return cloth;
 }
 
-Cloth preset(const py::object& name) {
+const ClothPreset& preset(const py::object& name) {
   if (py::isinstance<py::str>(name)) return cloth_preset(name.cast<std::string>());
   throw FlattenError(ErrorCode::invalid_option,
                      "The name of a cloth is " + std::string(py::repr(name)) + ": it must be a string.");
 }
 
-py::tuple presets() { return py::tuple(py::cast(cloth_preset_names())); }
+py::tuple preset_names() {
+  py::list names;
+  for (const ClothPreset& one : cloth_presets()) names.append(one.name);
+  return py::tuple(names);
+}
 
 py::tuple pair_of(const std::array<double, 2>& pair) { return py::make_tuple(pair[0], pair[1]); }
 
@@ -40,8 +44,18 @@ void bind_cloth(py::module_& module) {
   record.def(py::init(&make_cloth), py::arg("weft") = 1.0, py::arg("warp") = 1.0, py::arg("shear") = 0.5, py::kw_only(),
              py::arg("squeeze") = 1.0, py::arg("stretch") = py::make_tuple(0.0, 0.0), py::arg("locking") = py::none(),
              py::arg("limits") = py::none());
-  record.def_static("preset", &preset, py::arg("name"), "The cloth of this name, one of presets().");
-  record.def_static("presets", &presets, "The names that preset() knows.");
+  record.def_static(
+      "preset", [](const py::object& name) { return preset(name).cloth; }, py::arg("name"),
+      "The cloth of this name, one of presets().");
+  record.def_static(
+      "about",
+      [](const py::object& name) {
+        const ClothPreset& one = preset(name);
+        return py::dict(py::arg("label") = one.label, py::arg("description") = one.description,
+                        py::arg("source") = one.source);
+      },
+      py::arg("name"), "The label, description and source of the preset of this name, as a dict.");
+  record.def_static("presets", &preset_names, "The names that preset() knows; new ones come at the end.");
   record.def(py::pickle(
       [](const Cloth& cloth) {
         return py::make_tuple(cloth.weft, cloth.warp, cloth.shear, cloth.squeeze, cloth.stretch, cloth.locking,

@@ -69,7 +69,7 @@ void bind_enum(Record<Options>& record, const char* name, Enum Options::*member,
 /// None, a Cloth or the name of one.
 std::optional<Cloth> read_cloth(py::handle value) {
   if (value.is_none()) return std::nullopt;
-  if (py::isinstance<py::str>(value)) return cloth_preset(value.cast<std::string>());
+  if (py::isinstance<py::str>(value)) return cloth_preset(value.cast<std::string>()).cloth;
   if (py::isinstance<Cloth>(value)) return value.cast<Cloth>();
   refuse("cloth", value, "None, a Cloth or the name of one");
 }

@@ -49,8 +49,9 @@ double largest_shear(const Piece& piece) { return piece.metrics.face_shear_angle
 TEST(RefineCloth, PiecesFoldedFromAPlaneHaveNoStrainInAnyCloth) {
   FlattenInput cylinder = test::cylinder_patch(8, 6, 1, 2, 1.5);
   test::add_wire(cylinder, test::grid_column(8, 6, 3));
-  for (const std::string& name : cloth_preset_names()) {
-    const Piece piece = flat_piece(cylinder, with_cloth(cloth_preset(name)));
+  for (const ClothPreset& preset : cloth_presets()) {
+    const std::string& name = preset.name;
+    const Piece piece = flat_piece(cylinder, with_cloth(preset.cloth));
     EXPECT_LT(piece.metrics.cloth_energy, 1e-20) << name;
     EXPECT_LT(piece.metrics.face_weft_strain.cwiseAbs().maxCoeff(), 1e-9) << name;
     EXPECT_LT(piece.metrics.face_warp_strain.cwiseAbs().maxCoeff(), 1e-9) << name;

@@ -66,7 +66,7 @@ TEST(SeamsThatGive, BetweenPiecesOfAClothLowerItsObjective) {
   for (const double tolerance : {0.0, 0.01, 0.03, kInfinity}) {
     const FlattenInput input = gores(tolerance);
     Options options;
-    options.cloth = cloth_preset("jersey");
+    options.cloth = cloth_preset("jersey").cloth;
     const FlattenResult result = flatten(input, options);
     expect_good(input, result);
     const double objective = objective_of(result);

@@ -91,7 +91,7 @@ void add_eases_of_sides(RandomStream& random, FlattenInput& input) {
 }
 
 Cloth random_cloth(RandomStream& random) {
-  Cloth cloth = random.chance(0.3) ? cloth_preset(random.pick(cloth_preset_names())) : Cloth{};
+  Cloth cloth = random.chance(0.3) ? random.pick(cloth_presets()).cloth : Cloth{};
   if (random.chance(0.5)) cloth.shear = random.across_scales(0.02, 1);
   if (random.chance(0.5)) cloth.warp = random.across_scales(0.1, 10);
   if (random.chance(0.3)) cloth.squeeze = random.across_scales(0.2, 5);

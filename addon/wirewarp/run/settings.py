@@ -8,6 +8,7 @@ from typing import Any
 
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
+from ..core import Cloth
 from ..solve.flatten import ClothChoice, FlattenChoices
 from ..solve.suggest import Aim
 
@@ -31,6 +32,18 @@ METHODS = [
     ),
 ]
 LIBRARY_METHODS = {"REFINED": "refined", "WIREWARP_PLUS_PLUS": "wirewarp++", "WIREWARPING": "wirewarping"}
+
+
+CUSTOM = 1000  # number that files store: behind all fabrics that the library's table will have
+
+
+def _fabrics() -> list[tuple[str, str, str, int]]:
+    """The library's table as items of an enum."""
+    about = {name: Cloth.about(name) for name in Cloth.presets()}
+    return [
+        (name.upper(), each["label"], each["description"], number)
+        for number, (name, each) in enumerate(about.items(), start=1)
+    ]
 
 
 class FlattenSettings:
@@ -74,16 +87,11 @@ class FlattenSettings:
     )
     cloth: EnumProperty(
         name="Cloth",
-        description="Material that the pieces are cut from. Lengths are exact with every cloth",
+        description="Material that the pieces are cut from. Lengths are exact with every fabric",
         items=[
-            ("NONE", "Any", "No particular cloth: stretch counts the same in all directions"),
-            ("WOVEN", "Woven", "Hardly stretches along its threads, but shears easily: shirting, linen, canvas"),
-            ("DENIM", "Denim", "Woven that stretches more across the grain than along it"),
-            ("JERSEY", "Jersey", "Knit that stretches in all directions, most across the grain"),
-            ("SWIM", "Swimwear", "Knit with elastane that stretches about three times as easily across the grain"),
-            ("LEATHER", "Leather", "The same in all directions; can hardly be eased in"),
-            ("NEOPRENE", "Neoprene", "The same in all directions; can be eased in a little"),
-            ("CUSTOM", "Custom", "Enter its stiffness across the grain, along the grain and against shear"),
+            ("NONE", "Any", "No particular fabric: stretch counts the same in all directions", 0),
+            *_fabrics(),
+            ("CUSTOM", "Custom", "Enter its stiffness across the grain, along the grain and against shear", CUSTOM),
         ],
         default="NONE",
     )
@@ -114,8 +122,8 @@ class FlattenSettings:
     gives_across: FloatProperty(
         name="Gives Across",
         subtype="PERCENTAGE",
-        description="How far the cloth can be stretched across the grain. The report names the pieces that need more. "
-        "0: not known",
+        description="How far the fabric can be stretched across the grain. The report names the pieces that need more. "
+        "0: as an ordinary fabric of this kind",
         min=0.0,
         soft_max=50.0,
         max=300.0,
@@ -125,7 +133,7 @@ class FlattenSettings:
     gives_along: FloatProperty(
         name="Gives Along",
         subtype="PERCENTAGE",
-        description="How far the cloth can be stretched along the grain. 0: not known",
+        description="How far the fabric can be stretched along the grain. 0: as an ordinary fabric of this kind",
         min=0.0,
         soft_max=50.0,
         max=300.0,

@@ -44,11 +44,20 @@ struct Cloth {
   static constexpr double most_anisotropy = 1e4;
 };
 
-/// Ratios of measured cloths; throws FlattenError (invalid_option) for another name than those below.
-Cloth cloth_preset(const std::string& name);
+/// A fabric that can be chosen by its name. Ratios and maximum stretch are those of an ordinary one: measure yours.
+struct ClothPreset {
+  std::string name;         // as in Options
+  std::string label;        // as on a bolt: "Woven Cotton"
+  std::string description;  // one sentence
+  Cloth cloth;              // with limits: its maximum stretch across and along the grain
+  std::string source;       // where the figures are from
+};
 
-/// "woven", "denim", "jersey", "swim", "leather", "neoprene".
-const std::vector<std::string>& cloth_preset_names();
+/// The table of fabrics. Files of Blender store places in it: a new fabric goes at the end.
+const std::vector<ClothPreset>& cloth_presets();
+
+/// Throws FlattenError (invalid_option) for a name that the table does not have.
+const ClothPreset& cloth_preset(const std::string& name);
 
 /// Throws FlattenError (invalid_option) unless every number is in its range.
 void check_cloth(const Cloth& cloth);
