@@ -44,7 +44,8 @@ def load(addon_version: str) -> None:
         found = importlib.import_module(f".{_INSIDE}.wirewarp" if inside else "wirewarp", __package__)
         library_version = getattr(found, "__version__", "of an unknown version")
         if library_version == addon_version:
-            importlib.import_module(f"{found.__name__}.pattern")  # which imports all that it needs
+            for part in ("pattern", "report"):  # which import all that they need
+                importlib.import_module(f"{found.__name__}.{part}")
     except Exception as error:  # what a damaged library or one for another numpy raises, is not ours to know
         traceback.print_exc()
         raise LibraryError(loading_problem(error, folder_of("wirewarp", places))) from error
@@ -76,13 +77,61 @@ if TYPE_CHECKING:
     from wirewarp import Wire as Wire
     from wirewarp import WireReport as WireReport
     from wirewarp import pattern as pattern
+    from wirewarp.report import BEYOND_FABRIC as BEYOND_FABRIC
+    from wirewarp.report import SHOWN_NAMES as SHOWN_NAMES
+    from wirewarp.report import STRAINED as STRAINED
+    from wirewarp.report import TORN as TORN
+    from wirewarp.report import TORN_ADVICE as TORN_ADVICE
+    from wirewarp.report import WIRE_AT_LIMIT as WIRE_AT_LIMIT
+    from wirewarp.report import Elements as Elements
+    from wirewarp.report import Hint as Hint
+    from wirewarp.report import Issue as Issue
+    from wirewarp.report import Kind as Kind
+    from wirewarp.report import LengthText as LengthText
+    from wirewarp.report import Level as Level
+    from wirewarp.report import LooserWire as LooserWire
+    from wirewarp.report import Note as Note
+    from wirewarp.report import PieceRow as PieceRow
+    from wirewarp.report import Report as Report
+    from wirewarp.report import ReportError as ReportError
+    from wirewarp.report import ReportRow as ReportRow
+    from wirewarp.report import ReportTables as ReportTables
+    from wirewarp.report import Side as Side
+    from wirewarp.report import Verdict as Verdict
+    from wirewarp.report import as_seen as as_seen
+    from wirewarp.report import counted as counted
+    from wirewarp.report import ease_text as ease_text
+    from wirewarp.report import elements_of as elements_of
+    from wirewarp.report import from_dict as from_dict
+    from wirewarp.report import hint_text as hint_text
+    from wirewarp.report import issue_text as issue_text
+    from wirewarp.report import joined_pieces as joined_pieces
+    from wirewarp.report import largest_difference as largest_difference
+    from wirewarp.report import make_report as make_report
+    from wirewarp.report import merged as merged
+    from wirewarp.report import needs_text as needs_text
+    from wirewarp.report import note_text as note_text
+    from wirewarp.report import paragraph as paragraph
+    from wirewarp.report import percent_text as percent_text
+    from wirewarp.report import place_name as place_name
+    from wirewarp.report import quoted as quoted
+    from wirewarp.report import rename_wires as rename_wires
+    from wirewarp.report import report_csv as report_csv
+    from wirewarp.report import run_to_dict as run_to_dict
+    from wirewarp.report import tables_of as tables_of
+    from wirewarp.report import to_dict as to_dict
+    from wirewarp.report import tolerance_text as tolerance_text
+    from wirewarp.report import torn_hints as torn_hints
+    from wirewarp.report import verdict as verdict
+    from wirewarp.report import wire_text as wire_text
 else:
 
     def __getattr__(name: str) -> object:
-        """The library's classes, as in `from ..core import Piece`."""
+        """The library's own names and those of its report, as in `from ..core import Piece, Report`."""
         if name.startswith("_"):  # which Python asks every module for
             raise AttributeError(name)
-        return getattr(library(), name)
+        package = library()
+        return getattr(package if hasattr(package, name) else package.report, name)
 
 
 def folder_of(package: str, places: list[str] | None = None) -> Path | None:

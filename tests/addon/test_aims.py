@@ -57,8 +57,8 @@ def test_seams_divide_the_piece_and_its_parts(addon, settings):
     words = draw_panels(addon)
     assert "Stretch with Seams, Bump 1 seam: " in words and " 2 seams: " in words
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
-    pieces = addon.flat.reports.last_report(source)["pieces"]
-    assert len(pieces) == 3 and all(piece["ok"] for piece in pieces)
+    pieces = addon.flat.reports.last_report(source).pieces
+    assert len(pieces) == 3 and all(piece.ok for piece in pieces)
 
 
 def test_of_any_piece_the_figures_are_those_of_the_worst_one(addon, settings):

@@ -3,7 +3,6 @@
 
 import csv
 import io
-from types import SimpleNamespace
 
 import bpy
 import numpy as np
@@ -21,7 +20,7 @@ def source():
 
 def eases_of(addon, report, kind):
     """What the table for spreadsheets has as the asked ease, in percent."""
-    text = addon.report.csv_table.report_csv(report, addon.blender.units.length_text(bpy.context.scene))
+    text = addon.core.report_csv(report, addon.blender.units.length_text(bpy.context.scene))
     lines = csv.DictReader(io.StringIO(text))
     return [float(line["Asked ease (%)"]) for line in lines if line["Kind"] == kind]
 
@@ -29,14 +28,14 @@ def eases_of(addon, report, kind):
 def test_an_eased_outline_is_as_long_as_it_was_to_be(source, addon):
     ease(source, HEM, sides="ONE", ease_percent=5.0)
     bpy.ops.object.wirewarp_flatten()
-    report, rows = addon.flat.reports.last_report(source), addon.report.rows
+    report = addon.flat.reports.last_report(source)
     places = read(source.data.vertices, "co", np.float32, 3).astype(float)
     hem = [v for v in range(9) if HEM(places[v], places[v])]
     half = np.linalg.norm(np.diff(places[hem], axis=0), axis=1).sum() / 2  # in each piece
-    for name, _, chain in addon.report.names.open_edges(report):
-        assert chain["length_asked"] == pytest.approx([chain["length_3d"] + 0.05 * half], rel=1e-6), name
-    outlines = rows.outline_rows(report)
-    assert rows.largest_difference(outlines) < 1e-6
+    for name, _, chain in addon.core.open_edges(report):
+        assert chain.length_asked == pytest.approx([chain.length_3d + 0.05 * half], rel=1e-6), name
+    outlines = report.tables.outlines
+    assert addon.core.largest_difference(outlines) < 1e-6
     asked = 100 * 0.05 * half / outlines[0].sides[0].length_3d
     assert all(row.note == f"ease +{asked:.3g}%" for row in outlines)
     assert eases_of(addon, report, "Open edge") == pytest.approx([asked, asked], rel=1e-5)
@@ -56,13 +55,13 @@ def test_the_stretch_of_worn_cloth_is_asked_for(addon):
     mark(target, on_line(0, 0.0))
     mark(target, on_line(1, 0.0), kind="ELASTIC", tolerance=0.02)
     bpy.ops.object.wirewarp_flatten(orientation="UP", cloth="SWIM", worn_across=20.0, worn_along=10.0)
-    report, rows = addon.flat.reports.last_report(target), addon.report.rows
-    (elastic, rigid) = sorted(rows.wire_rows(report), key=lambda row: row.note == "")
-    shares = sorted(wire["length_asked"][0] / wire["length_3d"] for wire in report["wires"])
+    report = addon.flat.reports.last_report(target)
+    (elastic, rigid) = sorted(report.tables.wires, key=lambda row: row.note == "")
+    shares = sorted(wire.length_asked[0] / wire.length_3d for wire in report.wires)
     assert shares == pytest.approx([1 / 1.2, 1 / 1.1], abs=1e-6)
-    for row in (elastic, rigid, *rows.outline_rows(report)):
+    for row in (elastic, rigid, *report.tables.outlines):
         assert abs(row.sides[0].off) < 1e-6
-    assert rows.largest_difference(rows.outline_rows(report)) < 1e-6
+    assert addon.core.largest_difference(report.tables.outlines) < 1e-6
     notes = {row.note.removeprefix("Half; ") for row in (elastic, rigid)}
     assert len(notes & {"ease -16.7%", "ease -9.09%"}) == 1
     assert len(notes & {"within ±2% about -16.7%", "within ±2% about -9.09%"}) == 1
@@ -71,7 +70,7 @@ def test_the_stretch_of_worn_cloth_is_asked_for(addon):
 def test_an_elastic_line_is_off_by_what_its_tolerance_allowed(source, addon):
     mark(source, SEAM, kind="ELASTIC", tolerance=0.001)
     bpy.ops.object.wirewarp_flatten()
-    (wire,) = addon.report.rows.wire_rows(addon.flat.reports.last_report(source))
+    (wire,) = addon.flat.reports.last_report(source).tables.wires
     assert abs(wire.sides[0].off) == pytest.approx(0.001 * wire.sides[0].length_3d, rel=1e-3)
 
 
@@ -85,15 +84,15 @@ def test_panel_and_paper_say_which_side_is_longer_and_what_to_do(source, addon, 
     settings.length_unit, settings.scale_length = "MILLIMETERS", 0.5  # so that there is room for the text
     ease(source, SEAM, sides="ONE", ease_percent=percent)
     bpy.ops.object.wirewarp_flatten()
-    (row,) = addon.report.rows.seam_rows(addon.flat.reports.last_report(source))
+    (row,) = addon.flat.reports.last_report(source).tables.seams
     units = addon.blender.units.length_text(bpy.context.scene)
     left, right = shares(source)
     side = "Top Right" if left > right else "Top Left"  # on its wearer the left is at +x
     spatial, *_ = lengths(source, SEAM)
     told = f"{side} {units.rough(longer * spatial)} longer, {how} between notches"
-    assert addon.report.eases.longer_texts(row.sides, units, 0.5) == [told]
+    assert addon.ui.report_table.longer_sides(row.sides, units, 0.5) == [told]
     assert told in draw_panels(addon)
-    assert abs(addon.report.rows.largest_difference([row])) < 1e-6  # nothing that was not asked for
+    assert abs(addon.core.largest_difference([row])) < 1e-6  # nothing that was not asked for
     path = tmp_path / "a.svg"
     bpy.ops.object.wirewarp_export_svg(filepath=str(path))
     texts = {piece: " ".join(group.itertext()) for piece, group in Drawing(path).pieces.items()}
@@ -103,27 +102,6 @@ def test_panel_and_paper_say_which_side_is_longer_and_what_to_do(source, addon, 
 def test_the_list_of_seams_says_how_much_all_sides_give(source, addon):
     mark(source, SEAM, kind="ELASTIC", tolerance=0.03)
     bpy.ops.object.wirewarp_flatten()
-    (row,) = addon.report.rows.seam_rows(addon.flat.reports.last_report(source))
+    (row,) = addon.flat.reports.last_report(source).tables.seams
     left, _ = shares(source)
     assert row.note.endswith(f"; {addon.words.ease_text(left)} on all sides")
-
-
-def test_what_a_piece_does_not_keep_was_asked_for_by_its_eases(addon):
-    """Three edges of length 2, 1 and 1: a wire that came to 1.1, a side of 1.05 on it and on the next."""
-    broken = SimpleNamespace(vertices=[0, 1, 2, 3], length_3d=4.0, length_2d=5.0, max_edge_error=0.1)
-    exact = SimpleNamespace(vertices=[3, 0], length_3d=1.0, length_2d=0.8, max_edge_error=0.0)
-    wire = SimpleNamespace(vertices=[1, 0], variation=0.1)
-    arrays = SimpleNamespace(
-        vertices=np.array([[0, 0, 0], [2, 0, 0], [3, 0, 0], [3, 1, 0]], dtype=float),
-        edges=np.array([[0, 1], [1, 2], [2, 3], [0, 3]], dtype=np.int32),
-        loop_vertices=np.arange(4, dtype=np.int32),
-        loop_edges=np.arange(4, dtype=np.int32),
-        side_eases=np.array([0.05, 0.05, 0, 0]),
-        mirrored=False,
-    )
-    piece = SimpleNamespace(boundaries=[broken, exact], wires=[wire])
-    asked = addon.report.asked.asked_of_outline(piece, arrays)
-    assert asked == pytest.approx([2 * 1.1 * 1.05 + 1 * 1.05 + 1, 0.8])
-    arrays.mirrored = True  # sides run the other way
-    asked = addon.report.asked.asked_of_outline(piece, arrays)
-    assert asked == pytest.approx([2 * 1.1 + 1 + 1, 0.8])

@@ -170,7 +170,7 @@ def test_modifiers_that_make_other_faces(addon, kind, settings, faces):
     source = modified(kind, **settings)
     assert answer(FLATTEN) == DONE
     assert len(flat_of(source).data.polygons) == 16
-    level, text = addon.report.verdict.run_message([addon.flat.reports.last_report(source)])
+    level, text = addon.solve.report.run_message([addon.flat.reports.last_report(source)])
     assert (level, text) == ("WARNING", "Modifiers were ignored, so sizes differ from what you see.")
     assert answer(FLATTEN, use_modifiers=True) == DONE
     assert len(flat_of(source).data.polygons) == faces

@@ -33,8 +33,8 @@ def test_the_shape_of_a_cloth_is_the_librarys(source, addon):
     wire = library.Wire([4 + 9 * k for k in range(9)])
     options = library.Options(cloth="denim", orientation="up")
     (piece,) = library.flatten(vertices, faces, wires=[wire], options=options).pieces
-    (entry,) = last_report(addon, source)["pieces"]
-    assert entry["arap_energy"] == pytest.approx(piece.metrics.arap_energy, rel=1e-6)
+    (entry,) = last_report(addon, source).pieces
+    assert entry.arap_energy == pytest.approx(piece.metrics.arap_energy, rel=1e-6)
     of_flat = read(flat_of(source).data.attributes["source_face"].data, "value", np.int32)
     for name in THREADS:
         expected = np.empty(len(faces))
@@ -80,42 +80,48 @@ def test_shear_is_written_in_degrees(addon):
 def test_a_cloth_that_does_not_give_enough_is_told_with_its_place(source, addon, capfd):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=1.0, gives_along=1.0)
     report = last_report(addon, source)
-    (piece,), (hint,) = report["pieces"], [each for each in report["hints"] if each["code"] == "beyond_cloth"]
-    threads = piece["threads"]
-    assert threads["over"] and max(threads["across"], threads["along"]) > 0.01
-    figures = addon.report.threads.needs_text(threads)
-    told = f"Bump: {figures}: this woven gives 1.0%: needs a dart"
+    (piece,), (hint,) = report.pieces, [each for each in report.hints if each.code == "beyond_cloth"]
+    threads = piece.threads
+    assert threads.over and max(threads.across, threads.along) > 0.01
+    told = f"Bump must stretch {addon.core.needs_text(threads)}, but this woven cotton stretches only 1.0%"
     assert told in capfd.readouterr().out and told in draw_panels(addon)
-    assert 0 < len(hint["faces"]) < len(source.data.polygons)
-    (line,) = addon.report.verdict.verdict(report)
-    assert (line.text, line.icon) == (told, "AMBER")
-    assert bpy.ops.mesh.wirewarp_select_result(what="HINT", index=report["hints"].index(hint)) == {"FINISHED"}
+    assert 0 < len(hint.faces) < len(source.data.polygons)
+    assert addon.core.verdict(report).kind == "beyond fabric"
+    assert bpy.ops.mesh.wirewarp_select_result(what="HINT", index=report.hints.index(hint)) == {"FINISHED"}
 
 
 def test_a_cloth_that_gives_enough_is_ready_to_cut(source, addon):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=90.0, gives_along=90.0)
     report = last_report(addon, source)
-    (line,) = addon.report.verdict.verdict(report)
-    assert line.icon == "TICK" and line.text.startswith("Ready to cut: 1 piece")
-    assert [each for each in report["hints"] if each["code"] in ("beyond_cloth", "strained")] == []
+    assert addon.core.verdict(report).kind == "ready"
+    assert [each for each in report.hints if each.code in ("beyond_cloth", "strained")] == []
 
 
-def test_where_it_is_not_known_what_the_cloth_gives_the_report_says_what_it_must(source, addon):
-    bpy.ops.object.wirewarp_flatten(cloth="JERSEY")
+def test_where_it_is_not_known_how_far_the_fabric_stretches_the_report_says_how_far_it_must(source, addon):
+    bpy.ops.object.wirewarp_flatten(cloth="CUSTOM")
     report = last_report(addon, source)
-    (line,) = addon.report.verdict.verdict(report)
-    threads = report["pieces"][0]["threads"]
-    across, along = (addon.report.cloth.percent_text(threads[way]) for way in ("across", "along"))
-    assert f"from jersey that gives {across} across and {along} along" in line.text
+    (line,) = addon.core.verdict(report).lines
+    threads = report.pieces[0].threads
+    across, along = (addon.core.percent_text(share) for share in (threads.across, threads.along))
+    assert line.kind == "needs stretch" and f"at least {across} across and {along} along" in line.text
+
+
+@pytest.mark.parametrize(("cloth", "kind"), [("DENIM", "beyond fabric"), ("SWIM", "ready")])
+def test_a_fabric_stretches_as_far_as_the_table_says(source, addon, cloth, kind):
+    bpy.ops.object.wirewarp_flatten(cloth=cloth)
+    report = last_report(addon, source)
+    assert addon.core.verdict(report).kind == kind
+    gives = report.pieces[0].threads.gives
+    assert (gives.across, gives.along) == addon.core.Cloth.preset(cloth.lower()).limits
 
 
 def test_what_unfolds_asks_nothing_of_any_cloth(addon):
     target = grid("Half", half_cylinder)
     for cloth in ("WOVEN", "NEOPRENE"):
         bpy.ops.object.wirewarp_flatten(cloth=cloth, gives_across=0.1, gives_along=0.1)
-        (piece,) = last_report(addon, target)["pieces"]
-        assert not piece["threads"]["over"]
-        assert piece["threads"]["shear"] < 1e-3
+        (piece,) = last_report(addon, target).pieces
+        assert not piece.threads.over
+        assert piece.threads.shear < 1e-3
 
 
 @pytest.mark.parametrize(
@@ -152,7 +158,7 @@ def test_the_best_direction_is_not_worse(source, addon):
     energies = []
     for orientation in ("UP", "BEST"):
         bpy.ops.object.wirewarp_flatten(cloth="DENIM", orientation=orientation)
-        energies.append(last_report(addon, source)["pieces"][0]["cloth_energy"])
+        energies.append(last_report(addon, source).pieces[0].cloth_energy)
     assert energies[1] <= energies[0] * (1 + 1e-6)
 
 
@@ -160,7 +166,7 @@ def test_the_report_holds_the_cloth_and_is_plain_json(source, addon, tmp_path):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=3.0, report_path=str(tmp_path / "report.json"))
     (report,) = json.loads((tmp_path / "report.json").read_text())["objects"]
     assert report["options"]["cloth"]["name"] == "woven" and report["options"]["cloth"]["gives_across"] == 0.03
-    assert report["pieces"][0]["threads"]["gives"] == {"across": 0.03, "along": None}
+    assert report["pieces"][0]["threads"]["gives"] == {"across": 0.03, "along": 0.03}
 
 
 def box(source):
@@ -180,10 +186,10 @@ def test_a_cloth_that_is_worn_stretched_is_cut_smaller(addon):
     bpy.ops.object.wirewarp_flatten(cloth="SWIM", worn_across=20.0, worn_along=10.0, keep_places=False)
     assert box(target) == pytest.approx(plain / (1.2, 1.1), rel=1e-5)
     report = last_report(addon, target)
-    (piece,) = report["pieces"]
-    assert report["ok"] and all(chain["ok"] for chain in (*piece["outline"], *piece["wires"]))
-    assert piece["threads"]["across"] == pytest.approx(0.2, abs=1e-4)
-    assert not piece["threads"]["over"]  # it is to be stretched
+    (piece,) = report.pieces
+    assert report.ok and all(chain.ok for chain in (*piece.outline, *piece.wires))
+    assert piece.threads.across == pytest.approx(0.2, abs=1e-4)
+    assert not piece.threads.over  # it is to be stretched
 
 
 def test_what_is_thick_is_flattened_at_its_middle(addon):
@@ -202,7 +208,7 @@ def test_what_is_thick_is_flattened_at_its_middle(addon):
     missing = 2 * middle * math.sin(half_turn)
     assert widths[0] == pytest.approx(size * chord, rel=1e-6)
     assert widths[1] == pytest.approx(size * chord * (1 + middle) - missing, rel=1e-3)
-    notes = [note["text"] for note in last_report(addon, target)["notes"]]
+    notes = [note.text for note in last_report(addon, target).notes]
     assert "Lengths on the model are those of the middle of the material's thickness." in notes
 
 
@@ -211,8 +217,8 @@ def test_what_is_thick_and_unfolds_is_not_told_as_stretched(addon):
     target = grid("Half", half_cylinder, size=16)
     bpy.ops.object.wirewarp_flatten(thickness=20.0)
     report = last_report(addon, target)
-    (piece,), (line,) = report["pieces"], addon.report.verdict.verdict(report)
-    assert report["hints"] == []
-    assert line.text.startswith("Ready to cut: ")
-    assert (piece["stretch_max"], piece["ease_max"]) == pytest.approx((0, 0), abs=1e-6)
+    (piece,) = report.pieces
+    assert report.hints == []
+    assert addon.core.verdict(report).kind == "ready for any fabric"
+    assert (piece.stretch_max, piece.ease_max) == pytest.approx((0, 0), abs=1e-6)
     assert read(flat_of(target).data.attributes["stretch"].data, "value", np.float32) == pytest.approx(0, abs=1e-6)

@@ -93,10 +93,10 @@ def test_an_ease_of_edges_that_are_no_wires_is_told(source, addon):
         values.data[edge.index].value = 0.05
     bpy.ops.object.wirewarp_flatten()
     told = "3 edges have an ease but are no wires: it was not used. Mark them with Ease."
-    assert {"text": told, "is_warning": True} in addon.flat.reports.last_report(source)["notes"]
+    assert addon.core.Note(told, is_warning=True) in addon.flat.reports.last_report(source).notes
     ease(source, lambda *_: True, sides="NONE")
     bpy.ops.object.wirewarp_flatten()
-    assert addon.flat.reports.last_report(source)["notes"] == []
+    assert addon.flat.reports.last_report(source).notes == []
 
 
 @pytest.mark.parametrize("name", ["wirewarp_ease", "wirewarp_side_ease", "wirewarp_side_ratio", "wirewarp_eased_side"])
@@ -152,10 +152,10 @@ def test_edges_without_a_side_are_left_out_and_counted(source, capfd):
 def test_an_ease_is_a_change_that_the_report_sees(source, addon):
     bpy.ops.object.wirewarp_flatten()
     report, has_changed = addon.flat.reports.last_report(source), addon.model.state.has_changed
-    assert not has_changed(source, report)
+    assert not has_changed(source, report.model_state)
     ease(source, SEAM, sides="ONE", ease_percent=5.0)
-    assert has_changed(source, report)
+    assert has_changed(source, report.model_state)
     ease(source, SEAM, sides="NONE")
-    assert not has_changed(source, report)
+    assert not has_changed(source, report.model_state)
     ease(source, SEAM, sides="ALL", ease_percent=5.0)
-    assert has_changed(source, report)
+    assert has_changed(source, report.model_state)

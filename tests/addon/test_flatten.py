@@ -317,7 +317,7 @@ def test_only_pieces_that_changed_are_solved_again(addon):
 
     def reused_pieces():
         bpy.ops.object.wirewarp_flatten()
-        return addon.flat.reports.last_report(source)["reused_pieces"]
+        return addon.flat.reports.last_report(source).reused_pieces
 
     assert [reused_pieces(), reused_pieces()] == [0, 2]
     before = uv_of(source.data)

@@ -88,7 +88,7 @@ def drawn(addon, target):
 
 
 def test_on_the_model_a_seam_names_both_pieces_and_on_each_piece_the_other(addon, source):
-    names = [piece["name"] for piece in addon.flat.reports.last_report(source)["pieces"]]
+    names = [piece.name for piece in addon.flat.reports.last_report(source).pieces]
     on_model = {name.texts[0] for name in drawn(addon, source).names}
     assert f"Seam 1: {names[0]} – {names[1]}" in on_model
     on_flat = {name.texts[0] for name in drawn(addon, flat_of(source)).names}

@@ -168,9 +168,9 @@ def test_a_marked_edge_that_lost_its_face_is_left_out_and_said(addon):
     target.data.attributes["wirewarp_wire"].data[len(target.data.edges) - 1].value = 5
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     report = addon.flat.reports.last_report(target)
-    assert [wire["name"] for wire in report["wires"]] == ["Wire 1"]
-    (note,) = report["notes"]
-    assert note["text"] == "1 marked edge ignored: it has no face."
+    assert [wire.name for wire in report.wires] == ["Wire 1"]
+    (note,) = report.notes
+    assert note.text == "1 marked edge ignored: it has no face."
 
 
 def test_an_attribute_of_our_name_that_is_not_ours():

@@ -22,7 +22,7 @@ def source():
 
 @pytest.fixture
 def has_changed(addon, source):
-    return lambda: addon.model.state.has_changed(source, addon.flat.reports.last_report(source))
+    return lambda: addon.model.state.has_changed(source, addon.flat.reports.last_report(source).model_state)
 
 
 def move_a_vertex(source):
@@ -158,7 +158,7 @@ def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp
     change(smooth)
     assert taken() == [smooth]
     assert taken() == []  # once for each state
-    assert addon.model.state.has_changed(smooth, addon.flat.reports.last_report(smooth))
+    assert addon.model.state.has_changed(smooth, addon.flat.reports.last_report(smooth).model_state)
     with pytest.raises(RuntimeError, match="has changed since it was flattened"):
         bpy.ops.object.wirewarp_export_svg(filepath=str(path))
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
@@ -173,10 +173,10 @@ def test_a_model_and_what_its_modifiers_refer_to_may_move_together(addon, smooth
         for moved in (smooth, mirror):
             moved.matrix_world = motion @ moved.matrix_world
         bpy.context.view_layer.update()
-        assert not addon.model.state.has_changed(smooth, report)
+        assert not addon.model.state.has_changed(smooth, report.model_state)
     mirror.location.x += 0.001
     bpy.context.view_layer.update()
-    assert addon.model.state.has_changed(smooth, report)
+    assert addon.model.state.has_changed(smooth, report.model_state)
 
 
 def test_a_small_move_of_one_vertex_by_a_modifier_is_a_change(addon):
@@ -187,10 +187,10 @@ def test_a_small_move_of_one_vertex_by_a_modifier_is_a_change(addon):
     modifier.vertex_indices_set([1800])
     flatten(target, use_modifiers=True)
     report = addon.flat.reports.last_report(target)
-    assert not addon.model.state.has_changed(target, report)
+    assert not addon.model.state.has_changed(target, report.model_state)
     hook.location.z = 1e-4
     bpy.context.view_layer.update()
-    assert addon.model.state.has_changed(target, report)
+    assert addon.model.state.has_changed(target, report.model_state)
 
 
 @pytest.mark.parametrize("count", [1, 100, 100_000])
@@ -214,10 +214,10 @@ def test_a_modifier_along_normals_makes_the_same_mesh_each_time(addon):
     for _ in range(10):
         target.data.update_tag()
         bpy.context.view_layer.update()
-        assert not addon.model.state.has_changed(target, report, addon.blender.memory.read_anew)
+        assert not addon.model.state.has_changed(target, report.model_state, addon.blender.memory.read_anew)
     modifier.strength += 1e-4
     bpy.context.view_layer.update()
-    assert addon.model.state.has_changed(target, report, addon.blender.memory.read_anew)
+    assert addon.model.state.has_changed(target, report.model_state, addon.blender.memory.read_anew)
 
 
 def test_another_frame_of_an_animated_modifier_is_a_change(addon, smooth):
@@ -228,9 +228,9 @@ def test_another_frame_of_an_animated_modifier_is_a_change(addon, smooth):
     bpy.context.scene.frame_set(1)
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     report = addon.flat.reports.last_report(smooth)
-    assert not addon.model.state.has_changed(smooth, report)
+    assert not addon.model.state.has_changed(smooth, report.model_state)
     bpy.context.scene.frame_set(20)
-    assert addon.model.state.has_changed(smooth, report)
+    assert addon.model.state.has_changed(smooth, report.model_state)
 
 
 def test_a_hidden_model_with_modifiers_is_to_be_shown_first(smooth, tmp_path):

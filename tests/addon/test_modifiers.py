@@ -21,7 +21,7 @@ def test_modifiers_go_to_the_flat_object_only():
 
 def notes_after(addon, source, **settings):
     bpy.ops.object.wirewarp_flatten(**settings)
-    return [note["text"] for note in addon.flat.reports.last_report(source)["notes"]]
+    return [note.text for note in addon.flat.reports.last_report(source).notes]
 
 
 def test_what_is_shown_but_not_flattened_is_said(addon):
@@ -43,8 +43,8 @@ def test_what_is_shown_but_not_flattened_is_said(addon):
 def ignored_after(addon, source):
     """What a run says was ignored; the pieces are not ready to cut then."""
     bpy.ops.object.wirewarp_flatten()
-    level, text = addon.report.verdict.run_message([addon.flat.reports.last_report(source)])
-    assert level == "WARNING" and "Ready to cut" not in text
+    level, text = addon.solve.report.run_message([addon.flat.reports.last_report(source)])
+    assert level == "WARNING" and "Lengths are exact" not in text
     return text.removesuffix(" were ignored, so sizes differ from what you see.")
 
 
@@ -56,16 +56,16 @@ def test_modifiers_that_change_nothing_are_not_told(addon):
     source.vertex_groups.new(name=armature.data.bones[0].name).add(range(81), 1.0, "REPLACE")
     source.modifiers.new("Armature", "ARMATURE").object = armature
     select_only(source)
-    assert "Ready to cut" in message_after(addon, source)
+    assert "Lengths are exact" in message_after(addon, source)
     source.modifiers.new("Split", "EDGE_SPLIT").split_angle = 0
-    assert "Ready to cut" in message_after(addon, source)
+    assert "Lengths are exact" in message_after(addon, source)
     armature.pose.bones[0].location.y = 0.5
     assert ignored_after(addon, source) == "Modifiers"
 
 
 def message_after(addon, source):
     bpy.ops.object.wirewarp_flatten()
-    return addon.report.verdict.run_message([addon.flat.reports.last_report(source)])[1]
+    return addon.solve.report.run_message([addon.flat.reports.last_report(source)])[1]
 
 
 def test_shape_keys_are_flattened_with_the_modifiers():

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The one button below Flatten: what it is after each outcome, and that one click mends and flattens."""
 
+from types import SimpleNamespace
+
 import bpy
 import numpy as np
 import pytest
@@ -12,11 +14,12 @@ MEND = bpy.ops.object.wirewarp_mend
 
 
 def step_of(addon, source, left_out=()):
-    return addon.report.next_step.next_step(addon.flat.reports.last_report(source), list(left_out))
+    return addon.ui.next_step.next_step(addon.flat.reports.last_report(source), list(left_out))
 
 
 def ready(addon, source):
-    return addon.report.verdict.run_message([addon.flat.reports.last_report(source)])[1].startswith("Ready to cut")
+    """Whether all lengths are exact, whatever fabric that takes."""
+    return addon.flat.reports.last_report(source).ok
 
 
 def buttons(addon):
@@ -82,25 +85,25 @@ def test_ignored_modifiers_are_taken_from_then_on(addon):
     source = grid("Bump", bump, size=4)
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
     bpy.ops.object.wirewarp_flatten()
-    assert "so sizes differ from what you see" in draw_panels(addon) and "Ready to cut" not in draw_panels(addon)
+    assert "so sizes differ from what you see" in draw_panels(addon) and "Lengths are exact" not in draw_panels(addon)
     step = step_of(addon, source, ["modifiers"])
     assert step.text == "Flatten with Modifiers"
     assert MEND(**step.settings) == {"FINISHED"}
     assert len(flat_of(source).data.polygons) == 64
     assert bpy.context.scene.wirewarp.use_modifiers
-    assert "Ready to cut" in draw_panels(addon) and "object.wirewarp_mend" not in buttons(addon)
+    assert "Lengths are exact" in draw_panels(addon) and "object.wirewarp_mend" not in buttons(addon)
 
 
 def test_modifiers_added_after_a_run_turn_the_verdict_amber_until_they_are_hidden(addon):
     source = grid("Bump", bump, size=4)
     bpy.ops.object.wirewarp_flatten()
-    assert "Ready to cut" in draw_panels(addon)
+    assert "Lengths are exact" in draw_panels(addon)
     modifier = source.modifiers.new("Smooth", "SUBSURF")
     bpy.context.view_layer.update()
     assert "so sizes differ from what you see" in draw_panels(addon)
     modifier.show_viewport = False
     bpy.context.view_layer.update()
-    assert "Ready to cut" in draw_panels(addon)
+    assert "Lengths are exact" in draw_panels(addon)
 
 
 def test_what_only_can_be_looked_at_is_shown(addon):
@@ -138,7 +141,7 @@ def test_flat_pieces_stand_for_their_model(addon):
     mark(source, on_line(0, 0.0))
     select_only(flat_of(source))
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    assert [wire["name"] for wire in addon.flat.reports.last_report(source)["wires"]] == ["Wire 1"]
+    assert [wire.name for wire in addon.flat.reports.last_report(source).wires] == ["Wire 1"]
     assert bpy.context.active_object == flat_of(source)
     bpy.ops.object.mode_set(mode="EDIT")
     assert bpy.ops.object.wirewarp_flatten(only_active=True, keep_places=False) == {"FINISHED"}
@@ -151,8 +154,8 @@ def test_edges_proposed_for_twins_are_counted_once(addon):
     select_only(source, other)
     bpy.ops.object.join()
     flatten_fails()
-    issues = addon.flat.reports.last_report(source)["issues"]
-    assert sum(len(issue["proposed_seams"]) for issue in issues) == 2 * 2 * 6  # each of both, of six rows
+    issues = addon.flat.reports.last_report(source).issues
+    assert sum(len(issue.proposed_seams) for issue in issues) == 2 * 2 * 6  # each of both, of six rows
     assert step_of(addon, source).sentence == "12 edges proposed as seam."
 
 
@@ -222,14 +225,15 @@ def test_the_strained_place_is_the_largest_of_the_worst_piece(addon):
     """Not a wire that would go further if it could, and no single face."""
 
     def entry(code, piece, faces, edges=()):
-        return {"code": code, "piece": piece, "vertices": [], "edges": list(edges), "faces": list(range(faces))}
+        return addon.core.Hint(code, "", piece, edges=list(edges), faces=list(range(faces)))
 
-    report = {"issues": [], "pieces": [{"ok": True, "aspect_ratio_max": 3.0}] * 2}
-    report["hints"] = [
+    piece = SimpleNamespace(is_strained=True)
+    report = addon.solve.report.ObjectReport(pieces=[piece, piece])
+    report.hints = [
         entry("wire_at_limit", None, 0, [(0, 1)]),
         entry("strained", 1, 1),
         entry("strained", 0, 50),
         entry("strained", 1, 20),
     ]
-    step = addon.report.next_step.next_step(report, [])
+    step = addon.ui.next_step.next_step(report, [])
     assert (step.text, step.settings) == ("Show Strained Place", {"what": "HINT", "index": 3})

@@ -213,7 +213,7 @@ def test_what_failed_is_drawn_on_the_model_and_on_the_pieces(addon):
     mark(source, on_line(1, 0.0))
     with pytest.raises(RuntimeError, match="turned over"):
         bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
-    faces = {face for issue in addon.flat.reports.last_report(source)["issues"] for face in issue["faces"]}
+    faces = {face for issue in addon.flat.reports.last_report(source).issues for face in issue.faces}
     for target in (source, flat_of(source)):
         found = addon.overlay.failures.failures(target)
         assert len(found.triangles) == 3 * 2 * len(faces)  # of quads
@@ -228,13 +228,13 @@ def test_around_a_failed_piece_there_are_lines_and_none_within(addon):
     tube = bpy.context.active_object
     with pytest.raises(RuntimeError, match="tube"):
         bpy.ops.object.wirewarp_flatten()
-    (issue,) = addon.flat.reports.last_report(tube)["issues"]
+    (issue,) = addon.flat.reports.last_report(tube).issues
     found = addon.overlay.failures.failures(tube)
     assert len(found.triangles) == 3 * 2 * 12
     drawn = found.lines["failed"].reshape(-1, 2, 3)
     around = np.abs(drawn[:, 0, 2] - drawn[:, 1, 2]) < 1e-6
     assert around.sum() == 2 * 12
-    assert (~around).sum() <= len(issue["vertices"])  # the issue's own places
+    assert (~around).sum() <= len(issue.vertices)  # the issue's own places
 
 
 def test_a_closed_piece_that_failed_has_no_outline_but_is_in_the_legend(addon):
@@ -283,7 +283,7 @@ def test_a_model_without_marks_of_which_nothing_could_be_flattened_is_drawn(addo
     (drawing,) = addon.overlay.shown.drawings(view_context())
     assert drawing.target == source
     assert len(drawing.failures.triangles) == 3 * 4
-    proposed = addon.flat.reports.last_report(source)["issues"][0]["proposed_seams"]
+    proposed = addon.flat.reports.last_report(source).issues[0].proposed_seams
     ends = [corners[vertex] for pair in proposed for vertex in sorted(pair)]
     assert sorted(map(tuple, drawing.failures.lines["proposed"].tolist())) == sorted(ends)
 

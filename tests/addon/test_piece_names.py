@@ -276,8 +276,8 @@ def test_names_in_the_report_and_the_overlay_follow_a_renaming_at_once(source, a
     assert [piece["piece_id"] for piece in entry["pieces"]] == [entry.piece_id for entry in source.wirewarp_pieces]
     rename(source, "Top Left", "Sleeve")
     report = addon.flat.reports.last_report(source)
-    assert sorted(piece["name"] for piece in report["pieces"]) == ["Sleeve", "Top Right"]
-    (row,) = addon.report.rows.seam_rows(report)
+    assert sorted(piece.name for piece in report.pieces) == ["Sleeve", "Top Right"]
+    (row,) = report.tables.seams
     assert sorted(side.label for side in row.sides) == ["Sleeve", "Top Right"]
     depsgraph = bpy.context.evaluated_depsgraph_get()
     drawn = [name.texts[-1] for name in addon.overlay.objects.marked_lines(flat_of(source), depsgraph).names]

@@ -97,7 +97,7 @@ def are_apart(first, second):
 
 
 def notes_of(addon, source):
-    return [note["text"] for note in addon.flat.reports.last_report(source)["notes"]]
+    return [note.text for note in addon.flat.reports.last_report(source).notes]
 
 
 def test_pieces_moved_and_turned_by_the_user_stay(source):
@@ -382,7 +382,7 @@ def test_lengths_are_true_again_after_the_flat_object_was_edited(source, change)
 
 def test_the_list_opens_at_the_worst_piece_and_then_stays_where_the_user_is(addon, source):
     report = addon.flat.reports.last_report(source)
-    worst = max(report["pieces"], key=lambda piece: piece["aspect_ratio_max"])["index"]
+    worst = max(report.pieces, key=lambda piece: piece.needed).index
     assert source.wirewarp_active_piece == worst
     source.wirewarp_active_piece = 1 - worst
     bpy.ops.object.wirewarp_flatten()

@@ -38,11 +38,11 @@ def test_a_tube_lies_flat_once_the_proposed_seam_is_marked(addon, mode):
     bpy.ops.object.mode_set(mode="OBJECT")
     ends = read(source.data.vertices, "co", np.float32, 3)[seams_of(source)]
     assert {0.0, 3.0} <= set(ends[..., 2].ravel().tolist())  # from one opening to the other
-    assert addon.model.state.has_changed(source, addon.flat.reports.last_report(source))
+    assert addon.model.state.has_changed(source, addon.flat.reports.last_report(source).model_state)
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     ratio = read(flat_of(source).data.attributes["aspect_ratio"].data, "value", np.float32)
     assert ratio == pytest.approx(1, abs=1e-4)  # a tube that is cut open is developable
-    assert addon.flat.reports.last_report(source)["issues"] == []
+    assert addon.flat.reports.last_report(source).issues == []
 
 
 def test_what_is_done_already_is_said():
@@ -75,7 +75,7 @@ def test_two_sleeves_are_mended_at_once_as_mirror_images(addon):
             vertex.co.y *= 1 + 0.2 * abs(vertex.co.x)
     joined(source, other)
     flatten_fails()
-    assert [issue["both_sides"] for issue in addon.flat.reports.last_report(source)["issues"]] == [True, True]
+    assert [issue.both_sides for issue in addon.flat.reports.last_report(source).issues] == [True, True]
     assert take(issue=0) == {"FINISHED"}
     ends = read(source.data.vertices, "co", np.float32, 3)[seams_of(source)]
     middles = {tuple(place) for place in ends.mean(axis=1).round(4).tolist()}
@@ -189,7 +189,8 @@ def loosen(addon):
     )
     issue = addon.solve.flatten.issue_of_piece(piece, 0, arrays)
     assert [(wire.name, wire.tolerance) for wire in issue.proposed_tolerances] == [("Bust", 0.0124), ("Wire 2", 0.05)]
-    report = addon.report.report.failure_report(issue) | {"model_state": addon.model.state.present_state(source, False)}
+    report = addon.solve.report.failure_report(issue)
+    report.model_state = addon.model.state.present_state(source, False)
     addon.flat.reports.store(source, report)
     return source
 
@@ -210,8 +211,8 @@ def test_the_proposed_tolerances_are_written_and_none_becomes_tighter(loosen, ad
     assert np.all(tolerances_on(loosen, 0.5) == np.float32(0.2))
     assert np.all(tolerances_on(loosen, -0.5) == 0)
     bpy.ops.object.wirewarp_flatten()
-    wires = addon.flat.reports.last_report(loosen)["wires"]
-    assert {wire["name"]: wire["tolerance"] for wire in wires} == {"Bust": 0.0124, "Wire 2": 0.2}
+    wires = addon.flat.reports.last_report(loosen).wires
+    assert {wire.name: wire.tolerance for wire in wires} == {"Bust": 0.0124, "Wire 2": 0.2}
 
 
 def inside(a, b):
@@ -227,8 +228,8 @@ def test_wires_that_contradict_one_another_lie_flat_once_they_are_loosened(addon
     assert take("TOLERANCES") == {"FINISHED"}
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     report = addon.flat.reports.last_report(source)
-    assert report["ok"]
-    assert any(wire["tolerance"] > 0 for wire in report["wires"])
+    assert report.ok
+    assert any(wire.tolerance > 0 for wire in report.wires)
 
 
 def test_wires_of_twins_are_loosened_at_once(addon):
@@ -241,9 +242,9 @@ def test_wires_of_twins_are_loosened_at_once(addon):
         target.data.transform(Matrix.Translation((place, 0, 0)))
     source = joined(*saddles)
     flatten_fails("flat with")
-    first, second = addon.flat.reports.last_report(source)["issues"]
-    assert first["both_sides"] and first["proposed_tolerances"] == second["proposed_tolerances"]
-    assert len({wire["name"] for wire in first["proposed_tolerances"]}) % 2 == 0
+    first, second = addon.flat.reports.last_report(source).issues
+    assert first.both_sides and first.proposed_tolerances == second.proposed_tolerances
+    assert len({wire.name for wire in first.proposed_tolerances}) % 2 == 0
     assert take("TOLERANCES") == {"FINISHED"}
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 

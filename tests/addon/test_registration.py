@@ -151,7 +151,7 @@ def test_the_methods_are_those_of_the_library(addon):
     assert methods[method.default] == library.Options().method
     for name in methods.values():
         assert library.Options(method=name).method == name
-        assert name in addon.report.report.METHOD_NAMES
+        assert name in addon.core.METHOD_NAMES
     fairness = bpy.ops.object.wirewarp_flatten.get_rna_type().properties["fairness"]
     assert fairness.default == pytest.approx(library.Options().fairness)
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The JSON report and what is kept for the panel."""
 
+import copy
 import itertools
 import json
 import math
@@ -15,7 +16,6 @@ from surfaces import (
     edge_vertices,
     flat_of,
     grid,
-    half_cylinder,
     mark,
     mark_seam,
     on_line,
@@ -74,10 +74,10 @@ def test_tolerances_that_the_method_does_not_use_are_said(source, addon, tmp_pat
     mark(source, WIRE, kind="SUPER_ELASTIC")
     (entry,) = flatten_with_report(tmp_path, method="WIREWARPING")["objects"]
     assert entry["method"] == "wirewarping"
-    text = 'This method keeps every wire rigid, so these tolerances were not used: "Wire 1".'
-    assert entry["notes"] == [{"text": text, "is_warning": False}]
+    text = "This method keeps every wire rigid, so tolerances were not used."
+    assert entry["notes"] == [{"text": text, "is_warning": False, "piece": None}]
     assert entry["wires"][0]["length_2d"][0] == pytest.approx(entry["wires"][0]["length_3d"], rel=1e-9)
-    (row,) = addon.report.rows.wire_rows(entry)
+    (row,) = addon.flat.reports.last_report(source).tables.wires
     assert row.note.endswith("; free, kept rigid")
 
 
@@ -88,7 +88,7 @@ def test_an_elastic_wire_at_its_limit_is_marked(source, addon, tmp_path):
     assert [part["at_limit"] for part in (*parts, *entry["wires"])] == [True, True, True]
     assert [part["tolerance"] for part in parts] == [0.001, 0.001]
     assert [abs(part["percent"][0]) for part in parts] == pytest.approx([0.1, 0.1], abs=1e-4)
-    (row,) = addon.report.rows.wire_rows(entry)
+    (row,) = addon.flat.reports.last_report(source).tables.wires
     assert (row.ok, row.at_limit) == (True, True)
     assert row.note.endswith("; at its limit of ±0.1%")
 
@@ -102,7 +102,7 @@ def test_a_wire_short_of_its_limit_is_not_marked(source, addon, tmp_path, kind, 
     (entry,) = flatten_with_report(tmp_path)["objects"]
     assert entry["ok"]
     assert not [hint for hint in entry["hints"] if hint["code"] == "wire_at_limit"]
-    (row,) = addon.report.rows.wire_rows(entry)
+    (row,) = addon.flat.reports.last_report(source).tables.wires
     assert (row.ok, row.at_limit) == (True, False)
     assert row.note.split("; ")[1:] == ([text] if text else [])
 
@@ -112,84 +112,8 @@ def test_tolerances_are_shown_in_percent(addon, tolerance, text):
     assert addon.words.tolerance_text(tolerance) == text
 
 
-def test_pieces_ready_to_cut_are_told_from_those_that_failed(addon):
-    def verdict(*aspect_ratios):
-        lines = addon.report.verdict.verdict(report_of_pieces(*aspect_ratios))
-        return [(line.text, line.icon) for line in lines]
-
-    assert verdict(1.0, 1.07) == [("Ready to cut: 2 pieces, every length kept", "TICK")]
-    giving = "Ready to cut, from cloth that stretches 25%: 2 pieces, every length kept"
-    assert verdict(1.0, 1.25) == [(giving, "TICK")]
-    failed = ("Do not cut: 1 of 3 pieces failed", "CANCEL")
-    assert verdict(1.0, None, 1.0) == [failed, ("Ready to cut: Piece 1, Piece 3", "TICK")]
-    assert verdict(None) == [("Do not cut: the piece failed", "CANCEL")]
-    assert verdict() == [("Not flattened", "CANCEL")]
-
-
-def report_of_pieces(*aspect_ratios, name="Bump"):
-    """Pieces of these largest aspect ratios, all of them stretched; None: a piece that failed."""
-    pieces = [
-        {
-            "index": index,
-            "name": f"Piece {index + 1}",
-            "ok": ratio is not None,
-            "aspect_ratio_max": ratio,
-            "stretch_max": ratio and ratio - 1,
-            "ease_max": 0.0,
-        }
-        for index, ratio in enumerate(aspect_ratios)
-    ]
-    ok = bool(pieces) and None not in aspect_ratios
-    return {"object": name, "ok": ok, "pieces": pieces, "method": "refined", "method_name": "Refined", "wires": []}
-
-
-def strain_sentence(pieces, percent):
-    keep, remedy = (
-        ("keep their", "darts or seams") if " and " in pieces or ";" in pieces else ("keeps its", "a dart or seam")
-    )
-    return f"{pieces} {keep} lengths, but the cloth must stretch up to {percent}%. Add {remedy} there."
-
-
-def test_pieces_that_cloth_cannot_follow_are_not_ready_to_cut(addon):
-    verdict = addon.report.verdict.verdict
-    assert verdict(report_of_pieces(1.65)) == [(strain_sentence("Piece 1", 65), "AMBER")]
-    assert verdict(report_of_pieces(1.65, None, 1.1, 14.0)) == [
-        ("Do not cut: 1 of 4 pieces failed", "CANCEL"),
-        ("Piece 4: no cloth stretches that far. Add seams.", "AMBER"),
-        (strain_sentence("Piece 1", 65), "AMBER"),
-        ("Ready to cut, from cloth that stretches 10%: Piece 3", "TICK"),
-    ]
-    (line,) = verdict(report_of_pieces(1.6, 1.7))
-    assert line.text == strain_sentence("Piece 2 and Piece 1", 70)
-    (line,) = verdict(report_of_pieces(1.3, 1.4, 1.5, 1.6, 1.7, 1.8))
-    assert line.text == strain_sentence("Piece 6, Piece 5, Piece 4, Piece 3 and 2 more", 80)
-    report = report_of_pieces(1.0)
-    report["pieces"][0] |= {"aspect_ratio_max": None, "stretch_max": None}  # "inf": a face squeezed to a line
-    (line,) = verdict(report)
-    assert line == ("Piece 1: no cloth stretches that far. Add seams.", "AMBER")
-
-
-def test_many_good_pieces_are_counted(addon):
-    *_, ready = addon.report.verdict.verdict(report_of_pieces(None, *[1.0] * 20))
-    assert ready.text == "Ready to cut: the other 20 pieces"
-
-
-def test_the_message_of_a_run_is_the_verdict_on_all_its_models(addon):
-    def message(*reports):
-        return addon.report.verdict.run_message([report | {"notes": [], "hints": []} for report in reports])
-
-    fine = report_of_pieces(1.0, 1.05)
-    assert message(fine) == ("INFO", "Ready to cut: 2 pieces, every length kept.")
-    giving = "Ready to cut, from cloth that stretches 20%: 3 pieces, every length kept"
-    assert message(fine, report_of_pieces(1.2)) == ("INFO", f"{giving}.")
-    assert message(report_of_pieces(1.3, name="A"), report_of_pieces(1.0, 1.65, name="B")) == (
-        "WARNING",
-        f"{strain_sentence('B, Piece 2; A, Piece 1', 65)} Ready to cut: B, Piece 1.",
-    )
-
-
 def test_a_sentence_is_broken_where_it_fills_the_sidebar(addon):
-    text = strain_sentence("Piece 1", 65)
+    text = "Front keeps its lengths, but the fabric must stretch up to 65%. Add a dart or seam there."
     styles = bpy.context.preferences.ui_styles
     for scale in (1.0, 2.0):
         preferences = SimpleNamespace(system=SimpleNamespace(ui_scale=scale), ui_styles=styles)
@@ -201,29 +125,6 @@ def test_a_sentence_is_broken_where_it_fills_the_sidebar(addon):
             counts.append(len(lines))
         assert counts == sorted(counts, reverse=True)
         assert (counts[0] > 5, counts[-1]) == (True, 1)
-
-
-def half_sphere(x, y):
-    """The square's rings of cells laid on the circles of latitude of a half sphere."""
-    polar, angle = max(abs(x), abs(y)) * math.pi / 2, math.atan2(y, x)
-    return (math.sin(polar) * math.cos(angle), math.sin(polar) * math.sin(angle), math.cos(polar))
-
-
-def test_a_half_sphere_keeps_its_lengths_but_is_not_ready_to_cut(addon, tmp_path):
-    grid("Half Sphere", half_sphere)
-    (report,) = flatten_with_report(tmp_path)["objects"]
-    assert report["ok"]
-    # No rim of length 2 pi encloses more than pi, half the area: some face is squeezed by sqrt(2) one way at least.
-    assert report["pieces"][0]["aspect_ratio_max"] > 1.4
-    (line,) = addon.report.verdict.verdict(report)
-    assert line.icon == "AMBER"
-    assert line.text.startswith("Half Sphere keeps its lengths, but the cloth must stretch up to")
-
-
-def test_a_strip_of_a_cylinder_is_ready_to_cut(addon, tmp_path):
-    grid("Half Cylinder", half_cylinder)
-    (report,) = flatten_with_report(tmp_path)["objects"]
-    assert addon.report.verdict.verdict(report) == [("Ready to cut: 1 piece, every length kept", "TICK")]
 
 
 def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
@@ -245,26 +146,17 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
 
         stopping = SimpleNamespace(**vars(library) | {"start": start})
         result = addon.solve.steps.in_one_go(addon.solve.flatten.flatten_arrays(stopping, arrays, choices))
-        return addon.report.report.object_report(result, arrays, identities, [], 1.0)
+        facts = addon.solve.report.Facts(object="Top", mesh="Top", with_modifiers=False, shaped_by=[], counts={})
+        return addon.solve.report.object_report(result, arrays, facts, identities, [], 1.0)
 
     first, last = report_of_run(0), report_of_run(1_000_000)
-    assert not first["ok"]
-    assert "Cancelled before this piece was flat" in first["issues"][0]["sentence"]
-    assert (last["ok"], last["notes"]) == (True, [])
-    stopped = next(report for report in map(report_of_run, itertools.count()) if report["ok"])
-    assert stopped["pieces"][0]["termination"] == "cancelled"
+    assert not first.ok
+    assert "Cancelled before this piece was flat" in first.issues[0].sentence
+    assert (last.ok, last.notes) == (True, [])
+    stopped = next(report for report in map(report_of_run, itertools.count()) if report.ok)
+    assert stopped.pieces[0].termination == "cancelled"
     text = "Top: Cancelled: the lengths are exact, but the shape could be less distorted."
-    assert stopped["notes"] == [{"text": text, "is_warning": True}]
-
-
-def test_success_says_whether_lengths_were_to_stay(addon):
-    def report(method, tolerance):
-        return {"method": method, "wires": [{"tolerance": tolerance}]}
-
-    kept = addon.report.verdict.kept_text
-    assert kept([report("wirewarp++", 0.0)]) == kept([report("wirewarping", 0.03)]) == "every length kept"
-    either = "every length kept or within its tolerance"
-    assert kept([report("wirewarp++", 0.0), report("wirewarp++", "inf")]) == either
+    assert [(addon.core.note_text(stopped, note), note.is_warning) for note in stopped.notes] == [(text, True)]
 
 
 def test_what_is_only_good_to_know_is_no_warning(addon, source):
@@ -272,12 +164,12 @@ def test_what_is_only_good_to_know_is_no_warning(addon, source):
     bpy.ops.object.wirewarp_flatten()
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     report = addon.flat.reports.last_report(source)
-    (note,) = report["notes"]
-    assert "from an earlier run without Modifiers" in note["text"]
-    level, text = addon.report.verdict.run_message([report])
-    assert level == "INFO" and text.endswith(note["text"])
-    report["notes"] = [note | {"is_warning": True}]
-    assert addon.report.verdict.run_message([report]) == ("WARNING", text)
+    (note,) = report.notes
+    assert "from an earlier run without Modifiers" in note.text
+    level, text = addon.solve.report.run_message([report])
+    assert level == "INFO" and text.endswith(note.text)
+    report.notes = [addon.core.Note(note.text, is_warning=True)]
+    assert addon.solve.report.run_message([report]) == ("WARNING", text)
 
 
 def test_the_method_and_the_settings_reach_the_core(source, tmp_path):
@@ -297,7 +189,7 @@ def test_the_method_and_the_settings_reach_the_core(source, tmp_path):
 def test_the_report_is_saved_with_the_object(source, addon, tmp_path):
     bpy.ops.object.wirewarp_flatten()
     before = addon.flat.reports.last_report(source)
-    assert before["ok"]
+    assert before.ok
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "flat.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "flat.blend"))
     assert addon.flat.reports.last_report(bpy.data.objects["Bump"]) == before
@@ -308,8 +200,8 @@ def test_the_report_is_saved_with_the_object(source, addon, tmp_path):
 def test_a_stored_report_that_cannot_be_read_is_a_sentence(source, addon, stored):
     source["wirewarp_report"] = stored
     report = addon.flat.reports.last_report(source)
-    assert not report["ok"]
-    assert "Flatten again" in report["issues"][0]["sentence"]
+    assert not report.ok
+    assert "Flatten again" in report.issues[0].sentence
     assert bpy.ops.mesh.wirewarp_select_issues() == {"CANCELLED"}
 
 
@@ -347,7 +239,7 @@ def test_joined_wires_have_the_names_they_had_in_the_report_and_in_the_list(sour
     select_only(source, other, third)
     bpy.ops.object.join()  # keeps the names of the first mesh only
     bpy.ops.object.wirewarp_flatten()
-    wires = [wire["name"] for wire in addon.flat.reports.last_report(source)["wires"]]
+    wires = [wire.name for wire in addon.flat.reports.last_report(source).wires]
     assert wires == [entry.name for entry in source.data.wirewarp_names]
     assert sorted(wires) == ["Bust", "Bust (2)", "Hip"]
 
@@ -370,7 +262,7 @@ def test_the_report_follows_the_names_of_wires(addon):
     for line, tolerance in ((0.0, 0.001), (0.5, 0.002)):
         mark(source, on_line(1, line), kind="ELASTIC", tolerance=tolerance)
     bpy.ops.object.wirewarp_flatten()
-    before = json.loads(json.dumps(addon.flat.reports.last_report(source)))
+    before = copy.deepcopy(addon.flat.reports.last_report(source))
     for entry in source.data.wirewarp_names:
         entry.name = {"Wire 1": "Wire 2", "Wire 2": "Hip \\1"}[entry.name]
     report = addon.flat.reports.last_report(source)
@@ -378,12 +270,12 @@ def test_the_report_follows_the_names_of_wires(addon):
     def swapped(text):
         return text.replace("Wire 2", "Hip \\1").replace("Wire 1", "Wire 2")
 
-    assert [wire["name"] for wire in report["wires"]] == [swapped(wire["name"]) for wire in before["wires"]]
-    parts = [part["name"] for part in report["pieces"][0]["wires"]]
-    assert parts == [swapped(part["name"]) for part in before["pieces"][0]["wires"]]
-    for part in ("sentence", "short"):
-        assert [hint[part] for hint in report["hints"]] == [swapped(hint[part]) for hint in before["hints"]]
-    assert [hint["code"] for hint in before["hints"]].count("wire_at_limit") == 2
+    assert [wire.name for wire in report.wires] == [swapped(wire.name) for wire in before.wires]
+    parts = [part.name for part in report.pieces[0].wires]
+    assert parts == [swapped(part.name) for part in before.pieces[0].wires]
+    told = [addon.core.hint_text(report, hint) for hint in report.hints]
+    assert told == [swapped(addon.core.hint_text(before, hint)) for hint in before.hints]
+    assert [hint.code for hint in before.hints].count("wire_at_limit") == 2
     words = draw_panels(addon)
     assert "Hip \\1" in words and "Wire 1" not in words
     select_only(flat_of(source))
@@ -396,5 +288,5 @@ def test_two_wires_renamed_alike_stay_apart(addon, source):
     bpy.ops.object.wirewarp_flatten()
     for entry in source.data.wirewarp_names:
         entry.name = "Waist"
-    names = [wire["name"] for wire in addon.flat.reports.last_report(source)["wires"]]
+    names = [wire.name for wire in addon.flat.reports.last_report(source).wires]
     assert names == ["Waist", "Waist (2)"]

@@ -27,8 +27,8 @@ def solving(addon, *sources):
 def test_a_run_tells_how_far_it_is(addon):
     told = []
     outcomes = addon.solve.steps.in_one_go(solving(addon, grid("First", bump), grid("Second", bump)), told.append)
-    assert [outcome.report["object"] for outcome in outcomes] == ["First", "Second"]
-    assert all(outcome.report["ok"] for outcome in outcomes)
+    assert [outcome.report.object for outcome in outcomes] == ["First", "Second"]
+    assert all(outcome.report.ok for outcome in outcomes)
     assert told == sorted(told)
     assert {0.5, 1.0} <= set(told)
 

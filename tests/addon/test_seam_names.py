@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Seams are numbered once: what is chalked on cloth stays true, whatever else is marked or changed."""
 
-import json
-
 import bpy
 import numpy as np
 import pytest
@@ -33,7 +31,7 @@ def seams(addon, target):
     """Of the last report: where they run, by name."""
     report = addon.flat.reports.last_report(target)
     places = read(target.data.vertices, "co", np.float32, 3)
-    return {seam["name"]: places[seam["edges"]].mean(axis=(0, 1))[:2].round(2).tolist() for seam in report["seams"]}
+    return {seam.name: places[seam.edges].mean(axis=(0, 1))[:2].round(2).tolist() for seam in report.seams}
 
 
 def test_a_new_seam_leaves_the_others_their_numbers(addon, source):
@@ -88,7 +86,7 @@ def test_a_seam_that_ends_inside_its_piece_is_a_dart(addon):
     mark_seam(target, dart)
     flatten(target)
     assert list(seams(addon, target)) == ["Dart 1"]
-    assert addon.report.rows.seam_rows(addon.flat.reports.last_report(target))[0].note == "Bump"
+    assert addon.flat.reports.last_report(target).tables.seams[0].note == "Bump"
     mark_seam(target, DOWN)  # all the way through: the same seam, and no dart any more
     flatten(target)
     assert list(seams(addon, target)) == ["Seam 1"]
@@ -105,10 +103,10 @@ def test_a_seam_with_both_sides_in_one_piece_that_opens_a_tube_is_no_dart(addon)
 
 
 def test_the_list_and_the_table_say_what_a_seam_joins(addon, source):
-    names = [piece["name"] for piece in addon.flat.reports.last_report(source)["pieces"]]
+    names = [piece.name for piece in addon.flat.reports.last_report(source).pieces]
     joined = " – ".join(names)
     assert joined in draw_panels(addon)
-    text = addon.report.csv_table.report_csv(
+    text = addon.core.report_csv(
         addon.flat.reports.last_report(source), addon.blender.units.length_text(bpy.context.scene)
     )
     assert f"Seam,Seam 1: {joined},{names[0]}," in text
@@ -125,17 +123,6 @@ def test_seams_keep_their_numbers_with_modifiers(addon, source):
     assert {entry.seam_id: entry.name for entry in source.wirewarp_seams} == before
     flat = flat_of(source).data
     assert set(read(flat.attributes["wirewarp_seam"].data, "value", np.int32)) == {0, *before}
-
-
-def test_a_report_from_before_seams_had_names_is_read(addon, source):
-    report = json.loads(source["wirewarp_report"])
-    for seam in report["seams"]:
-        for part in ("seam_id", "name", "is_dart"):
-            del seam[part]
-    addon.flat.reports.store(source, report)
-    source.wirewarp_seams.clear()
-    assert [seam["name"] for seam in addon.flat.reports.last_report(source)["seams"]] == ["Seam 1"]
-    assert "Seam 1" in draw_panels(addon)
 
 
 def test_a_seam_whose_name_was_cleared_gets_one_again(addon, source):

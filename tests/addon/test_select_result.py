@@ -135,18 +135,18 @@ def test_a_wire_on_the_model_and_on_the_flat_pieces(wired, what):
 
 def test_an_open_edge_is_one_stretch_of_one_piece(source, addon):
     report = addon.flat.reports.last_report(source)
-    for index, (_, _, chain) in enumerate(addon.report.names.open_edges(report)):
+    for index, (_, _, chain) in enumerate(addon.core.open_edges(report)):
         select_only(source)
         bpy.ops.mesh.wirewarp_select_result(what="OUTLINE", index=index)
         edges = selected(source, "edges")
         assert len(edges) == 16  # half of the square's outline
-        assert edge_lengths(source)[edges].sum() == pytest.approx(chain["length_3d"], rel=1e-6)
+        assert edge_lengths(source)[edges].sum() == pytest.approx(chain.length_3d, rel=1e-6)
         side = np.sign(places(source, edges)[..., 0].mean())
         assert (side * places(source, edges)[..., 0] >= 0).all()
         select_only(flat_of(source))
         bpy.ops.mesh.wirewarp_select_result(what="OUTLINE", index=index)
         edges = selected(flat_of(source), "edges")
-        assert edge_lengths(flat_of(source))[edges].sum() == pytest.approx(chain["length_2d"][0], rel=1e-6)
+        assert edge_lengths(flat_of(source))[edges].sum() == pytest.approx(chain.length_2d[0], rel=1e-6)
 
 
 def test_a_piece_on_the_model(source):
@@ -159,10 +159,10 @@ def test_a_piece_on_the_model(source):
 
 @pytest.mark.parametrize("what", ["STRETCH", "EASE"])
 def test_where_the_cloth_is_strained_most(source, addon, what):
-    piece = addon.flat.reports.last_report(source)["pieces"][1]
+    piece = addon.flat.reports.last_report(source).pieces[1]
     bpy.ops.mesh.wirewarp_select_result(what=what, index=1)
     faces = selected(source, "polygons")
-    assert faces.tolist() == piece[f"{what.lower()}_faces"]
+    assert faces.tolist() == getattr(piece, f"{what.lower()}_faces")
     assert 0 < len(faces) < 32  # a place in the piece, not all of it
     select_only(flat_of(source))
     bpy.ops.mesh.wirewarp_select_result(what=what, index=1)

@@ -118,8 +118,8 @@ def test_an_ease_of_a_side_that_was_copied_to_the_other_is_told_until_it_is_mark
     mark_seam(half, SEAM)
     with pytest.raises(RuntimeError, match='8 edges of "Half" with an ease of one side: which side that is cannot be'):
         bpy.ops.object.wirewarp_flatten()
-    (issue,) = addon.flat.reports.last_report(half)["issues"]
-    assert len(issue["edges"]) == 8
+    (issue,) = addon.flat.reports.last_report(half).issues
+    assert len(issue.edges) == 8
     ease(half, SEAM, sides="ONE", ease_percent=5.0)
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     assert sorted(shares(half)) == pytest.approx([0.0, 0.05], abs=1e-5)
@@ -133,8 +133,8 @@ def test_an_ease_of_one_side_of_a_middle_that_a_mirror_merges_is_told_what_to_do
     ease(half, SEAM, sides="ONE", ease_percent=5.0)
     with pytest.raises(RuntimeError, match="8 edges .*modifiers copied.*Apply them and mark it again, or mark it on"):
         bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    (issue,) = addon.flat.reports.last_report(half)["issues"]
-    assert (issue["code"], len(issue["edges"])) == ("side_unknown", 8)
+    (issue,) = addon.flat.reports.last_report(half).issues
+    assert (issue.code, len(issue.edges)) == ("side_unknown", 8)
     ease(half, SEAM, sides="NONE")
     ease(half, SEAM, sides="ALL", ease_percent=5.0)
     assert bpy.ops.object.wirewarp_flatten(use_modifiers=True) == {"FINISHED"}
@@ -173,8 +173,8 @@ def test_two_eases_of_one_side_are_told_with_their_edges(source, addon):
     write_corners(source, [0.02, 0.02])
     with pytest.raises(RuntimeError, match='Edges of "Bump" have two eases of one side.*mark their ease again'):
         bpy.ops.object.wirewarp_flatten()
-    (issue,) = addon.flat.reports.last_report(source)["issues"]
-    assert len(issue["edges"]) == 8
+    (issue,) = addon.flat.reports.last_report(source).issues
+    assert len(issue.edges) == 8
     mark(source, HEM)  # which goes on as ever
     ease(source, SEAM, sides="ONE", ease_percent=5.0)  # which takes the other away
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
@@ -187,9 +187,9 @@ def test_an_ease_where_no_side_is_names_its_edges(source, addon):
     bpy.ops.object.mode_set(mode="OBJECT")
     with pytest.raises(RuntimeError, match="An ease names"):
         bpy.ops.object.wirewarp_flatten()
-    (issue,) = addon.flat.reports.last_report(source)["issues"]
-    assert issue["code"] == "ease_without_side"
-    assert len(issue["edges"]) == 2
+    (issue,) = addon.flat.reports.last_report(source).issues
+    assert issue.code == "ease_without_side"
+    assert len(issue.edges) == 2
 
 
 @pytest.mark.parametrize("value", [-1.0, float("nan"), float("inf")])
@@ -205,8 +205,8 @@ def test_an_ease_that_is_none_names_its_wire_or_its_edges(source, addon, name, v
     wire, side = 'Wire "Wire 1" has an invalid ease', "ease of one side is invalid along 8 edges"
     with pytest.raises(RuntimeError, match=wire if name == "wirewarp_ease" else side):
         bpy.ops.object.wirewarp_flatten()
-    (issue,) = addon.flat.reports.last_report(source)["issues"]
-    assert len(issue["edges"]) == 8
+    (issue,) = addon.flat.reports.last_report(source).issues
+    assert len(issue.edges) == 8
 
 
 def arrow(addon, target):

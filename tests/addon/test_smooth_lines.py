@@ -169,8 +169,8 @@ def test_a_suggestion_is_cut_smoothly_and_flattened(addon, kind, faces):
     ends = seam_places(source)
     assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum() <= sum(cut.lengths) * (1 + 1e-6)
     assert ends_of(seams_of(source)) == ends_of(cut.edges)
-    pieces = addon.flat.reports.last_report(source)["pieces"]
-    assert all(piece["ok"] for piece in pieces) and flat_of(source)
+    pieces = addon.flat.reports.last_report(source).pieces
+    assert all(piece.ok for piece in pieces) and flat_of(source)
     assert len(pieces) == (1 if kind == "DARTS" else 1 + len(cut.lengths))
 
 

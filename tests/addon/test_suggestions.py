@@ -70,7 +70,7 @@ def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
     assert pairs(seams_of(source)) == pairs(suggestions.cuts[0].edges)
     assert pairs(edge_vertices(source.data)) - edges == pairs(suggestions.cuts[0].diagonals)
-    flattened = addon.flat.reports.last_report(source)["pieces"]
+    flattened = addon.flat.reports.last_report(source).pieces
     assert len(flattened) == (1 if kind == "DARTS" else 1 + len(suggestions.cuts[0].lengths))
     if faces == "triangles":  # else a face has one figure for two triangles; single precision is worth 1e-6 of .1
         assert widespread(addon, source) == pytest.approx(suggestions.cuts[0].strain, rel=1e-5)
@@ -93,7 +93,9 @@ def test_the_least_strain_is_first_and_rows_differ(addon):
     SUGGEST["DARTS"]()
     cuts = found(addon, source).cuts
     assert [cut.strain for cut in cuts] == sorted(cut.strain for cut in cuts)
-    rows = [addon.report.suggestions.cut_text(cut, addon.blender.units.length_text(bpy.context.scene)) for cut in cuts]
+    rows = [
+        addon.solve.suggestion_words.cut_text(cut, addon.blender.units.length_text(bpy.context.scene)) for cut in cuts
+    ]
     assert len(rows) == len(set(rows))
 
 
@@ -273,7 +275,7 @@ def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
     assert source.vertex_groups["Half"].weight(1) == 0.5
     kept = mesh.uv_layers["Mine"].data
     assert {tuple(kept[loop.index].uv) for loop in mesh.loops} == set(uv.values())
-    assert addon.flat.reports.last_report(source)["pieces"][0]["ok"]
+    assert addon.flat.reports.last_report(source).pieces[0].ok
 
 
 def write_sides(mesh, name):
@@ -343,8 +345,8 @@ def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, ca
     assert {tuple(place) for place in places.tolist()} <= proposed
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
     assert pairs(seams_of(source)) == pairs(cuts[0].edges)
-    pieces = addon.flat.reports.last_report(source)["pieces"]
-    assert pieces and all(piece["ok"] for piece in pieces)
+    pieces = addon.flat.reports.last_report(source).pieces
+    assert pieces and all(piece.ok for piece in pieces)
     assert widespread(addon, source) <= cuts[0].strain * 1.05  # of all pieces; that of the worst one is claimed
 
 

@@ -104,7 +104,7 @@ def test_joined_copies_are_wires_of_their_own(addon, source):
     assert sorted(name for name, _, _ in listed(addon, source)) == names
     bpy.ops.object.wirewarp_flatten()
     report = addon.flat.reports.last_report(source)
-    assert sorted(wire["name"] for wire in report["wires"]) == names
+    assert sorted(wire.name for wire in report.wires) == names
     flat = bpy.data.objects["Bump Flat"]
     assert sorted(entry.name for entry in flat.data.wirewarp_names) == names
     assert len(wire_marks(flat.data)) == 4

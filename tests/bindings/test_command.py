@@ -69,7 +69,7 @@ def lengths(result):
 def test_the_same_result_as_through_python(tmp_path, name):
     lines = write_sample(name, tmp_path / "model.obj")
     ((line,), _) = run(tmp_path / "model.obj", "--out", tmp_path / "out", *lines)
-    assert line["verdict"] == "ready to cut"
+    assert line["verdict"] == "needs stretch fabric"
     report = json.loads((tmp_path / "out" / "model.json").read_text())
     expected = flattened(name).to_dict()
     assert lengths(report) == pytest.approx(lengths(expected), rel=1e-12)

@@ -3,8 +3,10 @@
 
 import json
 
+import numpy as np
 import pytest
 from test_command import FOLDED, run
+from wirewarp.report import percent_text
 
 
 @pytest.fixture
@@ -42,3 +44,29 @@ def test_eases_and_a_cloth_change_what_is_made(model, tmp_path):
     pieces = json.loads((tmp_path / "out" / "Folded.json").read_text())["pieces"]
     assert all(piece["metrics"]["cloth_energy"] >= 0 for piece in pieces)  # which is NaN without a cloth
     assert len({line["made_of"] for line in (plain, eased, woven)}) == 3
+
+
+@pytest.mark.parametrize(
+    ("bulge", "words", "verdict", "code"),
+    [
+        (0.0, (), "ready to cut", 0),
+        (1.0, (), "needs stretch fabric", 0),
+        (1.0, ("--cloth", "swim"), "ready to cut", 0),
+        (2.5, ("--cloth", "woven"), "not ready to cut", 1),
+        (6.0, (), "not ready to cut", 1),  # no fabric comes to twice its length
+    ],
+)
+def test_the_verdict_asks_for_a_fabric(tmp_path, bulge, words, verdict, code):
+    """A square of 100 mm with a hill in its middle: every length is exact, and the pattern is written."""
+    x, y = np.meshgrid(np.linspace(-1, 1, 13), np.linspace(-1, 1, 13))
+    points = np.column_stack([x.ravel(), y.ravel(), 0.4 * bulge * ((1 - x * x) * (1 - y * y)).ravel()]) * 0.05
+    corners = [13 * row + column for row in range(12) for column in range(12)]
+    lines = [f"v {a} {b} {c}" for a, b, c in points] + [f"f {i + 1} {i + 2} {i + 15} {i + 14}" for i in corners]
+    (tmp_path / "hill.obj").write_text("\n".join(lines) + "\n")
+    ((line,), _) = run(tmp_path / "hill.obj", "--out", tmp_path / "out", "--format", "svg", *words, code=code)
+    assert (line["verdict"], line["problems"]) == (verdict, [])
+    assert (tmp_path / "out" / "hill.svg").is_file()
+    stretch = line["figures"]["stretch"]
+    assert (stretch > 0.03) == (bulge > 0) and len(line["says"]) == 1
+    if not words and verdict == "needs stretch fabric":
+        assert f"stretches at least {percent_text(stretch)}." in line["says"][0]

@@ -25,7 +25,7 @@ class ObjectState:
     gathered: dict[str, Any] = field(default_factory=dict)  # from its geometry, by what it is; see kept
     drawings: dict[str, Any] = field(default_factory=dict)  # by what they are; see overlay.cache
     parsed: Any = None  # the stored report: its text and what that says; see flat.reports
-    failure: dict | None = None  # the report of a run that wrote nothing; see flat.reports
+    failure: Any = None  # the report of a run that wrote nothing; see flat.reports
     suggestions: Any = None  # see flat.suggestions
     solved: Any = None  # the wirewarp.Cache of its solved pieces; see run.read
     tried: dict | None = None  # the state of the model in which Auto left its pieces as they are; see run.auto_update

@@ -12,6 +12,7 @@ from ..blender.attributes import write_marked, write_values
 from ..blender.mesh import add_seams, add_sharp_edges, write_corners, write_edges, write_faces
 from ..blender.objects import remove_object
 from ..blender.selection import deselect_all
+from ..core import Note
 from ..issues import note, warning
 from ..model.attributes import write_marks
 from ..model.owners import find_flat_object, flat_name, model_of
@@ -112,7 +113,7 @@ def is_true_size(flat: bpy.types.Object) -> bool:
     return np.allclose(flat.matrix_world.to_scale(), 1, rtol=0, atol=1e-5)
 
 
-def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[dict]:
+def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[Note]:
     """Takes back the eye in the Outliner; returns, as notes, why it is still not to be seen in its true size."""
     notes = []
     if target in view_layer.objects.values():

@@ -23,6 +23,7 @@ from ..names import PIECE_INDEX, SOURCE_VERTEX
 from ..pattern.chains import EdgeMarks, chains_of_marks, edge_keys
 from ..pattern.outlines import FlatPieces, OutlineEdges, outline_of, piece_of_vertices
 from ..solve.pattern_parts import Allowances, PatternParts
+from ..solve.report import ObjectReport
 from .markers import kept_marker, marker_text
 from .object import is_true_size
 from .read import has_kept_shape, read_flat_pieces
@@ -41,7 +42,7 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternPar
     millimeters = 1000 * meters_per_blender_unit(scene)
     pieces = read_flat_pieces(flat.data, millimeters)
     wire_ids = np.unique(pieces.marks.wire_ids[pieces.marks.rows]).tolist()
-    names = names_of(source.data, wire_ids) | {wire["wire_id"]: wire["name"] for wire in report["wires"]}
+    names = names_of(source.data, wire_ids) | {wire.wire_id: wire.name for wire in report.wires}
     found = _pieces(report, pieces, names, grains(flat.data, pieces.vertices))
     allowances = _allowances(source, report, millimeters, bpy.context.evaluated_depsgraph_get())
     return _parts(scene, source, report, found, allowances)
@@ -65,15 +66,15 @@ def read_outlines(
 def _parts(
     scene: bpy.types.Scene,
     source: bpy.types.Object,
-    report: dict,
+    report: ObjectReport,
     pieces: Sequence[pattern.FlatPiece],
     allowances: Allowances,
 ) -> PatternParts:
     return PatternParts(
         title=source.name,
         pieces=pieces,
-        failed=[piece["name"] for piece in report["pieces"] if not piece["ok"]],
-        seam_names=[seam["name"] for seam in report["seams"]],
+        failed=[piece.name for piece in report.pieces if not piece.ok],
+        seam_names=[seam.name for seam in report.seams],
         allowances=allowances,
         units="imperial" if scene.unit_settings.system == "IMPERIAL" else "metric",
         date=datetime.date.today().isoformat(),
@@ -82,24 +83,23 @@ def _parts(
 
 
 def _pieces(
-    report: dict, flat: FlatPieces, wire_names: Mapping[int, str], grains: Mapping[int, np.ndarray]
+    report: ObjectReport, flat: FlatPieces, wire_names: Mapping[int, str], grains: Mapping[int, np.ndarray]
 ) -> list[pattern.FlatPiece]:
     """grains: by index of the piece; upright where there is none."""
     outline = outline_of(flat)
     wires = _inner_wires(flat, outline, wire_names)
     found = []
-    for piece in (piece for piece in report["pieces"] if piece["has_layout"]):
-        own = outline.edges[outline.piece == piece["index"]]
-        chains = [pattern.Chain(np.array(chain["vertices"]), chain["seam"]) for chain in piece["outline"]]
+    for piece in (piece for piece in report.pieces if piece.has_layout):
+        own = outline.edges[outline.piece == piece.index]
+        chains = [pattern.Chain(np.array(chain.vertices), chain.seam) for chain in piece.outline]
         edges = set(map(tuple, flat.source_vertex[own].tolist()))
         steps = [step for chain in chains for step in zip(chain.sources[:-1], chain.sources[1:], strict=True)]
         if not edges.issuperset(steps):  # of a mirrored object faces run the other way round
             own = own[:, ::-1]
             if not edges.issuperset(step[::-1] for step in steps):
                 raise object_error("edited_pieces", EDITED)
-        name, inside = piece["name"], wires.get(piece["index"], [])
-        grain = grains.get(piece["index"], UPRIGHT)
-        found.append(pattern.FlatPiece(name, flat.vertices, flat.source_vertex, own, chains, inside, grain))
+        inside, grain = wires.get(piece.index, []), grains.get(piece.index, UPRIGHT)
+        found.append(pattern.FlatPiece(piece.name, flat.vertices, flat.source_vertex, own, chains, inside, grain))
     return found
 
 
@@ -120,18 +120,18 @@ def _inner_wires(
 
 
 def _allowances(
-    source: bpy.types.Object, report: dict, millimeters: float, depsgraph: bpy.types.Depsgraph
+    source: bpy.types.Object, report: ObjectReport, millimeters: float, depsgraph: bpy.types.Depsgraph
 ) -> Allowances:
     """What is marked on the mesh that was flattened. Marks inside of pieces do nothing."""
-    flattened = evaluated_mesh(source, depsgraph) if report.get("with_modifiers") else current_mesh(source)
+    flattened = evaluated_mesh(source, depsgraph) if report.with_modifiers else current_mesh(source)
     with flattened as mesh:
         marked = read_allowances(mesh)
     is_mirrored = bool(np.linalg.det(linear_part(source)) < 0)
     seams: dict[tuple[int, int], bool] = {}  # of each edge of an outline, in both directions: whether it is sewn
-    chains = [chain for piece in report["pieces"] if piece["has_layout"] for chain in piece["outline"]]
+    chains = [chain for piece in report.pieces if piece.has_layout for chain in piece.outline]
     for chain in chains:
-        for a, b in zip(chain["vertices"][:-1], chain["vertices"][1:], strict=True):
-            seams[a, b] = seams[b, a] = chain["seam"] is not None
+        for a, b in zip(chain.vertices[:-1], chain.vertices[1:], strict=True):
+            seams[a, b] = seams[b, a] = chain.seam is not None
     found = Allowances([], [], [])
     for (a, b), width in zip(marked.edges.tolist(), marked.widths.tolist(), strict=True):
         if width < 0 and seams.get((a, b)) is False:
@@ -154,10 +154,10 @@ def pieces_over_others(pieces: Sequence[pattern.PatternPiece]) -> list[str]:
     return [pieces[index].name for index in sorted({index for pair in over for index in pair})]
 
 
-def current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
+def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Object]:
     """The report and the flat object of a model in Object Mode. Raises ObjectError where they are not true any more."""
     report, flat = pieces_report(source), find_flat_object(source)
-    if report is None or not has_flat_object(source) or "flat_object" not in report:
+    if report is None or not has_flat_object(source) or report.flat_object is None:
         raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')
     check_not_edited(source)
     bpy.context.view_layer.update()
@@ -178,22 +178,22 @@ def current_pieces(source: bpy.types.Object) -> tuple[dict, bpy.types.Object]:
     return report, flat
 
 
-def _has_changed(source: bpy.types.Object, report: dict) -> bool:
+def _has_changed(source: bpy.types.Object, report: ObjectReport) -> bool:
     """Blender makes nothing of the modifiers of hidden objects, and less in Edit Mode."""
-    if report.get("with_modifiers") and not shows_modified(source):
+    if report.with_modifiers and not shows_modified(source):
         raise object_error(
             "not_visible",
             f'Show "{source.name}" in Object Mode first, so its modifiers can be checked.',
         )
-    return has_changed(source, report, read_anew)
+    return has_changed(source, report.model_state, read_anew)
 
 
-def _is_edited(mesh: bpy.types.Mesh, report: dict) -> bool:
+def _is_edited(mesh: bpy.types.Mesh, report: ObjectReport) -> bool:
     """Whether anything but the place of whole pieces is other than it was laid out."""
     if not has_attributes(mesh, PIECE_INDEX, SOURCE_VERTEX):
         return True
     pieces = find_values(mesh, PIECE_INDEX)
-    faces = [piece["faces"] if piece["has_layout"] else 0 for piece in report["pieces"]]
+    faces = [piece.faces if piece.has_layout else 0 for piece in report.pieces]
     if np.any((pieces < 0) | (pieces >= len(faces))) or np.bincount(pieces, minlength=len(faces)).tolist() != faces:
         return True
     return not has_kept_shape(mesh)

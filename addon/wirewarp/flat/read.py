@@ -18,6 +18,7 @@ from ..model.owners import find_flat_object, has_flat_object
 from ..names import FLAT_LENGTH, PIECE, PIECE_INDEX, SOURCE_CORNER, SOURCE_FACE, SOURCE_VERTEX
 from ..pattern.outlines import FlatPieces, outline_of, signed_areas
 from ..solve.arrays import edge_lengths
+from ..solve.report import ObjectReport
 from .record import read_record
 
 OF_ELEMENTS = (SOURCE_VERTEX, SOURCE_CORNER, SOURCE_FACE, PIECE_INDEX, PIECE)  # what a flat mesh always has
@@ -52,12 +53,12 @@ def no_pieces_sentence(source: bpy.types.Object) -> str:
     return f'The flat pieces of this report are gone. Flatten "{source.name}" again.'
 
 
-def pieces_of_report(source: bpy.types.Object, report: dict) -> tuple[bpy.types.Object, FlatPieces]:
+def pieces_of_report(source: bpy.types.Object, report: ObjectReport) -> tuple[bpy.types.Object, FlatPieces]:
     """The flat object of the model, in Object Mode. Raises ObjectError if there is none to this report."""
     flat = find_flat_object(source)
     if (
         not has_flat_object(source)
-        or "flat_object" not in report
+        or report.flat_object is None
         or not has_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX, SOURCE_FACE)
     ):
         raise object_error("no_flat_pieces", no_pieces_sentence(source))

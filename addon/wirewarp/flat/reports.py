@@ -13,65 +13,66 @@ import bpy
 
 from ..blender.memory import all_states, note, state_of
 from ..blender.mesh import element_counts
+from ..core import ReportError, from_dict, rename_wires, to_dict
 from ..issues import Issue
 from ..model.wire_names import present_names
 from ..names import REPORT, REPORT_SEAL
-from ..report.names import rename_wires
-from ..report.report import SCHEMA, failure_report
+from ..solve.report import ObjectReport, failure_report
 from .pieces import piece_names
 from .seams import seam_names
 
 
-def store(source: bpy.types.Object, report: dict) -> None:
+def store(source: bpy.types.Object, report: ObjectReport) -> None:
     """Keeps the report of a run that wrote results."""
     note(source)
     state_of(source).failure = None
-    text = json.dumps(report)
+    text = json.dumps(to_dict(report))
     source[REPORT], source[REPORT_SEAL] = text, _digest(text)
 
 
-def remember(source: bpy.types.Object, report: dict) -> None:
+def remember(source: bpy.types.Object, report: ObjectReport) -> None:
     """Keeps the report of a run that wrote nothing for this object."""
     note(source)
     state_of(source).failure = report
 
 
-def last_report(source: bpy.types.Object) -> dict | None:
+def last_report(source: bpy.types.Object) -> ObjectReport | None:
     """The report of the last run, its pieces and wires by the names they have now. None if there was none."""
     return with_names(source, _failure(source)) or pieces_report(source)
 
 
-def pieces_report(source: bpy.types.Object) -> dict | None:
+def pieces_report(source: bpy.types.Object) -> ObjectReport | None:
     """The report of the run that wrote the flat pieces, whatever has failed since. None if there was none."""
     return with_names(source, _read(source))
 
 
 def flattened_name(source: bpy.types.Object) -> str:
     """What the model was called when its flat pieces were made; its present name where there are none."""
-    return (_read(source) or {}).get("object", source.name)
+    report = _read(source)
+    return report.object if report and report.object else source.name
 
 
-def with_names(source: bpy.types.Object, report: dict | None) -> dict | None:
+def with_names(source: bpy.types.Object, report: ObjectReport | None) -> ObjectReport | None:
     """The report itself, its pieces, seams and wires called as in the lists of the model."""
-    if report and report["pieces"]:
+    if report and report.pieces:
         names, named_seams = piece_names(source), seam_names(source)
-        for seam in report["seams"]:
-            seam["name"] = named_seams.get(seam["seam_id"], seam["name"])
-        for piece in report["pieces"]:
-            piece["name"] = names.get(piece["piece_id"], piece["name"])
-        rename_wires(report, present_names(source.data, report["wires"]))
+        for seam in report.seams:
+            seam.name = named_seams.get(seam.seam_id, seam.name)
+        for piece in report.pieces:
+            piece.name = names.get(piece.piece_id, piece.name)
+        rename_wires(report, present_names(source.data, report))
     return report
 
 
-def _failure(source: bpy.types.Object) -> dict | None:
+def _failure(source: bpy.types.Object) -> ObjectReport | None:
     """Before Blender 4.1 a later object may be at the same address: their meshes tell them apart."""
     failure = state_of(source).failure
-    if failure and not hasattr(source, "session_uid") and failure["counts"] != element_counts(source.data):
+    if failure and not hasattr(source, "session_uid") and failure.counts != element_counts(source.data):
         return None
     return failure
 
 
-def _read(source: bpy.types.Object) -> dict | None:
+def _read(source: bpy.types.Object) -> ObjectReport | None:
     if REPORT not in source:
         return None
     stored, state = (_text(source, REPORT), _text(source, REPORT_SEAL)), state_of(source)
@@ -90,20 +91,16 @@ def _digest(text: str) -> str:
     return hashlib.blake2b(text.encode(errors="replace"), digest_size=12).hexdigest()
 
 
-def _parse(text: str, seal: str) -> dict:
-    report = json.loads(text) if seal == _digest(text) else {}
-    if report.get("schema") == SCHEMA:
-        for seam in report["seams"]:
-            if "seam_id" not in seam:  # as first written, when seams had numbers only
-                seam |= {"seam_id": 0, "name": f"Seam {seam['index'] + 1}", "is_dart": False}
-        return report
-    return failure_report(
-        Issue("unreadable_report", "The stored report is from another version of WireWarp. Flatten again.")
-    )
+def _parse(text: str, seal: str) -> ObjectReport:
+    try:
+        return from_dict(json.loads(text) if seal == _digest(text) else None, ObjectReport)
+    except ReportError:
+        sentence = "The stored report is from another version of WireWarp. Flatten again."
+        return failure_report(Issue("unreadable_report", sentence))
 
 
 def forget_incomparable(*_: object) -> None:
     """After undo: a report stays if it can tell whether the model is still, or again, the one it is of."""
     for state in all_states():
-        if state.failure and state.failure.get("model_state") is None:
+        if state.failure and state.failure.model_state is None:
             state.failure = None

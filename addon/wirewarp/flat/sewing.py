@@ -22,10 +22,10 @@ def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
     """A new object, where the flat pieces are, of a model in Object Mode. Raises ObjectError as current_pieces does."""
     report, flat = current_pieces(source)
     pieces = read_flat_pieces(flat.data)
-    is_flat = [piece["has_layout"] for piece in report["pieces"]]  # of the others there is nothing to sew
-    seams = [seam["edges"] for seam in report["seams"] if any(is_flat[piece] for piece in seam["pieces"])]
+    is_flat = [piece.has_layout for piece in report.pieces]  # of the others there is nothing to sew
+    seams = [seam.edges for seam in report.seams if any(is_flat[piece] for piece in seam.pieces)]
     sewn = sewing_edges(pieces, seams)
-    worn = _worn(source, flat, pieces, bool(report.get("with_modifiers")))
+    worn = _worn(source, flat, pieces, report.with_modifiers)
     mesh = flat.data.copy()
     target = bpy.data.objects.new(f"{source.name} Sewing", mesh)
     try:

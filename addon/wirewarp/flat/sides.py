@@ -44,7 +44,7 @@ def selected_sides(flat: bpy.types.Object) -> SelectedSides:
     if is_earlier(flat):
         raise object_error("earlier_pieces", earlier_sentence(flat))
     report, _ = current_pieces(source)
-    if report.get("with_modifiers"):
+    if report.with_modifiers:
         raise object_error("with_modifiers", WITH_MODIFIERS.format(source.name))
     if not has_attributes(flat.data, SOURCE_FACE):
         raise object_error("edited_pieces", f'"{flat.name}" was edited by hand. Flatten "{source.name}" again.')

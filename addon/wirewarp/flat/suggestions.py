@@ -62,7 +62,7 @@ def current_suggestions(source: bpy.types.Object, take: Take = kept) -> Suggesti
 
 def are_current(source: bpy.types.Object, found: Suggestions, take: Take = kept) -> bool:
     """Whether the model is as it was, and so is where no seam is wanted: in Edit Mode that is not seen."""
-    if has_changed(source, {"model_state": found.state}, take):
+    if has_changed(source, found.state, take):
         return False
     if source.data.is_editmode:
         return True

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..blender.attributes import read_values
 from ..blender.mesh import add_seams, corner_edges, edge_vertices, read_seams, remove_seams
-from ..issues import object_error
+from ..issues import LooserWire, object_error
 from ..names import MARKS
 from ..pattern.chains import EdgeMarks, edge_keys
 from .attributes import read_marks, write_marks
@@ -81,13 +81,13 @@ def edges_with_marks(mesh: bpy.types.Mesh) -> np.ndarray:
     return marked
 
 
-def loosen_wires(mesh: bpy.types.Mesh, wires: list[dict]) -> int:
+def loosen_wires(mesh: bpy.types.Mesh, wires: list[LooserWire]) -> int:
     """Gives the edges of each proposed wire its tolerance, unless theirs is wider. Returns how many edges changed."""
     marks = read_marks(mesh)
     before, tolerances = marks.tolerances.copy(), marks.tolerances
     for wire in wires:
-        rows = _mask(mesh, wire["edges"]) & marks.are_wires  # what is no wire any more stays so
-        tolerances[rows] = np.maximum(tolerances[rows], np.float32(wire["tolerance"]))
+        rows = _mask(mesh, wire.edges) & marks.are_wires  # what is no wire any more stays so
+        tolerances[rows] = np.maximum(tolerances[rows], np.float32(wire.tolerance))
     write_marks(mesh, marks)
     return int(np.count_nonzero(tolerances != before))
 

@@ -5,6 +5,7 @@ import bpy
 import numpy as np
 
 from ..blender.mesh import vertex_places
+from ..core import Note
 from ..issues import note, object_error, warning
 from ..names import UV_LAYER
 from ..solve.arrays import MeshArrays
@@ -13,7 +14,7 @@ from ..words import counted
 ROUNDING = 1e-5  # of the model's size: what matrices of single precision move a vertex that an armature at rest holds
 
 
-def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers: bool) -> list[dict]:
+def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers: bool) -> list[Note]:
     notes = []
     if use_modifiers and UV_LAYER in source.data.uv_layers:
         text = f'The UV map "{UV_LAYER}" is from an earlier run without Modifiers. It does not show these pieces.'

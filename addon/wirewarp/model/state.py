@@ -33,21 +33,19 @@ def _state(source: bpy.types.Object, digests: dict, with_modifiers: bool, take: 
     return state | {MODIFIED: _modified(source, take)} if with_modifiers else state
 
 
-def has_changed(source: bpy.types.Object, report: dict, take: Take = kept) -> bool:
-    """Whether geometry, seams, wires or scale are other than when the report was made; take: kept, or read_anew.
+def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept) -> bool:
+    """Whether geometry, seams, wires or scale are other than in a report's model_state; take: kept, or read_anew.
 
     Of a report with modifiers, also whether these make another mesh; not where that cannot be seen: see shows_modified.
     """
-    state = report.get("model_state")
     return state is not None and bool(_changes(source, state, take))
 
 
-def has_moved(source: bpy.types.Object, report: dict) -> bool:
+def has_moved(source: bpy.types.Object, state: dict | None) -> bool:
     """Whether geometry or scale are other than when the report was made, whatever its seams and wires are now.
 
     A report that cannot tell counts as one of another model.
     """
-    state = report.get("model_state")
     return state is None or bool(_changes(source, state, read_anew) & {SHAPE, SCALE})
 
 

@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import bpy
 
+from ..core import Report
 from .attributes import has_marks, wires_on
 
 
@@ -42,7 +43,7 @@ def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
     return list(taken)
 
 
-def present_names(mesh: bpy.types.Mesh, wires: Iterable[dict]) -> dict[int, str]:
+def present_names(mesh: bpy.types.Mesh, report: Report) -> dict[int, str]:
     """What the wires of a report are called now, by their own ids; none as another, copies as what they are copied of.
 
     mesh: of the model.
@@ -50,10 +51,10 @@ def present_names(mesh: bpy.types.Mesh, wires: Iterable[dict]) -> dict[int, str]
     listed = {entry.wire_id: entry.name for entry in mesh.wirewarp_names}
     names: dict[int, str] = {}
     taken: set[str] = set()
-    for wire in wires:
-        name = listed.get(wire["wire_id"]) or listed.get(wire["marked_id"]) or wire["name"]
-        names[wire["wire_id"]] = _numbered(name, taken)
-        taken.add(names[wire["wire_id"]])
+    for wire in report.wires:
+        name = listed.get(wire.wire_id) or listed.get(wire.marked_id) or wire.name
+        names[wire.wire_id] = _numbered(name, taken)
+        taken.add(names[wire.wire_id])
     return names
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The operators: thin, each over its work module.
 
-May import: ui, run, flat, model, blender, report, solve, properties, core, issues, words.
+May import: ui, run, flat, model, blender, solve, properties, core, issues, words.
 """
 
 from . import ease, export, flatten, mark, mend, report, sewing, smooth, suggest, unit, update, view, wire

@@ -3,9 +3,8 @@
 
 import numpy as np
 
-from ..core import pattern
+from ..core import SHOWN_NAMES, pattern
 from ..flat.pattern import pieces_over_others
-from ..report.verdict import SHOWN_NAMES
 from ..words import counted
 
 INCH = 25.4

@@ -14,13 +14,13 @@ from ..blender.views import is_over_sidebar, redraw_views, show_objects, work_ar
 from ..issues import Issue, ObjectError
 from ..model.owners import find_flat_object
 from ..properties import preferences
-from ..report.verdict import run_message, run_report
 from ..run import window_run
 from ..run.models import Model, Outcome, failed_report, solve_models
 from ..run.read import check_current, find_source, read_models
 from ..run.settings import FlattenSettings, choices_of
 from ..run.window_run import CancelledError
 from ..run.write import write_results
+from ..solve.report import ObjectReport, run_message
 from ..solve.steps import Steps
 from .window_steps import WindowSteps, fault_sentence
 
@@ -127,7 +127,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         self.message(failed if level == "ERROR" else level, text)
         return {"FINISHED" if any(outcome.pieces for outcome in outcomes) else "CANCELLED"}
 
-    def _write_report(self, context: bpy.types.Context, reports: list[dict]) -> None:
+    def _write_report(self, context: bpy.types.Context, reports: list[ObjectReport]) -> None:
         if self.report_file is None:
             return
         units = {
@@ -135,7 +135,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
             "system": context.scene.unit_settings.system,
         }
         try:
-            write_json(self.report_file, run_report(core.library().__version__, units, reports))
+            write_json(self.report_file, core.run_to_dict(core.library().__version__, units, reports))
         except OSError as error:
             self.report({"ERROR"}, unwritten(self.report_file, error))
 

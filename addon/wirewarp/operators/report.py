@@ -10,14 +10,15 @@ from ..blender.objects import check_local
 from ..blender.selection import select_elements
 from ..blender.units import length_text
 from ..blender.views import redraw_views
+from ..core import Elements, elements_of, report_csv
+from ..flat.elements import faces_of_piece, on_flat
 from ..flat.read import pieces_of_report
 from ..flat.reports import last_report, pieces_report
 from ..issues import ObjectError, changed_error, object_error
 from ..model.change import loosen_wires, mark_seams
 from ..model.owners import check_not_edited, model_or_self
 from ..model.state import has_changed, has_moved
-from ..report.csv_table import report_csv
-from ..report.elements import Elements, elements_of, faces_of_piece, on_flat
+from ..solve.report import ObjectReport
 from ..words import counted
 
 PROPOSALS = [
@@ -26,17 +27,17 @@ PROPOSALS = [
 ]
 
 
-def check_indices(target: bpy.types.Object, report: dict) -> None:
+def check_indices(target: bpy.types.Object, report: ObjectReport) -> None:
     """Raises ObjectError if the report's elements are not, or no longer, those of the object's own mesh."""
     check_local(target, target.data)
-    if report.get("with_modifiers"):
+    if report.with_modifiers:
         raise object_error(
             "with_modifiers",
             "This report is about the mesh after its modifiers. To mark the model itself, flatten without Modifiers.",
         )
     with current_mesh(target) as mesh:
         counts = element_counts(mesh)
-    if report.get("counts", counts) != counts:
+    if report.counts not in (None, counts):
         raise changed_error(target.name)
 
 
@@ -56,7 +57,7 @@ class ReportOperator:
         active = context.active_object
         return active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}
 
-    def report_of(self, source: bpy.types.Object) -> dict | None:
+    def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
         """The one that is shown."""
         return last_report(source)
 
@@ -79,15 +80,15 @@ class OBJECT_OT_wirewarp_copy_report(ReportOperator, bpy.types.Operator):
     bl_label = "Copy as CSV"
     bl_options = {"REGISTER"}
 
-    def report_of(self, source: bpy.types.Object) -> dict | None:
+    def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
         """Of the flat pieces, if there are any."""
         return pieces_report(source) or last_report(source)
 
-    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
         table = report_csv(report, length_text(context.scene))
         context.window_manager.clipboard = table
         lines = table.count("\n") - 1
-        if has_changed(source, report):
+        if has_changed(source, report.model_state):
             self.report({"WARNING"}, f'{lines} lines copied. "{source.name}" has changed since they were measured')
         else:
             self.report({"INFO"}, f"{lines} lines copied")
@@ -100,14 +101,15 @@ class MESH_OT_wirewarp_select_issues(ReportOperator, bpy.types.Operator):
     bl_idname = "mesh.wirewarp_select_issues"
     bl_label = "Select Problems"
 
-    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
         check_indices(source, report)
-        names = ("vertices", "edges", "faces")
-        elements = {name: [item for issue in report["issues"] for item in issue[name]] for name in names}
-        if not any(elements.values()):
+        vertices = [vertex for issue in report.issues for vertex in issue.vertices]
+        edges = [edge for issue in report.issues for edge in issue.edges]
+        faces = [face for issue in report.issues for face in issue.faces]
+        if not (vertices or edges or faces):
             self.report({"INFO"}, "The last run found nothing wrong with particular elements")
             return {"CANCELLED"}
-        select_elements(context, source, **elements)
+        select_elements(context, source, vertices, edges, faces)
         return {"FINISHED"}
 
 
@@ -134,16 +136,16 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
     )
     index: IntProperty(name="Index", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
 
-    def report_of(self, source: bpy.types.Object) -> dict | None:
+    def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
         """Of the list of pieces, or of all else in the panel."""
         return (pieces_report if self.what in {"PIECE", "STRETCH", "EASE"} else last_report)(source)
 
-    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
         elements = elements_of(report, self.what, self.index)
         if elements is None:
             raise object_error("not_in_report", "That line is gone. Flatten again.")
         # The elements of a mesh with modifiers are to be had on the flat pieces only.
-        wants_flat = context.active_object != source or report.get("with_modifiers")
+        wants_flat = context.active_object != source or report.with_modifiers
         if wants_flat and self._lies_flat(report, elements):
             with in_object_mode(context):
                 flat, pieces = pieces_of_report(source, report)
@@ -157,33 +159,34 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         _select(context, source, elements)
         return {"FINISHED"}
 
-    def _lies_flat(self, report: dict, elements: Elements) -> bool:
+    def _lies_flat(self, report: ObjectReport, elements: Elements) -> bool:
         """What failed may be about a piece, or a whole model, that has no flat shape."""
         if self.what != "ISSUE":
             return True
-        return elements.piece is not None and report["pieces"][elements.piece]["has_layout"]
+        return elements.piece is not None and report.pieces[elements.piece].has_layout
 
 
 def _select(context: bpy.types.Context, target: bpy.types.Object, elements: Elements) -> None:
     select_elements(context, target, elements.vertices, elements.edges, elements.faces)
 
 
-def take_proposals(source: bpy.types.Object, report: dict, what: str, issues: slice = slice(None)) -> int:
+def take_proposals(source: bpy.types.Object, report: ObjectReport, what: str, issues: slice = slice(None)) -> int:
     """Writes what these issues of the report propose, SEAMS or TOLERANCES. Returns how many edges were changed.
 
     Raises ObjectError. Of a model in Object Mode.
     """
-    key = "proposed_seams" if what == "SEAMS" else "proposed_tolerances"
-    proposed = [each for issue in report["issues"][issues] for each in issue[key]]
-    if not proposed:
+    chosen = report.issues[issues]
+    seams = [edge for issue in chosen for edge in issue.proposed_seams] if what == "SEAMS" else []
+    wires = [wire for issue in chosen for wire in issue.proposed_tolerances] if what == "TOLERANCES" else []
+    if not (seams or wires):
         proposal = "seam" if what == "SEAMS" else "tolerance"
         sentence = f'The report of "{source.name}" proposes no {proposal} here: flatten again to see what helps.'
         raise object_error("not_in_report", sentence)
     check_not_edited(source)
     check_indices(source, report)
-    if has_moved(source, report):
+    if has_moved(source, report.model_state):
         raise changed_error(source.name)
-    return (mark_seams if what == "SEAMS" else loosen_wires)(source.data, proposed)
+    return mark_seams(source.data, seams) if seams else loosen_wires(source.data, wires)
 
 
 class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
@@ -200,7 +203,7 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
     )
     issue: IntProperty(name="Issue", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
 
-    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: dict) -> set[str]:
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
         edits_others = context.mode == "EDIT_MESH" and source.mode != "EDIT"
         with in_object_mode(context):
             count = take_proposals(source, report, self.what, slice(self.issue, self.issue + 1))

@@ -11,13 +11,13 @@ from ..flat.suggestions import choose, drop
 from ..issues import ObjectError
 from ..model.owners import model_or_self
 from ..properties import mend_settings
-from ..report.suggestions import cut_text, found_words, shortfall, step_text
 from ..run import window_run
 from ..run.suggest import Search, begin_search, keep_found
 from ..run.targets import active_target, nothing_to_flatten
 from ..run.window_run import CancelledError
 from ..solve.sentences import plain_sentence
 from ..solve.suggest import Cut
+from ..solve.suggestion_words import cut_text, found_words, shortfall, step_text
 from ..words import paragraph, quoted
 from .window_steps import WindowSteps, fault_sentence
 
@@ -48,7 +48,7 @@ class SuggestCuts(WindowSteps):
             return self.execute(context)
         if not self._read(context):
             return {"CANCELLED"}
-        return self.begin(context, window_run.SUGGEST, self._search.model.facts["object"], self._search.steps)
+        return self.begin(context, window_run.SUGGEST, self._search.model.facts.object, self._search.steps)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         """In a script; Blender waits."""

@@ -2,7 +2,7 @@
 """The overlay: seams, wires and failures on models, on flat pieces and in the UV editor, with names and a legend; maps.
 
 shown (which objects) -> objects, failures (arrays and names, kept in cache) -> view3d, uv_editor (the handlers).
-May import: flat, model, blender, report, solve, pattern, core, names, issues, words.
+May import: flat, model, blender, solve, pattern, core, names, issues, words.
 """
 
 from collections.abc import Callable

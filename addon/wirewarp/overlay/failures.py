@@ -8,6 +8,7 @@ import numpy as np
 
 from ..blender.attributes import find_values, has_attributes
 from ..blender.mesh import corner_edges, edge_vertices, faces_of_corners, next_loops, vertex_places
+from ..issues import Issue
 from ..model.owners import model_of
 from ..names import SOURCE_FACE, SOURCE_VERTEX
 from ..pattern.chains import edge_keys
@@ -66,35 +67,35 @@ def uv_failures(model: bpy.types.Object) -> Failures | None:
 def _elements(target: bpy.types.Object) -> _Elements | None:
     """None if there are none, or if the report's are not those of this mesh."""
     report = current_report(target)
-    if report is None or report.get("with_modifiers") or not report["issues"]:
+    if report is None or report.with_modifiers or not report.issues:
         return None
     mesh, source = target.data, np.arange(len(target.data.vertices))
     if model_of(target):
         if not has_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
             return None
         source = find_values(mesh, SOURCE_VERTEX)
-    faces = _failed_faces(mesh, report["issues"])
+    faces = _failed_faces(mesh, report.issues)
     pairs = np.sort(source[edge_vertices(mesh)], axis=1)
     masks = {
-        "failed": _failed_edges(mesh, pairs, report["issues"], faces),
-        "proposed": _named(pairs, [edge for issue in report["issues"] for edge in issue.get("proposed_seams", [])]),
+        "failed": _failed_edges(mesh, pairs, report.issues, faces),
+        "proposed": _named(pairs, [edge for issue in report.issues for edge in issue.proposed_seams]),
     }
     return _Elements({kind: mask for kind, mask in masks.items() if mask.any()}, faces)
 
 
-def _failed_faces(mesh: bpy.types.Mesh, issues: list[dict]) -> np.ndarray:
-    faces = np.array([face for issue in issues for face in issue["faces"]], dtype=np.int32)
+def _failed_faces(mesh: bpy.types.Mesh, issues: list[Issue]) -> np.ndarray:
+    faces = np.array([face for issue in issues for face in issue.faces], dtype=np.int32)
     source_faces = find_values(mesh, SOURCE_FACE)
     return faces if source_faces is None else np.flatnonzero(np.isin(source_faces, faces))
 
 
-def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[dict], faces: np.ndarray) -> np.ndarray:
+def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[Issue], faces: np.ndarray) -> np.ndarray:
     """A mask of the edges that are named, of those at vertices that are, and of those around the faces.
 
     Not of those within: the faces have a color of their own, below which wires and proposed seams are to be seen.
     """
-    failed = _named(pairs, [edge for issue in issues for edge in issue["edges"]])
-    failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue["vertices"]]).any(axis=1)
+    failed = _named(pairs, [edge for issue in issues for edge in issue.edges])
+    failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue.vertices]).any(axis=1)
     face_of_corner = faces_of_corners(mesh)
     of_faces = corner_edges(mesh)[np.isin(face_of_corner, faces)]
     return failed | (np.bincount(of_faces, minlength=len(pairs)) == 1)

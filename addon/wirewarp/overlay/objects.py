@@ -10,6 +10,7 @@ import numpy as np
 
 from ..blender.attributes import find_values, has_attributes
 from ..blender.mesh import corner_vertices, face_sizes, read, read_attribute, vertex_places
+from ..core import joined_pieces
 from ..flat.pieces import piece_names
 from ..flat.record import grains, read_record
 from ..flat.reports import last_report, pieces_report
@@ -18,8 +19,8 @@ from ..model.owners import find_flat_object, model_of, model_or_self
 from ..model.state import has_changed
 from ..model.wire_names import chain_names
 from ..names import PIECE, PIECE_INDEX, SOURCE_CORNER
-from ..report.names import joined_pieces
 from ..solve.maps import ColorMap
+from ..solve.report import ObjectReport
 from .eases import ease_arrows
 from .gather import gather_lines, gather_side_eases, gather_triangles, shown_mesh
 from .lines import (
@@ -65,7 +66,7 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
     rooms = piece_rooms(edges) if in_plane else {}
     runs, report = wire_runs(edges.vertices, edges.ends, edges.marks), current_report(target)
     names = wire_line_names(edges, runs, _wire_names(target, [run.wire_id for run in runs], report), rooms)
-    if report and report["pieces"]:
+    if report and report.pieces:
         texts = partial(_seam_texts, report, model_of(target) is not None)
         names += seam_line_names(edges, _seams_of_report(edges, report), texts, rooms)
     else:  # the model has changed or was refused: what a seam joins is not known, but it keeps its name
@@ -76,14 +77,14 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
     return Lines(lines_by_kind(edges), dashes_by_kind(edges, runs), names)
 
 
-def _wire_names(target: bpy.types.Object, wire_ids: list[int], report: dict | None) -> list[str]:
+def _wire_names(target: bpy.types.Object, wire_ids: list[int], report: ObjectReport | None) -> list[str]:
     """On flat pieces as in the report, for there copies of wires have ids of their own."""
     names = chain_names(model_or_self(target).data, wire_ids)
-    given = {wire["wire_id"]: wire["name"] for wire in report["wires"]} if report and model_of(target) else {}
+    given = {wire.wire_id: wire.name for wire in report.wires} if report and model_of(target) else {}
     return [given.get(wire_id, name) for wire_id, name in zip(wire_ids, names, strict=True)]
 
 
-def current_report(target: bpy.types.Object) -> dict | None:
+def current_report(target: bpy.types.Object) -> ObjectReport | None:
     """The last report, if its elements are still those of the object as it is shown."""
     source = model_or_self(target)
     if source != target:
@@ -91,27 +92,26 @@ def current_report(target: bpy.types.Object) -> dict | None:
     report = last_report(source)
     if not report:
         return None
-    other_shape = report.get("with_modifiers", False) != is_modified(source)
-    return None if other_shape or has_changed(source, report) else report
+    other_shape = report.with_modifiers != is_modified(source)
+    return None if other_shape or has_changed(source, report.model_state) else report
 
 
 def is_modified(source: bpy.types.Object) -> bool:
     return not source.data.is_editmode and any(modifier.show_viewport for modifier in source.modifiers)
 
 
-def _seams_of_report(edges: LineEdges, report: dict) -> np.ndarray:
+def _seams_of_report(edges: LineEdges, report: ObjectReport) -> np.ndarray:
     """(k,) numbers of the seams from 1; 0 for edges of none."""
-    numbers = {(min(edge), max(edge)): seam["index"] + 1 for seam in report["seams"] for edge in seam["edges"]}
+    numbers = {(min(edge), max(edge)): seam.index + 1 for seam in report.seams for edge in seam.edges}
     pairs = np.sort(edges.vertices, axis=1).tolist()
     return np.array([numbers.get((a, b), 0) for a, b in pairs], dtype=np.int32)
 
 
-def _seam_texts(report: dict, on_flat: bool, number: int, piece: int) -> tuple[str, ...]:
+def _seam_texts(report: ObjectReport, on_flat: bool, number: int, piece: int) -> tuple[str, ...]:
     """With what it joins: on a flat piece, to what that is joined. number: from 1."""
-    seam = report["seams"][number - 1]
-    others = {**seam, "pieces": [each for each in seam["pieces"] if each != piece]} if on_flat else seam
-    joined = joined_pieces(report, others)
-    return (f"{seam['name']}: {joined}", seam["name"]) if joined and len(set(seam["pieces"])) > 1 else (seam["name"],)
+    seam = report.seams[number - 1]
+    joined = joined_pieces(report, [each for each in seam.pieces if not on_flat or each != piece])
+    return (f"{seam.name}: {joined}", seam.name) if joined and len(set(seam.pieces)) > 1 else (seam.name,)
 
 
 @dataclass(frozen=True)
@@ -166,7 +166,7 @@ def _grain_arrows(flat: bpy.types.Object, edges: LineEdges, middles: Mapping[int
     directions = grains(flat.data, vertex_places(flat.data)[:, :2])
     arrows: dict[str, list[np.ndarray]] = {}
     for piece, direction in directions.items():
-        if report is None or piece >= len(report["pieces"]) or piece not in middles or piece not in rooms:
+        if report is None or piece >= len(report.pieces) or piece not in middles or piece not in rooms:
             continue
         ends = arrow(edges, piece, middles[piece].place[:2], direction, ARROW * rooms[piece])
         if ends is not None:
@@ -175,11 +175,11 @@ def _grain_arrows(flat: bpy.types.Object, edges: LineEdges, middles: Mapping[int
     return {kind: np.concatenate(parts) for kind, parts in arrows.items()}
 
 
-def _has_grain_wire(report: dict, piece: int) -> bool:
+def _has_grain_wire(report: ObjectReport, piece: int) -> bool:
     """Whether the user has chosen the grain of this piece: the grain wire runs through it."""
-    options = report.get("options", {})
-    ids = {wire["wire"]: wire["wire_id"] for wire in report["wires"]}
-    own = {ids[part["wire"]] for part in report["pieces"][piece]["wires"]}
+    options = report.options or {}
+    ids = {wire.wire: wire.wire_id for wire in report.wires}
+    own = {ids[part.wire] for part in report.pieces[piece].wires}
     return options.get("orientation") == "wire" and options.get("grain_wire") in own
 
 

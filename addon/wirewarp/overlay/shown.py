@@ -21,6 +21,7 @@ from ..model.owners import find_flat_object, model_of, model_or_self
 from ..names import MARKS
 from ..solve.maps import CLOTH_MAPS, COLOR_MAPS, ColorMap
 from ..solve.pattern_parts import GRAINS, Cloth
+from ..solve.report import ObjectReport
 from .cache import Same, kept_drawing
 from .failures import Failures, failures, uv_failures
 from .gather import gather_uv_lines, shows_our_map
@@ -57,8 +58,8 @@ def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
     return [why for why, is_so in whys.items() if is_so]
 
 
-def _has_cloth(report: dict) -> bool:
-    return bool(report.get("options", {}).get("cloth"))
+def _has_cloth(report: ObjectReport) -> bool:
+    return bool((report.options or {}).get("cloth"))
 
 
 def extremes(shown: Sequence[Drawing]) -> Extremes | None:

@@ -60,7 +60,7 @@ def _pairs(target: bpy.types.Object) -> list[tuple[int, int]]:
         is_seen = not is_modified(source)
     else:
         report = pieces_report(source)
-        is_seen = report is not None and not report.get("with_modifiers") and not has_changed(source, report)
+        is_seen = report is not None and not report.with_modifiers and not has_changed(source, report.model_state)
     cut = chosen_cut(source) if is_seen else None
     return cut.edges if cut else []
 

@@ -17,6 +17,7 @@ from ..flat.reports import last_report
 from ..issues import ObjectError
 from ..model.owners import model_of
 from ..model.state import has_changed, present_state
+from ..solve.report import ObjectReport
 
 WATCH = "wm.wirewarp_watch"
 EDIT_LIMIT = 20_000  # vertices; larger models wait for the end of Edit Mode, for to leave it and come back is felt
@@ -52,7 +53,7 @@ def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
 def _present_state(source: bpy.types.Object) -> dict | None:
     """None if an attribute of our name is another's."""
     try:
-        return present_state(source, last_report(source).get("with_modifiers", False), kept)
+        return present_state(source, last_report(source).with_modifiers, kept)
     except ObjectError:
         return None
 
@@ -67,7 +68,7 @@ def put_back(sources: list[bpy.types.Object], scene: bpy.types.Scene) -> None:
 def is_left(source: bpy.types.Object) -> bool:
     """Whether Auto leaves the pieces of the model as they are until it changes again."""
     tried = state_of(source).tried
-    return tried is not None and not has_changed(source, {"model_state": tried})
+    return tried is not None and not has_changed(source, tried)
 
 
 def _flattened(context: bpy.types.Context) -> list[bpy.types.Object]:
@@ -87,12 +88,12 @@ def _has_changed(source: bpy.types.Object) -> bool:
     report = last_report(source)
     if is_left(source) and not _is_regrained(source, report):
         return False
-    return report is not None and (has_changed(source, report) or _is_regrained(source, report))
+    return report is not None and (has_changed(source, report.model_state) or _is_regrained(source, report))
 
 
-def _is_regrained(source: bpy.types.Object, report: dict) -> bool:
+def _is_regrained(source: bpy.types.Object, report: ObjectReport | None) -> bool:
     """Whether another wire is to stand upright than in the last run."""
-    options = report.get("options") if report else None
+    options = report.options if report else None
     return options is not None and options.get("grain_wire") != source.data.wirewarp_grain
 
 

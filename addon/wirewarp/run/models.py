@@ -5,14 +5,13 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from types import ModuleType
 
-from ..core import Cache, FlattenResult
+from ..core import Cache, FlattenResult, Note, torn_hints
 from ..issues import Issue, ObjectError, note, warning
-from ..report.hints import torn_hints
-from ..report.report import failure_report, object_report
 from ..solve.arrays import INWARD, MeshArrays, faces_inward
 from ..solve.flat_mesh import FlatMesh, flat_mesh
 from ..solve.flatten import FlattenChoices, flatten_arrays, has_layout, used_choices
 from ..solve.identity import KnownPieces, PieceIdentity, identify_pieces
+from ..solve.report import Facts, ObjectReport, failure_report, object_report
 from ..solve.seams import KnownSeams, SeamIdentity, identify_seams, ids_by_edge
 from ..solve.sentences import plain_sentence
 from ..solve.steps import Steps, told_as
@@ -27,9 +26,9 @@ class Model:
     """One object as read, by its name: the object itself may be gone before the results are there."""
 
     name: str  # with the library's, Object.name_full
-    facts: dict  # what its report begins with: names and numbers of elements
+    facts: Facts
     state: dict | None  # see model_state; None if it could not be read
-    notes: list[dict]
+    notes: list[Note]
     units: LengthText  # for sentences
     arrays: MeshArrays | None = None
     known: KnownPieces | None = None
@@ -43,7 +42,7 @@ class Outcome:
     """What became of one model; without a result it could not be flattened at all."""
 
     model: Model
-    report: dict
+    report: ObjectReport
     result: FlattenResult | None = None
     identities: Sequence[PieceIdentity] = ()
     seams: Sequence[SeamIdentity] = ()
@@ -63,9 +62,9 @@ def solve_models(
     return outcomes
 
 
-def failed_report(model: Model, issue: Issue) -> dict:
+def failed_report(model: Model, issue: Issue) -> ObjectReport:
     """The report of a model that was not flattened."""
-    return model.facts | failure_report(issue) | {"model_state": model.state}
+    return replace(failure_report(issue, model.facts), model_state=model.state)
 
 
 def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcome]:
@@ -81,26 +80,27 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
     if model.arrays:  # of what could not be read nobody knows the grain wire
         used = used_choices(choices, model.arrays)
         if choices.thickness > 0 and choices.surface != "middle":
-            outcome.report["notes"].append(note(MIDDLE))
+            outcome.report.notes.append(note(MIDDLE))
         if choices.grain_angle and used.orientation != "wire":
-            outcome.report["notes"].append(note(NO_ANGLE))
-        outcome.report["options"] = asdict(used) | {"grain_wire": model.arrays.grain_wire}
-    outcome.report["notes"] += model.notes
+            outcome.report.notes.append(note(NO_ANGLE))
+        outcome.report.options = asdict(used) | {"grain_wire": model.arrays.grain_wire}
+    outcome.report.notes += model.notes
     if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored, they are as seen from outside
-        outcome.report["notes"].append(warning(INWARD))
-    torn = torn_hints(model.arrays) if model.arrays else []
-    outcome.report["hints"] += [dict(vars(hint)) for hint in torn]
-    for issue in outcome.report["issues"]:
-        issue["sentence"] = plain_sentence(issue["sentence"], model.units)
+        outcome.report.notes.append(warning(INWARD))
+    if model.arrays:
+        outcome.report.hints += torn_hints(model.arrays.vertices, model.arrays.outline)
+    outcome.report.issues = [
+        replace(issue, sentence=plain_sentence(issue.sentence, model.units)) for issue in outcome.report.issues
+    ]
     return outcome
 
 
 def _outcome(model: Model, result: FlattenResult, choices: FlattenChoices, meters: float) -> Outcome:
-    identities = identify_pieces(result, model.arrays, model.known, model.facts["object"])
+    identities = identify_pieces(result, model.arrays, model.known, model.facts.object)
     seams = identify_seams(result, model.arrays, model.seams)
-    report = object_report(result, model.arrays, identities, seams, meters, choices.cloth)
+    report = object_report(result, model.arrays, model.facts, identities, seams, meters, choices.cloth)
     arrays = replace(model.arrays, seam_ids=ids_by_edge(result, model.arrays, seams))
     any_layout = bool(has_layout(result.corner_uv).any())
     pieces = flat_mesh(result, model.arrays, identities, choices) if any_layout else None
-    report = model.facts | report | {"model_state": model.state}
+    report.model_state = model.state
     return Outcome(model, report, result, identities, seams, arrays, pieces)

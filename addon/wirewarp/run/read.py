@@ -19,6 +19,7 @@ from ..model.modifiers import left_out, shaped_by
 from ..model.owners import find_flat_object
 from ..model.read import object_to_arrays
 from ..model.state import has_changed, model_state
+from ..solve.report import Facts
 from ..words import LengthText, quoted
 from .models import Model
 from .targets import check_target
@@ -46,14 +47,14 @@ def find_source(model: Model) -> bpy.types.Object | None:
 
 def is_current(model: Model) -> bool:
     """Whether its object is still there, a mesh, and as it was read. In any mode."""
-    source, report = find_source(model), {"model_state": model.state}
-    return source is not None and source.type == "MESH" and not has_changed(source, report, read_anew)
+    source = find_source(model)
+    return source is not None and source.type == "MESH" and not has_changed(source, model.state, read_anew)
 
 
 def check_current(context: bpy.types.Context, models: list[Model], settings: RunSettings) -> None:
     """Raises ObjectError if an object is no longer as it was read, or may not be written any more, in Object Mode."""
     context.view_layer.update()
-    changed = [model.facts["object"] for model in models if not is_current(model)]
+    changed = [model.facts.object for model in models if not is_current(model)]
     if changed:
         sentence = f"{quoted(changed)} changed during the run, so nothing was written. Flatten again."
         raise object_error("changed", sentence)
@@ -75,9 +76,13 @@ def _read(
 ) -> Model:
     """allowance: where none is marked, in Blender units."""
     use_modifiers = settings.use_modifiers
-    names = {"object": source.name, "mesh": source.data.name, "with_modifiers": use_modifiers}
-    names["shaped_by"] = shaped_by(source, depsgraph)
-    facts = names | {"counts": element_counts(source.data)}
+    facts = Facts(
+        object=source.name,
+        mesh=source.data.name,
+        with_modifiers=use_modifiers,
+        shaped_by=shaped_by(source, depsgraph),
+        counts=element_counts(source.data),
+    )
     arrays = known = seams = state = solved = issue = None
     try:
         _check(source, settings)

@@ -61,12 +61,12 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     report = pieces_report(source)
     is_true = (
         report is not None
-        and report.get("with_modifiers", False) == settings.use_modifiers
-        and not has_changed(source, report)
+        and report.with_modifiers == settings.use_modifiers
+        and not has_changed(source, report.model_state)
     )
     if piece is not None and not is_true:
         raise changed_error(source.name)
-    names = {index: each["name"] for index, each in enumerate(report["pieces"])} if is_true else {}
+    names = {piece.index: piece.name for piece in report.pieces} if is_true else {}
     choices = choices_of(settings, meters_per_blender_unit(context.scene))
     no_seam, aim = read_no_seam(source), aim_of(settings)
     steps = suggest_cuts(core.library(), model.arrays, choices, kind, piece, no_seam, aim)
@@ -76,7 +76,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
 def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
     """Of what each of them cuts."""
     if search.is_of_model:
-        return [search.model.facts["object"]] * len(cuts)
+        return [search.model.facts.object] * len(cuts)
     return [search.names.get(cut.piece, f"Piece {cut.piece + 1}") for cut in cuts]
 
 
@@ -98,6 +98,6 @@ def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
     )
     source = find_source(model)
     if not (is_current(model) and are_current(source, found, read_anew)):
-        raise object_error("changed", f'"{model.facts["object"]}" changed during the search. Suggest again.')
+        raise object_error("changed", f'"{model.facts.object}" changed during the search. Suggest again.')
     keep(source, found)
     return found

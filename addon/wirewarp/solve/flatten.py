@@ -92,8 +92,15 @@ def library_arguments(library: ModuleType, arrays: MeshArrays, choices: FlattenC
     """What the library's calls share beside the triangles. Raises ObjectError and the library's FlattenError."""
     return {
         "seams": arrays.seams,
-        "wires": [_library_wire(library, wire) for wire in arrays.wires],
         "options": _library_options(library, used_choices(choices, arrays), arrays),
+        **library_marks(library, arrays),
+    }
+
+
+def library_marks(library: ModuleType, arrays: MeshArrays) -> dict[str, Any]:
+    """The wires and eases. Raises ObjectError."""
+    return {
+        "wires": [_library_wire(library, wire) for wire in arrays.wires],
         "eases": _library_eases(library, arrays),
     }
 
@@ -120,23 +127,30 @@ def drop_jobs(*_: object) -> None:
 
 
 def _library_options(library: ModuleType, choices: FlattenChoices, arrays: MeshArrays) -> Options:
-    """The library takes the gap as a share of the side of a square as large as all pieces.
-
-    What the cloth gives is none of its business: report.threads says where that is not enough.
-    """
+    """The library takes the gap as a share of the side of a square as large as all pieces."""
     options = asdict(choices)
     side, gap = _side(arrays), gap_between(arrays, options.pop("spacing"))
     options |= {"gap": gap / side if side > 0 else 0.0, "grain": _grain_index(arrays)}
     if choices.cloth:
-        options["cloth"] = _library_cloth(library, choices.cloth)
+        options["cloth"] = library_cloth(choices.cloth)
     return library.Options(**options)
 
 
-def _library_cloth(library: ModuleType, cloth: ClothChoice) -> Cloth:
-    is_own = cloth.name == "custom"
-    own = library.Cloth(cloth.weft, cloth.warp, cloth.shear) if is_own else library.Cloth.preset(cloth.name)
+def library_cloth(cloth: ClothChoice) -> Cloth:
+    """Without its maximum stretch: what is beyond that, the report says."""
+    own = _without_stretch(cloth)
     worn = cloth.worn_across, cloth.worn_along
-    return library.Cloth(own.weft, own.warp, own.shear, squeeze=own.squeeze, stretch=worn, locking=own.locking)
+    return Cloth(own.weft, own.warp, own.shear, squeeze=own.squeeze, stretch=worn, locking=own.locking)
+
+
+def maximum_stretch(cloth: ClothChoice) -> tuple[float | None, float | None]:
+    """Across and along the grain: as given, or else that of the preset; None if it is not known."""
+    across, along = _without_stretch(cloth).limits or (None, None)
+    return cloth.gives_across or across, cloth.gives_along or along
+
+
+def _without_stretch(cloth: ClothChoice) -> Cloth:
+    return Cloth(cloth.weft, cloth.warp, cloth.shear) if cloth.name == "custom" else Cloth.preset(cloth.name)
 
 
 def gap_between(arrays: MeshArrays, spacing: float) -> float:
@@ -273,7 +287,7 @@ def _way_round(diagonal: np.ndarray, polygon: int, arrays: MeshArrays) -> list[i
 def looser_wires(proposed: Iterable[tuple[int, float]], arrays: MeshArrays) -> list[LooserWire]:
     """The proposed pairs of a wire's index and its tolerance."""
     return [
-        LooserWire(wire.name, round_up(tolerance), list(pairwise(wire.chain.vertices)))
+        LooserWire(name=wire.name, tolerance=round_up(tolerance), edges=list(pairwise(wire.chain.vertices)))
         for wire, tolerance in ((arrays.wires[index], tolerance) for index, tolerance in proposed)
     ]
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The sidebar tab and the menu entries: they show, and call operators by name.
 
-May import: overlay, run, solve, flat, model, blender, report, properties, core, issues, words.
+May import: overlay, run, solve, flat, model, blender, properties, core, issues, words.
 """
 
 from . import layout, menus

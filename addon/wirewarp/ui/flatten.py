@@ -5,18 +5,18 @@ import bpy
 
 from ..blender.memory import stamp
 from ..blender.size import likely_units, strange_size, unit_text
+from ..core import as_seen
 from ..flat.reports import last_report
 from ..issues import ObjectError
 from ..model.modifiers import shaped_by
 from ..model.owners import find_flat_object, has_flat_object, model_of, model_or_self
 from ..model.state import shows_modified
 from ..overlay.cache import kept_drawing
-from ..report.next_step import next_step
-from ..report.rows import tables_of
-from ..report.verdict import as_seen, left_out_of
 from ..run.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..run.window_run import FLATTEN
-from .layout import SidebarPanel, draw_sentence
+from ..solve.report import ObjectReport
+from .layout import LEVEL_ICONS, SidebarPanel, draw_sentence
+from .next_step import next_step
 from .progress import draw_progress
 from .settings import draw_settings, settings_sentence
 from .shown import untrue_sentence
@@ -66,7 +66,9 @@ def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: b
         column.operator("scene.wirewarp_set_unit", text=unit_text(source, unit)).meters = unit
 
 
-def _draw_state(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object, report: dict) -> None:
+def _draw_state(
+    context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object, report: ObjectReport
+) -> None:
     untrue = untrue_sentence(context.active_object, source, report)
     if untrue:
         warning = layout.column()
@@ -76,8 +78,8 @@ def _draw_state(context: bpy.types.Context, layout: bpy.types.UILayout, source: 
             draw_sentence(context, layout, LEFT, "INFO")
         return
     left_out = _left_out(context, source, report)
-    for line in as_seen(tables_of(report).verdict, left_out):
-        draw_sentence(context, layout, line.text, line.icon)
+    for line in as_seen(report.tables.verdict, left_out).lines:
+        draw_sentence(context, layout, line.text, LEVEL_ICONS[line.kind.level])
     step = next_step(report, left_out)
     if step:
         if step.sentence:
@@ -88,7 +90,7 @@ def _draw_state(context: bpy.types.Context, layout: bpy.types.UILayout, source: 
         for name, value in step.settings.items():
             setattr(asked, name, value)
         if step.settings.get("what") == "HINT":  # the verdict has said to add a dart or seam there
-            draw_suggest(layout, context.scene.wirewarp, report["hints"][step.settings["index"]]["piece"])
+            draw_suggest(layout, context.scene.wirewarp, report.hints[step.settings["index"]].piece)
         if step.settings.get("what") == "SEAMS":  # others, with what they cost and leave
             draw_suggest(layout, context.scene.wirewarp, -1, ["seams"])
     # Of the last run, though it may have left the earlier pieces: to flatten again would change nothing.
@@ -97,10 +99,10 @@ def _draw_state(context: bpy.types.Context, layout: bpy.types.UILayout, source: 
         draw_sentence(context, layout, sentence, "INFO")
 
 
-def _left_out(context: bpy.types.Context, source: bpy.types.Object, report: dict) -> list[str]:
+def _left_out(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:
     """As it is now, where that can be seen; else as it was in the run."""
-    if report.get("with_modifiers") or not shows_modified(source):
-        return left_out_of(report)
+    if report.with_modifiers or not shows_modified(source):
+        return report.left_out
     if not source.modifiers and not source.data.shape_keys:
         return []
     depsgraph = context.view_layer.depsgraph

@@ -10,6 +10,8 @@ import bpy
 import bpy.utils.previews
 import numpy as np
 
+from ..core import Level
+
 WIDE = 330  # in Blender's own pixels; the sidebar starts at half of it
 BESIDE_TEXT = 90  # of the region's width: icon, margins and the tabs
 FONT = 0  # of the user interface
@@ -27,6 +29,7 @@ MARKS: dict[str, tuple[list[Stroke], tuple[float, float, float]]] = {
         (1.0, 0.65, 0.10),
     ),
 }
+LEVEL_ICONS = {Level.GOOD: "TICK", Level.CAUTION: "AMBER", Level.BAD: "CANCEL"}  # of lines of a verdict
 _previews: bpy.utils.previews.ImagePreviewCollection | None = None
 
 

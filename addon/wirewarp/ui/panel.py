@@ -7,6 +7,7 @@ import bpy
 
 from ..flat.reports import last_report
 from ..model.owners import DELETED, is_deleted, model_of, model_or_self
+from ..solve.report import ObjectReport
 from .layout import SidebarPanel, draw_sentence
 from .settings import draw_ease
 
@@ -127,6 +128,5 @@ def _draw_select_issues(layout: bpy.types.UILayout, context: bpy.types.Context) 
         layout.operator("mesh.wirewarp_select_issues", icon="RESTRICT_SELECT_OFF")
 
 
-def _names_elements(report: dict | None) -> bool:
-    issues = report["issues"] if report else []
-    return any(issue["vertices"] or issue["edges"] or issue["faces"] for issue in issues)
+def _names_elements(report: ObjectReport | None) -> bool:
+    return report is not None and any(issue.has_place for issue in report.issues)

@@ -4,13 +4,12 @@
 import bpy
 
 from ..blender.units import length_text
+from ..core import PieceRow, needs_text, percent_text
 from ..flat.reports import pieces_report
 from ..model.owners import find_flat_object
 from ..overlay.shown import shown_pages
-from ..report.cloth import percent_text
-from ..report.rows import PieceRow, tables_of
-from ..report.threads import needs_text
 from ..run.window_run import EXPORT
+from ..solve.report import ObjectReport
 from .layout import SidebarPanel, draw_cells, draw_sentence, mark_of
 from .progress import draw_progress
 from .report_table import draw_select
@@ -43,7 +42,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row.has_layout:
             figure = line.row()
             figure.alignment = "RIGHT"
-            figure.label(text=percent_text(row.strain))
+            figure.label(text=percent_text(row.needed))
             draw_select(line, "PIECE", index)
 
     def filter_items(
@@ -56,13 +55,13 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
             shown = helper.filter_items_by_name(self.filter_name, self.bitflag_filter_item, entries, "name")
         if self.use_filter_sort_alpha:
             return shown, helper.sort_items_by_name(entries, "name")
-        places = {row.index: place for place, row in enumerate(tables_of(_shown_pieces(context)).pieces)}
+        places = {row.index: place for place, row in enumerate(_shown_pieces(context).tables.pieces)}
         if places.keys() != set(range(len(entries))):
             return shown, []
         return shown, [places[index] for index in range(len(entries))]
 
 
-def _shown_pieces(context: bpy.types.Context) -> dict | None:
+def _shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
     """The report of the pieces there are, whatever has failed since."""
     source = shown_source(context)
     return pieces_report(source) if source else None
@@ -70,7 +69,7 @@ def _shown_pieces(context: bpy.types.Context) -> dict | None:
 
 def _row_of(context: bpy.types.Context, index: int) -> PieceRow | None:
     """None where the report is of other pieces than the list."""
-    return next((row for row in tables_of(_shown_pieces(context)).pieces if row.index == index), None)
+    return next((row for row in _shown_pieces(context).tables.pieces if row.index == index), None)
 
 
 class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
@@ -79,7 +78,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         report = _shown_pieces(context)
-        return report is not None and "flat_object" in report and len(shown_source(context).wirewarp_pieces) > 0
+        return report is not None and report.flat_object is not None and len(shown_source(context).wirewarp_pieces) > 0
 
     def draw(self, context: bpy.types.Context) -> None:
         source = shown_source(context)
@@ -90,7 +89,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         chosen = _row_of(context, source.wirewarp_active_piece)
         if chosen:
             draw_figures(context, self.layout, chosen)
-            if chosen.ok and chosen.strain >= WORTH_A_CUT:
+            if chosen.ok and chosen.needed >= WORTH_A_CUT:
                 draw_suggest(self.layout, context.scene.wirewarp, chosen.index)
         if context.scene.wirewarp.keep_places:
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
@@ -131,13 +130,13 @@ def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: Pi
     change = row.area_2d / row.area_3d - 1
     draw_cells(column, " diff.", [f"{100 * change:+.2f}%" if abs(change) >= 5e-5 else "0.00%"], 0.45)
     if row.threads:
-        draw_sentence(context, column, f"{needs_text(row.threads)}, in {row.threads['cloth']}")
-    elif row.strain < NO_STRAIN:
+        draw_sentence(context, column, f"{needs_text(row.threads)}, in {row.threads.cloth}")
+    elif max(row.stretch_max, row.ease_max) < NO_STRAIN:
         draw_sentence(context, column, "Lies flat without any stretch")
-    if row.stretch >= NO_STRAIN:
-        _draw_place(column, "Stretch up to", row.stretch, "STRETCH", row.index)
-    if row.ease >= NO_STRAIN:
-        _draw_place(column, "Ease up to", row.ease, "EASE", row.index)
+    if row.stretch_max >= NO_STRAIN:
+        _draw_place(column, "Stretch up to", row.stretch_max, "STRETCH", row.index)
+    if row.ease_max >= NO_STRAIN:
+        _draw_place(column, "Compress up to", row.ease_max, "EASE", row.index)
 
 
 def _draw_place(column: bpy.types.UILayout, label: str, share: float, what: str, index: int) -> None:

@@ -4,8 +4,8 @@
 import bpy
 
 from ..blender.units import length_text
+from ..core import largest_difference, note_text
 from ..flat.reports import pieces_report
-from ..report.rows import largest_difference, tables_of
 from .layout import SidebarPanel, draw_sentence, is_wide, mark_of
 from .report_sentences import draw_hints, draw_issues
 from .report_table import draw_table
@@ -22,18 +22,18 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         source, report = shown_source(context), shown_report(context)
-        for note in report["notes"]:
-            draw_sentence(context, layout, note["text"], "ERROR" if note["is_warning"] else "INFO")
-        if "method_name" in report:
-            draw_sentence(context, layout, f"Method: {report['method_name']}")
-        if report["issues"]:
+        for note in report.notes:
+            draw_sentence(context, layout, note_text(report, note), "ERROR" if note.is_warning else "INFO")
+        if report.method_name:
+            draw_sentence(context, layout, f"Method: {report.method_name}")
+        if report.issues:
             box = layout.box()
             # Gray, but the next proposal can be taken without a run between.
             box.active = not has_changed_since(source, report)
             draw_issues(context, box, report)
-        if report["hints"]:
+        if report.hints:
             draw_hints(context, layout, report)
-        if (pieces_report(source) or report)["pieces"]:
+        if (pieces_report(source) or report).pieces:
             layout.operator("object.wirewarp_copy_report", icon="COPYDOWN")
 
 
@@ -47,7 +47,7 @@ class ReportSection(SidebarPanel):
     @classmethod
     def rows(cls, context: bpy.types.Context) -> list:
         report = shown_report(context)
-        return getattr(tables_of(report), cls.table) if report else []
+        return getattr(report.tables, cls.table) if report else []
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

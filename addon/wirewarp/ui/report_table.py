@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A table of lengths: four columns where the sidebar is wide, one number a line where it is narrow."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import bpy
 
 from ..blender.units import length_text, meters_per_blender_unit
-from ..report.eases import longer_texts
-from ..report.rows import ReportRow, Side, merged
+from ..core import ReportRow, Side, merged, pattern
 from ..words import LengthText
 from .layout import broken, draw_cells, is_wide, mark_of
 
@@ -34,7 +33,7 @@ def draw_table(
             draw_heading(context, column, row.name, mark_of(row.ok), row.what, row.index)
         if row.note:
             draw_note(context, column, row.note, "INFO" if row.at_limit else "BLANK1")
-        for longer in longer_texts(row.sides, text, meters):
+        for longer in longer_sides(row.sides, text, meters):
             draw_note(context, column, longer, "INFO")
         (_draw_wide if wide else _draw_narrow)(column, row, text)
         column.separator(factor=0.7)
@@ -107,3 +106,19 @@ def _flat_numbers(side: Side, text: LengthText) -> tuple[str, str, str]:
         return "not laid flat", "", ""
     percent = f"{abs(side.percent):.3f}" if abs(side.percent) < 5e-4 else f"{side.percent:+.3f}"
     return text.number(side.length_2d), text.difference(side.difference), percent
+
+
+def longer_sides(sides: Sequence[Side], units: LengthText, meters: float) -> list[str]:
+    """ "Sleeve 12 mm longer, ease between notches", as it stands on the paper; of the sides of a seam.
+
+    meters: in a Blender unit.
+    """
+    asked = {side.label: side.length_asked for side in sides if side.length_2d is not None and side.length_asked}
+    millimeters = 1000 * meters
+    texts = {
+        label: pattern.longer_text(
+            length * millimeters, min(asked.values()) * millimeters, lambda more: units.rough(more / millimeters)
+        )
+        for label, length in asked.items()
+    }
+    return [f"{label} {text}" for label, text in texts.items() if text]

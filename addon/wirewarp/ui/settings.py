@@ -10,6 +10,7 @@ from ..flat.suggestions import Suggestions
 from ..properties import EaseAmount, WIREWARP_PG_settings
 from ..run.settings import SETTINGS, FlattenChoices, FlattenSettings, choices_of
 from ..solve.flatten import LAYOUT_OPTIONS
+from ..solve.report import ObjectReport
 
 
 def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:
@@ -39,7 +40,7 @@ def known_choices(settings: WIREWARP_PG_settings) -> FlattenChoices | None:
     return choices_of(settings, meters_per_blender_unit(settings.id_data))
 
 
-def settings_sentence(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> str:
+def settings_sentence(source: bpy.types.Object, report: ObjectReport, settings: WIREWARP_PG_settings) -> str:
     """Empty where a run with the settings of the panel would make the same pieces."""
     changed = _changed(source, report, settings)
     if not changed:
@@ -70,13 +71,13 @@ def _of_layout_alone(choices: FlattenChoices) -> set[str]:
     return set(LAYOUT_OPTIONS) - (upright if choices.cloth else set())
 
 
-def _changed(source: bpy.types.Object, report: dict, settings: WIREWARP_PG_settings) -> list[str]:
+def _changed(source: bpy.types.Object, report: ObjectReport, settings: WIREWARP_PG_settings) -> list[str]:
     choices = known_choices(settings)
-    if "options" not in report or choices is None:
+    if report.options is None or choices is None:
         return []
-    wire_ids = {wire["wire_id"] for wire in report["wires"]}
-    changed = _changed_choices(source, settings, choices, report["options"], wire_ids, set())
-    if report.get("with_modifiers", False) != settings.use_modifiers and report.get("shaped_by"):
+    wire_ids = {wire.wire_id for wire in report.wires}
+    changed = _changed_choices(source, settings, choices, report.options, wire_ids, set())
+    if report.with_modifiers != settings.use_modifiers and report.shaped_by:
         changed.append("Modifiers")
     return changed
 

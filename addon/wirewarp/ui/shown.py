@@ -9,11 +9,12 @@ from ..flat.reports import last_report
 from ..model.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
 from ..model.state import has_changed
 from ..overlay.cache import Same, kept_drawing
+from ..solve.report import ObjectReport
 
 CHANGED = "The model has changed since. Flatten again."
 
 
-def shown_report(context: bpy.types.Context) -> dict | None:
+def shown_report(context: bpy.types.Context) -> ObjectReport | None:
     """The report of the active object, or of the source of active flat pieces."""
     source = shown_source(context)
     return last_report(source) if source else None
@@ -26,17 +27,17 @@ def shown_source(context: bpy.types.Context) -> bpy.types.Object | None:
     return model_or_self(active)
 
 
-def untrue_sentence(active: bpy.types.Object, source: bpy.types.Object, report: dict) -> str:
+def untrue_sentence(active: bpy.types.Object, source: bpy.types.Object, report: ObjectReport) -> str:
     """Why the report says nothing of what is to be seen; "" if it does."""
     if has_changed_since(source, report):
         return CHANGED
-    if "flat_object" in report and not has_flat_object(source):
+    if report.flat_object is not None and not has_flat_object(source):
         return no_pieces_sentence(source)
     return earlier_sentence(active) if is_earlier(active) else ""
 
 
-def has_changed_since(source: bpy.types.Object, report: dict) -> bool:
+def has_changed_since(source: bpy.types.Object, report: ObjectReport) -> bool:
     """Not asked at every redraw while a large model with modifiers changes: to read it takes as long as to draw it."""
     place = source.mode, source.visible_get(), source.matrix_world.copy()
     seen = stamp(source), stamp(source.data), place, Same(report)
-    return kept_drawing(source, "has changed", seen, lambda: has_changed(source, report))
+    return kept_drawing(source, "has changed", seen, lambda: has_changed(source, report.model_state))

@@ -9,9 +9,9 @@ from ..blender.memory import stamp
 from ..blender.units import length_text
 from ..flat.suggestions import Suggestions, current_suggestions, suggestions_of
 from ..overlay.cache import Same, kept_drawing
-from ..report.suggestions import row_text, shortfall
 from ..run.settings import AimSettings
 from ..run.window_run import SUGGEST
+from ..solve.suggestion_words import row_text, shortfall
 from ..words import counted
 from .layout import SidebarPanel, draw_sentence
 from .progress import draw_progress

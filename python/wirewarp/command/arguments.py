@@ -33,8 +33,10 @@ GRAINS: dict[str, Grain] = {
 }  # as Pattern.nested knows them
 ORIENTATIONS = get_args(Orientation)
 VERDICTS = (
-    "Prints one line of JSON for each model. The exit code is 0 if all are ready to cut, 1 if a piece is not, 2 if a "
-    "model is refused, 3 if one was stopped: it crashed or took more time or memory than it may."
+    "Prints one line of JSON for each model. The exit code is that of the worst: 0 if every length is exact and there "
+    "are fabrics to cut from (ready to cut, or needs stretch fabric), 1 if a piece failed or if no fabric, or not that "
+    "of --cloth, stretches as far as it must (not ready to cut), 2 if a model is refused, 3 if one was stopped: it "
+    "crashed or took more time or memory than it may."
 )
 
 

@@ -7,10 +7,12 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-from .figures import report_figures
+from ..report import Report, ReportError, from_dict, verdict
+from ..report.names import note_text
+from .figures import figures_of
 from .input_error import InputError
 from .request import Request
-from .verdicts import FAILED, READY, Line
+from .verdicts import Line, word_of
 
 SCRIPT = Path(__file__).with_name("flatten_in_blender.py")
 ANSWER = ".answer.json"
@@ -49,17 +51,25 @@ def flatten_blend(request: Request, folder: Path) -> tuple[Line, dict[str, Any]]
 
 
 def _told(request: Request, told: dict[str, Any]) -> tuple[Line, dict[str, Any]]:
-    reports = told["report"]["objects"]
-    issues = [(report["object"], issue) for report in reports for issue in report["issues"]]
-    for report in reports:
-        report.pop("seconds", None)  # the same model gives the same report again
-    notes = [note["text"] for report in reports for note in report["notes"] if note["is_warning"]]
+    written = told["report"]["objects"]
+    try:
+        reports = [from_dict(each, Report) for each in written]
+    except ReportError as error:
+        raise InputError(
+            f"The add-on in Blender is of another version: install this one's zip there. {error}"
+        ) from error
+    for each in written:
+        del each["seconds"]  # the same model gives the same report again
+    found = verdict(*reports)
+    issues = [(report, issue) for report in reports for issue in report.issues]
+    notes = [note_text(report, note) for report in reports for note in report.notes if note.is_warning]
     line: Line = {
-        "verdict": FAILED if issues else READY,
-        "pieces": sum(len(report["pieces"]) for report in reports),
-        "figures": report_figures(reports),
-        "problems": [f"{name}: {issue['sentence']}" for name, issue in issues],
-        "codes": [issue["code"] for _, issue in issues],
+        "verdict": word_of(found),
+        "says": [each.text for each in found.lines],
+        "pieces": sum(len(report.pieces) for report in reports),
+        "figures": figures_of(reports),
+        "problems": [f"{report.object}: {issue.sentence}" for report, issue in issues],
+        "codes": [issue.code for _, issue in issues],
         "warnings": [*notes, *told["warnings"]],  # those of the export come last
         "files": [request.report_path.name, *told["files"]],
     }

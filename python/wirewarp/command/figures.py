@@ -1,36 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a thousand models are compared by. None where there is no layout to measure."""
+"""What a thousand models are compared by. None if there is no layout to measure."""
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
-from .. import FlattenResult
+from ..report import Report
 
 Figures = dict[str, float | int | None]
 
 
-def result_figures(result: FlattenResult, meters: float) -> Figures:
-    """meters: in a unit of the model."""
-    pieces = [(len(p.source_face), p.metrics.area_3d * meters**2, p.metrics.arap_energy) for p in result.pieces]
-    return _figures(pieces, [seam.mismatch * meters for seam in result.seams])
-
-
-def report_figures(reports: Sequence[dict[str, Any]]) -> Figures:
-    """Of the reports of the add-on, one for each object."""
-    every = [piece for report in reports for piece in report["pieces"]]
-    pieces = [(piece["triangles"], *(_number(piece[key]) for key in ("area_3d_m2", "arap_energy"))) for piece in every]
-    return _figures(pieces, [_number(seam["mismatch_m"]) for report in reports for seam in report["seams"]])
-
-
-def _figures(pieces: Sequence[tuple[int, float, float]], mismatches: Sequence[float]) -> Figures:
-    """pieces: triangles, area in square meters and energy of each."""
-    area = sum(area for _, area, _ in pieces)
-    energy = sum(area * energy for _, area, energy in pieces)
+def figures_of(reports: Sequence[Report]) -> Figures:
+    """Of the objects in one file."""
+    pieces = [(report, piece) for report in reports for piece in report.pieces]
+    areas = [_number(piece.area_3d) * report.meters**2 for report, piece in pieces]
+    area = sum(areas)
+    energy = sum(own * _number(piece.arap_energy) for own, (_, piece) in zip(areas, pieces, strict=True))
+    mismatches = [_number(seam.mismatch) * report.meters for report in reports for seam in report.seams]
     return {
-        "triangles": sum(count for count, _, _ in pieces),
+        "triangles": sum(piece.triangles for _, piece in pieces),
         "area_m2": _finite(area),
         "energy": _finite(energy / area) if area else None,
+        "stretch": _finite(max((piece.needed for _, piece in pieces), default=0.0)),
         "seam_mismatch_m": _finite(max(mismatches, default=0.0)),
     }
 

@@ -10,15 +10,16 @@ from typing import Any
 from .. import Cloth, FlattenError, FlattenResult, Options, __version__, flatten
 from ..pattern import Marker, Pattern, Written
 from ..pattern.files import today
+from ..report import make_report, verdict
 from .blend import BlenderError, flatten_blend
-from .figures import result_figures
+from .figures import figures_of
 from .input_error import InputError
 from .lines import lines_of, seams_of
 from .model import Model, read_model
 from .request import FROM_MODEL, MILLIMETERS, MarkerRequest, MaterialRequest, Request
 from .staged import staged_folder, take_places
 from .suffixes import BLEND
-from .verdicts import FAILED, READY, REFUSED, STOPPED, Line, unfinished
+from .verdicts import REFUSED, STOPPED, Line, unfinished, word_of
 
 # Of these only names and contents count.
 WHEREABOUTS = ("blender", "folder", "model", "refusal", "resume", "seams", "wires")
@@ -99,19 +100,26 @@ def _made_of(request: Request, model: Model | None) -> str:
 def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict[str, Any]]:
     """Writes patterns and picture to the folder; the line, and what the report says besides."""
     seams, lines = seams_of(model, request.seams), lines_of(request.wires)
-    result = flatten(
+    options = material_options(request.material, request.unit)
+    result = flatten(model.vertices, model.faces, seams=seams, wires=lines.wires, eases=lines.eases, options=options)
+    measured = make_report(
+        result,
         model.vertices,
         model.faces,
-        seams=seams,
         wires=lines.wires,
         eases=lines.eases,
-        options=material_options(request.material, request.unit),
+        cloth=options.cloth,
+        fabric=request.material.cloth or "custom",
+        meters=MILLIMETERS[request.unit] / 1000,
+        name=request.model.stem,
     )
+    found = verdict(measured)
     failed = [(n, piece.error) for n, piece in enumerate(result.pieces, start=1) if piece.error]
     line: Line = {
-        "verdict": FAILED if failed else READY,
+        "verdict": word_of(found),
+        "says": [each.text for each in found.lines],
         "pieces": len(result.pieces),
-        "figures": result_figures(result, MILLIMETERS[request.unit] / 1000),
+        "figures": figures_of([measured]),
         "problems": [f"Piece {n}: {error.message}" for n, error in failed],
         "codes": [error.code.value for _, error in failed],
         "warnings": [],
@@ -123,8 +131,8 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
     if not failed:
         pattern = _pattern(request, result)
         for kind in request.formats:
-            options: dict[str, Any] = {"paper": request.page} if kind == "pdf" else {}
-            _note(pattern.write(folder / request.pattern_path(kind).name, **options), line)
+            settings: dict[str, Any] = {"paper": request.page} if kind == "pdf" else {}
+            _note(pattern.write(folder / request.pattern_path(kind).name, **settings), line)
         if request.marker:
             marker = _nested(pattern, request.marker)
             laid = pattern.laid_on(marker)

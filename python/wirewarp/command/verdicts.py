@@ -3,13 +3,23 @@
 
 from typing import Any
 
-READY, FAILED, REFUSED, STOPPED = "ready to cut", "not ready to cut", "refused", "stopped"
+from ..report import Kind, Verdict
+
+READY, NEEDS_STRETCH = "ready to cut", "needs stretch fabric"
+FAILED, REFUSED, STOPPED = "not ready to cut", "refused", "stopped"
 PROPOSED, NOTHING = "proposed", "nothing to propose"
-# That of the worst ends the command.
-EXIT_CODES = {READY: 0, PROPOSED: 0, FAILED: 1, NOTHING: 1, REFUSED: 2, STOPPED: 3}
+# The command ends with that of the worst model. With 0 every length is exact and there are fabrics to cut from.
+EXIT_CODES = {READY: 0, NEEDS_STRETCH: 0, PROPOSED: 0, FAILED: 1, NOTHING: 1, REFUSED: 2, STOPPED: 3}
 Line = dict[str, Any]
 
 
+def word_of(verdict: Verdict) -> str:
+    """The word of the line for the report's verdict."""
+    if verdict.is_ready:
+        return READY
+    return NEEDS_STRETCH if verdict.kind is Kind.NEEDS_STRETCH else FAILED
+
+
 def unfinished(verdict: str, code: str, problem: str) -> Line:
-    """Of a model of which nothing was written."""
+    """The line of a model of which nothing was written."""
     return {"verdict": verdict, "problems": [problem], "codes": [code]}

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the user does best after a run: one button, which does it and flattens again."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
+from ..core import BEYOND_FABRIC, STRAINED, Issue
+from ..solve.report import ObjectReport
 from ..words import counted
-from .cloth import is_strained
-from .hints import STRAINED
-from .threads import BEYOND_CLOTH
 
 MEND = "object.wirewarp_mend"
 SHOW = "mesh.wirewarp_select_result"
@@ -30,23 +30,23 @@ class NextStep(NamedTuple):
     settings: dict
 
 
-def next_step(report: dict, left_out: list[str]) -> NextStep | None:
+def next_step(report: ObjectReport, left_out: list[str]) -> NextStep | None:
     """None where the pieces may be cut. left_out: see as_seen, of the model as it is now."""
-    remedies = [remedy_of(issue) for issue in report["issues"]]
-    if report.get("with_modifiers") and any(remedies):
+    remedies = [remedy_of(issue) for issue in report.issues]
+    if report.with_modifiers and any(remedies):
         return NextStep(APPLY_FIRST, "Apply Modifiers and Flatten", "MODIFIER", MEND, {"what": "APPLY"})
     for what, (text, icon) in REMEDIES.items():
         if what in remedies:
-            return NextStep(_reason(report["issues"], what), text, icon, MEND, {"what": what})
-    if report["issues"]:
-        return _show("ISSUE", "Show Failed Place", _shown(report, report["issues"]))
+            return NextStep(_reason(report.issues, what), text, icon, MEND, {"what": what})
+    if report.issues:
+        return _show("ISSUE", "Show Failed Place", _shown(report, report.issues))
     if left_out:
         return NextStep("", "Flatten with Modifiers", "MODIFIER", MEND, {"what": "MODIFIERS"})
     return _show("HINT", "Show Strained Place", _strained_places(report)) if _any_strained(report) else None
 
 
-def _any_strained(report: dict) -> bool:
-    return any(map(is_strained, report["pieces"]))
+def _any_strained(report: ObjectReport) -> bool:
+    return any(piece.is_strained for piece in report.pieces)
 
 
 def _show(what: str, text: str, places: list[int]) -> NextStep | None:
@@ -54,40 +54,40 @@ def _show(what: str, text: str, places: list[int]) -> NextStep | None:
     return NextStep("", text, "RESTRICT_SELECT_OFF", SHOW, {"what": what, "index": places[0]}) if places else None
 
 
-def _shown(report: dict, entries: list[dict]) -> list[int]:
+def _shown(report: ObjectReport, entries: Sequence[Issue]) -> list[int]:
     """Those that have a place, in their order: the worst first."""
     return [index for index, entry in enumerate(entries) if is_shown(report, entry)]
 
 
-def _strained_places(report: dict) -> list[int]:
+def _strained_places(report: ObjectReport) -> list[int]:
     """Of the worst piece, the largest first: the very worst may be a single face, in which nobody finds the way."""
-    hints = report["hints"]
-    places = [index for index in _shown(report, hints) if hints[index]["code"] in {STRAINED, BEYOND_CLOTH}]
-    own = [index for index in places if hints[index]["piece"] == hints[places[0]]["piece"]]
-    return sorted(own, key=lambda index: -len(hints[index]["faces"]))
+    hints = report.hints
+    places = [index for index in _shown(report, hints) if hints[index].code in {STRAINED, BEYOND_FABRIC}]
+    own = [index for index in places if hints[index].piece == hints[places[0]].piece]
+    return sorted(own, key=lambda index: -len(hints[index].faces))
 
 
-def remedy_of(issue: dict) -> str | None:
+def remedy_of(issue: Issue) -> str | None:
     """The kind of what mends it."""
-    if issue["proposed_seams"]:
+    if issue.proposed_seams:
         return "SEAMS"
-    return "TOLERANCES" if issue["proposed_tolerances"] else OF_CODES.get(issue["code"])
+    return "TOLERANCES" if issue.proposed_tolerances else OF_CODES.get(issue.code)
 
 
-def is_shown(report: dict, entry: dict) -> bool:
+def is_shown(report: ObjectReport, entry: Issue) -> bool:
     """Whether an issue or a hint has a place that can be selected: made by modifiers, on its flat piece only."""
-    if not (entry["vertices"] or entry["edges"] or entry["faces"]):
+    if not entry.has_place:
         return False
-    if not report.get("with_modifiers"):
+    if not report.with_modifiers:
         return True
-    return entry["piece"] is not None and report["pieces"][entry["piece"]]["has_layout"]
+    return entry.piece is not None and report.pieces[entry.piece].has_layout
 
 
-def _reason(issues: list[dict], what: str) -> str:
+def _reason(issues: Sequence[Issue], what: str) -> str:
     if what == "SEAMS":
-        edges = {(min(edge), max(edge)) for issue in issues for edge in issue["proposed_seams"]}  # twins share theirs
+        edges = {(min(edge), max(edge)) for issue in issues for edge in issue.proposed_seams}  # twins share theirs
         return f"{counted(len(edges), 'edge')} proposed as seam."
     if what == "TOLERANCES":
-        wires = {wire["name"] for issue in issues for wire in issue["proposed_tolerances"]}
+        wires = {wire.name for issue in issues for wire in issue.proposed_tolerances}
         return f"{counted(len(wires), 'wire')} proposed to be looser."
     return ""

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Suggested cuts in words."""
 
-from ..solve.suggest import Aim, Cut
+from ..core import percent_text
 from ..words import LengthText, counted
-from .cloth import percent_text
+from .suggest import Aim, Cut
 
 WORDS = {"DARTS": ("dart", "darts"), "SEAMS": ("seam", "seams")}
 

@@ -10,7 +10,7 @@ import numpy as np
 from ..core import FlattenResult, Piece
 from ..issues import Issue, LooserWire
 from ..pattern.chains import edge_keys
-from ..solve.arrays import MeshArrays, triangle_areas
+from .arrays import MeshArrays, triangle_areas
 
 ALIKE = 1e-3  # of its own size: by so much at most the outlines and areas of twins differ
 IN_PLACE = 1e-4  # of the size of a piece: nearer than this to its mirror image a vertex is that
@@ -106,7 +106,7 @@ def _wire_on_twin(wire: LooserWire, twin_of: dict[int, int], arrays: MeshArrays)
     for each in arrays.wires:
         edges = list(pairwise(each.chain.vertices))
         if wanted and wanted <= {(min(edge), max(edge)) for edge in edges}:
-            return LooserWire(each.name, wire.tolerance, edges)
+            return LooserWire(name=each.name, tolerance=wire.tolerance, edges=edges)
     return None
 
 

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The report of one object: the library's, with what the add-on knows about the object; and the message of a run."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from ..core import (
+    TORN,
+    FlattenResult,
+    Issue,
+    Report,
+    ReportTables,
+    as_seen,
+    library,
+    make_report,
+    note_text,
+    place_name,
+    tables_of,
+    verdict,
+)
+from ..words import paragraph
+from .arrays import MeshArrays
+from .flatten import ClothChoice, issue_of_piece, library_cloth, library_marks, maximum_stretch
+from .identity import PieceIdentity
+from .seams import SeamIdentity
+from .twins import with_twins
+
+SHOWN_SENTENCES = 4
+
+
+@dataclass(frozen=True, kw_only=True)
+class Facts:
+    """What is known about an object before it is flattened."""
+
+    object: str
+    mesh: str
+    with_modifiers: bool
+    shaped_by: list[str]  # "modifiers", "shape keys": what changes the shape that is seen
+    counts: dict[str, Any]  # of the elements of its own mesh
+
+
+@dataclass(kw_only=True)
+class ObjectReport(Report):
+    """Fields without a value belong to a report that was read from an object that a user has changed."""
+
+    mesh: str = ""
+    with_modifiers: bool = False
+    shaped_by: list[str] = field(default_factory=list)
+    counts: dict[str, Any] | None = None
+    model_state: dict[str, Any] | None = None  # see model/state.py; None if it could not be read
+    options: dict[str, Any] | None = None  # of FlattenChoices, and the grain wire; None for an object that was not read
+    uv_layer: str | None = None
+    uv_scale: float | None = None  # Blender units per UV unit
+    flat_object: str | None = None  # None: nothing was written
+
+    @property
+    def left_out(self) -> list[str]:
+        """What was left out of the run, though it changes what is seen."""
+        return [] if self.with_modifiers else self.shaped_by
+
+    @property
+    def tables(self) -> ReportTables:
+        """Made once, as long as the pieces, wires and seams keep their names: panels ask at every redraw."""
+        names = [*(piece.name for piece in self.pieces), *(wire.name for wire in self.wires)]
+        names += [seam.name for seam in self.seams]
+        known, tables = vars(self).get("_tables", (None, None))
+        if known != names:
+            tables = tables_of(self)
+            vars(self)["_tables"] = names, tables
+        return tables
+
+
+def object_report(
+    result: FlattenResult,
+    arrays: MeshArrays,
+    facts: Facts,
+    identities: Sequence[PieceIdentity],
+    seams: Sequence[SeamIdentity],
+    meters: float,
+    cloth: ClothChoice | None = None,
+) -> ObjectReport:
+    """identities: of the pieces; meters: in a Blender unit; cloth: as chosen."""
+    issues = [issue_of_piece(piece, index, arrays) for index, piece in enumerate(result.pieces) if piece.error]
+    report = make_report(
+        result,
+        arrays.vertices,
+        arrays.triangles,
+        **library_marks(library(), arrays),
+        cloth=library_cloth(cloth) if cloth else None,
+        limits=maximum_stretch(cloth) if cloth else None,
+        fabric=cloth.name if cloth else "",
+        meters=meters,
+        polygons=arrays.triangle_polygons,
+        issues=with_twins(issues, result, arrays),
+    )
+    for piece, identity in zip(report.pieces, identities, strict=True):
+        piece.name, piece.piece_id = identity.name, identity.piece_id
+    for seam, own in zip(report.seams, seams, strict=True):
+        seam.name, seam.seam_id, seam.is_dart = own.name, own.seam_id, own.is_dart
+    for wire in report.wires:
+        marked = arrays.wires[wire.wire]
+        wire.wire_id, wire.marked_id = marked.chain.wire_id, marked.marked_id
+    return ObjectReport(**vars(report) | vars(facts))
+
+
+def failure_report(issue: Issue, facts: Facts | None = None) -> ObjectReport:
+    """The report of an object that could not be flattened at all."""
+    return ObjectReport(issues=[issue], **(vars(facts) if facts else {}))
+
+
+def run_message(reports: Sequence[ObjectReport]) -> tuple[str, str]:
+    """How loudly Blender shows what became of the run (INFO, WARNING or ERROR), and the text."""
+    notes = [(note, note_text(report, note)) for report in reports for note in report.notes]
+    makers = [maker for report in reports for maker in report.left_out]
+    if not all(report.ok for report in reports):
+        warnings = [text for note, text in notes if note.is_warning]
+        torn = {hint.sentence for report in reports for hint in report.hints if hint.code == TORN}
+        ignored = [line.text for line in as_seen(verdict(), makers).lines[1:]]
+        return "ERROR", paragraph([_failure_text(reports), *ignored, *warnings, *torn])
+    found = as_seen(verdict(*reports), makers)
+    is_fine = found.is_ready and not any(note.is_warning for note, _ in notes)
+    sentences = [line.text for line in found.lines] + [text for _, text in notes]
+    return "INFO" if is_fine else "WARNING", paragraph(sentences)
+
+
+def _failure_text(reports: Sequence[ObjectReport]) -> str:
+    """What failed, a sentence each."""
+    lines = [f"{place_name(report, issue.piece)}: {issue.sentence}" for report in reports for issue in report.issues]
+    hidden = len(lines) - SHOWN_SENTENCES
+    more = [f"And {hidden} more: see the report in the sidebar."] if hidden > 0 else []
+    return paragraph(lines[:SHOWN_SENTENCES] + more)

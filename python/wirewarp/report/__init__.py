@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The report of a flattening: every length, the verdict, hints, and the rows and tables that show them.
+
+The Blender add-on and the command line use the same ones.
+"""
+
+from .csv_table import report_csv
+from .elements import Elements, elements_of
+from .hints import BEYOND_FABRIC, STRAINED, TORN, TORN_ADVICE, WIRE_AT_LIMIT, torn_hints
+from .json_form import ReportError, from_dict, run_to_dict, to_dict
+from .make import failure_report, make_report
+from .model import METHOD_NAMES, Chain, Hint, Issue, LooserWire, Note, Piece, Report, Seam, Threads, Wire, WirePart
+from .names import hint_text, issue_text, joined_pieces, note_text, open_edges, rename_wires
+from .rows import PieceRow, ReportRow, ReportTables, Side, largest_difference, merged, tables_of
+from .strain import percent_text
+from .verdict import SHOWN_NAMES, Kind, Level, Line, Verdict, as_seen, place_name, verdict
+from .wording import needs_text
+from .words import LengthText, counted, ease_text, paragraph, quoted, tolerance_text, wire_text
+
+__all__ = [
+    "report_csv",
+    "Elements",
+    "elements_of",
+    "BEYOND_FABRIC",
+    "STRAINED",
+    "TORN",
+    "TORN_ADVICE",
+    "WIRE_AT_LIMIT",
+    "torn_hints",
+    "ReportError",
+    "from_dict",
+    "run_to_dict",
+    "to_dict",
+    "failure_report",
+    "make_report",
+    "METHOD_NAMES",
+    "Chain",
+    "Hint",
+    "Issue",
+    "LooserWire",
+    "Note",
+    "Piece",
+    "Report",
+    "Seam",
+    "Threads",
+    "Wire",
+    "WirePart",
+    "hint_text",
+    "issue_text",
+    "joined_pieces",
+    "note_text",
+    "open_edges",
+    "rename_wires",
+    "PieceRow",
+    "ReportRow",
+    "ReportTables",
+    "Side",
+    "largest_difference",
+    "merged",
+    "tables_of",
+    "percent_text",
+    "SHOWN_NAMES",
+    "Kind",
+    "Level",
+    "Line",
+    "Verdict",
+    "as_seen",
+    "place_name",
+    "verdict",
+    "needs_text",
+    "LengthText",
+    "counted",
+    "ease_text",
+    "paragraph",
+    "quoted",
+    "tolerance_text",
+    "wire_text",
+]

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How long lines were to be: as on the model, but for their ease, tolerance and the built-in stretch of the fabric."""
+
+from itertools import pairwise
+
+import numpy as np
+
+from .. import BoundaryReport, Piece, WireReport
+
+# Chains add up the rounding of their edges; the library itself checks every edge to 1e-9.
+LENGTH_LIMIT = 1e-8
+
+
+def kept(line: WireReport | BoundaryReport) -> bool:
+    """Whether each edge has the length that the library guarantees. NaN has not."""
+    return line.max_edge_error <= LENGTH_LIMIT
+
+
+def asked_of_wire(wire: WireReport, ease: float) -> float:
+    """The length at its ease, without the h that its tolerance allows.
+
+    The library says of the stretch of the fabric only that it was kept; pieces that do not keep it have no layout.
+    """
+    return wire.length_2d * (1 + ease) / (1 + wire.variation) if kept(wire) else wire.length_3d * (1 + ease)
+
+
+def asked_of_outline(piece: Piece, vertices: np.ndarray, sides: dict[tuple[int, int], float]) -> list[float]:
+    """The length of each chain of the outline, with the h that its wires have come to.
+
+    vertices (n,3) of the model; sides: the ease of directed edges of which one side has an ease of its own.
+    """
+    if all(map(kept, piece.boundaries)):
+        return [chain.length_2d for chain in piece.boundaries]
+    ratios: dict[tuple[int, int], float] = {}
+    for wire in piece.wires:
+        for a, b in pairwise(wire.vertices.tolist()):
+            ratios[a, b] = ratios[b, a] = 1 + wire.variation
+    for edge, ease in sides.items():
+        ratios[edge] = ratios.get(edge, 1.0) * (1 + ease)
+    return [
+        chain.length_2d if kept(chain) else chain.length_3d * _mean_ratio(chain, ratios, vertices)
+        for chain in piece.boundaries
+    ]
+
+
+def _mean_ratio(chain: BoundaryReport, ratios: dict[tuple[int, int], float], vertices: np.ndarray) -> float:
+    """By length; ratios: of the directed edges that are to be longer or shorter."""
+    lengths = np.linalg.norm(np.diff(vertices[chain.vertices], axis=0), axis=1)
+    own = [ratios.get(step, 1.0) for step in pairwise(chain.vertices.tolist())]
+    return float(np.average(own, weights=lengths))

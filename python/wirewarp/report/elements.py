@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From an entry of a report to the elements of the model it is about."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from .model import Report
+from .names import open_edges
+
+Indices = Sequence[int] | np.ndarray  # (k,)
+EdgePairs = Sequence[tuple[int, int]] | np.ndarray  # (k,2) vertices
+
+
+@dataclass(frozen=True)
+class Elements:
+    """Elements of a mesh; a whole piece has no elements of its own."""
+
+    vertices: Indices = ()
+    edges: EdgePairs = ()
+    faces: Indices = ()
+    piece: int | None = None  # only in this one
+    whole_piece: bool = False
+
+
+def elements_of(report: Report, what: str, index: int) -> Elements | None:
+    """The elements of one entry; None if the report has no such entry.
+
+    what: SEAM, WIRE, OUTLINE (an open edge), PIECE, STRETCH or EASE (the worst place of a piece), ISSUE or HINT.
+    """
+    try:
+        match what:
+            case "SEAM":
+                return Elements(edges=report.seams[index].edges)
+            case "WIRE":
+                return Elements(edges=list(pairwise(report.wires[index].vertices)))
+            case "OUTLINE":
+                _, piece, chain = open_edges(report)[index]
+                return Elements(edges=list(pairwise(chain.vertices)), piece=piece)
+            case "PIECE":
+                return Elements(piece=report.pieces[index].index, whole_piece=True)
+            case "STRETCH":
+                return Elements(faces=report.pieces[index].stretch_faces, piece=index)
+            case "EASE":
+                return Elements(faces=report.pieces[index].ease_faces, piece=index)
+            case _:
+                entry = (report.issues if what == "ISSUE" else report.hints)[index]
+                return Elements(entry.vertices, entry.edges, entry.faces, entry.piece)
+    except IndexError:
+        return None

@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The report as dataclasses. Lengths and areas are in the model's units, indices are those of its mesh.
+
+Names of fields are the keys of the JSON form (json_form.py). None stands for a number that does not exist: without a
+layout there is no flat length.
+"""
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+Pairs = list[tuple[int, int]]  # edges as vertex pairs
+ANY_FABRIC = 0.03  # a stretch that every fabric can do: the least in the core's table, that of woven cotton
+
+METHOD_NAMES = {
+    "refined": "Refined",
+    "wirewarp++": "WireWarping++",
+    "wirewarping": "WireWarping, all wires rigid",
+}
+
+
+@dataclass(kw_only=True)
+class Lengths:
+    """A line on the model and on each of its flat sides."""
+
+    length_3d: float | None
+    length_2d: list[float | None]  # one a side
+    length_asked: list[float | None]  # one a side: what the flat length was to be, by ease, tolerance and fabric
+
+    @property
+    def difference(self) -> list[float | None]:
+        """Flat length less length on the model, one a side."""
+        model = self.length_3d
+        return [None if flat is None or model is None else flat - model for flat in self.length_2d]
+
+    @property
+    def percent(self) -> list[float | None]:
+        """The difference as a percentage of the length on the model, one a side."""
+        return [
+            100 * each / self.length_3d if self.length_3d and each is not None else None for each in self.difference
+        ]
+
+    def asked_ease(self, side: int = 0) -> float | None:
+        """By how much the flat side was to be longer than on the model, as a fraction; below 0 with negative ease."""
+        asked = self.length_asked[side]
+        return asked / self.length_3d - 1 if asked and self.length_3d else None
+
+
+@dataclass(kw_only=True)
+class WirePart(Lengths):
+    """One part of a wire in one piece, between the vertices where the wire meets an outline."""
+
+    name: str
+    wire: int  # index in Report.wires
+    part: int | None  # None: the whole wire
+    kind: str
+    tolerance: float  # inf: free
+    ease: float
+    ok: bool
+    at_limit: bool  # an elastic wire that would change its length further if it could
+
+
+@dataclass(kw_only=True)
+class Wire(WirePart):
+    """A whole wire."""
+
+    vertices: list[int]
+    wire_id: int = 0  # of the mark in Blender; 0 elsewhere
+    marked_id: int = 0  # the id on its edges: a copied wire shares it with its copies
+
+
+@dataclass(kw_only=True)
+class HelperWire(Lengths):
+    """A free wire that the method added by itself."""
+
+    variation: float | None
+
+
+@dataclass(kw_only=True)
+class Chain(Lengths):
+    """A section of a piece's outline between junctions."""
+
+    seam: int | None  # index in Report.seams; None: an open edge, such as a hem
+    vertices: list[int]
+    ok: bool
+
+
+@dataclass(kw_only=True)
+class Seam(Lengths):
+    index: int
+    name: str
+    seam_id: int = 0  # known in Blender by this id; 0 elsewhere
+    is_dart: bool
+    pieces: list[int]  # one a side
+    edges: Pairs
+    variation: float | None  # by how much all sides are longer than on the model
+    eases: list[float | None]  # by how much more each side is
+    mismatch: float | None
+    ok: bool
+
+
+@dataclass(kw_only=True)
+class Ways:
+    """A share of the flat length in each direction of the fabric; None: not known."""
+
+    across: float | None
+    along: float | None
+
+
+@dataclass(kw_only=True)
+class Threads:
+    """What a fabric with a grain must do in a piece: figures that 99% of the piece's area stays below."""
+
+    cloth: str  # the fabric as sentences call it
+    across: float  # by how much threads across the grain are stretched
+    along: float
+    shear: float  # radians by which the threads leave the right angle
+    gives: Ways  # maximum stretch of the fabric
+    worn: Ways  # built-in stretch, which is wanted
+
+    @property
+    def over(self) -> bool:
+        """Whether the fabric must stretch further than it can."""
+        return self.is_over("across") or self.is_over("along")
+
+    def is_over(self, way: str) -> bool:
+        needed: float = getattr(self, way)
+        return needed > self.limit(way)
+
+    def limit(self, way: str) -> float:
+        """The maximum stretch; if it is not known, what every fabric does beyond the built-in stretch."""
+        known: float | None = getattr(self.gives, way)
+        return known if known is not None else (1 + (getattr(self.worn, way) or 0.0)) * (1 + ANY_FABRIC) - 1
+
+
+@dataclass(kw_only=True)
+class Piece:
+    index: int
+    name: str
+    piece_id: int = 0  # known in Blender by this id; 0 elsewhere
+    ok: bool  # all guarantees hold
+    has_layout: bool
+    faces: int
+    triangles: int
+    area_3d: float | None
+    area_2d: float | None
+    arap_energy: float | None
+    cloth_energy: float | None
+    stretch: float | None  # see strain.py: the one figure of the verdict; inf for a piece that has collapsed
+    aspect_ratio_max: float | None
+    stretch_max: float | None  # of the worst face; likewise in faces around it
+    stretch_faces: list[int]
+    ease_max: float | None
+    ease_faces: list[int]
+    angle_deviation_rms: float | None
+    angle_deviation_max: float | None
+    flipped_faces: int
+    overlapping_faces: int
+    wires: list[WirePart]
+    helper_wires: list[HelperWire]
+    outline: list[Chain]
+    threads: Threads | None
+    termination: str
+    message: str
+    warnings: list[str]
+    start: str
+    inner_solves: int
+    outer_iterations: int
+    gradient_evaluations: int
+    factorizations: int
+    constraint_residual: float | None
+    objective: float | None
+
+    @property
+    def is_strained(self) -> bool:
+        """Whether the lengths are kept, but the fabric must stretch further than it can, or than every fabric can."""
+        return self.ok and (self.threads.over if self.threads else self.needed > ANY_FABRIC)
+
+    @property
+    def needed(self) -> float:
+        """`stretch` as a number: inf for a layout that has collapsed."""
+        return math.inf if self.stretch is None else self.stretch
+
+
+@dataclass(frozen=True, kw_only=True)
+class LooserWire:
+    """A wire whose length can be kept if it gets this tolerance."""
+
+    name: str
+    tolerance: float
+    edges: Pairs
+
+
+@dataclass(frozen=True)
+class Issue:
+    """What went wrong, in one sentence, and the elements of the model that the sentence is about.
+
+    code: that of wirewarp.ErrorCode, or the program's own.
+    """
+
+    code: str
+    sentence: str
+    piece: int | None = None
+    vertices: list[int] = field(default_factory=list)
+    edges: Pairs = field(default_factory=list)
+    faces: list[int] = field(default_factory=list)
+    proposed_seams: Pairs = field(default_factory=list)  # edges that would make it flat if they were seams
+    proposed_tolerances: list[LooserWire] = field(default_factory=list)
+    both_sides: bool = False  # the proposal is for this piece and its mirror image
+
+    @property
+    def has_place(self) -> bool:
+        return bool(self.vertices or self.edges or self.faces)
+
+
+@dataclass(frozen=True)
+class Hint(Issue):
+    """What would make a good piece better."""
+
+    short: str = ""  # the sentence without the advice, for a list under it
+    wire: int | None = None  # index in Report.wires, whose name stands before the sentence
+
+
+@dataclass(frozen=True)
+class Note:
+    text: str
+    is_warning: bool = False
+    piece: int | None = None  # whose name stands before the text
+
+
+@dataclass(kw_only=True)
+class Report:
+    """What became of one model."""
+
+    object: str = ""  # the model's name
+    meters: float = 1.0  # in a unit of the model
+    method: str = ""  # "" where nothing was flattened
+    pieces: list[Piece] = field(default_factory=list)
+    seams: list[Seam] = field(default_factory=list)
+    wires: list[Wire] = field(default_factory=list)
+    issues: list[Issue] = field(default_factory=list)
+    hints: list[Hint] = field(default_factory=list)
+    notes: list[Note] = field(default_factory=list)
+    reused_pieces: int = 0
+    seconds: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def ok(self) -> bool:
+        """Whether all guarantees hold in all pieces."""
+        return not self.issues
+
+    @property
+    def method_name(self) -> str:
+        return METHOD_NAMES.get(self.method, "")

@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A report as rows of tables, worst first."""
+
+import math
+from dataclasses import dataclass
+
+from .model import Chain, Lengths, Report, Seam, Threads, Wire
+from .names import joined_pieces, open_edges, piece_names, pieces_of_wires, side_names
+from .verdict import Verdict, verdict
+from .words import ease_text, tolerance_text
+
+LEAST = 5e-5  # of eases: less is shown as none
+
+
+@dataclass(frozen=True)
+class Side:
+    label: str
+    length_3d: float | None
+    length_2d: float | None  # None: no layout
+    difference: float | None
+    percent: float | None
+    length_asked: float | None  # None: not known without a layout
+
+    @property
+    def off(self) -> float | None:
+        """By how much it is longer than it was to be."""
+        return None if self.length_2d is None or self.length_asked is None else self.length_2d - self.length_asked
+
+
+@dataclass(frozen=True)
+class ReportRow:
+    name: str
+    ok: bool
+    sides: list[Side]
+    what: str | None = None  # for the button that selects it
+    index: int = 0
+    note: str = ""  # what a seam joins; where a wire lies, its tolerance and what came of that
+    seam_id: int = 0  # by which a seam's name is found in the list where it can be changed
+    at_limit: bool = False
+
+    @property
+    def badness(self) -> float:
+        """Failures first, then the largest difference in percent."""
+        worst = max(
+            math.inf if side.off is None or not side.length_3d else abs(side.off) / side.length_3d
+            for side in self.sides
+        )
+        return math.inf if not self.ok else round(worst, 8)  # rounding errors do not make an order
+
+
+@dataclass(frozen=True)
+class PieceRow:
+    index: int
+    name: str
+    ok: bool
+    is_strained: bool  # lengths are kept, but not every fabric, or not the chosen one, stretches as far
+    has_layout: bool
+    area_3d: float | None
+    area_2d: float | None
+    needed: float  # the one figure of the verdict, a share of the flat length
+    stretch_max: float  # of the worst face; inf if a face has no area
+    ease_max: float
+    threads: Threads | None
+
+
+def seam_rows(report: Report) -> list[ReportRow]:
+    return _worst_first([
+        ReportRow(
+            name=seam.name,
+            ok=seam.ok,
+            sides=_sides(seam, side_names(report, seam)),
+            what="SEAM",
+            index=seam.index,
+            note=_note(joined_pieces(report, seam.pieces), _variation(seam)),
+            seam_id=seam.seam_id,
+        )
+        for seam in report.seams
+    ])  # fmt: skip
+
+
+def wire_rows(report: Report) -> list[ReportRow]:
+    """Whole wires, with the pieces that their parts lie in."""
+    pieces = pieces_of_wires(report)
+    return _worst_first([
+        ReportRow(
+            name=wire.name,
+            ok=wire.ok,
+            sides=_sides(wire, ["Flat"]),
+            what="WIRE",
+            index=index,
+            note=_note(piece_names(report, pieces[wire.wire]), _tolerance(report.method, wire)),
+            at_limit=wire.at_limit,
+        )
+        for index, wire in enumerate(report.wires)
+    ])  # fmt: skip
+
+
+def outline_rows(report: Report) -> list[ReportRow]:
+    """Sections of outline that are not sewn: hems, necklines, armholes."""
+    return _worst_first([
+        ReportRow(name, chain.ok, _sides(chain, ["Flat"]), "OUTLINE", index, _ease(chain))
+        for index, (name, _, chain) in enumerate(open_edges(report))
+    ])  # fmt: skip
+
+
+def piece_rows(report: Report) -> list[PieceRow]:
+    """Failed ones first, then by how far their fabric must stretch."""
+    return [
+        PieceRow(
+            index=piece.index,
+            name=piece.name,
+            ok=piece.ok,
+            is_strained=piece.is_strained,
+            has_layout=piece.has_layout,
+            area_3d=piece.area_3d,
+            area_2d=piece.area_2d,
+            needed=piece.needed,
+            stretch_max=_or_inf(piece.stretch_max),
+            ease_max=_or_inf(piece.ease_max),
+            threads=piece.threads,
+        )
+        for piece in sorted(report.pieces, key=lambda piece: (piece.ok, -piece.needed))
+    ]
+
+
+def _or_inf(share: float | None) -> float:
+    return math.inf if share is None else share
+
+
+def _note(places: str, tolerance: str) -> str:
+    return "; ".join(filter(None, [places, tolerance]))
+
+
+def _tolerance(method: str, wire: Wire) -> str:
+    text, ease = tolerance_text(wire.tolerance), wire.asked_ease() or 0.0
+    if text == "rigid":
+        return _ease(wire)
+    if abs(ease) >= LEAST and text != "free":
+        text = f"{text} about {ease_text(ease)}"
+    if method == "wirewarping":
+        return f"{text}, kept rigid"
+    (flat,) = wire.length_2d
+    if text == "free" or flat is None or not wire.length_3d:
+        return text
+    if not wire.ok:
+        return f"outside {text}"
+    if not wire.at_limit:
+        return f"within {text}"
+    share = flat / ((1 + ease) * wire.length_3d) - 1
+    as_a_whole = abs(share) * (1 + wire.ease) >= 0.99 * wire.tolerance
+    return f"at its limit of {text}" if as_a_whole else f"a part is at its limit of {text}"
+
+
+def merged(sides: list[Side], texts: list[tuple[str, ...]]) -> list[tuple[str, tuple[str, ...]]]:
+    """(label, text) of the sides of a seam, put together if all read the same: "Both sides"."""
+    if len(sides) > 1 and len(set(texts)) == 1:
+        return [("Both sides" if len(sides) == 2 else f"All {len(sides)} sides", texts[0])]
+    return [(side.label, text) for side, text in zip(sides, texts, strict=True)]
+
+
+def largest_difference(rows: list[ReportRow]) -> float | None:
+    """From what they were to be, of all sides that have a layout, without its sign."""
+    differences = [side.off for row in rows for side in row.sides]
+    return max((abs(difference) for difference in differences if difference is not None), default=None)
+
+
+def _sides(entry: Lengths, labels: list[str]) -> list[Side]:
+    columns = zip(labels, entry.length_2d, entry.difference, entry.percent, entry.length_asked, strict=True)
+    return [Side(label, entry.length_3d, *rest) for label, *rest in columns]
+
+
+def _ease(entry: Wire | Chain) -> str:
+    ease = entry.asked_ease() or 0.0
+    return f"ease {ease_text(ease)}" if abs(ease) >= LEAST else ""
+
+
+def _variation(seam: Seam) -> str:
+    variation = seam.variation or 0.0
+    return f"{ease_text(variation)} on all sides" if abs(variation) >= LEAST else ""
+
+
+def _worst_first(rows: list[ReportRow]) -> list[ReportRow]:
+    return sorted(rows, key=lambda row: -row.badness)
+
+
+@dataclass(frozen=True)
+class ReportTables:
+    verdict: Verdict
+    seams: list[ReportRow]
+    wires: list[ReportRow]
+    outlines: list[ReportRow]
+    pieces: list[PieceRow]
+
+
+def tables_of(report: Report) -> ReportTables:
+    return ReportTables(
+        verdict=verdict(report),
+        seams=seam_rows(report),
+        wires=wire_rows(report),
+        outlines=outline_rows(report),
+        pieces=piece_rows(report),
+    )

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How far the fabric must stretch, in one figure for the verdict, the list of pieces and suggestions.
+
+The figure of a piece is the stretch that 99% of its area stays below, in the worst direction: of each triangle
+max(σ1, 1/σ2) - 1, with the principal stretches of the map from flat to model. So compressing counts as much as the
+stretch that would undo it. It is that of DartProposal.strain, by which suggestions are ranked. What lines with an ease
+ask for is wanted: the piece is measured beyond it. With a fabric, the stretch along its threads counts (Threads).
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from .. import Cloth, Metrics, Piece
+from .model import Threads, Ways
+
+SHARE = 0.99  # of the area: single triangles in corners ask for more than any fabric will notice
+Limits = tuple[float | None, float | None]  # across and along the grain; None: not known
+NAMES = {"woven": "woven cotton", "swim": "swim knit"}  # in sentences, where the preset's name is not a noun
+
+
+@dataclass(frozen=True)
+class PieceStrain:
+    """Per triangle of a piece with a layout, as shares of the flat length."""
+
+    stretch: np.ndarray  # (q,) at least 0; inf where the flat triangle has no area
+    ease: np.ndarray  # (q,) from 0 to 1: how far the fabric is compressed
+
+    def beyond(self, wanted: "Wanted") -> "PieceStrain":
+        """Without what the eases of the piece's lines ask for."""
+        return PieceStrain(
+            stretch=np.maximum((1 + self.stretch) / wanted.stretch - 1, 0),
+            ease=np.maximum(1 - (1 - self.ease) * wanted.compression, 0),
+        )
+
+
+def piece_strain(metrics: Metrics) -> PieceStrain:
+    """From the library's strain of threads, so that thick material is measured in the middle of its thickness.
+
+    Threads of lengths p and q with g = p q sin γ between them have the metric (p², g; g, q²): its eigenvalues are the
+    squares of the principal stretches of the map from flat to model.
+    """
+    p, q = 1 + metrics.face_weft_strain, 1 + metrics.face_warp_strain
+    with np.errstate(invalid="ignore"):
+        middle = (p * p + q * q) / 2
+        spread = np.hypot((p * p - q * q) / 2, p * q * np.sin(metrics.face_shear_angle))
+        longest, shortest = np.sqrt(middle + spread), np.sqrt(np.maximum(middle - spread, 0))
+    collapsed = ~np.isfinite(middle)
+    return PieceStrain(
+        stretch=np.where(collapsed, np.inf, np.maximum(longest - 1, 0)),
+        ease=np.where(collapsed, 0, np.maximum(1 - shortest, 0)),
+    )
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """Factors that the eases of a piece's lines ask for."""
+
+    stretch: float = 1.0  # of negative ease: the fabric is this many times longer when worn
+    compression: float = 1.0  # of ease and gathers: the flat line is this many times longer than on the model
+
+
+def wanted_strain(ratios: Sequence[float]) -> Wanted:
+    """The largest of each; ratios: how much longer than on the model the lines of a piece are to be."""
+    return Wanted(1 / (1 + min([0.0, *ratios])), 1 + max([0.0, *ratios]))
+
+
+def eases_of_piece(piece: Piece, wires: Sequence[float], sides: dict[tuple[int, int], float]) -> list[float]:
+    """The eases of a piece's lines. wires: the ease of each; sides: of directed edges whose side has an ease."""
+    eases = [wires[wire.wire_index] for wire in piece.wires]
+    if sides:
+        steps = [step for chain in piece.boundaries for step in pairwise(chain.vertices.tolist())]
+        eases += [sides[step] for step in steps if step in sides]
+    return eases
+
+
+def stretch_figure(strain: PieceStrain, areas: np.ndarray) -> float:
+    """The one figure of a piece; areas (q,) of its triangles on the model."""
+    with np.errstate(divide="ignore"):
+        undone = 1 / (1 - strain.ease) - 1
+    return widespread(np.maximum(strain.stretch, undone), areas)
+
+
+def widespread(values: np.ndarray, areas: np.ndarray) -> float:
+    """What 99% of the area stays below."""
+    order = np.argsort(values)
+    below = np.cumsum(areas[order])
+    return float(values[order[min(np.searchsorted(below, SHARE * below[-1]), len(order) - 1)]])
+
+
+def threads_of(metrics: Metrics, areas: np.ndarray, wanted: Wanted, cloth: Cloth, name: str, limits: Limits) -> Threads:
+    """What the fabric must do along its threads in a piece with a layout.
+
+    name: of the fabric's preset, or "custom"; limits: its maximum stretch.
+    """
+    needs = (
+        max((1 + widespread(strain, areas)) / wanted.stretch - 1, 0.0)
+        for strain in (metrics.face_weft_strain, metrics.face_warp_strain)
+    )
+    across, along = needs
+    return Threads(
+        cloth=NAMES.get(name, "fabric" if name == "custom" else name),
+        across=across,
+        along=along,
+        shear=widespread(np.abs(metrics.face_shear_angle), areas),
+        gives=Ways(across=limits[0], along=limits[1]),
+        worn=Ways(across=max(cloth.stretch[0], 0.0), along=max(cloth.stretch[1], 0.0)),
+    )
+
+
+def triangle_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """(m,) of triangles (m,3) of vertices (n,3)."""
+    a, b, c = (vertices[triangles[:, corner]] for corner in range(3))
+    areas: np.ndarray = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    return areas
+
+
+def triangles_around(piece: Piece, triangle: int) -> np.ndarray:
+    """The triangles (k,) of a piece that share a vertex with one of them, itself included."""
+    return np.flatnonzero(np.isin(piece.faces, piece.faces[triangle]).any(axis=1))
+
+
+def connected_regions(piece: Piece, members: np.ndarray) -> list[np.ndarray]:
+    """The triangles of the mask members (q,) in groups that hang together by edges of the piece."""
+    triangles = np.flatnonzero(members)
+    neighbors = _neighbors(np.asarray(piece.faces)[triangles], len(piece.vertices))
+    labels = np.arange(len(triangles))
+    while True:  # each takes the lowest label around; following labels to theirs takes long ways in few rounds
+        lowest = np.minimum(labels, labels[neighbors].min(axis=1))
+        lowest = lowest[lowest]
+        if np.array_equal(lowest, labels):
+            break
+        labels = lowest
+    order = np.argsort(labels, kind="stable")
+    starts = np.flatnonzero(np.diff(labels[order], prepend=-1))
+    return [triangles[group] for group in np.split(order, starts[1:])] if len(triangles) else []
+
+
+def _neighbors(faces: np.ndarray, vertex_count: int) -> np.ndarray:
+    """(t,3) the triangle across each side, itself where there is none; faces (t,3)."""
+    keys = edge_keys(faces[:, [0, 1, 1, 2, 2, 0]], vertex_count)
+    sides = np.argsort(keys, kind="stable")
+    pairs = np.flatnonzero(keys[sides][1:] == keys[sides][:-1])
+    owner = np.arange(len(keys)) // 3
+    across = owner.copy()
+    first, second = sides[pairs], sides[pairs + 1]
+    across[first], across[second] = owner[second], owner[first]
+    return across.reshape(-1, 3)
+
+
+def edge_keys(pairs: np.ndarray, count: int) -> np.ndarray:
+    """One number for each pair of vertices, whichever comes first; count: of all vertices."""
+    keys: np.ndarray = np.sort(np.asarray(pairs, dtype=np.int64).reshape(-1, 2), axis=1) @ np.array([count, 1])
+    return keys
+
+
+def percent_text(share: float) -> str:
+    """ "19%", "9.5%", "over 100%", "unlimited"."""
+    if math.isinf(share):
+        return "unlimited"
+    if share >= 1:
+        return "over 100%"
+    return f"{100 * share:.0f}%" if share >= 0.0995 else f"{100 * share:.1f}%"

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which pieces may be cut, and from which fabric: the same in Blender and on the command line."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+from . import wording
+from .model import ANY_FABRIC, Piece, Report
+from .words import counted
+
+CLOSED_CODE = "closed_chart"
+ANY_LIMIT = 1.0  # no fabric comes to twice its length
+SHOWN_NAMES = 4
+
+
+class Level(StrEnum):
+    GOOD = "good"  # cut
+    CAUTION = "caution"  # do not cut before you have read the sentence
+    BAD = "bad"  # do not cut
+
+
+class Kind(StrEnum):
+    """The worst first: a verdict is of the first kind that applies to a piece."""
+
+    NOT_FLATTENED = "not flattened"
+    FAILED = "failed"  # a guarantee is broken
+    CLOSED = "closed"  # only closed pieces failed: no cut was chosen yet
+    NO_FABRIC = "no fabric"  # a piece must stretch to more than twice its length
+    BEYOND_FABRIC = "beyond fabric"  # the chosen fabric does not stretch as far
+    NEEDS_STRETCH = "needs stretch"  # no fabric is chosen, and not every one will do
+    NOT_AS_SEEN = "not as seen"  # modifiers or shape keys were left out
+    READY = "ready"  # to be cut from the chosen fabric
+    READY_FOR_ANY = "ready for any fabric"
+
+    @property
+    def level(self) -> Level:
+        if self in (Kind.READY, Kind.READY_FOR_ANY):
+            return Level.GOOD
+        return Level.BAD if self in (Kind.NOT_FLATTENED, Kind.FAILED) else Level.CAUTION
+
+
+CUTTABLE = (Kind.NEEDS_STRETCH, Kind.READY, Kind.READY_FOR_ANY)  # from some fabric
+
+
+@dataclass(frozen=True)
+class Line:
+    kind: Kind
+    text: str
+
+
+@dataclass(frozen=True)
+class Verdict:
+    lines: tuple[Line, ...]  # the worst first
+
+    @property
+    def kind(self) -> Kind:
+        return self.lines[0].kind
+
+    @property
+    def is_ready(self) -> bool:
+        return all(line.kind.level is Level.GOOD for line in self.lines)
+
+
+@dataclass(frozen=True)
+class _Entry:
+    report: Report
+    piece: Piece
+
+    @property
+    def place(self) -> str:
+        return place_name(self.report, self.piece.index)
+
+
+def verdict(*reports: Report) -> Verdict:
+    """On one report, or on all reports of a run."""
+    entries = [_Entry(report, piece) for report in reports for piece in report.pieces]
+    if not entries:
+        return Verdict((Line(Kind.NOT_FLATTENED, wording.NOT_FLATTENED),))
+    with_objects = len(reports) > 1
+    by_kind: dict[Kind, list[_Entry]] = {}
+    for entry in entries:
+        by_kind.setdefault(_kind_of(entry), []).append(entry)
+    if Kind.FAILED in by_kind and Kind.CLOSED in by_kind:  # the issues say which is which
+        by_kind[Kind.FAILED] += by_kind.pop(Kind.CLOSED)
+    if Kind.NEEDS_STRETCH in by_kind:  # one fabric for all pieces
+        by_kind[Kind.NEEDS_STRETCH] += by_kind.pop(Kind.READY_FOR_ANY, [])
+    lines: list[Line] = []
+    for kind in Kind:
+        own = sorted(by_kind.get(kind, []), key=lambda entry: -entry.piece.needed)
+        if own:
+            lines += [Line(kind, text) for text in _texts(kind, own, entries, with_objects)]
+    return Verdict(tuple(lines))
+
+
+def as_seen(found: Verdict, makers: Iterable[str]) -> Verdict:
+    """The verdict if modifiers or shape keys, which were left out, make the model look different."""
+    names = list(dict.fromkeys(makers))
+    if not names:
+        return found
+    lines = [line for line in found.lines if line.kind not in CUTTABLE]
+    return Verdict((*lines, Line(Kind.NOT_AS_SEEN, wording.ignored(names))))
+
+
+def _kind_of(entry: _Entry) -> Kind:
+    piece, threads = entry.piece, entry.piece.threads
+    if not piece.ok:
+        codes = {issue.code for issue in entry.report.issues if issue.piece == piece.index}
+        return Kind.CLOSED if codes == {CLOSED_CODE} else Kind.FAILED
+    if not threads:
+        if piece.needed <= ANY_FABRIC:
+            return Kind.READY_FOR_ANY
+        return Kind.NO_FABRIC if piece.needed > ANY_LIMIT else Kind.NEEDS_STRETCH
+    over = [way for way in ("across", "along") if threads.is_over(way)]
+    if any(getattr(threads.gives, way) is not None for way in over):
+        return Kind.BEYOND_FABRIC
+    if over:
+        return Kind.NO_FABRIC if max(threads.across, threads.along) > ANY_LIMIT else Kind.NEEDS_STRETCH
+    return Kind.READY
+
+
+def _texts(kind: Kind, own: list[_Entry], entries: list[_Entry], with_objects: bool) -> list[str]:
+    """The sentences on the pieces of one kind, the worst first; entries: all pieces."""
+    everything = len(own) == len(entries)
+    names = _names(own, with_objects)
+    match kind:
+        case Kind.FAILED:
+            return [wording.failed(len(own), len(entries))]
+        case Kind.CLOSED:
+            return [wording.closed("" if everything and len(own) == 1 else names)]
+        case Kind.NO_FABRIC:
+            return [wording.no_fabric(names)]
+        case Kind.BEYOND_FABRIC:
+            shown = [
+                wording.beyond_fabric(_names([entry], with_objects), entry.piece.threads)
+                for entry in own[:SHOWN_NAMES]
+                if entry.piece.threads
+            ]
+            hidden = len(own) - len(shown)
+            return shown + ([f"And {counted(hidden, 'more piece')}"] if hidden else [])
+        case Kind.NEEDS_STRETCH:
+            return [_needs_stretch(own, "" if everything else names)]
+    which = f"{counted(len(own), 'piece')}, {kept_text([entry.report for entry in own])}" if everything else names
+    return [wording.ready_for_any(which) if kind is Kind.READY_FOR_ANY else wording.ready(which)]
+
+
+def _needs_stretch(own: list[_Entry], names: str) -> str:
+    threads = [entry.piece.threads for entry in own if entry.piece.threads]
+    if not threads:
+        return wording.needs_stretch(wording.lengths_of(names), max(entry.piece.needed for entry in own))
+    across, along = max(each.across for each in threads), max(each.along for each in threads)
+    return wording.needs_stretch_by_way(wording.lengths_of(names), across, along)
+
+
+def _names(entries: Sequence[_Entry], with_objects: bool) -> str:
+    """Each once, the first ones by name."""
+    every = list(dict.fromkeys(entry.place if with_objects else entry.piece.name for entry in entries))
+    shown, hidden = every[:SHOWN_NAMES], len(every) - SHOWN_NAMES
+    if hidden > 0:
+        return f"{'; '.join(shown) if with_objects else ', '.join(shown)} and {hidden} more"
+    if with_objects:
+        return "; ".join(shown)
+    *others, last = shown
+    return f"{', '.join(others)} and {last}" if others else last
+
+
+def kept_text(reports: Iterable[Report]) -> str:
+    """What is true of the lengths in reports without an issue."""
+    loose = any(wire.tolerance != 0 for report in reports if report.method != "wirewarping" for wire in report.wires)
+    return wording.TOLERATED if loose else wording.EXACT
+
+
+def place_name(report: Report, piece: int | None) -> str:
+    """The object and the piece, if there is one and it is not called like the object."""
+    name = report.object if piece is None else report.pieces[piece].name
+    return name if name == report.object else f"{report.object}, {name}"

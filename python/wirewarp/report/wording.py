@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every sentence of the verdict, and the words for stretch in hints and lists."""
+
+import math
+from collections.abc import Sequence
+
+from .model import Threads
+from .strain import percent_text
+from .words import counted
+
+LESSER = 0.5  # of stretch and compression, the lesser is worth words from this share of the greater
+NOT_FLATTENED = "Not flattened"
+EXACT, TOLERATED = "every length kept", "every length kept or within its tolerance"
+
+
+def closed(name: str) -> str:
+    """name: of the closed pieces, or "" for a whole model."""
+    return f"{name or 'This model'} is closed: choose where to cut it"
+
+
+def failed(count: int, of: int) -> str:
+    return f"Do not cut: {count} of {counted(of, 'piece')} failed" if of > 1 else "Do not cut: the piece failed"
+
+
+def no_fabric(names: str) -> str:
+    return f"{names}: no fabric stretches that far. Add seams."
+
+
+def beyond_fabric(names: str, threads: Threads) -> str:
+    """ "Front must stretch 4.0% across and 7.6% along (shear 19°), but this denim stretches only 3.0%. ..." """
+    return (
+        f"{names} must stretch {needs_text(threads)}, but this {threads.cloth} stretches only {gives_text(threads)}. "
+        "Add a dart or seam, or choose another fabric."
+    )
+
+
+def needs_stretch(which: str, stretch: float) -> str:
+    """which: "Lengths", or of which pieces."""
+    return f"{which} are exact. Cut from fabric that stretches at least {percent_text(stretch)}."
+
+
+def needs_stretch_by_way(which: str, across: float, along: float) -> str:
+    ways = f"{percent_text(across)} across and {percent_text(along)} along"
+    return f"{which} are exact. Cut from fabric that stretches at least {ways}."
+
+
+def lengths_of(names: str) -> str:
+    """For needs_stretch: the lengths of all pieces, or of some."""
+    return f"Lengths of {names}" if names else "Lengths"
+
+
+def ready(which: str) -> str:
+    return f"Ready to cut: {which}"
+
+
+def ready_for_any(which: str) -> str:
+    return f"Ready to cut from any fabric: {which}"
+
+
+def ignored(makers: Sequence[str]) -> str:
+    """makers: "modifiers", "shape keys"."""
+    return f"{' and '.join(makers).capitalize()} were ignored, so sizes differ from what you see"
+
+
+def needs_text(threads: Threads) -> str:
+    """ "4.0% across and 2.0% along (shear 18°)"."""
+    across, along = percent_text(threads.across), percent_text(threads.along)
+    return f"{across} across and {along} along (shear {math.degrees(threads.shear):.0f}°)"
+
+
+def gives_text(threads: Threads) -> str:
+    """ "3.0%", "50% across and 25% along", or what is known."""
+    ways = {"across": threads.gives.across, "along": threads.gives.along}
+    known = {way: percent_text(share) for way, share in ways.items() if share is not None}
+    if len(known) == 2 and len(set(known.values())) == 1:
+        return known["across"]
+    return " and ".join(f"{text} {way}" for way, text in known.items())
+
+
+def strain_words(stretch: float, ease: float) -> str:
+    """What fabric must do, of shares of its flat length: "stretch up to 12% and be compressed up to 9.0%"."""
+    if stretch >= 1:
+        return "stretch more than any fabric can"
+    worth = _worth_words([("stretch", stretch), ("be compressed", ease)])
+    return " and ".join(f"{verb} up to {percent_text(share)}" for verb, share in worth)
+
+
+def strain_figures(stretch: float, ease: float) -> str:
+    """The same in short: "stretch 12%, compressed 9.0%"."""
+    worth = _worth_words([("stretch", stretch), ("compressed", ease)])
+    return ", ".join(f"{noun} {percent_text(share)}" for noun, share in worth)
+
+
+def _worth_words(strains: list[tuple[str, float]]) -> list[tuple[str, float]]:
+    """The greater, and the lesser if it is not much less."""
+    greatest = max(share for _, share in strains)
+    return [(word, share) for word, share in strains if share >= LESSER * greatest]

@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""wirewarp.report: how far fabric must stretch, the verdict on it, and where a dart would help."""
+
+import math
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from patterns import SAMPLES
+from reports import report_of
+from wirewarp import Cloth, Ease, Options, Wire, flatten, measure
+from wirewarp.report import (
+    Issue,
+    Kind,
+    Level,
+    Report,
+    as_seen,
+    make_report,
+    verdict,
+)
+from wirewarp.report.asked import asked_of_outline
+from wirewarp.report.model import ANY_FABRIC, Threads, Ways
+from wirewarp.report.strain import connected_regions, piece_strain
+from wirewarp.report.verdict import kept_text
+from wirewarp.report.wording import strain_figures, strain_words
+
+
+def report_of_pieces(*stretches, name="Bump", limits=None):
+    """Pieces that must stretch so far, of a fabric with this maximum stretch, if any; None: a piece that failed."""
+    (sample,) = report_of("Half cylinder").pieces
+    pieces = [
+        replace(sample, index=index, name=f"Piece {index + 1}", ok=stretch is not None, stretch=stretch)
+        for index, stretch in enumerate(stretches)
+    ]
+    if limits:
+        gives, worn = Ways(across=limits, along=limits), Ways(across=0.0, along=0.0)
+        for piece in pieces:
+            share = piece.stretch or 0.0
+            piece.threads = Threads(cloth="denim", across=share, along=0.0, shear=0.1, gives=gives, worn=worn)
+    issues = [Issue("flipped", "It flips.", piece.index) for piece in pieces if not piece.ok]
+    return Report(object=name, method="refined", pieces=pieces, issues=issues)
+
+
+def kinds(*reports):
+    return [line.kind for line in verdict(*reports).lines]
+
+
+# Of the whole area 99% lies below the figure, so no rounding decides: the shares stand apart by more.
+@pytest.mark.parametrize(
+    ("stretches", "limits", "expected"),
+    [
+        ((), None, [Kind.NOT_FLATTENED]),
+        ((0.0, 0.03), None, [Kind.READY_FOR_ANY]),
+        ((0.0, 0.031), None, [Kind.NEEDS_STRETCH]),
+        ((0.19,), None, [Kind.NEEDS_STRETCH]),
+        ((1.5, 0.19), None, [Kind.NO_FABRIC, Kind.NEEDS_STRETCH]),
+        ((math.inf,), None, [Kind.NO_FABRIC]),
+        ((None, 0.0), None, [Kind.FAILED, Kind.READY_FOR_ANY]),
+        ((0.19,), 0.2, [Kind.READY]),
+        ((0.21, 0.1), 0.2, [Kind.BEYOND_FABRIC, Kind.READY]),
+    ],
+)
+def test_pieces_are_ready_only_if_there_is_a_fabric_for_them(stretches, limits, expected):
+    found = verdict(report_of_pieces(*stretches, limits=limits))
+    assert [line.kind for line in found.lines] == expected
+    assert found.is_ready == all(kind in (Kind.READY, Kind.READY_FOR_ANY) for kind in expected)
+
+
+def test_levels_go_with_kinds():
+    assert Kind.READY.level is Kind.READY_FOR_ANY.level is Level.GOOD
+    assert Kind.FAILED.level is Kind.NOT_FLATTENED.level is Level.BAD
+    others = set(Kind) - {Kind.READY, Kind.READY_FOR_ANY, Kind.FAILED, Kind.NOT_FLATTENED}
+    assert {kind.level for kind in others} == {Level.CAUTION}
+
+
+def test_the_verdict_names_the_stretch_the_pieces_and_the_fabric():
+    (line,) = verdict(report_of_pieces(0.1, 0.19)).lines
+    assert line.text == "Lengths are exact. Cut from fabric that stretches at least 19%."
+    failed, others = verdict(report_of_pieces(None, 0.1, 0.19)).lines
+    assert (failed.text, others.text) == (
+        "Do not cut: 1 of 3 pieces failed",
+        "Lengths of Piece 3 and Piece 2 are exact. Cut from fabric that stretches at least 19%.",
+    )
+    (beyond,) = verdict(report_of_pieces(0.21, limits=0.2)).lines
+    assert beyond.text == (
+        "Piece 1 must stretch 21% across and 0.0% along (shear 6°), but this denim stretches only 20%. "
+        "Add a dart or seam, or choose another fabric."
+    )
+    (ready,) = verdict(report_of_pieces(0.0, 0.0)).lines
+    assert ready.text == "Ready to cut from any fabric: 2 pieces, every length kept"
+
+
+def test_many_pieces_are_counted_and_those_of_several_models_have_its_name():
+    (line,) = verdict(report_of_pieces(*[1.5] * 6)).lines
+    assert line.text.startswith("Piece 1, Piece 2, Piece 3, Piece 4 and 2 more: no fabric")
+    (line, _) = verdict(report_of_pieces(1.5, name="A"), report_of_pieces(0.0, 0.1, name="B")).lines
+    assert line.text.startswith("A, Piece 1: no fabric")
+
+
+def test_a_closed_model_has_not_failed():
+    report = report_of_pieces(None)
+    closed = replace(report, issues=[Issue("closed_chart", "It is closed.", 0)])
+    (line,) = verdict(closed).lines
+    assert (line.kind, line.text) == (Kind.CLOSED, "This model is closed: choose where to cut it")
+    assert line.kind.level is Level.CAUTION
+    mixed = report_of_pieces(None, None)
+    mixed.issues[0] = Issue("closed_chart", "It is closed.", 0)
+    assert kinds(mixed) == [Kind.FAILED]
+
+
+def test_ignored_modifiers_make_no_piece_ready():
+    found = as_seen(verdict(report_of_pieces(0.0)), ["modifiers", "shape keys", "modifiers"])
+    (line,) = found.lines
+    assert (line.kind, found.is_ready) == (Kind.NOT_AS_SEEN, False)
+    assert line.text == "Modifiers and shape keys were ignored, so sizes differ from what you see"
+    assert as_seen(verdict(report_of_pieces(0.0)), []).is_ready
+
+
+def test_success_says_whether_lengths_were_to_stay():
+    report = report_of("Carnival mask")
+    assert kept_text([report]) == "every length kept"
+    wire = replace(report_of("Wetsuit upper body").wires[0], tolerance=math.inf)
+    assert kept_text([replace(report, wires=[wire])]) == "every length kept or within its tolerance"
+    assert kept_text([replace(report, wires=[wire], method="wirewarping")]) == "every length kept"
+
+
+def test_the_figure_is_that_by_which_suggestions_are_ranked():
+    """Recomputed here from the core's aspect ratios: the least value that 99% of the area does not exceed."""
+    shape = SAMPLES["Fitted top"]
+    wires = [Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires]
+    result = flatten(shape.vertices, shape.triangles(), seams=shape.seams, wires=wires)
+    report = make_report(result, shape.vertices, shape.triangles(), wires=wires)
+    corners = np.asarray(shape.vertices)[shape.triangles()]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    for piece, own in zip(report.pieces, result.pieces, strict=True):
+        ratios, sizes = own.metrics.face_aspect_ratio, areas[own.source_face]
+        shares = np.array([sizes[ratios <= ratio].sum() for ratio in ratios]) / sizes.sum()
+        assert piece.stretch == pytest.approx(ratios[shares >= 0.99].min() - 1, rel=1e-9)
+    assert kinds(report) == [Kind.NEEDS_STRETCH]
+
+
+def test_a_half_sphere_keeps_its_lengths_but_not_every_fabric_can_follow():
+    # No rim of length 2 pi encloses more than pi, half the area: some of it is squeezed by sqrt(2) one way at least.
+    report = report_of("Quarter sphere")
+    assert report.ok and verdict(report).kind in (Kind.NEEDS_STRETCH, Kind.NO_FABRIC)
+    assert report.pieces[0].needed > ANY_FABRIC
+
+
+def test_what_unfolds_is_ready_for_any_fabric():
+    for name in ("Half cylinder", "Lampshade"):
+        report = report_of(name)
+        assert kinds(report) == [Kind.READY_FOR_ANY]
+        assert max(piece.needed for piece in report.pieces) == pytest.approx(0, abs=1e-6)
+        assert report.hints == []
+
+
+def test_gathers_are_wanted_and_no_strain():
+    """The waist of the sample's skirt is cut twice as long as its band: compressed to half, as it is gathered."""
+    shape = SAMPLES["Gathered skirt"]
+    vertices, faces, wires = shape.vertices, shape.triangles(), [Wire(wire.vertices) for wire in shape.wires]
+    eases = [Ease(ease.half_edges, ease.ratio) for ease in shape.eases]
+    options = Options(fairness=shape.fairness)
+    result = flatten(vertices, faces, seams=shape.seams, wires=wires, eases=eases, options=options)
+    gathered = make_report(result, vertices, faces, wires=wires, eases=eases)
+    unwanted = make_report(result, vertices, faces, wires=wires)  # the same shape, which nobody has asked for
+    assert max(piece.needed for piece in gathered.pieces) < 0.1
+    assert max(piece.needed for piece in unwanted.pieces) > 0.9
+    assert unwanted.hints and not gathered.hints
+
+
+def test_built_in_stretch_is_wanted():
+    """A cylinder unfolds: its fabric must stretch exactly as far as it is to be stretched."""
+    shape = SAMPLES["Half cylinder"]
+    vertices, faces = shape.vertices, shape.triangles()
+    cloth = Cloth(stretch=(0.2, 0.2))
+    result = flatten(vertices, faces, options=Options(cloth=cloth))
+    report = make_report(result, vertices, faces, cloth=cloth)
+    assert report.pieces[0].stretch == pytest.approx(0.2, abs=1e-6)
+    assert kinds(report) == [Kind.READY]
+    known = make_report(result, vertices, faces, cloth=cloth, limits=(0.1, 0.1), fabric="denim")
+    assert kinds(known) == [Kind.BEYOND_FABRIC]
+
+
+def test_every_fabric_stretches_as_far_as_any_must():
+    """So that what is ready for any fabric is ready for each of the table; and each has its words and figures."""
+    for name in Cloth.presets():
+        assert min(Cloth.preset(name).limits) >= ANY_FABRIC
+        about = Cloth.about(name)
+        assert set(about) == {"label", "description", "source"} and all(about.values())
+    assert min(min(Cloth.preset(name).limits) for name in Cloth.presets()) == ANY_FABRIC
+
+
+@pytest.mark.parametrize(("fabric", "kind"), [("denim", Kind.BEYOND_FABRIC), ("swim", Kind.READY)])
+def test_a_chosen_fabric_decides(fabric, kind):
+    report = report_of("Fitted top", cloth=Cloth.preset(fabric), fabric=fabric)
+    assert verdict(report).kind is kind
+    assert all(hint.code == "beyond_cloth" for hint in report.hints) and bool(report.hints) == (kind is not Kind.READY)
+
+
+def triangle_metrics(flat):
+    """Of a flat triangle whose model is the right angle with sides of 1, upright, so the flat one lies elsewhere."""
+    vertices, faces = np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 1]]), np.array([[0, 1, 2]])
+    (piece,) = measure(vertices, faces, np.array([flat], float)).pieces
+    return piece.metrics
+
+
+@pytest.mark.parametrize(
+    ("flat", "stretch", "ease"),
+    [
+        ([[0, 0], [1, 0], [0, 1]], 0, 0),
+        ([[5, 5], [5, 6], [4, 5]], 0, 0),  # moved and turned
+        ([[0, 0], [0.8, 0], [0, 1]], 0.25, 0),  # fabric of 0.8 has to cover 1
+        ([[0, 0], [1.25, 0], [0, 1]], 0, 0.2),  # fabric of 1.25 has to go into 1
+        ([[0, 0], [0.8, 0], [0, 1.25]], 0.25, 0.2),
+        # Sheared by k, (1, 0) and (k, 1): singular values s and 1/s with s - 1/s = k; for k = 1.5 that is s = 2.
+        ([[0, 0], [1, 0], [1.5, 1]], 1.0, 0.5),
+        ([[0, 0], [1, 0], [2, 0]], math.inf, 0),
+    ],
+)
+def test_stretch_and_ease_are_the_principal_ones_of_flat_fabric(flat, stretch, ease):
+    strain = piece_strain(triangle_metrics(flat))
+    assert strain.stretch == pytest.approx([stretch], abs=1e-12)
+    assert strain.ease == pytest.approx([ease], abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("stretch", "ease", "words", "figures"),
+    [
+        (0.12, 0.09, "stretch up to 12% and be compressed up to 9.0%", "stretch 12%, compressed 9.0%"),
+        (0.12, 0.01, "stretch up to 12%", "stretch 12%"),
+        (0.0, 0.34, "be compressed up to 34%", "compressed 34%"),
+        (12.0, 0.1, "stretch more than any fabric can", "stretch over 100%"),
+        (math.inf, 0.1, "stretch more than any fabric can", "stretch unlimited"),
+    ],
+)
+def test_strain_in_words(stretch, ease, words, figures):
+    assert strain_words(stretch, ease) == words
+    assert strain_figures(stretch, ease) == figures
+
+
+def test_regions_hang_together_by_edges():
+    size = 6
+    row = size + 1
+    corners = [y * row + x for y in range(size) for x in range(size)]
+    faces = np.array([f for i in corners for f in ([i, i + 1, i + row + 1], [i, i + row + 1, i + row])])
+    piece = SimpleNamespace(faces=faces, vertices=np.zeros((row * row, 2)))
+    cells = np.zeros((size, size), dtype=bool)
+    cells[0, :] = cells[:, 0] = True  # an L,
+    cells[4, 4] = cells[5, 5] = True  # and two cells that touch at a corner only
+    members = np.repeat(cells.ravel(), 2)
+    regions = connected_regions(piece, members)
+    assert sorted(len(region) for region in regions) == [2, 2, 22]
+    assert sorted(np.concatenate(regions)) == np.flatnonzero(members).tolist()
+    assert connected_regions(piece, np.zeros(len(faces), dtype=bool)) == []
+
+
+def test_a_winding_region_is_one():
+    count = 300
+    order = np.random.default_rng(1).permutation(count)  # neighbors far apart in number
+    strip = np.array([[k, k + 1, k + 2] for k in range(count)])
+    piece = SimpleNamespace(faces=strip[order], vertices=np.zeros((count + 2, 2)))
+    (region,) = connected_regions(piece, np.ones(count, dtype=bool))
+    assert len(region) == count
+
+
+def test_the_list_of_strained_places_begins_with_the_worst_piece():
+    """And every one of the worst pieces is in it, however small it is beside the others."""
+    report = report_of("Toy")
+    places = [hint.piece for hint in report.hints if hint.code == "strained"]
+    worst_first = sorted(report.pieces, key=lambda piece: -piece.needed)
+    assert list(dict.fromkeys(places)) == [piece.index for piece in worst_first[:4]]
+    for piece in worst_first[:4]:
+        most = max(piece.stretch_max, piece.ease_max)
+        assert any(f"{100 * most:.0f}%" in hint.short for hint in report.hints if hint.piece == piece.index)
+
+
+def test_unused_tolerances_are_noted():
+    report = report_of("Wetsuit collar")
+    assert report.notes == []
+    shape = SAMPLES["Half cylinder"]
+    wires = [Wire([0, 1], math.inf)]
+    result = flatten(shape.vertices, shape.triangles(), wires=wires, options=Options(method="wirewarping"))
+    (note,) = make_report(result, shape.vertices, shape.triangles(), wires=wires).notes
+    assert not note.is_warning and "tolerances were not used" in note.text
+
+
+def test_what_a_piece_does_not_keep_was_asked_for_by_its_eases():
+    """Three edges of length 2, 1 and 1: a wire that came to 1.1, a side of 1.05 on it and on the next."""
+    chain = np.array([0, 1, 2, 3])
+    broken = SimpleNamespace(vertices=chain, length_3d=4.0, length_2d=5.0, max_edge_error=0.1)
+    exact = SimpleNamespace(vertices=np.array([3, 0]), length_3d=1.0, length_2d=0.8, max_edge_error=0.0)
+    wire = SimpleNamespace(vertices=np.array([1, 0]), variation=0.1)
+    piece = SimpleNamespace(boundaries=[broken, exact], wires=[wire])
+    vertices = np.array([[0, 0, 0], [2, 0, 0], [3, 0, 0], [3, 1, 0]], dtype=float)
+    asked = asked_of_outline(piece, vertices, {(0, 1): 0.05, (1, 2): 0.05})
+    assert asked == pytest.approx([2 * 1.1 * 1.05 + 1 * 1.05 + 1, 0.8])
+    asked = asked_of_outline(piece, vertices, {(1, 0): 0.05, (2, 1): 0.05})  # of the other side
+    assert asked == pytest.approx([2 * 1.1 + 1 + 1, 0.8])
