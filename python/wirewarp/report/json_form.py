@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A report as JSON, out and in: the only place that knows its keys, which are the names of the fields in model.py.
 
-Every length stands twice, in the model's units under its name and in meters under its name + "_m", areas likewise with
+Every length stands twice, in the model's units under its name and in meters under its name + "_m"; areas do so with
 "_m2". What can be computed from the rest (DERIVED) is written for scripts, and not read. JSON has no infinity: a number
 that does not exist is null, the tolerance of a free wire "inf".
 """
