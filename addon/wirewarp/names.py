@@ -68,10 +68,10 @@ SOURCE_CORNER = Attribute("source_corner", "INT", "CORNER")
 SOURCE_FACE = Attribute("source_face", "INT", "FACE")
 PIECE_INDEX = Attribute("piece", "INT", "FACE")  # index of the piece in the report
 
-# On the flat mesh: what tells how it was laid out, and that it was changed by hand.
+# On the flat mesh: how it was laid out, and by what it is seen that it was changed by hand.
 FLAT_LENGTH = Attribute("flat_length", "FLOAT", "EDGE")  # as laid out
 FLAT_RECORD = "wirewarp_flat"  # custom property: how the pieces were laid out, see flat.record
 
 # Data-blocks.
 COLLECTION = "WireWarp"  # of the flat objects of a scene
-FAILED_MATERIAL = "WireWarp Failed Piece"  # on faces of pieces that broke a promise
+FAILED_MATERIAL = "WireWarp Failed Piece"  # on faces of pieces that failed

@@ -116,7 +116,7 @@ def test_an_ease_of_a_side_that_was_copied_to_the_other_is_told_until_it_is_mark
     edit.to_mesh(half.data)
     edit.free()
     mark_seam(half, SEAM)
-    with pytest.raises(RuntimeError, match='8 edges of "Half" with an ease of one side: which side that is cannot be'):
+    with pytest.raises(RuntimeError, match='The side of the ease is unknown on 8 edges of "Half", because faces'):
         bpy.ops.object.wirewarp_flatten()
     (issue,) = addon.flat.reports.last_report(half).issues
     assert len(issue.edges) == 8

@@ -131,7 +131,7 @@ def test_a_parent_that_scales_the_pieces_is_said(addon):
     flat_of(source).parent = parent
     flatten(source)
     (note,) = notes(addon, source)
-    assert '"Bump Flat" is not shown in true size' in note
+    assert '"Bump Flat" is not shown in actual size' in note
 
 
 def test_pieces_hidden_by_the_eye_come_back(addon):

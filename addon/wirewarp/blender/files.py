@@ -46,7 +46,7 @@ def check_file(path: Path) -> None:
 
 
 def check_ending(path: Path, ending: str) -> None:
-    """Raises OSError where a name promises another kind of file."""
+    """Raises OSError if the ending of the name is that of another kind of file."""
     if path.suffix.lower() != ending:
         raise OSError(f"its name must end in {ending}")
 

@@ -75,7 +75,7 @@ def kept(owner: Owner, what: str, gather: Callable[[Owner], T]) -> T:
 
 
 def read_anew(owner: Owner, _what: str, gather: Callable[[Owner], T]) -> T:
-    """Returns gather(owner), whatever was kept: scripts may change a mesh and not tell Blender."""
+    """Returns gather(owner), whatever was kept: scripts may change a mesh behind Blender's back."""
     return gather(owner)
 
 

@@ -63,7 +63,7 @@ def linear_part(source: bpy.types.Object) -> np.ndarray:
     if not np.isfinite(linear).all() or lengths.min() == 0 or abs(np.linalg.det(linear / lengths)) < 1e-6:
         raise object_error(
             "zero_scale",
-            f'"{source.name}" is scaled to zero along an axis, so its faces have no true size: '
+            f'"{source.name}" is scaled to zero along an axis, so its faces have no size: '
             "set its scale (N panel > Item) to something else.",
         )
     return linear

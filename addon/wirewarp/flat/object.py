@@ -114,7 +114,7 @@ def is_true_size(flat: bpy.types.Object) -> bool:
 
 
 def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[Note]:
-    """Takes back the eye in the Outliner; returns, as notes, why it is still not to be seen in its true size."""
+    """Opens the eye in the Outliner. Returns as notes why the object is still not shown in its actual size."""
     notes = []
     if target in view_layer.objects.values():
         target.hide_set(False)
@@ -122,7 +122,7 @@ def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) 
         why = "it is disabled in viewports, or its collection is hidden"
         notes.append(note(f'"{target.name}" is hidden: {why}. Show it in the Outliner.'))
     if not is_true_size(target):
-        text = f'"{target.name}" is not shown in true size: its parent or a constraint scales it. Its mesh is true.'
+        text = f'"{target.name}" is not shown in actual size: its parent or a constraint scales it. Its mesh is right.'
         notes.append(warning(text))
     return notes
 

@@ -66,7 +66,7 @@ def pieces_of_report(source: bpy.types.Object, report: ObjectReport) -> tuple[bp
 
 
 def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
-    """Whether no vertex, edge or face is gone or new, no edge longer or shorter, and no piece turned over.
+    """Whether no vertex, edge or face is gone or new, no edge longer or shorter, and no piece flipped.
 
     Of a mesh with the attributes of flat pieces.
     """

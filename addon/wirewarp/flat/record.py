@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a flat mesh remembers of its run: how the pieces were laid out, and what tells that they were changed."""
+"""What a flat mesh remembers of its run: how the pieces were laid out, and by what it is seen that they changed."""
 
 from dataclasses import asdict, dataclass, fields
 from typing import Any

@@ -87,8 +87,8 @@ def own_ids(wire_ids: Sequence[int]) -> list[int]:
 
 def check_id_room(target: bpy.types.Object) -> None:
     """Raises ObjectError where the ids of pieces and seams cannot be written to the object's mesh."""
-    check_room(target, PIECE, "what tells pieces apart")
-    check_room(target, SEAM, "what tells seams apart")
+    check_room(target, PIECE, "the id of pieces")
+    check_room(target, SEAM, "the id of seams")
 
 
 def read_ids(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mending meshes that cannot be flattened as they are, as Blender's own Clean Up does. Of meshes in Object Mode."""
+"""Fixes meshes that cannot be flattened as they are, as Blender's own Clean Up does, in Object Mode."""
 
 from collections.abc import Callable
 
@@ -48,7 +48,7 @@ def _mend(mesh: bpy.types.Mesh, act: Callable[[bmesh.types.BMesh, float], object
 
 
 def _close_distance(edit: bmesh.types.BMesh) -> float:
-    """By the size of the model, wherever it lies, but no less than coordinates so large can tell apart."""
+    """By the size of the model, wherever it lies, but no less than the rounding of coordinates so large."""
     places = np.array([vertex.co for vertex in edit.verts]).reshape(-1, 3)
     if not len(places):
         return 0.0

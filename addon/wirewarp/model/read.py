@@ -19,7 +19,7 @@ from .sides import SIDE_EASES
 from .wire_names import chain_names
 
 LARGEST = 1e18  # Blender units
-SAMPLE = 5_000  # faces that are looked at: Blender tells groups vertex by vertex only, which is slow on large meshes
+SAMPLE = 5_000  # faces that are looked at: Blender lists groups vertex by vertex only, which is slow on large meshes
 CARRIED = 0.5  # weight from which on a vertex is in its group
 
 

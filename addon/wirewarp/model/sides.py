@@ -2,7 +2,7 @@
 """Marks of one side of an edge alone: its seam allowance, its ease.
 
 A value on the face's corner, as scripts may write it, is blended when the edge is split, and comes to lie on another
-edge when the face is turned over or mirrored. What is on edges and faces goes with them whole. So the side that differs
+edge when the face is flipped or mirrored. What is on edges and faces goes with them whole. So the side that differs
 is the one of the face whose number (wirewarp_face INT, random, 0 none) is on the edge, and its value lies on the edge.
 
 A face that is cut, copied or extruded gives its number to others. That does no harm if only one face of an edge has it:
@@ -53,8 +53,8 @@ class SidedMark:
             if has_modifiers:
                 why, first = "modifiers copied or replaced faces there", "Apply them and mark it again"
             sentence = (
-                f'{counted(len(lost), "edge")} of "{mesh.name}" with an {self.what} of one side: which side that is '
-                f"cannot be told, for {why}. {first}, or mark it on all sides alike."
+                f'The side of the {self.what} is unknown on {counted(len(lost), "edge")} of "{mesh.name}", because '
+                f"{why}. {first}, or mark it on all sides alike."
             )
             raise ObjectError(Issue("side_unknown", sentence, edges=_pairs(mesh, lost)))
         corners, marked = read_values(mesh, self.corner), self._on_edges(mesh)

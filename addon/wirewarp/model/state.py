@@ -44,7 +44,7 @@ def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept)
 def has_moved(source: bpy.types.Object, state: dict | None) -> bool:
     """Whether geometry or scale are other than when the report was made, whatever its seams and wires are now.
 
-    A report that cannot tell counts as one of another model.
+    A report without a state counts as one of another model.
     """
     return state is None or bool(_changes(source, state, read_anew) & {SHAPE, SCALE})
 

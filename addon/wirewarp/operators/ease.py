@@ -110,8 +110,8 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
             self.report({"INFO"}, f"Ease cleared on {counted(len(changes), 'line')}")
             return {"FINISHED"}
         texts = [f"{ease_text(each.ratio)}, {units.difference(each.length)} {units.unit}" for each in changes]
-        told = "; ".join(dict.fromkeys(texts))
-        sentence = f"{counted(len(changes), 'line')} eased: {told}"
+        changed = "; ".join(dict.fromkeys(texts))
+        sentence = f"{counted(len(changes), 'line')} eased: {changed}"
         if left_out:
             self.report({"WARNING"}, f"{sentence}. {counted(left_out, 'selected edge')} left out.")
         else:

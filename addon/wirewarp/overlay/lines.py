@@ -47,7 +47,7 @@ STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
     "proposed": LineStyle("Proposed seam", _hex("#890089"), 6.0),
     "page": LineStyle("Page", _hex("#9c78fc"), 1.5),
-    "cut": LineStyle("Line to cut", _hex("#99bb77"), 2.0),
+    "cut": LineStyle("Cutting line", _hex("#99bb77"), 2.0),
     "ease": LineStyle("Side with ease", _hex("#ff4bb4"), 3.0),
     "grain": LineStyle("Grain", _hex("#0a8f7a"), 3.0),
     "default grain": LineStyle("Grain, not chosen", _hex("#7fc4b5"), 1.2),
@@ -201,7 +201,7 @@ def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[s
 def seam_line_names(
     lines: LineEdges, numbers: np.ndarray, texts: Callable[[int, int], tuple[str, ...]], rooms: Rooms
 ) -> list[Name]:
-    """Of each seam, in all its pieces. numbers (k,): by which seams are told apart, 0 for edges without a name.
+    """Of each seam, in all its pieces. numbers (k,): of the seams, 0 for edges without a name.
 
     texts: of the seam with this number in a piece, see Name.
     """

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..pattern.chains import WireChain
 
-ALL_ROUND = 0.3  # of the area: by so much at most may one side outweigh the others, or in and out are not told apart
+ALL_ROUND = 0.3  # of the area: if one side outweighs the others by more, in and out cannot be distinguished
 INWARD = (
     "Normals point inward, so pieces show their inside. In Edit Mode use Mesh > Normals > Recalculate Outside, then "
     "flatten again."
@@ -58,7 +58,7 @@ class MeshArrays:
     regions: FaceRegions
     materials: np.ndarray  # (f,) int32, the slot of each polygon
     uv_maps: dict[str, np.ndarray]  # (l,2) float32 each, the model's own maps by name
-    allowance: float  # the widest that the lines to cut have anywhere, in Blender units
+    allowance: float  # the widest that the cutting lines have anywhere, in Blender units
     loose_marks: int  # edges without a face that are marked as wires: they are left out
     loose_eases: int  # edges with the ease of a wire that are none: it does nothing
     mirrored: bool

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures to colors that are told apart without hue: by lightness, or by warm and cold."""
+"""Measures to colors that differ without hue: by lightness, or by warm and cold."""
 
 import math
 from dataclasses import dataclass

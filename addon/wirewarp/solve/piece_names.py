@@ -11,7 +11,7 @@ from .arrays import FaceRegions, Region
 # By axis, towards minus and plus. As on a person who looks along -Y, Blender's front: the left hand is at +X.
 SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
 HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # of two pieces on one side
-FACES_ONE_WAY = 0.3  # of 1, a flat piece; one that winds around (a sleeve) is told by its place
+FACES_ONE_WAY = 0.3  # of 1, a flat piece; one that winds around (a sleeve) is named by its place
 BESIDE = 0.05  # of the model's size; one that winds around its middle (a ball) has no side
 NO_SIDE = "Around"
 
@@ -41,7 +41,7 @@ def _side(normal: np.ndarray, offset: np.ndarray) -> str:
 
 
 def _halves(side: str, apart: np.ndarray) -> tuple[str, str]:
-    """What tells two pieces of one side from each other, the second being this far from the first; "" if nothing."""
+    """How two pieces of one side differ, the second being this far from the first; "" if nothing."""
     axis = int(np.argmax(np.abs(apart)))
     if np.abs(apart[axis]) < BESIDE or side in SIDES[axis]:  # one lies in or behind the other
         return "", ""
@@ -68,7 +68,7 @@ def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
 
 
 def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegions) -> list[str | None]:
-    """For each piece the region that most of its faces are in. None where there is none that tells pieces apart."""
+    """For each piece the region that most of its faces are in. None if no region distinguishes pieces."""
     faces_in_piece = np.bincount(piece_of_face[regions.sample], minlength=piece_count)
     names: list[str | None] = [None] * piece_count
     for kind in (regions.materials, regions.groups):  # a group says more, and comes last
@@ -86,6 +86,6 @@ def _names_by(
     counts = np.array([np.bincount(piece_of_face[each.faces], minlength=len(faces_in_piece)) for each in regions])
     carried = 2 * counts > faces_in_piece  # (regions, pieces)
     pieces_in = carried.sum(axis=1)
-    carried[pieces_in == len(faces_in_piece)] = False  # what all pieces have tells nothing
+    carried[pieces_in == len(faces_in_piece)] = False  # what all pieces have distinguishes none
     best = np.argmin(np.where(carried, pieces_in[:, None], len(faces_in_piece) + 1), axis=0)
     return [(piece, regions[best[piece]].name) for piece in np.flatnonzero(carried.any(axis=0)).tolist()]

@@ -145,7 +145,7 @@ def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, spacing
 
 
 def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
-    """By the vertices that are in both pieces, once in each; None where these do not tell."""
+    """By the vertices that are in both pieces, once in each; None if these are too few or too far off."""
     rows = [_only_once(pieces.sources(piece_id)) for pieces in (now, then)]
     here, there = (pieces.sources(piece_id)[own] for pieces, own in zip((now, then), rows, strict=True))
     _, first, second = np.intersect1d(here, there, assume_unique=True, return_indices=True)

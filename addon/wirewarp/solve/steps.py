@@ -22,11 +22,11 @@ def told_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> Steps[
     with closing(steps):
         while True:
             try:
-                told = next(steps)
+                yielded = next(steps)
             except StopIteration as end:
                 result: T = end.value
                 return result
-            yield share(told)
+            yield share(yielded)
 
 
 def in_slices(steps: Generator[S, None, T]) -> Generator[S, None, T]:
@@ -35,21 +35,21 @@ def in_slices(steps: Generator[S, None, T]) -> Generator[S, None, T]:
         while True:
             end = time.monotonic() + SLICE
             try:
-                told = next(steps)
+                yielded = next(steps)
                 while time.monotonic() < end:
-                    told = next(steps)
+                    yielded = next(steps)
             except StopIteration as done:
                 result: T = done.value
                 return result
-            yield told
+            yield yielded
 
 
-def in_one_go(steps: Generator[S, None, T], tell: Callable[[S], object] = lambda _told: None) -> T:
-    """All steps, while Blender waits; tell: is called with what they yield."""
+def in_one_go(steps: Generator[S, None, T], show: Callable[[S], object] = lambda _yielded: None) -> T:
+    """All steps, while Blender waits; show: is called with what they yield."""
     with closing(steps):
         while True:
             try:
-                tell(next(steps))
+                show(next(steps))
             except StopIteration as end:
                 result: T = end.value
                 return result
