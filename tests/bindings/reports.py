@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reports of samples, as the command line makes them."""
 
-from patterns import SAMPLES
+from samples import SAMPLES
 from wirewarp import Ease, Options, Wire, flatten
 from wirewarp.report import Report, make_report
 

@@ -7,8 +7,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from patterns import SAMPLES
 from reports import report_of
+from samples import SAMPLES
 from wirewarp import Cloth, Ease, Options, Wire, flatten, measure
 from wirewarp.report import (
     Issue,
@@ -89,6 +89,11 @@ def test_the_verdict_names_the_stretch_the_pieces_and_the_fabric():
     )
     (ready,) = verdict(report_of_pieces(0.0, 0.0)).lines
     assert ready.text == "Ready to cut from any fabric: 2 pieces, every length kept"
+
+
+def test_the_verdict_says_whether_wires_have_a_tolerance():
+    (line,) = verdict(report_of("Wetsuit upper body")).lines
+    assert line.text.startswith("Lengths are exact or within their tolerance. Cut from fabric")
 
 
 def test_many_pieces_are_counted_and_those_of_several_models_have_its_name():
@@ -177,7 +182,9 @@ def test_built_in_stretch_is_wanted():
     result = flatten(vertices, faces, options=Options(cloth=cloth))
     report = make_report(result, vertices, faces, cloth=cloth)
     assert report.pieces[0].stretch == pytest.approx(0.2, abs=1e-6)
-    assert kinds(report) == [Kind.READY]
+    (line,) = verdict(report).lines
+    assert line.kind is Kind.READY
+    assert line.text.startswith("Ready to cut from fabric that stretches at least 20%: 1 piece")
     known = make_report(result, vertices, faces, cloth=cloth, limits=(0.1, 0.1), fabric="denim")
     assert kinds(known) == [Kind.BEYOND_FABRIC]
 

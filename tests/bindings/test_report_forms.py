@@ -9,8 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from patterns import SAMPLES
 from reports import report_of
+from samples import SAMPLES
 from wirewarp import Wire, flatten
 from wirewarp.report import (
     Issue,

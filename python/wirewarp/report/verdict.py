@@ -6,11 +6,13 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from . import wording
-from .model import ANY_FABRIC, Piece, Report
+from .model import ANY_FABRIC, Piece, Report, Ways
+from .strain import percent_text
 from .words import counted
 
 CLOSED_CODE = "closed_chart"
 ANY_LIMIT = 1.0  # no fabric comes to twice its length
+NOT_KNOWN = Ways(across=None, along=None)  # maximum stretch
 SHOWN_NAMES = 4
 
 
@@ -115,8 +117,9 @@ def _kind_of(entry: _Entry) -> Kind:
     if any(getattr(threads.gives, way) is not None for way in over):
         return Kind.BEYOND_FABRIC
     if over:
-        return Kind.NO_FABRIC if max(threads.across, threads.along) > ANY_LIMIT else Kind.NEEDS_STRETCH
-    return Kind.READY
+        return Kind.NO_FABRIC if piece.needed > ANY_LIMIT else Kind.NEEDS_STRETCH
+    is_any = threads.gives == NOT_KNOWN and piece.needed <= ANY_FABRIC
+    return Kind.READY_FOR_ANY if is_any else Kind.READY
 
 
 def _texts(kind: Kind, own: list[_Entry], entries: list[_Entry], with_objects: bool) -> list[str]:
@@ -141,15 +144,20 @@ def _texts(kind: Kind, own: list[_Entry], entries: list[_Entry], with_objects: b
         case Kind.NEEDS_STRETCH:
             return [_needs_stretch(own, "" if everything else names)]
     which = f"{counted(len(own), 'piece')}, {kept_text([entry.report for entry in own])}" if everything else names
-    return [wording.ready_for_any(which) if kind is Kind.READY_FOR_ANY else wording.ready(which)]
+    if kind is Kind.READY_FOR_ANY:
+        return [wording.ready_for_any(which)]
+    unknown = [entry.piece.needed for entry in own if entry.piece.threads and entry.piece.threads.gives == NOT_KNOWN]
+    return [wording.ready_for_stretch(which, max(unknown)) if unknown else wording.ready(which)]
 
 
 def _needs_stretch(own: list[_Entry], names: str) -> str:
     threads = [entry.piece.threads for entry in own if entry.piece.threads]
-    if not threads:
-        return wording.needs_stretch(wording.lengths_of(names), max(entry.piece.needed for entry in own))
-    across, along = max(each.across for each in threads), max(each.along for each in threads)
-    return wording.needs_stretch_by_way(wording.lengths_of(names), across, along)
+    is_exact = kept_text([entry.report for entry in own]) == wording.EXACT
+    if threads:
+        stretch = wording.by_way(max(each.across for each in threads), max(each.along for each in threads))
+    else:
+        stretch = percent_text(max(entry.piece.needed for entry in own))
+    return wording.needs_stretch(names, is_exact, stretch)
 
 
 def _names(entries: Sequence[_Entry], with_objects: bool) -> str:

@@ -34,23 +34,25 @@ def beyond_fabric(names: str, threads: Threads) -> str:
     )
 
 
-def needs_stretch(which: str, stretch: float) -> str:
-    """which: "Lengths", or of which pieces."""
-    return f"{which} are exact. Cut from fabric that stretches at least {percent_text(stretch)}."
+def needs_stretch(names: str, is_exact: bool, stretch: str) -> str:
+    """names: of the pieces, "" for all; is_exact: no wire has a tolerance; stretch: in percent."""
+    which = f"Lengths of {names}" if names else "Lengths"
+    kept = "exact" if is_exact else "exact or within their tolerance"
+    return f"{which} are {kept}. Cut from fabric that stretches at least {stretch}."
 
 
-def needs_stretch_by_way(which: str, across: float, along: float) -> str:
-    ways = f"{percent_text(across)} across and {percent_text(along)} along"
-    return f"{which} are exact. Cut from fabric that stretches at least {ways}."
-
-
-def lengths_of(names: str) -> str:
-    """For needs_stretch: the lengths of all pieces, or of some."""
-    return f"Lengths of {names}" if names else "Lengths"
+def by_way(across: float, along: float) -> str:
+    """ "12% across and 5.0% along"."""
+    return f"{percent_text(across)} across and {percent_text(along)} along"
 
 
 def ready(which: str) -> str:
     return f"Ready to cut: {which}"
+
+
+def ready_for_stretch(which: str, stretch: float) -> str:
+    """Of fabric whose maximum stretch is not known, but that is to be stretched as far anyway when it is worn."""
+    return f"Ready to cut from fabric that stretches at least {percent_text(stretch)}: {which}"
 
 
 def ready_for_any(which: str) -> str:
@@ -64,8 +66,7 @@ def ignored(makers: Sequence[str]) -> str:
 
 def needs_text(threads: Threads) -> str:
     """ "4.0% across and 2.0% along (shear 18°)"."""
-    across, along = percent_text(threads.across), percent_text(threads.along)
-    return f"{across} across and {along} along (shear {math.degrees(threads.shear):.0f}°)"
+    return f"{by_way(threads.across, threads.along)} (shear {math.degrees(threads.shear):.0f}°)"
 
 
 def gives_text(threads: Threads) -> str:
