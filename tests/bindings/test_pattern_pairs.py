@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import shapely
 import wirewarp
-from patterns import cut_polygon, line_string, rectangle, sample
+from patterns import cut_polygon, line_string, quads, rectangle, sample
 from wirewarp.pattern import Pattern
 from wirewarp.pattern.geometry import Motion, right_normals
 from wirewarp.pattern.make.outline import flat_piece
@@ -76,6 +76,14 @@ def test_what_is_not_a_pair_is_one_sentence(pairs, says):
         sample("Fitted top").cut_as_pairs(pairs)
 
 
+def test_holes_must_fit_too():
+    mask = sample("Carnival mask", allowance=2.0)
+    assert len(mask.pieces[0].of_role("inner_cut")) == 2 and mask.symmetric() == [1]
+    points = [(0, 0), (100, 0), (100, 60), (0, 60), (20, 20), (40, 20), (40, 35), (20, 35)]
+    around = [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+    assert Pattern.from_result(quads(points, around)).symmetric() == []
+
+
 def right_of(line):
     way = (line[1] - line[0]) / np.linalg.norm(line[1] - line[0])
     return np.array([way[1], -way[0]])
@@ -86,6 +94,8 @@ def test_a_piece_on_the_fold_is_one_half_to_the_fold(angle):
     whole = symmetric(angle, allowance=8.0)
     (piece,) = whole.cut_on_fold(whole.symmetric()).pieces
     (fold,) = piece.of_role("fold")
+    across, up = fold.points[1] - fold.points[0]
+    assert up > 1e-6 or (up > -1e-6 and across > 0)  # the right half is drawn, or the lower one
     area = cut_polygon(whole.pieces[0]).area
     (cut,) = piece.of_role("cut")
     assert shapely.Polygon(cut.points).area == pytest.approx(area / 2, rel=1e-6)

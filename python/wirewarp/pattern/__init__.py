@@ -14,7 +14,7 @@ from .make.seams import longer_text
 from .marker import Marker, Placement
 from .model import Line, PatternPiece, Point, Text
 from .pattern import Pattern
-from .pattern_data import Written
+from .pattern_data import PatternData, Written
 from .progress import STAGES
 from .sheet.papers import Page
 from .units import UnitSystem
@@ -32,6 +32,7 @@ __all__ = [
     "Option",
     "Page",
     "Pattern",
+    "PatternData",
     "PatternPiece",
     "Placement",
     "Point",

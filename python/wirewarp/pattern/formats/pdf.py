@@ -35,15 +35,14 @@ def write_pdf(
     for number, sheet in enumerate(planned.all_sheets):
         yield "sheets", number / len(planned.all_sheets)
         content = Content()
-        marks = sheet.marks()
+        for layer, strokes, texts in sheet.marks():  # below the lines of pieces
+            content.in_layer(layer, strokes, texts)
         if sheet.is_clipped:
             content.clip(sheet.corner, sheet.corner + sheet.size)
         for index in sheet.pieces:
             content.add_form(_form(index), sheet.corner - sheet.low)
         if sheet.is_clipped:
             content.unclip()
-        for layer, strokes, texts in marks:
-            content.in_layer(layer, strokes, texts)
         document.add_page(sheet.paper, content)
         left_out += content.left_out
     for texts in proof_pages(pattern, _proof_size(paper)) if proof else []:

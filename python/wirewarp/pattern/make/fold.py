@@ -10,6 +10,7 @@ from ..checks import problem
 from ..geometry import Motion, distances_to
 from ..model import Line, PatternPiece
 
+LEVEL = 1e-9  # rise of a unit vector: rounding must not say which half of a piece with a level fold is drawn
 ALIKE = 0.1  # millimeters between a point and the image of its twin: less than a line is wide
 
 
@@ -86,7 +87,8 @@ def fold_of(piece: PatternPiece) -> np.ndarray | None:
     point, along = mirror.axis
     if abs((mirror.shift * np.conj(np.sqrt(mirror.turn))).real) > ALIKE:  # it also slides along its axis
         return None
-    along = along if along[1] > 0 or (along[1] == 0 and along[0] > 0) else -along
+    is_upwards = along[1] > LEVEL or (along[1] > -LEVEL and along[0] > 0)
+    along = along if is_upwards else -along
     crossings = _crossings(piece, point, along)
     return point + np.outer([crossings.min(), crossings.max()], along) if len(crossings) > 1 else None
 
