@@ -172,7 +172,7 @@ def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Ob
     if not is_true_size(flat):
         raise object_error(
             "scaled_pieces",
-            f'"{flat.name}" or its parent is scaled or mirrored, so it is not true size. Clear the scale (Alt+S), or '
+            f'"{flat.name}" or its parent is scaled or mirrored, so it is not actual size. Clear the scale (Alt+S), or '
             f'scale "{source.name}" and flatten again.',
         )
     return report, flat

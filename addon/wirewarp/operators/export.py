@@ -18,7 +18,7 @@ from .export_steps import PatternExport
 
 FORMATS = {suffix[1:].upper(): each for suffix, each in pattern.FORMATS.items()}
 DRAWN = [  # kinds of the library, upper case and with underscores
-    ("SEW", "Sew Lines", "Where to sew, inside the line to cut"),
+    ("SEW", "Stitching Lines", "Where to sew, inside the cutting line"),
     ("WIRES", "Wires", "The wires inside of pieces"),
     ("GRAIN", "Grain", "An arrow along the grain"),
     ("NOTCHES", "Notches", "Notches, clips and holes to drill"),
@@ -30,7 +30,7 @@ ALL_KINDS = frozenset(kind.lower().replace("_", " ") for kind in ALL_DRAWN)
 
 
 class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operator):
-    """Write the flat pieces of the active object in true size, with seam allowances: to print, to plot or to cut"""
+    """Write the flat pieces of the active object in actual size, with seam allowances: to print, to plot or to cut"""
 
     bl_idname = "object.wirewarp_export"
     bl_label = "Export Pattern"
@@ -163,7 +163,7 @@ OBJECT_OT_wirewarp_export.__annotations__ |= {
 
 
 class OBJECT_OT_wirewarp_export_svg(PatternExport, bpy.types.Operator):
-    """Write the flat pieces of the active object, as they lie, to an SVG file in true size"""
+    """Write the flat pieces of the active object, as they lie, to an SVG file in actual size"""
 
     bl_idname = "object.wirewarp_export_svg"
     bl_label = "Export Pattern as SVG"

@@ -53,7 +53,7 @@ class Allowances(NamedTuple):
 class PatternParts:
     title: str
     pieces: Sequence[pattern.FlatPiece]
-    failed: Sequence[str]  # names of those that broke a promise
+    failed: Sequence[str]  # names of those that failed
     seam_names: Sequence[str]
     allowances: Allowances
     units: Literal["metric", "imperial"]
@@ -71,7 +71,7 @@ class PatternParts:
         )
 
     def cut_lines(self, allowance: float, darts: str) -> pattern.Pattern:
-        """The lines to cut alone, where they lie. Raises ObjectError as pattern() does."""
+        """Only the cutting lines, where they lie. Raises ObjectError as pattern() does."""
         with _told_by_name():
             return pattern.Pattern.of_cut_lines(self.pieces, allowance=allowance, darts=darts, **self._marked)
 

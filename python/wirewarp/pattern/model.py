@@ -29,11 +29,11 @@ class Line:
     points: np.ndarray  # (k,2)
     closed: bool = False  # a closed line does not repeat its first point
     name: str = ""  # "Seam 3", or the name of the wire
-    width: float | None = None  # of sew lines: the allowance outside of it
-    seam: int | None = None  # of sew lines: index into the result's seams; None where nothing is sewn to it
-    joins: str = ""  # of sew lines: the names of the other pieces that are sewn to it
+    width: float | None = None  # of stitching lines: the allowance outside of it
+    seam: int | None = None  # of stitching lines: index into the result's seams; None where nothing is sewn to it
+    joins: str = ""  # of stitching lines: the names of the other pieces that are sewn to it
     kind: str = ""  # of wires: "rigid", "elastic" or "super_elastic"
-    note: str = ""  # of sew lines: "12 mm longer, ease between notches"
+    note: str = ""  # of stitching lines: "12 mm longer, ease between notches"
 
     def placed(self, motion: Motion) -> "Line":
         return replace(self, points=motion.points(self.points))
@@ -48,7 +48,7 @@ class Point:
     direction: np.ndarray = field(default_factory=lambda: np.zeros(2))  # (2,) unit vector into the piece
     depth: float = 0.0  # of notches and clips; of holes the diameter
     pair: tuple[int, int] | None = None  # seam, and number along it: notches of one pair are sewn onto each other
-    along: float | None = None  # of these the length from the start of the seam, on the sew line of this side
+    along: float | None = None  # of these the length from the start of the seam, on the stitching line of this side
     side: int | None = None  # of these, which of the sides of the seam
 
     def placed(self, motion: Motion) -> "Point":
@@ -83,7 +83,7 @@ class PatternPiece:
     quantity: tuple[int, int] = (1, 0)  # to cut as drawn, and mirrored
     material: str = ""
     on_fold: bool = False  # half of it is drawn; the other half lies beyond the fold
-    area: float = 0.0  # square millimeters inside the sew lines, of the whole piece
+    area: float = 0.0  # square millimeters inside the stitching lines, of the whole piece
 
     def of_role(self, *roles: str) -> list[Line]:
         return [line for line in self.lines if line.role in roles]

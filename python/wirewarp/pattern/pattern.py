@@ -62,13 +62,13 @@ class Pattern(PatternData):
         units: Units = "metric",
         progress: Progress | None = None,
     ) -> "Pattern":
-        """The pattern of a flattening whose pieces all keep their promises.
+        """The pattern of a flattening whose pieces all keep their lengths.
 
         All lengths but millimeters_per_unit are in millimeters, widths from 0 to 1000.
 
         allowance: outside of every seam. hem: outside of every outline that is not sewn; as the allowance where None.
         allowances: (k,3) vertex, vertex of an edge of the model, and the width on all sides of that edge.
-        side_allowances: (k,3) likewise for one side: that of the triangle which has the edge in this direction.
+        side_allowances: (k,3) the width on one side: that of the triangle which has the edge in this direction.
         folds: (k,2) edges of the model that are not sewn, but at which the cloth lies double: nothing is cut there.
         notch_spacing: along seams, 0 for none.
         corner: "auto" chooses by what is sewn first; or one of "mitre", "right angle", "fold-back", "extend", "step",
@@ -173,7 +173,7 @@ class Pattern(PatternData):
         darts: str = "close",
         units: Units = "metric",
     ) -> "Pattern":
-        """The lines to cut alone, where they lie: as from_pieces, but quicker, to show them and their pages."""
+        """Only the cutting lines, where they lie: as from_pieces, but quicker, to show them and their pages."""
         widths = Widths(allowance, None, allowances, side_allowances, folds)
         laid = in_one_go(lay_all(pieces, widths, "auto", darts))
         return cls("", [outlined(own) for own in laid], "", UnitSystem(units))
@@ -341,7 +341,7 @@ class Pattern(PatternData):
         """Writes the file whose kind the suffix of the path says, and reads it again before it takes its place.
 
         Options: of .pdf `paper`, `proof` and `keep_places`, of .svg `preset`, of .dxf `dialect` and `control_square`;
-        docs/pattern.md tells of them.
+        docs/pattern.md describes them.
         progress: called as progress(stage, fraction) about ten times a second; False stops.
         A failure or a stop leaves a file that was there before as it was. Raises FlattenError for options, for what
         does not fit on the paper, and ("cancelled") where it is stopped; OSError for paths; RuntimeError if what was

@@ -25,7 +25,7 @@ class SeamWalk:
 
     name: str
     pieces: tuple[str, ...]  # of each side the piece
-    lengths: tuple[float, ...]  # millimeters along the sew line
+    lengths: tuple[float, ...]  # millimeters along the stitching line
     allowances: tuple[tuple[float, ...], ...]  # of each side the widths, millimeters
     notches: tuple[tuple[float, ...], ...]  # of each side their places, millimeters from the same end of the seam
 
@@ -47,7 +47,7 @@ class Written:
 
 @dataclass(frozen=True)
 class PatternData:
-    """Pieces with sew lines, that are exactly what was flattened, and cut lines, that are derived from these."""
+    """Pieces with stitching lines, that are exactly what was flattened, and cut lines, that are derived from these."""
 
     title: str
     pieces: list[PatternPiece]

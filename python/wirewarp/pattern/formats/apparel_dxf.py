@@ -22,7 +22,7 @@ CORNER = math.radians(30)  # points where the outline turns more are turn points
 TURN_POINT, CURVE_POINT = "2", "3"
 NOTCH_WIDTH = 2.0  # millimeters at the edge
 TEXT_HEIGHT = 5.0
-CONTROL = 100.0  # millimeters: side of the square that tells what the unit is
+CONTROL = 100.0  # millimeters: side of the square that shows the unit
 
 
 def apparel_dxf(pattern: PatternData, is_aama: bool, control_square: bool) -> Steps[tuple[str, list[str]]]:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A pattern as an SVG file in true size: one unit is one millimeter.
+"""A pattern as an SVG file in actual size: one unit is one millimeter.
 
 One group per piece, and in it a layer, as Inkscape knows them, for each kind of line; each kind has its own color too,
-by which cutters and plotters tell them apart.
+by which cutters and plotters distinguish them.
 """
 
 import re

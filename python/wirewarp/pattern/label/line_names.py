@@ -21,7 +21,7 @@ ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # wires often cross in their m
 
 
 def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[Text], list[Line]]:
-    """Of the sew lines and wires that have a name: inside the piece, or beside it where there is no room for it.
+    """Of the stitching lines and wires that have a name: inside the piece, or beside it where there is no room for it.
 
     With the lines that lead to the latter.
     """

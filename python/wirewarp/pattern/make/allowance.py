@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From the sew lines of a piece to its cut lines: strips and corners, united on a grid of integers.
+"""From the stitching lines of a piece to its cut lines: strips and corners, united on a grid of integers.
 
-Strips may overlap one another and the piece as they like: each point of a strip lies within its width of the sew line.
+Strips may overlap one another and the piece: each point of a strip lies within its width of the stitching line.
 Clipper unites them exactly, because its coordinates are integers; floating-point unions of strips have left slits.
 Outlines run with the piece on their left, so the allowance lies on the right.
 """

@@ -65,24 +65,24 @@ def _cut_off_mitre(turn: float, a: float, b: float) -> np.ndarray:
 
 
 def _right_angle(turn: float, a: float, b: float) -> np.ndarray | None:
-    """The first allowance ends square to its sew line."""
+    """The first allowance ends square to its stitching line."""
     if math.cos(turn) < 1e-9:
         return None
     return np.array([[0.0, -a], [0.0, -b / math.cos(turn)]])
 
 
 def _fold_back(turn: float, a: float, b: float) -> np.ndarray:
-    """The first allowance, folded over its sew line onto the piece, ends on the cut line of the second."""
+    """The first allowance, folded over its stitching line onto the piece, ends on the cut line of the second."""
     return np.array([[(b + a * math.cos(turn)) / math.sin(turn), -a], [b / math.sin(turn), 0.0]])
 
 
 def _extend(turn: float, a: float, b: float) -> np.ndarray:
-    """Each allowance ends where its cut line meets the sew line of the other, extended; straight between these."""
+    """Each allowance ends where its cut line meets the other stitching line, extended; straight between these."""
     return np.array([[-a / math.tan(turn), -a], [b / math.sin(turn), 0.0]])
 
 
 def _step(turn: float, a: float, b: float) -> np.ndarray | None:
-    """The wider allowance ends square to its sew line; the narrower one runs on to it."""
+    """The wider allowance ends square to its stitching line; the narrower one runs on to it."""
     cosine = math.cos(turn)
     if cosine <= 1e-9 or min(a, b) / cosine > max(a, b):
         return None

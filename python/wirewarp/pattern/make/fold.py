@@ -11,7 +11,7 @@ from ..geometry import Motion, distances_to
 from ..model import Line, PatternPiece
 
 LEVEL = 1e-9  # rise of a unit vector: rounding must not say which half of a piece with a level fold is drawn
-ALIKE = 0.1  # millimeters between a point and the image of its twin: less than a line is wide
+ALIKE = 0.1  # millimeters between a point and its mirror image: less than a line is wide
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Mirror:
 
 
 def outline_loops(piece: PatternPiece) -> list[np.ndarray]:
-    """The closed outlines (k,2) that the sew lines of a piece form, one after the other."""
+    """The closed outlines (k,2) that the stitching lines of a piece form, one after the other."""
     loops: list[list[np.ndarray]] = []
     is_open = False
     for line in piece.of_role("sew"):

@@ -16,7 +16,7 @@ from .pieces import Laid
 from .seams import SewnLengths, SewnSide
 
 ON_LINE = 1e-6  # millimeters between a point of a side and the end of a wire there
-APART = 0.01  # millimeters: places along a seam that lie closer are one, told by two of its sides
+APART = 0.01  # millimeters: places along a seam that lie closer are one, found on two of its sides
 BACK = re.compile(r"\bback\b", re.IGNORECASE)
 
 

@@ -15,7 +15,7 @@ from .seams import SewnSide, turn_between
 from .sections import Dart
 
 DEEPEST = 5.0  # millimeters
-SHARE = 0.5  # of the allowance: notches never reach the sew line
+SHARE = 0.5  # of the allowance: notches never reach the stitching line
 ACROSS = 0.3  # without allowance, of the way across the piece: two notches that face each other do not meet
 NEXT_TO = 2e-3  # millimeters: beside a line, not on it
 LEAST_SPACING = 1.0  # millimeters
@@ -26,7 +26,7 @@ LOPSIDED = 5.0  # millimeters by which notches of a seam turned end for end must
 STARTS = (1.0, 0.8, 0.6, 0.4)  # of the spacing, from the start of the seam to its first notch
 DOUBLE = 6.0  # millimeters between the two of a double notch
 CORNER = math.radians(30)  # what turns less is no corner that can be found on cloth
-CLIP_SHORT = 2.0  # millimeters that a clip ends before the corner of the sew line
+CLIP_SHORT = 2.0  # millimeters that a clip ends before the corner of the stitching line
 DRILL_BACK = 13.0  # millimeters before the tip of the dart, where the seam covers it (1/2 in)
 DRILL = 3.0  # millimeters: diameter
 
@@ -72,7 +72,7 @@ def _is_lopsided(places: np.ndarray, length: float) -> bool:
 
 
 def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[int, int] | None = None) -> Point | None:
-    """From where the normal of the side, at this length along it, meets the cut line; inwards, short of the sew line.
+    """From where the normal of the side, at this length, meets the cut line; inwards, short of the stitching line.
 
     width: the widest allowance of the side. None where the cut line is much farther, for allowances run together there.
     """
@@ -85,7 +85,7 @@ def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[in
 
 
 def clips(loop: Sequence[Side], rays: Rays) -> list[Point]:
-    """At inward corners of the sew line: cut to these, or the allowance does not turn."""
+    """At inward corners of the stitching line: cut to these, or the allowance does not turn."""
     found = []
     points = np.concatenate([side.points[:-1] for side in loop])
     normals = right_normals(np.concatenate([points[-1:], points, points[:1]]))

@@ -23,7 +23,7 @@ class Chain:
 
 @dataclass(frozen=True)
 class FlatWire:
-    """A wire inside of the piece; along the outline there is the sew line already."""
+    """A wire inside of the piece; along the outline there is the stitching line already."""
 
     name: str
     kind: str  # "rigid", "elastic" or "super_elastic"

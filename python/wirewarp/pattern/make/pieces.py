@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From the outlines of flat pieces to pieces of a pattern: cut lines, sew lines, wires, marks and texts."""
+"""From the outlines of flat pieces to pieces of a pattern: cut lines, stitching lines, wires, marks and texts."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -101,7 +101,7 @@ def joined_by(pieces: Sequence[Laid]) -> dict[int, list[str]]:
 
 
 def notes_on_sides(seams: Sequence[Sequence[SewnSide]], units: UnitSystem) -> dict[int, str]:
-    """By the side's id(), what is told of those that are longer than what they are sewn to."""
+    """By the side's id(), the notes on those that are longer than what they are sewn to."""
     notes: dict[int, str] = {}
     for sides in (own for own in seams if own):
         texts = longer_texts([float(own.along[-1]) for own in sides], units)
@@ -160,6 +160,6 @@ def finished(
 
 
 def outlined(laid: Laid) -> PatternPiece:
-    """The lines to cut and folds alone."""
+    """Only cutting lines and folds."""
     folds = [Line("fold", run.points) for own in laid.outlines for run in own.runs if run.is_fold]
     return PatternPiece(laid.index + 1, laid.name, closed_cuts(laid) + folds, [], [], on_fold=bool(folds))

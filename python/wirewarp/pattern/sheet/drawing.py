@@ -21,7 +21,7 @@ class Look(NamedTuple):
     pen: int  # of plotters
 
 
-# Colors differ enough for cutters' programs to tell them apart by the nearest of their own.
+# Colors differ enough for cutters' programs to distinguish them by the nearest of their own.
 LOOKS = {
     "cut": Look("Cut", "#000000", 0.5, (), "1", 1, 1),
     "inner_cut": Look("Cut", "#000000", 0.5, (), "11", 1, 1),
