@@ -134,19 +134,21 @@ TEST_F(NewtonSystemOnASaddle, SolvesTheSystemOfTheNewtonStep) {
   EXPECT_LT((least - unforced).norm(), 1e-4 * unforced.norm());
 }
 
-TEST_F(NewtonSystemOnASaddle, GoesOnFromASolutionToOtherLengths) {
+TEST_F(NewtonSystemOnASaddle, ChoosesLengthVariationsOnceDIsEliminated) {
   ASSERT_TRUE(system.factorize(uv, 0.01 * random_vector(constraints.size(), 5), convex));
   const Positions2 r1 = as_positions(random_vector(num_unknowns, 6));
   const Eigen::VectorXd r2 = random_vector(constraints.size(), 7), h = random_vector(constraints.num_elastic(), 8);
   const Eigen::VectorXd stretched = r2 + constraints.elastic_lengths() * h;
-  NewtonSystem::Solution solution = system.solve_on_wires(r1, r2);
+  const NewtonSystem::Reduced reduced = system.reduce(r1, r2);
+  const Eigen::VectorXd pull = constraints.elastic_lengths().transpose() * system.solve_on_wires(r1, r2).multipliers;
+  EXPECT_LT((reduced.pull - pull).norm(), 1e-5 * pull.norm());
   const NewtonSystem::Solution expected = system.solve_on_wires(r1, stretched);
-  const Eigen::VectorXd predicted = solution.multipliers + system.dlambda_dh() * h;
-  EXPECT_LT((predicted - expected.multipliers).norm(), 1e-7 * predicted.norm());
-  system.improve(stretched, solution);
-  EXPECT_LT((solution.multipliers - expected.multipliers).norm(), 1e-7 * predicted.norm());
+  const NewtonSystem::Solution solution = system.solve_on_wires(reduced, h);
+  EXPECT_LT((solution.multipliers - expected.multipliers).norm(), 1e-7 * expected.multipliers.norm());
   const Positions2 d = system.finish(expected.d);
   EXPECT_LT((system.finish(solution.d) - d).norm(), 1e-7 * d.norm());
+  const NewtonSystem::Solution rough = system.solve_roughly(reduced, h);
+  EXPECT_LT((as_positions(rough.d).topRows(uv.rows()) - d).norm(), 1e-4 * d.norm());
 }
 
 TEST_F(NewtonSystemOnASaddle, AFactorExistsExactlyWhereTheHessianIsPositiveUnderTheLengths) {
@@ -192,14 +194,13 @@ TEST(NewtonSystem, AWireUnderCompressionIsASaddle) {
 TEST_F(NewtonSystemOnASaddle, TheHessianByVariationIsThatOfTheDenseSystem) {
   const Eigen::VectorXd multipliers = 0.01 * random_vector(constraints.size(), 5);
   ASSERT_TRUE(system.factorize(uv, multipliers, convex));
-  const Eigen::MatrixXd s = hessian_h(constraints.elastic_lengths(), system.dlambda_dh());
   const Eigen::MatrixXd j = jacobian(system.directions());
   const Eigen::MatrixXd h = dense(system.hessian(uv, multipliers, convex));
   // min ½ d·Hd with J d = T h is ½ h·S h: S = Tᵀ (J H⁻¹ Jᵀ)⁻¹ T, the pins make H regular.
   const Eigen::MatrixXd t = constraints.elastic_lengths();
   const Eigen::MatrixXd by_force = test::product(j, test::solve(h, j.transpose()));
   const Eigen::MatrixXd expected = test::product(t.transpose(), test::solve(by_force, t));
-  EXPECT_LT((s - expected).norm(), 1e-5 * expected.norm());
+  EXPECT_LT((system.stiffness_by_variation() - expected).norm(), 1e-5 * expected.norm());
 }
 
 TEST_F(NewtonSystemOnASaddle, TheStiffnessByVariationIsThatOfTheDenseSystem) {

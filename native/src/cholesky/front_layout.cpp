@@ -198,8 +198,9 @@ class Builder {
 }  // namespace
 
 FrontLayout lay_out_fronts(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
-                           int unknowns_per_vertex) {
+                           int unknowns_per_vertex, bool keeps_root) {
   FrontLayout layout = Builder(lower, tree, unknowns_per_vertex).build();
+  if (keeps_root) layout.kept_root = static_cast<int>(tree.nodes.size()) - 1;
   partition_subtrees(layout);
   place_schur_complements(layout);
   list_shared_vertices(layout);

@@ -54,9 +54,10 @@ struct FrontLayout {
   std::size_t panel_tiles = 0;
   std::size_t schur_tiles = 0;
   int largest_front = 0;  // tiles, pivots and rows
+  int kept_root = -1;     // front that is assembled and not eliminated, -1: none
 
-  FrontSet all_fronts;
-  std::vector<int> shared_vertices;  // pivots of the ancestors of all_fronts
+  FrontSet all_fronts;               // to eliminate
+  std::vector<int> shared_vertices;  // pivots of the ancestors of all_fronts and of the kept root
 
   /// Row of the first unknown of a front's vertex, of the padded rows of the front.
   int row_of(const Front& front, int place) const {
@@ -65,8 +66,9 @@ struct FrontLayout {
   }
 };
 
-/// lower: the lower triangle, compressed. Throws std::invalid_argument if the tree does not fit it.
+/// lower: the lower triangle, compressed. keeps_root: the last node of the tree is not to be eliminated. Throws
+/// std::invalid_argument if the tree does not fit it.
 FrontLayout lay_out_fronts(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
-                           int unknowns_per_vertex);
+                           int unknowns_per_vertex, bool keeps_root = false);
 
 }  // namespace wirewarp

@@ -8,8 +8,9 @@
 namespace wirewarp {
 
 MultifrontalCholesky::MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
-                                           int unknowns_per_vertex, bool in_threads, const FrontKernels& kernels)
-    : layout_(lay_out_fronts(lower, tree, unknowns_per_vertex)),
+                                           int unknowns_per_vertex, bool in_threads, const FrontKernels& kernels,
+                                           bool keeps_root)
+    : layout_(lay_out_fronts(lower, tree, unknowns_per_vertex, keeps_root)),
       substitution_(layout_, in_threads, kernels),
       kernels_(&kernels),
       in_threads_(in_threads),
@@ -25,7 +26,23 @@ bool MultifrontalCholesky::factorize(const Eigen::SparseMatrix<double>& lower, c
     assemble_front(layout_, f, lower.valuePtr(), factor_.get(), schurs_.get());
     return kernels_->factor(&factor_[front.panel], &schurs_[front.schur], front.pivot_tiles, front.row_tiles);
   });
+  const int root = layout_.kept_root;
+  if (positive_definite_ && root != -1) assemble_front(layout_, root, lower.valuePtr(), factor_.get(), schurs_.get());
   return positive_definite_;
+}
+
+Eigen::MatrixXd MultifrontalCholesky::schur_complement() const {
+  if (layout_.kept_root == -1) return {};
+  const Front& root = layout_.fronts[layout_.kept_root];
+  const int size = layout_.unknowns_per_vertex * root.num_pivots;
+  Eigen::MatrixXd schur(size, size);
+  for (int i = 0; i < size; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      const Tile& tile = factor_[root.panel + panel_row(i / kTile, root.pivot_tiles) + j / kTile];
+      schur(i, j) = schur(j, i) = tile.entries[kTile * (j % kTile) + i % kTile];
+    }
+  }
+  return schur;
 }
 
 void MultifrontalCholesky::solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const {

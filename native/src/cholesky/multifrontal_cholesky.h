@@ -28,9 +28,11 @@ class MultifrontalCholesky {
   /// Analyzes a pattern and takes all the memory that factorize needs. lower: the lower triangle, compressed. Unknowns
   /// k v to k v + k - 1 belong to vertex v of the tree's graph, k = unknowns_per_vertex.
   /// in_threads: two threads work on independent subtrees; factor and solutions are the same to the last bit.
+  /// keeps_root: the unknowns of the tree's last node are not eliminated (schur_complement()).
   /// Throws std::invalid_argument if the tree has not each vertex once or does not separate what lower joins.
   MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree, int unknowns_per_vertex,
-                       bool in_threads = false, const FrontKernels& kernels = fastest_kernels());
+                       bool in_threads = false, const FrontKernels& kernels = fastest_kernels(),
+                       bool keeps_root = false);
   MultifrontalCholesky(const MultifrontalCholesky&) = delete;  // substitution_ refers to layout_
   MultifrontalCholesky& operator=(const MultifrontalCholesky&) = delete;
 
@@ -38,6 +40,10 @@ class MultifrontalCholesky {
   /// number, or if the caller stops; then there is no factor to solve with. Throws std::invalid_argument at a different
   /// number of entries.
   [[nodiscard]] bool factorize(const Eigen::SparseMatrix<double>& lower, const StopToken& stop = {});
+
+  /// What elimination of all other unknowns leaves of A for those of the kept root. Substitution takes b there to its
+  /// right-hand side on the way forward, and needs its solution there on the way back.
+  Eigen::MatrixXd schur_complement() const;
 
   /// b := A⁻¹ b, right-hand sides in columns, four at a time. Throws std::logic_error without a factor.
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const;

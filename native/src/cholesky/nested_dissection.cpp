@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "cholesky/vertex_separator.h"
@@ -30,11 +31,16 @@ class Dissection {
   /// Parts of the graph that are not joined are dissected each by itself.
   DissectionTree run() {
     std::vector<char> is_met(side_.size(), 0);
+    std::vector<int> last(side_.size() - static_cast<std::size_t>(positions_.rows()));
+    std::iota(last.begin(), last.end(), static_cast<int>(positions_.rows()));
+    for (const int v : last) is_met[v] = 1;
+    std::vector<int> roots;
     for (std::size_t v = 0; v < side_.size(); ++v) {
       if (is_met[v]) continue;
       std::vector<int> part = all_joined_to(static_cast<int>(v), is_met);
-      dissect(part.begin(), part.end());
+      for (const int root : dissect(part.begin(), part.end())) roots.push_back(root);
     }
+    if (!last.empty()) append(last.begin(), last.end(), roots);
     return std::move(tree_);
   }
 

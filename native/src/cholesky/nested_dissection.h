@@ -31,6 +31,7 @@ struct DissectionTree {
 /// Halves the vertices again and again by the median of a coordinate, in the best of four directions, down to leaves
 /// of at most 16, each connected part by itself. A separator is as few vertices as meet all edges between the halves.
 /// positions: one finite row per vertex. Positions that say little (all alike, say) cost fill, not correctness.
+/// Vertices beyond the last row are the root of all others.
 DissectionTree nested_dissection(const Graph& graph, const Positions2& positions);
 
 }  // namespace wirewarp

@@ -59,7 +59,7 @@ void partition_subtrees(FrontLayout& layout) {
   const std::vector<Subtree> trees = subtrees(layout);
   std::vector<int> roots;
   for (int f = 0; f < num_fronts(layout); ++f) {
-    if (layout.fronts[f].parent == -1) roots.push_back(f);
+    if (f != layout.kept_root && layout.fronts[f].parent == layout.kept_root) roots.push_back(f);
   }
   Shares best = share(roots, trees);
   double best_time = best.largest, time_of_last = 0;
@@ -136,7 +136,9 @@ void place_schur_complements(FrontLayout& layout) {
 /// The ancestors of a share's subtree come last, so the rows that they eliminate are the last ones.
 void list_shared_vertices(FrontLayout& layout) {
   std::vector<int> place(layout.front_of_vertex.size(), -1);
-  for (int f : layout.all_fronts.ancestors) {
+  std::vector<int> shared_fronts = layout.all_fronts.ancestors;
+  if (layout.kept_root != -1) shared_fronts.push_back(layout.kept_root);
+  for (int f : shared_fronts) {
     const Front& front = layout.fronts[f];
     for (int i = 0; i < front.num_pivots; ++i) {
       const int v = layout.vertices[front.first_vertex + i];

@@ -25,19 +25,17 @@ NewtonStep newton_step(const RefineState& state) {
   const Eigen::VectorXd residual = constraints.residual(state.now.uv, state.now.variation);
   Positions2 force = state.gradient;
   constraints.add_transposed(constraints.directions(state.now.uv), state.multipliers, force);
-  NewtonSystem::Solution solution = state.system->solve_roughly(-force, -residual);
+  const NewtonSystem::Reduced reduced = state.system->reduce(-force, -residual);
   const Eigen::SparseMatrix<double>& lengths = constraints.elastic_lengths();
   Eigen::VectorXd variation = Eigen::VectorXd::Zero(constraints.num_elastic());
   if (constraints.num_elastic() > 0) {
     const Eigen::VectorXd& tolerance = constraints.tolerance();
-    variation = minimize_quadratic_in_box(-(lengths.transpose() * (state.multipliers + solution.multipliers.col(0))),
-                                          make_positive(hessian_h(lengths, state.dlambda_dh)),
+    variation = minimize_quadratic_in_box(-(lengths.transpose() * state.multipliers + reduced.pull),
+                                          make_positive(state.system->stiffness_by_variation()),
                                           -tolerance - state.now.variation, tolerance - state.now.variation);
-    solution.multipliers += state.dlambda_dh * variation;
   }
-  state.system->improve(lengths * variation - residual, solution);
-  NewtonStep step{state.system->finish(solution.d), std::move(variation),
-                  state.multipliers + solution.multipliers.col(0), 0};
+  const NewtonSystem::Solution solution = state.system->solve_on_wires(reduced, variation);
+  NewtonStep step{state.system->finish(solution.d), std::move(variation), state.multipliers + solution.multipliers, 0};
   step.slope = force.cwiseProduct(step.d).sum() - state.multipliers.dot(lengths * step.variation);
   return step;
 }

@@ -5,7 +5,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "in_threads.h"
 #include "mesh/connected_parts.h"
@@ -29,17 +28,30 @@ constexpr int kMultiplierSteps = 3;  // mostly one is enough, and what three do 
 // Of changes of length, over how far the ends of edges move apart or aside: what a step is wrong by, steps back to
 // exact lengths mend.
 constexpr double kAccuracy = 1e-9;
-constexpr double kRough = 1e-5;  // the same, for ∂λ/∂h: what one solve gives; steps are corrected after it
-// Least pivot over the largest diagonal entry: ten times the error that kRough leaves.
+// Least pivot over the largest diagonal entry: ten times the error of S where ρ holds the lengths to five digits.
 constexpr double kWellPositive = 1e-4;
-constexpr std::size_t kColumnsAtOnce = 4;  // what the Cholesky kernels take
-constexpr int kManyVariations = 200;       // beyond, eigenvalues cost more than the Newton system
+constexpr int kManyVariations = 200;  // beyond, eigenvalues cost more than the Newton system
 
-std::vector<VertexPair> coupled_vertices(const FairShapeError& objective, const LengthConstraints& constraints) {
+constexpr int kPerVertex = 2;  // unknowns of a vertex of the matrix: positions, and h likewise
+
+/// Where h of an elastic edge is in the matrix: after the positions, as if two of them were x and y of a vertex.
+int vertex_of_variation(const LengthConstraints::Edge& edge, int num_vertices) {
+  return num_vertices + edge.elastic / kPerVertex;
+}
+
+int num_matrix_vertices(const LengthConstraints& constraints, int num_vertices) {
+  return num_vertices + (constraints.num_elastic() + kPerVertex - 1) / kPerVertex;
+}
+
+std::vector<VertexPair> coupled_vertices(const FairShapeError& objective, const LengthConstraints& constraints,
+                                         int num_vertices) {
   std::vector<VertexPair> pairs;
   objective.list_pairs(pairs);
   for (int e = 0; e < constraints.size(); ++e) {  // all others are edges of triangles
-    if (constraints.is_linear(e)) pairs.push_back({constraints.edges()[e].a, constraints.edges()[e].b});
+    const LengthConstraints::Edge& edge = constraints.edges()[e];
+    if (constraints.is_linear(e)) pairs.push_back({edge.a, edge.b});
+    if (edge.elastic < 0) continue;
+    for (const int end : {edge.a, edge.b}) pairs.push_back({end, vertex_of_variation(edge, num_vertices)});
   }
   return pairs;
 }
@@ -111,23 +123,15 @@ Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric) {
   return eigen.eigenvectors() * positive.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-Eigen::MatrixXd hessian_h(const Eigen::SparseMatrix<double>& lengths, const Eigen::MatrixXd& multipliers) {
-  const Eigen::MatrixXd s = -(lengths.transpose() * multipliers);
-  return (s + s.transpose()) / 2;
-}
-
 NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints,
                            const Positions2& positions, const StopToken& stop)
     : objective_(objective),
       constraints_(constraints),
-      matrix_(static_cast<int>(chart.mesh.n_vertices()), coupled_vertices(objective, constraints)) {
+      matrix_(num_matrix_vertices(constraints, static_cast<int>(chart.mesh.n_vertices())),
+              coupled_vertices(objective, constraints, static_cast<int>(chart.mesh.n_vertices()))),
+      num_positions_(positions.size()) {
   const std::vector<ConnectedPart> parts = find_connected_parts(chart.mesh);
   pinned_ = pinned_vertices(chart, parts);
-  std::vector<int> part_of_vertex(chart.mesh.n_vertices());
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    for (const int v : parts[p].vertices) part_of_vertex[v] = static_cast<int>(p);
-  }
-  for (const LengthConstraints::Edge& edge : constraints.edges()) part_of_edge_.push_back(part_of_vertex[edge.a]);
   objective_.attach_to(matrix_);
   objective_.add_constant_hessian(matrix_);
   stiffness_.resize(constraints.size());
@@ -136,6 +140,9 @@ NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const 
     edge_blocks_.push_back(matrix_.block(std::max(edge.a, edge.b), std::min(edge.a, edge.b)));
     const double largest = std::max(matrix_.largest_diagonal(edge.a), matrix_.largest_diagonal(edge.b));
     stiffness_[e] = std::max(kSmallestStiffness, kStiffness * largest);
+    if (edge.elastic < 0) continue;
+    const int h = vertex_of_variation(edge, static_cast<int>(positions.rows()));
+    elastic_blocks_.push_back({matrix_.block(h, edge.a), matrix_.block(h, edge.b)});
   }
   const Eigen::VectorXd mass = kMass * lumped_mass(chart, parts);
   for (int v = 0; v < mass.size(); ++v) matrix_.add_diagonal(v, mass[v] * Eigen::Matrix2d::Identity());
@@ -144,7 +151,8 @@ NewtonSystem::NewtonSystem(const Chart& chart, FairShapeError& objective, const 
   stop.check();
   const DissectionTree tree = nested_dissection(matrix_.graph(), positions);
   stop.check();
-  cholesky_.emplace(matrix_.lower(), tree, 2, has_second_core());
+  cholesky_.emplace(matrix_.lower(), tree, kPerVertex, has_second_core(), fastest_kernels(),
+                    constraints.num_elastic() > 0);
   std::vector<int> wire_vertices;
   for (const LengthConstraints::Edge& edge : constraints.edges()) {
     wire_vertices.push_back(edge.a);
@@ -169,6 +177,7 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
     matrix_.add_diagonal(edge.b, block);
     matrix_.add(edge_blocks_[e], -block);
   }
+  add_elastic_springs(stiffness_share);
   if (convexity.curvature == Curvature::none) return;  // the Laplacian resists turns: a pin would press a dent
   if (!objective_.is_free_to_turn()) return;
   for (const VertexPair& pin : pinned_) {
@@ -178,152 +187,124 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
   }
 }
 
+/// What couples h with positions, and the diagonal of h: −ρ l d̂ at the end b of an edge, ρ l².
+void NewtonSystem::add_elastic_springs(double stiffness_share) {
+  auto blocks = elastic_blocks_.begin();
+  for (int e = 0; e < constraints_.size(); ++e) {
+    const LengthConstraints::Edge& edge = constraints_.edges()[e];
+    if (edge.elastic < 0) continue;
+    const int row = edge.elastic % kPerVertex;
+    const double tension = stiffness_share * stiffness_[e] * edge.length;
+    Eigen::Matrix2d block = Eigen::Matrix2d::Zero();
+    block.row(row) = tension * directions_.row(e);
+    matrix_.add((*blocks)[0], block);
+    matrix_.add((*blocks)[1], -block);
+    block.setZero();
+    block(row, row) = tension * edge.length;
+    matrix_.add_diagonal(vertex_of_variation(edge, static_cast<int>(num_positions_ / kPerVertex)), block);
+    ++blocks;
+  }
+}
+
 bool NewtonSystem::factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
                              const StopToken& stop) {
   assemble(uv, multipliers, convexity, 1);
   ++num_factorizations_;
-  return cholesky_->factorize(matrix_.lower(), stop);
+  if (!cholesky_->factorize(matrix_.lower(), stop)) return false;
+  const int num_elastic = constraints_.num_elastic();
+  if (num_elastic > 0) stiffness_h_ = cholesky_->schur_complement().topLeftCorner(num_elastic, num_elastic);
+  return true;
 }
 
 Eigen::SparseMatrix<double> NewtonSystem::hessian(const Positions2& uv, const Eigen::VectorXd& multipliers,
                                                   const Convexity& convexity) {
   assemble(uv, multipliers, convexity, 0);
-  return matrix_.lower();
+  return matrix_.lower().topLeftCorner(num_positions_, num_positions_);
 }
 
 Positions2 NewtonSystem::apply_inverse(const Positions2& b) const {
-  Positions2 x = b;
-  cholesky_->solve_in_place(Eigen::Map<Eigen::VectorXd>(x.data(), x.size()));
-  return x;
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(num_unknowns());
+  all.head(num_positions_) = Eigen::Map<const Eigen::VectorXd>(b.data(), b.size());
+  cholesky_->substitute_forward(all, cholesky_->all());
+  all.tail(num_unknowns() - num_positions_).setZero();
+  cholesky_->substitute_back(all, cholesky_->all());
+  return Eigen::Map<const Positions2>(all.data(), b.rows(), 2);
 }
 
-/// A⁻¹ Jᵀ τ on the wires, one a column.
-Eigen::MatrixXd NewtonSystem::response(const Eigen::MatrixXd& tensions) const {
-  const Eigen::Index num_vertices = matrix_.lower().rows() / 2;
-  Eigen::MatrixXd x = Eigen::MatrixXd::Zero(2 * num_vertices, tensions.cols());
-  for (Eigen::Index c = 0; c < x.cols(); ++c) {
-    constraints_.add_transposed(directions_, tensions.col(c), Eigen::Map<Positions2>(x.col(c).data(), num_vertices, 2));
-  }
+/// A⁻¹ Jᵀ τ on the wires, for h = 0.
+Eigen::VectorXd NewtonSystem::response(const Eigen::VectorXd& tensions) const {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(num_unknowns());
+  constraints_.add_transposed(directions_, tensions, Eigen::Map<Positions2>(x.data(), num_positions_ / 2, 2));
   cholesky_->substitute_forward(x, on_wires_);
+  x.tail(num_unknowns() - num_positions_).setZero();
   cholesky_->substitute_back(x, on_wires_);
   return x;
 }
 
-/// J d, one a column.
-Eigen::MatrixXd NewtonSystem::changes_of_length(const Eigen::MatrixXd& d) const {
-  Eigen::MatrixXd changes(constraints_.size(), d.cols());
-  for (Eigen::Index c = 0; c < d.cols(); ++c) {
-    changes.col(c) = constraints_.apply(directions_, Eigen::Map<const Positions2>(d.col(c).data(), d.rows() / 2, 2));
-  }
-  return changes;
+/// J d.
+Eigen::VectorXd NewtonSystem::changes_of_length(const Eigen::VectorXd& d) const {
+  return constraints_.apply(directions_, Eigen::Map<const Positions2>(d.data(), num_positions_ / 2, 2));
 }
 
-/// Of the ends of edges, in all columns.
-double NewtonSystem::relative_motion(const Eigen::MatrixXd& d) const {
+/// Of the ends of edges.
+double NewtonSystem::relative_motion(const Eigen::VectorXd& d) const {
   double sum = 0;
   for (const LengthConstraints::Edge& edge : constraints_.edges()) {
-    sum += (d.middleRows<2>(2 * edge.b) - d.middleRows<2>(2 * edge.a)).squaredNorm();
+    sum += (d.segment<2>(2 * edge.b) - d.segment<2>(2 * edge.a)).squaredNorm();
   }
   return std::sqrt(sum);
 }
 
+/// b = [r₁ + Jᵀ ρ r₂; −Tᵀ ρ r₂], forward.
+NewtonSystem::Reduced NewtonSystem::reduce(const Positions2& r1, const Eigen::VectorXd& r2) const {
+  Reduced reduced{Eigen::VectorXd::Zero(num_unknowns()), {}, r2};
+  const Eigen::VectorXd tensions = stiffness_.cwiseProduct(r2);
+  reduced.d.head(num_positions_) = Eigen::Map<const Eigen::VectorXd>(r1.data(), r1.size());
+  constraints_.add_transposed(directions_, tensions, Eigen::Map<Positions2>(reduced.d.data(), r1.rows(), 2));
+  cholesky_->substitute_forward(reduced.d, cholesky_->all());
+  // Forward substitution leaves ρ J A⁻¹ b, from which ρ r₂ is still to be taken off.
+  reduced.pull = reduced.d.segment(num_positions_, constraints_.num_elastic()) -
+                 constraints_.elastic_lengths().transpose() * tensions;
+  return reduced;
+}
+
+NewtonSystem::Solution NewtonSystem::solve(const Reduced& reduced, const Eigen::VectorXd& variation,
+                                           const FrontSet& wanted) const {
+  Solution solution{reduced.d, {}, {}};
+  solution.d.tail(num_unknowns() - num_positions_).setZero();
+  solution.d.segment(num_positions_, variation.size()) = variation;
+  cholesky_->substitute_back(solution.d, wanted);
+  const Eigen::VectorXd r2 = reduced.r2 + constraints_.elastic_lengths() * variation;
+  solution.tensions = stiffness_.cwiseProduct(r2);
+  solution.multipliers = stiffness_.cwiseProduct(changes_of_length(solution.d) - r2);
+  return solution;
+}
+
+NewtonSystem::Solution NewtonSystem::solve_roughly(const Reduced& reduced, const Eigen::VectorXd& variation) const {
+  return solve(reduced, variation, cholesky_->all());
+}
+
 /// (H + Jᵀ ρ J) d = r₁ + Jᵀ (ρ r₂ − λ), then λ += ρ (J d − r₂): the first row holds after every step, the second is
 /// better by a factor of about ρ over the stiffness of the surface.
-void NewtonSystem::improve(const Eigen::MatrixXd& r2, double accuracy, Solution& solution) const {
+void NewtonSystem::improve(const Eigen::VectorXd& r2, Solution& solution) const {
   for (int i = 0; i < kMultiplierSteps; ++i) {
-    Eigen::MatrixXd tensions = stiffness_.asDiagonal() * r2 - solution.multipliers;
+    Eigen::VectorXd tensions = stiffness_.cwiseProduct(r2) - solution.multipliers;
     solution.d += response(tensions - solution.tensions);
     solution.tensions = std::move(tensions);
-    const Eigen::MatrixXd missing = changes_of_length(solution.d) - r2;
-    solution.multipliers += stiffness_.asDiagonal() * missing;
-    if (missing.norm() <= accuracy * relative_motion(solution.d)) return;
+    const Eigen::VectorXd missing = changes_of_length(solution.d) - r2;
+    solution.multipliers += stiffness_.cwiseProduct(missing);
+    if (missing.norm() <= kAccuracy * relative_motion(solution.d)) return;
   }
 }
 
-NewtonSystem::Solution NewtonSystem::solve_roughly(const Positions2& r1, const Eigen::VectorXd& r2) const {
-  Solution solution;
-  solution.tensions = stiffness_.cwiseProduct(r2);
-  Positions2 b = r1;
-  constraints_.add_transposed(directions_, solution.tensions.col(0), b);
-  solution.d = Eigen::Map<const Eigen::VectorXd>(b.data(), b.size());
-  cholesky_->substitute_forward(solution.d, cholesky_->all());
-  cholesky_->substitute_back(solution.d, on_wires_);
-  solution.multipliers = stiffness_.asDiagonal() * (changes_of_length(solution.d) - r2);
+NewtonSystem::Solution NewtonSystem::solve_on_wires(const Reduced& reduced, const Eigen::VectorXd& variation) const {
+  Solution solution = solve(reduced, variation, on_wires_);
+  improve(reduced.r2 + constraints_.elastic_lengths() * variation, solution);
   return solution;
 }
-
-void NewtonSystem::improve(const Eigen::MatrixXd& r2, Solution& solution) const { improve(r2, kAccuracy, solution); }
 
 NewtonSystem::Solution NewtonSystem::solve_on_wires(const Positions2& r1, const Eigen::VectorXd& r2) const {
-  Solution solution = solve_roughly(r1, r2);
-  improve(r2, solution);
-  return solution;
-}
-
-/// The connected parts that a column of T has edges in.
-std::set<int> NewtonSystem::parts_of_column(int w) const {
-  std::set<int> parts;
-  for (Eigen::SparseMatrix<double>::InnerIterator entry(constraints_.elastic_lengths(), w); entry; ++entry) {
-    parts.insert(part_of_edge_[entry.row()]);
-  }
-  return parts;
-}
-
-/// The columns of T in groups of such as have no connected part in common: those of one group are solved for as one.
-std::vector<std::vector<int>> NewtonSystem::columns_apart() const {
-  const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
-  std::vector<std::vector<int>> groups;
-  std::vector<std::set<int>> parts_of_group;
-  for (int w = 0; w < lengths.cols(); ++w) {
-    const std::set<int> parts = parts_of_column(w);
-    const auto is_apart = [&](const std::set<int>& others) {
-      return std::none_of(parts.begin(), parts.end(), [&](int part) { return others.count(part) > 0; });
-    };
-    const auto g = std::find_if(parts_of_group.begin(), parts_of_group.end(), is_apart) - parts_of_group.begin();
-    groups.resize(std::max(groups.size(), static_cast<std::size_t>(g) + 1));
-    parts_of_group.resize(groups.size());
-    groups[g].push_back(w);
-    parts_of_group[g].insert(parts.begin(), parts.end());
-  }
-  return groups;
-}
-
-Eigen::MatrixXd NewtonSystem::dlambda_dh(const StopToken& stop) const {
-  const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
-  Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(lengths.rows(), lengths.cols());
-  const std::vector<std::vector<int>> groups = columns_apart();
-  for (std::size_t first = 0; first < groups.size() && stop.may_go_on(); first += kColumnsAtOnce) {
-    const auto columns = static_cast<Eigen::Index>(std::min(kColumnsAtOnce, groups.size() - first));
-    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(lengths.rows(), columns);
-    Solution solution{Eigen::MatrixXd::Zero(matrix_.lower().rows(), columns), none, none};
-    Eigen::MatrixXd changes = none;
-    for (Eigen::Index c = 0; c < columns; ++c) {
-      for (const int w : groups[first + c]) changes.col(c) += lengths.col(w);
-    }
-    improve(changes, kRough, solution);
-    for (Eigen::Index c = 0; c < columns; ++c) {
-      for (const int w : groups[first + c]) {
-        const std::set<int> parts = parts_of_column(w);
-        for (int e = 0; e < constraints_.size(); ++e) {
-          if (parts.count(part_of_edge_[e]) > 0) multipliers(e, w) = solution.multipliers(e, c);
-        }
-      }
-    }
-  }
-  return multipliers;
-}
-
-Eigen::MatrixXd NewtonSystem::stiffness_by_variation() const {
-  const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
-  const Eigen::SparseMatrix<double> stretched = stiffness_.asDiagonal() * lengths;
-  Eigen::MatrixXd result = Eigen::SparseMatrix<double>(lengths.transpose() * stretched).toDense();
-  constexpr Eigen::Index kColumns = kColumnsAtOnce;
-  for (Eigen::Index first = 0; first < lengths.cols(); first += kColumns) {
-    const Eigen::Index columns = std::min(kColumns, lengths.cols() - first);
-    const Eigen::MatrixXd tensions = stretched.middleCols(first, columns).toDense();
-    result.middleCols(first, columns) -= stretched.transpose() * changes_of_length(response(tensions));
-  }
-  return result;
+  return solve_on_wires(reduce(r1, r2), Eigen::VectorXd::Zero(constraints_.num_elastic()));
 }
 
 Eigen::VectorXd NewtonSystem::least_change(const Eigen::VectorXd& r2) const {
@@ -331,9 +312,9 @@ Eigen::VectorXd NewtonSystem::least_change(const Eigen::VectorXd& r2) const {
 }
 
 Positions2 NewtonSystem::finish(const Eigen::VectorXd& d_on_wires) const {
-  Positions2 d = Eigen::Map<const Positions2>(d_on_wires.data(), d_on_wires.size() / 2, 2);
-  cholesky_->substitute_back(Eigen::Map<Eigen::VectorXd>(d.data(), d.size()), off_wires_);
-  return d;
+  Eigen::VectorXd d = d_on_wires;
+  cholesky_->substitute_back(d, off_wires_);
+  return Eigen::Map<const Positions2>(d.data(), num_positions_ / 2, 2);
 }
 
 }  // namespace wirewarp

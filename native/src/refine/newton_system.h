@@ -11,10 +11,14 @@
 // A method for nonlinear constraints in minimization problems, 1969).
 //
 // All of them but the last need d on the wires only: back substitution goes on from there once, in finish().
+//
+// The length variations h of elastic parts are unknowns, too, with the springs ρ between J d and T h. They come last
+// and are not eliminated, for a quadratic program has to choose them within their tolerances: with d eliminated, what
+// is left is ½ h·S h − h·Tᵀλ, S = Tᵀ (ρ − ρ J A⁻¹ Jᵀ ρ) T and λ those of h = 0. Back substitution then starts from h.
 #pragma once
 
+#include <array>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -35,9 +39,6 @@ struct Convexity {
 /// of the largest: a model that has a minimum. One of more than 200 rows gets a larger diagonal instead.
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric);
 
-/// S = −Tᵀ ∂λ/∂h: the Hessian by h of the least q(d) = g·d + ½ d·Hd with J d = T h. lengths: T; multipliers: ∂λ/∂h.
-Eigen::MatrixXd hessian_h(const Eigen::SparseMatrix<double>& lengths, const Eigen::MatrixXd& multipliers);
-
 class NewtonSystem {
  public:
   /// objective, constraints: must outlive the system. positions: any layout that tells near vertices from far ones,
@@ -53,33 +54,43 @@ class NewtonSystem {
   bool factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
                  const StopToken& stop = {});
 
-  /// H at uv, with 10⁻⁴ M and the pins, to multiply with; lower triangle.
+  /// H at uv, with 10⁻⁴ M and the pins, to multiply with; lower triangle, positions alone.
   Eigen::SparseMatrix<double> hessian(const Positions2& uv, const Eigen::VectorXd& multipliers,
                                       const Convexity& convexity);
 
-  /// Solutions on their way, one a column: A d = r₁ + Jᵀ τ on the wires, x and y of each vertex below one another.
-  /// Elsewhere d holds what finish() needs, and so do sums of such d.
-  struct Solution {
-    Eigen::MatrixXd d;
-    Eigen::MatrixXd tensions;     // τ
-    Eigen::MatrixXd multipliers;  // λ
+  /// Numbers of a d: of positions and of h.
+  Eigen::Index num_unknowns() const { return matrix_.lower().rows(); }
+
+  /// The way forward: a solution but for the h that is to be chosen.
+  struct Reduced {
+    Eigen::VectorXd d;     // substituted forward, x and y of each vertex below one another
+    Eigen::VectorXd pull;  // Tᵀλ for h = 0, #elastic
+    Eigen::VectorXd r2;
   };
 
-  /// d on the wires and λ by one solve, to about five digits. r1: one row per chart vertex; r2: #edges.
-  Solution solve_roughly(const Positions2& r1, const Eigen::VectorXd& r2) const;
+  /// A solution on its way: A d = r₁ + Jᵀ τ on the wires, x and y of each vertex below one another. Elsewhere d holds
+  /// what finish() needs, and so do sums of such d.
+  struct Solution {
+    Eigen::VectorXd d;
+    Eigen::VectorXd tensions;     // τ
+    Eigen::VectorXd multipliers;  // λ
+  };
 
-  /// Goes on to nine digits, or to another r₂, the multipliers being a guess.
-  void improve(const Eigen::MatrixXd& r2, Solution& solution) const;
+  /// r1: one row per chart vertex; r2: #edges.
+  Reduced reduce(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
-  /// Both: d on the wires and λ.
+  /// d on the wires and λ, J d being r₂ + T h, to nine digits.
+  Solution solve_on_wires(const Reduced& reduced, const Eigen::VectorXd& variation) const;
+
+  /// The same for h = 0.
   Solution solve_on_wires(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
-  /// ∂λ/∂h for all elastic parts, J d being T h, to about five digits. #edges by #elastic; zero in the
-  /// columns that are left where the caller stops.
-  Eigen::MatrixXd dlambda_dh(const StopToken& stop = {}) const;
+  /// d everywhere and λ by one solve, to about five digits.
+  Solution solve_roughly(const Reduced& reduced, const Eigen::VectorXd& variation) const;
 
-  /// Tᵀ (ρ − ρ J A⁻¹ Jᵀ ρ) T: how the springs ρ of the edges resist Δh, where d follows them. #elastic by #elastic.
-  Eigen::MatrixXd stiffness_by_variation() const;
+  /// S of the last factorization: how the springs ρ of the edges resist h, where d follows them. With ρ that hold the
+  /// lengths to about five digits ∂(−Tᵀλ)/∂h. #elastic by #elastic.
+  const Eigen::MatrixXd& stiffness_by_variation() const { return stiffness_h_; }
 
   /// d on the wires with J d = r2, the least in the metric H, to the accuracy of one solve.
   Eigen::VectorXd least_change(const Eigen::VectorXd& r2) const;
@@ -98,23 +109,25 @@ class NewtonSystem {
  private:
   void assemble(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
                 double stiffness_share);
-  std::set<int> parts_of_column(int w) const;
-  std::vector<std::vector<int>> columns_apart() const;
-  Eigen::MatrixXd response(const Eigen::MatrixXd& tensions) const;
-  Eigen::MatrixXd changes_of_length(const Eigen::MatrixXd& d) const;
-  double relative_motion(const Eigen::MatrixXd& d) const;
-  void improve(const Eigen::MatrixXd& r2, double accuracy, Solution& solution) const;
+  void add_elastic_springs(double stiffness_share);
+  Solution solve(const Reduced& reduced, const Eigen::VectorXd& variation, const FrontSet& wanted) const;
+  Eigen::VectorXd response(const Eigen::VectorXd& tensions) const;
+  Eigen::VectorXd changes_of_length(const Eigen::VectorXd& d) const;
+  double relative_motion(const Eigen::VectorXd& d) const;
+  void improve(const Eigen::VectorXd& r2, Solution& solution) const;
 
   FairShapeError& objective_;
   const LengthConstraints& constraints_;
   VertexMatrix matrix_;
   std::vector<VertexPair> pinned_;  // one a connected part, hold its rigid motions: the first altogether, the second
                                     // against turning
-  std::vector<int> part_of_edge_;   // the connected part of each edge whose length is held
   std::vector<VertexMatrix::Block> edge_blocks_;
-  Eigen::ArrayXd constant_;    // values of L + the Hessian of F + 10⁻⁴ M + the pin that never turns
-  Eigen::VectorXd stiffness_;  // ρ
-  Positions2 directions_;      // d̂
+  std::vector<std::array<VertexMatrix::Block, 2>> elastic_blocks_;  // of h and the ends a, b of each elastic edge
+  Eigen::Index num_positions_;                                      // unknowns before h
+  Eigen::ArrayXd constant_;      // values of L + the Hessian of F + 10⁻⁴ M + the pin that never turns
+  Eigen::VectorXd stiffness_;    // ρ
+  Eigen::MatrixXd stiffness_h_;  // S
+  Positions2 directions_;        // d̂
   std::optional<MultifrontalCholesky> cholesky_;  // of A
   FrontSet on_wires_, off_wires_;
   int num_factorizations_ = 0;

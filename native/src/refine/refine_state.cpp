@@ -18,9 +18,7 @@ RefineState::RefineState(const RefineTask& refine_task, const RefinementStart& s
 bool RefineState::factorize(const Convexity& convexity) {
   if (!system) system.emplace(task.chart, problem.objective(), problem.constraints(), now.uv, limits.stop);
   limits.budget.spend(1);
-  if (!system->factorize(now.uv, multipliers, convexity, limits.stop)) return false;
-  if (problem.constraints().num_elastic() > 0) dlambda_dh = system->dlambda_dh(limits.stop);
-  return !limits.stop.is_stopped();
+  return system->factorize(now.uv, multipliers, convexity, limits.stop);
 }
 
 bool RefineState::evaluate(RefineIterate& trial) const {

@@ -46,7 +46,6 @@ struct RefineState {
   RefineIterate now;
   Positions2 gradient;          // of f
   Eigen::VectorXd multipliers;  // λ
-  Eigen::MatrixXd dlambda_dh;   // ∂λ/∂h for the factor
   int iterations = 0;
 };
 

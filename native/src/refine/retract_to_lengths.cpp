@@ -14,7 +14,7 @@ constexpr double kMostLeft = 0.9;  // of the error after a step: with 0.45, 5 % 
 
 bool retract_to_lengths(const LengthConstraints& constraints, const NewtonSystem& system,
                         const Eigen::VectorXd& variation, Positions2& uv, const StopToken& stop) {
-  Eigen::VectorXd moved = Eigen::VectorXd::Zero(uv.size());  // on the wires: steps need no more
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(system.num_unknowns());  // on the wires: steps need no more
   Eigen::VectorXd residual = constraints.residual(uv, variation);
   double error = constraints.largest_error(residual);
   for (int i = 0; i < kMaxSteps && error > LengthConstraints::exact; ++i) {

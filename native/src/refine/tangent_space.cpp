@@ -5,38 +5,34 @@
 
 namespace wirewarp {
 
-TangentSpace::TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints,
-                           const Eigen::MatrixXd& dlambda_dh, std::vector<int> free)
+TangentSpace::TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free)
     : system_(system), constraints_(constraints), free_(std::move(free)) {
   if (free_.empty()) return;
-  dlambda_dh_ = dlambda_dh(Eigen::all, free_);
-  factor_h_.compute(make_positive(hessian_h(constraints.elastic_lengths(), dlambda_dh)(free_, free_)));
+  factor_h_.compute(make_positive(system.stiffness_by_variation()(free_, free_)));
 }
 
-/// Stationary are G d + Jᵀλ = r_u and -Tᵀλ = r_h. With λ = λ₀ + ∂λ/∂h Δh that is S Δh = r_h + Tᵀλ₀.
+/// Stationary are G d + Jᵀλ = r_u and -Tᵀλ = r_h: S Δh = r_h + Tᵀλ with the λ of Δh = 0. One solve holds lengths to
+/// seven digits or so: enough for a direction, as the way back to exact lengths is gone from its end.
 Eigen::VectorXd TangentSpace::solve(Eigen::VectorXd& force) const {
   const auto num_free = static_cast<Eigen::Index>(free_.size());
   const Eigen::Index size = force.size() - num_free;
   const Eigen::SparseMatrix<double>& lengths = constraints_.elastic_lengths();
-  const Positions2 on_vertices = Eigen::Map<const Positions2>(force.data(), size / 2, 2);
+  const NewtonSystem::Reduced reduced = system_.reduce(Eigen::Map<const Positions2>(force.data(), size / 2, 2),
+                                                       Eigen::VectorXd::Zero(constraints_.size()));
   Eigen::VectorXd result(force.size());
-  NewtonSystem::Solution solution = system_.solve_roughly(on_vertices, Eigen::VectorXd::Zero(constraints_.size()));
   Eigen::VectorXd variation = Eigen::VectorXd::Zero(constraints_.num_elastic());
   if (num_free > 0) {
-    const Eigen::VectorXd pull = lengths.transpose() * solution.multipliers.col(0);
-    result.tail(num_free) = factor_h_.solve(force.tail(num_free) + pull(free_));
-    solution.multipliers += dlambda_dh_ * result.tail(num_free);
+    result.tail(num_free) = factor_h_.solve(force.tail(num_free) + reduced.pull(free_));
     variation(free_) = result.tail(num_free);
   }
-  system_.improve(lengths * variation, solution);
-  const Positions2 d = system_.finish(solution.d);
-  result.head(size) = Eigen::Map<const Eigen::VectorXd>(d.data(), size);
+  const NewtonSystem::Solution solution = system_.solve_roughly(reduced, variation);
+  result.head(size) = solution.d.head(size);
 
   Positions2 normal = Positions2::Zero(size / 2, 2);
   constraints_.add_transposed(system_.directions(), solution.multipliers, normal);
   force.head(size) -= Eigen::Map<const Eigen::VectorXd>(normal.data(), size);
   if (num_free > 0) {
-    const Eigen::VectorXd pull = lengths.transpose() * solution.multipliers.col(0);
+    const Eigen::VectorXd pull = lengths.transpose() * solution.multipliers;
     force.tail(num_free) += pull(free_);
   }
   return result;

@@ -12,10 +12,9 @@ namespace wirewarp {
 
 class TangentSpace {
  public:
-  /// system: factored, with a convex H = G; it and the constraints must outlive the space, unchanged. dlambda_dh:
-  /// ∂λ/∂h for that factor. free: elastic parts of the constraints.
-  TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, const Eigen::MatrixXd& dlambda_dh,
-               std::vector<int> free);
+  /// system: factored, with a convex H = G; it and the constraints must outlive the space, unchanged. free:
+  /// elastic parts of the constraints.
+  TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free);
 
   const std::vector<int>& free() const { return free_; }
 
@@ -30,7 +29,6 @@ class TangentSpace {
   const NewtonSystem& system_;
   const LengthConstraints& constraints_;
   std::vector<int> free_;
-  Eigen::MatrixXd dlambda_dh_;            // of the free parts
   Eigen::LLT<Eigen::MatrixXd> factor_h_;  // of S of the free parts
 };
 

@@ -42,7 +42,7 @@ StepOutcome TrustRegion::take_step(RefineState& state) {
   const LengthConstraints& constraints = state.problem.constraints();
   state.multipliers =
       state.system->solve_on_wires(-state.gradient, Eigen::VectorXd::Zero(constraints.size())).multipliers;
-  const TangentSpace space(*state.system, constraints, state.dlambda_dh, free_parts(state));
+  const TangentSpace space(*state.system, constraints, free_parts(state));
   const Eigen::SparseMatrix<double> hessian = state.system->hessian(state.now.uv, state.multipliers, kExactHessian);
   const auto times_hessian = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
     Eigen::VectorXd y = Eigen::VectorXd::Zero(x.size());
