@@ -10,7 +10,9 @@
 #include <random>
 #include <set>
 
+#include "arap/shape_error.h"
 #include "coarsen/prolong.h"
+#include "coarsen/prolong_wires.h"
 #include "mesh/edge_table.h"
 #include "mesh/geometry.h"
 #include "planar.h"
@@ -267,6 +269,20 @@ TEST(Prolong, FollowsQuadraticMaps) {
     error += (uv.row(v.idx()) - wanted.row(v.idx())).squaredNorm();
   }
   EXPECT_LT(error, 0.1 * linear);
+}
+
+/// Some triangles of the sheet are folded over their neighbors, and a smooth map leaves them so.
+TEST(Prolong, FlipsNoTriangleOfAJitteredSheet) {
+  const int n = 72;
+  const Coarse c(with_cross(jittered_grid(n, 0.32, dome), n));
+  RefineBudget budget(100);
+  const Positions2 coarse_uv = refine_from_scratch({c.coarse.chart, c.coarse.network, 0.3}, budget).shape.uv;
+  Positions2 smooth = interpolate(c.chart, c.coarse, coarse_uv);
+  prolong_wires(c.chart, c.network, c.coarse, coarse_uv, smooth);
+  EXPECT_GT(ShapeError(c.chart).count_flips(smooth), 0);
+  const Positions2 uv = prolong_positions(c.chart, c.network, c.coarse, coarse_uv);
+  EXPECT_EQ(ShapeError(c.chart).count_flips(uv), 0);
+  EXPECT_LT(((uv - smooth).rowwise().norm().array() > 0).count(), uv.rows() / 10) << "other vertices stay";
 }
 
 /// From the coarse shape to the same minimum as from scratch, in few factorizations.

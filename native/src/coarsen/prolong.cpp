@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "coarsen/prolong_wires.h"
+#include "coarsen/unfold_slivers.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
@@ -68,6 +69,7 @@ Positions2 prolong_positions(const Chart& chart, const HeldNetwork& network, con
                              const Positions2& coarse_uv) {
   Positions2 uv = interpolate(chart, coarse, coarse_uv);
   prolong_wires(chart, network, coarse, coarse_uv, uv);
+  unfold_slivers(chart, network, uv);
   return uv;
 }
 

@@ -14,7 +14,7 @@ namespace wirewarp {
 /// with Jᵢ the mean derivative around coarse vertex i: exact for affine maps, and for quadratic ones as far as Jᵢ is.
 Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Positions2& coarse_uv);
 
-/// The same, with the wires placed by their runs (prolong_wires.h).
+/// The same, with the wires placed by their runs (prolong_wires.h) and no sliver flipped (unfold_slivers.h).
 Positions2 prolong_positions(const Chart& chart, const HeldNetwork& network, const CoarseChart& coarse,
                              const Positions2& coarse_uv);
 
