@@ -205,3 +205,20 @@ def test_an_allowance_that_folds_back_lies_on_the_piece_and_leaves_its_neighbor_
         mirrored = shapely.Polygon(corners - 2 * ((corners - a) @ aside)[:, None] * aside)
         near = shapely.Point(b if back is first else a).buffer(60)
         assert mirrored.intersection(near).difference(cut.buffer(1e-3)).area < 1e-3
+
+
+@pytest.mark.parametrize("width", [3.0, 10.0])
+@pytest.mark.parametrize("degrees", [8, 30, 46, 48, 60, 90, 150])
+def test_a_tip_inside_of_a_section_is_a_mitre_that_is_cut_square_at_its_limit(degrees, width):
+    """The mitre of an outline that turns by a tip of this angle is width / sin(angle / 2) away."""
+    half = math.radians(degrees / 2)
+    tip, leg = np.array([0.0, 0.0]), 400.0
+    ends = leg * np.array([[-math.cos(half), -math.sin(half)], [-math.cos(half), math.sin(half)]])
+    outline = np.array([ends[1], [-1.5 * leg, 0.0], ends[0], tip, ends[1]])  # begins elsewhere
+    (outer,) = cut_lines([[Section(outline, width)]]).outer
+    straight_on = shapely.LineString([tip, (50 * width, 0)]).intersection(shapely.LinearRing(outer))
+    expected = min(2.5 * width, width / math.sin(half))
+    assert shapely.distance(straight_on, shapely.Point(tip)) == pytest.approx(expected, abs=1e-3)
+    if expected == 2.5 * width:  # square to the way straight on
+        edge = outer[np.abs(outer[:, 0] - expected) < 1e-3]
+        assert len(edge) == 2 and edge[:, 1].sum() == pytest.approx(0, abs=1e-3)
