@@ -36,7 +36,7 @@ no_seam: (k, 2) vertex pairs, edges along which no cut is to run.
 progress: called as progress("cuts", fraction); returning False cancels, which raises FlattenError.
 The other arguments are those of flatten().
 
-Raises what flatten() raises; the error of the piece asked for, if it does not lie flat, with the seams that mend it;
+Raises what flatten() raises; the error of the piece asked for, if it does not lie flat, with the seams that fix it;
 FlattenError "no_proposal" where a piece is flat already, has no room or gains nothing.)";
 
 constexpr const char* kSeamsDoc =
@@ -44,13 +44,13 @@ constexpr const char* kSeamsDoc =
 
 Arguments, figures and errors are those of propose_darts().
 
-First cuts: where the piece has no flat shape for want of seams (it is closed, such as a ball, has handles, or an outline
-that cannot hold it, such as a tube), each proposal is a set of seams and darts under which all parts lie flat. Of all pieces
-the largest such one comes first. The first set has as many cuts as bring every part to the strain that may stay (None
-for 0.05), as far as further ones help, forty and their mirror images at most; each set after it has fewer. Sets are
-symmetric where the piece is, and may cross wires. Of a set, edges is one line after the other, energy that of all
-parts, strain that of the part with most, longest is of the whole set; energy_before and strain_before are infinite.
-"no_proposal" is raised where no_seam or longest leaves none.)";
+Cut sets: if the piece has no flat shape because it lacks seams (it is closed, such as a ball, has handles, or an
+outline that cannot hold it, such as a tube), each proposal is a set of seams and darts under which all parts lie
+flat. If any piece may be cut, the largest one that lacks seams comes first. The first set brings every part to the
+strain that may stay (None for 0.05), as far as cuts help, forty and their mirror images at most. Each set after it is
+shorter and leaves more strain. Sets are symmetric if the piece is, and may cross wires. For a set, edges is one line
+after the other, energy that of all parts, strain that of the part with most, longest is of the whole set;
+energy_before and strain_before are infinite. "no_proposal" is raised if no_seam or longest leaves none.)";
 
 constexpr const char* kStartDartsDoc =
     R"(Starts propose_darts() with these arguments and returns a Job at once, as start() does.)";
@@ -62,8 +62,8 @@ constexpr const char* kPlanDoc =
     R"(Cuts one after the other, until the strain is low enough: each cuts the piece with most strain that a cut helps.
 
 kind: "dart" or "seam", as propose_darts() and propose_seams() propose them.
-strain: the aim, 0.05 for 5%: pieces strained by no more (DartProposal.strain) are left as they are.
-most: cuts at most, 1 or more; a set of first cuts (see propose_seams()) counts as one.
+strain: the target, 0.05 for 5%: pieces strained by no more (DartProposal.strain) are left as they are.
+most: cuts at most, 1 or more; a cut set (see propose_seams()) counts as one.
 longest: no cut is longer on the surface, scene units; None for any length.
 total_length: of all cuts together at most, on the surface, scene units; None for any length.
 piece: the piece to cut, as flatten() numbers them, and then its parts; None for any.
@@ -72,8 +72,8 @@ no_seam: (k, 2) vertex pairs, edges along which no cut is to run.
 The other arguments are those of flatten(); progress is as propose_darts() calls it.
 
 The figures of each, and the number of its piece, are those beside the cuts before it; strain_left is what the part with
-most strain has with all of them. Fewer cuts than are allowed mean that the aim is met, or that no further one helps.
-Raises what propose_darts() raises for the first cut: FlattenError "no_proposal" where the aim is met without any.)";
+most strain has with all of them. Fewer cuts than are allowed mean that the target is met, or that no further one helps.
+Raises what propose_darts() raises for the first cut: FlattenError "no_proposal" if the target is met without any.)";
 
 constexpr const char* kStartPlanDoc =
     R"(Starts plan_cuts() with these arguments and returns a Job at once, as start() does.)";

@@ -8,7 +8,7 @@
 
 namespace wirewarp {
 
-/// Faces of a flat piece that are turned over or overlap others, in increasing order. uv: a row per vertex at least.
+/// Faces of a flat piece that are flipped or overlap others, in increasing order. uv: a row per vertex at least.
 std::vector<int> find_folded_faces(const HalfEdgeMesh& mesh, const Positions2& uv);
 
 }  // namespace wirewarp

@@ -9,7 +9,7 @@
 namespace wirewarp {
 namespace {
 
-/// How far each vertex is from the plane, times two, with a sign that tells its side; scene units.
+/// How far each vertex is from the plane, times two, with a sign for its side; scene units.
 std::vector<double> distances_across(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& image) {
   OpenMesh::Vec3d across(0, 0, 0);
   std::vector<double> distances;

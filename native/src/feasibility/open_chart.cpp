@@ -23,9 +23,12 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kMostDepth = 3;  // cuts of pieces of pieces: eight of them, as many as a garment has
-constexpr int kMostTrials =
-    3;  // in full, of the cuts of one chart: with 2 garments fall into more pieces, 5 are no better
+/// Levels of parts of parts: eight parts, as many as a garment has. Of 64 meshes of garments, shoes, cushions, toys and
+/// figures, 41 were opened at once, 8 needed one more level, none two.
+constexpr int kMostDepth = 3;
+
+/// Cuts of one chart whose parts are judged: with 2, garments fall into more pieces, 5 are not better.
+constexpr int kMostJudged = 3;
 
 /// What distortion costs, in cut length over the square root of the area: a cushion is cut around its edge (2.8,
 /// distortion 0.02) and not open along one line (1.2, distortion 0.3), a skirt open along one (0.7, 0.014) and not
@@ -38,7 +41,7 @@ constexpr double kSamePrice = 1e-6;
 
 /// How a chart lies when no length is held.
 struct Proxy {
-  double covered = 0;     // area of faces that are turned over or overlap others, scene units squared
+  double covered = 0;     // area of faces that are flipped or overlap others, scene units squared
   double distortion = 0;  // E of Eq. (4), scene units squared
 };
 
@@ -208,7 +211,7 @@ CutMask OpeningSearch::open(const Chart& piece, int depth) const {
   const Division* best = nullptr;
   std::vector<std::size_t> failing;
   double failing_area = 0;
-  for (std::size_t i = 0; i < tried.size() && i < kMostTrials && (!best || !failing.empty()); ++i) {
+  for (std::size_t i = 0; i < tried.size() && i < kMostJudged && (!best || !failing.empty()); ++i) {
     if (!stop_.may_go_on()) return none_;
     std::vector<std::size_t> failing_here = failing_pieces(tried[i]);
     double area = 0;

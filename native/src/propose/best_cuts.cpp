@@ -21,7 +21,7 @@ namespace {
 /// A piece is larger only if it is so by more than rounding makes of its area when the input is turned.
 constexpr double kClearlyLarger = 1 + 1e-9;
 
-/// In this order, twins by their new places; each pair counts once.
+/// The best by gain, mirror images by their new places. A pair counts once.
 std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, const std::vector<double>& gains,
                                   int count) {
   std::vector<int> order(proposals.size());
@@ -59,7 +59,7 @@ std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, 
   for (const int c : order) {
     const double energy = total_energy(*pieces[c]);
     const auto gain_more = std::count_if(gains.begin(), gains.end(), [&](double gain) { return gain >= energy; });
-    if (pieces[c]->error || gain_more >= 2 * wishes.count) break;  // twins counted
+    if (pieces[c]->error || gain_more >= 2 * wishes.count) break;  // both of a mirrored pair counted
     try {
       const int first = static_cast<int>(proposals.size());
       const PieceFigures before = figures_of(pieces, pieces[c]->chart);

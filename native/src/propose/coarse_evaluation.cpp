@@ -16,19 +16,19 @@ namespace {
 
 constexpr double kDoesNotLieFlat = std::numeric_limits<double>::infinity();
 
-/// Good cuts take 3 to 8; what takes many has wires that hardly fit.
+/// Good cuts take 3 to 8; pieces that take many have wires that hardly fit.
 constexpr int kMaxFactorizations = 20;
 
-/// Energy of the uncut shape over its area, below which it is a start for the cut ones: it takes half the time of the
-/// starts of refine_chart(). On a hat (.04) and a cushion (.26) it leads to folds in every third trial, on seven panels
+/// Energy of the uncut shape over its area, below which the cut pieces start from it, in half the time that the starts
+/// of refine_chart() take. On a hat (.04) and a cushion (.26) it leads to folds in every third trial, on seven panels
 /// of garments (.0006 to .01) in none of the best.
 constexpr double kNearFlat = 0.02;
 
 InternalOptions brief(InternalOptions options) {
   options.max_factorizations = kMaxFactorizations;
-  options.mends_folds = false;  // what folds is no good cut, and to mend it takes as long as ten trials
+  options.mends_folds = false;  // a cut that folds the piece is not a good one, and to fix it takes as long as ten
   options.aim = Aim::rough;
-  options.cloth.reset();  // with one a trial takes about twice as long, and runs in full decide
+  options.cloth.reset();  // takes about twice as long, and exact evaluations decide
   return options;
 }
 

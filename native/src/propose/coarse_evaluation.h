@@ -10,7 +10,7 @@
 
 namespace wirewarp {
 
-/// Tries cuts of one chart, from several threads at once.
+/// The coarse evaluation of cuts of one chart, mostly of a coarse copy: a few Newton steps. In any thread.
 class CoarseEvaluation {
  public:
   /// The chart must outlive the trials. Throws Stopped.
@@ -20,7 +20,7 @@ class CoarseEvaluation {
   /// flat.
   double energy_uncut() const { return uncut_; }
 
-  /// E of the chart cut along edges of it, likewise. Throws Stopped.
+  /// The same for the chart cut along some of its edges. Throws Stopped.
   double energy_when_cut(const CutMask& cut, const StopToken& stop) const;
 
  private:

@@ -29,7 +29,7 @@ struct CandidatePoints {
 };
 
 /// Darts: from points spread over the inside to points spread along the outline, and to where ways to it are the
-/// shortest of their neighborhood. Seams likewise, from points spread along the outline.
+/// shortest of their neighborhood. Seams in the same way, from points spread along the outline.
 std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind,
                                      CandidatePoints count);
 

@@ -42,7 +42,7 @@ struct Grid {
 
 /// Points inside are about a fifth of the piece's width apart, those of a short piece's outline a width. With half the
 /// faces the order of the best cuts is no longer that of the piece itself: on a hat the best dart of all was the
-/// eleventh. On the way to a set each cut is one of many, and the next one mends what it lacks: about half of all
+/// eleventh. On the way to a set each cut is one of many, and the next one makes up for it: about half of all
 /// points and faces lead to sets as good in a fourth of the time.
 Grid grid_of(Effort effort) { return effort == Effort::thorough ? Grid{{24, 14}, 800} : Grid{{12, 8}, 400}; }
 
@@ -266,7 +266,7 @@ std::vector<DartProposal> PieceSearch::search(const PieceFigures& before) {
   std::vector<Tried> best;
   for (Tried& tried : helpful) {
     const bool is_known = std::any_of(best.begin(), best.end(),
-                                       [&](const Tried& better) { return is_beside(better.chain, tried.chain); });
+                                      [&](const Tried& better) { return is_beside(better.chain, tried.chain); });
     if (!is_known && static_cast<int>(best.size()) < wishes_.count) best.push_back(std::move(tried));
   }
   std::vector<HalfEdgeChain> image_chains;

@@ -10,13 +10,13 @@
 
 namespace wirewarp {
 
-/// How much is flattened in full.
+/// How much is evaluated exactly.
 enum class Effort {
   thorough,  // what the coarse copy may have mistaken, too, and mirror images
   quick,     // the best alone: of several cuts on the way to a set
 };
 
-/// The search in one piece: candidates are ranked on a coarse copy, and the best of them flattened in full.
+/// The search in one piece: candidates are ranked on a coarse copy, and the best of them evaluated exactly.
 class PieceSearch {
  public:
   /// piece: one of the pieces. All references are kept.
