@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <ostream>
 #include <set>
 #include <string>
 
 #include "disguise.h"
 #include "planar.h"
+#include "propose/merge_sections.h"
 #include "test_meshes.h"
 #include "wirewarp/propose.h"
 
@@ -262,6 +264,48 @@ TEST(CutSetSearch, SayWhyThereAreNone) {
   wishes.no_seam = as_rows(undirected(all));
   EXPECT_NE(refusal(input, wishes).find("no set of seams was found along edges that may have a seam"),
             std::string::npos);
+}
+
+TEST(MergeSections, LeaveOneOfThreeSeamsOfATube) {
+  const int around = 16, rows = 8;
+  const double height = 4;
+  const FlattenInput tube = test::cylinder_tube(around, rows, 1, height);
+  std::vector<VertexPair> cut;
+  for (const int line : {0, 5, 9}) {
+    const std::vector<int> vertices = test::tube_line(around, rows, line);
+    for (std::size_t i = 1; i < vertices.size(); ++i) cut.push_back({vertices[i - 1], vertices[i]});
+  }
+  const ExactEvaluation exact(tube, Options(), StopToken());
+  const FlatPieces uncut = exact.uncut();
+  const Chart& chart = uncut[0]->chart;
+  const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
+  ASSERT_EQ(state.pieces.size(), 3U);
+  const CutState merged = merge_sections(state, chart, MirroredCuts(chart, {}), 1e-6, exact);
+  ASSERT_EQ(merged.pieces.size(), 1U);
+  EXPECT_FALSE(merged.pieces[0]->error);
+  EXPECT_NEAR(length_of_cut(chart.mesh, merged.cut), height, 1e-12);
+}
+
+TEST(MergeSections, KeepWhatHoldsTheStrain) {
+  const int n = 8;
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    const double x = 2 * s - 1, y = 2 * t - 1;
+    return Eigen::Vector3d(x, y, 0.5 * std::exp(-3 * (x * x + y * y)));
+  });
+  std::vector<VertexPair> cut;
+  const std::vector<int> column = test::grid_column(n, n, n / 2);
+  for (std::size_t i = 1; i < column.size(); ++i) cut.push_back({column[i - 1], column[i]});
+  const ExactEvaluation exact(input, Options(), StopToken());
+  const FlatPieces uncut = exact.uncut();
+  const Chart& chart = uncut[0]->chart;
+  const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
+  const double cut_strain = std::max(state.pieces[0]->strain, state.pieces[1]->strain);
+  ASSERT_LT(cut_strain, uncut[0]->strain);
+  for (const double most : {(cut_strain + uncut[0]->strain) / 2, uncut[0]->strain}) {
+    const CutState merged = merge_sections(state, chart, MirroredCuts(chart, {}), most, exact);
+    for (const std::shared_ptr<const FlatPiece>& piece : merged.pieces) EXPECT_LE(piece->strain, most);
+    EXPECT_EQ(is_empty(merged.cut), most == uncut[0]->strain);
+  }
 }
 
 TEST(CutSetSearch, CanBeCancelled) {

@@ -15,14 +15,15 @@ HalfEdgeChain left_at(const HalfEdgeMesh& mesh, const CutMask& left, VertexHandl
 
 }  // namespace
 
-HalfEdgeChain chains_of(const HalfEdgeMesh& mesh, const CutMask& cut) {
+std::vector<HalfEdgeChain> sections_of(const HalfEdgeMesh& mesh, const CutMask& cut) {
   CutMask left = cut;
-  HalfEdgeChain chains;
+  std::vector<HalfEdgeChain> sections;
   const auto is_junction = [&](VertexHandle v) { return left_at(mesh, cut, v).size() != 2; };
   const auto follow = [&](HalfedgeHandle h) {
+    HalfEdgeChain& section = sections.emplace_back();
     while (true) {
       left[mesh.edge_handle(h).idx()] = 0;
-      chains.push_back(h);
+      section.push_back(h);
       const VertexHandle end = mesh.to_vertex_handle(h);
       const HalfEdgeChain next = left_at(mesh, left, end);
       if (next.empty() || is_junction(end)) return;
@@ -37,7 +38,7 @@ HalfEdgeChain chains_of(const HalfEdgeMesh& mesh, const CutMask& cut) {
       }
     }
   }
-  return chains;
+  return sections;
 }
 
 }  // namespace wirewarp

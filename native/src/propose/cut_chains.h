@@ -6,8 +6,7 @@
 
 namespace wirewarp {
 
-/// All edges of a cut, one line after the other: each from where cuts end or meet to the next such vertex, then the
-/// rings.
-HalfEdgeChain chains_of(const HalfEdgeMesh& mesh, const CutMask& cut);
+/// The sections of a cut: each from a vertex where cuts end or meet to the next such vertex, then the rings.
+std::vector<HalfEdgeChain> sections_of(const HalfEdgeMesh& mesh, const CutMask& cut);
 
 }  // namespace wirewarp

@@ -13,7 +13,7 @@
 
 namespace wirewarp {
 
-/// The search for sets of cuts in one piece that has no flat shape: first cuts under which all of it lies flat, then
+/// The search for sets of cuts in one piece that has no flat shape: first a cut under which all of it lies flat, then
 /// one cut after the other through the part with most strain. Of the cuts that take much of its distortion, lines and
 /// bisections alike, the one is taken that takes most for its length.
 class CutSetSearch {
@@ -45,6 +45,7 @@ class CutSetSearch {
   CutMask opening() const;
   CutSet evaluate(const FlatPieces& before, const CutMask& cut) const;
   std::optional<CutSet> cut_once_more(const CutSet& set) const;
+  void add_merged(std::vector<CutSet>& sets) const;
   std::vector<DartProposal> best_of(const std::vector<CutSet>& sets) const;
   void add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const;
   void add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const;

@@ -21,13 +21,14 @@ bool is_stretched(const Options& options) {
 
 std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, const Options& options) {
   PartMap edges(chart);
-  FlatPiece flat{std::move(chart), std::move(edges), {}, 0, {}, {}};
+  FlatPiece flat{std::move(chart), std::move(edges), {}, 0, 0, {}, {}};
   flat.error = flat.chart.error ? flat.chart.error : piece.error;
   if (flat.chart.error) return std::make_shared<FlatPiece>(std::move(flat));
   const Metrics& metrics = piece.metrics;
   flat.energy = (options.cloth ? metrics.cloth_energy : metrics.arap_energy) * metrics.area_3d;
   for (const FaceHandle f : flat.chart.mesh.faces()) flat.areas.push_back(face_area(flat.chart.mesh, f));
   flat.strains = metrics.face_aspect_ratio.array() - 1;
+  if (!flat.error) flat.strain = widespread(flat.areas, flat.strains);
   return std::make_shared<FlatPiece>(std::move(flat));
 }
 
@@ -39,7 +40,28 @@ void for_each_outline_edge(const Chart& chart, const Visit& visit) {
   }
 }
 
+std::set<VertexPair> undirected(const std::vector<VertexPair>& edges) {
+  std::set<VertexPair> pairs;
+  for (const VertexPair& edge : edges) pairs.insert({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])});
+  return pairs;
+}
+
+bool has_outline_edge(const Chart& chart, const std::set<VertexPair>& edges) {
+  bool has_one = false;
+  for_each_outline_edge(chart, [&](const VertexPair& edge) { has_one = has_one || edges.count(edge) != 0; });
+  return has_one;
+}
+
 }  // namespace
+
+FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>& edges) {
+  const std::set<VertexPair> wanted = undirected(edges);
+  FlatPieces beside;
+  for (const std::shared_ptr<const FlatPiece>& piece : pieces) {
+    if (has_outline_edge(piece->chart, wanted)) beside.push_back(piece);
+  }
+  return beside;
+}
 
 PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart) {
   PieceFigures figures;
@@ -79,7 +101,7 @@ struct ExactEvaluation::Selection {
   }
 };
 
-ExactEvaluation::ExactEvaluation(const FlattenInput& input, const Options& options, StopToken stop)
+ExactEvaluation::ExactEvaluation(const FlattenInput& input, const InternalOptions& options, StopToken stop)
     : input_(input), options_(options), stop_(std::move(stop)) {
   options_.with_proposals = false;
 }
@@ -114,19 +136,20 @@ ExactEvaluation::Selection ExactEvaluation::with_neighbors(const FlatPieces& pie
   }
   Selection more = chosen;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    for_each_outline_edge(pieces[i]->chart, [&](const VertexPair& edge) {
-      if (outline.count(edge) != 0) more.is_chosen[i] = 1;
-    });
+    if (has_outline_edge(pieces[i]->chart, outline)) more.is_chosen[i] = 1;
   }
   return coupled(pieces, std::move(more));
 }
 
 Charts ExactEvaluation::cut_chosen(const FlatPieces& pieces, const Selection& chosen,
-                                   const std::vector<VertexPair>& edges) const {
+                                   const std::vector<VertexPair>& edges, const std::vector<VertexPair>& opened) const {
+  const std::set<VertexPair> no_seams = undirected(opened);
   std::vector<VertexPair> seams;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (chosen.is_chosen[i] == 0) continue;
-    for_each_outline_edge(pieces[i]->chart, [&](const VertexPair& edge) { seams.push_back(edge); });
+    for_each_outline_edge(pieces[i]->chart, [&](const VertexPair& edge) {
+      if (no_seams.count(edge) == 0) seams.push_back(edge);
+    });
     for (const VertexPair& edge : edges) {
       if (pieces[i]->edges.edge_between(edge).is_valid()) seams.push_back(edge);
     }
@@ -148,12 +171,15 @@ FlatPieces ExactEvaluation::uncut() const {
   return flatten_along_seams(cut_into_charts(input_, edges, stop_));
 }
 
-FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges) const {
+FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                                     const std::vector<VertexPair>& opened) const {
+  const std::set<VertexPair> no_seams = undirected(opened);
   Selection cut{std::vector<char>(before.size(), 0)};
   for (std::size_t i = 0; i < before.size(); ++i) {
     cut.is_chosen[i] = std::any_of(edges.begin(), edges.end(), [&](const VertexPair& edge) {
       return before[i]->edges.edge_between(edge).is_valid();
     });
+    if (has_outline_edge(before[i]->chart, no_seams)) cut.is_chosen[i] = 1;
   }
   Selection changed = coupled(before, std::move(cut)), solved = changed;
   if (is_stretched(options_)) {
@@ -165,7 +191,7 @@ FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector
     if (changed.is_chosen[i] == 0) after.push_back(before[i]);
   }
   const std::vector<int> changed_faces = changed.faces(before);
-  for (std::shared_ptr<const FlatPiece>& piece : flatten_along_seams(cut_chosen(before, solved, edges))) {
+  for (std::shared_ptr<const FlatPiece>& piece : flatten_along_seams(cut_chosen(before, solved, edges, opened))) {
     if (std::binary_search(changed_faces.begin(), changed_faces.end(), piece->chart.source_face.front()))
       after.push_back(std::move(piece));
   }

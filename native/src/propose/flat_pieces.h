@@ -19,6 +19,7 @@ struct FlatPiece {
   PartMap edges;  // of the chart
   std::optional<FlattenError> error;
   double energy = 0;          // Eq. (4), or of the cloth, scene units squared
+  double strain = 0;          // DartProposal::strain
   std::vector<double> areas;  // per face, scene units squared
   Eigen::VectorXd strains;    // per face: max(sigma_1, 1/sigma_2) - 1
 };
@@ -40,22 +41,27 @@ PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart);
 /// Whether a chart is made of faces of another one. Both have their sources in the input, in increasing order.
 bool is_part_of(const Chart& part, const Chart& chart);
 
+/// The pieces that have one of these edges on their outline.
+FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>& edges);
+
 class ExactEvaluation {
  public:
   /// input: checked, in the middle of its material, kept by reference. stop: polled in any thread.
-  ExactEvaluation(const FlattenInput& input, const Options& options, StopToken stop);
+  ExactEvaluation(const FlattenInput& input, const InternalOptions& options, StopToken stop);
 
   /// The input along its own seams. Throws Stopped.
   FlatPieces uncut() const;
 
-  /// The same with edges as further seams: only the pieces that these run through are flattened, those coupled with
-  /// them by elastic seams, and where a cloth is stretched their neighbors, which share the lengths of seams. In any
-  /// thread. Throws Stopped.
-  FlatPieces with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges) const;
+  /// The same with edges as further seams, and without some seams: only the pieces that these run through or lie beside
+  /// are flattened, those coupled with them by elastic seams, and where a cloth is stretched their neighbors, which
+  /// share the lengths of seams. In any thread. Throws Stopped.
+  FlatPieces with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                      const std::vector<VertexPair>& opened = {}) const;
 
   /// The error of a piece, with the seams or tolerances that flatten() proposes. Throws Stopped.
   FlattenError explain(const FlatPieces& pieces, int piece) const;
 
+  const FlattenInput& input() const { return input_; }
   const InternalOptions& options() const { return options_; }
   const StopToken& stop() const { return stop_; }
 
@@ -66,7 +72,8 @@ class ExactEvaluation {
   Selection with_neighbors(const FlatPieces& pieces, const Selection& chosen) const;
   FlattenResult flatten_along_seams(const Charts& charts, const InternalOptions& options) const;
   FlatPieces flatten_along_seams(Charts charts) const;
-  Charts cut_chosen(const FlatPieces& pieces, const Selection& chosen, const std::vector<VertexPair>& edges) const;
+  Charts cut_chosen(const FlatPieces& pieces, const Selection& chosen, const std::vector<VertexPair>& edges,
+                    const std::vector<VertexPair>& opened) const;
 
   const FlattenInput& input_;
   InternalOptions options_;

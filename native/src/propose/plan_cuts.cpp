@@ -43,8 +43,6 @@ class PlanOfCuts {
 
   bool may_be_cut(const FlatPiece& piece) const { return !asked_ || is_part_of(piece.chart, asked_->chart); }
 
-  double strain_of(int piece) const { return figures_of(pieces_, pieces_[piece]->chart).strain; }
-
   /// Those that lack seams, the largest first, as far as seams are looked for; then those that lie flat, the one with
   /// most strain first: no cut of another one lowers that.
   std::vector<int> pieces_in_order() const {
@@ -59,7 +57,7 @@ class PlanOfCuts {
       if (!may_be_cut(piece)) continue;
       const bool is_open = kind_ == CutKind::seam && lacks_seams(piece);
       if (!piece.error || is_open)
-        places.push_back({is_open, is_open ? surface_area(piece.chart.mesh) : strain_of(i), i});
+        places.push_back({is_open, is_open ? surface_area(piece.chart.mesh) : piece.strain, i});
     }
     std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
       return a.lacks_seams != b.lacks_seams ? a.lacks_seams : a.figure > b.figure;
@@ -132,7 +130,7 @@ class PlanOfCuts {
   double most_strain() const {
     double most = -1;
     for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
-      if (!pieces_[i]->error && may_be_cut(*pieces_[i])) most = std::max(most, strain_of(i));
+      if (!pieces_[i]->error && may_be_cut(*pieces_[i])) most = std::max(most, pieces_[i]->strain);
     }
     if (most < 0) throw std::logic_error("A cut was taken under which no part lies flat.");
     return most;

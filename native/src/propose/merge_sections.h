@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "charts/chart.h"
+#include "feasibility/cut_mask.h"
+#include "feasibility/mirrored_cuts.h"
+#include "propose/flat_pieces.h"
+
+namespace wirewarp {
+
+/// A cut of a chart and all pieces of the input with it.
+struct CutState {
+  CutMask cut;
+  FlatPieces pieces;
+};
+
+/// The move "merge": takes sections of seams out of a cut, the longest first, and halves of sections if no whole one
+/// may go, until none is left that may. A section goes with its mirror image, after an exact evaluation of the pieces
+/// beside it: they have to lie flat, with this strain at most. Every state on the way is a cut under which all lies
+/// flat. Throws Stopped.
+CutState merge_sections(CutState state, const Chart& chart, const MirroredCuts& mirrored, double most_strain,
+                        const ExactEvaluation& exact);
+
+}  // namespace wirewarp
