@@ -144,5 +144,21 @@ TEST(RisingDirection, ALevelPieceIsTurnedByItsWire) {
   }
 }
 
+TEST(UprightPair, OfVerticesAtOneHeightDoesNotDependOnTheNumbering) {
+  // The whole lower and the whole upper side are at one height.
+  const FlattenInput sheet = test::flat_rectangle(4, 2, 2, 3);
+  FlattenInput renumbered = sheet;
+  const auto last = static_cast<int>(sheet.vertices.rows()) - 1;
+  renumbered.vertices = sheet.vertices.colwise().reverse().eval();
+  renumbered.faces = (last - sheet.faces.array()).matrix();
+  for (const FlattenInput& input : {sheet, renumbered}) {
+    const Charts charts = charts_of(input);
+    const Positions2 uv = planar_positions(charts.charts[0]);
+    const VertexPair pair = upright_pair(charts.charts[0], uv, by(Orientation::up));
+    EXPECT_EQ(uv.row(pair[0]), Eigen::RowVector2d(0, 0));
+    EXPECT_EQ(uv.row(pair[1]), Eigen::RowVector2d(0, 3));
+  }
+}
+
 }  // namespace
 }  // namespace wirewarp

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -14,7 +15,8 @@
 namespace wirewarp {
 namespace {
 
-// Sizes closer than this are the same: rounding must not choose between the two sides of a symmetric piece.
+// Sizes and heights closer than this are the same: rounding and the numbering of the mesh must not choose between the
+// two sides of a symmetric piece.
 constexpr double kSameSize = 1e-6;
 
 // A chord below this fraction of its chain's length says nothing about where the chain leads.
@@ -146,12 +148,20 @@ VertexPair upright_pair(const Chart& chart, const Positions2& uv, const Options&
       return {chart.mesh.from_vertex_handle(chain.front()).idx(), chart.mesh.to_vertex_handle(chain.back()).idx()};
     }
   }
-  const HalfEdgeChain& outline = chart.boundary_loops.front();
-  const auto vertex = [&](HalfedgeHandle h) { return chart.mesh.from_vertex_handle(h).idx(); };
-  const auto [lowest, highest] =
-      std::minmax_element(outline.begin(), outline.end(),
-                          [&](HalfedgeHandle h, HalfedgeHandle i) { return uv(vertex(h), 1) < uv(vertex(i), 1); });
-  return {vertex(*lowest), vertex(*highest)};
+  std::vector<int> outline;
+  for (const HalfedgeHandle h : chart.boundary_loops.front()) outline.push_back(chart.mesh.from_vertex_handle(h).idx());
+  const auto is_lower = [&](int v, int w) { return uv(v, 1) < uv(w, 1); };
+  const auto [lowest, highest] = std::minmax_element(outline.begin(), outline.end(), is_lower);
+  const double same_height = kSameSize * (uv(*highest, 1) - uv(*lowest, 1));
+  const auto leftmost_beside = [&](int extreme) {
+    int leftmost = extreme;
+    for (const int v : outline) {
+      const bool is_beside = std::abs(uv(v, 1) - uv(extreme, 1)) <= same_height;
+      if (is_beside && uv(v, 0) < uv(leftmost, 0)) leftmost = v;
+    }
+    return leftmost;
+  };
+  return {leftmost_beside(*lowest), leftmost_beside(*highest)};
 }
 
 }  // namespace wirewarp

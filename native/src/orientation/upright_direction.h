@@ -20,8 +20,9 @@ Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, cons
 /// Turns a layout so that up becomes +y, with its lower-left corner at the origin.
 void stand_upright(Positions2& uv, const Eigen::Vector2d& up);
 
-/// Two vertices of an upright layout whose direction tells how the chart is turned: the ends of the chain that stands
-/// upright, where Orientation::wire says so and they are apart; else the lowest and the highest one of the outline.
+/// Returns two vertices of an upright layout whose direction says how the chart is turned: with Orientation::wire the
+/// ends of the chain that stands upright, if they are apart; else the lowest and the highest vertex of the outline, of
+/// those at one height the leftmost, whatever the numbering of the mesh.
 VertexPair upright_pair(const Chart& chart, const Positions2& uv, const Options& options);
 
 }  // namespace wirewarp
