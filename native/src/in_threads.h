@@ -15,11 +15,11 @@
 
 namespace wirewarp {
 
-/// That this thread may run on, 1 at least.
+/// Number of cores this thread may use, at least 1.
 std::size_t num_cores();
 
-/// As long as it lives, num_cores() is 1 on this thread: all cores have work of their own, and threads that this one
-/// began would only take turns with them.
+/// While an object of this class exists, num_cores() is 1 on its thread. Used if all cores have work of their own, so
+/// that more threads would only take turns with them.
 class OnOneCore {
  public:
   OnOneCore();
@@ -31,10 +31,10 @@ class OnOneCore {
   bool was_on_one_core_;
 };
 
-/// There is a second core for a second thread.
+/// Returns whether a second thread has a core of its own.
 inline bool has_second_core() { return num_cores() > 1; }
 
-/// None where the system gives no more threads.
+/// Starts a thread. Returns none if the system allows no more threads.
 template <typename Work>
 std::optional<std::future<void>> begin_thread(const Work& work) {
   try {
@@ -44,9 +44,9 @@ std::optional<std::future<void>> begin_thread(const Work& work) {
   }
 }
 
-/// Calls work(0) to work(count - 1), begun in this order, on at most so many threads. The calling thread does the
-/// first, goes on with others, and calls meanwhile() from time to time once there is nothing left to begin. Once work
-/// has thrown, none is begun any more; throws what it threw.
+/// Calls work(0) to work(count - 1), begun in this order, on at most num_threads threads. The calling thread does the
+/// first, continues with others, and calls meanwhile() from time to time once everything has begun. After an exception
+/// no further work begins; the exception is rethrown.
 template <typename Work>
 void run_in_threads(
     std::size_t count, std::size_t num_threads, const Work& work, const std::function<void()>& meanwhile = [] {}) {
@@ -63,7 +63,7 @@ void run_in_threads(
   std::vector<std::future<void>> others;
   while (others.size() + 1 < std::min(count, num_threads)) {
     std::optional<std::future<void>> other = begin_thread([&] { begin_at(next++); });
-    if (!other) break;  // those there are do all
+    if (!other) break;  // the threads that exist do all
     others.push_back(std::move(*other));
   }
   begin_at(0);

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <sched.h>
 
+#include <algorithm>
+
+#include "cpu_quota.h"
 #include "in_threads.h"
 #include "refuse_threads.h"
 #include "test_meshes.h"
@@ -13,7 +16,8 @@ namespace {
 TEST(Cores, AreThoseThatTheThreadMayUse) {
   cpu_set_t before;
   ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
-  EXPECT_EQ(num_cores(), static_cast<std::size_t>(CPU_COUNT(&before)));
+  const auto count = static_cast<std::size_t>(CPU_COUNT(&before));
+  EXPECT_EQ(num_cores(), std::min(count, cpu_quota("/").value_or(count)));
   cpu_set_t one;
   CPU_ZERO(&one);
   for (int cpu = 0; CPU_COUNT(&one) == 0; ++cpu) {
